@@ -5,17 +5,17 @@
 //! cargo run --example validation
 //! ```
 //!
-//! A record counts if its test stands in the source of its suite and ran after the last
-//! change of it; all others are left from earlier builds and are passed over.
+//! A record is used if its test is in the source of its suite and ran after the last
+//! change of it; all others are left from earlier builds and are ignored.
 //!
-//! With `-- --check` it writes nothing, and fails when a page lacks a comparison that
-//! was recorded, shows one that was not, or shows another expected value or tolerance.
-//! What was found may differ in the last digits between machines.
+//! With `-- --check` it writes nothing, and fails if a page lacks a recorded comparison,
+//! shows one that was not recorded, or shows another expected value or tolerance. The
+//! values found may differ in the last digits between machines.
 //!
-//! `tests/common/record.rs` writes the rows: `validation/<suite>/<test>.csv` in the
-//! build folder. A suite becomes the page `docs/src/validation-<suite>.md`, a source
-//! a table in it. The text depends on the numbers alone: errors have two digits, and
-//! those of round-off are rounded up to a power of ten, which other machines share.
+//! `tests/common/record.rs` writes the rows: `validation/<suite>/<test>.csv` in the build
+//! folder. A suite becomes the page `docs/src/validation-<suite>.md`, a source a table in
+//! it. The text depends only on the numbers: errors have two digits, and round-off is
+//! rounded up to a power of ten, which is equal on other machines.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -25,38 +25,38 @@ use std::process::ExitCode;
 
 use serde::Deserialize;
 
-/// A suite, the title of its page, and what the page says first.
+/// A suite, the title of its page, and the first sentence of the page.
 const PAGES: [(&str, &str, &str); 4] = [
     (
         "section",
         "Sections in numbers",
-        "What the suite of the sections compares, by source.",
+        "Comparisons of the suite of the sections, by source.",
     ),
     (
         "cases",
         "Cases in numbers",
-        "What the cases of `cases/section` give, by source.",
+        "Results of the cases of `cases/section`, by source.",
     ),
     (
         "dynamics",
         "Beams in numbers",
-        "What the suite of the beams compares, by source.",
+        "Comparisons of the suite of the beams, by source.",
     ),
     (
         "chain",
         "Blades in numbers",
-        "What the chain of both programs is compared with.",
+        "Comparisons of the chain of both programs, by source.",
     ),
 ];
 
 /// Errors below this are round-off, of which only the order of magnitude is shown.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Round-off is not told apart below this: it differs between machines.
+/// Round-off is not distinguished below this: it differs between machines.
 const LEAST: f64 = 1e-14;
 
 /// A row as the tests record it; an observed order has no error, a largest error over
-/// many numbers no single number.
+/// many numbers has no single number.
 #[derive(Debug, Clone, Deserialize)]
 struct Row {
     source: String,
@@ -69,7 +69,7 @@ struct Row {
 }
 
 impl Row {
-    /// How near the row is to failing; the largest of equal rows is shown.
+    /// Error relative to the tolerance; the largest of equal rows is shown.
     fn strain(&self) -> f64 {
         match (self.error, self.tolerance) {
             (Some(error), Some(tolerance)) => error / tolerance,
@@ -84,7 +84,7 @@ impl Row {
             let found = format!("{:.1}", self.found.unwrap_or_default());
             return [least, found, "-".into(), "-".into()];
         }
-        // round-off beside zero has no digits to show
+        // round-off of a zero has no digits to show
         let found = match (self.expected, round_off) {
             (Some(0.0), true) => plain(self.expected),
             _ => plain(self.found),
@@ -100,7 +100,7 @@ impl Row {
     }
 }
 
-/// A number with six digits, without zeros at its end; a dash for none.
+/// A number with six digits, without trailing zeros; a dash if absent.
 fn plain(number: Option<f64>) -> String {
     let Some(number) = number else {
         return "-".into();
@@ -116,7 +116,7 @@ fn plain(number: Option<f64>) -> String {
     }
 }
 
-/// An error with two digits; the power of ten above it when it is round-off.
+/// An error with two digits; the next power of ten if it is round-off.
 fn magnitude(error: f64) -> String {
     if error >= ROUND_OFF {
         return format!("{error:.1e}");
@@ -155,7 +155,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Says which lines a page lacks, and which it has too many.
+/// Lists the lines that a page lacks, and the lines that it has too many.
 fn outdated(page: &Path, text: &str) -> Result<String, Box<dyn Error>> {
     let written = std::fs::read_to_string(page)?;
     let (known, recorded) = (lasting(&written), lasting(text));
@@ -173,8 +173,8 @@ fn outdated(page: &Path, text: &str) -> Result<String, Box<dyn Error>> {
     Ok(message)
 }
 
-/// What a page must say on every machine: all but the columns of what was found and
-/// how far it was off.
+/// The part of a page that is equal on all machines: all except the columns of the found
+/// value and the error.
 fn lasting(page: &str) -> Vec<Vec<&str>> {
     let columns = |line| {
         let cells: Vec<&str> = str::split(line, " | ").collect();
@@ -188,7 +188,8 @@ fn lasting(page: &str) -> Vec<Vec<&str>> {
     page.lines().map(columns).collect()
 }
 
-/// Where the tests leave their rows: in the build folder, which this program lies in.
+/// Folder in which the tests record their rows: in the build folder, which contains this
+/// program.
 fn records() -> Result<PathBuf, Box<dyn Error>> {
     let program = std::env::current_exe()?;
     // <build folder>/debug/examples/validation
@@ -196,8 +197,8 @@ fn records() -> Result<PathBuf, Box<dyn Error>> {
     Ok(build.join("validation"))
 }
 
-/// Whether the test of a record, `<module>.<test>.csv`, stands in the source of its
-/// suite and ran after the last change of it.
+/// Whether the test of a record, `<module>.<test>.csv`, is in the source of its suite and
+/// ran after the last change of it.
 fn is_current(record: &Path, source: &Path) -> Result<bool, Box<dyn Error>> {
     let name = record.file_stem().and_then(|name| name.to_str());
     let Some((module, test)) = name.and_then(|name| name.rsplit_once('.')) else {
@@ -231,7 +232,7 @@ fn read(folder: &Path, source: &Path) -> Result<Vec<Row>, Box<dyn Error>> {
     Ok(rows)
 }
 
-/// Adds a row, or lets it replace its like when it is nearer to failing.
+/// Adds a row, or replaces the equal row if the new one is nearer to failing.
 fn merge(rows: &mut Vec<Row>, row: Row) {
     let key = |row: &Row| (row.source.clone(), row.case.clone(), row.quantity.clone());
     match rows.iter_mut().find(|known| key(known) == key(&row)) {
@@ -251,7 +252,7 @@ fn text(suite: &str, title: &str, opening: &str, rows: &[Row]) -> String {
          Made by `cargo run --example validation` from the numbers that `cargo test --test {suite}` recorded; \
          do not edit.\n\n\
          The error is measured as in the test, the tolerance is the test's, with its reason there.\n\
-         Where a comparison runs on several meshes or cells, the row shows the one nearest to its tolerance.\n\
+         If a comparison runs on several meshes or cells, the row shows the one nearest to its tolerance.\n\
          An error of round-off is shown by the power of ten above it.\n\
          The overview is in [Validation](validation.md).\n"
     );

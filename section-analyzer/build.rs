@@ -1,9 +1,9 @@
 //! Makes the build id of the program, `SECTION_ANALYZER_BUILD`: a fingerprint of its
-//! sources, of the versions of what it depends on, and of how it is compiled.
+//! sources, the versions of its dependencies, and the settings of its compilation.
 //!
-//! Two programs with the same id give the same results; one that was built again from
-//! changed sources has another id. Nothing but files beside this one is needed, so that
-//! the id is there without git, and in a package as in the workspace.
+//! Two programs with the same id give the same results; a program built from changed
+//! sources has another id. Only files next to this one are read, so that the id is
+//! available without git, and in a package as in the workspace.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -11,8 +11,8 @@ use std::{env, fs};
 
 use sha2::{Digest, Sha256};
 
-/// What the results depend on, from the folder of this file; what is not there (in a
-/// package, which has its own list of versions) is left out.
+/// Files on which the results depend, relative to the folder of this file. Files that do
+/// not exist are ignored (a package has its own list of versions).
 const SOURCES: [&str; 7] = [
     "src",
     "Cargo.toml",
@@ -23,7 +23,7 @@ const SOURCES: [&str; 7] = [
     "../Cargo.lock",
 ];
 
-/// How it is compiled: what can change the last digits.
+/// Compiler settings that can change the last digits.
 const SETTINGS: [&str; 5] = [
     "TARGET",
     "OPT_LEVEL",
@@ -52,13 +52,13 @@ fn main() {
     println!("cargo::rustc-env=SECTION_ANALYZER_BUILD={id}");
 }
 
-/// Adds a part with its length, so that parts are kept apart.
+/// Adds a part with its length, so that parts stay distinct.
 fn add(hasher: &mut Sha256, part: &[u8]) {
     hasher.update((part.len() as u64).to_le_bytes());
     hasher.update(part);
 }
 
-/// The file `at`, or all files of that folder and of those in it, in order.
+/// The file `at`, or all files of this folder and its subfolders, in order.
 fn files_in(at: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(at) else {
         return vec![at.to_owned()];

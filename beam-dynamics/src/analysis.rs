@@ -1,4 +1,4 @@
-//! Analyses: each reads as its method, one call a step.
+//! Analyses: the code of each follows its method, one call per step.
 
 mod bending;
 pub mod buckling;

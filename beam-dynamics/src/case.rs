@@ -1,4 +1,4 @@
-//! A checked question to the engine: the model and what is asked of it.
+//! A checked problem for the engine: the model and the requested analyses.
 
 use nalgebra::Vector3;
 use shared_geom::hash::sha256_of;
@@ -12,7 +12,7 @@ mod transient;
 pub use columns::{Column, ElectrodeQuantity, Every, OutputQuestion, Quantity};
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
-/// How the model's frame turns.
+/// Rotation of the model's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spin {
     /// Axis of rotation, of unit length [-].
@@ -31,13 +31,13 @@ impl Default for Spin {
     }
 }
 
-/// A blade of a model, for what is asked of blades: naming, multiblade coordinates,
-/// output along the span.
+/// A blade of a model, for all that concerns blades: naming, multiblade coordinates, output
+/// along the span.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BladeNodes {
     /// Name of the blade.
     pub name: String,
-    /// Place on the rotor, positive about the axis [rad].
+    /// Azimuth on the rotor, positive about the axis [rad].
     pub azimuth: f64,
     /// Nodes from the root to the tip.
     pub nodes: Vec<usize>,
@@ -52,11 +52,11 @@ pub struct Model {
     pub system: System,
     /// Axes for naming, one a node.
     pub naming: Vec<NamingAxes>,
-    /// What turns.
+    /// The rotation of the frame.
     pub spin: Spin,
     /// Acceleration of gravity, in the model's frame [m/s^2].
     pub gravity: Vector3<f64>,
-    /// What gravity is multiplied by [-].
+    /// Factor of gravity [-].
     pub gravity_drive: Drive,
     /// Nodes of each beam, for drawing.
     pub beams: Vec<[usize; 3]>,
@@ -83,9 +83,9 @@ impl Model {
         }
     }
 
-    /// A fingerprint of all that the motion of the model follows from: nodes, elements with
-    /// their laws and drives, gravity and the axis of turning. Names of the model, what is
-    /// drawn and the motion at the start do not count.
+    /// A fingerprint of everything that determines the motion of the model: nodes, elements
+    /// with their laws and drives, gravity and the axis of rotation. Names of the model,
+    /// drawing and the initial motion are ignored.
     pub fn fingerprint(&self) -> String {
         let of = |part: &dyn std::fmt::Debug| sha256_of(&[format!("{part:?}").as_bytes()]);
         let mut parts = vec![
@@ -117,10 +117,10 @@ impl Model {
     }
 }
 
-/// Damping ratios of modes that are given, and not found from the model.
+/// Damping ratios of modes that are given instead of computed from the model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum ModalDamping {
-    /// None is given.
+    /// No ratios are given.
     #[default]
     Found,
     /// The same ratio for all modes [-].
@@ -133,8 +133,8 @@ pub enum ModalDamping {
 }
 
 impl ModalDamping {
-    /// The ratio that is given for the mode called `name`, whose place among the modes at
-    /// the first speed is `order` (from zero) [-].
+    /// The ratio given for the mode called `name`, whose index among the modes at the first
+    /// speed is `order` (from zero) [-].
     pub fn ratio(&self, order: usize, name: &str) -> Option<f64> {
         match self {
             Self::Found => None,
@@ -148,7 +148,7 @@ impl ModalDamping {
     }
 }
 
-/// What is asked about modes.
+/// The requested modes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModesQuestion {
     /// Rotor speeds, ascending, without doubles [rad/s].
@@ -157,7 +157,7 @@ pub struct ModesQuestion {
     pub count: usize,
     /// Damping ratios that are given.
     pub damping: ModalDamping,
-    /// Speeds, among `speeds`, at which the shapes of the modes are handed out [rad/s].
+    /// Speeds, among `speeds`, at which the shapes of the modes are returned [rad/s].
     pub shapes: Vec<f64>,
     /// Whether these shapes are animated as field files.
     pub animate: bool,
@@ -175,7 +175,7 @@ impl ModesQuestion {
         }
     }
 
-    /// The first and the last speed: where shapes are shown unless speeds are chosen
+    /// The first and the last speed, at which shapes are shown unless speeds are chosen
     /// \[rad/s\].
     pub fn ends(&self) -> Vec<f64> {
         let last = self.speeds.last().filter(|_| self.speeds.len() > 1);
@@ -188,23 +188,23 @@ impl ModesQuestion {
     }
 }
 
-/// What is asked about equilibria under loads.
+/// The requested equilibria under loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticQuestion {
     /// Rotor speed [rad/s].
     pub speed: f64,
     /// Factor of the proportional loads at the end [-].
     pub to: f64,
-    /// Equal steps in which the loads grow, each cut where it must; `None`: as large as
-    /// the iteration allows.
+    /// Number of equal load steps, each shortened where the iteration requires it; `None`:
+    /// as large as the iteration allows.
     pub steps: Option<usize>,
-    /// Whether the path is followed by its length, past limit points.
+    /// Whether the path is followed by arc length, past limit points.
     pub arc_length: bool,
-    /// Steps along the path at most.
+    /// Largest number of steps along the path.
     pub most_steps: usize,
 }
 
-/// What is asked about critical loads.
+/// The requested critical loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BucklingQuestion {
     /// Rotor speed [rad/s].

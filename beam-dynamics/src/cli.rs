@@ -33,14 +33,14 @@ use terminal::Terminal;
 
 /// The work is done.
 const DONE: u8 = 0;
-/// The program ran but did not reach its goal; what there is has been written.
+/// The program ran but did not reach its goal; the available results have been written.
 const NOT_REACHED: u8 = 1;
 /// The input or the command line is wrong.
 const WRONG_INPUT: u8 = 2;
 
-/// A file that does not ask what the command answers.
+/// A file without the table of the requested analysis.
 #[derive(Debug, thiserror::Error)]
-#[error("{file}: has no [{table}], which says what is asked")]
+#[error("{file}: has no [{table}], which defines the analysis")]
 struct NotAsked {
     file: String,
     table: &'static str,
@@ -71,11 +71,10 @@ impl Explain for BladeAlone {
 }
 
 /// Runs the program with the arguments of a command line, of which the first is the
-/// name of the program; gives the exit code.
+/// name of the program; returns the exit code.
 ///
-/// 0: done. 1: ran but did not reach its goal; what there is has been written. 2: the
-/// input or the command line is wrong. Output that no one reads any more (a closed
-/// pipe) is no error.
+/// 0: done. 1: ran but did not reach its goal; available results have been written. 2: the
+/// input or the command line is wrong. A closed output pipe is not an error.
 pub fn run(
     arguments: impl IntoIterator<Item = OsString>,
     out: &mut dyn Write,
@@ -130,8 +129,8 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
     }
 }
 
-/// Reads all files, those of blades with the question of the options; when one is
-/// wrong, tells all that is and gives none.
+/// Reads all files, blade files with the settings of the options; reports all wrong files
+/// and then returns none.
 fn read(
     files: &[PathBuf],
     options: &BladeOptions,
@@ -164,7 +163,7 @@ fn check_files(files: &[PathBuf], terminal: &mut Terminal<'_>) -> u8 {
     DONE
 }
 
-/// Options for blade files beside a dynamics file.
+/// Options for blade files given with a dynamics file.
 #[derive(Debug, thiserror::Error)]
 #[error("\"{file}\" is a dynamics file, for which {option} is not an option")]
 struct NotABlade {
@@ -174,13 +173,13 @@ struct NotABlade {
 
 impl Explain for NotABlade {
     fn help(&self) -> Option<String> {
-        let text = "options for blade files mount a blade that is given by itself; a dynamics \
-                    file says it in [[blade]] and [modes]";
+        let text = "options for blade files mount a blade from a blade file; a dynamics \
+                    file states this in [[blade]] and [modes]";
         Some(text.to_owned())
     }
 }
 
-/// Places of the results, each of its own, and the inputs; tells what is wrong.
+/// Folders of the results, all different, and the inputs; reports problems.
 fn read_with_places(
     files: &[PathBuf],
     results: &Results,
@@ -265,13 +264,13 @@ fn modes_of(
     finish(failure, written, terminal)
 }
 
-/// Remarks on a result: those on the input first, and why it ended early last.
+/// Remarks on a result: those on the input first, and the reason of an early end last.
 fn add_remarks(remarks: &mut Vec<String>, input: &Input, failure: Option<&dyn Display>) {
     remarks.splice(0..0, input.remarks.iter().cloned());
     remarks.extend(failure.map(|failure| format!("stopped early: {failure}")));
 }
 
-/// Tells what went wrong and which files there are; the exit code.
+/// Reports the failure and the written files; returns the exit code.
 fn finish(
     failure: Option<String>,
     written: Result<Written, OutputProblem>,

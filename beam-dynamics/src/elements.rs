@@ -1,4 +1,4 @@
-//! What acts on nodes: the [`Element`] trait and its families.
+//! Elements, which act on nodes: the [`Element`] trait and its families.
 
 use std::fmt::Debug;
 
@@ -59,16 +59,17 @@ pub use reading::{
 pub use sensor::{NodeReading, Sensor};
 pub use signal::{Input, Instant, Signal, Smoothness};
 
-/// What an element sees: the motion of its nodes, its multipliers, its scalars, and the frame.
+/// Input of an element at a state: the motion of its nodes, its multipliers, its scalars, and the
+/// frame.
 #[derive(Debug, Clone, Copy)]
 pub struct Local<'a> {
-    /// Motion of the element's nodes, in its own order.
+    /// Motion of the element's nodes, in the element's order.
     pub nodes: &'a [NodeMotion],
     /// The element's multipliers [N, N m].
     pub multipliers: &'a [f64],
-    /// The element's scalars, in its own order.
+    /// The element's scalars, in the element's order.
     pub scalars: Scalars<'a>,
-    /// What the element remembers of accepted steps, see [`Element::memory`] [unit of each].
+    /// State stored at accepted steps, see [`Element::memory`] [unit of each].
     pub memory: &'a [f64],
     /// The frame of the model.
     pub frame: &'a TurningFrame,
@@ -93,16 +94,16 @@ pub struct Along<'a> {
     pub nodes: &'a [[Vector3<f64>; 2]],
     /// Change of each multiplier [N, N m].
     pub multipliers: &'a [f64],
-    /// Change of each of the element's scalars, in its own order [unit of each].
+    /// Change of each of the element's scalars, in the element's order [unit of each].
     pub scalars: &'a [f64],
 }
 
 /// A part of the model that contributes to the equations of its nodes.
 ///
-/// The residual of the system is the sum of the contributions; it vanishes in
-/// motion. Force and moment rows hold what acts *on* the node, momentum rows the
-/// momentum of the node minus that of the bodies. The Jacobian is exact, by the
-/// spatial variation of each variable (see [`crate::model::Variable`]).
+/// The residual of the system is the sum of the contributions; it vanishes in motion. Force and
+/// moment rows contain the forces and moments *on* the node, momentum rows the momentum of the node
+/// minus the momentum of its bodies. The Jacobian is exact, by the spatial variation of each
+/// variable (see [`crate::model::Variable`]).
 pub trait Element: Debug + Send + Sync {
     /// Name, for messages.
     fn label(&self) -> &str;
@@ -110,13 +111,13 @@ pub trait Element: Debug + Send + Sync {
     /// Nodes on which the element acts.
     fn nodes(&self) -> &[usize];
 
-    /// The scalar unknowns on which the element acts, or which act on it: its own, and those
-    /// that it shares with others.
+    /// The scalar unknowns on which the element acts, or which act on it: its own ones, and shared
+    /// ones.
     fn scalars(&self) -> &[Scalar] {
         &[]
     }
 
-    /// Visits all that it is given from outside.
+    /// Visits all quantities that are given to it from outside.
     fn each_signal<'a>(&'a self, _visit: &mut dyn FnMut(&'a Signal)) {}
 
     /// Whether it acts on its nodes; a sensor does not.
@@ -124,9 +125,8 @@ pub trait Element: Debug + Send + Sync {
         true
     }
 
-    /// Adds the residual, and where a Jacobian takes them the derivatives of it. The blocks that
-    /// are added to that must be the same at every state, so that the pattern of the system is
-    /// found once.
+    /// Adds the residual, and its derivatives if a Jacobian takes them. The blocks written must be
+    /// the same at every state, so that the pattern of the system is found once.
     fn evaluate(
         &self,
         at: &Local<'_>,
@@ -134,33 +134,32 @@ pub trait Element: Debug + Send + Sync {
         jacobian: Option<&mut LocalJacobian>,
     );
 
-    /// Its constraints, where it has any.
+    /// Its constraints, if it has any.
     fn constraints(&self) -> Option<&dyn Constraints> {
         None
     }
 
-    /// Its memory of accepted steps, where it has one.
+    /// Its memory of accepted steps, if it has one.
     fn memory(&self) -> Option<&dyn Memory> {
         None
     }
 
-    /// Its energy, where it has any or exchanges it otherwise than by its signals.
+    /// Its energy, if it stores, dissipates or exchanges any other than through its signals.
     fn energetic(&self) -> Option<&dyn Energetic> {
         None
     }
 
-    /// How its forces grow with the loads, where it has other forces than those of its
-    /// multipliers.
+    /// Growth of its forces with the loads, if it has forces other than its multipliers.
     fn growth(&self) -> Option<&dyn Growth> {
         None
     }
 
-    /// What it is to the structure, where it is a part of it.
+    /// Its structural role, if it is a part of the structure.
     fn structure(&self) -> Option<&dyn Structure> {
         None
     }
 
-    /// Its reports, where it has any.
+    /// Its reports, if it has any.
     fn reports(&self) -> Option<&dyn Reports> {
         None
     }

@@ -1,8 +1,8 @@
 //! The dynamics input: the cards of `NAME.dynamics.toml`, checked, as a case for the
 //! analysis.
 //!
-//! Every card has its own file, which reads the card and adds what it means to the
-//! model. All problems of a file are told at once, each with file, line and remedy.
+//! Every card has its own file, which reads the card and adds its content to the model. All
+//! problems of a file are reported at once, each with file, line and remedy.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -106,36 +106,36 @@ pub const ENDING: &str = ".dynamics.toml";
 pub struct Input {
     /// The model.
     pub model: Model,
-    /// What is asked about modes; `None` without `[modes]`.
+    /// The requested modes; `None` without `[modes]`.
     pub modes: Option<ModesQuestion>,
-    /// What is asked about equilibria under loads; `None` without `[static]`.
+    /// The requested equilibria under loads; `None` without `[static]`.
     pub statics: Option<StaticQuestion>,
-    /// What is asked about critical loads; `None` without `[buckling]`.
+    /// The requested critical loads; `None` without `[buckling]`.
     pub buckling: Option<BucklingQuestion>,
-    /// What a run in time writes.
+    /// The output of a run in time.
     pub output: OutputQuestion,
-    /// What is asked about motion in time; `None` without `[transient]`.
+    /// The requested motion in time; `None` without `[transient]`.
     pub transient: Option<TransientQuestion>,
-    /// Measurements to set beside the result; empty when there are none.
+    /// Measurements to compare with the result; empty if there are none.
     pub measured: Measured,
-    /// Names of the joints that nothing but motion and loads holds.
+    /// Names of the joints without a spring, whose motion only inertia and loads resist.
     pub free_hinges: Vec<String>,
-    /// Where each node is given.
+    /// Location of each node in the files.
     pub node_places: Vec<Place>,
-    /// What the model consists of.
+    /// The contents of the model.
     pub summary: Summary,
-    /// Where each joint is given.
+    /// Location of each joint in the files.
     pub joint_places: BTreeMap<String, Place>,
-    /// What the reader must know of the files: defaults that were taken, plausibility.
+    /// Remarks on the files for the user: defaults that were used, plausibility.
     pub remarks: Vec<String>,
 }
 
 /// Reads and checks the dynamics input at `path`, with the files that it names.
 ///
 /// # Errors
-/// Everything that is wrong with the input and its files: what cannot be read, unknown
-/// keys and names, wrong values, impossible geometry; and if there is nothing of that
-/// kind, the ways in which the model can move freely.
+/// All problems of the input and its files: unreadable files, unknown keys and names, wrong
+/// values, impossible geometry; and if there are none of these, the ways in which the model
+/// can move freely.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let file = path.display().to_string();
     checked(&read_text(path)?, &file, &name_of(path))
@@ -152,7 +152,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);
-    // In time what is not held may fly; what has no mass may not.
+    // In time a part that is not held may move freely, but it must have mass.
     let only_in_time = input.transient.is_some()
         && input.modes.is_none()
         && input.statics.is_none()
@@ -182,7 +182,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     problems.into_result(input)
 }
 
-/// What the reader must know of joints that move without a spring.
+/// Remark on joints that can move without a spring.
 fn free_hinges(names: &[String]) -> Option<String> {
     let [first, others @ ..] = names else {
         return None;
@@ -196,7 +196,7 @@ fn free_hinges(names: &[String]) -> Option<String> {
     ))
 }
 
-/// What the reader must know of systems that sample, where there is no time.
+/// Remark on systems that sample, in analyses without time.
 fn sampled(model: &Model) -> Option<String> {
     let elements = model.system.elements();
     let mut names = elements
@@ -208,12 +208,12 @@ fn sampled(model: &Model) -> Option<String> {
         count => format!(" and {count} more"),
     };
     Some(format!(
-        "\"{first}\"{others}, which samples, acts in runs in time alone: in statics, buckling and \
+        "\"{first}\"{others}, which samples, acts only in runs in time: in statics, buckling and \
          modes its outputs are zero"
     ))
 }
 
-/// The file's name without folder and ending: what outputs are named by.
+/// The file's name without folder and ending, from which outputs are named.
 pub fn name_of(path: &Path) -> String {
     match is_blade_file(path) {
         true => blade_file::name_of(path),
@@ -221,7 +221,7 @@ pub fn name_of(path: &Path) -> String {
     }
 }
 
-/// Declares what numbers count and what may stand for them.
+/// Declares the units of numbers and the parameters.
 fn declare(document: &Document, root: &Table<'_>) {
     document.declare_units(root);
     document.declare_parameters(root);
@@ -289,13 +289,13 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     Some(input)
 }
 
-/// Notes what is wrong with what acts in a run from and to the given `times` \[s\].
+/// Notes problems of loads and drives in a run from and to the given `times` \[s\].
 fn check_run(document: &Document, draft: &Draft, times: [f64; 2]) {
     draft.drives().check_run(document, times);
     control::check_run(document, draft, times);
 }
 
-/// The input as a value, when the model is complete.
+/// The input if the model is complete.
 fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) -> Option<Input> {
     let summary = draft.summary(questions.modes.as_ref(), &measured);
     let remarks = draft.remarks(questions.buckling.is_some());

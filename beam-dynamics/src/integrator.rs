@@ -13,6 +13,7 @@ mod failure;
 mod formula;
 mod lengths;
 mod limits;
+mod meter;
 mod prediction;
 mod scheme;
 mod speeds;

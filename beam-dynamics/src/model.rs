@@ -1,4 +1,4 @@
-//! What is constant during a run (nodes, numbering) and what changes (state).
+//! Constants of a run (nodes, numbering) and variables (state).
 
 mod axes;
 mod conditions;

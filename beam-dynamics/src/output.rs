@@ -1,5 +1,5 @@
-//! What is written of a result: tables for people and for programs, the comparison
-//! with measurements, and the fan plot. Output reads results; it computes nothing.
+//! Output of results: tables for people and for programs, the comparison with measurements, and the
+//! fan plot. Output only reads results; it computes nothing.
 
 mod blade_text;
 mod buckling;

@@ -1,4 +1,4 @@
-//! Results of an analysis, as values: what output writes.
+//! Results of an analysis, as values: the input of the output stage.
 
 use nalgebra::{Complex, Matrix3};
 
@@ -12,7 +12,7 @@ pub use columns::ColumnValues;
 pub use statics::{StaticResult, StaticStep};
 pub use transient::{Effort, Moment, Recorder, Snapshot};
 
-/// What a mode mainly does.
+/// The dominant motion of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ModeKind {
     /// Bending out of the plane of rotation.
@@ -31,7 +31,7 @@ impl ModeKind {
     /// The four pure kinds, in the order of [`Shares`].
     pub const PURE: [Self; 4] = [Self::Flap, Self::Lag, Self::Torsion, Self::Axial];
 
-    /// The word for it.
+    /// The word for the kind.
     pub fn word(self) -> &'static str {
         match self {
             Self::Flap => "flap",
@@ -47,15 +47,14 @@ impl ModeKind {
 /// one [-].
 pub type Shares = [f64; 4];
 
-/// How the blades of a rotor move together in a mode.
+/// Pattern of motion of the blades of a rotor in a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Whirl {
-    /// Waves around the rotor, running in the direction of rotation where positive.
+    /// Waves around the rotor, positive in the direction of rotation.
     pub harmonic: i32,
     /// Number of blades.
     pub blades: usize,
-    /// Share of the kinetic energy of the blades in this way of moving; the hub does not
-    /// count [-].
+    /// Share of the kinetic energy of the blades in this pattern; the hub is ignored [-].
     pub share: f64,
 }
 
@@ -69,7 +68,7 @@ pub enum Direction {
 }
 
 impl Whirl {
-    /// The way of moving in a word, as seen in the turning axes.
+    /// The pattern as a word, relative to the turning axes.
     pub fn word(&self) -> String {
         let waves = self.harmonic.unsigned_abs() as usize;
         let several = |word: &str| match waves {
@@ -84,9 +83,9 @@ impl Whirl {
         }
     }
 
-    /// Frequency of a mode of `frequency` in the turning axes as the fixed system sees it
-    /// at a rotor speed, both [Hz], `|f + h n|`, and which way it runs around; none for
-    /// collective and differential modes, which do not run.
+    /// Frequency in the fixed system of a mode of `frequency` in the turning axes at a
+    /// rotor speed, both [Hz], `|f + h n|`, and its direction around the rotor; `None` for
+    /// collective and differential modes, which have no direction.
     pub fn in_fixed_system(&self, frequency: f64, speed: f64) -> Option<(f64, Direction)> {
         let waves = self.harmonic.unsigned_abs() as usize;
         if waves == 0 || 2 * waves == self.blades {
@@ -109,16 +108,16 @@ pub struct ModePoint {
     pub frequency: f64,
     /// Damping ratio `-Re(s) / |s|` [-].
     pub damping_ratio: f64,
-    /// Real part of s: positive where the motion grows [1/s].
+    /// Real part of s: positive if the motion grows [1/s].
     pub growth: f64,
-    /// What the mode does at this speed [-].
+    /// Shares of the motions at this speed [-].
     pub shares: Shares,
-    /// How the blades move together; `None` without a rotor of equal blades.
+    /// Pattern of motion of the blades; `None` without a rotor of equal blades.
     pub whirl: Option<Whirl>,
-    /// Modal assurance criterion with the same mode at the speed before; `None` where
-    /// the mode begins [-].
+    /// Modal assurance criterion with the same mode at the previous speed; `None` where the
+    /// mode begins [-].
     pub assurance: Option<f64>,
-    /// How the nodes move, at the speeds at which this was asked for.
+    /// Motion of the nodes, at the speeds at which it was requested.
     pub shape: Option<ModeShape>,
 }
 
@@ -137,22 +136,22 @@ pub struct ModeShape {
 /// One mode, followed over the speeds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeBranch {
-    /// Name: kind and number, such as `flap 2`; given at the first speed of the branch
+    /// Name: kind and number, for example `flap 2`; given at the first speed of the branch
     /// and kept while the mode is followed.
     pub name: String,
     /// Kind at the first speed of the branch.
     pub kind: ModeKind,
     /// Waves around the rotor at the first speed; `None` without a rotor of equal blades
-    /// and where no way of moving together prevails.
+    /// and if no pattern prevails.
     pub harmonic: Option<i32>,
-    /// The mode at each speed; `None` where it is not among those computed.
+    /// The mode at each speed; `None` where it was not computed.
     pub points: Vec<Option<ModePoint>>,
 }
 
-/// How the steady equilibrium at one speed was found.
+/// Effort and result of the steady equilibrium at one speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EquilibriumReport {
-    /// Newton iterations, those of intermediate speeds included.
+    /// Newton iterations, including intermediate speeds.
     pub iterations: usize,
     /// Largest residual relative to the largest term of its kind [-].
     pub residual: f64,
@@ -173,12 +172,12 @@ pub struct FrequencyTable {
     pub branches: Vec<ModeBranch>,
     /// Equilibrium at each speed.
     pub equilibria: Vec<EquilibriumReport>,
-    /// Remarks for the reader, such as an unstable equilibrium.
+    /// Remarks for the user, for example on an unstable equilibrium.
     pub remarks: Vec<String>,
 }
 
 impl FrequencyTable {
-    /// Branches at speed number `speed` with their points, ascending in frequency.
+    /// Branches at index `speed` of the speeds with their points, ascending in frequency.
     pub fn at_speed(&self, speed: usize) -> Vec<(&ModeBranch, &ModePoint)> {
         let mut found: Vec<_> = self
             .branches
@@ -197,21 +196,21 @@ pub struct MeasuredPoint {
     pub speed: f64,
     /// Frequency [Hz].
     pub frequency: f64,
-    /// Place of the mode in ascending order, from one, where the kinds of
-    /// [`Measured::leave_out`] do not count; `None` for a point without a mode.
+    /// Number of the mode in ascending order, from one, ignoring the kinds of
+    /// [`Measured::leave_out`]; `None` for a point without a mode.
     pub order: Option<usize>,
 }
 
-/// Measurements to be set beside the computed frequencies.
+/// Measurements to compare with the computed frequencies.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Measured {
     /// The points.
     pub points: Vec<MeasuredPoint>,
-    /// Kinds of modes that were not measured and do not count in the order.
+    /// Kinds of modes that were not measured and are ignored in the order.
     pub leave_out: Vec<ModeKind>,
 }
 
-/// A measured frequency beside the computed one.
+/// A measured frequency with the computed one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
     /// The measurement.
@@ -223,8 +222,8 @@ pub struct Comparison {
 }
 
 impl Measured {
-    /// Sets each point that has an order and a computed speed (to 1e-6 of the
-    /// largest) beside the mode of that order in `table`.
+    /// Compares each point that has an order and a computed speed (to 1e-6 of the largest)
+    /// with the mode of that order in `table`.
     pub fn compare(&self, table: &FrequencyTable) -> Vec<Comparison> {
         let largest = table.speeds.iter().fold(1.0, |a: f64, b| a.max(*b));
         let beside = |point: &MeasuredPoint| {

@@ -1,5 +1,5 @@
-//! Blade files of all formats that are told from their content. What is read without a
-//! problem can be written in all formats.
+//! Blade files of all formats, recognized from their content. A blade that is read
+//! without a problem can be written in all formats.
 #![no_main]
 
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! Mesh files: versions 2.2 and 4.1, ascii and binary, through the one entry. What is
-//! read can be written, and read again.
+//! Mesh files: versions 2.2 and 4.1, ascii and binary, through the one entry. Meshes that
+//! are read can be written, and read again.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

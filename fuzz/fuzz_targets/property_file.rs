@@ -1,4 +1,4 @@
-//! Section-property files. What is accepted can be written, and read again.
+//! Section-property files. Accepted files can be written, and read again.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

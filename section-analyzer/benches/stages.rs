@@ -51,7 +51,7 @@ fn section() -> Option<Section> {
     })
 }
 
-/// The section as the solver sees it, in the order of elimination.
+/// The domain and pattern of the section, in the order of elimination.
 fn prepared(section: &Section) -> Option<(Domain, Pattern)> {
     let domain = Domain::new(section).ok()?;
     let pattern = Pattern::new(&domain);

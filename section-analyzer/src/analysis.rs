@@ -1,4 +1,4 @@
-//! From a section to its properties: the method, one call a stage.
+//! From a section to its properties: the method, one call per stage.
 //!
 //! # References
 //! - Giavotto, Borri, Mantegazza, Ghiringhelli, Carmaschi, Maffioli, Mussi,
@@ -29,8 +29,8 @@ use si::{Frame, in_si};
 /// Finds stiffness, mass, centers and central solutions of `section`.
 ///
 /// # Errors
-/// [`Failure`] when the section has no unique, accurate solution: it falls
-/// apart, has inverted or folded cells, or is too badly conditioned.
+/// [`Failure`] when the section has no unique, accurate solution: it is not connected, has
+/// inverted or folded cells, or is too badly conditioned.
 pub fn analyze(section: &Section) -> Result<SectionSolution, Failure> {
     let (solved, systems) = Solved::new(section)?;
     // the factors are the largest part of the memory
@@ -38,8 +38,8 @@ pub fn analyze(section: &Section) -> Result<SectionSolution, Failure> {
     solved.solution()
 }
 
-/// An analysis that keeps its factored systems: further questions to the same section
-/// cost a solution each, not a factorization.
+/// An analysis that keeps its factored systems: a further result of the same section needs
+/// a solution, not a factorization.
 #[derive(Debug)]
 pub struct Analysis<'a> {
     solved: Solved<'a>,
@@ -72,7 +72,7 @@ impl<'a> Analysis<'a> {
         self.solved.section
     }
 
-    /// The section as it was solved: units, nodes and cells.
+    /// The section as solved: units, nodes and cells.
     pub fn domain(&self) -> &Domain {
         &self.solved.domain
     }
@@ -93,12 +93,12 @@ impl<'a> Analysis<'a> {
             .ok_or(Failure::OutOfMemory { unknowns })
     }
 
-    /// Derivatives of stiffness, compliance, mass and centers with respect to
-    /// `parameters`, all at once: the number of solutions does not depend on theirs.
+    /// Derivatives of stiffness, compliance, mass and centers with respect to `parameters`,
+    /// all at once: the number of solutions does not depend on the number of parameters.
     ///
     /// # Errors
-    /// [`SensitivityProblem`] for the first parameter that the section does not have, or
-    /// without memory.
+    /// [`SensitivityProblem`] for the first parameter that the section does not have, or if
+    /// memory is insufficient.
     pub fn sensitivities(
         &self,
         parameters: &[Parameter],
@@ -106,8 +106,8 @@ impl<'a> Analysis<'a> {
         sensitivity::all_at_once(self.parts(), parameters)
     }
 
-    /// As [`Analysis::sensitivities`], by a solution for each parameter: another way to
-    /// the same numbers.
+    /// As [`Analysis::sensitivities`], by a solution for each parameter: an independent
+    /// computation of the same numbers.
     ///
     /// # Errors
     /// As [`Analysis::sensitivities`].
@@ -118,14 +118,15 @@ impl<'a> Analysis<'a> {
         sensitivity::direct(self.parts(), parameters)
     }
 
-    /// A generalized strain found a second way, by `check`, is the same within the limit.
+    /// Requires that a generalized strain and its second computation, by `check`, agree
+    /// within the limit.
     fn require_work(&self, check: &'static str, error: f64) -> Result<(), Failure> {
         let node = self.systems.smallest_pivot().node;
         let weakest = named(self.section(), self.domain(), node);
         require_small((check, error), OF_CELLS.check, weakest)
     }
 
-    /// What derivatives are made from.
+    /// Input of the derivatives.
     pub(crate) fn parts(&self) -> sensitivity::Solved<'_> {
         sensitivity::Solved {
             section: self.solved.section,
@@ -143,15 +144,15 @@ struct Solved<'a> {
     section: &'a Section,
     domain: Domain,
     central: Central,
-    /// What voltages do; `None` without electrodes.
+    /// Effects of voltages; `None` without electrodes.
     voltages: Option<Voltages>,
-    /// Node that is held least.
+    /// Node of the smallest pivot.
     weakest: usize,
 }
 
 impl<'a> Solved<'a> {
-    /// The method up to the decoupled central solutions and those of voltages, and the
-    /// systems that found them.
+    /// Computes the decoupled central solutions and the solutions of voltages; returns
+    /// their factored systems, too.
     fn new(section: &'a Section) -> Result<(Self, CentralSystems), Failure> {
         let domain = Domain::new(section)?;
         let pattern = Pattern::new(&domain);
@@ -201,10 +202,10 @@ impl<'a> Solved<'a> {
     }
 }
 
-/// A node of the domain as the mesh names it.
+/// Tag and position of a node of the domain in the mesh.
 fn named(section: &Section, domain: &Domain, node: usize) -> Named {
     let mesh_node = domain.mesh_nodes[node] as usize;
-    // a mesh made without tags counts its nodes from one
+    // without tags, nodes are numbered from one
     let tag = section.mesh.node_tags.get(mesh_node).copied();
     Named {
         tag: tag.unwrap_or(mesh_node as u64 + 1),

@@ -1,11 +1,11 @@
-//! From the section to its central problem.
+//! Assembly of the central problem of a section.
 //!
-//! [`Domain`] is the section as the solver sees it (attached nodes, centered and
-//! scaled), [`Pattern`] which unknowns meet in a cell, [`SectionMatrices`] the
-//! matrices E, R, A of the system to factor, [`State`] with its forces and energy
-//! the products with all six matrices by integration of stresses, [`distributed_forces`]
-//! what loads along the beam put on its nodes; the rigid motions are
-//! what their identities are checked with.
+//! [`Domain`] is the section in the solver's form (attached nodes, centered and scaled).
+//! [`Pattern`] lists the unknowns that share a cell. [`SectionMatrices`] are the matrices
+//! E, R, A of the system to factor. [`State`] with its forces and energy replaces the
+//! products with all six matrices by integration of stresses. [`distributed_forces`] are
+//! the nodal forces of distributed loads. The rigid motions serve to check the identities
+//! of the matrices.
 
 mod cell;
 mod distributed;

@@ -28,17 +28,17 @@ use arguments::{Arguments, Command};
 
 /// The work is done.
 const DONE: u8 = 0;
-/// The program ran but did not reach its goal; what there is has been written.
+/// The program ran but did not reach its goal; the available output has been written.
 const NOT_REACHED: u8 = 1;
 /// The input or the command line is wrong.
 const WRONG_INPUT: u8 = 2;
 
-/// Why a command ended early.
+/// Reason for which a command ended early.
 #[derive(Debug)]
 enum Stop {
-    /// All problems have been told; the exit code.
+    /// All problems have been reported; the exit code.
     Told(u8),
-    /// The terminal or pipe took no more.
+    /// The terminal or pipe accepts no more output.
     Closed(io::Error),
 }
 
@@ -54,12 +54,11 @@ struct Terminal<'a> {
     err: &'a mut dyn Write,
 }
 
-/// Runs the program with the arguments of a command line, of which the first is
-/// the name of the program; gives the exit code.
+/// Runs the program with the arguments of a command line, whose first is the name of the
+/// program; returns the exit code.
 ///
-/// 0: done. 1: ran but did not reach its goal; what there is has been written.
-/// 2: the input or the command line is wrong. Output that no one reads any more (a
-/// closed pipe) is no error.
+/// 0: done. 1: ran but did not reach its goal; the available output has been written. 2:
+/// the input or the command line is wrong. A closed pipe is not an error.
 pub fn run(
     arguments: impl IntoIterator<Item = OsString>,
     out: &mut dyn Write,
@@ -71,7 +70,7 @@ pub fn run(
         Err(Stop::Told(code)) => code,
         Err(Stop::Closed(error)) if error.kind() == io::ErrorKind::BrokenPipe => DONE,
         Err(Stop::Closed(error)) => {
-            // If this fails too, there is no one left to tell.
+            // If this fails too, no way to report remains.
             let _ = writeln!(terminal.err, "error: the output cannot be written: {error}");
             NOT_REACHED
         }
@@ -113,7 +112,7 @@ fn dispatch(
 }
 
 impl Terminal<'_> {
-    /// Tells a problem.
+    /// Reports a problem.
     fn tell(&mut self, problem: &impl Explain, code: u8) -> Stop {
         self.tell_text(&words(problem), code)
     }
@@ -134,7 +133,7 @@ impl Terminal<'_> {
     }
 }
 
-/// A problem as it is told, with its remedy.
+/// Text of a reported problem, with its remedy.
 fn words(problem: &impl Explain) -> String {
     let help = problem
         .help()
@@ -142,7 +141,7 @@ fn words(problem: &impl Explain) -> String {
     format!("error: {problem}{help}")
 }
 
-/// Says where the files lie.
+/// Lists the written files.
 fn list(heading: &str, files: &[PathBuf], terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     if files.is_empty() {
         return Ok(());

@@ -1,6 +1,6 @@
-//! One cell: its geometry at integration points, the strain of the section,
-//! and the blocks that a cell adds to the matrices of the section; how strain and forces
-//! change while its nodes move.
+//! One cell: its geometry at integration points, the strain of the section, the blocks that
+//! a cell adds to the matrices of the section, and the changes of strain and forces when
+//! its nodes move.
 
 mod blocks;
 mod cases;

@@ -1,11 +1,11 @@
-//! Why an analysis ended without a result.
+//! Reasons for which an analysis ends without a result.
 //!
-//! The input stage refuses what can be seen in the input; what is left here are
-//! outcomes of the numerics, each with the place where it showed and what to do.
+//! The input stage refuses errors that are visible in the input. The failures of this
+//! module are numerical, each with its location and a remedy.
 
 use shared_geom::error::Explain;
 
-/// How an analysis failed.
+/// Failure of an analysis.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Failure {
     /// The section is empty.
@@ -16,7 +16,7 @@ pub enum Failure {
     CellsWithoutMaterial {
         /// Number of cells in the mesh.
         cells: usize,
-        /// Number of entries that tell a material.
+        /// Number of entries that have a material.
         materials: usize,
     },
     /// A cell refers to a material or node that does not exist.
@@ -44,16 +44,16 @@ pub enum Failure {
     Folded {
         /// Number of the cell in its file.
         tag: u64,
-        /// The place \[m\].
+        /// Its y coordinate \[m\].
         y: f64,
-        /// The place \[m\].
+        /// Its z coordinate \[m\].
         z: f64,
-        /// J at the place, (S-71) \[-\].
+        /// J at this point, (S-71) \[-\].
         volume: f64,
         /// Initial curvature, in section axes \[1/m\].
         curvature: [f64; 3],
     },
-    /// The cells do not hang together.
+    /// The cells are not connected.
     #[error(
         "the section is in {parts} parts that share no node; one of them holds node {node}, another node {other}"
     )]
@@ -70,18 +70,18 @@ pub enum Failure {
     NodesOnOneLine,
     /// The matrix of the in-plane problem is singular to working accuracy.
     #[error(
-        "the section is loose at node {node} (y = {y:.4e} m, z = {z:.4e} m): its stiffness against warping there is {ratio:.0e} of what its cells provide, expected more than {limit:.0e}"
+        "the section is loose at node {node} (y = {y:.4e} m, z = {z:.4e} m): its stiffness against warping there is {ratio:.0e} of the stiffness of its cells, expected more than {limit:.0e}"
     )]
     Loose {
         /// Tag of the node where the factorization broke down.
         node: u64,
-        /// Its place \[m\].
+        /// Its y coordinate \[m\].
         y: f64,
-        /// Its place \[m\].
+        /// Its z coordinate \[m\].
         z: f64,
         /// Pivot relative to the diagonal entry \[-\].
         ratio: f64,
-        /// Smallest ratio that leaves digits in the result \[-\].
+        /// Smallest ratio that leaves accurate digits in the result \[-\].
         limit: f64,
     },
     /// A section matrix violates a rigid-body identity.
@@ -96,45 +96,45 @@ pub enum Failure {
         /// The limit \[-\].
         limit: f64,
     },
-    /// Matrices from another program do not belong together.
+    /// Matrices from another program are inconsistent with each other.
     #[error(
         "the matrices do not belong to one section: {}, expected less than {limit:.0e}",
         told(.broken)
     )]
     Matrices {
-        /// Each identity that is broken, with its relative error.
+        /// Each violated identity, with its relative error.
         broken: Vec<(&'static str, f64)>,
-        /// Whether they are of a slice.
+        /// Whether the matrices are of a slice.
         of_slice: bool,
         /// The limit \[-\].
         limit: f64,
     },
-    /// A given matrix is zero, or beyond all numbers.
-    #[error("{what} is zero or not finite, expected that of a section")]
+    /// A given matrix is zero or not finite.
+    #[error("{what} is zero or not finite, expected finite values of a section")]
     NoSize {
-        /// Which: a matrix, or the places of the nodes.
+        /// Which: a matrix, or the coordinates of the nodes.
         what: &'static str,
     },
-    /// A given matrix gives energy below zero to a motion of its nodes.
+    /// A given matrix has negative energy for a motion of its nodes.
     #[error(
-        "{matrix} is not positive: it takes no energy to move node {node} (y = {y:.4e} m, z = {z:.4e} m) with those around it, or less than none"
+        "{matrix} is not positive: a motion of node {node} (y = {y:.4e} m, z = {z:.4e} m) and its neighbors has zero or negative energy"
     )]
     NotPositive {
-        /// M or E, with what it is.
+        /// M or E, with its description.
         matrix: &'static str,
         /// Number of the node in its table.
         node: u64,
-        /// Its place \[m\].
+        /// Its y coordinate \[m\].
         y: f64,
-        /// Its place \[m\].
+        /// Its z coordinate \[m\].
         z: f64,
     },
-    /// Given matrices that leave a generalized strain without energy.
-    #[error("the matrices give no energy to one of the generalized strains, or less than none")]
+    /// A generalized strain has no energy in the given matrices.
+    #[error("the energy of one of the generalized strains is zero or negative with these matrices")]
     NoStiffness,
-    /// The digits of given matrices are not enough for the section.
+    /// The given matrices have too few digits for the section.
     #[error(
-        "the result would have an error of about {error:.1e}, expected less than {limit:.0e}: the matrices break the identities of rigid motions by {identity:.1e}, and the section magnifies that by its condition number, {condition:.1e}"
+        "the result would have an error of about {error:.1e}, expected less than {limit:.0e}: the matrices violate the identities of rigid motions by {identity:.1e}, and the condition number of the section, {condition:.1e}, magnifies this error"
     )]
     Digits {
         /// Estimate of the relative error of the result \[-\].
@@ -148,10 +148,10 @@ pub enum Failure {
     },
     /// The solution fails one of its own checks.
     #[error(
-        "{check} is off by {error:.1e}, expected less than {limit:.0e}; the weakest place is node {node} (y = {y:.4e} m, z = {z:.4e} m)"
+        "{check} is off by {error:.1e}, expected less than {limit:.0e}; the weakest point is node {node} (y = {y:.4e} m, z = {z:.4e} m)"
     )]
     Inaccurate {
-        /// What was checked.
+        /// The check.
         check: &'static str,
         /// Its relative error \[-\].
         error: f64,
@@ -159,9 +159,9 @@ pub enum Failure {
         limit: f64,
         /// Tag of the node with the smallest pivot.
         node: u64,
-        /// Its place \[m\].
+        /// Its y coordinate \[m\].
         y: f64,
-        /// Its place \[m\].
+        /// Its z coordinate \[m\].
         z: f64,
     },
     /// The generalized strains have no unique solution.
@@ -169,7 +169,7 @@ pub enum Failure {
         "the section has no stiffness against one of the generalized strains, to working accuracy"
     )]
     ComplianceNotPositive,
-    /// The recovered stress does not add up to the internal force.
+    /// The recovered stress does not integrate to the internal force.
     #[error(
         "load \"{load}\": the resultants of the recovered stress are off by {error:.1e}, expected less than {limit:.0e}"
     )]
@@ -182,7 +182,7 @@ pub enum Failure {
         limit: f64,
     },
     /// A load under an imposed state that was not solved.
-    #[error("load \"{load}\" acts with \"{state}\", which is no imposed state of the section")]
+    #[error("load \"{load}\" acts with \"{state}\", which is not an imposed state of the section")]
     UnknownState {
         /// Name of the load case.
         load: String,
@@ -191,17 +191,17 @@ pub enum Failure {
     },
     /// A load with a voltage for an electrode that the section does not have.
     #[error(
-        "load \"{load}\" has a voltage for \"{electrode}\", which is no electrode of the section"
+        "load \"{load}\" has a voltage for \"{electrode}\", which is not an electrode of the section"
     )]
     UnknownElectrode {
         /// Name of the load case.
         load: String,
-        /// Name that is not known.
+        /// The unknown name.
         electrode: String,
-        /// The name of an electrode that is like it.
+        /// Name of a similar electrode.
         nearest: Option<String>,
     },
-    /// A load with a voltage for an electrode that is at ground or open.
+    /// A load with a voltage for an electrode that is grounded or open.
     #[error("load \"{load}\" has a voltage for electrode \"{electrode}\", which is not driven")]
     NotDriven {
         /// Name of the load case.
@@ -209,13 +209,13 @@ pub enum Failure {
         /// Name of the electrode.
         electrode: String,
     },
-    /// Open electrodes whose voltages could be any.
+    /// Open electrodes whose voltages are undetermined.
     #[error("the voltages of the open electrodes {} are not determined", .electrodes.join(", "))]
     Undetermined {
         /// Names of the open electrodes.
         electrodes: Vec<String>,
     },
-    /// Open electrodes under a load of which their charge is not known.
+    /// Open electrodes under a load for which their charge is not known.
     #[error(
         "load \"{load}\": the voltages of open electrodes are not known under imposed strains and loads along the beam"
     )]
@@ -223,14 +223,14 @@ pub enum Failure {
         /// Name of the load case.
         load: String,
     },
-    /// The search for end effects ended before their rates stood still.
+    /// The search for end effects ended before their decay rates converged.
     #[error(
         "the rates of decay of end effects still change by {change:.1e} with {vectors} vectors"
     )]
     EndEffects {
         /// The largest relative change \[-\].
         change: f64,
-        /// Vectors that the search took.
+        /// Number of vectors in the search.
         vectors: usize,
     },
     /// The factorization does not fit in memory.
@@ -241,14 +241,15 @@ pub enum Failure {
     },
 }
 
-/// Error of identities below which it is of rounding: a wrong order of nodes or unknowns,
-/// axes or units break them by a hundredth and more.
+/// Error of identities below which rounding is the cause: a wrong order of nodes or
+/// unknowns, wrong axes or units give errors of 0.01 and more.
 const ROUNDING: f64 = 1e-3;
 
 const DIGITS: &str = "the files have too few digits, or the slice is too thin for them: write the matrices with 15 digits or more, or make the slice about as thick as its elements are wide";
 
-/// Whether identities are broken by rounding: a little, and those of E among them, which
-/// lose the most digits. What is given twice may differ by as much for other reasons.
+/// Whether rounding is the cause of the violated identities: the errors are small, and
+/// among them are the identities of E, which lose the most digits. Data given twice may
+/// differ as much for other reasons.
 fn are_digits(broken: &[(&str, f64)]) -> bool {
     let of_e = ["E H = R T", "R' H = A T"];
     let of_given = ["M H = L", "C' H = R", "L' H = A"];
@@ -261,14 +262,14 @@ fn are_digits(broken: &[(&str, f64)]) -> bool {
 fn told(broken: &[(&str, f64)]) -> String {
     let each = broken
         .iter()
-        .map(|(identity, error)| format!("{identity} is broken by {error:.1e}"));
+        .map(|(identity, error)| format!("{identity} is violated by {error:.1e}"));
     each.collect::<Vec<_>>().join(", ")
 }
 
-/// What to look at where given matrices do not belong to one section: blocks, a slice.
+/// Remedy for given matrices that are inconsistent: of blocks, or of a slice.
 const GIVEN: [&str; 2] = [
-    "H are the rigid motions of the nodes: look at the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), the unit of length of the node table, whether the rows of C belong to u', and at [initial_curvature], which a curved beam needs: plain numbers of \"curvature\" are degrees per length (\"2.5 rad/m\" is with a unit), and \"slope\" is that of the line at the reference point",
-    "look at \"thickness\" and its unit, the order of the two faces (that of the smaller x first, then the other), the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), and the unit of length of the node table",
+    "H are the rigid motions of the nodes: check the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), the unit of length of the node table, whether the rows of C belong to u', and [initial_curvature], which a curved beam needs: plain numbers of \"curvature\" are degrees per length (\"2.5 rad/m\" is with a unit), and \"slope\" is the slope of the line at the reference point",
+    "check \"thickness\" and its unit, the order of the two faces (first the face at the smaller x), the order of nodes and unknowns (ux, uy, uz of each), the axes (x along the beam), and the unit of length of the node table",
 ];
 
 impl Explain for Failure {
@@ -279,7 +280,7 @@ impl Explain for Failure {
                 "list the nodes of the cell counterclockwise, and move mid-side nodes near the middle of their side"
             }
             Self::Folded { .. } => {
-                "the center of curvature must lie outside of the section: look at the unit and the sign of the curvature, and at the reference point, where the slope is given"
+                "the center of curvature must lie outside of the section: check the unit and the sign of the curvature, and the reference point, at which the slope is given"
             }
             Self::Disconnected { .. } => {
                 "merge coincident nodes along the seam (in gmsh: \"Coherence Mesh\"), or fill the gap with a soft material"
@@ -290,15 +291,15 @@ impl Explain for Failure {
             Self::Matrices { broken, .. } if are_digits(broken) => DIGITS,
             Self::Matrices { of_slice, .. } => GIVEN[usize::from(*of_slice)],
             Self::Digits { .. } => DIGITS,
-            Self::NoSize { .. } => "look at the files and at the units",
+            Self::NoSize { .. } => "check the files and the units",
             Self::NotPositive { matrix, .. } if matrix.starts_with('M') => {
-                "of a slice, look at \"through\" (elements with one point through the slice are \"middle\"), at the thickness and its unit; of blocks, whether m and e are exchanged; and at the signs"
+                "for a slice, check \"through\" (elements with one point through the slice are \"middle\"), the thickness and its unit; for blocks, whether m and e are exchanged; and the signs"
             }
             Self::NotPositive { .. } => {
-                "look at the signs, for nodes without elements, and for parts joined at a single node"
+                "check the signs, and look for nodes without elements and parts joined at a single node"
             }
             Self::NoStiffness => {
-                "look whether m, c and e belong to the same section, at their units and at \"through\""
+                "check whether m, c and e belong to the same section, their units, and \"through\""
             }
             Self::Identity { .. } => {
                 "look for mid-side nodes that do not belong to their cell and for cells of extreme aspect ratio"
@@ -315,12 +316,14 @@ impl Explain for Failure {
                     .as_ref()
                     .map(|name| format!("did you mean \"{name}\"?"));
             }
-            Self::NotDriven { .. } => "only driven electrodes take a voltage: look at its circuit",
-            Self::Undetermined { .. } => {
-                "hold one electrode of each dielectric: as ground, or driven"
+            Self::NotDriven { .. } => {
+                "only driven electrodes have a prescribed voltage: check its circuit"
             }
-            Self::FloatingUnder { .. } => "hold these electrodes, or leave out what else acts",
-            Self::EndEffects { .. } => "ask for fewer \"end_effects\"",
+            Self::Undetermined { .. } => "ground or drive one electrode of each dielectric",
+            Self::FloatingUnder { .. } => {
+                "ground or drive these electrodes, or remove the imposed strains and distributed loads"
+            }
+            Self::EndEffects { .. } => "request fewer \"end_effects\"",
             Self::OutOfMemory { .. } => "coarsen the mesh, or use a machine with more memory",
             Self::CellsWithoutMaterial { .. }
             | Self::DanglingCell { .. }

@@ -1,13 +1,12 @@
-//! The section input: the file as written, and as meant.
+//! Reads and checks section files.
 //!
-//! [`read`] takes a section file, its mesh and its tables to a checked
-//! [`Section`] in SI units. It notes all problems before it gives up, each with
-//! file, line and remedy.
+//! [`read`] converts a section file, its mesh and its tables to a checked [`Section`] in
+//! SI units. It notes all problems before it fails, each with file, line and remedy.
 //!
-//! An angle that follows a curve is the direction of the curve (that of its
-//! lines, from the first node to the second) at the place nearest to the cell's
-//! centroid; on lines with three nodes it is the tangent at that place. Like
-//! every angle it is constant in a cell.
+//! An angle that follows a curve is the direction of the curve (the direction of its
+//! lines, from the first node to the second) at the point nearest to the cell's centroid;
+//! on lines with three nodes it is the tangent at this point. Like every angle it is
+//! constant in a cell.
 
 use std::path::Path;
 
@@ -77,7 +76,7 @@ use materials::WrittenMaterial;
 use meshed::Meshed;
 use regions::{Written, WrittenAngle, WrittenRegion};
 
-/// A section ready for analysis, and what it was made from.
+/// A section ready for analysis, and its origin.
 #[derive(Debug, Clone)]
 pub struct Input {
     /// The section, checked and in SI units.
@@ -88,17 +87,17 @@ pub struct Input {
     pub imposed: Vec<ImposedStrain>,
     /// The load cases to recover stresses for.
     pub loads: Vec<LoadCase>,
-    /// What is distributed along the beam in each of them, parallel to them.
+    /// The distributed loads of these load cases, parallel to them.
     pub distributed: Vec<DistributedLoad>,
-    /// The parts of these, in words.
+    /// Descriptions of the distributed loads.
     pub distributed_words: Vec<Vec<String>>,
     /// Number of end effects to find.
     pub end_effects: Option<usize>,
-    /// The measure of strain for the effect of prestress, where it is asked for.
+    /// The measure of strain for the effect of prestress, if requested.
     pub prestress: Option<StrainMeasure>,
-    /// What went into it.
+    /// Summary of the input.
     pub summary: InputSummary,
-    /// What its nodes and plane angles are made from.
+    /// Data from which its nodes and plane angles are made.
     pub source: Source,
 }
 
@@ -108,7 +107,7 @@ const ENDING: &str = ".section.toml";
 /// Reads and checks the section file at `path`, its mesh and its tables.
 ///
 /// # Errors
-/// Everything that is wrong with any of them, with file and line.
+/// All problems of these files, with file and line.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let problem = MatrixProblem::Kind {
         found: outside::ENDING,
@@ -119,7 +118,8 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     parse(&read_text(path)?, path)
 }
 
-/// The name of `path` does not end as the other kind of file does, which `problem` finds.
+/// Checks that `path` does not have the ending of the other kind of file, given in
+/// `problem`.
 fn require_kind(path: &Path, problem: MatrixProblem) -> Result<(), Diagnostics> {
     let MatrixProblem::Kind { found, .. } = problem else {
         return Ok(());
@@ -131,8 +131,8 @@ fn require_kind(path: &Path, problem: MatrixProblem) -> Result<(), Diagnostics> 
     }
 }
 
-/// Reads and checks the text of a section file, as if it stood at `path`: the mesh
-/// and the tables that it names are looked for from there.
+/// Reads and checks the text of a section file, as if it were at `path`: the paths of its
+/// mesh and tables are relative to it.
 ///
 /// # Errors
 /// As [`read`].
@@ -203,8 +203,8 @@ impl WrittenSection {
         written
     }
 
-    /// Compares the parts with each other and with the mesh; `None` when anything
-    /// was noted that leaves no section.
+    /// Compares the parts with each other and with the mesh; `None` if a noted problem
+    /// prevents a section.
     fn checked(&self, document: &Document, files: &mut Files<'_>) -> Option<Input> {
         let regions = [&self.regions[..], &laminae::regions(&self.laminae)].concat();
         let of_region = materials_of_regions(document, &regions, &self.materials);
@@ -266,8 +266,7 @@ impl WrittenSection {
         })
     }
 
-    /// Gives the section its electrodes; where they are in words, and what is odd about
-    /// them.
+    /// Adds the electrodes to the section; returns their locations as text, and warnings.
     fn with_electrodes(
         &self,
         document: &Document,
@@ -282,8 +281,8 @@ impl WrittenSection {
         Some((places, odd))
     }
 
-    /// What the cells of the mesh file are made of, and the curves that their plane angles
-    /// follow.
+    /// The materials and angles of the cells of the mesh file, and the curves that their
+    /// plane angles follow.
     fn assigned(
         &self,
         document: &Document,
@@ -306,7 +305,7 @@ impl WrittenSection {
         (cells, assignment.follows())
     }
 
-    /// The region of each cell, those of the laminates behind the others.
+    /// The region of each cell, the cells of laminates last.
     fn region_of_cell(
         &self,
         of_mesh: Vec<Option<usize>>,
@@ -318,7 +317,7 @@ impl WrittenSection {
         Some(regions)
     }
 
-    /// Notes prestress that is asked for where it is not known.
+    /// Notes prestress that is requested but not known.
     fn note_prestress(&self, document: &Document, section: &Section) {
         let straight = NoPrestress::require_straight(&section.initial_curvature);
         if let (Some(_), Err(reason)) = (self.prestress, straight) {
@@ -326,13 +325,13 @@ impl WrittenSection {
         }
     }
 
-    /// The materials, when all of them could be read.
+    /// The materials, if all of them could be read.
     fn laws(&self) -> Option<Vec<Material>> {
         let materials = self.materials.iter();
         materials.map(|known| known.material.clone()).collect()
     }
 
-    /// What names are looked for in.
+    /// Data in which names are looked up.
     fn places<'a>(&'a self, document: &'a Document, meshed: &'a Meshed) -> Places<'a> {
         Places {
             document,
@@ -347,8 +346,8 @@ impl WrittenSection {
         self.mesh.as_ref().map_or(1, |mesh| mesh.line)
     }
 
-    /// The loads, and what acts along the beam with each; `None` when anything is wrong with
-    /// one.
+    /// The load cases, and the distributed loads of each; `None` if one of them has a
+    /// problem.
     fn loads(
         &self,
         document: &Document,
@@ -357,14 +356,14 @@ impl WrittenSection {
         let places = self.places(document, meshed);
         let loads = self.loads.iter();
         let loads = loads.map(|(_, load)| load.on_mesh(places));
-        // every load is looked at before the first wrong one ends the search
+        // all loads are checked before the first wrong one ends the search
         let distributed: Vec<_> = loads.collect();
         let distributed: Option<Vec<_>> = distributed.into_iter().collect();
         let loads = self.loads.iter().map(|(load, _)| load.clone());
         Some((loads.collect::<Option<_>>()?, distributed?))
     }
 
-    /// What went in; regions, those of plies too, have the materials `of_region`.
+    /// Summary of the input; regions, including plies, have the materials `of_region`.
     fn summary(
         &self,
         document: &Document,
@@ -408,7 +407,7 @@ fn centroids(mesh: &SectionMesh) -> Vec<[f64; 2]> {
     mesh.cells.iter().map(centroid).collect()
 }
 
-/// The name of the section, which stands in the lines of reports.
+/// The name of the section, which appears in lines of reports.
 fn name(root: &Table<'_>) -> Option<String> {
     let name = root.text("name")?;
     if name.trim().is_empty() || name.contains(char::is_control) {
@@ -423,15 +422,15 @@ fn length_unit(root: &Table<'_>) -> String {
         .is_table("units")
         .then(|| root.table("units"))
         .flatten();
-    // One that is no text has been told where the units were read.
+    // A value that is not a text was reported when the units were read.
     let declared = units.filter(|units| units.is_text("length"));
     declared
         .and_then(|units| units.text("length"))
         .unwrap_or_else(|| "m".to_owned())
 }
 
-/// Whether nodes may be doubled along the border of two regions. A word that is not
-/// known has been told; whoever wrote it has slits in mind.
+/// Whether nodes may be doubled along the border of two regions. An unknown word has been
+/// reported; then slits are assumed to be intended.
 fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
     match root.word("doubled_nodes", &["error", "allow"]) {
         Some(0) => DoubledNodes::Error,
@@ -440,10 +439,10 @@ fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
     }
 }
 
-/// End effects to find at most.
+/// Largest number of end effects.
 pub(crate) const MOST_END_EFFECTS: usize = 20;
 
-/// How many end effects are to be found.
+/// Number of end effects to find.
 fn end_effects(root: &Table<'_>) -> Option<usize> {
     if !root.has("end_effects") {
         return None;

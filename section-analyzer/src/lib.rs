@@ -1,10 +1,10 @@
-//! Section properties of beams: from a mesh of the cross-section and its
-//! materials to the 6x6 stiffness and mass per length, the centers, and the
-//! warping that stresses are recovered from.
+//! Section properties of beams: computes the 6x6 stiffness and mass per length, the
+//! centers and the warping, from which stresses are recovered, from a mesh of the
+//! cross-section and its materials.
 //!
-//! The section may be of any shape and of any anisotropic materials. The method
-//! is that of Giavotto et al.: finite elements over the section only, and the
-//! exact polynomial solutions along the beam.
+//! The section may be of any shape and of any anisotropic materials. The method is due to
+//! Giavotto et al.: finite elements over the section only, with the exact polynomial
+//! solutions along the beam.
 //!
 //! ```text
 //! section  ->  material  ->  element  ->  assembly  ->  solve  ->  properties

@@ -1,4 +1,4 @@
-//! Materials: elastic and electric laws, what makes them admissible, their stiffness in section
+//! Materials: elastic and electric laws, their admissibility, their stiffness in section
 //! axes and its derivatives, and their strengths.
 
 mod admissibility;

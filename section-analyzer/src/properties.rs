@@ -1,6 +1,6 @@
-//! What a beam model needs of a section, from its compliance and mass: stiffness,
-//! centers and principal axes; beside it the geometry of its regions and the
-//! constants of restrained warping.
+//! Properties of a section for a beam model, from its compliance and mass: stiffness,
+//! centers and principal axes; also the geometry of its regions and the constants of
+//! restrained warping.
 
 mod areas;
 mod boundary;

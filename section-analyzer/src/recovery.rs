@@ -1,14 +1,14 @@
-//! From internal force back to strain and stress in the section.
+//! Recovery of strain and stress in the section from the internal force.
 //!
 //! ```text
 //! u = X theta      u' = X T' theta      psi = Y theta
 //! eps = B1 u' + B0 u + Bpsi psi         sigma = D eps            (S-33)
 //! ```
 //!
-//! A [`Recoverer`] holds what the load cases of a section share and gives a
+//! A [`Recoverer`] holds the common data of the load cases of a section and returns a
 //! [`Recovery`] for each: integration points, means of cells, smoothed nodes, and the
-//! resultants that vouch for them. [`region_stresses`] and [`region_failures`] are what
-//! a report says about it.
+//! resultants as a check. [`region_stresses`] and [`region_failures`] are its summary for
+//! reports.
 //!
 //! All values are in SI units. Vectors of strain and stress have the usual order
 //! 11 22 33 23 13 12 with engineering shear strains. In section axes 1 is x along the
@@ -57,7 +57,7 @@
 //! let recovery = recoverer.recover(&moment).expect("stresses that add up");
 //! assert!(recovery.resultant_error < 1e-12);
 //! // M z / I at the upper face
-//! let (_, top) = recoverer.at(&moment, [0.0, 0.05]).expect("a place in the section");
+//! let (_, top) = recoverer.at(&moment, [0.0, 0.05]).expect("a point in the section");
 //! assert!((top.stress[0] / 3e6 - 1.0).abs() < 1e-10);
 //! ```
 //!

@@ -1,5 +1,5 @@
-//! The section as checked and in SI: mesh, materials, and what each cell is
-//! made of. Values only; reading and checking belong to the input stage.
+//! The checked section in SI: mesh, materials, and material of each cell. Values only;
+//! reading and checking belong to the input stage.
 
 use shared_geom::section::InitialCurvature;
 
@@ -25,13 +25,13 @@ pub struct Section {
     pub cells: Vec<CellMaterial>,
     /// Curvature and twist of the undeformed beam, and the slope of its reference line.
     pub initial_curvature: InitialCurvature,
-    /// Electrodes, of different names; without any, electric laws are not felt.
+    /// Electrodes, of different names; without electrodes, electric laws have no effect.
     pub electrodes: Vec<Electrode>,
 }
 
 /// Material and orientation of one cell, constant over it.
 ///
-/// The angles place the material axes as [`crate::material::material_axes`] says.
+/// The angles define the material axes as in [`crate::material::material_axes`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CellMaterial {
     /// Index into [`Section::materials`].

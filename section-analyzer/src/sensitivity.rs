@@ -1,30 +1,30 @@
-//! How stiffness, mass and centers of a section change with what it is made of.
+//! Derivatives of stiffness, mass and centers of a section.
 //!
 //! Parameters are the constants of its materials, the angles of its plies, and the
-//! places of its nodes. A parameter changes the matrices G = [M C L; C' E R; L' R' A] by
+//! positions of its nodes. A parameter changes the matrices G = [M C L; C' E R; L' R' A] by
 //! dG, and with W = [X T'; X; Y] the compliance F and the stiffness K by
 //!
 //! ```text
 //! dF = -W' dG W + T S + S T'       S = X' dPh + dPh' X       dK = -K dF K         (S-113)
 //! ```
 //!
-//! The second term is the rate along the beam of the work that the changed stresses of
-//! the face do on the warping; on a straight beam it is that of the shear forces, on a
-//! curved one that of all.
+//! The second term is the rate along the beam of the work that the changed stresses of the
+//! face do on the warping; on a straight beam the work of the shear forces only, on a
+//! curved beam the work of all forces.
 //!
-//! There are two ways to dPh: its own solution for each parameter, [`direct`], and
-//! the dual states of the section, which serve all parameters at once,
-//! [`all_at_once`]. What is left for a parameter is then an integral over its own cells,
+//! There are two methods for dPh: a solution for each parameter, [`direct`], and the dual
+//! states of the section, which serve all parameters, [`all_at_once`]. With the dual states
+//! a parameter needs only an integral over its own cells,
 //!
 //! ```text
 //! e' dG w = int [ e' dD w + (de' D w + e' D dw + e' D w dJ/J) ] J dA              (S-120)
 //! ```
 //!
 //! of the strains e, w of two states and of their rates de, dw while the nodes move, with
-//! the values at the nodes standing still.
+//! constant values at the nodes.
 //!
-//! Origin and units of the domain stand still while nodes move: all derivatives are about
-//! the origin of the mesh.
+//! Origin and units of the domain remain constant while nodes move: all derivatives are
+//! about the origin of the mesh.
 //!
 //! # References
 //! - Giavotto et al. 1983: the central solutions.
@@ -49,12 +49,12 @@ use crate::section::Section;
 use crate::solve::{CentralSystems, Decoupled};
 use nalgebra::Matrix6;
 
-/// A section with its central solutions and the systems that found them.
+/// A section with its central solutions and their factored systems.
 #[derive(Debug, Clone, Copy)]
 pub struct Solved<'a> {
     /// The section.
     pub section: &'a Section,
-    /// The section as it was solved.
+    /// The section as solved.
     pub domain: &'a Domain,
     /// The factored systems.
     pub systems: &'a CentralSystems,

@@ -1,5 +1,5 @@
-//! The result of an analysis: the section as a beam sees it, and what is needed
-//! to recover strains and stresses in it.
+//! The result of an analysis: the properties of the section for a beam, and the data to
+//! recover its strains and stresses.
 
 use crate::properties::{Centers, PrincipalAxes};
 use crate::section::ImposedStrain;
@@ -7,8 +7,8 @@ use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
 /// Properties of a section and its central solutions.
 ///
-/// Matrices are about the reference point, the origin of the mesh, in section
-/// axes; the order of components is that of [`shared_geom::wrench::COMPONENTS`].
+/// Matrices are about the reference point, the origin of the mesh, in section axes;
+/// components are in the order of [`shared_geom::wrench::COMPONENTS`].
 #[derive(Debug, Clone)]
 pub struct SectionSolution {
     /// Internal force per unit generalized strain (S-24), 6x6 \[N, N m, N m^2\].
@@ -28,19 +28,19 @@ pub struct SectionSolution {
     /// mesh \[m/N, 1/N\]; zero at nodes without a cell. The rigid part is removed: the
     /// stress on the section does no work on it.
     pub warping: DMatrix<f64>,
-    /// Generalized strain per unit internal force that goes with `warping`, 6x6;
-    /// the compliance again, found another way \[1/N, 1/(N m), 1/(N m^2)\].
+    /// Generalized strain per unit internal force for `warping`, 6x6; equal to the
+    /// compliance, but computed independently \[1/N, 1/(N m), 1/(N m^2)\].
     pub strain: Matrix6<f64>,
-    /// What vouches for the numbers.
+    /// Checks of the solution.
     pub checks: Checks,
     /// Number of unknowns of the section: displacements and potentials.
     pub unknowns: usize,
-    /// What voltages on electrodes do; `None` without electrodes.
+    /// Effects of voltages on electrodes; `None` without electrodes.
     pub piezo: Option<PiezoSolution>,
 }
 
-/// What an imposed strain does to the section: about the reference point, in section
-/// axes, as [`SectionSolution`].
+/// Effects of an imposed strain on the section: about the reference point, in section axes,
+/// as [`SectionSolution`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImposedSolution {
     /// The state.
@@ -53,31 +53,31 @@ pub struct ImposedSolution {
     pub potential: DVector<f64>,
     /// psi_T: generalized strain without internal force (S-92) \[-, 1/m\].
     pub free_strain: Vector6<f64>,
-    /// Internal force where the generalized strain is held at zero (S-93) \[N, N m\].
+    /// Internal force at zero generalized strain (S-93) \[N, N m\].
     pub restrained_force: Vector6<f64>,
-    /// Difference of the free strain from that of the work on the central solutions
-    /// (S-94), beside the largest strain imposed \[-\].
+    /// Difference of the free strain from the strain by the work on the central solutions
+    /// (S-94), relative to the largest imposed strain \[-\].
     pub error: f64,
 }
 
-/// What heat and other imposed strains do to a section.
+/// Effects of heat and other imposed strains on a section.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ImposedSolutions {
-    /// Heated evenly by one kelvin; `None` where no material expands.
+    /// Uniform heating by one kelvin; `None` if no material expands.
     pub per_kelvin: Option<ImposedSolution>,
     /// The named states.
     pub states: Vec<ImposedSolution>,
 }
 
-/// Errors that the analysis measures on itself; all relative, all at round-off
-/// when all is well.
+/// Self-checks of the analysis; all errors are relative, and at round-off for a valid
+/// result.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Checks {
     /// Error of the rigid-body identities of the assembled matrices, order of
     /// [`crate::assembly::ASSEMBLED_IDENTITIES`] \[-\].
     pub identities: [f64; 2],
-    /// Last correction of the linear systems, relative to their solution \[-\]:
-    /// the error that iterative refinement has removed.
+    /// Last correction of the linear systems, relative to their solution \[-\]: the error
+    /// removed by iterative refinement.
     pub correction: f64,
     /// Difference of the internal force of the six solutions from a unit force, as
     /// resultant of their stresses and of their nodal forces on the face,
@@ -86,14 +86,14 @@ pub struct Checks {
     /// Asymmetry of the generalized strains per unit internal force, relative to
     /// `sqrt(C_ii C_jj)` \[-\].
     pub asymmetry: f64,
-    /// Difference of those strains from the energy compliance, relative to
+    /// Difference of these strains from the energy compliance, relative to
     /// `sqrt(C_ii C_jj)` \[-\].
     pub decoupling: f64,
     /// Estimate, from below, of the condition number of the factored matrix in the
     /// 1-norm \[-\].
     pub condition: f64,
-    /// Smallest pivot of the factorization, relative to its diagonal entry \[-\]:
-    /// about 1e-16 for a section that falls apart.
+    /// Smallest pivot of the factorization, relative to its diagonal entry \[-\]: about
+    /// 1e-16 for a section that is not connected.
     pub smallest_pivot: f64,
 }
 

@@ -1,14 +1,14 @@
 //! The central solutions: warping and generalized strain per unit internal force.
 //!
-//! Six [`Pins`] hold the rigid motions, [`Factor`] is the one sparse Cholesky
-//! factorization, [`CentralSystem`] borders it with the six generalized strains and
-//! corrects its solutions by the imbalance of their stresses, [`CentralSystems`] are
-//! those of a beam of any curvature, [`CentralSolution`] is the linear and then the
-//! constant step, [`Decoupled`] the same solutions with the rigid part of the warping
-//! removed, [`ParticularSolution`] a state under other forces than internal ones,
-//! [`DistributedSolution`] that of loads along the beam, and [`DecayRates`] how fast end
-//! effects decay. How the central solutions answer to a change of the section is a
-//! [`Variation`] for one change, or the [`DualStates`] for all of them.
+//! Six [`Pins`] remove the rigid motions. [`Factor`] is the sparse Cholesky factorization.
+//! [`CentralSystem`] borders it with the six generalized strains and corrects its solutions
+//! by the imbalance of their stresses; [`CentralSystems`] are the systems of a beam of any
+//! curvature. [`CentralSolution`] is the linear and then the constant step, [`Decoupled`]
+//! the same solutions with the rigid part of the warping removed. [`ParticularSolution`] is
+//! a state under other forces than internal ones, [`DistributedSolution`] the state of
+//! distributed loads, and [`DecayRates`] are the decay rates of end effects. Changes of the
+//! central solutions with the section are a [`Variation`] for one change, or the
+//! [`DualStates`] for all changes.
 
 mod along;
 mod central;

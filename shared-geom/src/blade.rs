@@ -2,8 +2,8 @@
 //! the blade file.
 //!
 //! Components are ordered as in [`crate::wrench::COMPONENTS`], in section axes (twist
-//! included). The matrices of the stations stand at the reference point of the blade,
-//! which need not lie on its line; [`Blade::at`] gives them about the line. SI units.
+//! included). The matrices of the stations are about the reference point of the blade,
+//! which need not lie on its line; [`Blade::at`] returns them about the line. SI units.
 
 use nalgebra::{Matrix6, Vector2};
 
@@ -30,28 +30,28 @@ pub use problem::BladeProblem;
 pub use reading::Reading;
 pub use remark::{section_remark, written_section_remark};
 
-/// A blade: its line, and the properties of its sections.
+/// A blade: its line and the properties of its sections.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blade {
     /// Name, for messages and tables.
     pub name: String,
     /// Reference line with twist, in root axes.
     pub line: ReferenceLine,
-    /// Where the matrices of the stations stand: (y, z) from the line, in section
-    /// axes [m]. Zero for those about the line.
+    /// Reference point of the matrices of the stations: (y, z) from the line, in section
+    /// axes [m]. Zero if they are about the line.
     pub reference_point: Vector2<f64>,
-    /// Stations in the order of their arc length, from the root to the tip; two at one
-    /// place are the properties on both sides of a jump.
+    /// Stations in order of arc length, from the root to the tip; two at one arc length
+    /// are the properties on both sides of a jump.
     pub stations: Vec<Station>,
     /// Properties between stations.
     pub interpolation: Interpolation,
-    /// Internal damping; `None` for none.
+    /// Internal damping; `None` without damping.
     pub damping: Option<BladeDamping>,
-    /// Where the numbers come from.
+    /// Origin of the numbers.
     pub provenance: Provenance,
 }
 
-/// Properties of the section at one place.
+/// Properties of one section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
     /// Arc length from the root along the reference line [m].
@@ -67,7 +67,7 @@ pub struct Station {
 pub enum Interpolation {
     /// Entry by entry, linear in arc length.
     Linear,
-    /// Those of the station on the inner side.
+    /// Constant, from the station on the inner side.
     Constant,
 }
 

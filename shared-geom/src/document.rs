@@ -1,10 +1,10 @@
 //! TOML input with line numbers, units and complete error reports.
 //!
-//! A [`Document`] is read once; a [`Table`] hands out the values of one table,
-//! notes every problem with file and line, and at [`Table::finish`] reports the
-//! keys that nobody asked for, with the nearest name that was. Asking for a value
-//! returns `None` both when an optional key is absent and when it is wrong; in
-//! the latter case the problem has been noted and [`Document::finish`] fails.
+//! A [`Document`] is read once; a [`Table`] returns the values of one table, notes every
+//! problem with file and line, and at [`Table::finish`] reports the keys that were not
+//! requested, with the nearest name that was. A request returns `None` both if an
+//! optional key is absent and if it is wrong; in the latter case the problem has been
+//! noted and [`Document::finish`] fails.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ use tree::{Entry, Lines};
 /// A TOML file, its name, the units that it declares, and its problems.
 #[derive(Debug)]
 pub struct Document {
-    /// The file itself, then those that it includes.
+    /// The file itself, then the files that it includes.
     files: Vec<String>,
     root: Vec<Entry>,
     problems: RefCell<Diagnostics>,
@@ -48,7 +48,7 @@ impl Document {
     /// Reads the file at `path`.
     ///
     /// # Errors
-    /// A file that cannot be read, and every error of TOML syntax.
+    /// A file that cannot be read, and all errors of TOML syntax.
     pub fn read(path: &Path) -> Result<Self, Diagnostics> {
         let file = path.display().to_string();
         let text = read_text(path)?;
@@ -58,7 +58,7 @@ impl Document {
     /// Reads `text`, which is shown as `file` in messages.
     ///
     /// # Errors
-    /// Every error of TOML syntax, with its line.
+    /// All errors of TOML syntax, with their lines.
     pub fn parse(text: &str, file: &str) -> Result<Self, Diagnostics> {
         let lines = Lines::of(text);
         let (root, errors) = DeTable::parse_recoverable(text);
@@ -87,13 +87,13 @@ impl Document {
         &self.files[0]
     }
 
-    /// The place of a line as tables tell it, which may be one of an included file.
+    /// The location of a line number of a table, which may be in an included file.
     pub fn place(&self, line: usize) -> Place {
         let (file, line) = include::split(line);
         Place::line(&self.files[file.min(self.files.len() - 1)], line)
     }
 
-    /// A line as tables tell it, in words: `line 7`, or `line 7 of "blade.toml"`.
+    /// A line number of a table, as text: `line 7`, or `line 7 of "blade.toml"`.
     pub fn line_words(&self, line: usize) -> String {
         match include::split(line) {
             (0, line) => format!("line {line}"),
@@ -101,12 +101,12 @@ impl Document {
         }
     }
 
-    /// A path written in this file: relative paths count from the file's folder.
+    /// A path written in this file: relative paths are relative to the file's folder.
     pub fn path(&self, written: &str) -> PathBuf {
         self.path_from(1, written)
     }
 
-    /// A path written on `line`: relative paths count from the folder of its file.
+    /// A path written on `line`: relative paths are relative to the folder of its file.
     pub fn path_from(&self, line: usize, written: &str) -> PathBuf {
         let place = self.place(line);
         let folder = Path::new(&place.file).parent().unwrap_or(Path::new(""));
@@ -124,10 +124,10 @@ impl Document {
         self.problems.borrow_mut().keep(result)
     }
 
-    /// The value, when there is one and no problem was noted.
+    /// The value, if it exists and no problem was noted.
     ///
     /// # Errors
-    /// All noted problems, those of each file in the order of its lines.
+    /// All noted problems, each file in the order of its lines.
     pub fn finish<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
         let mut problems = self.problems.into_inner();
         problems.sort_by_line();
@@ -137,9 +137,9 @@ impl Document {
         }
     }
 
-    /// Reads the required key `units` of the top table, which sets the meaning of
-    /// every plain number asked for afterwards: the word `"SI"`, or a table with
-    /// some of the keys of [`DECLARABLE`].
+    /// Reads the required key `units` of the top table, which sets the unit of every
+    /// plain number requested afterwards: the word `"SI"`, or a table with some of the
+    /// keys of [`DECLARABLE`].
     pub fn declare_units(&self, root: &Table<'_>) {
         const EXPECTED: &str = "\"SI\", or a table of units";
         if root.has("units") && !root.is_table("units") {
@@ -175,7 +175,7 @@ impl Document {
 /// Reads a text file.
 ///
 /// # Errors
-/// The file cannot be read or is no text, in words that a user can act on.
+/// The file cannot be read or is no text, as a message with a remedy.
 pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
     let text = read_bytes(path).and_then(|bytes| {
         String::from_utf8(bytes).map_err(|_| std::io::ErrorKind::InvalidData.into())

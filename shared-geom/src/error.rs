@@ -1,25 +1,25 @@
-//! Diagnostics: what is wrong with an input, where it stands, and the likely remedy.
+//! Diagnostics: the error of an input, its location, and the likely remedy.
 //!
 //! Every stage has its own typed problem (an enum deriving `thiserror::Error`);
-//! [`Explain`] adds the remedy, and [`Diagnostics`] collects all problems of an
-//! input so that a user sees them at once rather than one at a time.
+//! [`Explain`] adds the remedy, and [`Diagnostics`] collects all problems of an input so
+//! that a user sees them all at once.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::fmt;
 
-/// Problems of a file that are shown one by one: the others are counted, as many of them
-/// come from the first.
+/// Number of problems of a file that are shown one by one: the others are counted, since
+/// many of them follow from the first.
 const SHOWN: usize = 50;
 
-/// A typed problem that may know its remedy.
+/// A typed problem that may have a remedy.
 pub trait Explain: std::error::Error {
-    /// The remedy in one line, shown behind `help:`; `None` where none is known.
+    /// The remedy in one line, shown after `help:`; `None` if none is known.
     fn help(&self) -> Option<String> {
         None
     }
 }
 
-/// A reader that gives nothing and has noted no problem.
+/// A reader that returns no value and has noted no problem.
 #[derive(Debug, thiserror::Error)]
 #[error("{what} is refused, and no reason was noted")]
 struct Unexplained {
@@ -33,7 +33,7 @@ impl Explain for Unexplained {
     }
 }
 
-/// Where a problem stands: a file, and a line or a byte of it where known.
+/// Location of a problem: a file, and a line or a byte of it if known.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
     /// File name as the user gave it.
@@ -83,14 +83,14 @@ impl fmt::Display for Place {
     }
 }
 
-/// One problem at one place, ready to be shown.
+/// One problem at one location, ready to be shown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Where it stands.
+    /// Location.
     pub place: Place,
-    /// What was found and what was expected.
+    /// The value found and the value expected.
     pub message: String,
-    /// The remedy, where one is known.
+    /// The remedy, if one is known.
     pub help: Option<String>,
 }
 
@@ -124,12 +124,12 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// No problem so far.
+    /// No problems.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The list that holds `problem` at `place` alone.
+    /// The list of only `problem` at `place`.
     pub fn one(place: Place, problem: &impl Explain) -> Self {
         Self {
             items: vec![Diagnostic::new(place, problem)],
@@ -141,12 +141,12 @@ impl Diagnostics {
         self.items.push(Diagnostic::new(place, problem));
     }
 
-    /// Takes over the problems of `other`.
+    /// Appends the problems of `other`.
     pub fn append(&mut self, mut other: Diagnostics) {
         self.items.append(&mut other.items);
     }
 
-    /// Keeps the value of a good result; takes over the problems of a bad one.
+    /// Returns the value of a good result; appends the problems of a bad one.
     pub fn keep<T>(&mut self, result: Result<T, Diagnostics>) -> Option<T> {
         match result {
             Ok(value) => Some(value),
@@ -157,9 +157,9 @@ impl Diagnostics {
         }
     }
 
-    /// Puts the problems of each file in the order of its lines, those of the file
-    /// as a whole first; problems of one line, and the places that each file has in
-    /// the list, stay as they were.
+    /// Sorts the problems of each file by line, problems of the file as a whole first;
+    /// the order of problems of one line, and the indices of each file in the list, are
+    /// kept.
     pub fn sort_by_line(&mut self) {
         let files = self.items.iter().map(|item| item.place.file.clone());
         let files: Vec<_> = files.collect();
@@ -173,8 +173,8 @@ impl Diagnostics {
         self.items = files.iter().filter_map(next).collect();
     }
 
-    /// The same problems, with those of the file `from` told of `place` instead: for a
-    /// text that a program wrote and no user has seen.
+    /// The same problems, with `place` as the location of problems of the file `from`:
+    /// for a text that a program wrote and no user has seen.
     pub fn told_of(mut self, from: &str, place: &Place) -> Self {
         for item in self.items.iter_mut().filter(|item| item.place.file == from) {
             item.place = place.clone();
@@ -182,8 +182,9 @@ impl Diagnostics {
         self
     }
 
-    /// The same problems, for a reader that gives no value; where there are none, that
-    /// `what` in `file` is refused without a reason, so that nobody takes it for a success.
+    /// The same problems, for a reader that returns no value; without problems, a problem
+    /// that `what` in `file` is refused without a reason, so that it is not treated as a
+    /// success.
     pub fn explained(mut self, file: &str, what: &str) -> Self {
         if self.is_empty() {
             let what = what.to_owned();
@@ -239,9 +240,8 @@ impl fmt::Display for Diagnostics {
 
 impl std::error::Error for Diagnostics {}
 
-/// The name of `known` nearest to `found`, if it is near enough to be a slip of
-/// the pen: at most a third of the letters differ, and not all; or one begins with the
-/// other.
+/// The name of `known` nearest to `found`, if it is near enough to be a typing error: at
+/// most a third of the letters differ, and not all; or one begins with the other.
 pub fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = found.to_lowercase();
     known
@@ -264,7 +264,7 @@ pub fn quoted<T: fmt::Display>(names: &[T]) -> String {
     }
 }
 
-/// Edit distance, where a missing or added ending counts as one slip.
+/// Edit distance; a missing or added ending counts as one edit.
 fn distance(a: &str, b: &str) -> usize {
     let slips = strsim::damerau_levenshtein(a, b);
     let ending = a.len().min(b.len()) >= 2 && (a.starts_with(b) || b.starts_with(a));

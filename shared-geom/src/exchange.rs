@@ -1,8 +1,8 @@
 //! Blade files of other tools, read and written.
 //!
 //! Every format is a file of this folder with the same three functions: `recognize`,
-//! `read` and `write`; none for what the format cannot do. The list of doors is the
-//! only place that knows them all.
+//! `read` and `write`; absent if the format cannot do it. Only the list of doors knows
+//! all formats.
 
 use std::path::{Path, PathBuf};
 
@@ -32,11 +32,11 @@ pub use frame::Convention;
 pub use header::Header;
 pub use problem::ExchangeProblem;
 
-/// How many problems of a blade are told one by one.
+/// Number of problems of a blade that are reported one by one.
 const PROBLEMS_SHOWN: usize = 4;
 
 impl Reading {
-    /// Refuses numbers with which nobody can compute, and that cannot be described either.
+    /// Refuses numbers that can neither be used nor described.
     fn check_numbers(&self, file: &Path) -> Result<(), Diagnostics> {
         let mut problems = Diagnostics::new();
         for (number, station) in self.blade.stations.iter().enumerate() {
@@ -52,8 +52,8 @@ impl Reading {
     /// Checks the blade that was read from `file`.
     ///
     /// # Errors
-    /// The problems of the blade (see [`Blade::problems`]), those of a station where it is
-    /// written; of many, the first.
+    /// The problems of the blade (see [`Blade::problems`]), with the location of their
+    /// station; of many, the first.
     pub fn check(&self, file: &Path) -> Result<(), Diagnostics> {
         let whole = || Place::file(file.display().to_string());
         let found = self.blade.placed_problems();
@@ -70,16 +70,16 @@ impl Reading {
     }
 }
 
-/// Files of a blade in another format, and what they cannot carry.
+/// Files of a blade in another format, and the properties that they cannot carry.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Writing {
-    /// Names of the files, relative to that of the first, and their texts.
+    /// Names of the files, relative to the folder of the first, and their texts.
     pub files: Vec<(PathBuf, String)>,
-    /// What was lost, in words, with its size.
+    /// Lost properties, as text, with their size.
     pub lost: Vec<String>,
 }
 
-/// What a reader may be told beside the file.
+/// Settings of a reader that the file does not contain.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Options {
     /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file [m].
@@ -89,7 +89,7 @@ pub struct Options {
 /// A file format of blades.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Format {
-    /// Our own blade files, JSON and TOML.
+    /// Helicoid's blade files, JSON and TOML.
     Helicoid,
     /// BeamDyn of OpenFAST 5: primary file with key points, and blade file.
     BeamDyn,
@@ -103,11 +103,11 @@ pub enum Format {
     WindIo2,
     /// DYMORE table of sectional properties.
     Dymore,
-    /// Output of VABS, a section a file.
+    /// Output of VABS, one section per file.
     Vabs,
     /// MBDyn constitutive laws and bodies.
     MbDyn,
-    /// Our own table.
+    /// Helicoid's table.
     Csv,
 }
 
@@ -142,7 +142,7 @@ impl Format {
         }
     }
 
-    /// What it is, in words.
+    /// Its description, as text.
     pub fn title(self) -> &'static str {
         match self {
             Self::Helicoid => "Helicoid blade file",
@@ -164,7 +164,7 @@ impl Format {
         Self::ALL.into_iter().find(|format| format.name() == lower)
     }
 
-    /// The format that the ending of a file stands for; `None` where it may be several.
+    /// The format that the ending of a file implies; `None` if it may be several.
     pub fn of_path(path: &Path) -> Option<Self> {
         let name = path.file_name()?.to_string_lossy().to_lowercase();
         let ending = |format: &Self| format.endings().iter().any(|end| name.ends_with(end));
@@ -196,7 +196,7 @@ impl Format {
         }
     }
 
-    /// The point about which its matrices stand, in words.
+    /// The reference point of its matrices, as text.
     pub fn reference_point(self) -> &'static str {
         match self {
             Self::Helicoid | Self::Csv => "the reference line, or the point that the file states",
@@ -231,7 +231,7 @@ type Recognize = fn(&str) -> bool;
 type Read = fn(&str, &Path, &Options) -> Result<Reading, Diagnostics>;
 type Write = fn(&Blade, &str) -> Writing;
 
-/// What can be done with a format.
+/// Functions of a format.
 struct Door {
     format: Format,
     recognize: Recognize,
@@ -259,7 +259,7 @@ const DOORS: &[Door] = &[
         read: Some(beamdyn::read),
         write: Some(beamdyn::write),
     },
-    // Read by the one before: the reader takes both layouts.
+    // The previous reader takes both layouts.
     Door {
         format: Format::BeamDyn4,
         recognize: |_| false,
@@ -305,13 +305,14 @@ const DOORS: &[Door] = &[
     },
 ];
 
-/// The format of `text`, told from its content.
+/// The format of `text`, from its content.
 pub fn recognize(text: &str) -> Option<Format> {
     let door = DOORS.iter().find(|door| (door.recognize)(text));
     door.map(|door| door.format)
 }
 
-/// Whether the file at `path` holds one section, of which a blade needs a length.
+/// Whether the file at `path` holds a single section; the length of the blade must then
+/// be given.
 pub fn is_section(path: &Path) -> bool {
     read_text(path).is_ok_and(|text| vabs::recognize(&text) || own::is_section(&text))
 }
@@ -319,23 +320,22 @@ pub fn is_section(path: &Path) -> bool {
 /// Reads a blade from a file of any format that is read, and checks it.
 ///
 /// # Errors
-/// A file that cannot be read, a format that is not known, and everything that is wrong
-/// with the content or with the blade (see [`Blade::problems`]).
+/// A file that cannot be read, an unknown format, and all errors of the content and of
+/// the blade (see [`Blade::problems`]).
 pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
     let (_, reading) = read_with(path, &Options::default())?;
     reading.check(path)?;
     Ok(reading)
 }
 
-/// Reads a blade with what the file itself does not say; gives the format too. The
-/// blade is not checked beyond what its file must be.
+/// Reads a blade with the settings that the file does not contain; returns the format
+/// too. The blade is not checked beyond its file.
 ///
 /// # Errors
-/// A file that cannot be read, a format that is not known, and everything that is wrong
-/// with the content.
+/// A file that cannot be read, an unknown format, and all errors of the content.
 pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
     let (format, reading) = parse(&read_text(path)?, path, options)?;
-    // What can be followed nowhere cannot be described either.
+    // An invalid line cannot be described either.
     let found = reading.blade.length();
     if !found.is_finite() {
         let place = Place::file(path.display().to_string());
@@ -344,8 +344,8 @@ pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Di
     Ok((format, reading))
 }
 
-/// Reads a blade from the text of the file at `path`, beside which lie those that it
-/// names.
+/// Reads a blade from the text of the file at `path`; the files that it names are in the
+/// same folder.
 ///
 /// # Errors
 /// As [`read_with`].
@@ -354,7 +354,7 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
         let problem = ExchangeProblem::unknown(text, readable());
         Diagnostics::one(Place::file(path.display().to_string()), &problem)
     };
-    // Our own files have endings of their own, whatever state they are in.
+    // Helicoid's files are recognized by their endings, in any state.
     let own = own::is_named(path).then_some(Format::Helicoid);
     let is_it = |door: &&Door| match own {
         Some(own) => door.format == own,
@@ -373,7 +373,7 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
     };
     let mut reading = read(text, path, options).map_err(refused)?;
     reading.check_numbers(path)?;
-    // Readers of our own files know the units too, and have told them.
+    // Readers of Helicoid's files know the units too, and have reported them.
     if door.format != Format::Helicoid {
         let remarks = reading.blade.remarks();
         reading.remarks.extend(remarks);
@@ -384,7 +384,7 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
     Ok((door.format, reading))
 }
 
-/// The files of `blade` in another format, `name` being that of the first without its
+/// The files of `blade` in another format; `name` is the name of the first without its
 /// ending.
 ///
 /// # Errors
@@ -398,7 +398,7 @@ pub fn write(blade: &Blade, format: Format, name: &str) -> Result<Writing, Excha
     Ok(write(blade, name))
 }
 
-/// What is told of a length that was given for a file with a line of its own.
+/// Remark on a length that was given for a file with its own line.
 fn unused_length(blade: &Blade, options: &Options) -> Option<String> {
     const SAME: f64 = 1e-9;
     let (given, length) = (options.length?, blade.length());

@@ -2,11 +2,11 @@
 //!
 //! A text is read once into a short program for a stack; the program runs on [`Jet`]s,
 //! numbers that carry their first and second derivative, so that derivatives are exact
-//! and an evaluation needs no memory of its own. Powers go before signs: `-2^2` is -4.
+//! and an evaluation does not allocate. Powers go before signs: `-2^2` is -4.
 //!
-//! The reader is our own, of some hundred lines: of the crates for it those that know
-//! derivatives take `-2^2` for 4, know none of `abs`, `min` and `max`, find 0 times the
-//! logarithm of 0 in the slope of a power, and tell no place of a mistake.
+//! The reader is part of Helicoid, with some hundred lines: the crates with derivatives
+//! read `-2^2` as 4, do not know `abs`, `min` and `max`, have 0 times the logarithm of 0
+//! in the slope of a power, and do not report the position of a mistake.
 
 mod functions;
 mod jet;
@@ -29,22 +29,22 @@ use functions::Operation;
 pub struct Expression {
     text: String,
     program: Vec<Operation>,
-    /// Which variables stand in it, up to the last that does.
+    /// Which variables it contains, up to the last one.
     used: Vec<bool>,
-    /// Names of the known numbers that stand in it.
+    /// Names of the known numbers that it contains.
     known: Vec<String>,
 }
 
 impl Expression {
-    /// Reads `text`, in which the names may stand.
+    /// Reads `text`, which may contain the names.
     ///
     /// # Errors
-    /// [`ExpressionProblem`] with the place in the text.
+    /// [`ExpressionProblem`] with the position in the text.
     pub fn parse(text: &str, names: &Names<'_>) -> Result<Self, ExpressionProblem> {
         parse::expression(text, names)
     }
 
-    /// Variable number `index` alone.
+    /// Variable number `index` only.
     pub fn variable(index: usize) -> Self {
         Self {
             text: String::new(),
@@ -54,23 +54,23 @@ impl Expression {
         }
     }
 
-    /// The text from which it was read.
+    /// The text of the expression.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Names of the known numbers that were put in, each as often as it stands there.
+    /// Names of the known numbers that it contains, each as often as it occurs.
     pub fn known(&self) -> &[String] {
         &self.known
     }
 
-    /// Whether variable number `index` stands in it.
+    /// Whether it contains variable number `index`.
     pub fn uses(&self, index: usize) -> bool {
         self.used.get(index).copied().unwrap_or(false)
     }
 }
 
-/// What a text of an input file says when it is an expression: the part behind `=`.
+/// Content of a text of an input file that is an expression: the part after `=`.
 pub fn written(text: &str) -> Option<&str> {
     text.trim_start().strip_prefix('=')
 }

@@ -1,4 +1,4 @@
-//! Figures for reports: what both programs need to draw.
+//! Figures for reports: functions shared by both programs.
 //!
 //! A figure is anything that implements [`Drawing`]; [`save`] draws it into a PNG
 //! or SVG file, by the ending of the file's name. Lengths are figure pixels: a
@@ -51,13 +51,13 @@ pub trait Drawing {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem>;
 }
 
-/// Why a figure was not made.
+/// Reason for which a figure was not made.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum FigureProblem {
     /// The embedded font cannot be used.
     #[error("the embedded font cannot be used")]
     Font,
-    /// A file name whose ending tells no format.
+    /// A file name whose ending does not give the format.
     #[error("figure \"{file}\" ends in neither \".png\" nor \".svg\"")]
     Ending {
         /// The file name.
@@ -68,13 +68,13 @@ pub enum FigureProblem {
     Unwritable {
         /// The file name.
         file: String,
-        /// The reason in words.
+        /// The reason as text.
         reason: String,
     },
     /// The drawing backend refused.
     #[error("the figure cannot be drawn: {reason}")]
     Backend {
-        /// The backend's words.
+        /// The backend's message.
         reason: String,
     },
 }
@@ -98,8 +98,8 @@ impl<E: std::error::Error + Send + Sync> From<DrawingAreaErrorKind<E>> for Figur
 
 /// Makes the embedded font (DejaVu Sans) known as [`FONT`], once for the process.
 ///
-/// [`save`] does so itself; who draws with plotters alone calls it before any
-/// drawing, for SVG too.
+/// [`save`] does so itself; programs that use plotters alone call it before any drawing,
+/// for SVG too.
 ///
 /// # Errors
 /// [`FigureProblem::Font`].
@@ -153,15 +153,15 @@ fn save_png(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(),
 }
 
 thread_local! {
-    /// Pixels of the last figure of this thread: the next one takes the same memory, which
+    /// Pixels of the last figure of this thread: the next one reuses the memory, which
     /// the system would have to clear.
     static PIXELS: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Writes rows of red, green, blue.
 ///
-/// Pixels of a figure are mostly as those above or beside them, which one filter finds
-/// without trying all of them.
+/// Pixels of a figure mostly equal the pixels above or next to them, which one filter
+/// finds without trying all of them.
 fn write_png(
     path: &Path,
     (width, height): (u32, u32),
@@ -190,7 +190,7 @@ fn save_svg(path: &Path, size: (u32, u32), drawing: &impl Drawing) -> Result<(),
         canvas.area().present()?;
     }
     let drawn = format!("<svg width=\"{}\" height=\"{}\"", fine.0, fine.1);
-    // Sharp corners of dense curves are no spikes.
+    // Sharp corners of dense curves have no spikes.
     let shown = format!(
         "<svg width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"",
         size.0, size.1

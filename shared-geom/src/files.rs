@@ -1,4 +1,4 @@
-//! Files to read; result folders and files, with errors that a user can act on.
+//! Files to read; result folders and files, with errors and their remedies.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::error::{Explain, nearest_name};
 use crate::figure::{self, Drawing, FigureProblem};
 
-/// Why results could not be written.
+/// Reason for which results could not be written.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum OutputProblem {
     /// The folder cannot be made.
@@ -14,7 +14,7 @@ pub enum OutputProblem {
     Folder {
         /// The folder.
         folder: String,
-        /// The reason in words.
+        /// The reason as text.
         reason: String,
     },
     /// A file cannot be written.
@@ -22,7 +22,7 @@ pub enum OutputProblem {
     File {
         /// The file.
         file: String,
-        /// The reason in words.
+        /// The reason as text.
         reason: String,
     },
     /// A figure cannot be made.
@@ -40,7 +40,7 @@ impl Explain for OutputProblem {
     }
 }
 
-/// Makes `folder` with all that it lies in, where it does not exist.
+/// Makes `folder` and its parents if they do not exist.
 ///
 /// # Errors
 /// [`OutputProblem::Folder`].
@@ -51,10 +51,10 @@ pub fn make_folder(folder: &Path) -> Result<(), OutputProblem> {
     })
 }
 
-/// The content of the file at `path`. A device, which may have no end, is no file.
+/// The content of the file at `path`. A device, which may have no end, is not a file.
 ///
 /// # Errors
-/// Those of the system.
+/// Errors of the system.
 pub fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
     if is_device(&std::fs::metadata(path)?) {
         return Err(io::Error::other("it is a device, expected a file"));
@@ -82,7 +82,7 @@ pub fn write_text(file: &Path, text: &str) -> Result<(), OutputProblem> {
     std::fs::write(file, text).map_err(|error| unwritable(file, &error))
 }
 
-/// What tells that `file` cannot be written, for the reason `error`.
+/// The problem that `file` cannot be written because of `error`.
 pub(crate) fn unwritable(file: &Path, error: &io::Error) -> OutputProblem {
     OutputProblem::File {
         file: file.display().to_string(),
@@ -93,15 +93,14 @@ pub(crate) fn unwritable(file: &Path, error: &io::Error) -> OutputProblem {
 /// Draws a figure of `size` (width, height) in figure pixels into a file.
 ///
 /// # Errors
-/// [`OutputProblem::File`] where the file cannot be made, else
-/// [`OutputProblem::Figure`].
+/// [`OutputProblem::File`] if the file cannot be made, else [`OutputProblem::Figure`].
 pub fn write_figure(
     file: &Path,
     size: (u32, u32),
     drawing: &impl Drawing,
 ) -> Result<(), OutputProblem> {
-    // Made first, since the words of the backend teach less than those of the system;
-    // with a letter, since a full disk takes an empty file.
+    // Made first, since messages of the system are clearer than messages of the backend;
+    // with one character, since a full disk accepts an empty file.
     write_text(file, " ")?;
     Ok(figure::save(file, size, drawing)?)
 }
@@ -135,7 +134,7 @@ pub fn names_beside(path: &Path) -> Vec<String> {
     names
 }
 
-/// The remedy for a file that is not there: the nearest name of those of its folder.
+/// The remedy for a missing file: the nearest name in its folder.
 pub fn nearest_file(written: &str, known: &[String]) -> String {
     const SHOWN: usize = 8;
     let name = written.rsplit(['/', '\\']).next().unwrap_or(written);
@@ -144,14 +143,14 @@ pub fn nearest_file(written: &str, known: &[String]) -> String {
     }
     let shown: Vec<_> = known.iter().take(SHOWN).map(String::as_str).collect();
     match known.len() {
-        0 => "names count from the folder of the file that has them; there is no file".to_owned(),
+        0 => "names are relative to the folder of the naming file; there is no file".to_owned(),
         all if all > SHOWN => format!("files there: {}, and more", shown.join(", ")),
         _ => format!("files there: {}", shown.join(", ")),
     }
 }
 
-/// The same path for all ways to write `folder`: absolute, with links followed as far as it
-/// exists.
+/// The same path for all ways to write `folder`: absolute, with links followed as far as
+/// they exist.
 pub fn true_path(folder: &Path) -> PathBuf {
     let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
     let found = absolute.ancestors().find_map(|above| {
@@ -166,7 +165,7 @@ fn words(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
         io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
-            "a file of this name is in the way".to_owned()
+            "a file of this name exists".to_owned()
         }
         io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
         io::ErrorKind::NotFound => "its folder does not exist".to_owned(),
@@ -195,7 +194,7 @@ mod tests {
         write_text(&file, "x").unwrap();
         let shown = make_folder(&file).unwrap_err().to_string();
         assert!(
-            shown.ends_with("cannot be made: a file of this name is in the way"),
+            shown.ends_with("cannot be made: a file of this name exists"),
             "{shown}"
         );
         let shown = write_text(folder.path(), "x").unwrap_err().to_string();
@@ -234,7 +233,7 @@ mod tests {
         assert_eq!(shown, "it is a device, expected a file");
     }
 
-    /// A device of Linux that takes nothing stands for a full disk.
+    /// A device of Linux that accepts nothing represents a full disk.
     #[cfg(target_os = "linux")]
     #[test]
     fn a_full_disk_is_told_in_words() {

@@ -1,14 +1,13 @@
 //! Frames: an origin and three axes, placed in a parent frame.
 //!
-//! Points change by rotation and origin, vectors (forces, velocities, directions)
-//! by rotation alone. A node, a section on its reference line, or a ply on its
-//! wall each carry one.
+//! Points change by rotation and origin, vectors (forces, velocities, directions) only by
+//! rotation. A node, a section on its reference line, or a ply on its wall each have one.
 
 use nalgebra::{Matrix3, Vector3};
 
 /// Position and orientation of a frame in its parent.
 ///
-/// Nothing checks that the rotation is one; see [`crate::rotation::is_rotation`].
+/// The rotation is not checked; see [`crate::rotation::is_rotation`].
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
@@ -67,7 +66,7 @@ impl Frame {
         )
     }
 
-    /// The parent as seen from this frame: `compose` with it gives the identity.
+    /// The parent relative to this frame: `compose` with it gives the identity.
     pub fn inverse(&self) -> Frame {
         Frame::new(
             -self.vector_from_parent(&self.origin),

@@ -1,4 +1,4 @@
-//! Fingerprints of inputs, so that results can be traced to what they were made from.
+//! Fingerprints of inputs, by which results can be traced to them.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -11,8 +11,8 @@ const PIECE: usize = 1 << 16;
 
 /// The SHA-256 of all `parts`, as `sha256:` and 64 hexadecimal digits.
 ///
-/// The length of each part counts too, so that moving bytes from one part to the
-/// next changes the result.
+/// The length of each part is included, so that moving bytes from one part to the next
+/// changes the result.
 pub fn sha256_of(parts: &[&[u8]]) -> String {
     let mut hasher = Sha256::new();
     for part in parts {
@@ -30,7 +30,7 @@ pub fn sha256_of_content(bytes: &[u8]) -> String {
 /// As [`sha256_of_content`], of the file at `path`, which is read piece by piece.
 ///
 /// # Errors
-/// Those of the system.
+/// Errors of the system.
 pub fn sha256_of_file(path: &Path) -> io::Result<String> {
     let mut file = File::open(path)?;
     let mut hasher = Sha256::new();

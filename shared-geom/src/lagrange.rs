@@ -1,8 +1,8 @@
 //! Shape functions of lines, triangles and quadrilaterals on reference cells.
 //!
-//! Node orders are those of Gmsh. A function of the nodal values `v_i` is
-//! `v(r, s) = sum n_i v_i`; `dr` and `ds` hold the derivatives of the shape
-//! functions with respect to the reference coordinates.
+//! Node orders are Gmsh's. A function of the nodal values `v_i` is
+//! `v(r, s) = sum n_i v_i`; `dr` and `ds` hold the derivatives of the shape functions
+//! with respect to the reference coordinates.
 //!
 //! ```text
 //! triangle3 / triangle6             quadrilateral4 / 8 / 9
@@ -54,7 +54,7 @@ pub struct LineValues {
 
 /// Reference coordinates `(r, s)` of the nodes of triangles: corners, then mid-sides.
 ///
-/// The first three are those of [`triangle3`], all six those of [`triangle6`].
+/// The first three are the nodes of [`triangle3`], all six the nodes of [`triangle6`].
 pub const TRIANGLE_NODES: [(f64, f64); 6] = [
     (0.0, 0.0),
     (1.0, 0.0),
@@ -67,8 +67,8 @@ pub const TRIANGLE_NODES: [(f64, f64); 6] = [
 /// Reference coordinates `(r, s)` of the nodes of quadrilaterals: corners,
 /// mid-sides, center.
 ///
-/// The first four are those of [`quadrilateral4`], the first eight those of
-/// [`quadrilateral8`], all nine those of [`quadrilateral9`].
+/// The first four are the nodes of [`quadrilateral4`], the first eight the nodes of
+/// [`quadrilateral8`], all nine the nodes of [`quadrilateral9`].
 pub const QUADRILATERAL_NODES: [(f64, f64); 9] = [
     (-1.0, -1.0),
     (1.0, -1.0),
@@ -81,7 +81,7 @@ pub const QUADRILATERAL_NODES: [(f64, f64); 9] = [
     (0.0, 0.0),
 ];
 
-/// Nodes of the line in each direction that make a node of the quadrilateral.
+/// Nodes of the line in each direction whose product is a node of the quadrilateral.
 const TENSOR: [(usize, usize); 9] = [
     (0, 0),
     (1, 0),
@@ -150,8 +150,7 @@ pub fn quadrilateral4(r: f64, s: f64) -> ShapeValues {
 /// Serendipity quadrilateral: corners, then the middles of sides 01, 12, 23, 30.
 ///
 /// Corners: `1/4 (1 + r_i r)(1 + s_i s)(r_i r + s_i s - 1)`. Middles:
-/// `1/2 (1 - r^2)(1 + s_i s)` where `r_i = 0`, `1/2 (1 + r_i r)(1 - s^2)` where
-/// `s_i = 0`.
+/// `1/2 (1 - r^2)(1 + s_i s)` if `r_i = 0`, `1/2 (1 + r_i r)(1 - s^2)` if `s_i = 0`.
 pub fn quadrilateral8(r: f64, s: f64) -> ShapeValues {
     let mut shape = ShapeValues::zeros(8);
     for (node, &(ri, si)) in QUADRILATERAL_NODES[..8].iter().enumerate() {
@@ -294,7 +293,7 @@ mod tests {
         }
     }
 
-    // Mid-side nodes lie between the corners that the order names.
+    // Mid-side nodes are between the corners given by the order.
     #[test]
     fn middles_lie_between_their_corners() {
         for (nodes, corners) in [(&TRIANGLE_NODES[..], 3), (&QUADRILATERAL_NODES[..8], 4)] {
@@ -310,8 +309,8 @@ mod tests {
         }
     }
 
-    // Points in the square, so outside the triangles as well, where the identities
-    // still hold but values reach 20: a few roundings of these.
+    // Points in the square, so outside the triangles as well: the identities still hold
+    // but values reach 20: a few roundings of these.
     #[test]
     fn functions_sum_to_one_and_derivatives_to_zero() {
         let mut samples = Samples::new(60);
@@ -330,9 +329,9 @@ mod tests {
         }
     }
 
-    // Central differences are exact for quadratics in one variable: only the
-    // rounding 1e-16/h = 1e-12 with h = 1e-4 is left, times values of up to 20 (the
-    // points lie in the square, outside the triangles too) and a few operations.
+    // Central differences are exact for quadratics in one variable: only the rounding
+    // 1e-16/h = 1e-12 with h = 1e-4 remains, times values of up to 20 (the points are in
+    // the square, outside the triangles too) and a few operations.
     #[test]
     fn derivatives_agree_with_central_differences() {
         let (mut samples, h) = (Samples::new(61), 1e-4);

@@ -1,5 +1,5 @@
-//! Geometry, meshes, units and the section-property contract: what both
-//! programs of Helicoid speak.
+//! Geometry, meshes, units and the section-property contract: the common part of both
+//! programs of Helicoid.
 //!
 //! Axes: x along the beam, y and z in the section. Six-component vectors and
 //! matrices are always ordered axial, shear y, shear z, torsion, bending y,

@@ -1,4 +1,4 @@
-//! Reference lines of blades: place, arc length and section axes along a curve in
+//! Reference lines of blades: position, arc length and section axes along a curve in
 //! space.
 //!
 //! In the root axes of the blade (x outward along the span, y toward the leading edge,
@@ -9,10 +9,10 @@
 //! y_0 = z x t / |z x t|       z_0 = t x y_0        Q = [t y_0 z_0] Rx(beta)
 //! ```
 //!
-//! so that before twist the chord lies in the plane of rotation wherever the line leads.
-//! A line given by its curvature has the axes that follow from it (see [`Course::Arcs`]).
+//! so that before twist the chord is in the plane of rotation for any direction of the
+//! line. The axes of a line given by its curvature follow from it (see [`Course::Arcs`]).
 //!
-//! What is asked of a line many times is asked of its [`Curve`], which is prepared once.
+//! Repeated queries of a line use its [`Curve`], which is prepared once.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -25,7 +25,7 @@ mod problem;
 pub use curve::Curve;
 pub use problem::LineProblem;
 
-/// How the line runs between its points.
+/// The course of the line between its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Course {
     /// Straight from point to point; twist linear in arc length.
@@ -37,10 +37,10 @@ pub enum Course {
     Arcs,
 }
 
-/// A point of a line as it was given.
+/// A given point of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinePoint {
-    /// Place in root axes [m].
+    /// Position in root axes [m].
     pub position: Vector3<f64>,
     /// Twist, positive nose up [rad].
     pub twist: f64,
@@ -60,7 +60,7 @@ pub struct ReferenceLine {
     pub arc_length: Vec<f64>,
 }
 
-/// Which of two: what lies before a place, or behind it, seen from the root.
+/// Side of a position on the line, seen from the root.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// Toward the root.
@@ -69,10 +69,10 @@ pub enum Side {
     Outer,
 }
 
-/// A place on a line.
+/// A position on a line, with its axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placed {
-    /// Place in root axes [m].
+    /// Position in root axes [m].
     pub position: Vector3<f64>,
     /// Section axes (columns) in root axes, twist included [-].
     pub axes: Matrix3<f64>,
@@ -102,9 +102,8 @@ impl ReferenceLine {
         Self::through(vec![point(0.0), point(length)], Course::Polyline)
     }
 
-    /// A line that begins at `root` along x, and goes on by arcs: the length of each
-    /// [m], its twist rate about x and its curvature about y and z in section
-    /// axes [1/m].
+    /// A line that begins at `root` along x and continues with arcs: the length of each
+    /// [m], its twist rate about x and its curvature about y and z in section axes [1/m].
     pub fn curved(root: LinePoint, arcs: &[(f64, Vector3<f64>)]) -> Self {
         let mut line = Self {
             points: vec![root],
@@ -116,7 +115,7 @@ impl ReferenceLine {
         line
     }
 
-    /// The line prepared for many questions.
+    /// The line prepared for repeated queries.
     pub fn curve(&self) -> Curve {
         Curve::new(self)
     }
@@ -131,7 +130,7 @@ impl ReferenceLine {
         self.curve().arc_lengths().to_vec()
     }
 
-    /// The place at arc length `s` [m], as [`Curve::at`].
+    /// The position at arc length `s` [m], as [`Curve::at`].
     pub fn at(&self, s: f64) -> Placed {
         self.curve().at(s)
     }

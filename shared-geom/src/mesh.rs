@@ -1,10 +1,10 @@
 //! Meshes: nodes, plane cells, boundary lines and the physical groups that name them.
 //!
-//! This is what [`crate::gmsh`] reads and writes. Node, cell and line tags are
-//! those of the file, in the file's order and possibly sparse; everything that
-//! refers to a node does so by its index in [`Mesh::nodes`].
+//! [`crate::gmsh`] reads and writes them. Node, cell and line tags are the file's, in the
+//! file's order and possibly sparse; all references to a node are its index in
+//! [`Mesh::nodes`].
 //!
-//! Node order of the cells (corners, sides, middle) is that of gmsh:
+//! Node order of the cells (corners, sides, middle) is gmsh's:
 //!
 //! ```text
 //!   2              3---6---2        s
@@ -93,7 +93,7 @@ impl CellKind {
         }
     }
 
-    /// Whether the sides have a node in their middle.
+    /// Whether the sides have a middle node.
     pub fn is_quadratic(self) -> bool {
         !matches!(self, Self::Triangle3 | Self::Quadrilateral4)
     }
@@ -129,9 +129,9 @@ impl CellKind {
         }
     }
 
-    /// Local node numbers of side `side`: first corner, second corner, and the
-    /// node in the middle for quadratic kinds. Sides follow the corners and run
-    /// counterclockwise; `side` counts modulo the number of sides.
+    /// Local node numbers of side `side`: first corner, second corner, and the middle
+    /// node for quadratic kinds. Sides follow the corners and run counterclockwise;
+    /// `side` counts modulo the number of sides.
     pub fn side(self, side: usize) -> (usize, usize, Option<usize>) {
         let corners = self.corner_count();
         let first = side % corners;
@@ -139,8 +139,8 @@ impl CellKind {
         (first, (first + 1) % corners, middle)
     }
 
-    /// The sides of a cell that has these nodes, in their order: ends, and the node in
-    /// the middle for quadratic kinds.
+    /// The sides of a cell with these nodes, in their order: ends, and the middle node
+    /// for quadratic kinds.
     pub fn sides(self, nodes: &[u32]) -> impl Iterator<Item = ([u32; 2], Option<u32>)> + '_ {
         (0..self.corner_count()).map(move |side| {
             let (first, second, middle) = self.side(side);
@@ -149,8 +149,8 @@ impl CellKind {
         })
     }
 
-    /// Places (r, s) of the nodes on the reference cell: the triangle
-    /// (0,0), (1,0), (0,1) or the square [-1, 1] x [-1, 1] [-].
+    /// Coordinates (r, s) of the nodes on the reference cell: the triangle (0,0), (1,0),
+    /// (0,1) or the square [-1, 1] x [-1, 1] [-].
     pub fn reference_nodes(self) -> &'static [[f64; 2]] {
         match self {
             Self::Triangle3 | Self::Triangle6 => &TRIANGLE_NODES[..self.node_count()],
@@ -181,8 +181,8 @@ impl CellKind {
         }
     }
 
-    /// For each local node, the local node that takes its place when the cell
-    /// is listed the other way round: the first corner stays.
+    /// For each local node, the local node that replaces it when the cell is listed the
+    /// other way round: the first corner stays.
     pub fn reversed_order(self) -> &'static [usize] {
         match self {
             Self::Triangle3 => &[0, 2, 1],
@@ -212,7 +212,7 @@ impl LineKind {
         }
     }
 
-    /// Whether the line has a node in its middle.
+    /// Whether the line has a middle node.
     pub fn is_quadratic(self) -> bool {
         self == Self::Line3
     }
@@ -258,17 +258,17 @@ pub struct Cell {
     pub tag: u64,
     /// Shape.
     pub kind: CellKind,
-    /// Surface entity of gmsh that the cell belongs to; 0 where the file tells none.
+    /// Surface entity of gmsh that the cell belongs to; 0 if the file has none.
     pub entity: i32,
     /// Physical surfaces that the cell belongs to.
     pub groups: GroupSet,
-    // entries behind the node count are zero, so that equality is that of the nodes
+    // entries after the node count are zero, so that equality compares the nodes
     nodes: [u32; 9],
 }
 
 impl Cell {
-    /// A cell in no group, whose `i`-th node (gmsh order) is `node(i)`, an index
-    /// in [`Mesh::nodes`]; `node` is asked for `kind.node_count()` nodes.
+    /// A cell in no group, whose `i`-th node (gmsh order) is `node(i)`, an index in
+    /// [`Mesh::nodes`]; `node` is called for `kind.node_count()` nodes.
     pub fn new(tag: u64, kind: CellKind, entity: i32, node: impl FnMut(usize) -> u32) -> Self {
         Self {
             tag,
@@ -306,7 +306,7 @@ pub struct Line {
     pub tag: u64,
     /// Shape.
     pub kind: LineKind,
-    /// Curve entity of gmsh that the line belongs to; 0 where the file tells none.
+    /// Curve entity of gmsh that the line belongs to; 0 if the file has none.
     pub entity: i32,
     /// Physical curves that the line belongs to in this direction. One that
     /// belongs to others against it is listed twice, with one tag.
@@ -349,16 +349,16 @@ pub struct Point {
     pub tag: u64,
     /// The node: index in [`Mesh::nodes`].
     pub node: u32,
-    /// Point entity of gmsh; 0 where the file tells none.
+    /// Point entity of gmsh; 0 if the file has none.
     pub entity: i32,
     /// Physical points that the node belongs to.
     pub groups: GroupSet,
 }
 
-/// A mesh as a file holds it, in the unit of the file.
+/// A mesh as in a file, in the unit of the file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
-    /// Nodes, in the order of the file; some may be used by nothing.
+    /// Nodes, in the order of the file; some may be unused.
     pub nodes: Vec<Node>,
     /// Triangles and quadrilaterals.
     pub cells: Vec<Cell>,

@@ -1,12 +1,11 @@
 //! Integration rules on the reference line, triangle and quadrilateral.
 //!
-//! A rule replaces the integral of `f` by the sum of `weight * f(point)`. All points
-//! lie inside the reference cell and all weights are positive.
+//! A rule replaces the integral of `f` by the sum of `weight * f(point)`. All points are
+//! inside the reference cell and all weights are positive.
 //!
-//! A request for which there is no rule returns the empty slice (sums over it are
-//! zero): check `is_empty()`, or stay within
-//! [`LARGEST_TRIANGLE_DEGREE`], [`LARGEST_QUADRILATERAL_RULE`] and
-//! [`LARGEST_LINE_RULE`].
+//! A request without a rule returns the empty slice (sums over it are zero): check
+//! `is_empty()`, or stay within [`LARGEST_TRIANGLE_DEGREE`],
+//! [`LARGEST_QUADRILATERAL_RULE`] and [`LARGEST_LINE_RULE`].
 //!
 //! # References
 //! - M. Abramowitz, I. A. Stegun, "Handbook of mathematical functions", 25.4.29
@@ -27,14 +26,15 @@ pub struct PlanePoint {
     pub weight: f64,
 }
 
-/// Largest polynomial degree for which [`triangle`] has a rule; it has all below.
+/// Largest polynomial degree for which [`triangle`] has a rule; all lower degrees have
+/// one.
 pub const LARGEST_TRIANGLE_DEGREE: usize = 5;
 
-/// Largest number of points in each direction for which [`quadrilateral`] has a
-/// rule; it has all from one.
+/// Largest number of points in each direction for which [`quadrilateral`] has a rule,
+/// from one.
 pub const LARGEST_QUADRILATERAL_RULE: usize = 4;
 
-/// Largest number of points for which [`line()`] has a rule; it has all from one.
+/// Largest number of points for which [`line()`] has a rule, from one.
 pub const LARGEST_LINE_RULE: usize = 6;
 
 /// Smallest rule that integrates polynomials of total degree `degree` exactly over
@@ -228,7 +228,7 @@ mod tests {
         }
     }
 
-    // One degree above, some monomial must be wrong, or the test above proves little.
+    // At the next degree some monomial must be wrong, or the test above is too weak.
     #[test]
     fn triangle_rules_are_not_exact_above_their_degree() {
         for (degree, own) in [(1, 1), (2, 2), (3, 4), (4, 4), (5, 5)] {
@@ -244,14 +244,14 @@ mod tests {
             assert_eq!(rule.len(), count);
             for p in rule {
                 assert!(p.weight > 0.0 && p.r > 0.0 && p.s > 0.0 && p.r + p.s < 1.0);
-                // Symmetry: the point with its coordinates exchanged is there too.
+                // Symmetry: the point with exchanged coordinates is in the rule too.
                 assert!(rule.contains(&point(p.s, p.r, p.weight)));
             }
         }
     }
 
-    // Error constant of Gauss-Legendre (Abramowitz and Stegun 25.4.30): for x^2n the
-    // rule falls short by 2^(2n+1) (n!)^4 / ((2n+1) ((2n)!)^2), 7e-4 for n = 6.
+    // Error constant of Gauss-Legendre (Abramowitz and Stegun 25.4.30): for x^2n the rule
+    // is too small by 2^(2n+1) (n!)^4 / ((2n+1) ((2n)!)^2), 7e-4 for n = 6.
     #[test]
     fn line_rules_are_exact_to_their_degree_and_miss_the_next_as_known() {
         for n in 1..=6 {

@@ -1,13 +1,12 @@
-//! Finite rotations: matrices, the skew operator, and two ways to parameterize;
-//! [`parameters`] holds derivatives of the maps of both in one set of formulas.
+//! Finite rotations: matrices, the skew operator, and two parametrizations;
+//! [`parameters`] has the derivatives of the maps of both in one set of formulas.
 //!
-//! [`gibbs`] holds the Gibbs-Rodrigues parameters in which the multibody nodes
-//! are integrated (rational formulas, singular at half a turn); [`vector`] holds
-//! the rotation vector of the exponential map, for input, output and reference.
-//! A rotation matrix `R` has the axes of the rotated frame as columns: it turns
-//! components in that frame into components in the parent frame. All angular
-//! velocities and virtual rotations are spatial, in parent components:
-//! `dR/dt = [omega]x R`, `dR = [theta]x R`.
+//! [`gibbs`] has the Gibbs-Rodrigues parameters with which the multibody nodes are
+//! integrated (rational formulas, singular at half a turn); [`vector`] has the rotation
+//! vector of the exponential map, for input, output and reference. A rotation matrix `R`
+//! has the axes of the rotated frame as columns: it transforms components in that frame
+//! into components in the parent frame. All angular velocities and virtual rotations are
+//! spatial, in parent components: `dR/dt = [omega]x R`, `dR = [theta]x R`.
 //!
 //! # References
 //! - P. Masarati, PhD thesis, Politecnico di Milano, chapter 3.
@@ -70,7 +69,7 @@ pub fn axial(m: &Matrix3<f64>) -> Vector3<f64> {
 /// Whether `r` is a proper rotation: every entry of `R^T R - I` at most
 /// `tolerance` [-] in magnitude, and a positive determinant.
 ///
-/// A matrix with an entry that is not finite is none.
+/// A matrix with an entry that is not finite is not a rotation.
 pub fn is_rotation(r: &Matrix3<f64>, tolerance: f64) -> bool {
     let defect = r.transpose() * r - Matrix3::identity();
     defect.iter().all(|entry| entry.abs() <= tolerance) && r.determinant() > 0.0
@@ -215,8 +214,8 @@ mod tests {
         assert!(!is_rotation(&Matrix3::zeros(), 0.1));
     }
 
-    // The quaternion gives the rotation back: R = (q0^2 - q.q) I + 2 q q^T + 2 q0 [q]x,
-    // at all angles; errors are a few roundings of numbers below one.
+    // The quaternion recovers the rotation: R = (q0^2 - q.q) I + 2 q q^T + 2 q0 [q]x, at
+    // all angles; errors are a few roundings of numbers below one.
     #[test]
     fn quaternion_gives_the_rotation_back_at_all_angles() {
         let mut samples = Samples::new(3);

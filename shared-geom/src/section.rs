@@ -1,5 +1,5 @@
-//! **The contract**: section properties, and the file in which the two programs
-//! meet.
+//! **The contract**: section properties, and their file, the interface of the two
+//! programs.
 //!
 //! Components are ordered as in [`crate::wrench::COMPONENTS`]: axial, shear y,
 //! shear z, torsion, bending y, bending z; all of them at the reference point and
@@ -30,7 +30,7 @@ pub use prestress::{
     strains_of_moved,
 };
 
-/// What a beam needs to know of a cross-section.
+/// Properties of a cross-section for a beam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SectionProperties {
     /// Name, for messages and tables.
@@ -53,24 +53,24 @@ pub struct SectionProperties {
     /// Piezoelectric coupling; `None` without electrodes.
     pub piezo: Option<Piezo>,
     /// Internal force per kelvin of a fully restrained section heated evenly, 6 components
-    /// [N/K, N m/K]: `theta = K psi + thermal_force T`. `None` where it was not computed.
+    /// [N/K, N m/K]: `theta = K psi + thermal_force T`. `None` if it was not computed.
     pub thermal_force: Option<Vector6<f64>>,
     /// Named states of imposed strain: heat, cure and the like.
     pub imposed: Vec<ImposedState>,
-    /// Internal damping; `None` for none.
+    /// Internal damping; `None` without damping.
     pub damping: Option<Damping>,
-    /// How internal forces change the stiffness; `None` where it was not computed.
+    /// Effect of internal forces on the stiffness; `None` if it was not computed.
     pub prestress: Option<Prestress>,
-    /// What the numbers were made from.
+    /// Origin of the numbers.
     pub provenance: Provenance,
 }
 
 /// Characteristic points (y, z), relative to the reference point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Centers {
-    /// Where an axial force causes no bending [m].
+    /// Point at which an axial force causes no bending [m].
     pub tension: Vector2<f64>,
-    /// Where a shear force causes no twist [m].
+    /// Point at which a shear force causes no twist [m].
     pub shear: Vector2<f64>,
     /// Center of mass [m].
     pub mass: Vector2<f64>,
@@ -92,13 +92,13 @@ pub struct PrincipalAxes {
 
 /// Constant curvature and twist of the undeformed beam, in section axes.
 ///
-/// Both are derivatives by the parameter of the line, which is its arc length where the
+/// Both are derivatives by the parameter of the line, which is its arc length if the
 /// slope is a unit vector; stiffness and mass are per unit of the same parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InitialCurvature {
     /// Twist about x, curvature about y and about z [1/m].
     pub curvature: Vector3<f64>,
-    /// Slope of the reference line: (1, 0, 0) where it is normal to the section [-].
+    /// Slope of the reference line: (1, 0, 0) if it is normal to the section [-].
     pub slope: Vector3<f64>,
 }
 
@@ -114,18 +114,18 @@ pub struct Piezo {
     pub capacitance: DMatrix<f64>,
 }
 
-/// What a state of imposed strain does to the section:
+/// Effect of a state of imposed strain on the section:
 /// `theta = K (psi - free_strain) = K psi + restrained_force`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImposedState {
-    /// Name, unlike those of the other states.
+    /// Name, different from the other states'.
     pub name: String,
-    /// Internal force where the generalized strain is held at zero, 6 components [N, N m].
+    /// Internal force at zero generalized strain, 6 components [N, N m].
     pub restrained_force: Vector6<f64>,
-    /// Generalized strain where there is no internal force, 6 components [-, 1/m].
+    /// Generalized strain at zero internal force, 6 components [-, 1/m].
     pub free_strain: Vector6<f64>,
     /// Change of the stiffness of the section without internal force, over the components
-    /// [`PRESTRESS_COMPONENTS`], 4x4 symmetric [N, N m, N m^2]; `None` where it was not
+    /// [`PRESTRESS_COMPONENTS`], 4x4 symmetric [N, N m, N m^2]; `None` if it was not
     /// computed.
     pub stiffness_change: Option<Matrix4<f64>>,
 }
@@ -143,7 +143,7 @@ pub enum Damping {
     Viscous(Matrix6<f64>),
 }
 
-/// Where the numbers come from; by default from nowhere that is known.
+/// Origin of the numbers; unknown by default.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Provenance {
     /// Name of the program.
@@ -157,7 +157,7 @@ pub struct Provenance {
     pub nodes: usize,
     /// Cells of the mesh.
     pub cells: usize,
-    /// Changes of point and axes since then, in their order.
+    /// Later changes of point and axes, in their order.
     pub history: Vec<Step>,
 }
 

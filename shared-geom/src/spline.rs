@@ -1,20 +1,20 @@
-//! Natural cubic splines, and lines that are straight between points.
+//! Natural cubic splines, and piecewise straight lines.
 //!
-//! On the interval of length h between the points a and b, with second derivatives m,
-//! and v the part of the interval behind x,
+//! On the interval of length h between the points a and b, with second derivatives m, and
+//! v the part of the interval before x,
 //!
 //! ```text
 //! f = (1-v) f_a + v f_b - h^2/6 ( ((1-v) - (1-v)^3) m_a + (v - v^3) m_b )
 //! h_- m_- + 2 (h_- + h_+) m + h_+ m_+ = 6 (d_+ - d_-),    d = (f_b - f_a)/h,    m = 0 at both ends
 //! ```
 //!
-//! A line that is straight between its points has m = 0 everywhere.
+//! A piecewise straight line has m = 0 everywhere.
 //!
 //! # References
 //! - C. de Boor, "A practical guide to splines", Springer, 1978, chapter IV.
 
-/// A natural cubic spline, or a straight line, through points of strictly growing
-/// abscissa.
+/// A natural cubic spline, or a piecewise straight line, through points of strictly
+/// increasing abscissa.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
     x: Vec<f64>,
@@ -33,7 +33,7 @@ impl Spline {
         }
     }
 
-    /// The line that is straight between the values `f` at `x`.
+    /// The piecewise straight line of the values `f` at `x`.
     pub fn straight(x: &[f64], f: &[f64]) -> Self {
         Self {
             x: x.to_vec(),
@@ -99,7 +99,7 @@ impl Spline {
 fn second_derivatives(x: &[f64], f: &[f64]) -> Vec<f64> {
     let n = x.len();
     let mut m = vec![0.0; n];
-    // Of each inner row after elimination: the entry behind the diagonal, and m itself.
+    // For each inner row after elimination: the entry after the diagonal, and m itself.
     let mut behind = vec![0.0; n];
     for i in 1..n.saturating_sub(1) {
         let (before, after) = (x[i] - x[i - 1], x[i + 1] - x[i]);

@@ -12,7 +12,7 @@ pub use dimension::Dimension;
 /// A unit: its dimension and the number of SI units in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
     /// SI units in one of it [SI unit of the dimension].
     pub factor: f64,
@@ -24,7 +24,7 @@ const LBF: f64 = 4.448_221_615_260_5;
 const INCH: f64 = 0.0254;
 /// Foot in meters (exact).
 const FOOT: f64 = 0.3048;
-/// Degree Rankine, which is that of Fahrenheit too, in kelvins (exact).
+/// Degree Rankine, equal to a degree Fahrenheit, in kelvins (exact).
 const RANKINE: f64 = 5.0 / 9.0;
 const DEG: f64 = std::f64::consts::PI / 180.0;
 const REV: f64 = 2.0 * std::f64::consts::PI;
@@ -89,8 +89,8 @@ const NAMES: &[(&str, Dimension, f64)] = &[
     ("pF", Dimension::CAPACITANCE, 1e-12),
 ];
 
-/// Compound units of quantities that have no simple one, for messages: other names of the
-/// same unit behind the first.
+/// Compound units of quantities without a simple one, for messages: other names of the
+/// same unit follow the first.
 const COMPOUND: &[(Dimension, &[&str])] = &[
     (Dimension::CURVATURE, &["deg/m", "rad/m"]),
     (Dimension::CHARGE_PER_AREA, &["C/m^2", "N/V/m", "psi in/V"]),
@@ -98,13 +98,13 @@ const COMPOUND: &[(Dimension, &[&str])] = &[
     (Dimension::PERMITTIVITY, &["F/m", "pF/m", "lbf/V^2"]),
 ];
 
-/// The compound units of a quantity, where it has any.
+/// The compound units of a quantity, if it has any.
 fn compound(dimension: Dimension) -> Option<&'static [&'static str]> {
     let found = COMPOUND.iter().find(|known| known.0 == dimension);
     found.map(|known| known.1)
 }
 
-/// What is wrong with a unit or a declaration of units.
+/// Errors of a unit or a declaration of units.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum UnitProblem {
     /// A simple unit whose name is not in the table.
@@ -112,10 +112,10 @@ pub enum UnitProblem {
     Unknown {
         /// The name as written.
         found: String,
-        /// What the whole unit was to measure, where that is known.
+        /// Dimension expected of the whole unit, if known.
         expected: Option<Dimension>,
     },
-    /// A compound unit that cannot be taken apart.
+    /// A compound unit that cannot be parsed.
     #[error("unit \"{found}\" cannot be read, expected a product like \"lbf*s^2/in^4\"")]
     Malformed {
         /// The unit as written.
@@ -126,7 +126,7 @@ pub enum UnitProblem {
     Quantity {
         /// The quantity as written.
         found: String,
-        /// What was to be measured, where that is known.
+        /// Dimension expected, if known.
         expected: Option<Dimension>,
     },
     /// A unit of another quantity.
@@ -134,14 +134,14 @@ pub enum UnitProblem {
     Dimension {
         /// The unit as written.
         found: String,
-        /// What it measures.
+        /// Its dimension.
         measures: Dimension,
-        /// What was to be measured.
+        /// Dimension expected.
         expected: Dimension,
     },
 }
 
-/// How a quantity is written, with an example of its kind.
+/// The form of a quantity, with an example of its kind.
 fn quantity_words(expected: Option<Dimension>) -> String {
     if expected == Some(Dimension::NUMBER) {
         return "a number".to_owned();
@@ -179,8 +179,8 @@ impl Explain for UnitProblem {
     }
 }
 
-/// The nearest name among the units of the quantity `expected`, else all of them;
-/// among all units where no quantity is expected, or one without a unit of its own.
+/// The nearest name among the units of the quantity `expected`, else all of them; among
+/// all units if no quantity is expected, or one without a named unit.
 fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
     let fitting = NAMES.iter().filter(|unit| Some(unit.1) == expected);
     let mut names: Vec<_> = fitting.map(|unit| unit.0).collect();
@@ -191,7 +191,7 @@ fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
     if names.is_empty() {
         names.extend(NAMES.iter().map(|unit| unit.0));
     }
-    // Of names that are equally near, one of the same length is the likelier slip.
+    // Of names that are equally near, one of the same length is the likelier one.
     let mut by_length = names.clone();
     by_length.sort_by_key(|name| name.len().abs_diff(found.len()));
     match nearest_name(found, by_length) {
@@ -202,7 +202,7 @@ fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
 
 /// Reads a simple or compound unit: factors joined by `*`, a space or `/`, each
 /// with an optional whole power, as in `lbf*s^2/in^4`, `kg/m^3`, `N m^2`.
-/// Each `/` divides by the one factor behind it. `1` stands for no unit.
+/// Each `/` divides by the one factor after it. `1` is no unit.
 ///
 /// # Errors
 /// [`UnitProblem`] for an unknown name or a text that is no product of units.
@@ -248,7 +248,7 @@ fn tokens(text: &str) -> impl Iterator<Item = &str> {
         .filter(|token| !token.is_empty())
 }
 
-/// A name with an optional power: `s^2`; `None` when the power is no number.
+/// A name with an optional power: `s^2`; `None` if the power is no number.
 fn simple(token: &str) -> Option<Result<(Unit, i8), UnitProblem>> {
     let (name, power) = match token.split_once('^') {
         Some((name, power)) => (name, power.parse::<i8>().ok().filter(|p| p.abs() <= 9)?),
@@ -274,13 +274,13 @@ fn simple(token: &str) -> Option<Result<(Unit, i8), UnitProblem>> {
     })
 }
 
-/// As [`parse`], and the unit must measure `expected`.
+/// As [`parse`], for a unit that must measure `expected`.
 ///
 /// # Errors
 /// As [`parse`], and [`UnitProblem::Dimension`].
 pub fn parse_as(text: &str, expected: Dimension) -> Result<Unit, UnitProblem> {
     let unit = parse(text).map_err(|problem| match problem {
-        // A part of a compound unit may measure anything.
+        // A part of a compound unit may have any dimension.
         UnitProblem::Unknown { found, .. } if found == text.trim() => UnitProblem::Unknown {
             found,
             expected: Some(expected),
@@ -298,7 +298,7 @@ pub fn parse_as(text: &str, expected: Dimension) -> Result<Unit, UnitProblem> {
     }
 }
 
-/// Quantities that a file may declare a unit for, with the key of each.
+/// Quantities with units that a file may declare, with the key of each.
 pub const DECLARABLE: [(&str, Dimension); 11] = [
     ("length", Dimension::LENGTH),
     ("mass", Dimension::MASS),
@@ -315,13 +315,14 @@ pub const DECLARABLE: [(&str, Dimension); 11] = [
 
 /// The units of the plain numbers of a file.
 ///
-/// A declared quantity uses its unit. What is not declared follows from length,
-/// time, force and mass: quantities with a force in them (mass to the power one,
-/// time to minus two, or to minus one as in dampers) use the unit of force, others that of mass; a missing one
-/// of the two is consistent with the other. Angles are degrees, rotation speeds rpm and
-/// rises of temperature kelvins unless declared. Electric quantities are made of force,
-/// length, time and the unit of voltage, the volt unless declared: a charge is a force times
-/// a length per voltage, a permittivity a force per square of a voltage.
+/// A declared quantity uses its unit. Undeclared units follow from length, time, force
+/// and mass: quantities with a force in them (mass to the power one, time to minus two,
+/// or to minus one as in dampers) use the unit of force, others the unit of mass; a
+/// missing one of the two is consistent with the other. Angles are degrees, rotation
+/// speeds rpm and rises of temperature kelvins unless declared. Electric quantities are
+/// composed of force, length, time and the unit of voltage, the volt unless declared: a
+/// charge is a force times a length per voltage, a permittivity a force per square of a
+/// voltage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Units {
     declared: Vec<(Dimension, f64)>,
@@ -472,7 +473,7 @@ mod tests {
     #[test]
     fn an_unknown_unit_is_corrected_to_one_of_the_expected_quantity() {
         let help = |text, expected| parse_as(text, expected).unwrap_err().help().unwrap();
-        // "MN" is as near, but a force.
+        // "MN" is as near, but it is a force.
         assert_eq!(help("mn", Dimension::LENGTH), "did you mean \"mm\"?");
         assert_eq!(help("mn", Dimension::FORCE), "did you mean \"MN\"?");
         assert_eq!(help("gpa", Dimension::STRESS), "did you mean \"GPa\"?");
@@ -480,7 +481,7 @@ mod tests {
             help("furlong", Dimension::LENGTH),
             "units of it: m, mm, cm, km, um, in, ft"
         );
-        // Parts of a compound unit measure something else than the whole.
+        // Parts of a compound unit have other dimensions than the whole.
         assert_eq!(help("kgs/m^3", Dimension::DENSITY), "did you mean \"kg\"?");
         let quantity = parse_quantity("3 mn", Dimension::LENGTH).unwrap_err();
         assert_eq!(quantity.help().unwrap(), "did you mean \"mm\"?");

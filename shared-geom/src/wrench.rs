@@ -1,9 +1,9 @@
 //! Six-component vectors and 6x6 matrices: change of point and of axes.
 //!
-//! The order of the components is the same everywhere: three along the axes, then
-//! three about them (see [`COMPONENTS`]). It holds for internal forces (axial force,
-//! shears, torque, bendings) and for what they do work on (axial strain, shears,
-//! twist and bending rates), and for momenta and velocities with a mass matrix.
+//! The order of the components is the same everywhere: three along the axes, then three
+//! about them (see [`COMPONENTS`]). It applies to internal forces (axial force, shears,
+//! torque, bendings) and to their conjugates (axial strain, shears, twist and bending
+//! rates), and to momenta and velocities with a mass matrix.
 //!
 //! # Symbols
 //! | symbol | meaning | shape |
@@ -20,8 +20,8 @@
 //! | point to `O + d` | `t' = U t` | `p = U^T p'` | `K' = U K U^T` |
 //! | axes, `v' = Q^T v` | `t' = S^T t` | `p' = S^T p` | `K' = S^T K S`, `S = diag(Q, Q)` |
 //!
-//! The change of point is (S-31), that of the axes (S-32).
-//! Both leave the energy `1/2 p^T K p` and the power `t^T p` as they are.
+//! The change of point is (S-31), the change of axes (S-32). Both preserve the energy
+//! `1/2 p^T K p` and the power `t^T p`.
 //!
 //! # References
 //! - V. Giavotto et al., "Anisotropic beam theory and applications", Computers and
@@ -119,7 +119,7 @@ mod tests {
         }
     }
 
-    // Shifting then turning the axes: the shift vector turns with them.
+    // Shifting, then turning the axes: the shift vector turns with them.
     #[test]
     fn shift_and_rotation_commute_with_the_shift_in_its_own_axes() {
         let mut samples = Samples::new(52);
@@ -131,8 +131,8 @@ mod tests {
         }
     }
 
-    // The same physical strain has the components p = U^T p' and p' = S^T p: energy
-    // and power do not know the observer, and t' = K' p' is the transformed t.
+    // The same physical strain has the components p = U^T p' and p' = S^T p: energy and
+    // power are invariant, and t' = K' p' is the transformed t.
     #[test]
     fn energy_and_power_are_invariant() {
         let mut samples = Samples::new(53);
@@ -189,7 +189,7 @@ mod tests {
                 .copy_from(&(m * skew(&c)));
             exact.fixed_view_mut::<3, 3>(3, 3).copy_from(&(m * inertia));
 
-            // From the mass to O is a shift by -c, seen from the mass.
+            // From the mass to O is a shift by -c, relative to the mass.
             assert!((shift(&own, &-c) - exact).amax() < TOLERANCE);
             assert!((shift(&exact, &c) - own).amax() < TOLERANCE);
         }

@@ -1,10 +1,10 @@
-//! `expected.toml` of every case: commands and the values that they give.
+//! `expected.toml` of every case: commands and expected values.
 //!
-//! A `[[run]]` has a `command` and, when it is not 0, its exit `code`; lines that it
-//! `prints`; `same_files`, two that are equal after it; and values. A value stands in
-//! a JSON `file` (the property file of the case when none is named) `at` a JSON
-//! pointer, or is the first number behind the words of a `line` of the output. It is
-//! compared with `expected` in `unit` (SI when none is named), relative to it.
+//! A `[[run]]` has a `command` and, if it is not 0, its exit `code`; lines that it
+//! `prints`; `same_files`, two that are equal after it; and values. A value is in a JSON
+//! `file` (by default the property file of the case) `at` a JSON pointer, or is the first
+//! number after the text `line` in a line of the output. It is compared with `expected`
+//! in `unit` (SI by default), relative to it.
 
 use std::fmt::Write;
 
@@ -78,7 +78,7 @@ impl Value {
     }
 }
 
-/// Runs the commands of a case, and compares all its values before it fails.
+/// Runs the commands of a case, and compares all its values before a failure.
 fn check(case: &str) {
     let folder = format!("cases/section/{case}");
     let place = Workplace::new(&[&folder], &folder);
@@ -154,7 +154,7 @@ fn every_case_gives_its_expected_values() {
         let text = std::fs::read_to_string(&readme).unwrap_or_default();
         assert!(
             text.contains("**Expected"),
-            "{case}: no README.md with what is expected"
+            "{case}: no README.md with the expected results"
         );
         check(case);
     }

@@ -1,16 +1,16 @@
-//! The gallery of the book: its commands run, its inputs are those of the cases, and
-//! its output is what the programs print.
+//! The gallery of the book: its commands are run, its inputs agree with the cases, and
+//! its output with the programs' output.
 //!
 //! A block marked `sh` holds commands, run in `cases/section` one after the other. The
-//! block marked `text` behind it holds lines of what they print, in their order and
-//! compared word by word; a line `...` stands for any number of others. A block marked
-//! `toml` is part of a file of the cases.
+//! next block marked `text` holds lines of their output, in their order and compared word
+//! by word; a line `...` represents any number of others. A block marked `toml` is part
+//! of a file of the cases.
 
 use crate::workplace::{Workplace, root};
 
 const PAGE: &str = "docs/src/gallery.md";
 
-/// The blocks of a page: what each is marked with, its first line (from one), its text.
+/// The blocks of a page: mark, first line (from one), text.
 pub fn blocks(page: &str) -> Vec<(&str, usize, String)> {
     let mut blocks = Vec::new();
     let mut open = None;
@@ -36,7 +36,7 @@ pub fn commands(block: &str) -> Vec<String> {
     commands.map(str::to_owned).collect()
 }
 
-/// The first line of `block` that is not in `output` where it should be.
+/// The first line of `block` that is not in `output` in its order.
 pub fn missing<'a>(block: &'a str, output: &str) -> Option<&'a str> {
     let mut rest = output.lines();
     let mut lines = block

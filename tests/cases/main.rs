@@ -1,7 +1,7 @@
-//! The cases, run as their pages say: `cases/section/<name>`, `cases/dynamics/<name>`, and
-//! the gallery and the tutorials of the book.
+//! The cases, run as their pages describe: `cases/section/<name>`,
+//! `cases/dynamics/<name>`, and the gallery and the tutorials of the book.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 mod expected;
 mod gallery;

@@ -1,12 +1,12 @@
-//! The cases of the dynamics: the commands of their pages run, and what they give.
+//! The cases of the dynamics: the commands of their pages and their results.
 //!
-//! Commands are those of the blocks marked `sh` in `cases/dynamics/<name>/README.md`, run
-//! in the top folder. `expected.toml` beside it has the numbers of runs in time: a
-//! `[[value]]` stands in the `column` of a `file` of results, `at` a time (between two rows
-//! by a straight line), or is the `largest` or `smallest` of the column `between` two
-//! times. It is compared with `expected` in the unit of the column, `within` as much.
-//! The same sources are compared with in `tests/dynamics`, which keep the numbers for the
-//! pages of validation; here the files and commands are tested as they are shipped.
+//! Commands are the blocks marked `sh` in `cases/dynamics/<name>/README.md`, run in the
+//! top folder. `expected.toml` in the same folder has the numbers of runs in time: a
+//! `[[value]]` is in the `column` of a `file` of results, `at` a time (linear between two
+//! rows), or is the `largest` or `smallest` of the column `between` two times. It is
+//! compared with `expected` in the unit of the column, with the tolerance `within`. The
+//! comparisons with the same sources in `tests/dynamics` record the numbers for the
+//! validation pages; here the shipped files and commands are tested.
 
 use std::fmt::Write;
 
@@ -15,8 +15,8 @@ use serde::Deserialize;
 use crate::gallery::{blocks, commands};
 use crate::workplace::{Workplace, root};
 
-/// A case of many modes, which takes as long as most others together; `tests/dynamics` asks
-/// its files for the same.
+/// A case of many modes, which takes as long as most others together; `tests/dynamics`
+/// checks the same values of its files.
 const ELSEWHERE: &str = "four_blades";
 
 #[derive(Debug, Deserialize)]
@@ -77,7 +77,7 @@ impl Value {
         }
     }
 
-    /// What is compared, for the table of the test.
+    /// The compared quantity, for the table of the test.
     fn quantity(&self, unit: &str) -> String {
         let column = &self.column;
         match (self.at, self.take) {
@@ -88,7 +88,8 @@ impl Value {
     }
 }
 
-/// The value of a curve at `time`, which a row within round-off has, or two rows about it.
+/// The value of a curve at `time`: of a row within round-off, or interpolated between two
+/// rows.
 fn at(points: &[[f64; 2]], time: f64) -> f64 {
     let after = points.iter().position(|point| point[0] >= time - 1e-9);
     let after = after.unwrap_or_else(|| panic!("no row at {time} s"));
@@ -100,7 +101,7 @@ fn at(points: &[[f64; 2]], time: f64) -> f64 {
     value + (y - value) * (time - before) / (t - before)
 }
 
-/// The command with a `*` in the last part of a path replaced by the files that fit.
+/// The command with a `*` in the last part of a path replaced by the matching files.
 fn expanded(command: &str) -> String {
     let words = command.split_whitespace().map(|word| {
         let Some((first, last)) = word.split_once('*') else {
@@ -120,7 +121,7 @@ fn expanded(command: &str) -> String {
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// Runs the commands of a case, and compares all its values before it fails.
+/// Runs the commands of a case, and compares all its values before a failure.
 fn check(case: &str) {
     let folder = format!("cases/dynamics/{case}");
     let place = Workplace::new(&[&folder], ".");

@@ -19,11 +19,11 @@ fn file_name(page: &str, first: usize) -> Option<&str> {
 fn run(name: &str) {
     let path = format!("docs/src/{name}.md");
     let page = std::fs::read_to_string(root().join(&path)).unwrap();
-    let place = Workplace::new(&[], "");
+    let folder = Workplace::new(&[], "");
     let (mut files, mut ran, mut compared) = (0, 0, 0);
     for (_, line, text) in blocks(&page) {
         if let Some(file) = file_name(&page, line) {
-            std::fs::write(place.path(file), text).unwrap();
+            std::fs::write(folder.path(file), text).unwrap();
             files += 1;
         }
     }
@@ -37,7 +37,7 @@ fn run(name: &str) {
             "sh" => {
                 output.clear();
                 for command in commands(&text) {
-                    let run = place.run(&command);
+                    let run = folder.run(&command);
                     assert_eq!(run.code, 0, "{path}:{line}: {command}\n{}", run.err);
                     output += &run.out;
                     ran += 1;

@@ -6,7 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::TempDir;
 
-/// The commands name files from the working folder, of which a process has one.
+/// The commands name files relative to the working folder, of which a process has one.
 static WORKING_FOLDER: Mutex<()> = Mutex::new(());
 
 /// A copy of a folder of the repository, in which commands run.
@@ -15,7 +15,7 @@ pub struct Workplace {
     copy: TempDir,
 }
 
-/// What a command gave.
+/// Result of a command.
 pub struct Run {
     pub code: u8,
     pub out: String,
@@ -43,7 +43,7 @@ fn copy(from: &Path, to: &Path) {
 impl Workplace {
     /// A copy of these folders of the repository, with the working folder in `inner`.
     pub fn new(folders: &[&str], inner: &str) -> Self {
-        // A test that failed in its copy leaves nothing that others see.
+        // A test that failed in its copy has no effect on others.
         let guard = WORKING_FOLDER
             .lock()
             .unwrap_or_else(PoisonError::into_inner);
@@ -63,7 +63,7 @@ impl Workplace {
         self.copy.path().join(file)
     }
 
-    /// Runs a command as it is typed; words with spaces stand in double quotes.
+    /// Runs a command as typed; words with spaces are in double quotes.
     pub fn run(&self, command: &str) -> Run {
         let words: Vec<OsString> = words(command).into_iter().map(OsString::from).collect();
         let (mut out, mut err) = (Vec::new(), Vec::new());
@@ -82,7 +82,7 @@ impl Workplace {
 
 impl Drop for Workplace {
     fn drop(&mut self) {
-        // The copy cannot be removed from within everywhere.
+        // Some systems cannot remove the copy from within it.
         let _ = std::env::set_current_dir(root());
     }
 }

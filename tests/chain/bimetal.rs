@@ -1,8 +1,7 @@
 //! The bimetal strip, from the mesh of its two layers to the tip of a heated beam.
 //!
 //! Source: Timoshenko, *Analysis of bi-metal thermostats*, J. Opt. Soc. Am. 11 (1925)
-//! 233-255, for the curvature; a free beam takes it everywhere, and so the shape of an
-//! arc.
+//! 233-255, for the curvature; a free beam has it everywhere, and so the shape of an arc.
 
 use std::path::{Path, PathBuf};
 
@@ -42,8 +41,8 @@ impl Chain {
         self.0.path().join(CASE).join(name)
     }
 
-    /// The tip of the strip clamped at x = 0, under the heat that two lines of the card of
-    /// its properties tell; or what is wrong with them.
+    /// The tip of the strip clamped at x = 0, under the heat given by two lines of the
+    /// card of its properties; or the messages on their errors.
     fn tip(&self, heat: &str) -> Result<Vector3<f64>, String> {
         let text = format!(
             "units = \"SI\"\n[properties.strip]\n\
@@ -68,9 +67,9 @@ fn arc(part: f64) -> Vector3<f64> {
     (1.0 + strain) / curvature * Vector3::new(angle.sin(), 0.0, angle.cos() - 1.0)
 }
 
-/// By the temperature and by the named state, which is that of 100 K. The elements are of
-/// order four: eight of an arc of 0.19 rad turn by 0.024 rad each, and 0.024^4 is 3e-7, of
-/// which they leave a small part.
+/// By the temperature and by the named state, which is 100 K. The elements are of order
+/// four: eight of an arc of 0.19 rad turn by 0.024 rad each, and 0.024^4 is 3e-7; their
+/// error is a small part of it.
 #[test]
 fn heated_strips_curl_into_arcs() {
     const TOLERANCE: f64 = 2e-8;

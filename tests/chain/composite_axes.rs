@@ -1,8 +1,8 @@
-//! The axes of the table of prestress: those of a geometrically exact beam.
+//! The axes of the table of prestress: the axes of a geometrically exact beam.
 //!
-//! A bent strip of +30 and -30 degree plies shears, so that its sections lean against the
-//! line, and tables in axes of the section and along the tangent of the line differ.
-//! Seen from the tangent, with `r = (0, -nu3, nu2)` of the linear solution p,
+//! A bent strip of +30 and -30 degree plies shears, so that its sections are inclined to
+//! the line, and tables in axes of the section and along the tangent of the line differ.
+//! In axes of the tangent, with `r = (0, -nu3, nu2)` of the linear solution p,
 //!
 //! ```text
 //! second-order force   -1/2 T' p p ,  moments turned by - r x M
@@ -126,9 +126,10 @@ fn bent(section: &SectionProperties, moment: f64) -> Vector6<f64> {
         .strain
 }
 
-/// Axial strain and twist that are even in the moment: those of second order. What is left
-/// is of fourth order, the square of a strain of 1e-4 at the faces, amplified by the ratio
-/// of width to thickness: 1e-6; and Newton's tolerance over a part of 1e-4 of the strain.
+/// Axial strain and twist that are even in the moment: the terms of second order. The
+/// rest is of fourth order, the square of a strain of 1e-4 at the faces, amplified by the
+/// ratio of width to thickness: 1e-6; and Newton's tolerance over a part of 1e-4 of the
+/// strain.
 #[test]
 fn a_bent_composite_strip_has_the_strains_of_the_prototype() {
     const TOLERANCE: f64 = 1e-5;

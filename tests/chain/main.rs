@@ -1,6 +1,6 @@
-//! Program 1 feeds program 2: from a mesh to frequencies beside measurements.
+//! Program 1 feeds program 2: from a mesh to frequencies compared with measurements.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 mod bimetal;
 mod composite_axes;

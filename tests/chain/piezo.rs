@@ -236,10 +236,10 @@ fn twisted(root: &Path, model: &str, file: &str) -> [f64; 2] {
 }
 
 /// The blade of 336 in at rest and 250 V. With the numbers of Table 13.3 its tip turns by
-/// 2.62 degrees where couplings are left out, which are 0.7 % here; with the section of
-/// the case, whose torsional stiffness is 20 % above the table, by so much less. The twist
-/// along the blade is that of its section: all strains are the same everywhere, and turn
-/// the tip by little else.
+/// 2.62 degrees if couplings are neglected, which are 0.7 % here; with the section of the
+/// case, whose torsional stiffness is 20 % above the table, by 20 % less. The twist along
+/// the blade is the twist of its section: all strains are the same everywhere, and other
+/// effects on the rotation of the tip are small.
 #[test]
 fn the_active_twist_blade_twists_freely() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -264,7 +264,7 @@ fn the_active_twist_blade_twists_freely() {
     );
     let own = format!("../../../{section}/results/active_twist_section.properties.json");
     let own = twisted(folder.path(), "blade.dynamics.toml", &own);
-    // the same strain at every point: small rotations of other axes are all that is left
+    // the same strain at every point: only small rotations of other axes remain
     check(
         "blade of Table 13.3, 250 V",
         "tip twist by K^-1 Theta V [deg]",

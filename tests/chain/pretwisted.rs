@@ -1,16 +1,17 @@
-//! Pretwisted blades: the section of a straight beam against that of the twisted one.
+//! Pretwisted blades: the section of a straight beam against the section of the twisted
+//! one.
 //!
-//! An aluminum strip of 40 x 8 mm and 1 m, clamped, its twist growing by up to 30 degrees.
-//! The line of the beam carries the twist in both models; the section that was solved for
-//! the twist holds in addition what it does inside of the section, which is of first
-//! order in the coupling of axial force and torque,
+//! An aluminum strip of 40 x 8 mm and 1 m, clamped, its twist growing by up to 30
+//! degrees. The line of the beam carries the twist in both models; the section that was
+//! solved for the twist adds its effect inside of the section, which is of first order in
+//! the coupling of axial force and torque,
 //!
 //! ```text
 //! K14 = E k1 (Ip - J)
 //! ```
 //!
-//! by the perturbation of de Saint-Venant's torsion (no published number is needed for
-//! it), and of second order, k1^2, in all else.
+//! by the perturbation of de Saint-Venant's torsion (no published number is needed), and
+//! of second order, k1^2, in all other entries.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -138,8 +139,8 @@ fn rate(degrees: f64) -> f64 {
     degrees.to_radians() / SIZE[2]
 }
 
-/// De Saint-Venant's torsion constant of the strip [m^4], as `docs/src/section-theory.md`
-/// has it.
+/// De Saint-Venant's torsion constant of the strip [m^4], as in
+/// `docs/src/section-theory.md`.
 fn torsion_constant() -> f64 {
     let [b, t, _] = SIZE;
     let term = |k: f64| (k * PI * b / (2.0 * t)).tanh() / k.powi(5);
@@ -164,7 +165,7 @@ fn differences([straight, twisted]: &[Vec<f64>; 2]) -> Vec<f64> {
     pairs.map(|(a, b)| b / a - 1.0).collect()
 }
 
-/// Both models converge with the number of elements, and what is left between them is of
+/// Both models converge with the number of elements, and their remaining difference is of
 /// second order in the twist: half the twist, a quarter of the difference.
 ///
 /// For the tip and the first mode, which bends about the soft axis, the next order is
@@ -181,7 +182,7 @@ fn half_the_twist_is_a_quarter_of_the_difference() {
     let largest = of_whole.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     println!("{of_whole:?} {of_coarse:?}");
     for (i, fine) in of_whole.iter().enumerate() {
-        // Elements: an error that both models have alike leaves the difference; ten
+        // Elements: an equal error of both models does not affect the difference; ten
         // elements have four nodes to a half wave of the highest mode.
         let change = (of_coarse[i] - fine).abs() / largest;
         assert!(change < 0.02, "{i}: {} {fine}", of_coarse[i]);
@@ -191,9 +192,9 @@ fn half_the_twist_is_a_quarter_of_the_difference() {
             assert!(change < 5e-3, "{i}: {change:e}");
         }
     }
-    // The difference is there, and is a part of (k1 b)^2 = 4.4e-4: the mean of (k1 y)^2 over
-    // the section is a twelfth of it, 4e-5, its largest value a quarter, 1.1e-4. 1e-4 is what
-    // the book promises.
+    // The difference is not zero, and is a part of (k1 b)^2 = 4.4e-4: the mean of (k1
+    // y)^2 over the section is a twelfth of it, 4e-5, its largest value a quarter,
+    // 1.1e-4. The book states 1e-4.
     let bound = 1e-4;
     record::largest(
         SOURCE,
@@ -213,7 +214,8 @@ fn half_the_twist_is_a_quarter_of_the_difference() {
     assert_quarter(&small, &half, [5.0, 2.5], 0.08);
 }
 
-/// Differences of tip and modes by one twist [deg] against those by half of it.
+/// Differences of tip and modes by one twist [deg] relative to the differences by half of
+/// it.
 fn assert_quarter(whole: &[f64], half: &[f64], twist: [f64; 2], tolerance: f64) {
     let largest = whole.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     for (i, (a, b)) in whole.iter().zip(half).enumerate() {
@@ -221,7 +223,7 @@ fn assert_quarter(whole: &[f64], half: &[f64], twist: [f64; 2], tolerance: f64) 
             0 => "tip deflection".to_owned(),
             mode => format!("frequency {mode}"),
         };
-        // Those that the twist of the section leaves alone have no ratio.
+        // Values independent of the twist of the section have no ratio.
         if a.abs() < 0.1 * largest {
             continue;
         }
@@ -240,16 +242,18 @@ fn assert_quarter(whole: &[f64], half: &[f64], twist: [f64; 2], tolerance: f64) 
     }
 }
 
-/// An axial force untwists the blade, and only the section of the twisted beam knows it:
+/// An axial force untwists the blade, and only the section of the twisted beam has this
+/// effect:
 ///
 /// ```text
 /// Mx = 0:   kappa1 = -K14 nu1/K44 ,   N = (K11 - K14^2/K44) nu1 ,   phi = kappa1 L
 /// ```
 ///
-/// with the stiffness of the property file to the rest of a small load (strains of
-/// 4e-6), and with `K14 = E k1 (Ip - J)`, `K11 = E A`, `K44 = G J` to the second order of
-/// the twist: the error falls to a quarter with half the twist. J is that of the mesh,
-/// which is de Saint-Venant's to 5e-4 by the series, so that no error of the mesh stands in the way.
+/// with the stiffness of the property file up to the nonlinear part of a small load
+/// (strains of 4e-6), and with `K14 = E k1 (Ip - J)`, `K11 = E A`, `K44 = G J` to the
+/// second order of the twist: the error falls to a quarter with half the twist. J is the
+/// mesh's, which agrees with de Saint-Venant's to 5e-4 by the series, so that the error
+/// of the mesh has no effect.
 #[test]
 fn an_axial_force_untwists() {
     let [b, t, length] = SIZE;
@@ -303,14 +307,14 @@ fn an_axial_force_untwists() {
         (ratio / 4.0 - 1.0).abs(),
         0.1,
     );
-    // The order after that is smaller by the square of the coupling, 0.03.
+    // The next order is smaller by the square of the coupling, 0.03.
     assert!((ratio / 4.0 - 1.0).abs() < 0.1, "{errors:?}");
     let straight = Blade::of(&solved(0.0), 20.0).tip(10, [force, 0.0, 0.0]).1;
     assert!(straight.abs() < 1e-10, "{straight:e}");
 }
 
-/// What the section has and the line has not would count for nothing, or twice: neither
-/// is solved.
+/// A twist of the section that the line does not have would be neglected, or counted
+/// twice: neither is solved.
 #[test]
 fn a_line_without_the_twist_of_its_section_is_refused() {
     let section = solved(rate(30.0));
@@ -323,7 +327,7 @@ fn a_line_without_the_twist_of_its_section_is_refused() {
     }
 }
 
-/// The case, from its mesh to the untwist that its page tells, and the report.
+/// The case, from its mesh to the untwist given on its page, and the report.
 #[test]
 fn the_case_untwists_as_its_page_says() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

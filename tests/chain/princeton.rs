@@ -26,7 +26,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// The case with its section analyzed, in a folder of its own.
+/// The case with its section analyzed, in a separate folder.
 struct Chain(tempfile::TempDir);
 
 impl Chain {
@@ -77,8 +77,8 @@ impl Chain {
     }
 }
 
-/// Bending and torsion within 0.5 % of the constants, which are those of
-/// Euler-Bernoulli and of de Saint-Venant's series: the mesh is worth much more.
+/// Bending and torsion within 0.5 % of the constants, which are Euler-Bernoulli's and de
+/// Saint-Venant's series: the mesh is much more accurate.
 #[test]
 fn constants_of_the_strip_come_out_of_its_mesh() {
     let constants = reference("rotors/princeton_beam.json");
@@ -104,12 +104,11 @@ fn constants_of_the_strip_come_out_of_its_mesh() {
     }
 }
 
-/// The whole chain for the 21 loads. Displacements differ by no more, relative to the
-/// largest of the tip, than 1e-5 for the elements and what the constants explain: a part
-/// for each of EI and GJ as they differ, since displacements grow at most as their
-/// inverses, and the deflections by shear, `P L (1/GA - 1/GA')`. The reference has
-/// `GA = 5/6 G A` in both directions; of a strip that is pulled across, the real one
-/// is less by a third.
+/// The whole chain for the 21 loads. Displacements differ, relative to the largest of the
+/// tip, by at most 1e-5 for the elements and the effect of the constants: a part for each
+/// of EI and GJ as they differ, since displacements grow at most as their inverses, and
+/// the deflections by shear, `P L (1/GA - 1/GA')`. The reference has `GA = 5/6 G A` in
+/// both directions; for shear across the strip, the real one is smaller by a third.
 #[test]
 fn tip_of_the_whole_chain_for_21_loads() {
     let all = reference("dynamics/exact_static_beams.json");

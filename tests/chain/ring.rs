@@ -41,7 +41,7 @@ const YOUNG: f64 = 210e9;
 const FORCE: f64 = 100.0;
 
 /// 24 cells of degree 2 over the depth leave 1e-7, the position of the end, 2 m, has
-/// round-off of 1e-8 of its displacement, and the strains are of 1e-8.
+/// round-off of 1e-8 of its displacement, and the strains are of order 1e-8.
 const TOLERANCE: f64 = 1e-6;
 
 /// Displacement of the end along the force \[m\].
@@ -64,8 +64,8 @@ fn tip(file: &Path) -> Vector3<f64> {
     last.positions.last().unwrap() - first.position
 }
 
-/// The case as its page runs it: the section of the ring gives Golovin's displacement,
-/// that of a straight beam is too soft by more than 3 %.
+/// The case as on its page: the section of the ring gives Golovin's displacement, the
+/// section of a straight beam is too soft by more than 3 %.
 #[test]
 fn a_curved_section_makes_an_exact_ring() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -169,9 +169,9 @@ fn curved([k2, k3]: [f64; 2]) -> Vector3<f64> {
     tip(&folder.path().join("a.dynamics.toml"))
 }
 
-/// The ring lies in any of the four directions: k3 > 0 bends it toward +y, k2 > 0 toward
-/// -z. The end moves along the force by Golovin's displacement, across it toward the
-/// center in all four alike, and not at all out of the plane.
+/// The ring in each of the four directions: k3 > 0 bends it toward +y, k2 > 0 toward -z.
+/// The end moves along the force by Golovin's displacement, across it equally toward the
+/// center in all four, and not out of the plane.
 #[test]
 fn the_ring_bends_to_all_sides() {
     let k = 1.0 / RADIUS;

@@ -2,10 +2,11 @@
 //!
 //! Source: `tests/reference/rotors/epps_chandra_swept_tip.json`: measured frequencies of
 //! an aluminum strip with a tip swept by 0, 15, 30 and 45 degrees at 0, 500, 750 rpm.
-//! Tolerance: 10 % or 1 Hz for the first three flap modes, 10 % for the three modes that
-//! follow at 750 rpm, as in the validation of another beam program that the file names.
-//! It is that of the experiment: at rest the strip's first three frequencies follow from
-//! its dimensions to 1 %, and the measured ones scatter by up to 0.5 Hz around them.
+//! Tolerance: 10 % or 1 Hz for the first three flap modes, 10 % for the three following
+//! modes at 750 rpm, as in the validation of another beam program that the file names. It
+//! is the uncertainty of the experiment: at rest the strip's first three frequencies
+//! follow from its dimensions to 1 %, and the measured ones scatter by up to 0.5 Hz
+//! around them.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +17,7 @@ use crate::record;
 
 const SWEEPS: [usize; 4] = [0, 15, 30, 45];
 
-/// The case and its mesh in a folder of their own, with the section analyzed.
+/// The case and its mesh in a separate folder, with the section analyzed.
 struct Chain {
     folder: tempfile::TempDir,
 }
@@ -96,7 +97,7 @@ fn frequencies_meet_the_measurements() {
         assert_eq!(compared.len(), expected.len());
         for ((rpm, order, frequency), comparison) in expected.into_iter().zip(compared) {
             let point = comparison.measured;
-            // The case's own file of measurements is that of the reference.
+            // The case's file of measurements agrees with the reference.
             assert!((point.speed * 30.0 / std::f64::consts::PI - rpm).abs() < 1e-9);
             assert_eq!((point.order, point.frequency), (Some(order), frequency));
             let difference = (comparison.computed - frequency).abs();
@@ -126,8 +127,9 @@ fn frequencies_meet_the_measurements() {
     }
 }
 
-/// What the measurements cannot show: doubling the elements changes nothing that is
-/// compared by more than 0.3 %, the sixth flap mode most, so the differences are not those of the mesh.
+/// Convergence, which the measurements cannot show: doubling the elements changes no
+/// compared value by more than 0.3 %, the sixth flap mode most, so the differences are
+/// not due to the mesh.
 #[test]
 fn the_blade_mesh_is_fine_enough() {
     let chain = Chain::analyzed();

@@ -1,5 +1,5 @@
-//! A column of T-section: without the table of prestress the beam misses its buckling, which
-//! is by bending and torsion together.
+//! A column of T-section: without the table of prestress the beam misses its buckling, by
+//! bending and torsion together.
 //!
 //! # References
 //! - Timoshenko, Gere, *Theory of Elastic Stability*, 2nd ed. 1961, section 5.5: a pinned
@@ -107,9 +107,9 @@ fn column(folder: &Path, keys: &str) -> (BucklingResult, Vec<String>) {
     (outcome.result, input.remarks)
 }
 
-/// The closed form with stiffnesses, centroid and shear center of the section itself. It is
-/// for thin walls, of which GJ is 2 nu (1 + nu) (t/b)^2 and the like, below 1e-3, and
-/// neglects the shortening before buckling, 4e-4; eight elements add 1e-5.
+/// The closed form with stiffnesses, centroid and shear center of the section itself. It
+/// is for thin walls, whose error of GJ is 2 nu (1 + nu) (t/b)^2 and the like, below
+/// 1e-3, and neglects the shortening before buckling, 4e-4; eight elements add 1e-5.
 #[test]
 fn a_column_of_tee_section_gives_way_in_bending_and_torsion() {
     const TOLERANCE: f64 = 3e-3;
@@ -145,7 +145,8 @@ fn a_column_of_tee_section_gives_way_in_bending_and_torsion() {
     );
     assert!(error < TOLERANCE, "{found} {expected}");
 
-    // without the table it is bending about y, three times as much, and the reader is told
+    // without the table it is bending about y, at three times the load, and a remark
+    // reports it
     let (without, remarks) = column(folder.path(), "");
     assert!(without.modes[0].factor > 3.0 * expected);
     assert!(

@@ -29,7 +29,7 @@ const SPEED: f64 = 100.0;
 
 const CASE: &str = "cases/chain/trapeze";
 
-/// The case with its section analyzed, in a folder of its own.
+/// The case with its section analyzed, in a separate folder.
 fn analyzed(folder: &Path) -> SectionProperties {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     for part in [CASE, "meshes/thin_strip"] {
@@ -58,7 +58,8 @@ fn of_beam(folder: &Path, name: &str) -> [f64; 2] {
     [0, 1].map(|speed| torsion.points[speed].as_ref().unwrap().frequency)
 }
 
-/// The same by Ritz with twelve sines: the least eigenvalue from above, to 1e-9 and better.
+/// The same by Ritz with twelve sines: the smallest eigenvalue from above, to 1e-9 and
+/// better.
 fn of_series(torsion: f64, gain: f64) -> f64 {
     const TERMS: usize = 12;
     const CELLS: usize = 4000;
@@ -83,8 +84,8 @@ fn of_series(torsion: f64, gain: f64) -> f64 {
 }
 
 /// With the request the frequency of the equation above with g of the table, without it
-/// that with g = 0. What both neglect is of the order of the strain at the root, 1.9e-4, in
-/// a frequency that tension raises by 3 %; sixteen elements add 1e-5.
+/// with g = 0. The effects that both neglect are of the order of the strain at the root,
+/// 1.9e-4, in a frequency that tension raises by 3 %; sixteen elements add 1e-5.
 #[test]
 fn a_rotating_strip_is_stiffer_in_torsion() {
     const TOLERANCE: f64 = 4e-4;
@@ -127,7 +128,7 @@ fn a_rotating_strip_is_stiffer_in_torsion() {
     );
     assert!(error < 0.01, "{gain} {square}");
 
-    // the stiffness at a load is that of the table
+    // the stiffness at a load agrees with the table
     let load = Vector6::new(10e3, 0.0, 0.0, 0.0, 0.0, 0.0);
     let under = properties.stiffness_at(&load).unwrap();
     let expected = properties.stiffness[(3, 3)] + 10e3 * gain;

@@ -1,12 +1,11 @@
-//! The numbers of the suites, kept for the validation pages of the book.
+//! The numbers of the suites, recorded for the validation pages of the book.
 //!
-//! A test that compares with a source records what it found, in a line beside its
-//! assert. The rows go to `validation/<suite>/<test>.csv` in the build folder, a file
-//! for each test, written anew with each run; `docs/validation.rs` makes the pages
-//! from them.
+//! A test that compares with a source records its result in a line next to its assert. The
+//! rows are written to `validation/<suite>/<test>.csv` in the build folder, a file for each
+//! test, rewritten in each run; `docs/validation.rs` creates the pages from them.
 //!
-//! Rows of equal source, case and quantity become one row of the page: that with the
-//! largest error against its tolerance.
+//! Rows of equal source, case and quantity become one row of the page: the row with the
+//! largest error relative to its tolerance.
 
 #![allow(dead_code, reason = "no suite records every kind of row")]
 
@@ -27,7 +26,7 @@ const HEADER: [&str; 7] = [
 /// Rows of each test of this run so far.
 static ROWS: Mutex<BTreeMap<String, Vec<[String; 7]>>> = Mutex::new(BTreeMap::new());
 
-/// Records a number, its error as the test measures it, and the bound of the error.
+/// Records a number, its error as defined by the test, and the bound of the error.
 pub fn value(
     source: &str,
     case: &str,
@@ -47,7 +46,7 @@ pub fn largest(source: &str, case: &str, quantity: &str, error: f64, tolerance: 
     push(source, case, quantity, numbers);
 }
 
-/// Records an observed order of convergence and the least that is asked for.
+/// Records an observed order of convergence and the least required order.
 pub fn order(source: &str, case: &str, quantity: &str, found: f64, least: f64) {
     let [least, found] = [least, found].map(|number| format!("{number:e}"));
     push(
@@ -65,14 +64,14 @@ fn push(source: &str, case: &str, quantity: &str, numbers: [String; 4]) {
     // The harness names each thread after its test.
     let thread = std::thread::current();
     let test = thread.name().unwrap_or("main").replace("::", ".");
-    // A test that failed while it held the lock leaves its rows whole.
+    // The rows of a test that failed while it held the lock are complete.
     let mut rows = ROWS.lock().unwrap_or_else(PoisonError::into_inner);
     let of_test = rows.entry(test.clone()).or_default();
     of_test.push(row);
     write(&test, of_test);
 }
 
-/// Writes the file of a test anew, so that nothing of an earlier run stays in it.
+/// Rewrites the file of a test, without the rows of earlier runs.
 fn write(test: &str, rows: &[[String; 7]]) {
     let build = Path::new(env!("CARGO_TARGET_TMPDIR")).join("..");
     let folder = build.join("validation").join(env!("CARGO_CRATE_NAME"));

@@ -1,5 +1,5 @@
-//! Articulated blades under weight, with dampers, and strongly damped blades: the right
-//! equilibrium, and all the modes.
+//! Articulated blades under weight, with dampers, and strongly damped blades: the correct
+//! equilibrium, and all modes.
 
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::result::FrequencyTable;
@@ -28,10 +28,10 @@ fn hinged(hinges: &str, rest: &str) -> FrequencyTable {
     table(&format!("{STRIP}{blade}{rest}"))
 }
 
-/// A blade on free hinges with weight: at speed it flies out, whatever speeds come before.
-/// The weight is 0.2 % of the centrifugal force at 300 rpm (9.81 m/s^2 against 986 m/s^2 times
-/// 3 m), so that the frequencies are those without it within 1 %; a rigid blade on a hinge
-/// at 0.3 m of 5.5 m lags with sqrt(1.5 e / (L - e)) = 0.294 of the speed.
+/// A blade on free hinges with weight: in rotation it straightens out, for any previous speeds. The
+/// weight is 0.2 % of the centrifugal force at 300 rpm (9.81 m/s^2 against 986 m/s^2 times 3 m), so
+/// that the frequencies agree with the frequencies without weight within 1 %; a rigid blade on a
+/// hinge at 0.3 m of 5.5 m lags with sqrt(1.5 e / (L - e)) = 0.294 of the speed.
 #[test]
 fn weight_does_not_fold_a_blade_on_free_hinges() {
     const FREE: &str = "[{ kind = \"flap\", offset = 0.15 }, { kind = \"lag\", offset = 0.3 }]";
@@ -61,7 +61,7 @@ fn weight_does_not_fold_a_blade_on_free_hinges() {
     }
 }
 
-/// Free hinges, one with a damper: at rest the damped one has a simple zero beside its
+/// Free hinges, one with a damper: at rest the damped one has a simple zero in addition to its
 /// decay, the other a double one, and both are motions of frequency zero.
 #[test]
 fn a_damped_free_hinge_is_a_motion_too() {
@@ -77,9 +77,9 @@ fn a_damped_free_hinge_is_a_motion_too() {
     assert_eq!(kinds, ["flap 1", "lag 1"]);
 }
 
-/// D = tau K with tau omega / 2 = 1 at 11.5 Hz: the modes above do not oscillate and their
-/// values crowd around -1 / tau; the five below are still found, with their ratios
-/// tau omega / 2 of the natural frequency, and the reader is told of the others.
+/// D = tau K with tau omega / 2 = 1 at 11.5 Hz: the modes above do not oscillate and their values
+/// crowd around -1 / tau; the five below are still found, with their ratios tau omega / 2 of the
+/// natural frequency, and a remark reports the others.
 #[test]
 fn overdamped_motions_do_not_crowd_out_modes() {
     let tau = 1.0 / (std::f64::consts::PI * 11.5);

@@ -12,7 +12,7 @@ const SOURCE: &str = "ordinary differential equations, 1e-11";
 /// The largest reaction of the first joint in five seconds.
 const PEAK: f64 = 94.2;
 
-/// Every so many steps one is kept.
+/// Number of steps between two kept ones.
 fn run(to: f64, step: f64, every: usize) -> Run {
     Run::attempt(
         "bipendulum",
@@ -72,8 +72,8 @@ fn positions_and_reactions_follow() {
     assert!(place < 2e-4 && force < 1e-2 * PEAK, "{place:e} {force:e}");
 }
 
-/// The first reactions are those of the motion: the whole line as one body for its
-/// direction, and each as the reference has it; nothing oscillates after them.
+/// The first reactions agree with the motion: with the whole line as one body for the direction,
+/// and with the reference for each; no oscillation follows.
 #[test]
 fn the_first_reactions_are_those_of_the_motion() {
     let run = Run::new("bipendulum", "bipendulum.dynamics.toml", 1, |question| {
@@ -94,7 +94,7 @@ fn the_first_reactions_are_those_of_the_motion() {
     let mut last = start;
     for step in 1..=25 {
         let now = run.reaction("joint 1", "link 1", 1e-3 * f64::from(step))[0];
-        // It changes by some 0.1 N a step; one that oscillates does so by Newtons.
+        // It changes by about 0.1 N per step; an oscillation would change it by Newtons.
         assert!((now - last).norm() < 0.3, "{step}: {last} {now}");
         last = now;
     }
@@ -109,11 +109,11 @@ fn spin(run: &Run) -> f64 {
     spins.fold(0.0, f64::max)
 }
 
-/// Ten seconds in steps of 3 and 5 ms at radius 0.6, where the first form of the equations
-/// drifted into a spin of the links about their axes and failed. The spin, zero in truth and
-/// with next to no inertia, stays round-off. Over the first three seconds the error of the
-/// places is that of the formula: of second order, so that the steps of 3 and 5 ms have 9
-/// and 25 times the error of 1 ms, and a twentieth for the next term of the error.
+/// Ten seconds in steps of 3 and 5 ms at radius 0.6, where the first form of the equations drifted
+/// into a spin of the links about their axes and failed. The spin, exactly zero and with a tiny
+/// inertia, stays round-off. Over the first three seconds the error of the positions is of second
+/// order, as the scheme, so that the steps of 3 and 5 ms have 9 and 25 times the error of 1 ms, and
+/// a twentieth for the next term of the error.
 #[test]
 fn slender_links_do_not_spin_at_large_steps() {
     let of_one = errors(&run(3.0, 1e-3, 75), 3.0)[0];

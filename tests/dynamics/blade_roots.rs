@@ -1,5 +1,4 @@
-//! Blades of files: the same as blades of pieces, and on hinges and with masses as closed
-//! forms have it.
+//! Blades of files: equal to blades of pieces, and with hinges and masses equal to closed forms.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -17,7 +16,7 @@ use crate::record;
 const STIFFNESS: [f64; 6] = [7e6, 2e6, 1e6, 3e3, 4e3, 9e4];
 const MASS: [f64; 6] = [2.0, 2.0, 2.0, 0.05, 0.01, 0.04];
 
-/// The same strip as properties in place.
+/// The same strip as properties on the card.
 const STRIP: &str = "units = \"SI\"\n[properties.strip]\nea = 7e6\ngay = 2e6\ngaz = 1e6\n\
     gj = 3e3\neiy = 4e3\neiz = 9e4\nm = 2\niy = 0.01\niz = 0.04\n";
 
@@ -43,7 +42,7 @@ fn strip(length: f64, twist: f64, factor: f64) -> Blade {
     }
 }
 
-/// Modes of the cards, beside which the file of `blade` stands.
+/// Modes of the cards, with the file of `blade` next to them.
 fn table(blade: &Blade, cards: &str) -> FrequencyTable {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("a.blade.json"), blade::write(blade)).unwrap();
@@ -60,8 +59,8 @@ fn frequencies(table: &FrequencyTable, speed: usize) -> Vec<f64> {
     modes.iter().map(|mode| mode.1.frequency).collect()
 }
 
-/// Frequencies to 1e-10: the same elements, but for round-off, of which the axial
-/// stiffness EA/(m omega^2 L^2) of 1e4 takes four digits.
+/// Frequencies to 1e-10: the same elements except for round-off, which the axial stiffness EA/(m
+/// omega^2 L^2) of 1e4 increases by four digits.
 fn assert_same(a: &FrequencyTable, b: &FrequencyTable, case: &str) {
     for speed in 0..a.speeds.len() {
         let [a, b] = [a, b].map(|table| frequencies(table, speed));
@@ -100,7 +99,7 @@ fn stations_of_constant_sections_are_pieces() {
     );
 }
 
-/// A mass on the line is a body on the node there, whichever way the blade is described.
+/// A mass on the line is a body on the node there, for both descriptions of the blade.
 #[test]
 fn masses_on_the_line_are_bodies_on_nodes() {
     let keys = "mass = 3\noffset = [0, 0.1, 0]\ninertia = [0.2, 0.1, 0.1]\n";
@@ -136,9 +135,8 @@ fn masses_on_the_line_are_bodies_on_nodes() {
 /// flap: (omega/Omega)^2 = (I_zz - I_xx + e S)/I_yy        lag: e S/I_zz
 /// ```
 ///
-/// Stiffness 1e2 times that of the strip leaves an elastic share of (Omega/omega_1)^2,
-/// with 191 rad/s of the first flap bending about a hinge: 4e-5 of a correction that is
-/// itself small.
+/// With 1e2 times the stiffness of the strip the elastic share is (Omega/omega_1)^2, with 191 rad/s
+/// of the first flap bending about a hinge: 4e-5 of a correction that is small itself.
 #[test]
 fn rigid_blades_on_hinges_have_the_frequencies_of_closed_forms() {
     let (length, offset) = (6.0, 0.5);
@@ -182,9 +180,9 @@ fn rigid_blades_on_hinges_have_the_frequencies_of_closed_forms() {
     }
 }
 
-/// A stiff blade with a spring in its pitch hinge: `omega^2 = k/(J L)` at rest, with J the
-/// polar inertia per length; the offset between hinge and root changes nothing. With GJ
-/// 1e2 times the strip's, k L/GJ = 2e-4 and the elastic share is half of that over 3.
+/// A stiff blade with a spring in its pitch hinge: `omega^2 = k/(J L)` at rest, with J the polar
+/// inertia per length; the offset between hinge and root has no effect. With GJ 1e2 times the
+/// strip's, k L/GJ = 2e-4 and the elastic share is half of this over 3.
 #[test]
 fn a_pitch_spring_turns_the_blade_about_its_span() {
     let (length, stiffness) = (6.0, 10.0);

@@ -25,7 +25,7 @@ fn factors(chain: Chain, count: usize) -> Vec<f64> {
     for mode in &outcome.result.modes {
         let largest = mode.displacements.iter().map(|d| d.norm());
         assert!((largest.fold(0.0, f64::max) - 1.0).abs() < 1e-12);
-        // Above 1e-5 a result is told to have lost digits.
+        // Above 1e-5 a remark reports lost digits.
         assert!(mode.residual < 1e-5, "{}", mode.residual);
     }
     outcome
@@ -71,17 +71,17 @@ fn column_by(formulation: Formulation, elements: usize, sign: f64) -> Chain {
     chain
 }
 
-/// The load of a column without shear from that of one with it: the section force turns
-/// with the section, so that everywhere `P (1 + P / GA)` takes the place of P.
+/// The load of a column without shear from the load of a column with shear: the section force turns
+/// with the section, so that `P (1 + P / GA)` replaces P everywhere.
 fn without_shear(load: f64) -> f64 {
     load * (1.0 + load / SHEAR)
 }
 
-/// One element has `6 (5 -+ sqrt 21) EI / L^2` in both formulations, derived by hand:
-/// round-off, 1e-9. Two and four finite volumes as an independent script gives them, whose
-/// prestress comes from difference quotients: six digits. Two and four variational elements
-/// with the errors listed in `variational_beam`, three digits of them; four are within 1e-4
-/// of `pi^2 EI / 4 L^2`. Both bending directions give way at the same load.
+/// One element has `6 (5 -+ sqrt 21) EI / L^2` in both formulations, derived by hand: round-off,
+/// 1e-9. Two and four finite volumes agree with an independent script, whose prestress is computed
+/// by difference quotients: six digits. Two and four variational elements have the errors listed in
+/// `variational_beam`, to three digits; four are within 1e-4 of `pi^2 EI / 4 L^2`. Both bending
+/// directions buckle at the same load.
 #[test]
 fn a_clamped_column_of_few_elements() {
     let root = 21.0_f64.sqrt();
@@ -112,7 +112,7 @@ fn a_clamped_column_of_few_elements() {
     check(CLOSED, "column of 4 elements", [load, PI * PI / 4.0], 1e-4);
 }
 
-/// Under tension the same column gives way at the negative factor.
+/// Under tension the same column buckles at the negative factor.
 #[test]
 fn a_load_turned_round_has_the_negative_factor() {
     let (pushed, pulled) = (factors(column(2, -1.0), 2), factors(column(2, 1.0), 2));
@@ -121,8 +121,8 @@ fn a_load_turned_round_has_the_negative_factor() {
     }
 }
 
-/// Euler's column on pins, which are imposed displacements: four elements of order four
-/// to a half wave, as eight of the clamped column to its whole.
+/// Euler's column on pins, which are imposed displacements: four elements of order four per half
+/// wave, as eight per clamped column.
 #[test]
 fn a_column_on_pins() {
     let stiffness = Vector6::new(1e7, SHEAR, SHEAR, 1.0, 2.0, 1.0);
@@ -154,9 +154,9 @@ fn a_column_on_pins() {
     );
 }
 
-/// A portal on hinged feet, all members equal, a load on each column: it sways where
-/// `k h tan(k h) = 6`, k^2 = P / EI (a column with the end stiffness 6 EI / b of the beam
-/// bent into an S). Solved here by bisection. Four elements a member.
+/// A portal on hinged feet, all members equal, a load on each column: it sways where `k h tan(k h)
+/// = 6`, k^2 = P / EI (a column with the end stiffness 6 EI / b of the beam bent into an S). Solved
+/// here by bisection. Four elements per member.
 #[test]
 fn a_portal_frame_sways() {
     let (mut low, mut high) = (1.0_f64, 1.5_f64);
@@ -167,7 +167,7 @@ fn a_portal_frame_sways() {
             false => high = middle,
         }
     }
-    // Stiff out of the plane, so that the frame gives way in it.
+    // Stiff out of the plane, so that the frame buckles in its plane.
     let stiffness = Vector6::new(1e7, SHEAR, SHEAR, 1e3, 1.0, 1e3);
     let [a, b] = [Vector3::zeros(), Vector3::z()];
     let [c, d] = [Vector3::new(1.0, 0.0, 1.0), Vector3::x()];
@@ -189,13 +189,13 @@ fn a_portal_frame_sways() {
         chain.load(top, NodalForce { force, ..DEAD });
     }
     let found = without_shear(factors(chain, 1)[0]);
-    // Order four, as a clamped column of the same elements has 6.4e-5.
+    // Order four, as the clamped column of the same elements with 6.4e-5.
     check(CLOSED, "portal frame on hinges", [found, low * low], 2e-4);
 }
 
-/// A strip clamped at one end, with a force in its plane at the other, tips over at
-/// `4.0126 sqrt(EI GJ) / L^2`, in both senses of the force alike (Prandtl, Michell). The
-/// strip is 1e6 times stiffer in its plane. The constant has five digits.
+/// A strip clamped at one end, with a force in its plane at the other, tips over at `4.0126 sqrt(EI
+/// GJ) / L^2`, for both signs of the force (Prandtl, Michell). The strip is 1e6 times stiffer in
+/// its plane. The constant has five digits.
 #[test]
 fn a_strip_tips_over() {
     let stiffness = Vector6::new(1e8, 1e8, 1e8, 2.0, 1e6, 0.5);
@@ -218,8 +218,8 @@ fn a_strip_tips_over() {
     );
 }
 
-/// At the critical load of a turning blade pushed along its span the lowest frequency is
-/// zero: two ways to the same load. Frequencies are roots of what vanishes there.
+/// At the critical load of a turning blade pushed along its span the lowest frequency is zero: two
+/// methods for the same load. The frequency is the root of a quantity that vanishes there.
 #[test]
 fn the_lowest_frequency_of_a_turning_blade_vanishes_at_its_critical_load() {
     use crate::uniform_beam::{Inertia, UniformBeam};
@@ -248,8 +248,8 @@ fn the_lowest_frequency_of_a_turning_blade_vanishes_at_its_critical_load() {
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         (2.0 * PI * outcome.table.at_speed(0)[0].1.frequency).powi(2)
     });
-    // The square of the frequency falls linearly to zero at the critical load; what is
-    // left is the curvature over a hundredth of it.
+    // The square of the frequency falls linearly to zero at the critical load; the error is the
+    // curvature over a hundredth of it.
     let at = 0.99 + 0.01 * squares[1] / (squares[0] - squares[1]);
     let source = "modes about the loaded equilibrium";
     check(
@@ -260,7 +260,7 @@ fn the_lowest_frequency_of_a_turning_blade_vanishes_at_its_critical_load() {
     );
 }
 
-/// Nothing that grows, and bending alone, have no critical load.
+/// Loads that do not grow, and bending alone, have no critical load.
 #[test]
 fn no_load_and_no_prestress_are_told() {
     let stiffness = Vector6::new(1e7, 1e6, 1e6, 1.0, 1.0, 1.0);
@@ -276,8 +276,8 @@ fn no_load_and_no_prestress_are_told() {
     assert!(matches!(outcome.failure, Some(BucklingFailure::NoLoad)));
 }
 
-/// A column under a force that follows its tip has no equilibrium beside the straight one
-/// (Beck; Timoshenko and Gere, section 2.21): it flutters, which statics cannot see.
+/// A column under a force that follows its tip has no equilibrium other than the straight one
+/// (Beck; Timoshenko and Gere, section 2.21): it flutters, which statics does not show.
 #[test]
 fn a_follower_load_has_no_real_factor() {
     let mut chain = Chain::new();

@@ -1,4 +1,4 @@
-//! The cases in `cases/dynamics`, computed as they stand or with a change of their text.
+//! The cases in `cases/dynamics`, computed unchanged or with a change of their text.
 
 use std::path::{Path, PathBuf};
 
@@ -36,13 +36,13 @@ impl Case {
         std::fs::write(self.path(file), text.replace(old, new)).unwrap();
     }
 
-    /// Modes that a dynamics file asks for.
+    /// Modes requested by a dynamics file.
     pub fn modes(&self, file: &str) -> FrequencyTable {
         table(&self.path(file))
     }
 }
 
-/// Modes that the dynamics file at `path` asks for.
+/// Modes requested by the dynamics file at `path`.
 pub fn table(path: &Path) -> FrequencyTable {
     let input = beam_dynamics::input::read(path).unwrap_or_else(|problems| panic!("{problems}"));
     let outcome = modes(&input.model, &input.modes.unwrap());
@@ -50,7 +50,7 @@ pub fn table(path: &Path) -> FrequencyTable {
     outcome.table
 }
 
-/// Frequency \[Hz\] of the mode `name` at speed number `speed`.
+/// Frequency \[Hz\] of the mode `name` at speed index `speed`.
 pub fn frequency(table: &FrequencyTable, name: &str, speed: usize) -> f64 {
     let branch = table.branches.iter().find(|branch| branch.name == name);
     let branch = branch.unwrap_or_else(|| panic!("no mode \"{name}\""));

@@ -24,7 +24,7 @@ pub const DEAD: NodalForce = NodalForce {
     factor: LoadFactor::Proportional,
 };
 
-/// Nothing held, nothing moved.
+/// No node held, no node moved.
 pub const FREE: ImposedMotion = ImposedMotion {
     displacement: [None; 3],
     rotation: [None; 3],
@@ -32,12 +32,12 @@ pub const FREE: ImposedMotion = ImposedMotion {
     factor: LoadFactor::Proportional,
 };
 
-/// Nodes, elements and loads while they are put together.
+/// Nodes, elements and loads under construction.
 pub struct Chain {
     pub nodes: Vec<Node>,
     pub elements: Vec<Box<dyn Element>>,
     pub beams: Vec<[usize; 3]>,
-    /// Of the beams that are added.
+    /// Formulation of the added beams.
     pub formulation: Formulation,
 }
 
@@ -54,8 +54,8 @@ impl Chain {
         }
     }
 
-    /// A line of `count` elements; `place` gives position and axes of a node from its
-    /// part of the way. The first node may be one that exists already.
+    /// A line of `count` elements; `place` returns position and axes of a node from its part of the
+    /// length. The first node may be an existing one.
     pub fn line(
         &mut self,
         first: Option<usize>,

@@ -1,4 +1,4 @@
-//! Control laws between sensors and loads: a pendulum that stands on its joint.
+//! Control laws between sensors and loads: an inverted pendulum.
 //!
 //! With J the moment of inertia about the joint, the law `u = C(s) q` of the tilt q with
 //! `C = ( (p T + d) s + p ) / ( T s + 1 )` in observer form, and small angles,
@@ -24,7 +24,7 @@ const P: f64 = 37.31;
 const D: f64 = 7.7;
 const T: f64 = 0.01;
 
-/// Rates of q, q' and x by themselves.
+/// Rates of q, q' and x, independently.
 fn closed_loop() -> Matrix3<f64> {
     let direct = P + D / T;
     Matrix3::new(
@@ -91,7 +91,7 @@ fn check_poles(file: &str, exact: &[Complex<f64>]) {
     }
 }
 
-// By a torque the third pole is real and no oscillation; by an angle there are two pairs.
+// With a torque the third pole is real and no oscillation; with an angle there are two pairs.
 #[test]
 fn poles_are_those_of_the_linear_equations() {
     check_poles(FILE, closed_loop().complex_eigenvalues().as_slice());
@@ -99,7 +99,7 @@ fn poles_are_those_of_the_linear_equations() {
     check_poles("angle.dynamics.toml", exact.as_slice());
 }
 
-// Seven degrees at most, and upright at the end; with the arm held still it falls.
+// Seven degrees at most, and upright at the end; with a fixed arm it falls.
 #[test]
 fn a_driven_angle_holds_the_pendulum_upright() {
     let last = |case: &Case| {
@@ -118,8 +118,8 @@ fn a_driven_angle_holds_the_pendulum_upright() {
     assert!(last(&free).iter().any(|tilt| *tilt > 3.0));
 }
 
-// A push of 1e-4 rad/s: what is left of sines is 1e-10 of the angle. Steps of 0.5 ms leave the
-// square of the step by the quick pole, 1e2/s: 1e-3 of what that part of the motion has.
+// A push of 1e-4 rad/s: the error of linearized sines is 1e-10 of the angle. The error of steps of
+// 0.5 ms is the square of the step times the fast pole, 1e2/s: 1e-3 of this part of the motion.
 #[test]
 fn the_motion_is_that_of_the_linear_equations() {
     let case = pushed(1e-4);
@@ -139,7 +139,7 @@ fn the_motion_is_that_of_the_linear_equations() {
     assert!(tilt(last).abs() < 1e-7, "{}", tilt(last));
 }
 
-// Large angles, variable steps: it comes to stand, and without the law it falls.
+// Large angles, variable steps: it comes to rest upright, and without the law it falls.
 #[test]
 fn the_law_holds_the_pendulum_upright() {
     let run = Run::of_file(&Case::new(CASE).path(FILE), 1, |_| ());
@@ -159,7 +159,7 @@ fn the_law_holds_the_pendulum_upright() {
     assert!(turned.fold(0.0, f64::max) > 3.0);
 }
 
-// Matrices in the card and in a file, and a card for the one entry: the same to round-off.
+// Matrices in the card and in a file, and a card for the single entry: equal to round-off.
 #[test]
 fn all_ways_to_write_the_law_are_one() {
     let written = "numerator = [\"= proportional*lag + derivative\", \"= proportional\"]\n\

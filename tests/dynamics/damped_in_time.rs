@@ -1,11 +1,11 @@
-//! Internal damping of beams in time: a mass on a bar swings out as its damping says,
-//! whichever way that is written.
+//! Internal damping of beams in time: the oscillation of a mass on a bar decays by its damping, for
+//! both ways of input.
 
 use nalgebra::Vector3;
 
 use crate::joint_runs::{Mechanism, check_order, off};
 
-/// EA = 1000 N, 2 m long, next to no mass, and 10 kg at its end.
+/// EA = 1000 N, 2 m long, nearly massless, and 10 kg at its end.
 const BAR: &str = "
 [properties.bar]
 ea = 1000
@@ -41,9 +41,9 @@ inertia = [1, 1, 1]
 /// The bar.
 const BEAM: &str = "[[beam]]\nnodes = [\"root\", \"mid\", \"tip\"]\nproperties = \"bar\"\n";
 
-// x = v/w_d exp(-zeta w t) sin(w_d t), with w^2 = EA/(l m) and zeta = tau w / 2. Second order:
-// the phase is off by (w h)^2/12 of the angle, 14 rad, so 1e-3 of the amplitude at w h = 0.035
-// and some times that with the damping of the formula.
+// x = v/w_d exp(-zeta w t) sin(w_d t), with w^2 = EA/(l m) and zeta = tau w / 2. Second order: the
+// error of the phase is (w h)^2/12 of the angle, 14 rad, hence 1e-3 of the amplitude at w h = 0.035
+// and a few times this with the damping of the scheme.
 #[test]
 fn a_mass_on_a_bar_swings_out_with_the_ratio_of_its_damping() {
     const TIME: f64 = 0.02;
@@ -67,6 +67,6 @@ fn a_mass_on_a_bar_swings_out_with_the_ratio_of_its_damping() {
             run.instants.iter().map(apart).fold(0.0, f64::max)
         });
         let case = format!("bar with a mass, damping by its {words}");
-        check_order(&case, "place, of 1.4 mm [m]", errors, 1e-5);
+        check_order(&case, "position, of 1.4 mm [m]", errors, 1e-5);
     }
 }

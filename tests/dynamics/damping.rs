@@ -59,9 +59,9 @@ fn diagonal() -> Matrix6<f64> {
     Matrix6::from_diagonal(&Vector6::new(4e3, 2e3, 1.5e3, 0.8, 1.0, 2.7))
 }
 
-// D = tau K makes the modal equation q'' + tau omega^2 q' + omega^2 q = 0: the ratio is
-// tau omega / 2 in every mode, of the discrete beam too, and |s| is omega. The eigenvalues
-// are good to 1e-8 of themselves at stiffnesses that span four decades.
+// D = tau K makes the modal equation q'' + tau omega^2 q' + omega^2 q = 0: the ratio is tau omega /
+// 2 in every mode, of the discrete beam too, and |s| is omega. The relative error of the
+// eigenvalues is 1e-8 at stiffnesses that span four decades.
 #[test]
 fn a_viscosity_proportional_to_stiffness_damps_in_proportion_to_frequency() {
     const TIME: f64 = 1e-4;

@@ -1,8 +1,8 @@
 //! Pendulums on stiff and on elastic rods, in `cases/dynamics/bathe_pendulum` and
 //! `cases/dynamics/deformable_pendulum`.
 //!
-//! Sources: `tests/reference/dynamics/bathe_pendulum.csv`,
-//! `deformable_pendulum_unstretched.csv` and `_balanced.csv` beside it.
+//! Sources: `tests/reference/dynamics/bathe_pendulum.csv`, `deformable_pendulum_unstretched.csv`
+//! and `_balanced.csv` in the same folder.
 
 use beam_dynamics::integrator::{Scheme, Stepping};
 
@@ -29,8 +29,8 @@ fn angle_error(file: &str, step: f64) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-/// 0.05 degrees over ten seconds at 5 ms. The stretch of the rod, 3e-7 of it, shows in
-/// neither.
+/// 0.05 degrees over ten seconds at 5 ms. The stretch of the rod, 3e-7 of it, is negligible in
+/// both.
 #[test]
 fn bathes_pendulum_keeps_its_angle() {
     let source = "equation of the angle, 1e-12";
@@ -47,8 +47,8 @@ fn elongation(run: &Run, time: f64) -> f64 {
     run.motion("mass", time).position.norm() - 1.0
 }
 
-/// Largest error of the elongation over the first second, of its peak; later the path is
-/// sensitive, near the top.
+/// Largest error of the elongation over the first second, relative to its peak; later, near the
+/// top, the path is sensitive.
 fn elongation_error(start: &str, scheme: Scheme) -> f64 {
     let file = format!("{start}.dynamics.toml");
     let run = Run::new("deformable_pendulum", &file, 80, |question| {
@@ -63,8 +63,8 @@ fn elongation_error(start: &str, scheme: Scheme) -> f64 {
     errors.fold(0.0, f64::max) / peak
 }
 
-/// 1 % of the peak at a quarter of a millisecond: by two steps where the rod does not ring;
-/// where it does, fifty times in that second, by the formula of third order.
+/// 1 % of the peak at a quarter of a millisecond: with the two-step scheme if the rod does not
+/// ring; if it rings, fifty times in this second, with the scheme of third order.
 #[test]
 fn the_rod_stretches_as_it_should() {
     let source = "ordinary differential equations, 1e-12";
@@ -79,12 +79,12 @@ fn the_rod_stretches_as_it_should() {
     }
 }
 
-/// What two steps of radius 0.6 make of the ringing at a quarter of a millisecond, an error
-/// of 8 % at one second, another program with the same formula makes too. Its first steps
-/// are others: 1 % of the amplitude.
+/// The two-step scheme of radius 0.6 has an error of 8 % of the ringing at one second with steps of
+/// a quarter of a millisecond; another program with the same scheme has it too. Its first steps
+/// differ: 1 % of the amplitude.
 #[test]
 fn the_ringing_by_two_steps() {
-    let source = "the same formula in another program";
+    let source = "the same scheme in another program";
     let file = "unstretched.dynamics.toml";
     let run = Run::new("deformable_pendulum", file, 80, |question| {
         question.to = 1.0
@@ -99,12 +99,12 @@ fn the_ringing_by_two_steps() {
     }
 }
 
-/// The elongations of the first five steps of 20 ms, which the step is too long for: what
-/// the formula makes of them, to the digits of an independent script in which the
-/// multiplier is not there and the unknowns are x, y and their rates.
+/// The elongations of the first five steps of 20 ms, which do not resolve them: the result of the
+/// scheme, to the digits of an independent script without the multiplier, with the unknowns x, y
+/// and their rates.
 #[test]
 fn a_step_too_long_for_the_rod() {
-    let source = "the same formula on x and y by an independent script";
+    let source = "the same scheme on x and y by an independent script";
     let case = "deformable pendulum at 20 ms";
     for (file, radius, expected, tolerance) in [
         (

@@ -1,4 +1,4 @@
-//! What is put into a run in time, and energy that nothing put in.
+//! Energy input of a run in time, and unexplained gain of energy.
 
 use std::fs;
 
@@ -11,7 +11,7 @@ use crate::record;
 const UNITS: &str =
     r#"units = { length = "m", force = "N", angle = "rad", rotation_speed = "rad/s" }"#;
 
-/// A run of cards, with what it asks for among them.
+/// A run of cards, with its questions among them.
 fn run(cards: &str, change: impl FnOnce(&mut TransientQuestion)) -> Run {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("watched.dynamics.toml");
@@ -74,8 +74,8 @@ drive = "= if(t<0.02,1,0)"
 
 const FINITE_VOLUME: &str = "formulation = \"finite-volume\"";
 
-/// Finite volumes gain energy, 0.096 J to more than 1000 J here: it is told when, how much of
-/// it was put in, where and why. The variational beam keeps what was put in.
+/// Finite volumes gain energy, 0.096 J to more than 1000 J here: time, input, location and cause
+/// are reported. The variational beam conserves the input.
 #[test]
 fn energy_that_a_formulation_makes_is_told() {
     let time = "[transient]\nto = 0.2\nstep = 2e-5\n";
@@ -92,12 +92,18 @@ fn energy_that_a_formulation_makes_is_told() {
     assert_eq!(gain(&kept), None);
     let off = (kept.energy.growth / kept.energy.put_in - 1.0).abs();
     let case = "soft beam after a push";
-    record::largest("closed form", case, "energy, of what was put in", off, 0.01);
+    record::largest(
+        "closed form",
+        case,
+        "energy, relative to the input",
+        off,
+        0.01,
+    );
     assert!(off < 0.01, "{:?}", kept.energy);
 }
 
-/// The modes of the strip that grow are beyond the ten that are listed: a remark tells of
-/// them, of their damping, and why; the variational strip has none.
+/// The growing modes of the strip are beyond the ten listed ones: a remark reports them, their
+/// damping, and the cause; the variational strip has none.
 #[test]
 fn modes_with_negative_damping_are_told_beyond_those_listed() {
     let remarks = |formulation: &str, count: usize| {
@@ -115,7 +121,7 @@ fn modes_with_negative_damping_are_told_beyond_those_listed() {
             .collect::<Vec<_>>()
     };
     for (count, place) in [
-        (10, "negative damping beyond those listed"),
+        (10, "negative damping beyond the listed ones"),
         (48, "2 modes have negative"),
     ] {
         let found = remarks(FINITE_VOLUME, count);
@@ -127,8 +133,8 @@ fn modes_with_negative_damping_are_told_beyond_those_listed() {
     }
 }
 
-/// The strip in four elements gains 1e10 J of 2 J until the run ends, and the likely cause of
-/// that is no locked mechanism. A remark tells of it before.
+/// The strip in four elements gains 1e10 J from 2 J until the run ends, and the likely cause is not
+/// a locked mechanism. A remark reports it before.
 #[test]
 fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
     let strip = |formulation: &str, to: f64| {
@@ -157,7 +163,13 @@ fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
     assert!(kept.failure.is_none());
     let off = (kept.energy.growth / kept.energy.put_in - 1.0).abs();
     let case = "strip after a push";
-    record::largest("closed form", case, "energy, of what was put in", off, 0.01);
+    record::largest(
+        "closed form",
+        case,
+        "energy, relative to the input",
+        off,
+        0.01,
+    );
     assert!(off < 0.01, "{:?}", kept.energy);
 }
 
@@ -179,7 +191,7 @@ stiffness = [40, 60, 80]
 rotational_stiffness = [5, 6, 7]
 "#;
 
-/// What puts in or takes out energy, one by one.
+/// Elements that supply or absorb energy, one by one.
 const EXCHANGES: [(&str, &str); 11] = [
     (
         "forced and damped oscillator",
@@ -234,8 +246,8 @@ const EXCHANGES: [(&str, &str); 11] = [
     ("nothing", "SPRUNG"),
 ];
 
-/// The growth of the energy is what is put in less what is taken out, up to the square of the
-/// step: a half of it leaves a quarter of what they are apart.
+/// The growth of the energy is the input less the output, up to the square of the step: half the
+/// step gives a quarter of the difference.
 #[test]
 fn the_energy_grows_by_what_is_put_in() {
     for (case, cards) in EXCHANGES {
@@ -264,7 +276,7 @@ fn the_energy_grows_by_what_is_put_in() {
     }
 }
 
-/// Numbers between zero and one, always the same.
+/// Numbers between zero and one, the same in every run.
 struct Numbers(u64);
 
 impl Numbers {
@@ -276,7 +288,7 @@ impl Numbers {
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Between `from` and `to` with even logarithms.
+    /// Between `from` and `to`, logarithmically uniform.
     fn between(&mut self, from: f64, to: f64) -> f64 {
         from * (to / from).powf(self.next())
     }
@@ -286,8 +298,8 @@ impl Numbers {
     }
 }
 
-/// A blade on a clamp or a damped hinge with a body at its tip, loads, weight and damping or
-/// none, and steps that resolve few or many of its waves.
+/// A blade on a clamp or a damped hinge with a body at its tip, loads, optional weight and damping,
+/// and steps that resolve few or many of its waves.
 fn random_beam(numbers: &mut Numbers) -> String {
     let [ei, width, elements] = [0; 3].map(|_| numbers.next());
     let (ei, elements) = (10.0 * 100.0_f64.powf(ei), 1 + (4.0 * elements) as usize);
@@ -332,7 +344,7 @@ fn random_beam(numbers: &mut Numbers) -> String {
     )
 }
 
-/// Nothing is said of a hundred and fifty beams, whose steps resolve some of their waves.
+/// No gain is reported for a hundred and fifty beams whose steps resolve some of their waves.
 #[test]
 fn no_beam_is_said_to_gain_energy() {
     let mut numbers = Numbers(7);

@@ -1,4 +1,4 @@
-//! A rotor of equal blades: every frequency of one blade as often as there are blades.
+//! A rotor of equal blades: every frequency of one blade occurs once per blade.
 
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::result::{Direction, FrequencyTable, ModeKind, Whirl};
@@ -27,8 +27,8 @@ fn rotor(blades: usize, count: usize) -> FrequencyTable {
     outcome.table
 }
 
-/// Blades on a rigid hub do not feel each other, so the frequencies are those of one,
-/// to the round-off of the eigenvalues, and each branch goes on at the second speed.
+/// Blades on a rigid hub are uncoupled, so that the frequencies are the frequencies of one blade,
+/// to the round-off of the eigenvalues, and each branch continues at the second speed.
 #[test]
 fn every_frequency_comes_once_a_blade_and_is_followed() {
     let one = rotor(1, 8);
@@ -62,10 +62,10 @@ fn every_frequency_comes_once_a_blade_and_is_followed() {
     }
 }
 
-/// The copies of each frequency on a rigid hub are the ways in which the blades move
-/// together, each once and pure: collective, progressive, regressive, and differential
-/// where the number is even. What blade k does in mode h is `exp(-i h psi_k)` times what
-/// the first does, so that the shares are one to round-off of the vectors.
+/// The modes of each multiple frequency on a rigid hub are the patterns of motion of the blades,
+/// each once and pure: collective, progressive, regressive, and differential if the number is even.
+/// The motion of blade k in mode h is `exp(-i h psi_k)` times the motion of the first, so that the
+/// shares are one to round-off of the vectors.
 #[test]
 fn copies_are_collective_cyclic_and_differential() {
     for (blades, ways) in [(2, vec![0, 1]), (3, vec![-1, 0, 1]), (4, vec![-1, 0, 1, 2])] {
@@ -82,7 +82,7 @@ fn copies_are_collective_cyclic_and_differential() {
                 }
             }
         }
-        // Followed over the speeds, each stays what it is.
+        // Followed over the speeds, each keeps its pattern.
         for branch in &table.branches {
             for point in branch.points.iter().flatten() {
                 let harmonic = point.whirl.map(|whirl| whirl.harmonic);
@@ -95,7 +95,7 @@ fn copies_are_collective_cyclic_and_differential() {
             "{names:?}"
         );
     }
-    // Seen from the fixed system: 10 Hz at 3 rev/s, and 2 Hz, which is overtaken.
+    // In the fixed system: 10 Hz at 3 rev/s, and 2 Hz, which is overtaken.
     let whirl = |harmonic| Whirl {
         harmonic,
         blades: 4,
@@ -108,8 +108,8 @@ fn copies_are_collective_cyclic_and_differential() {
     assert_eq!((seen(0, 10.0), seen(2, 10.0)), (None, None));
 }
 
-/// A tip piece a million times as stiff as the blade: the answer has few digits, and
-/// the reader is told. Without it there is nothing to say.
+/// A tip piece a million times as stiff as the blade: the result has few digits, which a remark
+/// reports. Without it there is no remark.
 #[test]
 fn lost_digits_are_told() {
     assert_eq!(rotor(1, 4).remarks, Vec::<String>::new());

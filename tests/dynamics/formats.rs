@@ -1,4 +1,4 @@
-//! Blades through the files of other tools and back: the modes stay what they were.
+//! Blades through the files of other tools and back: the modes do not change.
 
 use std::fs;
 use std::path::Path;
@@ -25,8 +25,7 @@ pub fn blade_of(case: &str) -> Blade {
         .blade
 }
 
-/// The lowest frequencies of a blade, clamped and at rest \[Hz\], with further keys of
-/// the card.
+/// The lowest frequencies of a blade, clamped and at rest \[Hz\], with additional keys of the card.
 pub fn frequencies(blade: &Blade, keys: &str) -> Vec<f64> {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("a.blade.json"), blade::write(blade)).unwrap();
@@ -49,7 +48,7 @@ fn difference(found: &[f64], expected: &[f64]) -> f64 {
     pairs.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max)
 }
 
-/// Writes a blade, reads it back, and gives what its format could not carry too.
+/// Writes a blade, reads it back, and also returns the losses of its format.
 fn there_and_back(blade: &Blade, format: Format) -> (Blade, Vec<String>) {
     let folder = tempfile::tempdir().unwrap();
     let writing = exchange::write(blade, format, "blade").unwrap();
@@ -65,7 +64,7 @@ fn first(files: &[(std::path::PathBuf, String)]) -> &Path {
     &files[0].0
 }
 
-/// Compares the eight lowest frequencies with those of the blade itself.
+/// Compares the eight lowest frequencies with the frequencies of the blade itself.
 fn compare(case: &str, found: &[f64], expected: &[f64], tolerance: f64) {
     let error = difference(found, expected);
     record::largest(SOURCE, case, "eight frequencies", error, tolerance);
@@ -73,13 +72,13 @@ fn compare(case: &str, found: &[f64], expected: &[f64], tolerance: f64) {
     assert!(error < tolerance, "{case}: {found:?} {expected:?}");
 }
 
-/// Formats that carry all of a blade: 1e-9, far above the round-off of the eigenvalues
-/// and of 17 digits.
+/// Formats that contain all data of a blade: 1e-9, far above the round-off of the eigenvalues and
+/// of 17 digits.
 ///
-/// DYMORE's six numbers are the mass of a rigid slice. That of the IEA 15 MW blade is
-/// printed with so few digits that it is none, by 5e-8 of its largest entries, which the
-/// writer says; a frequency changes by half of what its mass does at most. What comes
-/// back is one, and goes through once more unchanged.
+/// DYMORE's six numbers are the mass of a rigid slice. The mass of the IEA 15 MW blade is printed
+/// with too few digits to be one, by 5e-8 of its largest entries, which the writer reports; the
+/// relative change of a frequency is at most half of the change of the mass. The mass read back is
+/// a rigid slice, and does not change when written once more.
 #[test]
 fn modes_are_the_same_after_formats_that_carry_a_blade() {
     for name in BLADES {
@@ -99,7 +98,7 @@ fn modes_are_the_same_after_formats_that_carry_a_blade() {
             let is_rounded = (name, format) == ("iea15", Format::Dymore);
             let says_so = lost
                 .iter()
-                .any(|what| what.contains("not that of a rigid slice"));
+                .any(|what| what.contains("not the matrix of a rigid slice"));
             assert_eq!(is_rounded, says_so, "{name} {}: {lost:?}", format.name());
             let tolerance = if is_rounded { 2.5e-8 } else { 1e-9 };
             let case = format!("{name} through {}", format.title());
@@ -115,8 +114,8 @@ fn modes_are_the_same_after_formats_that_carry_a_blade() {
     }
 }
 
-/// The same blade about another point or in other axes has the same modes, although
-/// every entry of its matrices is another.
+/// The same blade about another point or in other axes has the same modes, although every entry of
+/// its matrices differs.
 #[test]
 fn modes_are_the_same_about_another_axis() {
     for name in BLADES {
@@ -140,13 +139,12 @@ fn modes_are_the_same_about_another_axis() {
     }
 }
 
-/// HAWC2's rows have no product of inertia in the principal axes of bending, and each
-/// column runs straight between rows. The matrices of NREL 5MW have nothing of both, and
-/// its modes stay. Those of IEA 15 MW have: the writer tells that up to 0.23 of the
-/// moments of inertia are lost. Rotatory inertia changes a frequency by `(k r)^2 / 2`, 4e-3
-/// for the eighth mode with k = 10 / L, L = 117 m and r = 1 m, so that what is lost is 1e-3
-/// of it at most. The stiffness half way between two rows is off by a tenth only at the
-/// tip, which does not bend.
+/// HAWC2's rows have no product of inertia in the principal axes of bending, and each column is
+/// linear between rows. The matrices of NREL 5MW are not affected, and its modes do not change. The
+/// matrices of IEA 15 MW are: the writer reports that up to 0.23 of the moments of inertia are
+/// lost. Rotatory inertia changes a frequency by `(k r)^2 / 2`, 4e-3 for the eighth mode with k =
+/// 10 / L, L = 117 m and r = 1 m, so that the loss is 1e-3 of it at most. The stiffness halfway
+/// between two rows has an error of a tenth only at the tip, which does not bend.
 #[test]
 fn what_hawc2_cannot_carry_is_told_and_small() {
     for (name, tolerance, told) in [("nrel5mw", 1e-9, 1), ("iea15", 1e-3, 4)] {
@@ -167,17 +165,16 @@ fn what_hawc2_cannot_carry_is_told_and_small() {
     }
 }
 
-/// MBDyn's model has the mass in bodies at the nodes, which is of second order: with
-/// N elements on the half wave of a mode, the error is that of lumped elements,
-/// `(pi / 2 N)^2 / 24` or so, 1e-3 for five. The highest of the eight modes has its
-/// shortest half wave on five elements (NREL 5MW) and three (IEA 15 MW, where it is
-/// short only in the stiff directions).
+/// MBDyn's model has the mass in bodies at the nodes, which is of second order: with N elements on
+/// the half wave of a mode, the error is the error of lumped elements, about `(pi / 2 N)^2 / 24`,
+/// 1e-3 for five. The highest of the eight modes has its shortest half wave on five elements (NREL
+/// 5MW) and three (IEA 15 MW, where it is short only in the stiff directions).
 ///
-/// Our finite volumes are the same model, built from the blade and not from
-/// the file, but for the last interval of the table, over which the stiffness falls by a
-/// hundred and which our elements divide: they agree to what lumping costs there, for the
-/// short interval of NREL 5MW (0.5 % of the blade) 1e-6, for that of IEA 15 MW (5 %)
-/// 3e-4, a third of what lumping costs in all (8.7e-4).
+/// Our finite volumes are the same model, built from the blade and not from the file, except for
+/// the last interval of the table, over which the stiffness falls by a factor of a hundred and
+/// which our elements divide: they agree to the error of lumping there, for the short interval of
+/// NREL 5MW (0.5 % of the blade) 1e-6, for the interval of IEA 15 MW (5 %) 3e-4, a third of the
+/// total error of lumping (8.7e-4).
 #[test]
 fn what_mbdyn_cannot_carry_is_told_and_small() {
     for (name, tolerance, same, told) in [("nrel5mw", 1e-3, 1e-6, 2), ("iea15", 2e-3, 3e-4, 3)] {
@@ -189,7 +186,7 @@ fn what_mbdyn_cannot_carry_is_told_and_small() {
         compare(&case, &found, &frequencies(&blade, ""), tolerance);
         let lumped = frequencies(&blade, "formulation = \"finite-volume\"");
         compare(
-            &format!("{case}, beside lumped elements"),
+            &format!("{case}, compared with lumped elements"),
             &found,
             &lumped,
             same,

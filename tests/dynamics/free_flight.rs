@@ -1,5 +1,5 @@
-//! Bodies and beams that nothing holds, in `cases/dynamics/free_body` and
-//! `cases/dynamics/flying_beam`: what must not change does not.
+//! Free bodies and beams, in `cases/dynamics/free_body` and `cases/dynamics/flying_beam`: conserved
+//! quantities are conserved.
 
 use beam_dynamics::integrator::{Scheme, Stepping};
 
@@ -11,7 +11,7 @@ use crate::record;
 
 const BALANCE: &str = "balance of momentum";
 
-/// Schemes that are asked to keep momenta.
+/// Schemes that must conserve momenta.
 const SCHEMES: [(&str, Scheme); 4] = [
     ("two steps, radius 0.6", Scheme::TwoStep { radius: 0.6 }),
     ("Crank-Nicolson", Scheme::CrankNicolson),
@@ -26,9 +26,9 @@ fn body(scheme: Scheme, step: f64) -> Run {
     })
 }
 
-/// The momentum of a node is an unknown of its own and its rate is zero; the angular
-/// momentum about the origin is linear in the unknowns once that is constant: every
-/// formula keeps both to round-off, whatever the error of the motion.
+/// The momentum of a node is an unknown of its own and its rate is zero; the angular momentum about
+/// the origin is linear in the unknowns once the momentum is constant: every scheme conserves both
+/// to round-off, for any error of the motion.
 #[test]
 fn a_free_body_keeps_its_momenta() {
     for (name, scheme) in SCHEMES {
@@ -54,7 +54,7 @@ fn a_free_body_keeps_its_momenta() {
     }
 }
 
-/// Largest error of place and angular velocity, and the largest change of the energy.
+/// Largest error of position and angular velocity, and the largest change of the energy.
 fn body_errors(step: f64) -> [f64; 3] {
     let run = body(Scheme::default(), step);
     let table = Table::new("free_body.csv");
@@ -75,11 +75,14 @@ fn body_errors(step: f64) -> [f64; 3] {
     errors
 }
 
-/// Place, angular velocity and energy at second order, against Euler's equations.
+/// Position, angular velocity and energy at second order, against Euler's equations.
 #[test]
 fn a_free_body_tumbles_as_euler_says() {
     let [coarse, fine] = [0.01, 0.005].map(body_errors);
-    for (number, quantity) in ["place", "angular velocity", "energy"].iter().enumerate() {
+    for (number, quantity) in ["position", "angular velocity", "energy"]
+        .iter()
+        .enumerate()
+    {
         let order = (coarse[number] / fine[number]).log2();
         record::order("Euler's equations", "free body", quantity, order, 1.9);
         assert!(
@@ -94,16 +97,16 @@ fn a_free_body_tumbles_as_euler_says() {
     record::largest(
         source,
         "free body",
-        "place to 10 s, step 5 ms [m]",
+        "position to 10 s, step 5 ms [m]",
         fine[0],
         2e-3,
     );
     assert!(fine[0] < 2e-3, "{:e}", fine[0]);
 }
 
-/// The momentum after the push is its impulse, 8 N for 2.5 s along x: lines are integrated
-/// without error, and at the kinks between them two steps leave a part of `slope h^2`,
-/// 4e-3 N s. From the next half second on it does not change at all.
+/// The momentum after the push is its impulse, 8 N for 2.5 s along x: lines are integrated without
+/// error, and at the kinks between them the error of two steps is a part of `slope h^2`, 4e-3 N s.
+/// From the next half second on it does not change at all.
 #[test]
 fn a_flying_beam_gets_the_impulse_of_its_push() {
     let run = Run::new("flying_beam", "flying_beam.dynamics.toml", 10, |question| {
@@ -122,7 +125,7 @@ fn a_flying_beam_gets_the_impulse_of_its_push() {
     assert!(change < 1e-10, "{change:e}");
 }
 
-/// The push without kinks, which would leave the beam ringing faster than steps follow.
+/// The push without kinks, which would cause waves faster than the steps resolve.
 const SMOOTH: &str = r#"kind = "sum"
 terms = [
   { kind = "ramp", to = 1, start = 0, end = 2.5, shape = "smooth" },
@@ -152,9 +155,9 @@ fn drift(step: f64) -> [f64; 2] {
     [after.0 / before.0 - 1.0, turning]
 }
 
-/// In free flight the steps change both at second order. Angular momentum is kept by the
-/// elements themselves; energy by their forces only as far as eight of them are fine, a
-/// part of 1e-6, which the differences between steps do not see.
+/// In free flight the steps change both at second order. Angular momentum is conserved by the
+/// elements themselves; energy by their forces up to the discretization error of eight elements, a
+/// part of 1e-6, which cancels in the differences between steps.
 #[test]
 fn a_flying_beam_keeps_energy_and_angular_momentum() {
     let [coarse, middle, fine] = [0.02, 0.01, 0.005].map(drift);

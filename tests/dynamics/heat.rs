@@ -62,9 +62,8 @@ fn last_step(text: &str) -> (Model, StaticStep) {
     (input.model, step)
 }
 
-/// Held at both ends the bar pushes with EA alpha T and does not strain; held at one it
-/// grows by alpha T. What a card says takes the place of what the properties say, and
-/// without a card nothing is heated.
+/// Held at both ends the bar pushes with EA alpha T and does not strain; held at one it grows by
+/// alpha T. A card overrides the properties, and without a card nothing is heated.
 #[test]
 fn held_bars_push_and_free_ones_grow() {
     const TOLERANCE: f64 = 1e-12;
@@ -125,9 +124,9 @@ fn frequency(force: f64, bending: f64, mass: f64, length: f64) -> f64 {
     0.5 * (low + high) / (2.0 * PI)
 }
 
-/// Heat lowers the frequencies of a bar that is held at both ends. Shear takes P/GA of the
-/// buckling load, 7e-5, and twelve elements about as much; at 0.9 of it a part of the load
-/// counts five times in the frequency: below 1e-3.
+/// Heat lowers the frequencies of a bar that is held at both ends. Shear takes P/GA of the buckling
+/// load, 7e-5, and twelve elements about as much; at 0.9 of the load a relative error of the load
+/// is multiplied by five in the frequency: below 1e-3.
 #[test]
 fn held_bars_ring_lower_when_heated() {
     const TOLERANCE: f64 = 1e-3;
@@ -159,7 +158,7 @@ fn held_bars_ring_lower_when_heated() {
     }
 }
 
-/// A ramp of temperature by a drive, slow beside the waves of the bar (a period of 2 ms):
+/// A ramp of temperature by a drive, slow compared with the waves of the bar (a period of 2 ms):
 /// its tip follows alpha T(t) L.
 #[test]
 fn a_ramp_of_temperature_moves_the_tip() {
@@ -186,7 +185,7 @@ step = 1e-3
         let tip = state.nodes.last().unwrap().position.x - 2.0;
         worst = worst.max((tip - growth).abs());
     }
-    // beside the growth at the end; what is left are waves, (period / ramp)^2
+    // relative to the growth at the end; the rest are waves, (period / ramp)^2
     let error = worst / (2.0 * 150.0 / 7e6 * 60.0);
     const TOLERANCE: f64 = 1e-4;
     println!("{error:e}");
@@ -200,7 +199,7 @@ step = 1e-3
     );
 }
 
-/// Heat where nothing is known of expansion is an error with its remedy.
+/// Heat without a known expansion is an error with its remedy.
 #[test]
 fn heat_without_thermal_force_is_told() {
     let text = bar("", "temperature = 20", "[static]\n");
@@ -217,12 +216,12 @@ fn heat_without_thermal_force_is_told() {
     }
 }
 
-/// What acts is told, by the card that says it, once for beams that are heated alike.
+/// The active heat is reported, with its card, once for beams that are heated equally.
 #[test]
 fn what_is_heated_is_told() {
     let told = |of_properties, of_blade| {
         let mut remarks = read(&bar(of_properties, of_blade, "[static]\n")).remarks;
-        // the bar is lighter than any of a material, which is told too
+        // the bar is lighter than any material, which is reported too
         remarks.retain(|remark| remark.starts_with("heat"));
         remarks
     };
@@ -233,6 +232,6 @@ fn what_is_heated_is_told() {
     );
     assert_eq!(
         told("temperature = 20", "temperature = \"= 40 + t\""),
-        ["heat and imposed strains of blade \"bar\", piece 1: temperature 40 K at the time zero"]
+        ["heat and imposed strains of blade \"bar\", piece 1: temperature 40 K at time zero"]
     );
 }

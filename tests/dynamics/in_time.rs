@@ -1,4 +1,4 @@
-//! Runs in time of cases, and the tables that they are compared with.
+//! Runs in time of cases, and the tables compared with them.
 
 use std::path::Path;
 
@@ -11,10 +11,10 @@ use nalgebra::Vector3;
 
 use crate::case_files::Case;
 
-/// Steps that were taken, as far as they are kept.
+/// Steps taken, as far as they are kept.
 #[derive(Default)]
 struct Kept {
-    /// Every how many steps one is kept.
+    /// Number of steps between two kept ones.
     every: usize,
     instants: Vec<(f64, State)>,
 }
@@ -28,7 +28,7 @@ impl Recorder for Kept {
     }
 }
 
-/// What is told of energy that nothing put in.
+/// The remark on an unexplained gain of energy.
 pub fn gain(outcome: &TransientOutcome) -> Option<String> {
     let failure = outcome.failure.iter().map(ToString::to_string);
     let mut told = outcome.remarks.iter().cloned().chain(failure);
@@ -43,8 +43,8 @@ pub struct Run {
 }
 
 impl Run {
-    /// The run that a file of a case asks for, with a change of the question; every so
-    /// many steps one is kept. The run may fail.
+    /// The run requested by a file of a case, with a change of the question; one of several steps
+    /// is kept. The run may fail.
     pub fn attempt(
         case: &str,
         file: &str,
@@ -63,7 +63,7 @@ impl Run {
         Self::of(input.model, &question, every)
     }
 
-    /// The run of a model, in which no energy is gained that nothing put in.
+    /// The run of a model, which must not gain unexplained energy.
     pub fn of(model: Model, question: &TransientQuestion, every: usize) -> Self {
         let run = Self::of_any(model, question, every);
         assert_eq!(gain(&run.outcome), None);
@@ -102,7 +102,7 @@ impl Run {
         assert!(failure.is_none(), "{}", failure.unwrap());
     }
 
-    /// Number of the node called `name`.
+    /// Index of the node called `name`.
     pub fn node(&self, name: &str) -> usize {
         let nodes = self.model.system.nodes();
         let found = nodes.iter().position(|node| node.label == name);
@@ -127,7 +127,7 @@ impl Run {
         self.reaction_in(self.at(time), time, joint, self.node(name))
     }
 
-    /// The same at a state that is at hand.
+    /// The same at a given state.
     pub fn reaction_in(
         &self,
         state: &State,
@@ -182,12 +182,12 @@ impl Table {
         Self { header, rows }
     }
 
-    /// Place of the column called `name`.
+    /// Index of the column called `name`.
     pub fn column(&self, name: &str) -> usize {
         self.header.iter().position(|word| word == name).unwrap()
     }
 
-    /// The three columns from that called `first` on.
+    /// The three columns beginning with the given one.
     pub fn vector(&self, row: &[f64], first: &str) -> Vector3<f64> {
         let at = self.column(first);
         Vector3::new(row[at], row[at + 1], row[at + 2])

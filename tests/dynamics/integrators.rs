@@ -1,4 +1,4 @@
-//! Formulas of integration in time on plain systems of equations.
+//! Schemes of integration in time on plain systems of equations.
 
 use std::path::Path;
 
@@ -23,12 +23,12 @@ fn reference_text(name: &str) -> String {
     std::fs::read_to_string(root.join("tests/reference/dynamics").join(name)).unwrap()
 }
 
-/// A clock that stands still.
+/// A stopped clock.
 fn no_clock() -> f64 {
     0.0
 }
 
-/// Iteration to round-off: what is measured is the formula.
+/// Iteration to round-off: the measured error is the error of the scheme.
 fn tight() -> StepLimits {
     StepLimits {
         correction: 1e-13,

@@ -1,11 +1,11 @@
 //! Joints that guide points: reactions and relative motions of bodies on guides, planes and
 //! strings against closed forms.
 //!
-//! Where accelerations are constant the formula of integration, of second order, is exact.
-//! Places are then right to some 1e-15, and forces, which stand against their second
-//! derivative, to 1e-15 m / h^2, 1e-11 N for steps of 10 ms: 1e-9 leaves room for growth over
-//! the steps. Elsewhere errors are of second order, and the tolerance is three times the
-//! local error constant of the motion: some 0.1 (omega h)^2 of the force.
+//! For constant accelerations the integration scheme, of second order, is exact. The error of
+//! positions is then some 1e-15, and of forces, which balance their second derivative, 1e-15 m /
+//! h^2, 1e-11 N for steps of 10 ms: 1e-9 allows for growth over the steps. Otherwise errors are of
+//! second order, and the tolerance is three times the local error constant of the motion: about 0.1
+//! (omega h)^2 of the force.
 
 use nalgebra::Vector3;
 
@@ -42,8 +42,8 @@ fn body(offset: &Vector3<f64>, motion: &str) -> String {
     )
 }
 
-// Down a smooth guide: a = g sin(slope) along h. The guide gives m (a - g), across h, and the
-// moment that keeps the body, whose center is at c from the point, from turning: c x F.
+// Down a smooth guide: a = g sin(slope) along h. The guide exerts m (a - g), across h, and the
+// moment that prevents rotation of the body, whose center is at c from the point: c x F.
 #[test]
 fn a_body_slides_down_a_guide() {
     let ([h, _], c) = (slope(), Vector3::new(0.3, 0.2, -0.4));
@@ -88,8 +88,8 @@ fn a_driven_guide_on_a_lift() {
     check(case, "force [N]", found, EXACT);
     let found = run.most_of("guide", |_, told| off(told.moment, c.cross(&force)));
     check(case, "moment [N m]", found, EXACT);
-    // The hoist carries all of it, with the moment of the force about its own point. The lift
-    // has no mass: for its acceleration at the start it is given 1e-9 of the largest one.
+    // The hoist carries the whole force, with its moment about the hoist's point. The lift has no
+    // mass: for its acceleration at the start 1e-9 of the largest mass is added.
     let lift = 1.2 * 1e-9 * MASS;
     let found = run.most(|t, told| {
         let arm = Vector3::new(0.1, 0.2, 0.3) + (0.2 * t + 0.4 * t * t) * h + c;
@@ -141,8 +141,8 @@ fn a_puck_on_a_driven_plane() {
     check("driven in-plane joint", "force [N]", found, EXACT);
 }
 
-// A bead on a straight wire that turns with W: r'' = W^2 r, r = r_0 cosh(W t), and the wire
-// pushes it sideways by 2 m W r'; what turns the wire gives r times that.
+// A bead on a straight wire that turns with W: r'' = W^2 r, r = r_0 cosh(W t), and the wire pushes
+// it sideways by 2 m W r'; the motor of the wire exerts r times this force.
 #[test]
 fn a_bead_on_a_turning_wire() {
     const TURN: f64 = 2.0;
@@ -182,7 +182,7 @@ fn a_bead_on_a_turning_wire() {
     check_order(case, "moment of the motor, of 55 N m [N m]", errors, 3e-2);
 }
 
-// A mass on a string that is wound in with 0.2 m/s: l^2 times the angular velocity stays, the
+// A mass on a string that is wound in with 0.2 m/s: l^2 times the angular velocity is constant, the
 // tension is m H^2 / l^3, and the angle H/v (1/l - 1/l_0).
 #[test]
 fn a_mass_on_a_string_that_is_wound_in() {
@@ -243,8 +243,8 @@ fn imposed_velocities_and_positions() {
     }
 }
 
-// A rod of 200 N/m whose relaxed length grows by v = 0.3 m/s pushes a mass of 2 kg before it:
-// x = 1 + v t - (v/w) sin(w t), and the tension is -k (v/w) sin(w t).
+// A rod of 200 N/m whose relaxed length grows by v = 0.3 m/s pushes a mass of 2 kg: x = 1 + v t -
+// (v/w) sin(w t), and the tension is -k (v/w) sin(w t).
 #[test]
 fn a_rod_that_grows_pushes_a_mass() {
     let cards = format!(

@@ -1,9 +1,9 @@
 //! Joints of turning bodies: transmission, gyroscopic and driving moments, against closed
 //! forms.
 //!
-//! Errors of the integration are of second order; tolerances are some 0.1 (omega h)^2 of the
-//! quantity, times the angle turned where an error of the angle turns it. What constraints
-//! alone determine is right to round-off.
+//! Errors of the integration are of second order; tolerances are about 0.1 (omega h)^2 of the
+//! quantity, times the angle of rotation if an error of the angle rotates it. Quantities determined
+//! by constraints alone are exact to round-off.
 
 use std::f64::consts::TAU;
 
@@ -31,14 +31,14 @@ fn runs(cards: &str, to: f64) -> [Mechanism; 2] {
     [STEP, STEP / 2.0].map(|step| Mechanism::new(cards, to, step))
 }
 
-// A universal joint between shafts at the angle b, the first turned with W, a = W t from where
-// its arm is at right angles to both shafts:
+// A universal joint between shafts at the angle b, the first turned with W, a = W t from the
+// position of its arm at right angles to both shafts:
 //
 //   tan(phi) = cos(b) tan(a)            phi' = W cos(b) / (1 - sin(b)^2 sin(a)^2)
 //   phi'' = W^2 cos(b) sin(b)^2 sin(2a) / (1 - sin(b)^2 sin(a)^2)^2
 //
-// The joint gives a moment along n, at right angles to both arms, of which J phi'' is the part
-// along the second shaft; the motor gives J phi'' phi'/W, the power.
+// The joint exerts a moment along n, at right angles to both arms; J phi'' is its component along
+// the second shaft; the motor exerts J phi'' phi'/W, from the power.
 #[test]
 fn a_universal_joint_between_shafts() {
     const ANGLE: f64 = 0.6;
@@ -66,7 +66,7 @@ fn a_universal_joint_between_shafts() {
         let square = TURN * TURN * cosine * sine * sine;
         INERTIA * square * (2.0 * TURN * t).sin() / below(t).powi(2)
     };
-    // The moment of the joint, from the arms as they stand.
+    // The moment of the joint, from the current arms.
     let of_cross = |t: f64| {
         let (s, c) = (TURN * t).sin_cos();
         let angle = (cosine * s).atan2(c);
@@ -131,7 +131,7 @@ fn an_unbalanced_screw() {
     check(case, "displacement and angle [m, rad]", found, 1e-10);
 }
 
-/// A rotor of 0.5 kg m^2 about its axis h, along x at first, on a carrier that turns with 1.5
+/// A rotor of 0.5 kg m^2 about its axis h, along x at first, on a carrier that turns at 1.5 rad/s
 /// about z.
 fn gyroscope(joints: &str, start: &str) -> String {
     format!(
@@ -143,8 +143,8 @@ fn gyroscope(joints: &str, start: &str) -> String {
     )
 }
 
-// A motor drives the rotor against its carrier with s = 5 + 2 t: L = J s h + J_t W z, so that
-// the bearing gives J s W z x h, the motor J s' h, and the table both.
+// A motor drives the rotor relative to its carrier at s = 5 + 2 t: L = J s h + J_t W z, so that the
+// bearing exerts J s W z x h, the motor J s' h, and the table both.
 #[test]
 fn a_driven_spin_and_its_gyroscopic_moment() {
     for (word, drive) in [("speed", "5 + 2*t"), ("angle", "5*t + t^2")] {
@@ -175,15 +175,15 @@ fn a_driven_spin_and_its_gyroscopic_moment() {
     }
 }
 
-// The axis of a free rotor that flies by is kept parallel to that of the carrier: the moment
-// alone, J s W, no force; and the rotor goes on along its line.
+// The axis of a free rotor in flight is kept parallel to the axis of the carrier: only the moment J
+// s W, no force; and the rotor continues along its line.
 #[test]
 fn a_plane_rotation_holds_the_axis_of_a_gyroscope() {
     let joints = "[[joint]]\nname = \"axis\"\nkind = \"plane-rotation\"\n\
                   nodes = [\"carrier\", \"rotor\"]\naxis = [1, 0, 0]\n";
     let start = "velocity = [0.2, -0.3, 0.4]\nangular_velocity = [5, 0, 1.5]";
     let runs = runs(&gyroscope(joints, start), 1.0);
-    let case = "plane rotation, gyroscope that flies by";
+    let case = "plane rotation, gyroscope in free flight";
     let found = errors(&runs, "axis", |t, told| {
         off(
             told.moment,
@@ -198,11 +198,11 @@ fn a_plane_rotation_holds_the_axis_of_a_gyroscope() {
             .amax()
             .max(off(axis.axes[0] * axis.displacement, place))
     });
-    check(case, "force and place [N, m]", found, 1e-9);
+    check(case, "force and position [N, m]", found, 1e-9);
 }
 
-// A body on a spherical joint that goes round steadily, inclined by b, without spin of its own:
-// W^2 (J_t + m l^2 - J_a) cos(b) = m g l, and the joint gives m g and -m W^2 l sin(b) inward.
+// A body on a spherical joint in steady conical motion, inclined by b, without spin: W^2 (J_t + m
+// l^2 - J_a) cos(b) = m g l, and the joint exerts m g and -m W^2 l sin(b) inward.
 #[test]
 fn a_conical_pendulum() {
     const TILT: f64 = 0.6;

@@ -1,4 +1,4 @@
-//! Runs in time of small mechanisms that are written in place, and what their joints tell.
+//! Runs in time of small mechanisms defined here, and the observations of their joints.
 
 use std::fs;
 
@@ -12,10 +12,10 @@ use crate::record;
 const UNITS: &str =
     r#"units = { length = "m", force = "N", angle = "rad", rotation_speed = "rad/s" }"#;
 
-/// Steps after which a run has settled: forces of the first steps are of first order. What
-/// they are off by dies out as n^3 / 6 0.6^n, both roots of the formula being -0.6 and the
-/// forces its second difference: after thirty steps 1e-3 are left of it, which still show
-/// beside what is of second order; after sixty 2e-9.
+/// Steps after which a run has settled: forces of the first steps are of first order. Their error
+/// decays as n^3 / 6 0.6^n, both roots of the scheme being -0.6 and the forces its second
+/// difference: after thirty steps it is 1e-3, which is still visible compared with the errors of
+/// second order; after sixty 2e-9.
 const SETTLED: usize = 60;
 
 /// A mechanism in motion.
@@ -24,8 +24,7 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// The cards, run from zero to the time `to` in equal steps. Iterations go on to the
-    /// round-off.
+    /// The cards, run from zero to the time `to` in equal steps. Iterations continue to round-off.
     pub fn new(cards: &str, to: f64, step: f64) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("mechanism.dynamics.toml");
@@ -36,8 +35,7 @@ impl Mechanism {
         Self { run }
     }
 
-    /// Largest value of a measure of what is told: at the start, and where the run has
-    /// settled.
+    /// Largest value of a measure of the observations: at the start, and after the run has settled.
     pub fn most(&self, measure: impl Fn(f64, &Observations) -> f64) -> f64 {
         let model = &self.run.model;
         let of = |(time, state): &(f64, _)| {
@@ -55,7 +53,7 @@ impl Mechanism {
     }
 }
 
-/// What the joint called `name` tells.
+/// The observation of the joint called `name`.
 pub fn find<'a>(told: &'a Observations, name: &str) -> &'a JointState {
     let found = told.joints.iter().find(|joint| joint.joint == name);
     found.unwrap_or_else(|| panic!("no joint \"{name}\""))

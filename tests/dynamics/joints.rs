@@ -1,4 +1,4 @@
-//! Rigid bodies on hinges and on a hub that moves, against their equations of motion.
+//! Rigid bodies on hinges and on a moving hub, against their equations of motion.
 
 use std::f64::consts::PI;
 
@@ -65,8 +65,8 @@ fn check(case: &str, found: &[Complex<f64>], expected: Vec<Complex<f64>>, tolera
 const MASS: f64 = 3.0;
 const CENTER: f64 = 2.0;
 const OFFSET: f64 = 0.4;
-/// Central inertia of a flat blade: z = 0 for all of its mass, as in the theory of thin
-/// blades, so that `jx + jy = jz`.
+/// Central inertia of a flat blade: z = 0 for all of its mass, as in thin-blade theory, so that
+/// `jx + jy = jz`.
 const CENTRAL: [f64; 3] = [0.1, 1.5, 1.6];
 
 /// A blade along x on one hinge at the offset, held by the turning frame.
@@ -128,7 +128,7 @@ fn rigid_blades_on_flap_lag_and_pitch_hinges() {
     }
 }
 
-/// The steady state at a speed, and what joints exert in it.
+/// The steady state at a speed, and the reactions of its joints.
 fn steady(system: System, speed: f64) -> (Model, State, Vec<Reaction>) {
     let model = Model::new("joints", system);
     let solver = LinearSolver::new(model.system.pattern());
@@ -139,11 +139,10 @@ fn steady(system: System, speed: f64) -> (Model, State, Vec<Reaction>) {
     (model, found.state, observed.reactions)
 }
 
-// A lag hinge with a spring relaxed at phi_0: the moment k (phi - phi_0) and that of the
-// centrifugal force, Omega^2 m e x_cg sin(phi), cancel. The reactions are the centripetal
-// force m Omega^2 r of the mass center on the blade, the opposite on the hub, where it has
-// the arm of the offset, and what the clamp gives back. Newton's method ends at 1e-9 of the
-// largest term.
+// A lag hinge with a spring relaxed at phi_0: the moment k (phi - phi_0) and the moment of the
+// centrifugal force, Omega^2 m e x_cg sin(phi), cancel. The reactions are the centripetal force m
+// Omega^2 r of the mass center on the blade, the opposite on the hub, with the arm of the offset,
+// and the reaction of the clamp. Newton's method ends at 1e-9 of the largest term.
 #[test]
 fn spring_and_reactions_of_a_turned_lag_hinge() {
     const SPEED: f64 = 7.0;
@@ -221,7 +220,7 @@ fn reactions_of_a_rigid_connection() {
     }
 }
 
-/// A hub of given mass and moments on a support that stands in the world.
+/// A hub of given mass and moments of inertia on a support fixed in the world.
 struct Hub {
     mass: f64,
     transverse: f64,
@@ -246,10 +245,10 @@ impl Hub {
     }
 }
 
-// A mass on an isotropic spring and damper: m s^2 + c s + k = 0 in the world, whose motions
-// along any direction are a whirl to either side; in axes that turn the two eigenvalues are
-// s +- i Omega. A disk on a tilt spring: with w = theta_x + i theta_y,
-// j_t w'' + (c - i j_p Omega) w' + k w = 0, and each s - i Omega in turning axes.
+// A mass on an isotropic spring and damper: m s^2 + c s + k = 0 in the world, whose motions in any
+// direction are whirls in both senses; in turning axes the two eigenvalues are s +- i Omega. A disk
+// on a tilt spring: with w = theta_x + i theta_y, j_t w'' + (c - i j_p Omega) w' + k w = 0, and
+// each s - i Omega in turning axes.
 #[test]
 fn whirl_of_a_damped_hub_in_turning_axes() {
     const SPEED: f64 = 3.0;
@@ -375,8 +374,8 @@ impl Rotor {
     }
 }
 
-/// An eigenvalue to all its digits, by inverse iteration from a nearby value: those of
-/// the Schur form have lost half of them where two are equal.
+/// An eigenvalue to all its digits, by inverse iteration from a nearby value: the Schur form loses
+/// half of the digits if two eigenvalues are equal.
 fn polished(matrix: &DMatrix<f64>, near: Complex<f64>) -> Complex<f64> {
     let n = matrix.nrows();
     let beside = near * (1.0 + 1e-7);
@@ -414,9 +413,9 @@ fn rotor(blades: usize, hub_damping: f64, lag_damping: f64) -> Rotor {
     }
 }
 
-// Both sides have their eigenvalues from matrices of norm 1e3 with round-off 1e-16 each:
-// 1e-8 also where two of them are near each other. (The solver gives copies within 1e-6 of
-// each other their mean; no speed has two that are so near and not the same.)
+// Both eigenvalues come from matrices of norm 1e3 with round-off 1e-16 each: 1e-8 also if two of
+// them are close. (The solver replaces copies within 1e-6 of each other by their mean; no speed has
+// two different ones as close as this.)
 #[test]
 fn ground_resonance_of_four_lagging_blades() {
     let mut unstable = 0;

@@ -7,8 +7,8 @@
 use crate::in_time::{Run, Table};
 use crate::record;
 
-/// The path of the mass at the time of a row, by cubics through the steps around it: the
-/// steps of a run with variable step do not end where the rows are.
+/// The path of the mass at the time of a row, by cubics through the steps around it: the steps of a
+/// run with variable step do not end at the times of the rows.
 fn place(run: &Run, node: usize, time: f64) -> nalgebra::Vector3<f64> {
     let after = run.instants.iter().position(|(t, _)| *t >= time).unwrap();
     if after == 0 {
@@ -58,7 +58,7 @@ fn check(beams: usize, word: &str) {
         0.005,
     );
     assert!((time - 0.64).abs() < 0.005, "{case}: {peak} N at {time} s");
-    // The range of the runs, by its middle.
+    // The range of the runs, relative to its middle.
     let source = "independent runs, 2 and 4 beams, several steps";
     let quantity = "largest tension, range [N]";
     let off = (peak - 120.0).abs();

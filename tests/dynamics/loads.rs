@@ -1,5 +1,5 @@
-//! Loads along beams, imposed motions, weight, and equilibria that only tension or motion
-//! makes stiff.
+//! Distributed loads, imposed motions, weight, and equilibria whose stiffness comes only from
+//! tension or motion.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -78,8 +78,8 @@ fn a_load_along_a_beam() {
     }
 }
 
-/// The moment that turns the tip by an imposed angle is the one that turns it there as a
-/// load; both solutions are at round-off.
+/// The reaction moment of an imposed tip angle, applied as a load, gives the same angle; both
+/// solutions agree to round-off.
 #[test]
 fn imposed_rotation_and_moment_are_each_others_inverse() {
     let (_, angle) = rolled(4, FRAC_PI_2, Turning::Dead);
@@ -156,9 +156,9 @@ fn weight_is_carried_by_the_root() {
     }
 }
 
-/// A stiff blade on a free flap hinge at the axis, which has no stiffness before it is in
-/// tension: under gravity along the axis it droops by `sin b = 3 g / (2 Omega^2 L)`
-/// (moment balance of a rod). Bending and stretching by Omega^2 m L^3 / EI = 1e-6.
+/// A stiff blade on a free flap hinge at the axis, which has no stiffness until it is in tension:
+/// under gravity along the axis it droops by `sin b = 3 g / (2 Omega^2 L)` (moment balance of a
+/// rod). Bending and stretching by Omega^2 m L^3 / EI = 1e-6.
 #[test]
 fn a_blade_on_a_free_hinge_finds_its_coning() {
     let mut beam = UniformBeam::slender(2, Inertia::Consistent);
@@ -186,8 +186,8 @@ fn a_blade_on_a_free_hinge_finds_its_coning() {
     assert!(error < 1e-5, "{tip}");
 }
 
-/// At rest and without loads the undeformed state is the answer, hinge or not; a moment
-/// about the hinge is told with the motion that it drives.
+/// At rest and without loads the undeformed state is the solution, with or without a hinge; a
+/// moment about the hinge is reported with the motion that it drives.
 #[test]
 fn a_load_that_a_hinge_cannot_carry_is_told() {
     let mut beam = UniformBeam::slender(2, Inertia::Consistent);

@@ -1,6 +1,6 @@
 //! Validation of beam-dynamics against closed forms and published solutions.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 mod articulated;
 mod beam_statics;

@@ -1,8 +1,8 @@
-//! The model that a file for MBDyn describes, built from its text.
+//! The model described by a file for MBDyn, built from its text.
 //!
-//! What the file cannot carry is the difference between its model and the blade: mass in
-//! bodies at the nodes, one stiffness for each half of an element, parabolas for the
-//! line. The same elements and bodies here give its size in the frequencies.
+//! The model of the file differs from the blade: mass in bodies at the nodes, one stiffness for
+//! each half of an element, parabolas for the line. The same elements and bodies here show the
+//! effect on the frequencies.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ use nalgebra::{Matrix3, Matrix6, Vector3};
 
 use crate::chain::VOLUMES;
 
-/// Statements by their keyword, each as its words between commas.
+/// Statements by their keyword, each as its items between commas.
 struct Statements(BTreeMap<String, Vec<Vec<String>>>);
 
 impl Statements {
@@ -43,7 +43,7 @@ impl Statements {
     }
 }
 
-/// Numbers behind word number `at`.
+/// Numbers after the item `at`.
 fn numbers<const N: usize>(words: &[String], at: usize) -> [f64; N] {
     std::array::from_fn(|k| words[at + k].parse().unwrap())
 }

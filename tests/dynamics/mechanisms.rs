@@ -25,8 +25,8 @@ fn apart(a: f64, b: f64) -> f64 {
     difference.min(2.0 * PI - difference)
 }
 
-/// The bars of the squeezer and what of beta, theta, gamma, phi, delta, omega, epsilon
-/// their attitudes are.
+/// The bars of the squeezer, and their attitudes as sums of beta, theta, gamma, phi, delta, omega,
+/// epsilon.
 const BARS: [(&str, [usize; 2], f64); 7] = [
     ("crank", [0, 7], 0.0),
     ("coupler", [0, 1], PI),
@@ -37,7 +37,7 @@ const BARS: [(&str, [usize; 2], f64); 7] = [
     ("arm 7", [6, 7], -PI / 2.0),
 ];
 
-/// Attitudes of the bars and their angular velocities at 30 ms, the latter by the largest,
+/// Attitudes of the bars and their angular velocities at 30 ms, the latter relative to the largest,
 /// 1425 rad/s.
 type Bars = [[f64; 7]; 2];
 
@@ -76,8 +76,8 @@ fn differences(a: &Bars, b: &Bars) -> [f64; 2] {
     [largest(apart, 0), largest(|a, b| (a - b).abs(), 1)]
 }
 
-/// Errors by the step are no more than Richardson's estimate of them from twice the step,
-/// their difference by 2^p - 1 of the least order p that is asked for; and their order.
+/// Errors of the step are at most Richardson's estimate from twice the step, their difference over
+/// 2^p - 1 with the least required order p; and their order.
 fn check_squeezer(name: &str, scheme: Scheme, step: f64, orders: [f64; 2]) {
     let source = "Test Set for Initial Value Problem Solvers, andrews";
     let case = format!("squeezer, {name}");
@@ -99,22 +99,22 @@ fn check_squeezer(name: &str, scheme: Scheme, step: f64, orders: [f64; 2]) {
     }
 }
 
-/// The published state by the step of the case and twice that: second order.
+/// The published state with the step of the case and twice this step: second order.
 #[test]
 fn the_squeezer_reaches_its_published_state() {
     check_squeezer("two steps", Scheme::default(), 2e-5, [1.9; 2]);
 }
 
-/// The same by Radau IIA: third order in places and second in velocities on index 3.
+/// The same by Radau IIA: third order in positions and second in velocities on index 3.
 #[test]
 fn the_squeezer_by_radau() {
     let radau = Scheme::Parabolic { zeta: -2.0 / 3.0 };
     check_squeezer("Radau IIA", radau, 2e-5, [2.8, 1.9]);
 }
 
-/// The rod bends by up to 1.87 mm, 1 % of which is what four elements of the reference
-/// and eight differ by. Under the inertia of the slider, 380 N, the rod also rings along
-/// its axis by 2e-5 m at 4 kHz, which the step does not resolve: that and its opposite.
+/// The rod bends by up to 1.87 mm, and four and eight elements of the reference differ by 1 % of
+/// it. Under the inertia of the slider, 380 N, the rod also rings along its axis by 2e-5 m at 4
+/// kHz, which the step does not resolve: this with both signs.
 #[test]
 fn the_rod_of_the_slider_crank_bends() {
     let file = "slider_crank.dynamics.toml";
@@ -146,16 +146,16 @@ fn the_rod_of_the_slider_crank_bends() {
     record::largest(
         source,
         "slider-crank",
-        "place of the slider [m]",
+        "position of the slider [m]",
         slides,
         5e-5,
     );
     assert!(bends < 2e-5 && slides < 5e-5, "{bends:e} {slides:e}");
 }
 
-/// The closed form of the angles, which the constraints hold to the tolerance of the
-/// iteration, and the moment of the drive by the growth of the kinetic energy, whose error
-/// is of second order: 1e-3 of its largest, 3.87 N m, at 512 steps a turn.
+/// The closed form of the angles, which the constraints determine to the tolerance of the
+/// iteration, and the moment of the drive by the growth of the kinetic energy, whose error is of
+/// second order: 1e-3 of its largest, 3.87 N m, at 512 steps per turn.
 #[test]
 fn bennetts_mechanism_moves() {
     let run = Run::new("bennett", "bennett.dynamics.toml", 1, |question| {
@@ -178,7 +178,7 @@ fn bennetts_mechanism_moves() {
     record::largest(
         source,
         "Bennett mechanism",
-        "places of the hinges [m]",
+        "positions of the hinges [m]",
         places,
         1e-7,
     );
@@ -192,20 +192,20 @@ fn bennetts_mechanism_moves() {
     assert!(places < 1e-7 && moments < 4e-3, "{places:e} {moments:e}");
 }
 
-/// Angle of the last hinge, 180 degrees less b, by that of the driven one, a, with
-/// tan(a/2) tan(b/2) = sqrt 3.
+/// Angle of the last hinge, 180 degrees less b, as a function of the driven angle a, with tan(a/2)
+/// tan(b/2) = sqrt 3.
 fn last_hinge(driven: f64) -> f64 {
     2.0 * (0.5 * driven)
         .sin()
         .atan2(3.0_f64.sqrt() * (0.5 * driven).cos())
 }
 
-/// Over three turns, through places at which a fixed choice of eighteen constraints leaves it
-/// loose, by steps of several lengths. The constraints hold
-/// the angles to the tolerance of the iteration, 1e-9; from the twentieth of a turn on the
-/// moment is that of the power, `d(kinetic)/dt = moment * speed`, differences of the energy
-/// and the moment being in error by the square of the step: 1e-3 of 3.87 N m at 1 ms, and
-/// twelve times that where the length of the steps changes.
+/// Over three turns, through positions at which a fixed choice of eighteen constraints does not
+/// determine it, with steps of several lengths. The constraints determine the angles to the
+/// tolerance of the iteration, 1e-9; from a twentieth of a turn on the moment follows from the
+/// power, `d(kinetic)/dt = moment * speed`, with errors of the energy differences and of the moment
+/// of the order of the square of the step: 1e-3 of 3.87 N m at 1 ms, and twelve times this if the
+/// length of the steps changes.
 #[test]
 fn bennetts_mechanism_turns_over_and_over() {
     let variable = Stepping::Variable(StepControl {
@@ -252,7 +252,7 @@ fn bennetts_mechanism_turns_over_and_over() {
     }
 }
 
-/// Without leave the engine removes nothing, and names what says the same twice.
+/// Without permission no constraint is removed, and the redundant ones are named.
 #[test]
 fn redundant_constraints_are_named() {
     let run = Run::attempt("bennett", "bennett.dynamics.toml", 1, |question| {

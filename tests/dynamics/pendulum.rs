@@ -1,8 +1,8 @@
-//! The pendulum as an index-3 problem, in `cases/dynamics/pendulum`, and a mass whose place
-//! is imposed, in `cases/dynamics/imposed_motion`.
+//! The pendulum as an index-3 problem, in `cases/dynamics/pendulum`, and a mass with an imposed
+//! position, in `cases/dynamics/imposed_motion`.
 //!
-//! Sources: `tests/reference/dynamics/pendulum.json`; errors of the formulas on the same
-//! equations by themselves, which redundant coordinates and momenta must not change.
+//! Sources: `tests/reference/dynamics/pendulum.json`; errors of the schemes on the same equations
+//! alone, which redundant coordinates and momenta must not change.
 
 use beam_dynamics::integrator::{Scheme, Stepping};
 use nalgebra::Vector3;
@@ -39,8 +39,8 @@ fn errors(scheme: Scheme, step: f64) -> [f64; 5] {
     std::array::from_fn(|k| (found[k] / exact[k] - 1.0).abs())
 }
 
-/// Errors are those of the formulas within 2 %: the printed ones have three digits, and
-/// the reference ten, of which an error of 1e-6 leaves four.
+/// Errors agree with the errors of the schemes within 2 %: the printed ones have three digits, and
+/// the reference ten, of which four remain for an error of 1e-6.
 #[test]
 fn errors_are_those_of_the_tables() {
     let table = json("pendulum.json");
@@ -62,8 +62,8 @@ fn errors_are_those_of_the_tables() {
     }
 }
 
-/// Errors of the pendulum from the accelerations of a state of rest, as the tables have it,
-/// in a file for each, by another step than its own.
+/// Errors of the pendulum from the accelerations of a state of rest, as in the tables, in a file
+/// for each, with a different step.
 fn from_rest(table: usize, step: f64) -> [f64; 5] {
     let file = format!("table_10_{table}.dynamics.toml");
     let run = Run::new("pendulum", &file, 1, |question| {
@@ -73,8 +73,8 @@ fn from_rest(table: usize, step: f64) -> [f64; 5] {
     std::array::from_fn(|k| (found[k] / exact[k] - 1.0).abs())
 }
 
-/// The printed errors, two digits, to 2 % beyond their rounding; and those of the same
-/// start that were found apart, three digits, to 1 %.
+/// The printed errors, two digits, to 2 % beyond their rounding; and the independently computed
+/// errors of the same start, three digits, to 1 %.
 #[test]
 fn tables_10_1_and_10_2_from_a_file() {
     let data = json("pendulum.json");
@@ -154,10 +154,10 @@ fn table_c1_from_a_file() {
     }
 }
 
-/// The first reaction is that of the motion, 1, and the next is what the formula makes of
-/// it, 1.02005 after a step of 10 ms. A start without reaction gives 2.02 there and 0.24
-/// after the next; here the formula of index 3 swings about the tension by less than two
-/// hundredths, an error of first order that dies out.
+/// The first reaction agrees with the motion, 1, and the next is the result of the scheme, 1.02005
+/// after a step of 10 ms. A start without reaction gives 2.02 there and 0.24 after the next; here
+/// the scheme at index 3 oscillates about the tension by less than two hundredths, an error of
+/// first order that decays.
 #[test]
 fn the_start_swings_by_the_error_of_the_formula_alone() {
     let run = Run::new("pendulum", "pendulum.dynamics.toml", 1, |question| {

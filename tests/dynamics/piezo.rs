@@ -1,10 +1,10 @@
 //! Piezoelectric beams against closed forms: voltages that bend, twist and stretch, charges,
 //! open circuits, shunts, in statics, modes, time and rotation.
 //!
-//! A rod of length L along x with stiffness EA, mass m per length, coupling theta (force per
-//! volt) and capacitance c per length, electrode over all of it, clamped at x = 0 and free at
-//! x = L, has with `N = EA u' + theta V`, `Q = -theta u(L) + c L V`, `N(L) = 0` and
-//! `u = sinh(g x) exp(s t)`, `g = s sqrt(m/EA)`, the eigenvalues s of
+//! A rod of length L along x with stiffness EA, mass m per length, coupling theta (force per volt)
+//! and capacitance c per length, electrode over the whole length, clamped at x = 0 and free at x =
+//! L, has with `N = EA u' + theta V`, `Q = -theta u(L) + c L V`, `N(L) = 0` and `u = sinh(g x)
+//! exp(s t)`, `g = s sqrt(m/EA)`, the eigenvalues s of
 //!
 //! ```text
 //! EA g cosh(g L) + theta V(s) / u0 = 0         u0 the amplitude of u(L) / sinh(g L)
@@ -80,7 +80,7 @@ fn rod() -> SectionProperties {
     section(ROD, [MASS, 1e-6, 1e-6])
 }
 
-/// Stiffness, coupling and capacitance with all their entries, of sizes apart.
+/// Stiffness, coupling and capacitance with all their entries, of different sizes.
 fn coupled() -> SectionProperties {
     let mut section = soft();
     let sizes = Vector6::from(SOFT).map(f64::sqrt);
@@ -102,7 +102,7 @@ fn coupled() -> SectionProperties {
     section
 }
 
-/// A blade of the section in a folder of its own, with further cards.
+/// A blade of the section in a separate folder, with further cards.
 fn folder(section: &SectionProperties, elements: usize, cards: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("beam.properties.json");
@@ -149,10 +149,10 @@ fn check(case: &str, quantity: &str, pair: [f64; 2], tolerance: f64) {
     assert!(error < tolerance, "{case}, {quantity}: {pair:?} {error:e}");
 }
 
-/// A voltage on the bending electrode bends the cantilever to a circle of curvature
-/// `-theta V / EI`, without internal force (EA times round-off of strains), and the electrode holds
-/// `(c + theta^2 / EI) V L`. Strains of a beam without loads do not change along it, and
-/// such a beam is exact up to the fourth power of the angle of an element, 0.04/12.
+/// A voltage on the bending electrode bends the cantilever into a circle of curvature `-theta V /
+/// EI`, without internal force (EA times round-off of strains), and the charge of the electrode is
+/// `(c + theta^2 / EI) V L`. Strains of a beam without loads do not change along it, and such a
+/// beam is exact up to the fourth power of the angle of an element, 0.04/12.
 #[test]
 fn a_voltage_bends_a_cantilever_to_a_circle() {
     let volts = 100.0;
@@ -163,7 +163,7 @@ fn a_voltage_bends_a_cantilever_to_a_circle() {
     let case = "cantilever bent by 100 V";
     let height = -(1.0 - angle.cos()) / curvature;
     check(case, "tip deflection [m]", [tip.z, height], 1e-9);
-    // M V L^2 / 2EI, of small angles: beside it (kappa L)^2 / 12
+    // M V L^2 / 2EI, of small angles: relative to it (kappa L)^2 / 12
     let small = -0.5 * curvature * LENGTH * LENGTH;
     assert!((tip.z / small - 1.0).abs() < angle * angle / 11.0);
     let turn = vector::from_rotation(step.rotations.last().unwrap());
@@ -185,9 +185,9 @@ fn a_voltage_bends_a_cantilever_to_a_circle() {
     }
 }
 
-/// A voltage that bends the cantilever to a quarter of a circle: its equilibrium is far from
-/// the undeformed beam, and is found by raising the voltage. The fourth power of the angle
-/// of an element, 0.2, over some hundreds.
+/// A voltage that bends the cantilever to a quarter of a circle: its equilibrium is far from the
+/// undeformed beam, and is found by raising the voltage. Error: the fourth power of the angle of an
+/// element, 0.2, over some hundreds.
 #[test]
 fn a_voltage_bends_a_cantilever_to_a_quarter_of_a_circle() {
     let angle = std::f64::consts::FRAC_PI_2;
@@ -202,8 +202,8 @@ fn a_voltage_bends_a_cantilever_to_a_quarter_of_a_circle() {
     check(case, "tip deflection [m]", [tip.z, height], 1e-5);
 }
 
-/// Free twist `-theta V / GJ`, and with everything coupled the strain `-K^-1 theta V` at
-/// every point and its twist along the blade, from several electrodes at once.
+/// Free twist `-theta V / GJ`, and with full coupling the strain `-K^-1 theta V` at every point and
+/// its twist along the blade, from several electrodes at once.
 #[test]
 fn free_strains_are_those_of_the_section() {
     let step = equilibrium(&soft(), 8, &electrode("twist", "voltage = 250"));
@@ -225,7 +225,7 @@ fn free_strains_are_those_of_the_section() {
     let force = Vector6::from_column_slice((coupling * volts).as_slice());
     let free = -section.stiffness.try_inverse().unwrap() * force;
     assert!(free[3].abs() > 1e-3, "{free}");
-    // beside the largest of its kind: strain, curvature
+    // relative to the largest of its kind: strain, curvature
     let mut worst = 0.0_f64;
     for found in &step.sections {
         let difference = found.strain - free;
@@ -239,7 +239,7 @@ fn free_strains_are_those_of_the_section() {
     assert!(worst < 1e-9, "{worst:e}");
     let case = "coupled blade, three electrodes";
     record::largest(CLOSED, case, "free strain", worst, 1e-9);
-    // both evaluation points of an element stand for a half of it
+    // both evaluation points of an element represent a half of it
     let half = 0.5 * LENGTH / 8.0;
     let sum: f64 = step
         .sections
@@ -249,8 +249,8 @@ fn free_strains_are_those_of_the_section() {
     check(case, "twist along it [rad]", [sum, free[3] * LENGTH], 1e-9);
 }
 
-/// A rod that is pulled with its charge held is stiffer by `theta^2 / c`, and tells the
-/// pull by its voltage, `theta e / c`; with a charge on it it is longer without a pull.
+/// A rod that is pulled at constant charge is stiffer by `theta^2 / c`, and its voltage shows the
+/// pull, `theta e / c`; with a charge it is longer without a pull.
 #[test]
 fn an_open_rod_is_stiffer() {
     const TOLERANCE: f64 = 1e-11;
@@ -276,7 +276,7 @@ fn an_open_rod_is_stiffer() {
         let held = if load.is_empty() { 2e-4 } else { 0.0 };
         let expected = (held / LENGTH + PULL * strain) / CAPACITANCE;
         check(case, "voltage [V]", [*voltage, expected], TOLERANCE);
-        // round-off of terms of some 1e-4 C
+        // round-off of terms of about 1e-4 C
         assert!((charge - held).abs() < 1e-16, "{charge:e}");
     }
 }
@@ -321,9 +321,9 @@ fn wave() -> f64 {
     (ROD[0] / MASS).sqrt() / LENGTH
 }
 
-/// Axial frequencies at short and at open circuit: of elements with a middle node they
-/// converge with the fourth power of their length, by 16 with twice the elements. Those
-/// of the second mode have seven in a quarter wave: (pi/2/8)^4/720 is 2e-6.
+/// Axial frequencies at short and at open circuit: for elements with a middle node they converge
+/// with the fourth power of their length, by 16 with twice the elements. The second mode has seven
+/// elements in a quarter wave: (pi/2/8)^4/720 is 2e-6.
 #[test]
 fn axial_modes_at_short_and_open_circuit() {
     const TOLERANCE: f64 = 2e-6;
@@ -356,7 +356,7 @@ fn axial_modes_at_short_and_open_circuit() {
     }
 }
 
-/// Damped modes with a resistor that takes most, `R c L w = 1` or so, and with a resonant
+/// Damped modes with a resistor of maximum dissipation, about `R c L w = 1`, and with a resonant
 /// shunt, which splits the mode in two. As exact as the frequencies at short circuit.
 #[test]
 fn shunts_damp_the_modes() {
@@ -426,14 +426,14 @@ fn energy(run: &Run, time: f64, state: &State) -> f64 {
     energy.kinetic + energy.elastic + energy.electric
 }
 
-/// A source that falls from 100 V to zero leaves a held rod, which cannot move, by a
-/// resistor with `exp(-t / R c L)`, and a free one, which is much faster than that, with the
-/// capacitance `c + theta^2 / EA`. What both lose of energy is what the resistor takes.
+/// A source that falls from 100 V to zero discharges a held rod, which cannot move, through a
+/// resistor with `exp(-t / R c L)`, and a free one, which is much faster, with the capacitance `c +
+/// theta^2 / EA`. The energy loss of both is the dissipation of the resistor.
 ///
-/// The two-step formula leaves (h / tau)^2 / 12 or so of steps h = tau / 400 in the voltage,
-/// 5e-7, and the sum of V^2 / R by trapezoids about as much. The jump of the slope shakes
-/// the free rod: with k^2 = theta^2 / EA c its first wave, of angular frequency w, is
-/// k^2 / (1 + k^2) / (w tau) = 1.6e-3 of the voltage.
+/// The error of the two-step scheme is about (h / tau)^2 / 12 of the voltage for steps h = tau /
+/// 400, 5e-7, and of the sum of V^2 / R by trapezoids about as much. The jump of the slope shakes
+/// the free rod: with k^2 = theta^2 / EA c its first wave, of angular frequency w, is k^2 / (1 +
+/// k^2) / (w tau) = 1.6e-3 of the voltage.
 #[test]
 fn a_resistor_discharges_the_electrode() {
     const TOLERANCE: f64 = 1e-5;
@@ -486,9 +486,9 @@ fn a_resistor_discharges_the_electrode() {
     }
 }
 
-/// In a beam that is bent and twisted at once by what varies, what flows to an electrode
-/// adds up to its charge: by trapezoids of steps h to (w h)^2 / 12, 1.3e-5 with the w of the
-/// drives. Steps are short beside all waves that a start from equilibrium stirs.
+/// In a beam that is bent and twisted at once by varying loads, the current to an electrode sums up
+/// to its charge: by trapezoids of steps h to (w h)^2 / 12, 1.3e-5 with the w of the drives. Steps
+/// are short compared with all waves that a start from equilibrium excites.
 #[test]
 fn currents_add_up_to_charges() {
     const TOLERANCE: f64 = 2e-5;
@@ -527,11 +527,11 @@ fn currents_add_up_to_charges() {
         let quantity = format!("charge of {name} against its current");
         record::largest(CLOSED, case, &quantity, error, TOLERANCE);
     }
-    // The charge that is held.
+    // The constant charge.
     assert!(last.is_some_and(|(_, now)| (now[1].charge - 1e-6).abs() < 1e-15));
 }
 
-/// Turned and moved as a whole, however far, a beam finds no charge: round-off of
+/// A rigid rotation and displacement of any size causes no charge in a beam: round-off of
 /// coordinates of some meters, 1e-15, times the coupling.
 #[test]
 fn rigid_motions_bring_no_charge() {
@@ -551,11 +551,11 @@ fn rigid_motions_bring_no_charge() {
     }
 }
 
-/// Charge by a small load at the tip, at voltages of zero, and displacement at the tip by a
-/// small voltage are one number, `dQ/dF = du/dV`: strains of a voltage do not change along
-/// the beam, those of loads at the tip are linear, and two points integrate both exactly.
-/// Central differences by a force of 1e-3 N leave the square of its part of the buckling
-/// load 1.2 N, 1e-6, and 1e-15 of round-off beside strains of 4e-9 as much.
+/// Charge by a small load at the tip, at voltages of zero, and displacement at the tip by a small
+/// voltage are one number, `dQ/dF = du/dV`: strains of a voltage do not change along the beam,
+/// those of loads at the tip are linear, and two points integrate both exactly. Central differences
+/// by a force of 1e-3 N have the error of the square of its part of the buckling load 1.2 N, 1e-6,
+/// and 1e-15 of round-off compared with strains of 4e-9 as much.
 #[test]
 fn charges_by_loads_are_displacements_by_voltages() {
     const TOLERANCE: f64 = 1e-5;
@@ -603,10 +603,10 @@ fn charges_by_loads_are_displacements_by_voltages() {
     assert!(found < TOLERANCE, "{found:e}");
 }
 
-/// A clamped column gives way at `pi^2 EI / 4 L^2` whatever the axial electrode is connected
-/// to: at open circuit its voltage carries `k^2 / (1 + k^2)` of the load, a quarter, which
-/// would be missing without the turning of what voltages add. Shear takes P/GA, 1.5e-5, and
-/// eight elements less.
+/// A clamped column buckles at `pi^2 EI / 4 L^2` for any connection of the axial electrode: at open
+/// circuit its voltage carries `k^2 / (1 + k^2)` of the load, a quarter, which would be missing if
+/// the forces of voltages did not turn. The effect of shear is P/GA, 1.5e-5, and of eight elements
+/// less.
 #[test]
 fn an_open_column_buckles_as_a_plain_one() {
     const TOLERANCE: f64 = 1e-4;
@@ -624,9 +624,9 @@ fn an_open_column_buckles_as_a_plain_one() {
     }
 }
 
-/// A rod that turns about an axis through its root: with `y = x + u`, `l = W sqrt(m/EA)`,
-/// `y = A sin(l x)` and `EA (y' - 1) + theta V = 0` at the tip, at a given voltage and at
-/// open circuit. Finite volumes leave (l L)^4 times a part of the square of the element.
+/// A rod that turns about an axis through its root: with `y = x + u`, `l = W sqrt(m/EA)`, `y = A
+/// sin(l x)` and `EA (y' - 1) + theta V = 0` at the tip, at a given voltage and at open circuit.
+/// The error of finite volumes is (l L)^4 times a part of the square of the element.
 #[test]
 fn a_turning_rod_with_a_circuit() {
     const TOLERANCE: f64 = 1e-6;

@@ -1,4 +1,4 @@
-//! A column that is pushed slowly beyond its critical load, in `cases/dynamics/buckling`.
+//! A column pushed slowly beyond its critical load, in `cases/dynamics/buckling`.
 //!
 //! Source: the elastica, `tests/reference/dynamics/exact_static_beams.json`.
 

@@ -22,7 +22,7 @@ const STIFFNESS: [f64; 6] = [7e6, 2e6, 1e6, 3.6, 2.3, 1460.0];
 /// T144 = E Ip \[N m^2\].
 const POLAR: f64 = 1462.0;
 
-/// A strip whose table is that of the trapeze alone, and an extension-twist coupling.
+/// A strip whose table contains only the trapeze effect, and an extension-twist coupling.
 fn strip() -> SectionProperties {
     let written = Engineering {
         stiffness: STIFFNESS,
@@ -121,7 +121,7 @@ fn a_stretched_strip_is_stiffer_in_torsion() {
     }
 }
 
-/// Without the request nothing of it is there: the beam itself adds no N Ip/A.
+/// Without the request it has no effect: the beam itself adds no N Ip/A.
 #[test]
 fn without_the_request_tension_does_not_stiffen_torsion() {
     const TOLERANCE: f64 = 1e-8;
@@ -145,8 +145,8 @@ fn without_the_request_tension_does_not_stiffen_torsion() {
     }
 }
 
-/// Compression beyond `GJ EA / E Ip` takes the torsional stiffness away: the run ends with a
-/// status, and says so.
+/// Compression beyond `GJ EA / E Ip` removes the torsional stiffness: the run ends with a status
+/// and a message.
 #[test]
 fn a_section_that_has_lost_its_stiffness_ends_the_run() {
     let critical = STIFFNESS[3] * STIFFNESS[0] / POLAR;
@@ -155,9 +155,9 @@ fn a_section_that_has_lost_its_stiffness_ends_the_run() {
     assert!(outcome.failure.is_some());
 }
 
-/// Torsional buckling: all sections of a strip under compression lose their torsional
-/// stiffness at the load -K44/(dK44/dN), which no bending of this one does before. One number in
-/// both evaluation points: a few roundings of numbers that differ by 1e6.
+/// Torsional buckling: all sections of a strip under compression lose their torsional stiffness at
+/// the load -K44/(dK44/dN), below its bending loads. One number in both evaluation points: a few
+/// rounding errors of numbers that differ by 1e6.
 #[test]
 fn strips_buckle_in_torsion() {
     const TOLERANCE: f64 = 1e-6;
@@ -203,7 +203,7 @@ fn strips_buckle_in_torsion() {
 const PER_KELVIN: [f64; 6] = [2e-5, 0.0, 0.0, 1e-4, 0.0, 0.0];
 const EDGE: [f64; 6] = [3e-4, 0.0, 0.0, -2e-3, 0.0, 0.0];
 
-/// The strip with heat and a state, and what they do to its stiffness.
+/// The strip with heat and a state, and their effect on its stiffness.
 fn heated_strip() -> (SectionProperties, Matrix4<f64>) {
     let mut section = strip();
     let free = Vector6::from(PER_KELVIN);
@@ -227,9 +227,9 @@ fn heated_strip() -> (SectionProperties, Matrix4<f64>) {
     (section, 50.0 * even + 2.0 * edge)
 }
 
-/// Under heat and an imposed state the table acts on the strain that is not free, (D-252):
-/// `e = q + sum c_i psi_i`, with q the strain of the section of changed stiffness. Free
-/// ends, and ends that are pushed back so that the bar does not grow.
+/// Under heat and an imposed state the table acts on the strain beyond the free strain, (D-252): `e
+/// = q + sum c_i psi_i`, with q the strain of the section of changed stiffness. Free ends, and ends
+/// that are pushed back so that the bar does not grow.
 #[test]
 fn the_table_acts_on_the_strain_that_is_not_free() {
     const TOLERANCE: f64 = 1e-8;
@@ -260,7 +260,7 @@ fn the_table_acts_on_the_strain_that_is_not_free() {
     }
 }
 
-/// The trapeze alone: a free heated strip twists as a cold one, `M/GJ`; one that is held,
+/// The trapeze effect alone: a free heated strip twists like a cold one, `M/GJ`; one that is held,
 /// pressed by EA alpha T, as `M/(GJ - T144 alpha T)`.
 #[test]
 fn free_heat_does_not_stiffen_and_held_heat_softens() {
@@ -270,7 +270,7 @@ fn free_heat_does_not_stiffen_and_held_heat_softens() {
     let prestress = section.prestress.as_mut().unwrap();
     prestress.third = CubicTable::from_fn(|at| if at == [0, 1, 1] { POLAR } else { 0.0 });
     prestress.per_kelvin = Some(Matrix4::zeros());
-    // so small a torque that its own shortening does not count, 1e-7 of GJ
+    // small enough for its own shortening to be negligible, 1e-7 of GJ
     let torque = 1e-4;
     for (case, force, torsion) in [
         ("free", 0.0, STIFFNESS[3]),
@@ -293,7 +293,7 @@ fn free_heat_does_not_stiffen_and_held_heat_softens() {
             TOLERANCE,
         );
         assert!(error < TOLERANCE, "{case} {found} {expected}");
-        // 40 % of GJ is told
+        // 40 % of GJ is reported
         let remarks = outcome.result.remarks.join("\n");
         assert_eq!(
             remarks.contains("changes the stiffness of beam"),

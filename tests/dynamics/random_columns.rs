@@ -1,11 +1,10 @@
 //! Critical loads of random columns against dense eigenvalues, none lost and none invented.
 //!
-//! The reference takes K_0 and K_1 of the program as dense matrices of the motions that are
-//! not clamped, and counts the negative eigenvalues of `K_0 +- lambda K_1` just below and just
-//! above each load (Sylvester's law of inertia): the k-th load is the k-th one. Nothing of the
-//! way in which the program finds them is in it. With the table of prestress every evaluation
-//! point loses its torsional stiffness at one load, which is critical as often as there are
-//! such points.
+//! The reference takes K_0 and K_1 of the program as dense matrices of the motions that are not
+//! clamped, and counts the negative eigenvalues of `K_0 +- lambda K_1` just below and just above
+//! each load (Sylvester's law of inertia): the k-th load is the k-th one. It is independent of the
+//! method of the program. With the table of prestress every evaluation point loses its torsional
+//! stiffness at one load, whose multiplicity is the number of these points.
 
 use beam_dynamics::analysis::buckling::buckling;
 use beam_dynamics::assembly::Sparse;
@@ -21,8 +20,8 @@ use crate::variational_beam::spectra::Random;
 
 /// Columns, each without and with the table.
 const COLUMNS: usize = 200;
-/// Round-off of dense eigenvalues, 1e-16 of the largest, by the change of the lowest, some
-/// 1e-9 of the largest times this.
+/// Round-off of dense eigenvalues, 1e-16 of the largest, relative to the change of the lowest,
+/// about 1e-9 of the largest.
 const TOLERANCE: f64 = 1e-6;
 
 /// An aluminum strip of width b and thickness t \[m\].
@@ -83,7 +82,7 @@ fn column(section: &SectionProperties, length: f64, elements: usize, count: usiz
     input::read(&file).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-/// `K_0` and `K_1` of the motions of all nodes but the clamped one, symmetric and scaled to a
+/// `K_0` and `K_1` of the motions of all nodes except the clamped one, symmetric and scaled to a
 /// unit diagonal of the first.
 struct Dense {
     stiffness: DMatrix<f64>,
@@ -156,7 +155,7 @@ fn columns_give_way_at_the_dense_eigenvalues() {
             let dense = Dense::new(&input.model);
             let outcome = buckling(&input.model, &input.buckling.unwrap());
             let at =
-                format!("column {case}, table {has_table}: {elements} elements, {count} asked");
+                format!("column {case}, table {has_table}: {elements} elements, {count} requested");
             assert!(outcome.failure.is_none(), "{at}: {:?}", outcome.failure);
             let found: Vec<_> = outcome
                 .result
@@ -189,8 +188,8 @@ fn columns_give_way_at_the_dense_eigenvalues() {
     }
 }
 
-/// The cases in which values were lost and invented: strips of 0.3 m and 8 elements of which
-/// 16 evaluation points lose their torsional stiffness together, for any count.
+/// The cases in which values were lost and invented: strips of 0.3 m and 8 elements whose 16
+/// evaluation points lose their torsional stiffness together, for any count.
 #[test]
 fn the_count_does_not_change_what_is_found() {
     let section = strip([0.1, 0.01], true);

@@ -1,10 +1,10 @@
-//! Joints of every kind between two bodies at random places that are thrown about: what a
-//! joint holds stays held, and its reactions balance and do no work.
+//! Joints of every kind between two bodies at random positions with random loads: the constraints
+//! are fulfilled, and the reactions balance and do no work.
 //!
-//! Constraints are looked at by what they mean, as the relative motion that the joint tells:
-//! d from the point of a to that of b and R the attitude of b, both in the axes of a.
-//! Newton's method ends at round-off: what is left of constraints of order one is far below
-//! 1e-9, and reactions, some 100 N at arms of some meters, balance to 1e-9 as well.
+//! Constraints are checked by their meaning, in terms of the reported relative motion: d from the
+//! point of a to the point of b and R the attitude of b, both in the axes of a. Newton's method
+//! ends at round-off: the violation of constraints of order one is far below 1e-9, and reactions,
+//! about 100 N at arms of some meters, balance to 1e-9 as well.
 
 use beam_dynamics::elements::{JointState, Observations, Reaction};
 use nalgebra::{Matrix3, Unit, Vector3};
@@ -20,7 +20,7 @@ const STEP: f64 = 2e-3;
 const STEPS: f64 = 50.0;
 const CASES: u32 = 6;
 
-/// Two bodies and what throws them.
+/// Two bodies, with their random loads and velocities.
 #[derive(Debug, Clone)]
 struct Setting {
     places: [Vector3<f64>; 2],
@@ -31,7 +31,7 @@ struct Setting {
     /// Point and axis of the joint.
     point: Vector3<f64>,
     axis: Vector3<f64>,
-    /// Axis on b of a universal joint, across that of a and tilted.
+    /// Axis on b of a universal joint, across the axis of a and tilted.
     across: Vector3<f64>,
 }
 
@@ -107,11 +107,11 @@ impl Setting {
     }
 }
 
-/// What of the relative motion a joint lets happen: directions of b's point and axes of b's
-/// rotation, in the axes of a.
+/// Relative motions that a joint permits: directions of b's point and axes of b's rotation, in the
+/// axes of a.
 type Free = (Vec<Vector3<f64>>, Vec<Vector3<f64>>);
 
-/// A kind: its name, its keys, what must be zero, and what is free.
+/// A kind: its name, its keys, the quantities that must be zero, and its free motions.
 struct Kind {
     name: &'static str,
     keys: &'static str,
@@ -190,7 +190,7 @@ const KINDS: &[Kind] = &[
     Kind {
         name: "universal",
         keys: "at = POINT\naxes = [AXIS, ACROSS]",
-        // The angle of the axes stands in the setting.
+        // The setting contains the angle of the axes.
         held: together,
         free: |s| (vec![], vec![unit(0), attitude(s).column(0).into_owned()]),
     },
@@ -257,7 +257,7 @@ const KINDS: &[Kind] = &[
     Kind {
         name: "total",
         keys: "at = POINT\nlocked = [\"y\", \"about x\", \"about z\"]",
-        // About the free axis y: that of b stays that of a.
+        // About the free axis y: the axis of b coincides with the axis of a.
         held: |s| {
             let axis = attitude(s).column(1).into_owned();
             vec![s.displacement.y, axis.x, axis.z]
@@ -274,7 +274,7 @@ fn unbalanced(reactions: &[Reaction], places: &[Vector3<f64>]) -> f64 {
     force.amax().max(moment.amax())
 }
 
-/// Work of the reaction in the motions that the joint lets happen.
+/// Work of the reaction in the motions that the joint permits.
 fn work(state: &JointState, (slides, turns): &Free) -> f64 {
     let back = state.axes[0].transpose();
     let [force, moment] = [back * state.force, back * state.moment];
@@ -283,7 +283,7 @@ fn work(state: &JointState, (slides, turns): &Free) -> f64 {
     slides.chain(turns).fold(0.0, f64::max)
 }
 
-/// The largest of what must be zero: of constraints, balance, work.
+/// The largest of the quantities that must be zero: constraints, balance, work.
 fn errors(kind: &Kind, setting: &Setting) -> [f64; 3] {
     let run = Mechanism::new(&setting.cards(kind.name, kind.keys), STEPS * STEP, STEP);
     let start = (setting.places[1] - setting.places[0]).norm();
@@ -331,7 +331,7 @@ fn check(kind: &Kind) {
     let quantities = ["constraint", "balance of reactions", "work of reactions"];
     for (quantity, error) in quantities.iter().zip(worst.get()) {
         let case = format!("{} joint, random bodies and loads", kind.name);
-        record::largest("what the joint is", &case, quantity, error, HELD);
+        record::largest("definition of the joint", &case, quantity, error, HELD);
     }
     if let Err(failure) = outcome {
         panic!("{failure}");

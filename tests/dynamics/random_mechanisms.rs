@@ -1,13 +1,12 @@
 //! Random mechanisms: chains of rigid bodies and beams on joints of all kinds, with springs
-//! beside the joints and a stretched rod between the ends.
+//! parallel to the joints and a stretched rod between the ends.
 //!
-//! A rigid motion on top of what they do changes no strain, no force of a spring and no
-//! reaction: in statics a root that is moved and turned under loads that follow, in time
-//! another place and attitude and a uniform velocity. The momentum of those that nothing
-//! holds grows by the impulse of their weight.
+//! A superposed rigid motion changes no strain, no force of a spring and no reaction: in statics a
+//! root that is moved and turned under follower loads, in time another position and attitude and a
+//! uniform velocity. The momentum of free mechanisms grows by the impulse of their weight.
 //!
-//! The mechanisms are drawn from a fixed seed, so that every run has the same; a failure is
-//! reported with the smallest recipe that shows it.
+//! The mechanisms are drawn from a fixed seed, so that every run has the same ones; a failure is
+//! reported with the smallest recipe that causes it.
 
 use std::cell::Cell;
 
@@ -32,15 +31,15 @@ const CASES: u32 = 48;
 
 const SOURCE: &str = "objectivity";
 
-/// What is asked for. Places at 10 m have errors of 1e-15 m, which strain a beam of 0.3 m by
-/// 1e-14, of strains of 1e-3; iterations to 1e-13 of the size of the model leave forces of
-/// constraints of `m / h^2` times that, 1e-9 N, of some Newtons. Three digits and one are
-/// left for random mechanisms.
+/// The tolerances. Positions at 10 m have errors of 1e-15 m, which strain a beam of 0.3 m by 1e-14,
+/// relative to strains of 1e-3; after iterations to 1e-13 of the size of the model the error of
+/// constraint forces is `m / h^2` times this, 1e-9 N, relative to some Newtons. The margin for
+/// random mechanisms is three digits and one digit.
 const TOLERANCE: f64 = 1e-9;
 
 const GRAVITY: Vector3<f64> = Vector3::new(1.0, -2.0, -4.0);
 
-/// A place, an attitude, and a uniform velocity.
+/// A position, an attitude, and a uniform velocity.
 #[derive(Debug, Clone, Copy)]
 struct Rigid {
     turn: Matrix3<f64>,
@@ -96,8 +95,7 @@ fn rigid_motions() -> impl Strategy<Value = Rigid> {
     })
 }
 
-/// Strains, and all forces and moments that springs and joints have, as the mechanism
-/// itself sees them.
+/// Strains, and all forces and moments of springs and joints, in axes that move with the mechanism.
 struct Told {
     strains: Vec<f64>,
     forces: Vec<f64>,
@@ -107,7 +105,7 @@ impl Told {
     fn of(seen: &Observations, turn: &Matrix3<f64>) -> Self {
         let strains = seen.sections.iter().flat_map(|s| s.strain.iter().copied());
         let springs = seen.springs.iter().map(|s| match s.spring.as_str() {
-            // Its axes across the line are any.
+            // Its axes across the line are arbitrary.
             "rod" => [Vector3::x() * s.force.x, Vector3::zeros()],
             _ => [s.force, s.moment],
         });
@@ -121,7 +119,7 @@ impl Told {
         }
     }
 
-    /// Differences of strains and of forces, of the largest of each.
+    /// Differences of strains and of forces, relative to the largest of each.
     fn apart(all: &[Self], others: &[Self]) -> [f64; 2] {
         assert_eq!(all.len(), others.len());
         let part = |of: fn(&Self) -> &Vec<f64>| {
@@ -130,14 +128,14 @@ impl Told {
             assert_eq!(one.len(), two.len());
             let size = one.iter().fold(f64::MIN_POSITIVE, |a, b| a.max(b.abs()));
             let off = one.iter().zip(&two).map(|(a, b)| (a - b).abs());
-            // NaN is not let through.
+            // NaN is not accepted.
             off.fold(0.0, |a: f64, b| if b <= a { a } else { b }) / size
         };
         [part(|told| &told.strains), part(|told| &told.forces)]
     }
 }
 
-/// Five hundredths of a second; the mass of all.
+/// Five hundredths of a second; the mass of the whole.
 fn in_time(recipe: &Recipe, moved: &Rigid, step: f64) -> (Run, f64) {
     let Parts { chain, mass, .. } = recipe.parts(&moved.turn, &moved.shift);
     let first = chain.nodes[0].position;
@@ -162,8 +160,8 @@ fn in_time(recipe: &Recipe, moved: &Rigid, step: f64) -> (Run, f64) {
     (run, mass)
 }
 
-/// Mechanisms that swing and are pushed for four tenths of a second, in steps of several
-/// lengths: some fail where they lock, none is said to gain energy.
+/// Mechanisms that swing and are pushed for four tenths of a second, in steps of several lengths:
+/// some fail when they lock, and no gain of energy is reported.
 #[test]
 fn no_mechanism_is_said_to_gain_energy() {
     let seed = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
@@ -210,10 +208,10 @@ fn told_in_time(run: &Run, turn: &Matrix3<f64>) -> Vec<Told> {
     told.collect()
 }
 
-/// Differences of strains and forces; of the change of momentum from the impulse of the
-/// weight, of all momenta, zero for what is held.
+/// Differences of strains and forces; of the change of momentum from the impulse of the weight,
+/// relative to all momenta, zero for held mechanisms.
 fn errors_in_time(recipe: &Recipe, moved: &Rigid) -> [f64; 3] {
-    // What is held in place does not fly; for masses off their nodes see below.
+    // Held mechanisms do not fly; for masses off their nodes see below.
     let moved = match recipe.is_held || !recipe.is_centered {
         true => Rigid {
             velocity: Vector3::zeros(),
@@ -238,8 +236,8 @@ fn errors_in_time(recipe: &Recipe, moved: &Rigid) -> [f64; 3] {
     [strains, forces, if recipe.is_held { 0.0 } else { off }]
 }
 
-/// Equilibrium under follower loads with a root that moves while they grow; the rod is
-/// without strain at first, because its tension may buckle the chain.
+/// Equilibrium under follower loads with a root that moves while they grow; the rod has no initial
+/// strain, because its tension may buckle the chain.
 fn at_rest(recipe: &Recipe, displacement: &Vector3<f64>, rotation: &Vector3<f64>) -> Told {
     let recipe = Recipe {
         is_held: false,
@@ -338,9 +336,10 @@ fn a_superposed_motion_changes_nothing_at_rest() {
     );
 }
 
-/// The angular momentum of a body about its node holds, where the center is off the node, the
-/// moment of the momentum that a uniform velocity adds, which turns with the body: the formula
-/// follows it with its own error, so that a uniform velocity shows with the square of the step.
+/// The angular momentum of a body about its node contains, if the center is off the node, the
+/// moment of the momentum of a uniform velocity, which turns with the body: the scheme integrates
+/// it with its own error, so that a uniform velocity has an effect of the order of the square of
+/// the step.
 #[test]
 fn a_uniform_velocity_shows_with_the_square_of_the_step() {
     let link = |is_beam| Link {

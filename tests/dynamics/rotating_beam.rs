@@ -12,7 +12,7 @@ use beam_dynamics::solver::LinearSolver;
 use crate::record;
 use crate::uniform_beam::{Inertia, UniformBeam, frequencies};
 
-// The sources as the validation page names them.
+// The names of the sources on the validation page.
 const RITZ: &str = "Ritz solution with 16 polynomials, ten speeds";
 const EXACT: &str = "Euler-Bernoulli beam and bar in torsion, closed forms";
 
@@ -59,8 +59,8 @@ fn errors(elements: usize, inertia: Inertia) -> [f64; 3] {
     worst
 }
 
-/// 8 elements over all ten speeds: of finite volumes 5e-3 in the third mode, of the default
-/// 1e-3; the lower modes are better as a power of the number of waves.
+/// 8 elements over all ten speeds: of finite volumes 5e-3 in the third mode, of the default 1e-3;
+/// the error of the lower modes falls as a power of the number of waves.
 #[test]
 fn eight_elements_meet_the_exact_frequencies() {
     for (inertia, tolerances) in [
@@ -78,9 +78,9 @@ fn eight_elements_meet_the_exact_frequencies() {
     }
 }
 
-/// Fourth order of both inertias. The third mode from 4 to 8 elements, where the
-/// error is well above the six digits of the reference; a slope of 3.7 leaves room
-/// for the next term of the error. The consistent one has twice the error of bodies.
+/// Fourth order of both inertias. The third mode from 4 to 8 elements, where the error is well
+/// above the six digits of the reference; a slope of 3.7 allows for the next term of the error. The
+/// consistent one has twice the error of bodies.
 #[test]
 fn variational_beams_converge_with_fourth_order() {
     for (inertia, tolerance) in [(Inertia::Lumped, 1e-3), (Inertia::Consistent, 2e-3)] {
@@ -158,10 +158,10 @@ fn torsion_converges_as_bending_does() {
     }
 }
 
-/// A model above the size for dense eigenvalues, solved by subspace iteration: 40
-/// elements, 972 unknowns. A round beam at rest has every bending frequency twice, and
-/// both copies must be found. Error of the elements: 3.1e-6 (8 elements) over
-/// 5^4, hence far below the 1e-6 of shear and extension.
+/// A model beyond the size for dense eigenvalues, solved by subspace iteration: 40 elements, 972
+/// unknowns. A round beam at rest has every bending frequency twice, and both copies must be found.
+/// Error of the elements: 3.1e-6 (8 elements) over 5^4, hence far below the 1e-6 of shear and
+/// extension.
 #[test]
 fn large_models_have_all_copies_of_repeated_frequencies() {
     let case = UniformBeam::slender(40, Inertia::Lumped).case(&[0.0], 8);
@@ -181,10 +181,10 @@ fn large_models_have_all_copies_of_repeated_frequencies() {
     }
 }
 
-/// A beam that nothing holds: six motions without stiffness, whose frequency is zero, then
-/// both copies of the bending frequencies, `cos x cosh x = 1`. Four elements are as coarse
-/// here as for the third clamped mode (1.6e-2 in `variational_beam`); shear of 1e8 and a mesh
-/// of 20 elements change them by less than 1e-4.
+/// A free beam: six motions without stiffness, whose frequency is zero, then both copies of the
+/// bending frequencies, `cos x cosh x = 1`. Four elements are as coarse here as for the third
+/// clamped mode (1.6e-2 in `variational_beam`); shear of 1e8 and a mesh of 20 elements change them
+/// by less than 1e-4.
 #[test]
 fn a_free_beam_has_six_motions_without_stiffness() {
     for elements in [4, 20] {
@@ -199,7 +199,7 @@ fn a_free_beam_has_six_motions_without_stiffness() {
         assert!(real.is_empty(), "{real:?}");
         let found: Vec<_> = pairs.iter().map(|pair| pair.angular_frequency).collect();
         assert_eq!(found[..6], [0.0; 6]);
-        // Each moves something, and no two the same.
+        // Each moves some node, and no two are equal.
         for (i, a) in pairs[..6].iter().enumerate() {
             for b in &pairs[..i] {
                 let products = a.real.iter().zip(&b.real).map(|(a, b)| a * b);

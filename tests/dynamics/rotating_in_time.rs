@@ -1,8 +1,9 @@
 //! A rotating beam that flaps about its equilibrium, by steps in time.
 //!
 //! Source: `tests/reference/dynamics/rotating_beam_in_time.json`: a beam of two finite-volume
-//! elements, clamped to a hub that is driven at eta = 6, from its equilibrium with the
-//! velocity of the first flap mode; the frequency fitted to the tip, and that of the modes.
+//! elements, clamped to a hub that is driven at eta = 6, from its equilibrium with the velocity of
+//! the first flap mode; the frequency fitted to the motion of the tip, and the frequency of the
+//! modes.
 
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::case::ModesQuestion;
@@ -49,7 +50,7 @@ length = 1
 elements = 2
 "#;
 
-/// The hub as a body on a bearing, which is turned.
+/// The hub as a driven body on a bearing.
 const TURNED: &str = r#"mass = 1
 inertia = [1, 1, 1]
 support = { torsion = 0 }
@@ -74,7 +75,7 @@ fn file(folder: &tempfile::TempDir, hub: &str) -> std::path::PathBuf {
     path
 }
 
-/// How a node moves in a mode, where the tip goes by one.
+/// Motion of a node in a mode with a tip displacement of one.
 struct Part {
     node: String,
     displacement: Vector3<f64>,
@@ -128,9 +129,9 @@ fn heights(step: f64, frequency: f64, mode: &[Part]) -> Vec<f64> {
         .collect()
 }
 
-/// Frequency of numbers at equal distances of time: those of a damped sine fulfill
-/// `z(t + d) = a z(t) - b z(t - d)` with `a = 2 e^(-s d) cos(w d)` and `b = e^(-2 s d)`, here
-/// in the mean of squares and with d a sixth of the period.
+/// Frequency of numbers at equal distances of time: the numbers of a damped sine fulfill `z(t + d)
+/// = a z(t) - b z(t - d)` with `a = 2 e^(-s d) cos(w d)` and `b = e^(-2 s d)`, here in the mean of
+/// squares and with d a sixth of the period.
 fn fitted(heights: &[f64], step: f64, near: f64) -> f64 {
     let lag = (std::f64::consts::PI / (3.0 * near * step)).round() as usize;
     let mut sums = [0.0; 5];
@@ -154,9 +155,9 @@ fn fitted(heights: &[f64], step: f64, near: f64) -> f64 {
     (a / (2.0 * b.sqrt())).acos() / (lag as f64 * step)
 }
 
-/// The frequency of the modes to the digits of different iterations; the fitted ones to
-/// 2e-5, a tenth of what the steps change, which is what nine digits of an amplitude of a
-/// thousandth and a different way of fitting may do; second order to the modal value.
+/// The frequency of the modes to the digits of different iterations; the fitted ones to 2e-5, a
+/// tenth of the effect of the steps, which is possible with nine digits of an amplitude of a
+/// thousandth and a different method of fitting; second order to the modal value.
 #[test]
 fn a_rotating_beam_flaps_with_the_frequency_of_its_mode() {
     let data = json("rotating_beam_in_time.json");

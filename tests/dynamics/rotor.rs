@@ -1,11 +1,10 @@
-//! Rotors of several equal blades, from `cases/dynamics/four_blades`, as theory says.
+//! Rotors of several equal blades, from `cases/dynamics/four_blades`, compared with theory.
 //!
-//! For equal blades, equally spaced on a hub that is the same in all directions about
-//! the axis, the motions fall apart by what blade k does, `exp(-i h psi_k)` times the
-//! first (Coleman and Feingold, NACA 1351; Johnson, *Helicopter Theory*, section 8.3):
-//! h = 0 moves the hub along and about its axis only, h = +-1 across the axis and in
-//! tilt only, others not at all. The loads of N blades on the hub add up to N for h = 0
-//! and N/2 for h = +-1.
+//! For equal blades, equally spaced on a hub that is the same in all directions about the axis, the
+//! motions decouple by the motion of blade k, `exp(-i h psi_k)` times the first (Coleman and
+//! Feingold, NACA 1351; Johnson, *Helicopter Theory*, section 8.3): h = 0 moves the hub along and
+//! about its axis only, h = +-1 across the axis and in tilt only, others not at all. The loads of N
+//! blades on the hub add up to N for h = 0 and N/2 for h = +-1.
 
 use std::f64::consts::TAU;
 
@@ -17,8 +16,8 @@ use crate::record;
 const ROTOR: &str = "rotor.dynamics.toml";
 const SOURCE: &str = "Multiblade coordinates, the same blades in another rotor";
 
-/// Values within 1e-6 of each other count as copies of one; what their modes are called
-/// may be exchanged.
+/// Values within 1e-6 of each other are treated as one multiple value; the names of their modes may
+/// be exchanged.
 const COPIES: f64 = 1e-6;
 /// Round-off of the eigenvalues of two models of different size.
 const ROUND_OFF: f64 = 1e-8;
@@ -32,7 +31,7 @@ struct Changed<'a> {
     blades: usize,
     /// Factor of mass, moments of inertia and springs of the hub.
     hub: f64,
-    /// Springs of the hub; what is not named is held.
+    /// Springs of the hub; directions without one are held.
     support: &'a [(&'a str, f64)],
 }
 
@@ -76,7 +75,7 @@ impl Changed<'_> {
     }
 }
 
-/// As the file of the case has it, `2e6`.
+/// As written in the file of the case, `2e6`.
 fn short(number: f64) -> String {
     format!("{number:e}")
 }
@@ -95,8 +94,8 @@ fn all(table: &FrequencyTable, speed: usize) -> Vec<f64> {
     modes.map(|mode| mode.1.frequency).collect()
 }
 
-/// Finds each of the first `count` of `expected` among all frequencies of `table` at a
-/// speed, and as the one in its place among those of a way to move, `named`.
+/// Finds each of the first `count` of `expected` among all frequencies of `table` at a speed, and
+/// at its index among the frequencies of a pattern of motion, `named`.
 fn compare(
     case: &str,
     (table, speed): (&FrequencyTable, usize),
@@ -131,15 +130,15 @@ fn compare(
     }
 }
 
-/// On a rigid hub the blades do not feel each other: the fan of one, four times, and
-/// each time collective, progressive, regressive and differential.
+/// On a rigid hub the blades are uncoupled: the fan of one blade, four times, as collective,
+/// progressive, regressive and differential.
 #[test]
 fn a_rigid_hub_gives_the_fan_of_one_blade_four_times() {
     let case = case();
     let [one, four] =
         ["one_blade", "rigid_hub"].map(|name| case.modes(&format!("{name}.dynamics.toml")));
     assert_eq!((one.speeds.len(), &one.speeds), (9, &four.speeds));
-    // Straight blades have no moments but round-off, which is no loss of digits.
+    // The moments of straight blades are round-off, which is no loss of digits.
     assert_eq!(four.remarks, Vec::<String>::new());
     for speed in 0..9 {
         let single = all(&one, speed);
@@ -154,7 +153,7 @@ fn a_rigid_hub_gives_the_fan_of_one_blade_four_times() {
             compare("four blades, rigid hub", (&four, speed), &way, &single, 6);
         }
     }
-    // A branch is one mode all along, called by the blade's and the rotor's motion.
+    // A branch is one mode at all speeds, named by the blade's and the rotor's motion.
     for branch in &one.branches[..6] {
         for way in ["collective", "progressive", "regressive", "differential"] {
             let name = format!("{} {way}", branch.name);
@@ -173,9 +172,9 @@ fn a_rigid_hub_gives_the_fan_of_one_blade_four_times() {
     }
 }
 
-/// Differential modes leave the hub alone: those of one clamped blade, whatever the hub.
-/// Collective modes are those of one blade on a quarter of the hub, which moves along
-/// and about its axis.
+/// Differential modes do not move the hub: they are the modes of one clamped blade, for any hub.
+/// Collective modes are the modes of one blade on a quarter of the hub, which moves along and about
+/// its axis.
 #[test]
 fn a_flexible_hub_leaves_differential_modes_and_quarters_for_collective_ones() {
     let case = case();
@@ -205,7 +204,7 @@ fn a_flexible_hub_leaves_differential_modes_and_quarters_for_collective_ones() {
             5,
         );
     }
-    // The hub matters.
+    // The hub has an effect.
     let [hub, clamped] =
         [(&rotor, "lag 1 collective"), (&one, "lag 1")].map(|(t, name)| frequency(t, name, 0));
     assert!(hub < 0.9 * clamped);
@@ -232,23 +231,23 @@ fn cyclic_modes_depend_on_the_hub_for_each_blade_alone() {
             for (harmonic, word) in [(1, "progressive"), (-1, "regressive")] {
                 let [found, expected] =
                     [&four, &other].map(|table| with_harmonic(table, speed, harmonic));
-                let case = format!("four blades beside {blades}, {word}");
+                let case = format!("four blades compared with {blades}, {word}");
                 compare(&case, (&four, speed), &found, &expected, 4);
             }
         }
     }
 }
 
-/// At rest the modes in which the hub only goes along its axis or across it have a
-/// frequency equation in closed form: the force that the root of a clamped
-/// Euler-Bernoulli beam needs to go up and down with unit amplitude is
+/// At rest the modes in which the hub only moves along its axis or across it have a frequency
+/// equation in closed form: the force that the root of a clamped Euler-Bernoulli beam requires for
+/// a motion up and down with unit amplitude is
 ///
 /// ```text
 /// -E I beta^3 (sin b cosh b + cos b sinh b) / (1 + cos b cosh b),   b = beta L,  beta^4 = m omega^2 / E I
 /// ```
 ///
-/// so that `k - M omega^2` meets four of them along the axis, and across it two, in lag,
-/// with two blades that go along as masses `m L` (E A is large).
+/// so that `k - M omega^2` is balanced by four of them along the axis, and across it by two, in
+/// lag, with two blades that move along as masses `m L` (E A is large).
 #[test]
 fn a_hub_at_rest_follows_the_frequency_equation() {
     let axial = slender();
@@ -256,14 +255,15 @@ fn a_hub_at_rest_follows_the_frequency_equation() {
     axial.replace(ROTOR, "tilt = 2e5\ntorsion = 4e5\n", "");
     let across = slender();
     across.replace(ROTOR, "axial = 1e6\ntilt = 2e5\ntorsion = 4e5\n", "");
-    // Bending stiffness, beams that bend, beams that go along, spring, harmonic.
+    // Bending stiffness, number of bending beams, number of beams that move along, spring,
+    // harmonic.
     for (word, case, [ei, bent, along, spring], harmonic) in [
         ("axial", axial, [9e3, 4.0, 0.0, 1e6], 0),
         ("in plane", across, [1.2e5, 2.0, 2.0, 2e6], 1),
     ] {
         let equation = |hz: f64| frequency_equation(hz, [ei, bent, along, spring]);
         let found = with_harmonic(&case.modes(ROTOR), 0, harmonic);
-        // Lag of the collective, flap of the cyclic modes are clamped and come between.
+        // Lag of the collective and flap of the cyclic modes are clamped and lie in between.
         for (k, expected) in roots(equation, 40.0).iter().take(3).enumerate() {
             let apart = |f: &f64| (f / expected - 1.0).abs();
             let nearest = found.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
@@ -284,10 +284,10 @@ fn a_hub_at_rest_follows_the_frequency_equation() {
 /// Length of the slender blades, from the axis \[m\].
 const LENGTH: f64 = 4.612;
 
-/// The case at rest, its blades without rotatory inertia and hub radius, and so stiff in
-/// shear and extension that of a frequency up to 27 Hz shear takes `E I k^2 / 2 G A`, 2e-6
-/// with k = 7.9 / L in lag, and extension less than `(omega L)^2 m / 6 E A`, 5e-6. Forty
-/// elements leave `(k h)^4 / 720` or so, less than either.
+/// The case at rest, its blades without rotatory inertia and hub radius, and with a high stiffness
+/// in shear and extension: for frequencies up to 27 Hz the effect of shear is `E I k^2 / 2 G A`,
+/// 2e-6 with k = 7.9 / L in lag, and of extension less than `(omega L)^2 m / 6 E A`, 5e-6. The
+/// error of forty elements is about `(k h)^4 / 720`, less than either.
 fn slender() -> Case {
     let case = case();
     for (old, new) in [
@@ -318,7 +318,7 @@ fn frequency_equation(hz: f64, [ei, bent, along, spring]: [f64; 4]) -> f64 {
     (spring - mass * omega * omega) * (1.0 + cos * b.cosh()) - bent * root
 }
 
-/// Zeros of a function below `to`, by its changes of sign on a fine grid and bisection.
+/// Zeros of a function below `to`, by sign changes on a fine grid and bisection.
 fn roots(function: impl Fn(f64) -> f64, to: f64) -> Vec<f64> {
     let step = 1e-3;
     let mut roots = Vec::new();
@@ -340,9 +340,9 @@ fn roots(function: impl Fn(f64) -> f64, to: f64) -> Vec<f64> {
     roots
 }
 
-/// Motions mostly of the hub are named by how the blades go with it, no two modes alike:
-/// at rest those along the axis and about it are collective, those across it a pair that
-/// runs to either side, pure like all others.
+/// Motions mostly of the hub are named by the pattern of the blades, each mode uniquely: at rest
+/// motions along and about the axis are collective, motions across it a pair of both senses, pure
+/// like all others.
 #[test]
 fn modes_of_the_hub_are_named_like_those_of_blades() {
     let table = Changed {
@@ -358,7 +358,7 @@ fn modes_of_the_hub_are_named_like_those_of_blades() {
     let at_rest = table.at_speed(0);
     for (branch, mode) in at_rest.iter().take(24) {
         let whirl = mode.whirl.unwrap();
-        // Round-off of vectors of copies, and the weight of the hub when they are parted.
+        // Round-off of vectors of copies, and the weight of the hub when they are separated.
         assert!(whirl.share > 1.0 - 1e-4, "{}: {whirl:?}", branch.name);
         assert_eq!(branch.harmonic, Some(whirl.harmonic), "{}", branch.name);
     }

@@ -10,8 +10,8 @@ const SPEED: f64 = 44.4;
 /// Jacobians.
 const STEPS: usize = 256;
 
-/// A full revolution as the case has it. The formula errs by a part of `(Omega h)^2`, 6e-4,
-/// in the angle of a step and in the moment.
+/// A full revolution as in the case. The error of the scheme is a part of `(Omega h)^2`, 6e-4, in
+/// the angle of a step and in the moment.
 #[test]
 fn blades_stay_on_their_circle() {
     let run = Run::new("rotor", "rotor.dynamics.toml", 8, |_| ());
@@ -41,7 +41,7 @@ fn blades_stay_on_their_circle() {
     let rows = [
         ("stretch of the blades, relative", 2e-3),
         ("azimuth of the tips [rad]", 1e-4),
-        ("moment of the drive, of that of inertia", 1e-4),
+        ("moment of the drive, relative to inertia", 1e-4),
     ];
     // Four blades about the axis at the angular acceleration SPEED^2.
     errors[2] /= 4.0 * 5.5 * outer.powi(3) / 3.0 * SPEED.powi(2);

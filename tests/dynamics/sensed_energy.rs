@@ -21,9 +21,9 @@ fn sensed(run: &Run, name: &str) -> impl Fn(&State) -> f64 {
     move |state| state.scalars[place]
 }
 
-// A push along the velocity by the energy that is missing: `E' = 2 k E (E_0 - E) / m`, the
-// logistic curve. The energy is exact but for the schemes, of order two: (h E_0 k/m)^2, and
-// the velocity, which counts with its square.
+// A push along the velocity proportional to the missing energy: `E' = 2 k E (E_0 - E) / m`, the
+// logistic curve. The energy is exact except for the error of the schemes, of order two: (h E_0
+// k/m)^2, and of the velocity, which enters with its square.
 #[test]
 fn a_force_by_the_energy_follows_the_logistic_curve() {
     let run = run("
@@ -103,8 +103,8 @@ to = 0.5
 step = 0.005
 ";
 
-// A soft beam with a body on a spring at its tip, pushed by a force that follows all energies:
-// the numbers of sensors are those of the model, and the steps take Newton's few iterations.
+// A soft beam with a body on a spring at its tip, pushed by a force that follows all energies: the
+// values of sensors agree with the model, and the steps take few Newton iterations.
 #[test]
 fn sensors_have_the_energies_of_the_model() {
     let run = run(SHAKEN);

@@ -24,8 +24,8 @@ fn error(case: usize, to: f64, step: f64) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-/// 1e-5 over ten seconds at a step of 1 ms. The largest is that of the first case; the
-/// others are ten times better.
+/// 1e-5 over ten seconds at a step of 1 ms. The largest error is in the first case; the others are
+/// ten times smaller.
 #[test]
 fn the_mass_center_follows_its_path() {
     let source = "rotation-matrix equations, 1e-11";

@@ -27,7 +27,7 @@ fn vector(value: &Value) -> Vector3<f64> {
     Vector3::from_fn(|i, _| value[i].as_f64().unwrap_or(0.0))
 }
 
-/// Records and checks a vector, its error against its own length.
+/// Records and checks a vector, its error relative to its length.
 fn check(source: &str, case: &str, [found, expected]: [Vector3<f64>; 2], tolerance: f64) {
     let error = (found - expected).norm() / expected.norm();
     let sizes = [found.norm(), expected.norm()];
@@ -83,8 +83,7 @@ fn rolled_by(
     (last.positions[tip], axes[(1, 0)].atan2(axes[(0, 0)]))
 }
 
-/// Finite volumes. Digits of the file: six; dead and follower moments in the plane are the
-/// same.
+/// Finite volumes. Digits of the file: six; dead and follower moments in the plane are equal.
 #[test]
 fn a_beam_of_volumes_rolls_up_under_a_tip_moment() {
     let file = &reference("beam_static.json")["roll_up"];
@@ -145,9 +144,9 @@ fn bent(
     chain.last().positions[tip]
 }
 
-/// Finite volumes to the digits of the script's values, seven, with 1e-6 for the last of
-/// them. Sixteen variational elements
-/// within 1e-4 of the exact rod, as `models.md` of the reference asks; order 4.
+/// Finite volumes to the digits of the script's values, seven, with 1e-6 for the last of them.
+/// Sixteen variational elements within 1e-4 of the exact rod, as required by `models.md` of the
+/// reference; order 4.
 #[test]
 fn the_bend_of_45_degrees() {
     let script = &reference("beam_static.json")["bend45"];
@@ -201,12 +200,12 @@ fn the_princeton_beam() {
             let last = chain.last();
             let found = last.positions[tip] - Vector3::x() * props("L");
             let case = format!("Princeton beam, {load} N at {degrees} deg");
-            // Asked for: 1e-5 of the largest component.
+            // Required: 1e-5 of the largest component.
             check(EXACT, &case, [found, vector(&exact["u"])], 1e-5);
             let axes = last.rotations[tip];
             let twist = axes[(2, 1)].atan2(axes[(1, 1)]);
             let expected = exact["twist_atan2_R32_R22"].as_f64().unwrap();
-            // Twist against the largest of all cases, 0.061.
+            // Twist relative to the largest of all cases, 0.061.
             let error = (twist - expected).abs() / 0.061;
             record::value(EXACT, &case, "twist", [twist, expected], error, 1e-5);
             assert!(error < 1e-5, "{case}: {twist} {expected}");
@@ -214,8 +213,8 @@ fn the_princeton_beam() {
     }
 }
 
-/// A column beyond its critical load, with a lateral force of 1e-6 of it to choose the
-/// side; that moves the tip by about as much. Four elements: 5e-4 of the length.
+/// A column beyond its critical load, with a lateral force of 1e-6 of it to choose the side; it
+/// moves the tip by about as much. Four elements: 5e-4 of the length.
 #[test]
 fn the_elastica_past_buckling() {
     let file = &reference("exact_static_beams.json")["elastica_clamped_free"];
@@ -236,9 +235,9 @@ fn the_elastica_past_buckling() {
     }
 }
 
-/// Two bars, half of them by symmetry: a bar of length L from the foot of an arch to its
-/// apex at height h, which is pushed down. Exact for bars that stay straight:
-/// `P = EA (1 - l / L) h / l`, greatest where `l^3 = L b^2` (Mises truss; derived).
+/// Two bars, half of them by symmetry: a bar of length L from the foot of an arch to its apex at
+/// height h, which is pushed down. Exact for bars that stay straight: `P = EA (1 - l / L) h / l`,
+/// greatest at `l^3 = L b^2` (Mises truss; derived).
 struct TwoBars {
     base: f64,
     height: f64,
@@ -312,7 +311,7 @@ fn a_limit_point_is_told_without_arc_length() {
         record::value(
             source,
             "two bars",
-            "limit point foretold",
+            "limit point predicted",
             [factor, 1.0],
             error,
             1e-3,
@@ -321,8 +320,8 @@ fn a_limit_point_is_told_without_arc_length() {
     }
 }
 
-/// Every state on the way over the limit point, back to negative loads and up again lies
-/// on the closed form; 1e-8 is what the iteration leaves of 1e-9 in the displacements.
+/// Every state on the path over the limit point, back to negative loads and up again lies on the
+/// closed form; 1e-8 follows from the error of 1e-9 of the iteration in the displacements.
 #[test]
 fn limit_points_are_passed_by_arc_length() {
     let truss = TwoBars::new();
@@ -358,10 +357,10 @@ fn limit_points_are_passed_by_arc_length() {
     );
 }
 
-/// Under a pure moment all forces are round-off, under pure tension all moments are: the
-/// residual told is round-off, not a quotient of it. The tolerance is that of the
-/// iteration, whose last correction is below 1e-9 and whose error is the square of it;
-/// slender elements leave 1e-10.
+/// Under a pure moment all forces are round-off, under pure tension all moments are: the reported
+/// residual is round-off, not a quotient of it. The tolerance follows from the iteration, whose
+/// last correction is below 1e-9 and whose error is the square of it; the error of slender elements
+/// is 1e-10.
 #[test]
 fn residuals_of_pure_bending_and_tension_are_round_off() {
     let force = Vector3::x() * 1e3;
@@ -377,9 +376,9 @@ fn residuals_of_pure_bending_and_tension_are_round_off() {
     }
 }
 
-/// A straight column stays in balance beyond its critical load `pi^2 EI / 4 L^2`, with
-/// EI 1e4 and L 2 at 6.1685 kN, where both directions give way; steps of 2.5 kN leave the
-/// place to be foretold within the curvature of the stiffness over one of them.
+/// A straight column remains in equilibrium beyond its critical load `pi^2 EI / 4 L^2`, with EI 1e4
+/// and L 2 at 6.1685 kN, where both directions buckle; with steps of 2.5 kN the point is predicted
+/// up to the curvature of the stiffness over one step.
 #[test]
 fn an_unstable_equilibrium_is_told() {
     let column = |to: f64| {
@@ -414,7 +413,7 @@ fn an_unstable_equilibrium_is_told() {
     assert!(error < 0.02, "{told:?}");
 }
 
-/// The last equilibrium before a limit point is kept though it is at no step asked for.
+/// The last equilibrium before a limit point is kept although it is not at a requested step.
 #[test]
 fn the_last_equilibrium_before_a_limit_point_is_kept() {
     let mut question = up_to(3.0);

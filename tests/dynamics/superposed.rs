@@ -1,5 +1,4 @@
-//! A rigid displacement and a uniform velocity on top of a motion change no strain and no
-//! reaction.
+//! A superposed rigid displacement and uniform velocity change no strain and no reaction.
 
 use beam_dynamics::case::{InitialMotion, TransientQuestion};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
@@ -77,8 +76,8 @@ fn told(run: &Run) -> Vec<(Vec<Vector6<f64>>, Vector3<f64>)> {
     told.collect()
 }
 
-/// The iteration ends at 1e-8 of the size of the model: converging fast, it leaves 1e-8 of
-/// the largest strain and force.
+/// The iteration ends at 1e-8 of the size of the model: converging fast, its error is 1e-8 of the
+/// largest strain and force.
 #[test]
 fn a_superposed_rigid_motion_changes_no_strain_and_no_reaction() {
     let plain = told(&run(&Superposed {

@@ -17,7 +17,7 @@ const CASE: &str = "swinging cantilever";
 
 const FILE: &str = "swinging_cantilever.dynamics.toml";
 
-/// Of the elements of the thesis.
+/// For the elements of the thesis.
 fn run(to: f64, step: f64, every: usize) -> Run {
     let case = Case::new("swinging_cantilever");
     case.replace(
@@ -37,8 +37,8 @@ fn run_of(case: &Case, to: f64, step: f64, every: usize) -> Run {
     run
 }
 
-/// The default beams at 1 ms: 4e-6 from the limit, which twenty finite volumes miss by 3e-5;
-/// with the meshes from which it is extrapolated, 2e-6 apart, 1e-5 is allowed.
+/// The default beams at 1 ms: 4e-6 from the limit; the error of twenty finite volumes is 3e-5; with
+/// the meshes of the extrapolation, 2e-6 apart, 1e-5 is allowed.
 #[test]
 fn twenty_variational_beams_are_near_the_limit_of_fine_meshes() {
     let run = run_of(&Case::new("swinging_cantilever"), 0.2, 1e-3, 200);
@@ -50,9 +50,9 @@ fn twenty_variational_beams_are_near_the_limit_of_fine_meshes() {
     assert!(error < 1e-5, "{found} {error:e}");
 }
 
-/// One second at 1 ms. The other program starts in another way, and the step leaves the
-/// axial waves of the first instant: 1e-6 at 0.2 s; later what waves of another start have
-/// become in a motion that goes on for a second: 1e-5.
+/// One second at 1 ms. The other program starts in another way, and the step does not damp the
+/// axial waves of the first instant: 1e-6 at 0.2 s; later the effect of the waves of another start
+/// on a motion of a second: 1e-5.
 #[test]
 fn the_tip_over_a_second() {
     let run = run(1.0, 1e-3, 200);
@@ -91,7 +91,7 @@ fn the_tip_over_a_second() {
     }
 }
 
-/// At a quarter of the step, all along the first fifth of a second.
+/// At a quarter of the step, over the first fifth of a second.
 #[test]
 fn the_path_of_the_tip() {
     let run = run(0.2, 2.5e-4, 1);

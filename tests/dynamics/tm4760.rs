@@ -1,9 +1,9 @@
 //! Fan of the model helicopter blade of NASA TM 4760, from `cases/dynamics/tm4760`.
 //!
-//! Source: `tests/reference/rotors/tm4760_fan.csv`. Columns `chk_*`: Euler-Bernoulli
-//! elements with centrifugal stiffening, undamped, without coupling, by an independent
-//! script; `mbdyn_*`: the test suite of MBDyn, with a damper at the lag hinge, which
-//! torsion does not feel. Two digits after the point.
+//! Source: `tests/reference/rotors/tm4760_fan.csv`. Columns `chk_*`: Euler-Bernoulli elements with
+//! centrifugal stiffening, undamped, without coupling, by an independent script; `mbdyn_*`: the
+//! test suite of MBDyn, with a damper at the lag hinge, which does not affect torsion. Two digits
+//! after the point.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ const PUBLISHED: &str = "MBDyn test suite, blade of NASA TM 4760";
 /// Half of the last digit of the reference \[Hz\].
 const DIGIT: f64 = 0.005;
 
-/// Modes as we name them, and the column of the check.
+/// Our names of the modes, and the column of the check.
 const MODES: [(&str, &str); 6] = [
     ("flap 1", "chk_rigid_flap"),
     ("lag 1", "chk_rigid_lag"),
@@ -54,7 +54,7 @@ fn reference() -> BTreeMap<String, Vec<f64>> {
     columns
 }
 
-/// Asserts that the speeds are those of the reference.
+/// Asserts that the speeds agree with the reference.
 fn check_speeds(table: &FrequencyTable, rpm: &[f64]) {
     let speeds = table
         .speeds
@@ -66,8 +66,8 @@ fn check_speeds(table: &FrequencyTable, rpm: &[f64]) {
     assert_eq!(table.speeds.len(), rpm.len());
 }
 
-/// Compares with every column of the check; `tolerance` is relative to the column,
-/// `digits` is how much of [`DIGIT`] is granted on top of it.
+/// Compares with every column of the check; `tolerance` is relative to the column, `digits` is the
+/// part of [`DIGIT`] allowed in addition.
 fn compare(table: &FrequencyTable, case: &str, tolerance: f64, digits: f64) {
     let reference = reference();
     check_speeds(table, &reference["rpm"]);
@@ -75,7 +75,7 @@ fn compare(table: &FrequencyTable, case: &str, tolerance: f64, digits: f64) {
         for (speed, &expected) in reference[column].iter().enumerate() {
             let found = frequency(table, mode, speed);
             if expected == 0.0 {
-                // A free hinge at rest: no stiffness, so no frequency, to the last digit.
+                // A free hinge at rest: no stiffness, hence no frequency, to the last digit.
                 assert_eq!(found, 0.0, "{mode}");
                 continue;
             }
@@ -90,10 +90,10 @@ fn compare(table: &FrequencyTable, case: &str, tolerance: f64, digits: f64) {
     }
 }
 
-/// Mass centers on the line, rigid in shear as the check: 0.5 % of every column at all
-/// speeds. Most of it (lag 2) is the rotatory inertia of the chord, which the check has
-/// not: without it the columns are met to their digits and 0.05 %, twice the difference
-/// that a finer mesh makes and the mesh of the check once more.
+/// Mass centers on the line, rigid in shear like the check: 0.5 % of every column at all speeds.
+/// Most of it (lag 2) is the rotatory inertia of the chord, which the check neglects: without it
+/// the columns agree to their digits and 0.05 %, twice the effect of a finer mesh plus the error of
+/// the mesh of the check.
 #[test]
 fn frequencies_meet_the_independent_check() {
     let case = Case::new("tm4760");
@@ -116,9 +116,9 @@ fn frequencies_meet_the_independent_check() {
     );
 }
 
-/// The table as it is, with its offsets of mass: torsion within 1 % at all speeds. They
-/// couple torsion with flap and lower it by 0.6 %, so that they must be there; the rest
-/// at high speed is how the polar inertia is shared out, which the table does not say.
+/// The table as it is, with its offsets of mass: torsion within 1 % at all speeds. They couple
+/// torsion with flap and lower it by 0.6 %, so that they must be included; the rest at high speed
+/// is due to the distribution of the polar inertia, which the table does not contain.
 #[test]
 fn torsion_meets_the_published_program() {
     let case = Case::new("tm4760");
@@ -143,9 +143,9 @@ fn torsion_meets_the_published_program() {
     assert!(with < 0.996 * without, "{with} {without}");
 }
 
-/// At rest the flap hinge gives a motion without frequency, exactly, and it is the same
-/// mode that goes on as the rigid flap mode: a blade hinged at e has
-/// `omega / Omega = sqrt(1 + e S / I)`, S and I of the table's masses about the hinge.
+/// At rest the flap hinge gives a motion of exactly zero frequency, and this mode continues as the
+/// rigid flap mode: a blade hinged at e has `omega / Omega = sqrt(1 + e S / I)`, S and I of the
+/// table's masses about the hinge.
 #[test]
 fn the_free_hinge_is_followed_from_rest() {
     let table = Case::new("tm4760").modes("centered.dynamics.toml");
@@ -161,9 +161,9 @@ fn the_free_hinge_is_followed_from_rest() {
         let found = point.frequency * std::f64::consts::TAU / table.speeds[speed];
         let expected = rigid_flap();
         let error = (found / expected - 1.0).abs();
-        // The blade bends as it flaps; Southwell's bound leaves that to second order in
-        // the ratio of its stiffnesses: (11.5 Hz rigid against 29.6 Hz elastic), and the
-        // line of shape is 1e-3 off the straight one.
+        // The blade bends as it flaps; by Southwell's bound the effect is of second order in the
+        // ratio of its stiffnesses: (11.5 Hz rigid, 29.6 Hz elastic), and the shape is 1e-3 off the
+        // straight line.
         record::value(
             "Rigid blade on a flap hinge, closed form",
             "TM 4760",
@@ -201,8 +201,8 @@ fn rigid_flap() -> f64 {
     (1.0 + 3.0 * first / second).sqrt()
 }
 
-/// Elements end at the stations and are at most a twentieth of the blade; of four times
-/// as many, no mode at no speed differs by more than 1e-4.
+/// Elements end at the stations and are at most a twentieth of the blade; with four times as many,
+/// no mode at any speed differs by more than 1e-4.
 #[test]
 fn the_mesh_is_fine_enough() {
     let case = Case::new("tm4760");

@@ -14,7 +14,7 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 use crate::chain::VOLUMES;
 
-/// How the mass of the elements moves.
+/// Inertia of the elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Inertia {
     /// Bodies by nodal weights.
@@ -24,8 +24,8 @@ pub enum Inertia {
     Portions,
 }
 
-/// Length one, mass per length one, bending stiffness one; extension and shear so
-/// stiff that they change the bending frequencies by less than 1e-6.
+/// Length one, mass per length one, bending stiffness one; extension and shear are stiff enough to
+/// change the bending frequencies by less than 1e-6.
 pub struct UniformBeam {
     pub elements: usize,
     pub inertia: Inertia,
@@ -115,7 +115,7 @@ impl UniformBeam {
     }
 }
 
-/// Angular frequencies of the modes named by a word at speed number `speed` [rad/s].
+/// Angular frequencies of the modes named by a word at speed index `speed` [rad/s].
 pub fn frequencies(
     (model, question): &(Model, ModesQuestion),
     speed: usize,

@@ -37,7 +37,7 @@ fn stiffness(value: &Value) -> Matrix6<f64> {
     Matrix6::from_row_slice(&numbers(value))
 }
 
-/// The row of the acceptance list of a case, and of a quantity that begins so.
+/// The row of the acceptance list of a case, for the quantity with this beginning.
 fn row(case: &str, quantity: &str) -> Value {
     let list = reference("acceptance");
     let rows = list["cases"].as_array().unwrap();

@@ -99,11 +99,11 @@ fn frequencies(blade: &Blade, keys: &str, count: usize) -> (Vec<f64>, f64) {
     (frequencies, input.summary.mass)
 }
 
-/// 0.1 %: the reference has four digits after the point, 1e-4 of the lowest modes, and
-/// its own mesh is converged to that. The default mesh has converged, too: 160 even
-/// elements, which do not end at the stations, change no mode by a fifth of that.
+/// 0.1 %: the reference has four digits after the point, 1e-4 of the lowest modes, and its own mesh
+/// is converged to that. The default mesh is converged too: 160 equal elements, which do not end at
+/// the stations, change no mode by a fifth of this.
 ///
-/// The mass is that of the interpolated table to round-off of a thousand sums.
+/// The mass is equal to the mass of the interpolated table to round-off of a thousand sums.
 #[test]
 fn modes_at_standstill_are_those_of_the_reference() {
     let text = fs::read_to_string(path("wind_blade_standstill_modes.json")).unwrap();

@@ -1,9 +1,8 @@
-//! Blades without rotary inertia, `iy = iz = 0`, and point masses: what moves no mass has no
-//! part in the spectrum.
+//! Blades without rotary inertia, `iy = iz = 0`, and point masses: motions without mass are not in
+//! the spectrum.
 //!
-//! The reference is the same blade with a rotary inertia of 1e-8 of what a square section of
-//! a tenth of the length has, which changes frequencies by less than 1e-8 and is a regular
-//! mass matrix.
+//! The reference is the same blade with a rotary inertia of 1e-8 of a square section of a tenth of
+//! the length, which changes frequencies by less than 1e-8 and is a regular mass matrix.
 
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::input;
@@ -14,10 +13,10 @@ use crate::variational_beam::spectra::Random;
 
 /// Blades, each at five speeds.
 const BLADES: usize = 60;
-/// Modes that are compared.
+/// Compared modes.
 const COUNT: usize = 6;
-/// Rotary inertia changes a frequency by its part of the mass of the mode, 1e-8 times a part
-/// below one of each; frequencies of stiff models are known to 1e-8.
+/// Rotary inertia changes a frequency by its share of the mass of the mode, 1e-8 times a share
+/// below one; frequencies of stiff models are accurate to 1e-8.
 const TOLERANCE: f64 = 1e-6;
 
 fn table(text: &str) -> FrequencyTable {
@@ -116,9 +115,9 @@ fn blades_without_rotary_inertia_have_all_their_modes() {
     );
 }
 
-/// Point masses on free flap hinges, offset 0.1: nothing has stiffness at rest, where both
-/// frequencies are zero, and the other speeds are computed: 1 + 3 e / 2 (1 - e) of a uniform
-/// blade is 1 + e / (1 - e) of a point mass.
+/// Point masses on free flap hinges, offset 0.1: there is no stiffness at rest, where both
+/// frequencies are zero, and the other speeds are computed: 1 + 3 e / 2 (1 - e) for a uniform blade
+/// becomes 1 + e / (1 - e) for a point mass.
 #[test]
 fn point_masses_on_hinges_are_computed_at_all_speeds() {
     let arm = |name: &str, x: f64| {

@@ -1,10 +1,10 @@
 //! Binary meshes of quadrilaterals, and of both shapes together, reach the
 //! converged stiffness of the reference sections.
 //!
-//! Source: `tests/reference/gmsh/README.md` for the meshes (other cells and other
-//! node places than those of the reference meshes), `tests/reference/sections`
-//! for the values: K extrapolated from refined meshes, with the uncertainty of each
-//! entry; M of the reference mesh, which has the same straight boundaries.
+//! Source: `tests/reference/gmsh/README.md` for the meshes (other cells and node positions
+//! than the reference meshes), `tests/reference/sections` for the values: K extrapolated
+//! from refined meshes, with the uncertainty of each entry; M of the reference mesh, which
+//! has the same straight boundaries.
 
 use std::path::PathBuf;
 
@@ -19,15 +19,14 @@ use crate::sections::{scaled_error, solved};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/gmsh/sections");
 
-/// What these meshes may add to the uncertainty of the converged values, relative to
-/// `sqrt(K_ii K_jj)`: on the reference meshes with 8 cells across the rectangles
-/// the largest error is 1.1e-4, that of torsion, and quadratic cells lower it with
-/// the fourth power; these have 14, (8/14)^4 = 0.107. The meshes of the channel and
-/// the box are graded towards their corners, so that the uncertainty is larger than
-/// what they add.
+/// Allowance for these meshes in addition to the uncertainty of the converged values,
+/// relative to `sqrt(K_ii K_jj)`: on the reference meshes with 8 cells across the
+/// rectangles the largest error is 1.1e-4, in torsion, and quadratic cells reduce it with
+/// the fourth power; these have 14, (8/14)^4 = 0.107. The meshes of the channel and the box
+/// are graded towards their corners, so that the uncertainty is larger than their error.
 const ALLOWANCE: f64 = 1.2e-5;
 
-/// The boundaries are the same to the sixteen digits of the files.
+/// The boundaries are equal to the sixteen digits of the files.
 const MASS_TOLERANCE: f64 = 1e-12;
 
 fn read(name: &str, file: &str) -> Mesh {

@@ -1,9 +1,9 @@
-//! Sections of blades that the generator meshes: the active-twist blade beside its table,
-//! and a box-spar beside the theory of thin walls.
+//! Sections of blades meshed by the generator: the active-twist blade against its table,
+//! and a box-spar against the theory of thin walls.
 //!
 //! Sources: `tests/reference/theory/blade_table_13_3.json` (Masarati, Table 13.3, and an
-//! independent program on a mesh of its own, of the same plies and materials); Bredt's
-//! theory of thin-walled sections of several cells.
+//! independent program on its own mesh, of the same plies and materials); Bredt's theory of
+//! thin-walled sections of several cells.
 
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
@@ -60,9 +60,9 @@ fn reference(model: &str, key: &str) -> Matrix6<f64> {
     Matrix6::from_fn(|i, j| entry(i.min(j), i.max(j)))
 }
 
-/// The entries that the plies settle; the 3 % are what is asked for, the thesis' own
-/// meshes still change by 0.5 to 3 % in the last step. What the others miss, and why, is
-/// in the README of the case.
+/// The entries determined by the plies; 3 % is the required accuracy, as the meshes of the
+/// thesis still change by 0.5 to 3 % in the last step. The differences of the other entries
+/// are explained in the README of the case.
 #[test]
 fn active_twist_section_is_that_of_the_table() {
     let [.., fine] = found();
@@ -82,9 +82,9 @@ fn active_twist_section_is_that_of_the_table() {
     }
 }
 
-/// Both meshes are of some 8000 nodes. Halving the cells of ours changes no entry by more
-/// than 5e-4 of sqrt(Kii Kjj) (shear out of plane, see the figure of the case), and the
-/// other mesh cannot be better: 1e-3.
+/// Both meshes have about 8000 nodes. Halving the cells of our mesh changes no entry by
+/// more than 5e-4 of sqrt(Kii Kjj) (shear out of plane, see the figure of the case), and
+/// the other mesh cannot be better: 1e-3.
 #[test]
 fn active_twist_section_is_that_of_an_independent_program() {
     let [.., fine] = found();
@@ -112,10 +112,11 @@ fn forces_per_volt() -> [Vector6<f64>; 3] {
 /// Effective spacing of the fingers in the section files [in].
 const SPACING: f64 = 0.01216;
 
-/// The table has 0.186 lb ft/V, to which the spacing is calibrated: to its digits. What the
-/// plies make of a field is another matter: the independent program gives 2.2618e-6 lb ft
-/// for 1 V/in and constants a thousand times smaller, to what two meshes differ by; its
-/// other forces are small, and are compared beside `sqrt(Kii/K44)` times the torque.
+/// The table has 0.186 lb ft/V, to which the spacing is calibrated: agreement to its
+/// digits. The response of the plies to a field is a separate check: the independent
+/// program gives 2.2618e-6 lb ft for 1 V/in and constants a thousand times smaller; the
+/// results agree to the difference between the two meshes; its other forces are small, and
+/// are compared relative to `sqrt(Kii/K44)` times the torque.
 #[test]
 fn active_plies_twist_as_in_the_table() {
     let [coarse, medium, fine] = forces_per_volt();
@@ -157,10 +158,10 @@ fn active_plies_twist_as_in_the_table() {
     );
 }
 
-/// The entries that depend on the mesh approach those of the finest one. With cells 4, 2
-/// and 1 long, errors that fall with their square leave (16 - 1) / (4 - 1) = 5 between the
-/// differences from the finest mesh, those that fall with the length (4 - 1) / (2 - 1) = 3.
-/// The ends of plies, where stresses are singular, bring somewhat less: more than 2.
+/// The entries that depend on the mesh converge to the entries of the finest mesh. With
+/// cells of length 4, 2 and 1, the differences from the finest mesh have the ratio
+/// (16 - 1) / (4 - 1) = 5 for second-order errors and (4 - 1) / (2 - 1) = 3 for first-order errors.
+/// The singular stresses at the ends of plies reduce the ratio: more than 2.
 #[test]
 fn active_twist_section_converges() {
     let [coarse, medium, fine] = found();
@@ -171,8 +172,8 @@ fn active_twist_section_converges() {
     }
 }
 
-/// The committed meshes are what the generator makes of the committed files: the same
-/// cells, nodes within the round-off of trigonometric functions on other machines.
+/// The committed meshes equal the generated meshes of the committed files: the same cells,
+/// nodes within the round-off of trigonometric functions on other machines.
 #[test]
 fn committed_meshes_are_those_of_their_files() {
     for name in MESHES {
@@ -194,8 +195,8 @@ fn committed_meshes_are_those_of_their_files() {
     }
 }
 
-/// "+-45" glass is half the sum of the laws at +45 and -45 degrees; the file has it with a
-/// tenth of a psi.
+/// "+-45" glass is half the sum of the laws at +45 and -45 degrees; the file contains it to
+/// a tenth of a psi.
 #[test]
 fn glass_is_the_mean_of_its_two_directions() {
     let (c11, c12, c22, c66) = (2.15e6, 0.19e6, 1.98e6, 0.28e6);
@@ -242,8 +243,8 @@ fn ellipse() -> Vec<[f64; 2]> {
 /// Distance of the outer faces of the webs from the center.
 const WEBS: f64 = 0.3;
 
-/// Length and area below of the upper middle surface at this depth, between two places
-/// from the center: by many chords of the offset ellipse.
+/// Length of the upper middle surface at this depth, and area below it, between two
+/// positions from the center: by many chords of the offset ellipse.
 fn half_wall([from, to]: [f64; 2], depth: f64) -> [f64; 2] {
     let place = |angle: f64| {
         let [a, b] = AXES;
@@ -315,8 +316,8 @@ fn torsion(skin: f64, spar: Option<Spar>, size: f64) -> f64 {
 
 const BREDT: &str = "thin-walled cells, Bredt";
 
-/// What thin walls leave out is of the order t^2/R^2, 1e-4 where the ellipse is most bent
-/// (R = 0.08), and cells of 2 % of the chord add as much.
+/// The error of thin-wall theory is of the order t^2/R^2, 1e-4 at the largest curvature of
+/// the ellipse (R = 0.08), and the error of cells of 2 % of the chord is as large.
 #[test]
 fn torsion_of_a_skin_is_that_of_a_thin_walled_tube() {
     let [skin, _] = WALLS;
@@ -329,11 +330,11 @@ fn torsion_of_a_skin_is_that_of_a_thin_walled_tube() {
     assert!(error < 2e-4, "{found:e}, expected {expected:e}: {error:e}");
 }
 
-/// A box-spar of plies that turn into its webs makes three cells. Where walls of unlike
-/// thickness meet, lines in their middle leave out parts of the order t/h, 1 %, and the
-/// first cells a part of their length over h. Both are halved with thickness and cells:
-/// `2 e(t/2) - e(t)` is free of them, and keeps some (t/h)^2, 1e-4, and errors of the
-/// cells, 1e-4, three times: 5e-4.
+/// A box-spar of plies that turn into its webs has three cells. At joints of walls of
+/// different thickness, the middle lines have errors of the order t/h, 1 %, and the first
+/// cells errors in proportion to their length over h. Both are halved with thickness and
+/// cells: `2 e(t/2) - e(t)` is free of them; the remaining errors are about (t/h)^2, 1e-4,
+/// and three times the errors of the cells, 1e-4: 5e-4.
 #[test]
 fn torsion_of_a_box_spar_is_that_of_three_cells() {
     let all = Some([f64::NEG_INFINITY, f64::INFINITY]);

@@ -7,14 +7,14 @@
 //! - [lekhnitskii] Lekhnitskii, *Theory of Elasticity of an Anisotropic Elastic
 //!   Body*, 1963, chapters 3 and 4: extension, bending and torsion of bars that are
 //!   anisotropic off their axis; torsion of an orthotropic rectangle.
-//! - [renton] Renton, *Generalized beam theory applied to shear stiffness*, Int. J.
-//!   Solids Structures 27 (1991) 1955-1967: shear stiffness from the energy of the
-//!   Saint-Venant solution. (Cowper, J. Appl. Mech. 33 (1966) 335-340, averages
-//!   displacements instead, `10 (1 + nu) / (12 + 11 nu)` for the rectangle; the
-//!   stiffness that belongs to a compliance is that of the energy.)
-//! - [schramm] Schramm, Kitis, Kang, Pilkey, *On the shear deformation coefficient in
-//!   beam theory*, Finite Elements Anal. Des. 16 (1994) 141-162: the same for other
-//!   shapes, the tube among them.
+//! - [renton] Renton, *Generalized beam theory applied to shear stiffness*, Int. J. Solids
+//!   Structures 27 (1991) 1955-1967: shear stiffness from the energy of the Saint-Venant
+//!   solution. (Cowper, J. Appl. Mech. 33 (1966) 335-340, averages displacements instead,
+//!   `10 (1 + nu) / (12 + 11 nu)` for the rectangle; the stiffness that belongs to a
+//!   compliance follows from the energy.)
+//! - [schramm] Schramm, Kitis, Kang, Pilkey, *On the shear deformation coefficient in beam
+//!   theory*, Finite Elements Anal. Des. 16 (1994) 141-162: the same for other shapes,
+//!   including the tube.
 
 use std::f64::consts::PI;
 
@@ -30,7 +30,7 @@ use crate::sections::{isotropic, of_two, orthotropic, relative_error, solved, un
 
 const NU: f64 = 0.3;
 
-// The sources as the validation page names them.
+// The sources as named on the validation page.
 const SAINT_VENANT: &str = "Saint-Venant's solutions";
 const SHEAR: &str = "Shear stiffness from the energy of Saint-Venant's solution";
 const OFF_AXIS: &str = "Lekhnitskii's solutions";
@@ -44,7 +44,7 @@ const QUADRATIC: [CellKind; 3] = [
     CellKind::Quadrilateral9,
 ];
 
-/// Cells of one family: its kinds, and the least order of convergence to observe.
+/// Cells of one family: its kinds, and the least required order of convergence.
 ///
 /// The theory has order 2 for linear cells and 4 for quadratic ones.
 struct Family {
@@ -71,17 +71,17 @@ const FAMILIES: [Family; 2] = [
     },
 ];
 
-/// What a corner takes from the order of torsion with quadratic triangles: the torsion
-/// function goes as r^2 log r there, and the error as h^4 log(1/h). Between n and 2 n
-/// cells the logarithm costs at most log2(log 2n / log n) = 0.47 (n = 6), 0.36 (n = 12),
-/// if nothing else is left of the error; observed are 0.38 and 0.30. Quadratic
-/// quadrilaterals, whose error is a quarter of it, lose less (0.27, 0.23, within their
-/// bound), and linear cells do not see it.
+/// Reduction of the order of torsion by a corner with quadratic triangles: the torsion
+/// function varies as r^2 log r there, and the error as h^4 log(1/h). Between n and 2 n
+/// cells the logarithm reduces the order by at most log2(log 2n / log n) = 0.47 (n = 6),
+/// 0.36 (n = 12), if the error has no other part; observed are 0.38 and 0.30. Quadratic
+/// quadrilaterals, with a quarter of the error, lose less (0.27, 0.23, within their bound),
+/// and linear cells are not affected.
 const CORNER_LOSS: f64 = 0.2;
 
-/// Checks the observed orders of stiffness entries (name, index on the diagonal,
-/// closed form) over three meshes for all kinds of cells; `loss` is what the least
-/// order of quadratic triangles is lowered by.
+/// Checks the observed orders of stiffness entries (name, index on the diagonal, closed
+/// form) over three meshes for all kinds of cells; `loss` is the reduction of the least
+/// order of quadratic triangles.
 fn check_orders(
     what: &str,
     cells: impl Fn(&Family) -> [usize; 3],
@@ -117,7 +117,7 @@ fn check_orders(
     }
 }
 
-/// The kind of cell in the words of the validation page.
+/// The kind of cell as named on the validation page.
 pub fn cells_of(kind: CellKind) -> String {
     let shape = match kind.corner_count() {
         3 => "triangles",
@@ -168,7 +168,7 @@ fn tube(inner: f64, outer: f64, cells: usize, kind: CellKind) -> Mesh {
 /// `J = a b^3 (1/3 - 64/pi^5 b/a sum_{n odd} tanh(n pi a / 2b) / n^5)`, [saint-venant],
 /// (S-35).
 ///
-/// Terms fall with n^-5: 200 of them leave less than 1e-12.
+/// Terms decrease with n^-5: the error of 200 terms is less than 1e-12.
 fn torsion_constant(a: f64, b: f64) -> f64 {
     let (a, b) = (a.max(b), a.min(b));
     let term = |n: f64| (n * PI * a / (2.0 * b)).tanh() / n.powi(5);
@@ -238,8 +238,8 @@ fn the_closed_forms_meet_their_tables() {
     }
 }
 
-/// Square of side 1, E = 1: EA = 1, EI = 1/12. Quadratic cells contain the exact
-/// field (Poisson contraction quadratic in y, z), so that only round-off is left.
+/// Square of side 1, E = 1: EA = 1, EI = 1/12. Quadratic cells contain the exact field
+/// (Poisson contraction quadratic in y, z), so that the error is only round-off.
 #[test]
 fn square_extension_and_bending_are_exact() {
     for kind in QUADRATIC {
@@ -295,10 +295,10 @@ fn square_torsion_and_shear_converge() {
     );
 }
 
-/// Rectangles of width/depth r: the shear factors along the depth of [renton] for
-/// nu = 0.3, six digits, and the torsion series. The tolerance is what 16 quadratic
-/// cells per side leave by the errors and orders above, 1e-5, and ten times that for
-/// cells stretched to 5:1.
+/// Rectangles of width/depth r: the shear factors along the depth of [renton] for nu = 0.3,
+/// six digits, and the torsion series. The tolerance is the error of 16 quadratic cells per
+/// side by the errors and orders above, 1e-5, and ten times that for cells stretched to
+/// 5:1.
 #[test]
 fn rectangles_have_their_shear_factors_and_torsion() {
     let g = 1.0 / (2.0 * (1.0 + NU));
@@ -327,7 +327,7 @@ fn rectangles_have_their_shear_factors_and_torsion() {
 }
 
 /// Ellipse 2:1: `GJ = G pi a^3 b^3 / (a^2 + b^2)`, [saint-venant], (S-36), and EA, EI of the
-/// area. Curved sides: the boundary is met to fourth order.
+/// area. Curved sides: the boundary is approximated to fourth order.
 #[test]
 fn ellipse_torsion_and_bending_converge() {
     let (a, b) = (2.0_f64, 1.0_f64);
@@ -346,7 +346,7 @@ fn ellipse_torsion_and_bending_converge() {
     );
 }
 
-/// Shear of the ellipse 2:1, which has no closed form here: the order shows in the
+/// Shear of the ellipse 2:1, which has no closed form here: the order follows from the
 /// differences of three meshes, `log2 |k(n) - k(2n)| / |k(2n) - k(4n)|`.
 #[test]
 fn ellipse_shear_converges() {
@@ -540,15 +540,14 @@ fn check_two_parts(moduli: [f64; 2], tolerance: f64) {
     }
 }
 
-/// Two materials of equal Poisson's ratio: the parts contract alike, so that
-/// extension and bending are sums over the areas, exactly.
+/// Two materials of equal Poisson's ratio: the parts contract equally, so that extension
+/// and bending are sums over the areas, exactly.
 #[test]
 fn two_materials_of_equal_poisson_ratio_add_up() {
     check_two_parts([10.0, 1.0], 1e-12);
 }
 
-/// The same with moduli a thousand million apart, either way round: no more than a
-/// few digits may be lost.
+/// The same with moduli in the ratio 1e9, in either order: only a few digits may be lost.
 #[test]
 fn moduli_far_apart_keep_the_digits() {
     check_two_parts([1e9, 1.0], 1e-11);
@@ -556,9 +555,8 @@ fn moduli_far_apart_keep_the_digits() {
     check_two_parts([210e9, 210.0], 1e-11);
 }
 
-/// Two materials of unequal Poisson's ratio hinder each other's contraction: the
-/// stiffness exceeds the sums, but not by more than plane strain would,
-/// `1 / (1 - nu^2)` at most.
+/// Two materials of unequal Poisson's ratio hinder each other's contraction: the stiffness
+/// exceeds the sums, but by at most the factor of plane strain, `1 / (1 - nu^2)`.
 #[test]
 fn unequal_poisson_ratios_stiffen() {
     let mesh = rectangle(1.0, 2.0, [8, 16], CellKind::Quadrilateral9);
@@ -618,10 +616,10 @@ fn principal_axes_are_those_of_the_moments_of_area() {
     }
 }
 
-/// Principal axes of bending of a ply off the axis, [lekhnitskii]: bending alone, with
-/// all other internal forces zero, has the stiffness I/S11 about the axes of symmetry of a
-/// rectangle, wherever it lies and however it is turned. The block of the stiffness matrix,
-/// which holds twist and shears at zero, is another: about y more by 60 %.
+/// Principal axes of bending of a ply off the axis, [lekhnitskii]: bending alone, with all
+/// other internal forces zero, has the stiffness I/S11 about the axes of symmetry of a
+/// rectangle, for any position and angle. The block of the stiffness matrix, for zero twist
+/// and shears, differs: about y by 60 % more.
 #[test]
 fn principal_axes_of_an_off_axis_ply_are_those_of_bending_alone() {
     let (width, height, degrees) = (2.0_f64, 1.0_f64, 25.0_f64);
@@ -641,7 +639,7 @@ fn principal_axes_of_an_off_axis_ply_are_those_of_bending_alone() {
             cell.plane_angle = turn;
         }
         let axes = solved(&section).principal_bending;
-        // the axis that is nearest to y, and the other
+        // the axis nearest to y, and the other
         let from_y = axes.angle - turn;
         let (about_y, about_z, angle) = match from_y.cos().abs() > 0.7 {
             true => (axes.first, axes.second, from_y),

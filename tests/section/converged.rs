@@ -1,6 +1,5 @@
-//! The reference sections with other cells than those of their meshes: 8- and 9-node
-//! quadrilaterals, and both with 6-node triangles in one mesh, against the converged
-//! values.
+//! The reference sections with other cells than their meshes: 8- and 9-node quadrilaterals,
+//! and both with 6-node triangles in one mesh, against the converged values.
 //!
 //! Source: `converged` in `tests/reference/sections`, extrapolated from refinements of
 //! 6-node triangles by an independent program, with an uncertainty for each entry.
@@ -21,7 +20,7 @@ use crate::sections::{section_mesh, solved};
 
 pub const CONVERGED: &str = "Converged values of an independent program, from other meshes";
 
-/// Records the entry of the stiffness that is nearest to its bound.
+/// Records the entry of the stiffness nearest to its bound.
 pub fn record_nearest(what: &str, error: &Matrix6<f64>, bound: &Matrix6<f64>) {
     let ratio = error.component_div(bound);
     // round-off does not choose between entries that symmetry makes equal
@@ -30,7 +29,7 @@ pub fn record_nearest(what: &str, error: &Matrix6<f64>, bound: &Matrix6<f64>) {
     record::largest(CONVERGED, what, "stiffness", error[nearest], bound[nearest]);
 }
 
-/// What the cells of a mesh are.
+/// The cells of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Cells {
     Eight,
@@ -64,8 +63,7 @@ impl Cells {
     }
 }
 
-/// The section of a case on `mesh`, whose group g is that with the number `tag(g)` in
-/// the case.
+/// The section of a case on `mesh`, whose group g is group number `tag(g)` of the case.
 fn section(case: &Value, mesh: &Mesh, tag: impl Fn(usize) -> usize) -> Section {
     let mesh = section_mesh(mesh);
     let cells = mesh.cells.iter().map(|cell| {
@@ -135,8 +133,8 @@ fn check_stiffness(what: &str, section: &Section, case: &Value, tolerance: f64) 
     );
 }
 
-/// The shear center of the converged solution, within `limit` of the size of the
-/// section: a ratio of two entries that are uncertain, without an uncertainty of its own.
+/// The shear center of the converged solution, within `limit` of the size of the section: a
+/// ratio of two uncertain entries, without an uncertainty in the reference.
 fn check_shear_center(what: &str, section: &Section, case: &Value, found: [f64; 2], limit: f64) {
     let places = section.mesh.nodes.iter().flatten();
     let size = places.fold(0.0_f64, |size, x| size.max(x.abs()));
@@ -148,12 +146,13 @@ fn check_shear_center(what: &str, section: &Section, case: &Value, found: [f64; 
     }
 }
 
-/// Beside the uncertainty: it is itself estimated from two or three meshes, and a mixed
-/// mesh has small couplings where symmetry leaves none (and no uncertainty).
+/// Allowance in addition to the uncertainty: the uncertainty is an estimate from two or
+/// three meshes, and a mixed mesh has small couplings that are zero by symmetry (with zero
+/// uncertainty).
 const SMOOTH: f64 = 2e-6;
 
-/// The same for boxes, whose entries are uncertain by 1e-3 to 6e-3 at the corners of
-/// their plies, and where these meshes are off by 5e-4.
+/// The same for boxes, whose entries have an uncertainty of 1e-3 to 6e-3 due to the corners
+/// of their plies, and for which these meshes have errors of 5e-4.
 const LAMINATED: f64 = 1e-4;
 
 fn rectangle(name: &str, [width, height]: [f64; 2], cells: [usize; 2]) {
@@ -246,7 +245,7 @@ fn boxes() {
     check_box("vabs_box_cus_15_psi", [0.4765, 0.265], [0.4465, 0.235]);
 }
 
-/// Curved outlines, which the stored meshes make polygons: here parabolas.
+/// Curved outlines, which are polygons in the stored meshes: here parabolas.
 #[test]
 fn round_sections() {
     for kind in [CellKind::Quadrilateral8, CellKind::Quadrilateral9] {

@@ -26,10 +26,10 @@ use shared_geom::wrench;
 use crate::record;
 use crate::sections::{isotropic, orthotropic, relative_error, scaled_error, solved, uniform};
 
-// The sources as the validation page names them.
+// The sources as named on the validation page.
 const GOLOVIN: &str = "Golovin's curved bar";
 const PRETWIST: &str = "Pretwisted bars, first order";
-const FRAME: &str = "The same beam seen otherwise";
+const FRAME: &str = "The same beam in another frame";
 
 const FILE: &str = "tests/reference/theory/curved_twisted.json";
 
@@ -61,8 +61,8 @@ pub fn rectangle(width: f64, height: f64, cells: [usize; 2]) -> Mesh {
     .expect("sound measures")
 }
 
-/// A solution whose own checks are at round-off: the identities, the symmetry of the
-/// strains and their equality with the energy.
+/// A solution whose checks are at round-off: the identities, the symmetry of the strains
+/// and their equality with the energy.
 pub fn sound(section: &Section) -> SectionSolution {
     let solution = solved(section);
     let checks = &solution.checks;
@@ -110,9 +110,9 @@ fn golovin_bending(ring: &Ring) -> f64 {
 /// Rings with R/h = 5, 2, 1 and no Poisson's ratio, so that plane stress is exact: pure
 /// bending, a shear force, a force through the center of curvature.
 ///
-/// 32 cells of degree 2 across the section: errors fall as h^4, from 1e-9 (R/h = 5) to
-/// 1e-7 (R/h = 1) in bending, and are some twenty times larger where shear takes part. Asked
-/// for is what the prototype of the theory has on half as many cells.
+/// 32 cells of degree 2 across the section: errors decrease as h^4, from 1e-9 (R/h = 5) to
+/// 1e-7 (R/h = 1) in bending, and are about twenty times larger with shear. The required
+/// accuracy is the accuracy of the prototype of the theory with half the number of cells.
 #[test]
 fn rings_are_those_of_golovin() {
     let reference = reference();
@@ -151,8 +151,8 @@ fn rings_are_those_of_golovin() {
 /// ```
 ///
 /// with r = R - y, from the middle of the section to its faces; their resultants are the
-/// load. Stresses on 32 cells of degree 2 are of second order at any place: some 1e-4 of
-/// the largest, 14 times the stress of a straight bar's half.
+/// load. Stresses on 32 cells of degree 2 are of second order at any point: errors are
+/// about 1e-4 of the largest stress, which is 1.5 times the stress of a straight bar.
 #[test]
 fn stresses_of_a_ring_are_those_of_golovin() {
     let (radius, h, w) = (1.0, 1.0, 0.5);
@@ -202,9 +202,9 @@ fn stresses_of_a_ring_are_those_of_golovin() {
     }
 }
 
-/// `K14 = E k1 (Ip - J)` to first order in k1, for any isotropic section and any
-/// Poisson's ratio. Ip - J in closed form for the ellipse, by the straight analysis of
-/// the same mesh for the strip: what is left falls with k1^2.
+/// `K14 = E k1 (Ip - J)` to first order in k1, for any isotropic section and any Poisson's
+/// ratio. Ip - J in closed form for the ellipse, by the straight analysis of the same mesh
+/// for the strip: the difference decreases with k1^2.
 #[test]
 fn pretwist_couples_extension_and_twist() {
     let (a, b) = (2.0_f64, 1.0_f64);
@@ -221,7 +221,7 @@ fn pretwist_couples_extension_and_twist() {
         let polar = PI * a * b * (a * a + b * b) / 4.0;
         let torsion = PI * (a * b).powi(3) / (a * a + b * b);
         let section = uniform(&ellipse, isotropic(1.0, nu), 0.0);
-        // J of the mesh is good to 1e-5 of Ip
+        // J of the mesh is accurate to 1e-5 of Ip
         check_pretwist("ellipse 2:1", nu, &section, polar - torsion, 2e-5);
 
         let section = uniform(&strip, isotropic(1.0, nu), 0.0);
@@ -247,17 +247,17 @@ fn check_pretwist(name: &str, nu: f64, section: &Section, arm: f64, tolerance: f
         tolerance,
     );
     assert!(error < tolerance, "{case}: {found}");
-    // what is left falls with the square of the twist: four times from 0.02 to 0.01;
-    // higher terms and the error of the mesh leave a tenth
+    // the difference decreases with the square of the twist: by a factor of four from 0.02
+    // to 0.01; higher terms and the error of the mesh are a tenth
     let (one, two) = (ratio(0.01) - ratio(1e-4), ratio(0.02) - ratio(1e-4));
     assert!((two / one - 4.0).abs() < 0.4, "{case}: {}", two / one);
 }
 
-/// A round isotropic tube has no orientation: seen from a frame that turns along it its
-/// stiffness is the same; and so is that of its translation, seen from a helix.
+/// A round isotropic tube has no orientation: its stiffness is the same in a frame that
+/// turns along it; and so is the stiffness of the moved tube along a helix.
 ///
-/// The error is that of the mesh, whose 64 sides turn with the frame: at k1 = 1e-6
-/// round-off is all that is left.
+/// The error is due to the mesh, whose 64 sides turn with the frame: at k1 = 1e-6 only
+/// round-off remains.
 #[test]
 fn a_tube_does_not_know_that_its_frame_turns() {
     let tube = Tube {
@@ -275,7 +275,7 @@ fn a_tube_does_not_know_that_its_frame_turns() {
     for (k1, tolerance) in [(1e-6, 1e-14), (0.01, 5e-11), (0.2, 2e-8), (1.0, 5e-7)] {
         let found = sound(&curved(&section, [k1, 0.0, 0.0])).stiffness;
         let error = scaled_error(&found, &straight);
-        // a line through t that runs straight: l = e1 - k x t, seen from the frame
+        // a straight line through t: l = e1 - k x t in the frame
         let slope = Vector3::x() - Vector3::new(k1, 0.0, 0.0).cross(&-t);
         let mut moved = along(&section, [k1, 0.0, 0.0], slope.into());
         for node in &mut moved.mesh.nodes {
@@ -304,7 +304,7 @@ pub const PLY: EngineeringConstants = EngineeringConstants {
     nu23: 0.5,
 };
 
-/// A rectangle 1 x 2 of plies at 20 degrees: every coupling once the beam is curved.
+/// A rectangle 1 x 2 of plies at 20 degrees: every coupling if the beam is curved.
 pub fn ply_bar(cells: [usize; 2]) -> Section {
     uniform(
         &rectangle(1.0, 2.0, cells),
@@ -337,8 +337,8 @@ fn stiffness_moves_with_the_reference_point() {
     }
 }
 
-/// As k goes to zero the stiffness goes to that of the straight beam in proportion:
-/// there is no noise floor above round-off (1e-13) down to |k| = 1e-10.
+/// As k tends to zero, the difference of the stiffness from the straight beam tends to zero
+/// in proportion: there is no noise floor above round-off (1e-13) down to |k| = 1e-10.
 #[test]
 fn curvature_goes_to_zero_in_proportion() {
     let section = ply_bar([6, 8]);
@@ -360,14 +360,13 @@ fn curvature_goes_to_zero_in_proportion() {
 }
 
 /// A straight prism cut obliquely is the same prism: its generators run along l, and the
-/// section normal to them is the oblique one seen along l.
+/// section normal to them is the projection of the oblique section along l.
 ///
 /// With Q the axes of the normal section, compliances per length of the line agree for
 /// tension along l, torsion and bending, the internal forces that are constant along the
-/// beam: `C_oblique = |l| Q C_normal Q'` on these. (The energy of a shear force between
-/// two cuts depends on the ends, `T G + G T'` with a symmetric G, which vanishes there.)
-/// The two meshes are affine images of each other, so that round-off is all that
-/// differs.
+/// beam: `C_oblique = |l| Q C_normal Q'` on these. (The energy of a shear force between two
+/// cuts depends on the ends, `T G + G T'` with a symmetric G, which vanishes there.) The
+/// two meshes are affine images of each other, so that they differ only by round-off.
 #[test]
 fn an_oblique_cut_shows_the_same_prism() {
     let l = Vector3::new(1.0, 0.4, -0.3);
@@ -390,7 +389,7 @@ fn an_oblique_cut_shows_the_same_prism() {
     let found = sound(&oblique).compliance;
     let turn = wrench::rotation_matrix(&q);
     let expected = l.norm() * turn * solved(&normal).compliance * turn.transpose();
-    // what is constant along the beam: a force along l, and the moments
+    // internal forces that are constant along the beam: a force along l, and the moments
     let mut constant = nalgebra::Matrix6x4::zeros();
     constant.fixed_view_mut::<3, 1>(0, 0).copy_from(&tangent);
     constant.fixed_view_mut::<3, 3>(3, 1).fill_with_identity();
@@ -408,7 +407,7 @@ fn an_oblique_cut_shows_the_same_prism() {
 /// The law of plies at 20 degrees in the axes q, order xx yy zz yz xz xy.
 fn turned(law: &Matrix6<f64>, q: &Matrix3<f64>) -> Matrix6<f64> {
     let (s, c) = 20_f64.to_radians().sin_cos();
-    // material axes in section axes (fiber, wall, normal), then in those of q
+    // material axes in section axes (fiber, wall, normal), then in the axes q
     let ply = Matrix3::new(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0);
     let axes = q.transpose() * ply;
     let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
@@ -437,8 +436,8 @@ fn turned(law: &Matrix6<f64>, q: &Matrix3<f64>) -> Matrix6<f64> {
     })
 }
 
-/// The mass per length of a ring is that of its volume: `int rho J dA`, and the moments
-/// with it, in closed form for a rectangle of density one curved about z:
+/// The mass per length of a ring is the mass of its volume: `int rho J dA`, and the moments
+/// accordingly, in closed form for a rectangle of density one curved about z:
 /// `J = 1 - k3 y`, `m = h w`, `int rho y J = -k3 w h^3/12`.
 #[test]
 fn mass_is_that_of_the_volume() {
@@ -459,7 +458,8 @@ fn mass_is_that_of_the_volume() {
     close(mass[(5, 5)], iz);
 }
 
-/// A curvature whose center lies in the section folds a cell over itself: which one.
+/// A curvature whose center lies in the section folds a cell over itself; the error names
+/// the cell.
 #[test]
 fn curvature_too_large_is_refused() {
     let section = uniform(&rectangle(2.0, 1.0, [4, 2]), isotropic(1.0, 0.3), 0.0);

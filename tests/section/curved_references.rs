@@ -1,5 +1,5 @@
 //! Beams of initial curvature and twist: stored stiffness of an independent program, and
-//! what is known of approximate theories.
+//! approximate theories.
 //!
 //! # References
 //! - `tests/reference/theory/curved_twisted.json`: 6x6 matrices of a prototype in another
@@ -24,11 +24,11 @@ use crate::sections::{
     IDENTITY, identity_errors, isotropic, orthotropic, scaled_error, solved, uniform,
 };
 
-// The sources as the validation page names them.
+// The sources as named on the validation page.
 const PROTOTYPE: &str = "An independent program";
 const WINKLER: &str = "Winkler's curved bar";
 const RIGID: &str = "Rigid motions";
-const FRAME: &str = "The same beam seen otherwise";
+const FRAME: &str = "The same beam in another frame";
 
 const FILE: &str = "tests/reference/theory/curved_twisted.json";
 
@@ -81,8 +81,8 @@ fn compare(case: &str, section: &Section, stored: &[[f64; 6]; 6], tolerance: f64
     assert!(error < tolerance, "{case}: {error:e}");
 }
 
-/// On the mesh of the other program eight digits agree: half a unit of the eighth is 5e-8
-/// of a number that begins with 1.
+/// On the mesh of the other program eight digits agree: half a unit of the eighth digit is
+/// 5e-8 of a number that begins with 1.
 const DIGITS: f64 = 1e-7;
 
 #[test]
@@ -96,9 +96,9 @@ fn rings_are_those_of_an_independent_program() {
     }
 }
 
-/// Twist up to k1 b = 0.4, all couplings that it makes. The mesh of the other program's
-/// ellipse is not known: its K14 at small twist is off by 2e-5 of the closed form, 1e-5 of
-/// `sqrt(K11 K44)`, and that is what can be asked for.
+/// Twist up to k1 b = 0.4, with all its couplings. The mesh of the other program's ellipse
+/// is unknown: its K14 at small twist has an error of 2e-5 of the closed form, 1e-5 of
+/// `sqrt(K11 K44)`, which is the tolerance here.
 #[test]
 fn twisted_bars_are_those_of_an_independent_program() {
     let strip = rectangle(2.0, 0.2, [32, 4]);
@@ -145,17 +145,17 @@ fn general_curvature_is_that_of_an_independent_program() {
     compare("general curvature", &section, &stiffness, DIGITS);
 }
 
-/// Winkler's beam is stiffer and softer than the bar by what it leaves out: 0.4, 2.5 and
-/// 10.6 % of C66 at R/h = 5, 2, 1, to the digits of these figures; and K16, by the
-/// stresses of a stretched fiber alone,
+/// The neglected stresses of Winkler's beam change C66 by 0.4, 2.5 and 10.6 % at
+/// R/h = 5, 2, 1, to the digits of these figures; and K16, from the stresses of a stretched fiber
+/// alone,
 ///
 /// ```text
 /// K16 = -E int y/J dA ,   J = 1 - y/R
 /// int y/J dA = w R (R ln((2 R + h)/(2 R - h)) - h)
 /// ```
 ///
-/// is close: what is left out, stresses across the fibers, is of the order (h/R)^2, and
-/// 0.6 to 0.9 % of it here.
+/// is close: the neglected stresses across the fibers are of the order (h/R)^2, here 0.6 to
+/// 0.9 % of it.
 #[test]
 fn winkler_is_approximate_by_what_is_known() {
     let percentages = [-0.4, -2.5, -10.6];
@@ -169,7 +169,7 @@ fn winkler_is_approximate_by_what_is_known() {
         let off = 100.0 * (winkler / solution.compliance[(5, 5)] - 1.0);
         let case = format!("ring, R/h = {}", r / h);
         println!("{case}: {off:.3} %");
-        let name = "Winkler's C66, off by [%]";
+        let name = "error of Winkler's C66 [%]";
         let error = (off - percent).abs();
         record::value(WINKLER, &case, name, [off, percent], error, 0.05);
         assert!(error < 0.05, "{case}: {off}");
@@ -204,11 +204,11 @@ fn wound_tube(around: usize) -> Section {
     section
 }
 
-/// A wound tube does not know that its frame turns either, nor that its reference point
-/// runs on a helix, but for the direction of the wall, which is constant in each cell and
-/// does not turn with the place: off by up to the angle of half a cell, pi/n, whose mean is
-/// zero and whose square counts, 1e-2 at 32 cells, in what the twist of the frame changes,
-/// k1 R = 0.2. It falls with the square of the cells.
+/// The results of a wound tube do not depend on the turn of its frame, nor on a reference
+/// point that follows a helix, except for the direction of the wall, which is constant in
+/// each cell: it deviates by up to the angle of half a cell, pi/n, with zero mean. The
+/// square of the deviation, 1e-2 at 32 cells, is the relative error of the effect of the
+/// twist k1 R = 0.2. It decreases with the square of the cell size.
 #[test]
 fn a_wound_tube_does_not_know_that_its_frame_turns() {
     const K1: f64 = 0.2;
@@ -218,7 +218,7 @@ fn a_wound_tube_does_not_know_that_its_frame_turns() {
         let straight = solved(&section).stiffness;
         let turning = sound(&curved(&section, [K1, 0.0, 0.0])).stiffness;
         let error = scaled_error(&turning, &straight);
-        // a line through t that runs straight, seen from the frame
+        // a straight line through t, in the frame
         let slope = Vector3::x() + Vector3::new(K1, 0.0, 0.0).cross(&t);
         let mut moved = along(&section, [K1, 0.0, 0.0], slope.into());
         for node in &mut moved.mesh.nodes {
@@ -245,8 +245,9 @@ fn a_wound_tube_does_not_know_that_its_frame_turns() {
 }
 
 /// A prism cut obliquely, k = 0, is solved as a straight beam is, in two steps; curved ones
-/// of the same slope by the Schur form. All 36 entries of these go to those of the first
-/// in proportion to k: the change over k is the same, to the next order, 1e-3 at most.
+/// of the same slope by the Schur form. All 36 entries of the curved beams tend to the
+/// entries of the prism in proportion to k: the change over k is the same, to the next
+/// order, at most 1e-3.
 #[test]
 fn curved_beams_tend_to_the_oblique_prism() {
     let slope = [1.0, 0.4, -0.3];
@@ -270,8 +271,8 @@ fn curved_beams_tend_to_the_oblique_prism() {
 }
 
 /// All six identities in all six rigid motions, of straight, oblique, curved and twisted
-/// beams: of a bar of plies, whose couplings are all there, and of a wound tube. (Every other
-/// section that this suite solves meets them too.)
+/// beams: of a bar of plies, with all couplings, and of a wound tube. (They are also checked
+/// for every other section of this suite.)
 #[test]
 fn identities_hold_on_every_line() {
     let lines = [

@@ -1,5 +1,4 @@
-//! Loads distributed along the beam against polynomial solutions of the theory of
-//! elasticity.
+//! Distributed loads against polynomial solutions of the theory of elasticity.
 //!
 //! # References
 //! - [TimoshenkoGoodier] article 22: narrow beam under uniform pressure, its stresses
@@ -108,8 +107,8 @@ fn beam(cells: usize, material: Material) -> Section {
 type Stress<'a> = (usize, &'a str, &'a dyn Fn([f64; 2]) -> f64, f64);
 
 /// The stresses of a narrow beam under a load and no internal force, with 8, 16 and 32
-/// cells: their errors at the integration points fall with the square of the size of the
-/// cells or faster, as those of quadratic cells do.
+/// cells: their errors at the integration points decrease with the square of the cell size
+/// or faster, as expected for quadratic cells.
 fn check_beam(
     case: &str,
     load: impl Fn(&Section) -> DistributedLoad,
@@ -139,8 +138,8 @@ fn check_beam(
     found
 }
 
-/// sigma_xx and sigma_zz under a pressure of 1 per length on the upper face. sigma_xx,
-/// of third degree, is that of the warping along x, of the third order, and still better
+/// sigma_xx and sigma_zz under a pressure of 1 per length on the upper face. sigma_xx, of
+/// third degree, follows from the warping along x, of the third order, and is more accurate
 /// in the middle of the cells: the prototype of the theory has 1.5e-5 and 1.8e-3 at a
 /// column of points with 16 cells.
 #[test]
@@ -175,7 +174,7 @@ fn uniform_pressure_on_a_narrow_beam() {
         let expected = xx(point.place);
         (point.tensors.stress[0] - expected).abs()
     });
-    // relative to the largest of the whole height, which is at the faces
+    // relative to the largest over the height, which is at the faces
     let error = worst.fold(0.0, f64::max) / xx([0.0, C]).abs();
     println!("in the middle of cells: {error:e}");
     let name = "sigma_xx in the middle of cells";
@@ -183,8 +182,8 @@ fn uniform_pressure_on_a_narrow_beam() {
     assert!(error < 1.5e-5, "{error:e}");
 }
 
-/// A pressure q1 x on the upper face, at x = 0, where neither load nor internal force
-/// are: what is left is the shear that balances the growing sigma_xx = q1 x g(z),
+/// A pressure q1 x on the upper face, at x = 0, where load and internal force are zero:
+/// only the shear remains, which balances the increase of sigma_xx = q1 x g(z),
 ///
 /// ```text
 /// tau_xz = q1/(2I) (z^4/6 - c^2 z^2/5 + c^4/30)
@@ -209,9 +208,9 @@ fn pressure_that_grows_along_a_narrow_beam() {
     assert!(others.iter().all(|value| *value < 1e-10 * q), "{others:?}");
 }
 
-/// A pressure q2 x^2/2 on the upper face, at x = 0, where neither load nor internal force
-/// are. The stress function of plane stress is a sum of functions of z times the bending
-/// moment M and even derivatives of the load, with M,xx F0 = q G,
+/// A pressure q2 x^2/2 on the upper face, at x = 0, where load and internal force are zero.
+/// The stress function of plane stress is a sum of functions of z times the bending moment
+/// M and even derivatives of the load, with M,xx F0 = q G,
 ///
 /// ```text
 /// phi = M F0 + q F1 + q,xx F2        sigma_zz = phi,xx        sigma_xx = phi,zz
@@ -221,8 +220,8 @@ fn pressure_that_grows_along_a_narrow_beam() {
 /// F2,zz = z^2/4 - c^2/12 + 3 z^5/(80 c^3) + z^3/(40 c) - 87/2800 c^2 z/c
 /// ```
 ///
-/// where F1, F2 and their slopes are zero at both faces, so that they bear no force and no
-/// moment. Here sigma_xx = q2 F2,zz and sigma_zz = q2 F1.
+/// where F1, F2 and their slopes are zero at both faces, so that they have no resultant
+/// force or moment. Here sigma_xx = q2 F2,zz and sigma_zz = q2 F1.
 #[test]
 fn pressure_that_is_a_parabola_along_a_narrow_beam() {
     let q = 3.0;
@@ -234,12 +233,12 @@ fn pressure_that_is_a_parabola_along_a_narrow_beam() {
     let zz = |[_, z]: [f64; 2]| -q * z * (z * z - C * C).powi(2) / (40.0 * C.powi(3));
     let along = [0.0, 0.0, 0.5];
     let load = |section: &Section| on_curve(section, "top", Traction::Pressure(q), &along);
-    // of fifth degree, the next one beyond that of the warping: a tenth of (1/16)^2
+    // of fifth degree, the next one above the degree of the warping: a tenth of (1/16)^2
     let case = "parabolic pressure";
     let stresses: [Stress<'_>; 1] = [(0, "sigma_xx", &xx, 4e-4)];
     let found = check_beam(case, load, &stresses);
-    // zero at the faces with its slope: its order, that of strains, is yet to come there,
-    // and some (1/16)^2 times five are left
+    // zero at the faces with its slope: the order of strains is not yet reached there, and
+    // the error is about (1/16)^2 times five
     let errors = [0, 1, 2].map(|i: usize| error(&found[i], 2, zz));
     println!("{errors:?}");
     let name = "sigma_zz";
@@ -263,7 +262,7 @@ fn pressure_that_is_a_parabola_along_a_narrow_beam() {
     assert!(others.iter().all(|value| *value < 1e-10 * q), "{others:?}");
 }
 
-/// Coefficients about x of the polynomial with the given ones about zero.
+/// Coefficients about x of the polynomial with the given coefficients about zero.
 fn about(along: &[f64; 4], x: f64) -> [f64; 4] {
     let [c0, c1, c2, c3] = *along;
     [
@@ -274,10 +273,10 @@ fn about(along: &[f64; 4], x: f64) -> [f64; 4] {
     ]
 }
 
-/// A polynomial load of third degree told from any section is the same load: the warping
-/// of stations beside one, each with the polynomial about itself and the internal force
-/// that the load leaves there, changes along the beam at the rate that the state of this
-/// one has,
+/// A polynomial load of third degree described at any section is the same load: the warping
+/// of neighboring stations, each with the polynomial about its own section and the internal
+/// force due to the load there, changes along the beam at the rate of the state of this
+/// section,
 ///
 /// ```text
 /// d/dx ( X theta(x) + w(x) ) = X T' theta + w'         theta' = T' theta - H' f
@@ -324,7 +323,7 @@ fn polynomials_can_be_told_from_any_section() {
     }
     let of_force = central * (tt * force);
     let expected = &of_force + at(s).rate;
-    // round-off of warpings some ten times as large, over h
+    // round-off of warpings about ten times as large, over h
     let error = (&found - &expected).amax() / expected.amax();
     println!("{error:e}");
     record::largest(
@@ -335,7 +334,7 @@ fn polynomials_can_be_told_from_any_section() {
         1e-10,
     );
     assert!(error < 1e-10, "{error:e}");
-    // the load itself has a part in it
+    // the load itself contributes to it
     assert!((of_force - &expected).amax() > 0.1 * expected.amax());
 }
 
@@ -346,9 +345,9 @@ fn polynomials_can_be_told_from_any_section() {
 /// v'' = q/(E I) c^2 (4/5 + nu/2)      where the bending moment is zero
 /// ```
 ///
-/// In terms of the beam: the rate of the shear strain and the generalized curvature of
-/// the load, and the shape of the center that the growing moment makes,
-/// `v'' = C_33 q - y_5 + X_z,M2(0) q`, of which the load's own part is
+/// In terms of the beam: the rate of the shear strain and the generalized curvature of the
+/// load, and the deflection of the center due to the increasing moment,
+/// `v'' = C_33 q - y_5 + X_z,M2(0) q`, of which the part of the load is
 /// `y_5 = (2/5) nu q c^2/(E I)`.
 #[test]
 fn curvature_of_the_center_line_of_a_narrow_beam() {
@@ -411,9 +410,9 @@ fn curvature_of_the_center_line_of_a_narrow_beam() {
     assert!(relative_error(state.strain[0], expected) < 1e-10);
 }
 
-/// A bar that hangs under its weight: N/A everywhere, and nothing where N is zero,
-/// though it narrows along the beam; polynomials of second degree, exact on quadratic
-/// cells with straight sides.
+/// A bar that hangs under its weight: sigma_xx = N/A everywhere, and no stress where N is
+/// zero, although the bar narrows along the beam; polynomials of second degree, exact on
+/// quadratic cells with straight sides.
 #[test]
 fn hanging_bar() {
     let section = uniform(&rectangle(2.0, 1.0, [3, 2]), isotropic(1.0, 0.3), 0.0);
@@ -453,9 +452,9 @@ fn weight_of_a_narrow_beam() {
     check_beam("weight", |_| in_volume(force, &[1.0]), &stresses);
 }
 
-/// Force and moment per length: a weight is the mass matrix times the acceleration, on
-/// curved beams too; a shear along a border is its length times the shear, with its arm;
-/// a pressure is its projection.
+/// Force and moment per length: a weight gives the mass matrix times the acceleration, on
+/// curved beams too; a shear along a border gives its length times the shear, with its arm;
+/// a pressure acts on the projection of the border.
 #[test]
 fn forces_per_length_are_resultants() {
     let mesh = rectangle(2.0, 1.0, [4, 2]);
@@ -495,8 +494,8 @@ const RADIUS: f64 = 1.0;
 const HEIGHT: f64 = 0.5;
 const THICK: f64 = 0.2;
 
-/// A quarter of nothing: the section of a ring that is curved toward +y, so that the
-/// radius is `1 - y` and the inner face at the right.
+/// The section of a ring that is curved toward +y, so that the radius is `1 - y` and the
+/// inner face at the right.
 fn ring(cells: usize) -> Section {
     let mut section = uniform(
         &rectangle(HEIGHT, THICK, [cells, 1]),
@@ -531,7 +530,7 @@ fn hoop_force(hoop: impl Fn(f64) -> f64) -> Vector6<f64> {
 }
 
 /// Stresses of a ring under a load at 8, 16 and 32 cells along the radius, whose errors
-/// fall with the square of the size of the cells.
+/// decrease with the square of the cell size.
 fn check_ring(
     case: &str,
     load: impl Fn(&Section) -> DistributedLoad,
@@ -558,8 +557,8 @@ fn check_ring(
     }
 }
 
-/// Lame's ring: `sigma = A (1 -+ ro^2/r^2)`, A = p ri^2/(ro^2 - ri^2), which has the
-/// pressure on a surface that is shorter than the reference line.
+/// Lame's ring: `sigma = A (1 -+ ro^2/r^2)`, A = p ri^2/(ro^2 - ri^2), with the pressure on
+/// a surface that is shorter than the reference line.
 #[test]
 fn ring_under_inner_pressure() {
     let (inner, outer) = (RADIUS - 0.5 * HEIGHT, RADIUS + 0.5 * HEIGHT);

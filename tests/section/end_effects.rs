@@ -51,15 +51,15 @@ fn root(f: impl Fn(Complex<f64>) -> [Complex<f64>; 2], start: Complex<f64>) -> C
     x
 }
 
-/// A narrow strip, h = 1 along z, nu = 0, so that its plane is one of plane stress and of
-/// plane strain. End effects in its plane, of Papkovich and Fadle, with lambda h = x:
+/// A narrow strip, h = 1 along z, nu = 0, so that plane stress and plane strain are equal.
+/// End effects in its plane, of Papkovich and Fadle, with lambda h = x:
 ///
 /// ```text
 /// sin x + x = 0: extension      sin x - x = 0: bending
 /// ```
 ///
-/// and across it those of a thin plate with free edges, of which the slowest is
-/// `sin x = x/3` in Kirchhoff's theory, whose error is of the order of width over height.
+/// and across it the end effects of a thin plate with free edges, of which the slowest is
+/// `sin x = x/3` in Kirchhoff's theory, with an error of the order of width over height.
 #[test]
 fn strip() {
     let (width, height) = (0.05, 1.0);
@@ -117,7 +117,7 @@ fn bessel(x: Complex<f64>) -> [Complex<f64>; 2] {
     [value, slope]
 }
 
-/// A circular bar: torsion that its end does not hold as de Saint-Venant's decays by
+/// A circular bar: torsion whose end condition differs from de Saint-Venant's decays by
 /// `u = J1(lambda r)`, free of stress on the surface if J2(lambda a) = 0.
 #[test]
 fn torsion_of_a_circular_bar() {
@@ -148,8 +148,8 @@ fn torsion_of_a_circular_bar() {
     assert!(error < 1e-4, "{error:e}");
 }
 
-/// A material whose slowest end effect is a wave that is not the nearest to zero: however
-/// many are asked for, the first are the same.
+/// A material whose slowest end effect is a wave that is not the nearest to zero: the first
+/// modes are the same for any requested number.
 #[test]
 fn slowest_is_found_where_it_is_far_from_zero() {
     let mesh = Rectangle {
@@ -185,7 +185,7 @@ fn slowest_is_found_where_it_is_far_from_zero() {
     for wanted in 1..5 {
         let few = end_effects(&section, wanted);
         for (mode, expected) in few.modes.iter().zip(&many.modes) {
-            // both stand still to 1e-9
+            // both are converged to 1e-9
             let difference =
                 (mode.rate - expected.rate).hypot(mode.wave_number - expected.wave_number);
             assert!(
@@ -196,7 +196,7 @@ fn slowest_is_found_where_it_is_far_from_zero() {
     }
 }
 
-/// Restrained warping of an I section decays as Vlasov's theory has it, to the order of
+/// Restrained warping of an I section decays as in Vlasov's theory, to the order of
 /// thickness over height; it is the slowest of all.
 #[test]
 fn restrained_warping_of_a_thin_i_section() {

@@ -1,9 +1,9 @@
-//! Meshes that gmsh wrote in every format that is read: version 2.2 and 4.1, ascii
-//! and binary of either byte order.
+//! Meshes written by gmsh in every supported format: version 2.2 and 4.1, ascii and binary
+//! of either byte order.
 //!
-//! Source: `tests/reference/gmsh/README.md`. The six files of a mesh hold the same
-//! mesh, with coordinates that ascii files hold exactly, so that reading them must
-//! give equal meshes, to the last bit.
+//! Source: `tests/reference/gmsh/README.md`. The six files of a mesh contain the same mesh,
+//! with coordinates that are exact in ascii files, so that reading them must give equal
+//! meshes, to the last bit.
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
@@ -43,7 +43,7 @@ fn common(name: &str, formats: [&str; 3]) -> Mesh {
     text
 }
 
-/// The mesh with tags from one, as gmsh numbers it anew for version 2.2.
+/// The mesh with tags from one, as renumbered by gmsh for version 2.2.
 fn renumbered(mut mesh: Mesh) -> Mesh {
     let mut tags = 1..;
     let mut next = || tags.next().unwrap_or(0);
@@ -55,7 +55,7 @@ fn renumbered(mut mesh: Mesh) -> Mesh {
     mesh
 }
 
-/// States the cells of each kind that a mesh has, and their area.
+/// Checks the number of cells of each kind of a mesh, and their area.
 fn measures(mesh: &Mesh, expected_area: f64, expected_kinds: &[(CellKind, usize)]) {
     let (area, kinds) = measured(mesh);
     assert_eq!(kinds, expected_kinds);
@@ -98,8 +98,8 @@ fn measured(mesh: &Mesh) -> (f64, Vec<(CellKind, usize)>) {
 #[test]
 fn all_formats_give_the_same_mesh() {
     use CellKind::{Quadrilateral4, Quadrilateral8, Quadrilateral9, Triangle3, Triangle6};
-    // two unit squares of 3 x 3 quadrilaterals or twice as many triangles; those of
-    // the left square
+    // two unit squares of 3 x 3 quadrilaterals or twice as many triangles; the cells of the
+    // left square
     let plates: [(&str, Counts, usize); 7] = [
         ("quads4", &[(Quadrilateral4, 18)], 9),
         ("quads8", &[(Quadrilateral8, 18)], 9),
@@ -236,7 +236,7 @@ fn a_mesh_that_stands_upright_is_refused_with_the_way_out() {
         assert_eq!(
             problems.unwrap_err().to_string(),
             "error: test: the mesh lies in the plane y = 0, expected a plane z = constant\n  \
-             help: turn it by -90 degrees about the mesh axis x into the x-y plane (in gmsh, \
+             help: rotate it by -90 degrees about the mesh axis x into the x-y plane (in gmsh, \
              Rotate), where x is the section axis y and y is the section axis z"
         );
     }
@@ -273,7 +273,7 @@ fn a_cell_belongs_to_the_region_of_one_of_its_groups() {
         let problems = of(&["right", "all"]).unwrap_err().to_string();
         let example = read("groups", format).cells[4].tag;
         let expected = format!(
-            "a.section.toml:10: regions \"right\" (line 7) and \"all\" both claim 4 cells (cell \
+            "a.section.toml:10: regions \"right\" (line 7) and \"all\" both contain 4 cells (cell \
              {example} for example), expected every cell in one region\n  help: a cell has one \
              material"
         );

@@ -1,8 +1,8 @@
-//! The reference meshes, as gmsh wrote them in both versions of its format.
+//! The reference meshes, written by gmsh in both versions of its format.
 //!
-//! Source: output of gmsh for the `.geo` file beside each mesh; the two files of
-//! a pair hold the same mesh, so that reading them must give equal nodes, cells
-//! and groups, to the last bit.
+//! Source: output of gmsh for the `.geo` file next to each mesh; the two files of a pair
+//! contain the same mesh, so that reading them must give equal nodes, cells and groups, to
+//! the last bit.
 
 use std::path::{Path, PathBuf};
 

@@ -4,7 +4,7 @@
 //! - [timoshenko] Timoshenko, *Analysis of bi-metal thermostats*, J. Opt. Soc. Am. 11
 //!   (1925) 233-255: the strip of two layers.
 //! - [boley] Boley, Weiner, *Theory of Thermal Stresses*, 1960, chapter 10: a temperature
-//!   that is linear in the section of a free isotropic bar stresses nothing.
+//!   that is linear in the section of a free isotropic bar causes no stress.
 
 use nalgebra::{DVector, Vector3, Vector6};
 use section_analyzer::analysis::Analysis;
@@ -21,7 +21,7 @@ use crate::record;
 use crate::sections::{isotropic, of_two, orthotropic, relative_error, uniform};
 
 const TIMOSHENKO: &str = "Strip of two metals, Timoshenko (1925)";
-const FREE: &str = "Free bodies that heat does not stress";
+const FREE: &str = "Free bodies without thermal stress";
 
 /// A carbon ply with three different axes.
 const PLY: EngineeringConstants = EngineeringConstants {
@@ -119,7 +119,7 @@ impl Bimetal {
         }
     }
 
-    /// Bottom at z = -height/2; the cells of both layers are equally high.
+    /// Bottom at z = -height/2; the cells of both layers have the same height.
     fn section(&self, width: f64) -> Section {
         let height = self.height[0] + self.height[1];
         let mesh = rectangle(width, height, [4, 5]);
@@ -156,9 +156,9 @@ impl Bimetal {
     }
 }
 
-/// Curvature and axial strain of the strip; exact for any width, since the layers
-/// have the same Poisson's ratio: round-off of a strip 400 times wider than a cell is high
-/// leaves 1e-9.
+/// Curvature and axial strain of the strip; exact for any width, since the layers have the
+/// same Poisson's ratio: round-off is 1e-9 for a strip 400 times wider than the height of a
+/// cell.
 #[test]
 fn bimetal_strip_bends_as_timoshenko_says() {
     const TOLERANCE: f64 = 1e-9;
@@ -181,7 +181,7 @@ fn bimetal_strip_bends_as_timoshenko_says() {
             assert!(error < TOLERANCE, "{case}, {name}: {error:e}");
             record::value(TIMOSHENKO, &case, name, [found, expected], error, TOLERANCE);
         }
-        // nothing else, beside strains of 2e-3 and curvatures of 0.5 1/m
+        // no other strain, compared with strains of 2e-3 and curvatures of 0.5 1/m
         for other in [1, 2, 3, 5] {
             assert!(
                 found.free_strain[other].abs() < 1e-12,
@@ -192,10 +192,10 @@ fn bimetal_strip_bends_as_timoshenko_says() {
     }
 }
 
-/// Stresses of the strip [timoshenko]. They are uniaxial exactly where the layers want to
-/// grow alike across the strip while they differ along it: with the strain e along the
+/// Stresses of the strip [timoshenko]. They are exactly uniaxial if the layers have equal
+/// free strains across the strip but different ones along it: with the strain e along the
 /// strip a layer has -nu (e - alpha T) + beta T across, the same in both for
-/// `beta = c - nu alpha`. Round-off, beside the stress of a held layer.
+/// `beta = c - nu alpha`. Round-off, relative to the stress of a restrained layer.
 #[test]
 fn bimetal_strip_has_the_stresses_of_two_plane_layers() {
     const TOLERANCE: f64 = 1e-9;
@@ -229,8 +229,8 @@ fn bimetal_strip_has_the_stresses_of_two_plane_layers() {
     assert!(recovery.resultant_error < 1e-12);
 }
 
-/// A body of one anisotropic material heated evenly takes its free strain and no stress:
-/// round-off of stresses that would be E alpha T when held.
+/// A body of one anisotropic material heated evenly has its free strain and no stress:
+/// round-off relative to the restrained stress E alpha T.
 #[test]
 fn homogeneous_sections_are_free_of_stress() {
     const TOLERANCE: f64 = 1e-12;
@@ -260,16 +260,15 @@ fn homogeneous_sections_are_free_of_stress() {
         let error = largest_stress(&recovered(&section, &state)) / (PLY.e1 * scale);
         assert!(error < TOLERANCE, "{case}: {error:e}");
         record::largest(FREE, &case, "stress", error, TOLERANCE);
-        // theta = K (psi - psi_T): held at psi = 0, heat pushes
+        // theta = K (psi - psi_T): restrained at psi = 0, heat causes compression
         assert!(degrees < 90.0 || found.restrained_force[0] < 0.0);
         assert!(found.error < TOLERANCE, "{:e}", found.error);
     }
 }
 
-/// The same on a beam that is curved and twisted: a body that grows by alpha T in all
-/// directions keeps its shape, so that no point is stressed, and its line l grows by
-/// alpha T l. The section moves by `alpha T t`, of which the part that moves it as a whole
-/// belongs to the beam (S-77):
+/// The same on a beam that is curved and twisted: a body that expands by alpha T in all
+/// directions keeps its shape, so that it has no stress, and its line l expands by
+/// alpha T l. The section moves by `alpha T t`, whose rigid part belongs to the beam (S-77):
 ///
 /// ```text
 /// r = -Ph' (alpha T t)       psi_T = alpha T [l; 0] - T r
@@ -305,7 +304,7 @@ fn curved_and_twisted_beams_grow_evenly() {
     }
 }
 
-/// Generalized strain of a section that grows by `growth` in all directions.
+/// Generalized strain of a section that expands by `growth` in all directions.
 fn grown(section: &Section, growth: f64) -> Vector6<f64> {
     let analysis = Analysis::new(section).expect("sound");
     let domain = analysis.domain();
@@ -320,7 +319,7 @@ fn grown(section: &Section, growth: f64) -> Vector6<f64> {
     let mut axial = strain.rows_mut(0, 3);
     axial += growth * line.slope;
     let strain = strain.component_mul(&domain.scaling.strain());
-    // from the origin of the domain to that of the mesh
+    // from the origin of the domain to the origin of the mesh
     let [y, z] = domain.scaling.origin;
     let shift = wrench::shift_matrix(&Vector3::new(0.0, y, z));
     shift.transpose() * Vector6::from_column_slice(strain.as_slice())
@@ -355,9 +354,8 @@ fn linear_temperature_bends_and_does_not_stress() {
     record::largest(FREE, case, "stress", error, TOLERANCE);
 }
 
-/// Two plies at +-angle, one above the other, each held by the other against shear and
-/// twist: initial strains that a displacement field makes (compatible ones) strain freely
-/// whatever the law of each ply is.
+/// Cells with different fiber and plane angles: imposed strains that follow from a
+/// displacement field (compatible ones) cause no stress, for any law of each cell.
 #[test]
 fn compatible_strains_do_not_stress_a_laminate() {
     let mesh = rectangle(0.03, 0.02, [3, 4]);
@@ -380,7 +378,7 @@ fn compatible_strains_do_not_stress_a_laminate() {
         name: "even".into(),
         cells: section.cells.iter().map(free).collect(),
     };
-    // order yz yy zz xx xy xz: the strains of the face are those of the beam
+    // order yz yy zz xx xy xz: the strains of the face are the strains of the beam
     let expected = Vector6::new(strain[3], strain[4], strain[5], 0.0, 0.0, 0.0);
     let found = imposed(&section, &state);
     let error = (found.free_strain - expected).amax();
@@ -389,8 +387,8 @@ fn compatible_strains_do_not_stress_a_laminate() {
     assert!(stress / (PLY.e1 * 3e-4) < 1e-11, "{stress:e}");
 }
 
-/// States are linear, and a load adds to them: strains and stresses of both together are
-/// the sums, exactly up to round-off.
+/// States and loads superpose: strains and stresses of both together are the sums, up to
+/// round-off.
 #[test]
 fn loads_and_states_superpose() {
     let bimetal = Bimetal::read();
@@ -430,6 +428,6 @@ fn loads_and_states_superpose() {
     assert!(cell < section.cells.len() && (there.stress - bare.stress).amax() > 1e-3 * scale);
 
     let unknown = recoverer.recover(&load(1.0, &["cold"])).unwrap_err();
-    let told = "load \"load\" acts with \"cold\", which is no imposed state of the section";
+    let told = "load \"load\" acts with \"cold\", which is not an imposed state of the section";
     assert_eq!(unknown.to_string(), told);
 }

@@ -1,8 +1,8 @@
-//! What must not change: the same section in other units, at another place, turned,
-//! or with its nodes and cells in another order.
+//! Invariances: the same section in other units, at another position, turned, or with its
+//! nodes and cells in another order.
 //!
-//! All comparisons are relative to `sqrt(K_ii K_jj)`. The tolerance of 1e-10 is what
-//! is promised for any units; round-off is 1e-13.
+//! All comparisons are relative to `sqrt(K_ii K_jj)`. The tolerance of 1e-10 is the
+//! specified accuracy for any units; round-off is 1e-13.
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use section_analyzer::material::{ElasticLaw, EngineeringConstants, Material};
@@ -19,8 +19,8 @@ use crate::sections::{isotropic, orthotropic, scaled_error, section_mesh, solved
 
 const TOLERANCE: f64 = 1e-10;
 
-/// The source as the validation page names it.
-const SELF: &str = "The program itself, transported";
+/// The source as named on the validation page.
+const SELF: &str = "Invariance of the results";
 
 const PLY: EngineeringConstants = EngineeringConstants {
     e1: 142.0,
@@ -129,7 +129,7 @@ fn check_centers(
 }
 
 /// The mesh moved away by d: K and M transport exactly, `K' = U(-d) K U(-d)'`. At a
-/// thousand sizes off, coordinates themselves keep 13 digits.
+/// distance of a thousand sizes, coordinates keep 13 digits.
 #[test]
 fn place_does_not_matter() {
     let section = bar();
@@ -139,7 +139,7 @@ fn place_does_not_matter() {
         let back = -Vector3::new(0.0, d[0], d[1]);
         let error = scaled_error(&found.stiffness, &wrench::shift(&plain.stiffness, &back));
         println!("moved by {d:?}: {error:.1e}");
-        record::largest(SELF, "another place", "stiffness", error, TOLERANCE);
+        record::largest(SELF, "another position", "stiffness", error, TOLERANCE);
         assert!(error < TOLERANCE, "moved by {d:?}: {error:e}");
         assert!(scaled_error(&found.mass, &wrench::shift(&plain.mass, &back)) < TOLERANCE);
         check_centers(&plain, &found, |[y, z]| [y + d[0], z + d[1]], 1.0);
@@ -149,8 +149,8 @@ fn place_does_not_matter() {
     }
 }
 
-/// The section turned about x by phi, wall angles with it: K in turned axes. The pins
-/// fall on other nodes then.
+/// The section turned about x by phi, with its wall angles: K in turned axes. The pins are
+/// then at other nodes.
 #[test]
 fn direction_does_not_matter() {
     let section = bar();
@@ -162,7 +162,7 @@ fn direction_does_not_matter() {
             cell.plane_angle += phi;
         }
         let found = solved(&turned);
-        // old axes seen from the new ones: v' = Q' v with Q the inverse turn
+        // old axes in the new ones: v' = Q' v with Q the inverse turn
         let q = Matrix3::new(1.0, 0.0, 0.0, 0.0, c, s, 0.0, -s, c);
         let expected: Matrix6<f64> = wrench::rotate(&plain.stiffness, &q);
         let error = scaled_error(&found.stiffness, &expected);
@@ -214,7 +214,7 @@ fn order_does_not_matter() {
     let error = scaled_error(&found.stiffness, &plain.stiffness);
     record::largest(SELF, "renumbered", "stiffness", error, TOLERANCE);
     assert!(error < TOLERANCE, "{error:e}");
-    // the warping goes with the nodes
+    // the warping follows the nodes
     for old in 0..n {
         let one = plain.warping.rows(3 * old, 3);
         let two = found.warping.rows(3 * new_node(old), 3);

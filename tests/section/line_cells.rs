@@ -22,7 +22,7 @@ use crate::sections::{
     isotropic, of_two, orthotropic, relative_error, scaled_error, section_mesh, solved, uniform,
 };
 
-// The sources as the validation page names them.
+// The sources as named on the validation page.
 const CELLS: &str = "Cells of the same geometry";
 const BREDT: &str = "Bredt's thin closed walls";
 
@@ -69,9 +69,9 @@ pub fn wound(thickness: f64) -> [Ply; 2] {
     ]
 }
 
-/// The normals of two parabolas that meet differ from that of the circle by a quarter of
-/// the cube of half the angle of a line, 0.065 rad, and the length of the mitre by half of
-/// its square: 1e-8 at most, whatever the thickness.
+/// The normals of two adjacent parabolas differ from the normal of the circle by a quarter
+/// of the cube of half the angle of a line, 0.065 rad, and the length of the mitre by half
+/// of its square: at most 1e-8, for any thickness.
 #[test]
 fn a_tube_of_lines_is_that_of_cells() {
     for ratio in THIN {
@@ -104,10 +104,9 @@ fn a_tube_of_lines_is_that_of_cells() {
     }
 }
 
-/// Bredt's torsion of a tube misses `(t / 2 R)^2`; that of a tube whose wall lies beside
-/// its line, seen as if it lay on it, `3 t / 2 R` (S-128). The limits are those of an exact
-/// first and second order, 1 and 2, less what the next order takes at t/R = 0.1: a
-/// tenth.
+/// Bredt's torsion of a tube neglects `(t / 2 R)^2`; for a tube whose wall lies beside its
+/// line, treated as on its line, `3 t / 2 R` (S-128). The limits are the exact first and
+/// second order, 1 and 2, minus a tenth for the next order at t/R = 0.1.
 #[test]
 fn a_thin_tube_tends_to_the_closed_form() {
     let (young, nu) = (70e9, 0.3);
@@ -164,7 +163,7 @@ fn box_of_cells(first: f64, levels: &[f64]) -> Quads {
             let t = [0, 1].map(|i| (b[i] - a[i]) / length);
             let places = graded_to_ends(length, first);
             for (i, along) in places[..places.len() - 1].iter().enumerate() {
-                // at the corner the level is that of both walls
+                // at the corner the level is the level of both walls
                 let back = if i == 0 { level } else { 0.0 };
                 shape.points.push([
                     a[0] + (along - back) * t[0] - level * t[1],
@@ -213,8 +212,8 @@ pub fn solid_box(thickness: f64, plies: &[Ply], material: &Material) -> Section 
     }
 }
 
-/// The mitred box of lines has the cells of the mitred box: round-off. It holds a layup
-/// that couples tension and torsion (all fibers one way around).
+/// The mitred box of lines has the cells of the mitred box: round-off. One layup couples
+/// tension and torsion (all fibers in the same sense around the box).
 #[test]
 fn a_box_of_lines_is_the_mitred_box_of_cells() {
     for ratio in THIN {
@@ -238,9 +237,9 @@ fn a_box_of_lines_is_the_mitred_box_of_cells() {
     }
 }
 
-/// Tension and bending of a thin box from its middle line: the area of mitred walls is
-/// `t` times their length, exactly; bending about y and torsion tend to the closed forms
-/// with the first order at least (the moments of mitred corners even with the second).
+/// Tension and bending of a thin box from its middle line: the area of mitred walls is `t`
+/// times their length, exactly; bending about y and torsion converge to the closed forms
+/// with at least the first order (the moments of mitred corners with the second).
 #[test]
 fn a_thin_box_tends_to_the_closed_forms() {
     let (young, nu) = (70e9, 0.3);
@@ -308,7 +307,7 @@ fn facings_on_a_core_are_those_of_cells() {
     assert!(error < 1e-11, "{error:e}");
 }
 
-/// A ply that ends on a core, where the facing goes on with the ply below it.
+/// A ply that ends on a core, where the facing continues with the ply below it.
 #[test]
 fn a_ply_that_ends_is_that_of_cells() {
     let (core, t) = (0.1, 0.02);
@@ -349,9 +348,9 @@ fn a_ply_that_ends_is_that_of_cells() {
 }
 
 /// A skin around a solid ellipse with curved sides, against cells whose nodes lie on the
-/// exact normals of the ellipse. Where lines meet, their parabolas turn by the cube of the
-/// length of a line, and the length of the mitre is off by the square of that: the sixth
-/// order, less a tenth for what is left of the next on coarse meshes.
+/// exact normals of the ellipse. At joints of lines the parabolas turn by the cube of the
+/// length of a line, and the error of the length of the mitre is the square of that: the
+/// sixth order, minus a tenth for the next order on coarse meshes.
 #[test]
 fn a_skin_on_a_curved_border_is_that_of_cells() {
     let (a, b, t) = (1.0, 0.5, 0.05);
@@ -369,7 +368,7 @@ fn a_skin_on_a_curved_border_is_that_of_cells() {
         let found = solved(&lines).stiffness;
         let mut exact = lines;
         for [y, z] in &mut exact.mesh.nodes {
-            // beyond the ellipse: the same way along its normal
+            // outside the ellipse: the same distance along its normal
             if (*y / a).powi(2) + (*z / b).powi(2) < 1.0 + 1e-6 {
                 continue;
             }
@@ -395,8 +394,8 @@ fn a_skin_on_a_curved_border_is_that_of_cells() {
 
 /// A box with a web of lines that ends on its walls, against cells of the same area on
 /// another mesh. Tension and bending without a Poisson ratio are sums over the areas, to
-/// round-off: no area is missing or counts twice. In torsion a corner line of length L
-/// leaves a part of L/h times a small number, here L = 5 mm of 50 mm: 5e-3.
+/// round-off: no area is missing or included twice. In torsion a corner line of length L
+/// causes an error of L/h times a small number, here L = 5 mm of 50 mm: 5e-3.
 #[test]
 fn a_web_that_ends_on_walls_is_that_of_cells() {
     let (t, web) = (0.004, 0.006);
@@ -457,9 +456,10 @@ fn a_web_that_ends_on_walls_is_that_of_cells() {
 }
 
 /// Stresses of plies along lines: the resultants are the load, and in a thin tube under
-/// torsion the shear of each ply is that of the exact tube at its middle radius. The plane
-/// angle is constant in a cell, which spans a = 2 pi / 48: the mean of the shear along it
-/// misses 1 - (a/2)^2 / 6, 7e-4; the rest, (t/R)^2 / 48, is 5e-5.
+/// torsion the shear of each ply is the shear of the exact tube at its middle radius. The
+/// plane angle is constant in a cell, which spans a = 2 pi / 48: the mean of the shear
+/// along it is reduced by the factor 1 - (a/2)^2 / 6, 7e-4; the rest, (t/R)^2 / 48, is
+/// 5e-5.
 #[test]
 fn stresses_of_plies_are_those_of_the_wall() {
     let t = 0.05 * RADIUS;

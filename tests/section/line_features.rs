@@ -1,5 +1,5 @@
-//! Laminates along lines with all that a section may have, against the same cells given as
-//! a mesh; and a box of lines against cells that know nothing of lines.
+//! Laminates along lines with all features of a section, against the same cells given as a
+//! mesh; and a box of lines against an independent mesh of cells.
 
 use nalgebra::{Matrix6, Vector6};
 use section_analyzer::analysis::Analysis;
@@ -46,12 +46,12 @@ fn blocks(thickness: f64) -> Quads {
     })
 }
 
-/// The same domain, cell by cell another mesh. Tension and bending are sums over it; what
-/// is left, in shear and torsion, is what a line of length L does to the warping at the
-/// corner, a part of L/h (section 18). With L = t that is of the first order in t; the
-/// limit of the order leaves a tenth for the next term. The limit of the error is what an
-/// engineer may ask of L/h, not what was found: 2 % of it, 0.2 % at a wall of a tenth, far
-/// below what is known of materials.
+/// The same domain with another mesh. Tension and bending are sums over it; the error in
+/// shear and torsion is the effect of a line of length L on the warping at the corner, a
+/// fraction of L/h (section 18). With L = t it is of the first order in t; the limit of the
+/// order allows a tenth for the next term. The limit of the error is an engineering
+/// requirement on L/h, not the observed value: 2 % of it, 0.2 % at a wall of a tenth, far
+/// below the uncertainty of material data.
 #[test]
 fn a_thin_box_of_lines_is_one_of_corner_blocks() {
     let errors = THIN.map(|ratio| {
@@ -106,8 +106,8 @@ fn boxes() -> [Section; 2] {
     })
 }
 
-/// The outer face of a box of cells, clockwise as its lines run, under the name that the
-/// box of lines has for it.
+/// The outer face of a box of cells, clockwise as its lines, under its name in the box of
+/// lines.
 fn outer(section: &Section, thickness: f64) -> Curve {
     let half = HALF.map(|half| half + 0.5 * thickness);
     let mut lines = Vec::new();
@@ -174,8 +174,8 @@ fn recovered(section: &Section) -> Recovery {
     found.unwrap_or_else(|failure| panic!("{failure}"))
 }
 
-/// Largest difference of the stresses at the integration points, relative to the largest
-/// of their kind. The two meshes number cells and nodes in other ways.
+/// Largest difference of the stresses at the integration points, relative to the largest of
+/// their kind. The two meshes number cells and nodes differently.
 fn difference(one: &Recovery, other: &Recovery) -> f64 {
     assert_eq!(one.points.len(), other.points.len());
     let (mut worst, mut scale) = (0.0_f64, 0.0_f64);
@@ -183,7 +183,7 @@ fn difference(one: &Recovery, other: &Recovery) -> f64 {
         let off = |place: [f64; 2]| (place[0] - point.place[0]).hypot(place[1] - point.place[1]);
         let mut others = other.points.iter();
         let same = others.find(|other| off(other.place) < 1e-10);
-        let same = same.expect("a point at the same place");
+        let same = same.expect("a point at the same position");
         for (a, b) in [
             (&point.tensors.stress, &same.tensors.stress),
             (
@@ -198,8 +198,8 @@ fn difference(one: &Recovery, other: &Recovery) -> f64 {
     worst / scale
 }
 
-/// The cells are the same, so all that is asked of them is: round-off, 1e-11 as without
-/// curvature, heat and loads.
+/// The cells are the same, so all results agree to round-off, 1e-11 as without curvature,
+/// heat and loads.
 #[test]
 fn a_curved_heated_and_loaded_box_of_lines_is_that_of_cells() {
     let boxes = boxes();
@@ -212,7 +212,7 @@ fn a_curved_heated_and_loaded_box_of_lines_is_that_of_cells() {
         record::largest(CELLS, case, what, error, 1e-11);
         assert!(error < 1e-11, "{what}: {error:e}");
     }
-    // the pressure and the shear are felt: without them the stresses are others
+    // the pressure and the shear have an effect: without them the stresses differ
     let mut bare = boxes[0].clone();
     bare.mesh
         .curves

@@ -52,8 +52,8 @@ pub fn add_curve(mesh: &mut Mesh, name: &str, points: &[[f64; 2]]) {
     });
 }
 
-/// Straight lines between corners, with their middles: at each corner one as long as
-/// `first`, then twice that and so on, up to an eighth of the way between corners.
+/// Straight lines between corners, with their middles: at each corner a line of length
+/// `first`, then twice that and so on, up to an eighth of the distance between corners.
 pub fn polygon(corners: &[[f64; 2]], first: f64) -> Vec<[f64; 2]> {
     let mut points = vec![corners[0]];
     for ends in corners.windows(2) {
@@ -70,7 +70,7 @@ pub fn polygon(corners: &[[f64; 2]], first: f64) -> Vec<[f64; 2]> {
     points
 }
 
-/// Places from 0 to `length`, as [`polygon`] has them.
+/// Positions from 0 to `length`, as in [`polygon`].
 pub fn graded_to_ends(length: f64, first: f64) -> Vec<f64> {
     let mut near = vec![0.0];
     let mut step = first;
@@ -84,9 +84,9 @@ pub fn graded_to_ends(length: f64, first: f64) -> Vec<f64> {
     joined(&[near, steps(reach, length - reach, between), far])
 }
 
-/// The section of `mesh` with these laminates, and what each of their cells is part of;
-/// the cells of the mesh itself are of the first material, unturned. The faces are the
-/// curves `CURVE/left` and `CURVE/right`.
+/// The section of `mesh` with these laminates, and the laminate part of each of their
+/// cells; the cells of the mesh itself are of the first material, at zero angles. The faces
+/// are the curves `CURVE/left` and `CURVE/right`.
 pub fn laminated(
     mut mesh: Mesh,
     materials: &[Material],
@@ -156,7 +156,7 @@ fn add_faces(mesh: &mut Mesh, walls: &[Wall], faces: &[LaminaFace]) {
     }
 }
 
-/// The laminate centered on a curve of lines alone.
+/// The laminate centered on a curve, without other cells.
 pub fn alone(curve: &[[f64; 2]], materials: &[Material], plies: &[Ply]) -> Section {
     let mut mesh = Mesh::default();
     add_curve(&mut mesh, "wall", curve);
@@ -168,7 +168,7 @@ pub fn alone(curve: &[[f64; 2]], materials: &[Material], plies: &[Ply]) -> Secti
     laminated(mesh, materials, &[wall]).0
 }
 
-/// The place of an ellipse nearest to a point near it, the normal there, and the way.
+/// The point of an ellipse nearest to a point near it, the normal there, and the distance.
 pub fn nearest(p: [f64; 2], [a, b]: [f64; 2]) -> ([f64; 2], [f64; 2], f64) {
     let mut angle = (p[1] / b).atan2(p[0] / a);
     for _ in 0..50 {

@@ -1,9 +1,9 @@
 //! Sections given by their matrices: the blocks, or the stiffness of a slice of the beam
 //! by three-dimensional elements, against the analysis of the same cells.
 //!
-//! The matrices are summed here from the shape functions, cell by cell, and go through
-//! Matrix Market files with all their digits. Products of matrices take the place of
-//! integrals of stresses: the same to the round-off of a section of order one, 1e-10.
+//! The matrices are summed here from the shape functions, cell by cell, and are passed
+//! through Matrix Market files with all their digits. Products of matrices replace
+//! integrals of stresses: equal to the round-off of a section of order one, 1e-10.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -25,7 +25,7 @@ use shared_geom::mesh::CellKind;
 use crate::record;
 use crate::sections::{isotropic, orthotropic, scaled_error, solved, uniform};
 
-/// The source as the validation page names it.
+/// The source as named on the validation page.
 const SELF: &str = "The same section by its cells";
 
 const TOLERANCE: f64 = 1e-10;
@@ -183,7 +183,7 @@ fn market(matrix: &DMatrix<f64>, unit: f64) -> String {
     market_of(matrix, unit, 17)
 }
 
-/// As [`market`], with some digits.
+/// As [`market`], with `digits` digits.
 fn market_of(matrix: &DMatrix<f64>, unit: f64, digits: usize) -> String {
     let mut text = String::from("%%MatrixMarket matrix coordinate real general\n");
     let mut entries = String::new();
@@ -220,7 +220,7 @@ fn solved_from(folder: &Path, text: &str) -> Result<SectionSolution, Failure> {
     analyze_matrices(&input.section)
 }
 
-/// Blocks of straight and of curved beams, with L, R, A beside them.
+/// Blocks of straight and of curved beams.
 #[test]
 fn blocks_give_the_section_of_their_cells() {
     for curvature in [[0.0; 3], [0.3, -0.2, 0.4]] {
@@ -268,8 +268,8 @@ fn blocks_give_the_section_of_their_cells() {
 }
 
 /// A slice of linear elements, fully integrated, of any thickness; and one with a single
-/// point through it. In millimeters and newtons, to see the units. Its mass gives that of
-/// the section.
+/// point through it. In millimeters and newtons, to test the units. Its mass gives the mass
+/// of the section.
 #[test]
 fn slices_give_the_section_of_their_cells() {
     let section = bar(CellKind::Quadrilateral9);
@@ -303,7 +303,7 @@ fn slices_give_the_section_of_their_cells() {
     }
 }
 
-/// The command writes what the beam program reads, and the warping of the nodes.
+/// The command writes the property file of the beam program, and the warping of the nodes.
 #[test]
 fn the_command_writes_a_property_file() {
     let section = bar(CellKind::Quadrilateral4);
@@ -354,8 +354,8 @@ fn the_command_writes_a_property_file() {
     assert!((found - expected.warping[(0, 3)]).abs() < 1e-10 * expected.warping.amax());
 }
 
-/// Matrices that do not belong together: each broken identity with its error, none that
-/// holds.
+/// Inconsistent matrices: the error lists each violated identity with its error, and no
+/// other.
 #[test]
 fn matrices_that_do_not_belong_together_are_refused() {
     let section = bar(CellKind::Quadrilateral4);
@@ -394,7 +394,7 @@ fn matrices_that_do_not_belong_together_are_refused() {
         names(broken(&m, &c.transpose(), &e, own))[..2],
         ["C H = L T", "E H = R T"]
     );
-    // a scaled M is told by its size: a thousandth more
+    // a scaled M is detected by its size: a thousandth more
     let found = broken(&(1.001 * &m), &c, &e, own);
     let of = |name: &str| {
         found
@@ -453,9 +453,9 @@ fn analyzed(
     OutsideAnalysis::new(&input.section)
 }
 
-/// Files of few digits: what passes without a word is good to a thousandth, what is told is
-/// good to a tenth, and all else is refused. Rounding is random and the condition a bound
-/// from below: the error may be some times the estimate of a warning, 30 at most.
+/// Files of few digits: a result without warning is accurate to a thousandth, a result with
+/// a warning to a tenth, and others are refused. Rounding is random and the condition a
+/// bound from below: the error may be up to 30 times the estimate of a warning.
 #[test]
 fn digits_of_files_are_watched() {
     let section = strip();
@@ -476,7 +476,7 @@ fn digits_of_files_are_watched() {
                             OutsideWarning::Digits { error, .. } => Some(*error),
                             _ => None,
                         });
-                    println!("{case}: error {off:.1e}, told {told:?}");
+                    println!("{case}: error {off:.1e}, reported {told:?}");
                     match told {
                         Some(told) => {
                             assert!(off < 0.1 && off < 30.0 * told, "{case}: {off:e}, {told:e}");
@@ -502,7 +502,7 @@ fn digits_of_files_are_watched() {
     assert!(outcomes.iter().all(|&count| count > 2), "{outcomes:?}");
 }
 
-/// Slices that are as thick as their cells are wide, read the wrong way.
+/// Slices as thick as the width of their cells, read with the wrong `through`.
 #[test]
 fn through_the_slice_is_watched() {
     let section = bar(CellKind::Quadrilateral4);
@@ -524,7 +524,8 @@ fn through_the_slice_is_watched() {
     assert!(!is_told([0.02, 1.0], "middle"));
 }
 
-/// Matrices of wrong size or sign end as wrong input, in words of matrices.
+/// Matrices of wrong size or sign are refused as wrong input, with a message about
+/// matrices.
 #[test]
 fn wrong_matrices_are_told_as_such() {
     let section = bar(CellKind::Quadrilateral4);
@@ -563,7 +564,7 @@ fn wrong_matrices_are_told_as_such() {
     }
 }
 
-/// End effects are those of the cells.
+/// End effects agree with the analysis of the cells.
 #[test]
 fn end_effects_of_given_matrices() {
     let section = bar(CellKind::Quadrilateral4);

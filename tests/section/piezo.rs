@@ -1,11 +1,11 @@
 //! Piezoelectric sections against closed forms.
 //!
 //! # References
-//! - The constants and the prototype's numbers: `tests/reference/theory/piezo.json`.
+//! - The constants and the numbers of the prototype: `tests/reference/theory/piezo.json`.
 //! - [Masarati], section 9.1: the coupled section.
 //! - [Ieee1987]: coupling factors and the two forms of the law.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -38,7 +38,7 @@ struct Constants {
     epsT: [[f64; 3]; 3],
 }
 
-/// Constants of a piezoelectric material in its own axes, poled along 3.
+/// Constants of a piezoelectric material in its axes, poled along 3.
 #[derive(Clone, Copy)]
 struct Pzt {
     s: Matrix6<f64>,
@@ -58,7 +58,7 @@ fn pzt() -> Pzt {
 }
 
 impl Pzt {
-    /// The same with its axes 1 2 3 called 2 3 1: poled along the fiber.
+    /// The same with its axes 1 2 3 renamed 2 3 1: poled along the fiber.
     fn poled_along_1(&self) -> Self {
         let axis = |i: usize| (i + 2) % 3;
         let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
@@ -102,7 +102,7 @@ fn rectangle(width: f64, height: f64, cells: [usize; 2]) -> Mesh {
     .unwrap()
 }
 
-/// A conductor on the nodes at the places that `is_there` takes.
+/// A conductor on the nodes at the positions that `is_there` accepts.
 pub fn conductor(
     section: &Section,
     name: &str,
@@ -137,9 +137,9 @@ fn at_heights(section: &mut Section, heights: &[f64]) {
     }
 }
 
-/// The electrodes of a solution; voltages common to all conductors do nothing, the
-/// capacitance is symmetric, and the strains are those of the work: round-off times the
-/// slenderness of the section, up to 100.
+/// The electrodes of a solution, after checks: voltages common to all conductors have no
+/// effect, the capacitance is symmetric, and the strains agree with the work: round-off
+/// times the slenderness of the section, up to 100.
 fn piezo(solution: &SectionSolution) -> &PiezoSolution {
     let piezo = solution.piezo.as_ref().unwrap();
     let checks = &piezo.checks;
@@ -160,7 +160,7 @@ fn close(case: &str, quantity: &str, [found, expected]: [f64; 2], tolerance: f64
     );
 }
 
-/// The layers of a plate are uniform along its width but for round-off of a few hundred
+/// The layers of a plate are uniform along its width, up to round-off of a few hundred
 /// nodes.
 const EXACT: f64 = 1e-11;
 
@@ -223,7 +223,7 @@ fn a_shear_actuator() {
     );
 }
 
-/// Two layers poled alike, electrodes at the bottom, between them, and on top.
+/// Two layers of the same poling, electrodes at the bottom, between them, and on top.
 fn bimorph(b: f64, t: f64, cells: [usize; 2]) -> (Section, SectionSolution) {
     let mut section = uniform(&rectangle(b, 2.0 * t, cells), pzt().material(), 0.0);
     at_heights(&mut section, &[-t, 0.0, t]);
@@ -232,9 +232,9 @@ fn bimorph(b: f64, t: f64, cells: [usize; 2]) -> (Section, SectionSolution) {
 }
 
 /// Sections tend to the one-dimensional beam, `EI = b t^3/s11 (1/2 + 1/(6 (1 - k31^2)))` and
-/// `kappa EI = b t d31 V/s11`, as they get narrow: the layers hold each other back across
-/// the width within some widths of their joint, so that the difference falls as b/t. The
-/// bounds are the errors of the prototype on its mesh.
+/// `kappa EI = b t d31 V/s11`, with decreasing width: the layers restrain each other across
+/// the width within a few widths of their joint, so that the difference decreases as b/t.
+/// The bounds are the errors of the prototype on its mesh.
 #[test]
 fn bimorphs_tend_to_the_beam_of_one_dimension() {
     let pzt = pzt();
@@ -261,7 +261,7 @@ fn bimorphs_tend_to_the_beam_of_one_dimension() {
         errors.push(1.0 - middle.free_strain[4] / kappa);
     }
     // a twentieth of the width, a twentieth of the difference: to a fifth, as b/t = 0.2 is
-    // not yet in the limit
+    // not yet asymptotic
     let fall = errors[0] / errors[1];
     assert!((fall / 20.0 - 1.0).abs() < 0.2, "{fall}");
 }
@@ -275,8 +275,8 @@ struct Bimorph {
     eps_const_psi: [[f64; 3]; 3],
 }
 
-/// The wide bimorph of the prototype on a mesh that is not known: its numbers lie between
-/// those of 16 x 8 and 32 x 16 cells, which differ by 6e-4.
+/// The wide bimorph of the prototype on an unknown mesh: its numbers lie between the
+/// results of 16 x 8 and 32 x 16 cells, which differ by 6e-4.
 #[test]
 fn a_wide_bimorph_is_that_of_the_prototype() {
     let text = std::fs::read_to_string(FILE).unwrap();
@@ -314,8 +314,8 @@ fn a_wide_bimorph_is_that_of_the_prototype() {
     assert!(worst < 6e-4, "{worst:e}");
 }
 
-/// A tube poled through its wall whose strains per field differ along and across the fiber,
-/// wound at 45 degrees; inner and outer face are electrodes.
+/// A tube poled through its wall, with different strains per field along and across the
+/// fiber, wound at 45 degrees; inner and outer face are electrodes.
 fn wound_tube(thickness: f64, around: usize) -> Section {
     let (young, poisson) = (70e9, 0.3);
     let tube = Tube {
@@ -357,9 +357,9 @@ fn wound_tube(thickness: f64, around: usize) -> Section {
 }
 
 /// Twist of a thin wall, `(d31 - d32) E / R`: the field -1/t per volt shears the wall by
-/// -1.5e-10/t from x towards s, which runs clockwise. The wall is as
-/// thick as it is: errors of the prototype, of order t/R, and what a constant direction in
-/// each of the cells around leaves.
+/// -1.5e-10/t from x towards s, which runs clockwise. The bounds are the errors of the
+/// prototype, of order t/R for the finite thickness of the wall, and the error of a
+/// constant direction in each cell.
 #[test]
 fn tubes_wound_at_45_degrees_twist() {
     for (thickness, bound) in [(0.1, 6e-3), (0.01, 1.5e-3)] {
@@ -376,8 +376,8 @@ fn tubes_wound_at_45_degrees_twist() {
     }
 }
 
-/// The same tube in a frame that twists along it: the difference is that of two meshes, as
-/// the section stands still in one and turns through the other.
+/// The same tube in a frame that twists along it: the difference is the difference of two
+/// meshes, as the mesh turns along the tube in one of them only.
 #[test]
 fn a_twisting_frame_sees_the_same_tube() {
     let difference = |around: usize| {
@@ -395,7 +395,7 @@ fn a_twisting_frame_sees_the_same_tube() {
         [of_theta, (ratio - 1.0).abs()]
     };
     let (coarse, fine) = (difference(32), difference(64));
-    // the errors of the prototype, which does not say how its 32 x 1 cells were made
+    // the errors of the prototype, whose mesh of 32 x 1 cells is not documented
     for (quantity, error, bound) in [("Theta", fine[0], 2.6e-6), ("capacitance", fine[1], 1.9e-5)] {
         record::largest(SOURCE, "tube, twisting frame", quantity, error, bound);
         assert!(error < bound, "{quantity}: {error:e}");
@@ -403,9 +403,9 @@ fn a_twisting_frame_sees_the_same_tube() {
     assert!(coarse[0] < 3e-6 && coarse[1] < 4e-5, "{coarse:?}");
 }
 
-/// Fingers across a bar poled along its fiber: what the field V/d does in a bar that is free
-/// or held, and how stiff it is with the fingers open. One third of each is no matter of the
-/// others: strain per volt, charge per volt, charge per strain.
+/// Fingers across a bar poled along its fiber: strain, force and charge of the field V/d in
+/// a free and in a restrained bar, and the stiffness with open fingers. Strain per volt,
+/// charge per volt and charge per strain are checked independently.
 #[test]
 fn interdigitated_fibers_are_stacks_of_capacitors() {
     let (b, t, spacing) = (0.003, 0.0002, 0.0005);
@@ -454,7 +454,7 @@ fn interdigitated_fibers_are_stacks_of_capacitors() {
     }
 }
 
-/// Fingers across all cells of a section, with this field per volt along the fiber.
+/// Fingers across all cells of a section, with the given field per volt along the fiber.
 fn fingers(section: &mut Section, field: f64) {
     let cells = (0..section.mesh.cells.len() as u32).map(|cell| FingeredCell {
         cell,
@@ -469,11 +469,12 @@ fn fingers(section: &mut Section, field: f64) {
     });
 }
 
-/// Another way to the field along the fiber: a made-up material that answers a voltage
-/// through the wall as it answers the field along the fiber, `e_3j <- e_1j t/d` and
-/// `eps_33 <- eps_11 (t/d)^2`, with potentials as unknowns and the capacitance from the
-/// electric displacement at a conductor. In a wall the strain is the same through the
-/// thickness but for t/R, and so is what the two ways give; a tube wound at 45 degrees.
+/// Another model of the field along the fiber: a fictitious material whose response to a
+/// voltage through the wall equals its response to the field along the fiber,
+/// `e_3j <- e_1j t/d` and `eps_33 <- eps_11 (t/d)^2`, with potentials as unknowns and the
+/// capacitance from the electric displacement at a conductor. In a wall the strain is
+/// constant through the thickness, to the order t/R, and the two models agree to the same
+/// order; a tube wound at 45 degrees.
 #[test]
 fn interdigitated_fibers_are_a_made_up_field_through_the_wall() {
     let ratio = 0.7;
@@ -525,9 +526,9 @@ fn interdigitated_fibers_are_a_made_up_field_through_the_wall() {
     }
 }
 
-/// A layer of no stiffness, such as air, between the patch and one electrode: two
-/// capacitors one behind the other, and the field in the patch is less. The patch may strain
-/// freely, so that both layers have their field at no stress.
+/// A layer without stiffness, e.g. air, between the patch and one electrode: two capacitors
+/// in series, which reduces the field in the patch. The patch may strain freely, so that
+/// both layers have their field at zero stress.
 #[test]
 fn dielectrics_without_stiffness_take_their_part_of_the_voltage() {
     let (b, h) = (0.002, 0.001);
@@ -557,7 +558,7 @@ fn dielectrics_without_stiffness_take_their_part_of_the_voltage() {
     let both = own * behind / (own + behind);
     let field = -behind / (own + behind) / half;
     let top = &piezo.electrodes[1];
-    // the gap leaves a pulled patch some of its charge: E = -d31 sigma / (epsT + gap)
+    // with the gap a patch in tension keeps some charge: E = -d31 sigma / (epsT + gap)
     let (s11, d31, eps) = (pzt.s[(0, 0)], pzt.d[(2, 0)], pzt.at_stress[(2, 2)]);
     let pulled = s11 - d31 * d31 / (eps + gap);
     for (quantity, found, expected) in [
@@ -565,12 +566,17 @@ fn dielectrics_without_stiffness_take_their_part_of_the_voltage() {
         ("free capacitance", piezo.free_capacitance[(1, 1)], both),
         ("free strain", top.free_strain[0], field * pzt.d[(2, 0)]),
     ] {
-        close("layer behind a gap", quantity, [found, expected], EXACT);
+        close(
+            "layer in series with a gap",
+            quantity,
+            [found, expected],
+            EXACT,
+        );
     }
 }
 
-/// A floating electrode takes the voltage between two others, and open ones make the layer
-/// stiffer: `EA/(1 - k31^2)`.
+/// A floating electrode has the voltage between two others, and open electrodes increase
+/// the stiffness of the layer: `EA/(1 - k31^2)`.
 #[test]
 fn floating_electrodes_have_no_charge() {
     let (b, h) = (0.002, 0.001);
@@ -599,7 +605,7 @@ fn floating_electrodes_have_no_charge() {
         [open.stiffness[(0, 0)], b * h / (s11 * (1.0 - k31))],
         EXACT,
     );
-    // the floating electrode in the middle is as if it were not there
+    // the floating electrode in the middle has no effect
     let driven = piezo
         .in_circuit(&solution.stiffness, |e| piezo.electrodes[e].circuit)
         .unwrap();

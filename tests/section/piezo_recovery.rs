@@ -2,8 +2,8 @@
 //!
 //! # References
 //! - The constants: `tests/reference/theory/piezo.json`.
-//! - IEEE Std 176-1987: the two forms of the law; the closed forms below follow from it by
-//!   a line each.
+//! - IEEE Std 176-1987: the two forms of the law; the closed forms below follow from it in
+//!   one line each.
 
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, Matrix6xX, Vector3, Vector6};
 use section_analyzer::failure::Failure;
@@ -86,7 +86,7 @@ fn layer(cells: [usize; 2]) -> Section {
     section
 }
 
-/// The layer of skew plies, away from the origin: nothing is uncoupled.
+/// The layer of skew plies, away from the origin: everything is coupled.
 fn skew(curvature: InitialCurvature) -> Section {
     let mut section = layer([3, 2]);
     for [y, z] in &mut section.mesh.nodes {
@@ -120,8 +120,8 @@ fn recovered(section: &Section, solution: &SectionSolution, load: &LoadCase) -> 
     found.unwrap_or_else(|failure| panic!("{failure}"))
 }
 
-/// Compares values at all points with a closed form of their place, records the largest
-/// error beside `scale`.
+/// Compares values at all points with a closed form of their position, and records the
+/// largest error relative to `scale`.
 fn all_points(
     (case, quantity): (&str, &str),
     recovery: &Recovery,
@@ -139,10 +139,10 @@ fn all_points(
     assert!(error < EXACT, "{case}, {quantity}: {found:e} {expected:e}");
 }
 
-/// Fields that the cells hold exactly: round-off times a condition of about 1e3.
+/// Fields that the cells represent exactly: round-off times a condition of about 1e3.
 const EXACT: f64 = 1e-11;
 
-/// The field is V/h, and there is no stress.
+/// The field is V/h, and the stress is zero.
 #[test]
 fn a_free_layer_under_voltage() {
     let (section, volts) = (layer([4, 3]), 150.0);
@@ -224,7 +224,7 @@ fn a_held_layer_under_voltage() {
 }
 
 /// Bent with both sides at zero volt, `D = d31/s11 kappa z + epsT (1 - k31^2) E` is the
-/// same at all z, so that E is linear and V a parabola; `sigma = M z / I` as ever.
+/// same at all z, so that E is linear and V a parabola; `sigma = M z / I` as usual.
 #[test]
 fn the_potential_inside_of_a_bent_layer_is_a_parabola() {
     let (section, moment) = (layer([4, 3]), 0.2);
@@ -274,7 +274,7 @@ fn the_potential_inside_of_a_bent_layer_is_a_parabola() {
         error,
         EXACT,
     );
-    // means of cells and smoothed nodes keep linear fields
+    // means of cells and smoothed nodes reproduce linear fields
     for (state, field) in bent.nodes.iter().zip(&electric.nodes) {
         let z = section.mesh.nodes[state.node][1];
         assert!((field.field.z + slope * z).abs() < EXACT * (slope * HEIGHT).abs());
@@ -286,7 +286,7 @@ fn the_potential_inside_of_a_bent_layer_is_a_parabola() {
     assert!(electric.has_field.iter().all(|has| *has));
 }
 
-/// A pulled layer with its upper face open: no charge, so `E = -d31/epsT sigma`.
+/// A layer in tension with its upper face open: no charge, so `E = -d31/epsT sigma`.
 #[test]
 fn an_open_electrode_takes_the_voltage_of_no_charge() {
     let mut section = layer([4, 3]);
@@ -317,10 +317,10 @@ fn an_open_electrode_takes_the_voltage_of_no_charge() {
     assert!((psi[0] - points[0].tensors.strain[0]).abs() < EXACT * psi[0].abs());
 }
 
-/// The layer poled along the beam, with fingers of a spacing all over it.
+/// The layer poled along the beam, with fingers of the given spacing over all of it.
 fn fingered(spacing: f64) -> Section {
     let mut section = layer([4, 3]);
-    // the poled direction 3 along the beam: axes 1 2 3 called 2 3 1
+    // the poled direction 3 along the beam: axes 1 2 3 renamed 2 3 1
     let Constants { s, d, epsT } = constants();
     let axis = |i: usize| (i + 2) % 3;
     let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
@@ -399,9 +399,9 @@ fn a_field_along_the_fiber_between_fingers() {
     all_points((case, "D1"), &clamped, found, |_| flux, flux);
 }
 
-/// Stresses under forces and voltages add up to the forces, point by point in the law, and
-/// any place has the state of an integration point there: skew plies, straight and curved,
-/// held and open. Round-off of a condition of some 1e4.
+/// Stresses under forces and voltages have the forces as resultants and satisfy the law at
+/// each point, and `at` an integration point gives its state: skew plies, straight and
+/// curved, with driven and open electrodes. Round-off of a condition of about 1e4.
 #[test]
 fn stresses_of_skew_plies_add_up_and_obey_their_law() {
     let straight = InitialCurvature::STRAIGHT;
@@ -442,7 +442,7 @@ fn stresses_of_skew_plies_add_up_and_obey_their_law() {
             let (_, there) = recoverer.electric_at(&load, point.place).unwrap();
             assert!((there.field - state.field).amax() < 1e-9 * state.field.amax());
         }
-        // many forces at once, by another product
+        // many forces at once, by a different product
         let mut seen = 0;
         let forces = Matrix6xX::from_columns(&[force, 2.0 * force]);
         let bare = recovered(&section, &solution, &self::load(force, &[]));
@@ -460,8 +460,8 @@ fn stresses_of_skew_plies_add_up_and_obey_their_law() {
 
 /// The field is minus the slope of the potential at the nodes, by differences along y and z
 /// within a cell and, along the beam, by the potential of the force at a neighboring
-/// section: `theta' = -k x F, -l x F - k x M`. The step of 1e-6 of a cell leaves 1e-10 of
-/// the truncated second difference and round-off of 1e-16 / 1e-6.
+/// section: `theta' = -k x F, -l x F - k x M`. The step of 1e-6 of a cell has an error of
+/// 1e-10 by the truncated second difference and round-off of 1e-16 / 1e-6.
 #[test]
 fn fields_are_slopes_of_the_potential() {
     for curvature in [InitialCurvature::STRAIGHT, curved()] {
@@ -518,8 +518,8 @@ fn fields_are_slopes_of_the_potential() {
 }
 
 /// Work of one state on another, `int (eps2 sigma1 - E2 D1) J dA = psi2 theta1 - V2 q1`, of
-/// states that do not change along the beam: charges and displacements are those of the
-/// stresses. Round-off beside the parts of the integral.
+/// states that are constant along the beam: charges and displacements are consistent with
+/// the stresses. Round-off relative to the parts of the integral.
 #[test]
 fn work_of_the_stresses_on_the_voltages_is_that_of_the_charges() {
     for curvature in [
@@ -579,8 +579,8 @@ fn bimorph(b: f64, t: f64) -> Section {
         let above = section.mesh.middle(&section.mesh.cells[cell])[1] > 0.0;
         section.cells[cell].material = usize::from(above);
     }
-    // the outer faces at V, the one between at ground: fields against each other, and so
-    // with opposite poling strains alike; with one of them at -V they oppose
+    // the outer faces at V, the middle at ground: opposite fields, and with opposite poling
+    // equal strains; with one of the faces at -V opposite strains
     for (name, circuit, z) in [
         ("middle", Circuit::Ground, 0.0),
         ("top", Circuit::Driven, t),
@@ -594,9 +594,9 @@ fn bimorph(b: f64, t: f64) -> Section {
 }
 
 /// Two layers with opposite poling, their common face ground: the narrow bimorph bends, and
-/// each layer of it carries no force; its field is V/t. Of the bending under voltage the
-/// 1-D form `kappa = M / EI` is some tenths of a percent off, since the layers hold each
-/// other across the width at their common face, on a height of about the width.
+/// its layers carry no force; the field is V/t. The bending under voltage differs from the
+/// 1-D form `kappa = M / EI` by a few tenths of a percent, since the layers restrain each
+/// other across the width near their common face, over a height of about the width.
 #[test]
 fn a_bimorph_under_voltage_bends_without_force() {
     let (b, t, volts) = (1e-5, 1e-3, 100.0);
@@ -623,7 +623,7 @@ fn a_bimorph_under_voltage_bends_without_force() {
     );
     assert!(error < 5e-3, "{found:e} {expected:e}");
     assert!(bent.resultant_error < 1e-10);
-    // the mean field of each layer is V/t whatever the stress does to it
+    // the mean field of each layer is V/t for any stress
     let upper = (bent.points.iter().zip(&electric.points)).filter(|(p, _)| p.place[1] > 0.0);
     let (sum, area) = upper.fold((0.0, 0.0), |(sum, area), (point, state)| {
         (sum + point.area * state.field.z, area + point.area)
@@ -635,7 +635,8 @@ fn a_bimorph_under_voltage_bends_without_force() {
     );
 }
 
-/// Voltages for what is not there, for ground, and open electrodes that nothing holds.
+/// Voltages for unknown electrodes and for ground, and open electrodes without a reference
+/// voltage.
 #[test]
 fn wrong_voltages_are_told_with_the_nearest_name() {
     let section = layer([2, 2]);
@@ -648,7 +649,7 @@ fn wrong_voltages_are_told_with_the_nearest_name() {
     let found = failure("topp");
     assert_eq!(
         found.to_string(),
-        "load \"load\" has a voltage for \"topp\", which is no electrode of the section"
+        "load \"load\" has a voltage for \"topp\", which is not an electrode of the section"
     );
     assert_eq!(found.help().unwrap(), "did you mean \"top\"?");
     assert!(matches!(failure("bottom"), Failure::NotDriven { .. }));

@@ -4,7 +4,7 @@
 //! # References
 //! - `tests/reference/theory/prestress.json`: the tables of five sections by an independent
 //!   program, on the same meshes; they agree there with differences of the forces of the
-//!   section in large strain to 3e-6 and better.
+//!   section in large strain to at least 3e-6.
 //! - [HouboltBrooks1958]: a strip under tension N gains N Ip/A in torsion.
 
 use nalgebra::{Matrix4, Vector4, Vector6};
@@ -84,7 +84,7 @@ fn file() -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// The table of a case; its indices are those of the six components, from zero.
+/// The table of a case; its indices are the indices of the six components, from zero.
 fn expected(case: &Value) -> CubicTable {
     let entries = case["T"].as_object().expect("entries");
     CubicTable::from_fn(|indices| {
@@ -107,14 +107,14 @@ fn difference(a: &CubicTable, b: &CubicTable) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// The table as the prototype has it.
+/// The table of the prototype.
 fn along_tangent(solution: &SectionSolution, table: &CubicTable) -> CubicTable {
     let tangent = table.along_tangent(&solution.compliance);
     tangent.expect("a sound section")
 }
 
-/// The three strips of the prototype, by both measures of strain. Both are on one mesh: what
-/// is left is round-off, 1e-14 where it is largest.
+/// The three strips of the prototype, by both measures of strain. Both use the same mesh:
+/// the difference is round-off, at most 1e-14.
 #[test]
 fn tables_of_the_prototype() {
     const TOLERANCE: f64 = 1e-11;
@@ -186,9 +186,9 @@ fn torsion_constant(b: f64, t: f64) -> f64 {
     b * t.powi(3) / 3.0 * (1.0 - 192.0 * t / (std::f64::consts::PI.powi(5) * b) * sum)
 }
 
-/// Extension and bending of an isotropic strip change by the measure of strain alone:
+/// Extension and bending of an isotropic strip change only by the measure of strain:
 /// dEA/dN = 3, dEI/dN A/I = 3 - 2 nu by Green's strain, 0 and -2 nu by Biot's. The fields are
-/// polynomials that the cells hold exactly: round-off.
+/// polynomials that the cells represent exactly: round-off.
 #[test]
 fn extension_and_bending_change_by_the_measure_alone() {
     const TOLERANCE: f64 = 1e-10;
@@ -217,9 +217,9 @@ fn extension_and_bending_change_by_the_measure_alone() {
     }
 }
 
-/// `T144 = E Ip - c GJ`, c = 4 nu (Green) and 3/2 + 7/2 nu (Biot), with GJ of the series. The mesh
-/// has GJ to 1e-3 of itself, and up to a third of E Ip: 1e-3 of E Ip would be safe; the
-/// table is twice as good as GJ or better on these meshes, 2e-4.
+/// `T144 = E Ip - c GJ`, c = 4 nu (Green) and 3/2 + 7/2 nu (Biot), with GJ of the series. The
+/// relative error of GJ on the mesh is 1e-3, and GJ is up to a third of E Ip: 1e-3 of E Ip would
+/// be safe; the error of the table is at most half the error of GJ on these meshes, 2e-4.
 #[test]
 fn torsion_gains_from_tension() {
     const TOLERANCE: f64 = 2e-4;
@@ -243,9 +243,9 @@ fn torsion_gains_from_tension() {
     }
 }
 
-/// A thin strip gains N Ip/A: what is missing is `c GJ / E Ip -> 2 c/(1 + nu) (t/b)^2`, which falls
-/// with the square of the thickness. The end effects of GJ, .63 t/b of it, and the share of
-/// t^2 in Ip disturb the last halving by 1 %.
+/// A thin strip gains N Ip/A: the difference is `c GJ / E Ip -> 2 c/(1 + nu) (t/b)^2`, which
+/// decreases with the square of the thickness. The end effects of GJ, .63 t/b of it, and the share
+/// of t^2 in Ip change the last halving by 1 %.
 #[test]
 fn thin_strips_gain_the_polar_radius() {
     let missing = |b: f64, cells: usize| {
@@ -270,16 +270,16 @@ fn thin_strips_gain_the_polar_radius() {
     assert!(first > 1.8 && last > 1.9 && error < 0.03, "{error}");
 }
 
-/// A strip of thickness t0 (1 + 1.2 y) over a width of one, about its centroid. In axes along
-/// the tangent, bending in its plane changes its torsion by `-E int y (y^2 + z^2) dA`, as the prototype has
-/// it on another mesh: 2e-3 is what GJ is known to there. In the axes of the section it is Wagner's
-/// coefficient, with the distance y_s of the shear center:
+/// A strip of thickness t0 (1 + 1.2 y) over a width of one, about its centroid. In axes along the
+/// tangent, bending in its plane changes its torsion by `-E int y (y^2 + z^2) dA`, as in the
+/// prototype on another mesh: 2e-3 is the accuracy of GJ there. In the axes of the section it is
+/// Wagner's coefficient, with the distance y_s of the shear center:
 ///
 /// ```text
 /// T446 = -E (int y r^2 dA - 2 y_s Iz)
 /// ```
 ///
-/// Both are for thin walls: what is missing falls with the square of the thickness.
+/// Both are for thin walls: the difference decreases with the square of the thickness.
 #[test]
 fn tapered_strips_have_the_effect_of_wagner() {
     const TOLERANCE: f64 = 2e-3;
@@ -339,7 +339,7 @@ fn tapered_strips_have_the_effect_of_wagner() {
     }
 }
 
-/// What a state does to the stiffness without internal force.
+/// Change of the stiffness by a state without internal force.
 fn change_by(section: &Section, state: ImposedStrain, measure: StrainMeasure) -> Matrix4<f64> {
     let analysis = Analysis::new(section).expect("sound");
     let solution = analysis.solution();
@@ -353,7 +353,7 @@ fn change_by(section: &Section, state: ImposedStrain, measure: StrainMeasure) ->
     prestress_of_imposed(section, warping, strain, measure, &[free]).expect("straight")[0]
 }
 
-/// A section of one material that is heated evenly has no stress, and grows: with
+/// A section of one material that is heated evenly has no stress, and expands: with
 /// H_0 = eps I, (S-150) is the work of sigma_j on `eps kappa_k x t`,
 ///
 /// ```text
@@ -389,14 +389,14 @@ fn even_heat_of_one_material_only_makes_the_section_grow() {
     }
 }
 
-/// A strip with hot edges, `eps = (y/b)^2`, is pressed there and pulled in the middle, and
-/// loses torsional stiffness by its stress along the beam, which balances itself:
+/// A strip with hot edges, `eps = (y/b)^2`, is in compression there and in tension in the
+/// middle, and loses torsional stiffness by its self-equilibrated stress along the beam:
 ///
 /// ```text
 /// sigma = E ( mean of eps - eps(y) )     T_044 -> int sigma r^2 dA = - E b^3 t / 180
 /// ```
 ///
-/// What is missing is of the size of GJ times the strain and falls with the square of
+/// The difference is of the size of GJ times the strain and decreases with the square of
 /// thickness over width. Strains are linear in each cell: 1e-3 of the integral on 40 cells.
 #[test]
 fn hot_edges_take_torsional_stiffness() {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use nalgebra::Vector3;
 use shared_geom::mesh::{Cell, CellKind, Mesh, Node, PhysicalGroup};
 
-/// Places that belong together to this part of the size of the section are one point.
+/// Distance, relative to the size of the section, below which points are merged.
 const SAME: f64 = 1e-9;
 
 /// A shape as quadrilaterals, counterclockwise, each in a group.
@@ -27,7 +27,7 @@ pub fn graded(from: f64, to: f64, cells: usize) -> Vec<f64> {
     (0..=cells).map(|i| from + (to - from) * part(i)).collect()
 }
 
-/// Pieces of a line put together; each begins where the one before ends.
+/// Connected pieces of a line; each begins at the end of the previous one.
 pub fn joined(pieces: &[Vec<f64>]) -> Vec<f64> {
     let mut line = pieces[0].clone();
     for piece in &pieces[1..] {
@@ -37,8 +37,8 @@ pub fn joined(pieces: &[Vec<f64>]) -> Vec<f64> {
 }
 
 impl Quads {
-    /// The fields between the lines y and z of a lattice: those to whose center
-    /// `group` gives a number.
+    /// The fields between the lines y and z of a lattice for whose center `group` returns a
+    /// number.
     pub fn lattice(y: &[f64], z: &[f64], group: impl Fn([f64; 2]) -> Option<usize>) -> Self {
         let mut shape = Self::default();
         for &z in z {
@@ -59,8 +59,9 @@ impl Quads {
     }
 
     /// Walls around a rectangle: `halves` are half sizes (y, z), outermost first, and
-    /// `cells` those along y and z. Between lines k and k + 1 the top is group 4 k, then
-    /// left, bottom and right; corners are mitred and the cells graded towards them.
+    /// `cells` the numbers of cells along y and z. Between lines k and k + 1 the top is
+    /// group 4 k, then left, bottom and right; corners are mitred and the cells graded
+    /// towards them.
     pub fn rings(halves: &[[f64; 2]], cells: [usize; 2]) -> Self {
         let mut shape = Self::default();
         let around = 2 * (cells[0] + cells[1]);
@@ -88,9 +89,9 @@ impl Quads {
         shape
     }
 
-    /// A polygon that is seen whole from the origin, given by its corners
-    /// counterclockwise: each triangle between origin and side becomes three
-    /// quadrilaterals, each of them `cells` by `cells`; all in group 0.
+    /// A star-shaped polygon about the origin, given by its corners counterclockwise: each
+    /// triangle between origin and side becomes three quadrilaterals, each of them `cells`
+    /// by `cells`; all in group 0.
     pub fn star(corners: &[[f64; 2]], cells: usize) -> Self {
         let mut shape = Self::default();
         for (i, &a) in corners.iter().enumerate() {
@@ -127,7 +128,7 @@ impl Quads {
             .extend(quads.map(|(quad, group)| (quad.map(|point| first + point), *group)));
     }
 
-    /// The same with points at one place made one.
+    /// The same with coincident points merged.
     fn merged(self) -> Self {
         let size = self
             .points
@@ -155,9 +156,9 @@ impl Quads {
         }
     }
 
-    /// The mesh with straight sides. `kind` tells the kind of the cells of each
-    /// quadrilateral, all linear or all quadratic; triangles come in pairs. Group g is
-    /// the physical surface `g`.
+    /// The mesh with straight sides. `kind` gives the kind of the cells of each
+    /// quadrilateral, all linear or all quadratic; triangles come in pairs. Group g is the
+    /// physical surface `g`.
     pub fn mesh(&self, kind: impl Fn(usize) -> CellKind) -> Mesh {
         let mut nodes = self.points.clone();
         let mut middles = HashMap::new();

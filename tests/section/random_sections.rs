@@ -1,12 +1,12 @@
-//! Random sections: convex and not, with holes, of one to three materials at random
-//! angles, of all kinds of cells, mixed, with curved sides and nodes out of line.
+//! Random sections: convex and not, with holes, of one to three materials at random angles,
+//! of all kinds of cells, mixed, with curved sides and shifted nodes.
 //!
-//! What must hold for each of them: a section that is moved and turned has the moved
-//! and turned stiffness and mass; another order of nodes and cells changes nothing;
-//! lengths and moduli enter as powers. Comparisons are relative to `sqrt(K_ii K_jj)`.
+//! Properties of each of them: a section that is moved and turned has the moved and turned
+//! stiffness and mass; another order of nodes and cells has no effect; lengths and moduli
+//! enter as powers. Comparisons are relative to `sqrt(K_ii K_jj)`.
 //!
-//! The sections are drawn from a fixed seed, so that every run has the same; a failure
-//! is reported with the smallest recipe that shows it.
+//! The sections are drawn from a fixed seed, so that every run uses the same; a failure is
+//! reported with the smallest recipe that reproduces it.
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use proptest::collection::vec;
@@ -27,29 +27,28 @@ use crate::quads::{Quads, steps};
 use crate::record;
 use crate::sections::{scaled_error, section_mesh, solved};
 
-/// Sections for each property.
+/// Number of sections for each property.
 const CASES: u32 = 200;
 
-/// What is asked of a moved and turned section: places at three sizes from the origin
-/// have errors of 1e-15, and what becomes of them in sections down to 1:10 with moduli
-/// up to 1:2000.
+/// Tolerance for a moved and turned section: the errors of positions at three sizes from
+/// the origin, 1e-15, as amplified in sections down to 1:10 with moduli up to 1:2000.
 const TRANSPORT: f64 = 1e-9;
 
-/// What is asked of another order: sums in another order, other elimination, other pins
-/// where nodes are equally far, some hundred roundings of 1e-16.
+/// Tolerance for another order: sums in another order, other elimination, other pins for
+/// nodes at equal distances, some hundred roundings of 1e-16.
 const ORDER: f64 = 1e-12;
 
-/// What is asked of other units. All arithmetic is free of units; only the places of the
+/// Tolerance for other units. All arithmetic is dimensionless; only the positions of the
 /// nodes and the laws are rounded again.
 const UNITS: f64 = 1e-11;
 
-/// What is asked of other pins: two decoupled solutions, each with the round-off of what
-/// its pins left of rigid motions.
+/// Tolerance for other pins: two decoupled solutions, each with the round-off of the rigid
+/// motions removed by decoupling.
 const PINS: f64 = 1e-10;
 
 #[derive(Debug, Clone)]
 enum Outline {
-    /// Distances of the corners from a point that sees them all.
+    /// Distances of the corners from the center of a star-shaped polygon.
     Star(Vec<f64>),
     Rectangle,
     Ell,
@@ -86,26 +85,26 @@ impl Outline {
     }
 }
 
-/// All that makes a section; lists are gone through again and again.
+/// All data of a section; lists are used cyclically.
 #[derive(Debug, Clone)]
 struct Recipe {
     outline: Outline,
     is_quadratic: bool,
     /// Choice of the kind of each quadrilateral.
     kinds: Vec<usize>,
-    /// Shift of the nodes, in parts of the largest that is allowed.
+    /// Shift of the nodes, relative to the largest permitted shift.
     shifts: Vec<f64>,
     /// Height over width, a power of ten.
     slenderness: f64,
-    /// Curvature of what was straight.
+    /// Curvature of the straight sides.
     bend: [f64; 2],
     materials: Vec<Material>,
     /// Choice of material, fiber angle, plane angle of each cell.
     cells: Vec<(usize, f64, f64)>,
 }
 
-/// Largest shift of a node, in parts of the shortest side at it: no angle of a cell
-/// becomes straight.
+/// Largest shift of a node, relative to the shortest side at it: no angle of a cell becomes
+/// straight.
 const SHIFT: f64 = 0.06;
 
 impl Recipe {
@@ -180,8 +179,8 @@ fn outlines() -> impl Strategy<Value = Outline> {
     ]
 }
 
-/// Laws that are admissible: across the fiber softer than along it, and Poisson ratios
-/// up to 0.35 between two of these.
+/// Laws that are admissible: softer across the fiber than along it, and Poisson ratios up
+/// to 0.35 between two of these.
 fn laws() -> impl Strategy<Value = ElasticLaw> {
     // from a foam to a metal
     let isotropic = (-1.0..2.3_f64, 0.0..0.45).prop_map(|(power, poisson)| {
@@ -251,7 +250,7 @@ fn recipes() -> impl Strategy<Value = Recipe> {
         )
 }
 
-/// Runs `property` on [`CASES`] recipes, each with what `more` draws for it.
+/// Runs `property` on [`CASES`] recipes, each with additional data drawn by `more`.
 fn check<M: Strategy>(
     name: &str,
     more: M,
@@ -276,13 +275,7 @@ fn check<M: Strategy>(
     });
     println!("{name}: {CASES} sections, at most {:.1e}", worst.get());
     let case = format!("{CASES} random sections");
-    record::largest(
-        "The program itself, transported",
-        &case,
-        name,
-        worst.get(),
-        limit,
-    );
+    record::largest("Invariance of the results", &case, name, worst.get(), limit);
     outcome.unwrap_or_else(|failure| panic!("{failure}"));
 }
 
@@ -295,7 +288,7 @@ fn moved(section: &Section, place: impl Fn([f64; 2]) -> [f64; 2]) -> Section {
 }
 
 fn largest(errors: impl IntoIterator<Item = f64>) -> f64 {
-    // not a number is larger than any
+    // NaN is treated as larger than any number
     errors
         .into_iter()
         .fold(0.0, |most, error| match error > most {
@@ -310,9 +303,8 @@ fn restrained(section: &Section, solution: &SectionSolution) -> Option<Restraine
     RestrainedWarping::new(section, &solution.warping, &solution.strain).ok()
 }
 
-/// `p' = Q p + d`, angles of the walls turned with it: `K' = U(-d) V' K V U(-d)'`, and
-/// the same for the mass; centers move with the mesh, second moments about the
-/// centroid turn.
+/// `p' = Q p + d`, with the angles of the walls turned: `K' = U(-d) V' K V U(-d)'`, and the
+/// same for the mass; centers move with the mesh, second moments about the centroid turn.
 fn transport_error(section: &Section, (phi, d): (f64, [f64; 2])) -> f64 {
     let (s, c) = phi.sin_cos();
     let place = |[y, z]: [f64; 2]| [c * y - s * z + d[0], s * y + c * z + d[1]];
@@ -321,7 +313,7 @@ fn transport_error(section: &Section, (phi, d): (f64, [f64; 2])) -> f64 {
         cell.plane_angle += phi;
     }
     let (plain, found) = (solved(section), solved(&there));
-    // old axes seen from the new ones
+    // old axes in the new ones
     let q = Matrix3::new(1.0, 0.0, 0.0, 0.0, c, s, 0.0, -s, c);
     let back = -Vector3::new(0.0, d[0], d[1]);
     let transported = |matrix: &Matrix6<f64>| wrench::shift(&wrench::rotate(matrix, &q), &back);
@@ -347,7 +339,7 @@ fn transport_error(section: &Section, (phi, d): (f64, [f64; 2])) -> f64 {
     errors.extend(second.map(|(found, expected)| (found - expected).abs()));
     errors.push(apart(two.centroid, place(one.centroid)));
     errors.push((one.perimeter.length() - two.perimeter.length()).abs());
-    // two ways to one mass: by sides and by the rules of the cells
+    // two computations of one mass: by sides and by the rules of the cells
     errors.push((two.mass / found.mass[(0, 0)] - 1.0).abs());
     if let (Some(one), Some(two)) = (restrained(section, &plain), restrained(&there, &found)) {
         let size = plain.stiffness[(0, 0)] * i.yy.max(i.zz);
@@ -368,7 +360,7 @@ fn moved_and_turned_sections_have_the_transported_matrices() {
     );
 }
 
-/// The indices below `count` in an order that `keys` scramble.
+/// The indices below `count` in an order given by `keys`.
 fn order(count: usize, keys: &[u32]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     let key = |i: usize| keys[i % keys.len()].wrapping_mul(2 * (i / keys.len()) as u32 + 1);
@@ -477,8 +469,8 @@ fn with_pins(domain: &Domain, pins: Pins) -> (Decoupled, Matrix6<f64>) {
     (Decoupled::new(domain, central), coupled)
 }
 
-/// Three nodes that span a triangle of at least a part of the section: those of `random`,
-/// or the next after them.
+/// Three nodes that span a triangle of a minimum size: the nodes `random`, or the next
+/// after them.
 fn triangle(nodes: &[[f64; 2]], random: [usize; 3]) -> Pins {
     let [a, b, c] = random.map(|node| node % nodes.len());
     let from_a = |i: usize| [nodes[i][0] - nodes[a][0], nodes[i][1] - nodes[a][1]];
@@ -496,9 +488,9 @@ fn triangle(nodes: &[[f64; 2]], random: [usize; 3]) -> Pins {
     panic!("no triangle")
 }
 
-/// Pins are a choice without consequence, on straight beams and on curved ones: held at
-/// any three nodes that are not on a line, the decoupled solutions are the same; round-off
-/// times a condition of some 1e5, with moduli up to 1:2000, times that of narrow pins.
+/// The choice of pins has no influence, on straight and on curved beams: for any three
+/// nodes that are not on a line the decoupled solutions are the same; round-off times a
+/// condition of about 1e5, with moduli up to 1:2000, times the condition of narrow pins.
 #[test]
 fn pins_do_not_matter() {
     let curved = prop_oneof![
@@ -522,6 +514,6 @@ fn pins_do_not_matter() {
         largest([strains, warping])
     };
     check("random pins", (curved, nodes), property, PINS);
-    // what was decoupled: before, the strains of nearly all sections are those of the pins
+    // before decoupling, the strains of nearly all sections depend on the pins
     assert!(undecoupled.get() > CASES * 9 / 10, "{undecoupled:?}");
 }

@@ -1,15 +1,15 @@
 //! Twenty sections with the results of two independent solvers.
 //!
-//! Source: `tests/reference/sections/README.md`. Each case is solved on the stored
-//! mesh itself, so that the answer is exact up to round-off: ANBA4 and a second
-//! solver agree on it to 1e-9 relative to `sqrt(K_ii K_jj)` or better.
+//! Source: `tests/reference/sections/README.md`. Each case is solved on the stored mesh
+//! itself, so that the result is exact up to round-off: ANBA4 and a second solver agree to
+//! 1e-9 relative to `sqrt(K_ii K_jj)` or better.
 //!
-//! Tolerances: 1e-8 for the stiffness and for the centers (of the section's size),
-//! which leaves room for the round-off of the references (2e-11 seen); 1e-10 for
-//! the mass, a plain sum.
+//! Tolerances: 1e-8 for the stiffness and for the centers (of the section's size), which
+//! allows for the round-off of the references (2e-11 observed); 1e-10 for the mass, a plain
+//! sum.
 //!
-//! The files have x right, y up, z along the beam and the order shear x, shear y,
-//! axial, bending x, bending y, torque: rows and columns 2 0 1 5 3 4 are ours.
+//! The files have x to the right, y up, z along the beam and the order shear x, shear y,
+//! axial, bending x, bending y, torque: their rows and columns 2 0 1 5 3 4 are our order.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -34,7 +34,7 @@ const STIFFNESS_TOLERANCE: f64 = 1e-8;
 const MASS_TOLERANCE: f64 = 1e-10;
 const CENTER_TOLERANCE: f64 = 1e-8;
 
-/// Ours in terms of the rows and columns of the files.
+/// Our components in terms of the rows and columns of the files.
 const ORDER: [usize; 6] = [2, 0, 1, 5, 3, 4];
 
 fn path(file: &str) -> PathBuf {
@@ -92,7 +92,7 @@ pub fn material(value: &Value) -> Material {
     }
 }
 
-/// Plane angle of each cell by tag, where the case gives it so [rad].
+/// Plane angle of each cell by tag, if given by the case [rad].
 fn plane_angles(case: &Value) -> HashMap<u64, f64> {
     let Some(elements) = case.get("elements") else {
         return HashMap::new();
@@ -137,7 +137,7 @@ pub fn section(name: &str, case: &Value, mesh: &Mesh) -> Section {
     }
 }
 
-/// The same mesh with the corner nodes of its triangles only.
+/// The same mesh with only the corner nodes of its triangles.
 fn with_corners_only(mesh: &Mesh) -> Mesh {
     let corners = |cell: &Cell| {
         let nodes = cell.corners();
@@ -197,8 +197,8 @@ fn check_centers(name: &str, section: &Section, found: &SectionSolution, expecte
     }
 }
 
-/// All that a case holds: quadratic cells read from both versions of the mesh
-/// file, and linear cells.
+/// Checks all results of a case: quadratic cells read from both versions of the mesh file,
+/// and linear cells.
 fn check(name: &str) {
     let case = read_case(name);
     for version in ["v22", "v41"] {

@@ -18,7 +18,7 @@ use crate::quads::{Quads, graded, joined, steps};
 use crate::record;
 use crate::sections::{isotropic, of_two, relative_error, solved, uniform};
 
-/// Center lines, for the walls of t/h = 1/100 here.
+/// Formulas of center lines, for walls of t/h = 1/100 here.
 const THIN_WALLS: &str = "Formulas for thin walls";
 const SERIES: &str = "Saint-Venant's solutions";
 
@@ -71,8 +71,8 @@ fn walls(walls: &[Wall], t: f64, cells: usize) -> Mesh {
         .mesh(|_| CellKind::Quadrilateral9)
 }
 
-/// A wall from one point of the center line to another, along y or z, with half a
-/// thickness at the ends that `ends` takes.
+/// A wall from one point of the center line to another, along y or z, extended by half a
+/// thickness at the ends given by `ends`.
 fn wall(from: [f64; 2], to: [f64; 2], t: f64, ends: [bool; 2]) -> Wall {
     let along = usize::from(from[0] == to[0]);
     let (mut low, mut high) = (from, to);
@@ -100,9 +100,8 @@ fn channel() -> Mesh {
     )
 }
 
-/// `Gamma = t b^3 h^2 (3 b + 2 h) / (12 (6 b + h))`, and the center at
-/// `3 b^2 / (6 b + h)` behind the web. Center lines neglect terms of t/h: 1 % is asked
-/// for at t/h = 1/100.
+/// `Gamma = t b^3 h^2 (3 b + 2 h) / (12 (6 b + h))`, and the center at `3 b^2 / (6 b + h)`
+/// behind the web. Center lines neglect terms of t/h: the tolerance is 1 % at t/h = 1/100.
 #[test]
 fn thin_channel() {
     let found = of_mesh(&channel());
@@ -122,8 +121,8 @@ fn thin_channel() {
     assert!(relative_error(found.stiffness, YOUNG * gamma(&found)) < 1e-14);
 }
 
-/// Flanges stiffer than the web by n, each wall counting with its modulus. The corners
-/// belong to the flanges here, (n - 1) t^2/2 more than center lines have; with them as
+/// Flanges stiffer than the web by n, each wall weighted by its modulus. The corners belong
+/// to the flanges here, (n - 1) t^2/2 more than with center lines; with the corners as
 /// points, from the sectorial area h/2 (s - e) of a flange and -e z of the web,
 ///
 /// ```text
@@ -175,7 +174,7 @@ pub fn thin_i_mesh() -> Mesh {
     )
 }
 
-/// `Gamma = t b^3 h^2 / 24`; the center is that of symmetry.
+/// `Gamma = t b^3 h^2 / 24`; the center is the center of symmetry.
 #[test]
 fn thin_i_section() {
     let found = of_mesh(&thin_i_mesh());
@@ -188,8 +187,8 @@ fn thin_i_section() {
     assert!(found.center.iter().all(|x| x.abs() < 1e-9), "{found:?}");
 }
 
-/// `Gamma = t b^3 h^2 (b + 2 h) / (12 (2 b + h))`; the center is in the middle of the
-/// web, while the warping there is not zero: it is by its mean that it is made unique.
+/// `Gamma = t b^3 h^2 (b + 2 h) / (12 (2 b + h))`; the center is in the middle of the web,
+/// but the warping there is not zero: the zero mean of the warping makes it unique.
 #[test]
 fn thin_z_section() {
     let z = H / 2.0;
@@ -212,9 +211,9 @@ fn thin_z_section() {
     assert!(found.center.iter().all(|x| x.abs() < 1e-9), "{found:?}");
 }
 
-/// An angle: the walls meet at the center, so that center lines do not warp, and only
-/// the warping through the walls is left, `Gamma = t^3 (a^3 + b^3) / 36`. The corner,
-/// next to the pole, adds little: 1 % as for the others.
+/// An angle: the walls meet at the center, so that center lines do not warp, and only the
+/// warping through the walls remains, `Gamma = t^3 (a^3 + b^3) / 36`. The corner, next to
+/// the pole, contributes little: 1 % as for the others.
 #[test]
 fn thin_angle_warps_through_its_walls_only() {
     let (a, b) = (H, B);
@@ -247,7 +246,7 @@ fn thin_angle_warps_through_its_walls_only() {
 /// a_n = 8 (-1)^n / (t k_n^3 cosh(k_n b/2))
 /// ```
 ///
-/// squared and integrated; the terms fall as k^-5.
+/// squared and integrated; the terms decrease as k^-5.
 fn rectangle_constant(b: f64, t: f64) -> f64 {
     let mut sum = b.powi(3) * t.powi(3) / 144.0;
     for n in 0..200 {
@@ -263,8 +262,8 @@ fn rectangle_constant(b: f64, t: f64) -> f64 {
 }
 
 /// Relative to the `b^3 t^3 / 144` of a thin strip: quadratic cells of a twelfth of the
-/// height, whose torsion converges as h^4 (5e-5), meet the series to 1e-5. The strip
-/// itself is off by 4.8 (t/b)^2, the first term of the series.
+/// height, whose torsion converges as h^4 (5e-5), agree with the series to 1e-5. The strip
+/// differs by 4.8 (t/b)^2, the first term of the series.
 #[test]
 fn rectangles() {
     for ratio in [1.0, 2.0, 10.0, 100.0] {
@@ -295,7 +294,7 @@ fn rectangles() {
 
 /// Ellipse: `omega = (a^2 - b^2)/(a^2 + b^2) y z` up to its sign, so that
 /// `Gamma = ((a^2 - b^2)/(a^2 + b^2))^2 pi a^3 b^3 / 24`; the circle does not warp. The
-/// outline is made of parabolas, h^4 off: 1e-6 of the ellipse.
+/// outline consists of parabolas, with errors of h^4: 1e-6 of the ellipse.
 #[test]
 fn ellipses() {
     for (a, b) in [(2.0_f64, 1.0_f64), (1.0, 1.0)] {
@@ -350,7 +349,7 @@ fn shear_flow_center_is_the_shear_center_of_one_material() {
         shear[1].abs() > 0.1,
         "a section without symmetry: {shear:?}"
     );
-    // two elastic lengths of the same beam: GJ is that of the compliance
+    // two elastic lengths of the same beam: GJ agrees with the compliance
     let free = 1.0 / solved(&section).compliance[(3, 3)];
     assert!(relative_error(found.torsional_stiffness, free) < 1e-9);
 }

@@ -1,4 +1,4 @@
-//! Sections for the tests of this suite, and how matrices are compared.
+//! Sections for the tests of this suite, and comparison of matrices.
 
 use nalgebra::Matrix6;
 use section_analyzer::analysis::analyze;
@@ -59,7 +59,7 @@ pub fn uniform(mesh: &Mesh, material: Material, fiber_angle: f64) -> Section {
     }
 }
 
-/// The section whose cells with a center that `is_first` takes are of the first
+/// The section in which cells with a center that `is_first` accepts are of the first
 /// material, all others of the second.
 pub fn of_two(
     mesh: &Mesh,
@@ -89,11 +89,11 @@ pub fn identity_errors(section: &Section) -> [f64; 6] {
     check_identities(&domain, &matrices.unwrap_or_else(|failure| fail(failure)))
 }
 
-/// What the identities may lack: round-off of sums of some thousand terms, and of the
-/// derivatives in cells a thousandth of the section thin.
+/// Tolerance of the identities: round-off of sums of some thousand terms, and of the
+/// derivatives in cells as thin as a thousandth of the section.
 pub const IDENTITY: f64 = 1e-12;
 
-/// The solution of a section that has one, of which all identities are checked too.
+/// The solution of a section that has one, after a check of all identities.
 pub fn solved(section: &Section) -> SectionSolution {
     for (name, error) in IDENTITIES.iter().zip(identity_errors(section)) {
         assert!(error < IDENTITY, "{}, {name}: {error:e}", section.name);

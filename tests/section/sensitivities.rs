@@ -55,7 +55,7 @@ fn one(section: &Section, parameter: Parameter) -> Derivative {
     derivatives(section, &[parameter]).remove(0)
 }
 
-/// A section of two materials and many plies, off the origin, with curved sides: nothing
+/// A section of two materials and many plies, off the origin, with curved sides: no entry
 /// is zero by symmetry.
 fn general(line: InitialCurvature) -> Section {
     let full = ElasticLaw::Orthotropic(PLY).stiffness();
@@ -83,11 +83,11 @@ fn general(line: InitialCurvature) -> Section {
 /// Changes a section by a step.
 type Change = Box<dyn Fn(&mut Section, f64)>;
 
-/// A parameter, and the section with it moved by some amount of its unit.
+/// A parameter, and a function that changes it in the section.
 struct Moved {
     name: &'static str,
     parameter: Parameter,
-    /// A natural amount of the parameter: its value, a radian, a meter.
+    /// A reference amount of the parameter: its value, a radian, a meter.
     unit: f64,
     /// Step of the differences.
     step: f64,
@@ -233,11 +233,12 @@ fn error(a: &Matrix6<f64>, b: &Matrix6<f64>, of: &Matrix6<f64>, unit: f64) -> f6
 /// All 36 entries of K, F and M and the three centers, straight and curved.
 ///
 /// Errors are relative to the largest entry of the derivative itself, entries scaled by
-/// `sqrt(Kii Kjj)`; the centers to the largest of their six coordinates. Those of the
-/// differences are step^4/30 of the fifth derivative, for constants 1e-8/30 times a few
-/// units; the ratio 18 of the moduli makes angles sharper (fifth derivatives of 1e4), nodes
-/// move in cells of 0.25: smaller steps. Round-off is 1e-12 over the step and over the
-/// derivative, 1e-3 and more: 1e-6 leaves room.
+/// `sqrt(Kii Kjj)`; the errors of the centers to the largest of their six coordinates. The
+/// errors of the differences are step^4/30 of the fifth derivative, for constants 1e-8/30
+/// times a few units; the ratio 18 of the moduli gives large derivatives with respect to
+/// angles (fifth derivatives of 1e4), and nodes move in cells of 0.25: smaller steps.
+/// Round-off is 1e-12 over the step and over the derivative, 1e-3 and more: 1e-6 is
+/// sufficient.
 #[test]
 fn derivatives_are_those_of_differences() {
     let curved = InitialCurvature {
@@ -277,7 +278,7 @@ fn compare(
     let changes = |derivative: &Matrix6<f64>, of: &Matrix6<f64>| {
         error(derivative, &Matrix6::zeros(), of, unit)
     };
-    // moduli and angles change no mass, densities no stiffness
+    // moduli and angles do not change the mass, densities not the stiffness
     let relative = |found: &Matrix6<f64>, expected: Matrix6<f64>, of: &Matrix6<f64>| {
         let (size, off) = (changes(&expected, of), changes(&(found - expected), of));
         if size < 1e-9 { off } else { off / size }
@@ -363,8 +364,9 @@ fn scales() {
     }
 }
 
-/// Stretched along y: area and I about y grow by one power of the width, I about z by
-/// three; exact for cells that hold the solution of Saint-Venant (nu = 0.3: quadratic).
+/// Stretched along y: area and I about y increase with the first power of the width, I
+/// about z with the third; exact for cells that contain the solution of Saint-Venant
+/// (nu = 0.3: quadratic).
 #[test]
 fn stretch_along_y() {
     let section = uniform(&rectangle(8, 6), isotropic(1.0, 0.3), 0.0);
@@ -408,8 +410,8 @@ fn turned_compliance_rates(k: &EngineeringConstants, angle: f64) -> (f64, f64) {
     (of_11, of_16)
 }
 
-/// The strip of 25 deg: closed forms to round-off (the cells hold the solution), and the
-/// stored differences to theirs, 1e-8.
+/// The strip of 25 deg: closed forms to round-off (the cells contain the solution), and the
+/// stored differences to their accuracy, 1e-8.
 #[test]
 fn off_axis_strip() {
     let angle = 25f64.to_radians();
@@ -453,8 +455,8 @@ fn off_axis_strip() {
     }
 }
 
-/// Two bars side by side, along y: the tension center is that of the moduli, the mass
-/// center that of the densities.
+/// Two bars side by side, along y: the tension center is the center of the moduli, the mass
+/// center the center of the densities.
 #[test]
 fn centers_of_two_materials() {
     let (e, rho) = ([3.0, 1.0], [5.0, 2.0]);
@@ -497,7 +499,7 @@ fn centers_of_two_materials() {
     }
 }
 
-/// What the section does not have is refused in words.
+/// Parameters that the section does not have are refused with a message.
 #[test]
 fn parameters_that_are_not_there() {
     let section = uniform(&rectangle(2, 1), isotropic(1.0, 0.3), 0.0);

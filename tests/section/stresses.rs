@@ -2,8 +2,8 @@
 //!
 //! # References
 //! - [anba4] `tests/reference/sections/README.md`, key `stress_on_this_mesh`: stresses
-//!   under each unit load at four places, in the element that holds the place and as
-//!   its mean, of an independent solver on the same mesh.
+//!   under each unit load at four points, in the element that contains the point and as its
+//!   mean, by an independent solver on the same mesh.
 //! - [saint-venant] Timoshenko, Goodier, *Theory of Elasticity*, 3rd ed. 1970, sections
 //!   109 (torsion of rectangles) and 122 (flexure of rectangles).
 
@@ -40,20 +40,21 @@ fn recovered(section: &Section, solution: &SectionSolution, load: &LoadCase) -> 
     recover(section, solution, load).unwrap_or_else(|failure| panic!("{failure}"))
 }
 
-/// Our component of the internal force for each of the files (shear x, shear y, axial,
-/// bending x, bending y, torque).
+/// Our component of the internal force for each component of the files (shear x, shear y,
+/// axial, bending x, bending y, torque).
 const OUR_LOAD: [usize; 6] = [1, 2, 0, 4, 5, 3];
 
-/// Theirs for each of ours, of the order 11 22 33 23 13 12 in both. Axes 1, 2, 3 of
-/// the files are our y, z, x in section axes and our 2, 3, 1 in material axes.
+/// Index in the files for each of our stress components, in the order 11 22 33 23 13 12 in
+/// both. Axes 1, 2, 3 of the files are our y, z, x in section axes and our 2, 3, 1 in
+/// material axes.
 const THEIR_STRESS: [usize; 6] = [2, 0, 1, 5, 3, 4];
 
 fn stress_of(value: &Value) -> Vector6<f64> {
     Vector6::from_fn(|i, _| number(&value[THEIR_STRESS[i]]))
 }
 
-/// All stresses of a case that has them. The answer on the stored mesh is exact up to
-/// round-off: 1e-8 of the largest stress of the load, as for the stiffness.
+/// Checks all stresses of a case that has them. The result on the stored mesh is exact up
+/// to round-off: 1e-8 of the largest stress of the load, as for the stiffness.
 fn check(name: &str) {
     let case = read_case(name);
     let section = section(name, &case, &read_mesh(name, "v41"));
@@ -73,7 +74,7 @@ fn check(name: &str) {
             };
             for (i, place) in places.iter().enumerate() {
                 let place = [number(&place[0]), number(&place[1])];
-                let (cell, at) = recoverer.at(&load, place).expect("a place inside");
+                let (cell, at) = recoverer.at(&load, place).expect("a point inside");
                 let mean = &recovery.cells[cell].tensors;
                 compared.push((stress(&at), stress_of(&expected["point"][i])));
                 compared.push((stress(mean), stress_of(&expected["element_mean"][i])));
@@ -103,15 +104,14 @@ fn bimat_rect_at_the_stored_points() {
     check("bimat_rect");
 }
 
-/// [anba4] Fibers at 30 degrees: the material axes are told apart from those of the
-/// section.
+/// [anba4] Fibers at 30 degrees: the material axes differ from the axes of the section.
 #[test]
 fn ortho_rect_30_at_the_stored_points() {
     check("ortho_rect_30");
 }
 
-/// Thin laminated walls and a blade under each unit load: the stresses add up to it.
-/// Some ten thousand points lose three digits of the sixteen at most.
+/// Thin laminated walls and a blade under each unit load: their resultant is the load.
+/// About ten thousand points lose at most three digits of the sixteen.
 #[test]
 fn resultants_are_the_load() {
     for name in ["box_CUS_45_m45", "blade_naca", "vabs_channel", "iso_tube"] {
@@ -132,8 +132,8 @@ fn resultants_are_the_load() {
 }
 
 /// The same section turned by 40 degrees with its plies, under the same force turned:
-/// stresses in material axes stay as they were. Round-off of the solution, 1e-13, and
-/// of the turned mesh.
+/// stresses in material axes do not change. Round-off of the solution, 1e-13, and of the
+/// turned mesh.
 #[test]
 fn material_axes_turn_with_the_section() {
     let name = "ortho_rect_30";
@@ -157,7 +157,7 @@ fn material_axes_turn_with_the_section() {
     for (a, b) in here.points.iter().zip(&there.points) {
         let (a, b) = (&a.tensors, &b.tensors);
         let error = (a.material_stress - b.material_stress).amax() / largest;
-        let source = "The program itself, transported";
+        let source = "Invariance of the results";
         record::largest(source, "turned", "stresses in material axes", error, 1e-10);
         assert!(error < 1e-10, "{error:e}");
         assert!((a.stress - b.stress).amax() > 1e-3 * a.stress.amax());
@@ -178,9 +178,9 @@ fn rectangle(width: f64, height: f64, cells: [usize; 2], kind: CellKind, nu: f64
     uniform(&mesh, isotropic(1.0, nu), 0.0)
 }
 
-/// `sigma_xx = F/A + M_y z/I_y - M_z y/I_z` and nothing else: linear, so that every
-/// quadratic cell holds it at its points, in its mean and at its nodes to round-off,
-/// as does a linear one without Poisson's ratio.
+/// `sigma_xx = F/A + M_y z/I_y - M_z y/I_z` and no other stress: linear, so that every
+/// quadratic cell reproduces it at its points, in its mean and at its nodes to round-off,
+/// as does a linear cell without Poisson's ratio.
 #[test]
 fn bending_is_exact() {
     let (width, height) = (2.0, 0.5);
@@ -213,14 +213,14 @@ fn bending_is_exact() {
     }
 }
 
-/// [saint-venant] Shear V along z without Poisson's ratio: `tau = 3/2 V/A (1 - 4
-/// z^2/h^2)`, from a warping that is cubic in z alone.
+/// [saint-venant] Shear V along z without Poisson's ratio: `tau = 3/2 V/A (1 - 4 z^2/h^2)`,
+/// from a warping that is cubic in z only.
 ///
-/// A quadratic cell cannot hold the cubic, so that the parabola is not exact: the
-/// discrete tau is its projection on functions linear in each cell. It meets the
-/// parabola at the two Gauss points across the cell and in the mean of the cell, both
-/// to round-off, and lies above it by `V/A (1/n)^2` at the borders of n cells: at the
-/// nodes in the middle of the height tau is `3/2 V/A (1 + 2/3 (1/n)^2)`.
+/// A quadratic cell cannot represent the cubic, so that the parabola is not exact: the
+/// discrete tau is its projection on functions linear in each cell. It equals the parabola
+/// at the two Gauss points across the cell and in the mean of the cell, both to round-off,
+/// and is above it by `V/A (1/n)^2` at the borders of n cells: at the nodes in the middle
+/// of the height tau is `3/2 V/A (1 + 2/3 (1/n)^2)`.
 #[test]
 fn shear_of_a_rectangle_is_the_projected_parabola() {
     let (width, height, cells) = (0.7, 2.0, 4);
@@ -246,7 +246,7 @@ fn shear_of_a_rectangle_is_the_projected_parabola() {
             near(cell.tensors.stress[4], of_mean, "mean");
             for side in [-1.0, 1.0] {
                 let place = [y + 0.1 * step, z + side * step / 12f64.sqrt()];
-                let (_, at) = recoverer.at(&load, place).expect("a place inside");
+                let (_, at) = recoverer.at(&load, place).expect("a point inside");
                 near(at.stress[4], parabola(place[1]), "Gauss point");
             }
         }
@@ -271,10 +271,10 @@ fn shear_of_a_rectangle_is_the_projected_parabola() {
 /// J = 1/3 (1 - 192/pi^5 sum tanh(n pi/2)/n^5)          n = 1, 3, 5 ..
 /// ```
 ///
-/// 0.675314/0.140577 = 4.80388. The stress of quadratic cells is of the second order
-/// in the size of the cells, in the middle of a side too, where no cell lies beyond.
-/// In square cells the order is four: what the fit drops is as much of the second
-/// derivative of tau along y as along z, and these cancel, since tau is harmonic.
+/// 0.675314/0.140577 = 4.80388. The stress of quadratic cells is of the second order in the
+/// cell size, also in the middle of a side, at the boundary. In square cells the order is
+/// four: the fit drops equal parts of the second derivatives of tau along y and along z,
+/// which cancel, since tau is harmonic.
 #[test]
 fn torsion_of_a_square() {
     let odd = (0..40).map(|i| f64::from(2 * i + 1));
@@ -345,7 +345,7 @@ fn stored_square_torsion() -> [f64; 2] {
     ]
 }
 
-/// A load times the reserve factor of a section is the load at which its worst index is
+/// A load times the reserve factor of a section is the load at which its governing index is
 /// one; `Tsai-Wu` is not linear in it. Round-off of the recovery.
 #[test]
 fn reserve_factor_is_that_of_the_load() {

@@ -1,20 +1,20 @@
 //! Circles of files that import each other.
 //!
-//! A file imports another when it takes a name that the other defines, also when a third
-//! file re-exports the name. Two rules hold:
+//! A file imports another if it uses a name that the other defines, also if a third file
+//! re-exports the name. Two rules apply:
 //!
 //! 1. Without the imports that files take from modules above them, there is no circle.
-//! 2. A circle with such imports has only one module and files below it.
+//! 2. A circle with these imports has only one module and files below it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::source::{is_word, words};
 use crate::tree::{File, Tree};
 
-/// The crates that the rules hold for.
+/// The crates to which the rules apply.
 const HELD: [&str; 3] = ["shared-geom", "section-analyzer", "beam-dynamics"];
 
-/// How many re-exports may lead to the file that defines a name.
+/// Most re-exports between a name and the file that defines it.
 const MOST_STEPS: usize = 16;
 
 /// The circles of the crates in [`HELD`] that break a rule.
@@ -33,7 +33,7 @@ struct Source {
     path: String,
     /// Names that its `use` lines bring into the module.
     taken: Vec<Taken>,
-    /// Paths that stand elsewhere in its code.
+    /// Paths elsewhere in its code.
     written: Vec<Vec<String>>,
 }
 
@@ -51,7 +51,7 @@ enum Target {
     Module(Module),
     /// A name, with the module that defines it.
     Name(Module, String),
-    /// Something that this crate does not define.
+    /// A name that this crate does not define.
     Outside,
 }
 
@@ -59,12 +59,12 @@ enum Target {
 struct Graph {
     /// The files of the crate by their modules.
     sources: BTreeMap<Module, Source>,
-    /// For each module that takes names from another, the names.
+    /// For each module that uses names of another, the names.
     arrows: BTreeMap<Module, BTreeMap<Module, BTreeSet<String>>>,
 }
 
 impl Graph {
-    /// The imports of the crate in `folder`, without those that are for tests alone.
+    /// The imports of the crate in `folder`, without the imports for tests.
     fn of(tree: &Tree, folder: &str) -> Self {
         let folder = format!("{folder}/src");
         let files = tree.rust_below(&folder);
@@ -82,7 +82,7 @@ impl Graph {
         graph
     }
 
-    /// The names that `module` takes from other modules.
+    /// The names that `module` uses from other modules.
     fn arrows_from(&self, module: &Module) -> BTreeMap<Module, BTreeSet<String>> {
         let source = &self.sources[module];
         let taken = source.taken.iter().map(|taken| &taken.path);
@@ -98,7 +98,7 @@ impl Graph {
         arrows
     }
 
-    /// The target of a path that stands in `module`.
+    /// The target of a path in `module`.
     fn target(&self, module: &Module, path: &[String], steps: usize) -> Target {
         let mut at = module.clone();
         for (number, word) in path.iter().enumerate() {
@@ -119,7 +119,7 @@ impl Graph {
     }
 
     /// The target of `name` if it is a module below `module` or a name that `module`
-    /// takes; at the end of a path the name comes first.
+    /// imports; at the end of a path the name comes first.
     fn member(&self, module: &Module, name: &str, is_last: bool, steps: usize) -> Option<Target> {
         let mut below = module.clone();
         below.push(name.to_owned());
@@ -152,7 +152,8 @@ impl Graph {
             .collect()
     }
 
-    /// The circles of the imports that `counts` takes, each in the order of its modules.
+    /// The circles of the imports for which `counts` holds, each in the order of its
+    /// modules.
     fn circles(&self, counts: impl Fn(&Module, &Module) -> bool) -> BTreeSet<Vec<&Module>> {
         let modules = self.arrows.keys();
         let reached: BTreeMap<&Module, BTreeSet<&Module>> = modules
@@ -183,7 +184,7 @@ impl Graph {
         reached
     }
 
-    /// The files of a circle, and the names that each takes from the others.
+    /// The files of a circle, and the names that each uses from the others.
     fn told(&self, circle: &[&Module], counts: impl Fn(&Module, &Module) -> bool) -> String {
         let path = |module: &Module| self.sources[module].path.as_str();
         let mut text = format!("{} files import each other in a circle:", circle.len());
@@ -208,7 +209,7 @@ fn module_of(path: &str) -> Module {
     }
 }
 
-/// The imports of a file, without those that are for tests alone.
+/// The imports of a file, without the imports for tests.
 fn source(file: &File) -> Source {
     let lines = file.code.lines().zip(&file.is_test);
     let lines: Vec<&str> = lines
@@ -233,7 +234,7 @@ fn source(file: &File) -> Source {
     }
 }
 
-/// Adds the names of one branch of a `use` line, which stands behind `before`.
+/// Adds the names of one branch of a `use` line, with the path `before` it.
 fn names_of(before: &[String], branch: &str, taken: &mut Vec<Taken>) {
     let (head, group) = match branch.split_once('{') {
         Some((head, group)) => (head, group.trim_end().strip_suffix('}')),

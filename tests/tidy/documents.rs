@@ -1,4 +1,4 @@
-//! What the documents name must exist: paths, links, citations, equations, pages.
+//! References of the documents must exist: paths, links, citations, equations, pages.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ const BIBLIOGRAPHY: &str = "docs/src/bibliography.md";
 const BOOK: &str = "docs/src/";
 const CRATES: [&str; 3] = ["shared-geom", "section-analyzer", "beam-dynamics"];
 
-/// Endings by which a name without a slash is known for a file.
+/// Endings by which a name without a slash is recognized as a file.
 const FILE_ENDINGS: [&str; 8] = [
     ".rs", ".md", ".toml", ".json", ".csv", ".msh", ".geo", ".cff",
 ];
@@ -74,10 +74,11 @@ fn is_path(span: &str) -> bool {
         || span.starts_with(".ci/")
 }
 
-/// Citation keys that the bibliography does not have, and entries that nothing cites.
+/// Citation keys missing in the bibliography, and uncited entries.
 ///
-/// A key with a year, such as `Name1999` in brackets, is looked for in every source
-/// and page; one without in the pages of the book and below `# References` in sources.
+/// A key with a year, such as `Name1999` in brackets, is searched in every source and
+/// page; a key without a year in the pages of the book and below `# References` in
+/// sources.
 pub fn citations(tree: &Tree) -> Vec<String> {
     let Some(bibliography) = tree.file(BIBLIOGRAPHY) else {
         return vec![format!("{BIBLIOGRAPHY}:1: the file is missing")];
@@ -132,7 +133,7 @@ fn keys(file: &File) -> Vec<(usize, String)> {
     found
 }
 
-/// What a file says in words: comments of a source, lines of a page outside code.
+/// The text of a file: comments of a source, lines of a page outside code.
 fn written_lines(file: &File) -> Vec<(usize, String)> {
     if file.is_markdown() {
         let lines = prose_lines(&file.text);
@@ -152,7 +153,7 @@ fn written_lines(file: &File) -> Vec<(usize, String)> {
     comments.map(str::to_owned).enumerate().collect()
 }
 
-/// What stands in each pair of brackets, and what follows them.
+/// The content of each pair of brackets, and the text after them.
 fn brackets(text: &str) -> Vec<(&str, &str)> {
     let opened = text.match_indices('[').map(|(at, _)| &text[at + 1..]);
     opened.filter_map(|rest| rest.split_once(']')).collect()
@@ -174,7 +175,7 @@ fn is_name(key: &str) -> bool {
         && key.chars().all(|c| c.is_ascii_alphabetic())
 }
 
-/// Cited equations, `(S-7)` or `(D-7)`, that the book does not have, and numbers given twice.
+/// Cited equations, `(S-7)` or `(D-7)`, missing in the book, and numbers given twice.
 pub fn equations(tree: &Tree) -> Vec<String> {
     let mut breaches = Vec::new();
     let mut numbered = BTreeSet::new();
@@ -204,13 +205,13 @@ pub fn equations(tree: &Tree) -> Vec<String> {
 }
 
 /// Equations of the section theory that no source evaluates or tests: a formula in the
-/// code says which one it is.
+/// code cites its equation.
 ///
 /// The numbers of the dynamics are checked in the other direction only, by
 /// [`equations`].
 pub fn equations_without_source(tree: &Tree) -> Vec<String> {
     let sources = tree.files.iter().filter(|file| file.is_rust());
-    // the examples of these rules are no formulas
+    // the examples of these rules are not formulas
     let sources = sources.filter(|file| !file.path.starts_with("tests/tidy/"));
     let mut cited = BTreeSet::new();
     for file in sources {
@@ -234,8 +235,12 @@ pub fn equations_without_source(tree: &Tree) -> Vec<String> {
     breaches
 }
 
-/// The number that a displayed equation carries: at the end of its line, behind two spaces.
+/// The number of a displayed equation: in LaTeX `\tag{D-7}`, in text at the end of its line,
+/// after two spaces.
 fn ending_number(line: &str) -> Option<&str> {
+    if let Some((_, rest)) = line.split_once("\\tag{") {
+        return rest.split_once('}').map(|(number, _)| number);
+    }
     let (_, number) = line.trim_end().rsplit_once("  (")?;
     equation_number(number).filter(|found| number.len() == found.len() + 1)
 }
@@ -317,7 +322,7 @@ fn headings(text: &str) -> impl Iterator<Item = String> {
     })
 }
 
-/// Pages of the book that its summary does not list.
+/// Pages of the book missing in its summary.
 pub fn pages(tree: &Tree) -> Vec<String> {
     let summary = format!("{BOOK}SUMMARY.md");
     let listed = tree.file(&summary).map_or("", |file| file.text.as_str());
@@ -363,7 +368,7 @@ mod tests {
 
     #[test]
     fn equations_are_numbered_once_and_cited_by_their_number() {
-        let book = "```text\na = b    (S-1)\nc = d    (S-1)\n```\n";
+        let book = "```text\na = b    (S-1)\n```\n```math\nc = d \\tag{S-1}\n```\n";
         let tree = Tree::of(&[("docs/src/a.md", book), ("a/src/b.rs", "// (S-1), (D-2)\n")]);
         assert_eq!(equations(&tree).len(), 2);
     }

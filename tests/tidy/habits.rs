@@ -1,4 +1,4 @@
-//! What no source may contain.
+//! Contents that no source may have.
 
 use crate::source::{is_word, line_of, words};
 use crate::tree::{File, Tree};
@@ -18,7 +18,7 @@ const MACHINE_FOLDERS: [&str; 5] = ["tmp", "work", "home", "root", "Users"];
 
 /// Calls of `unwrap` outside tests.
 pub fn unwraps(tree: &Tree) -> Vec<String> {
-    let message = "unwrap outside tests: return the error, or expect with the invariant in words";
+    let message = "unwrap outside tests: return the error, or expect with the invariant as text";
     let rust = tree.files.iter().filter(|file| file.is_rust());
     rust.flat_map(|file| {
         let calls = file
@@ -29,7 +29,7 @@ pub fn unwraps(tree: &Tree) -> Vec<String> {
     .collect()
 }
 
-/// Imports that end in a star, but for `use super::*` in tests.
+/// Imports that end in a star, except `use super::*` in tests.
 pub fn globs(tree: &Tree) -> Vec<String> {
     let mut breaches = Vec::new();
     for file in tree.files.iter().filter(|file| file.is_rust()) {
@@ -41,7 +41,7 @@ pub fn globs(tree: &Tree) -> Vec<String> {
             let line = line_of(&file.code, at);
             let excused = file.is_test[line] && statement == "use super::*";
             if statement.contains('*') && !excused {
-                breaches.push(file.breach(line, "glob import: name what is taken"));
+                breaches.push(file.breach(line, "glob import: list the names"));
             }
         }
     }
@@ -110,7 +110,7 @@ mod tests {
             unwraps(&tree(text)),
             [tree(text).files[0].breach(
                 0,
-                "unwrap outside tests: return the error, or expect with the invariant in words"
+                "unwrap outside tests: return the error, or expect with the invariant as text"
             )]
         );
     }

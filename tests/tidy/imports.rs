@@ -1,4 +1,4 @@
-//! Who may import whom.
+//! Permitted imports.
 
 use crate::source::{is_word, line_of, words};
 use crate::tree::{File, Tree};
@@ -11,8 +11,8 @@ pub struct Stages {
     pub order: &'static [&'static str],
 }
 
-/// The order of the stages, one entry a program. A stage that the tree does not
-/// have yet is ignored; a module that the order does not have is a breach.
+/// The order of the stages, one entry per program. A stage that the tree does not have
+/// yet is ignored; a module missing in the order is a breach.
 pub const CRATES: [Stages; 2] = [
     Stages {
         folder: "section-analyzer",
@@ -94,14 +94,14 @@ fn check_file(stages: &Stages, file: &File, module: &[&str], breaches: &mut Vec<
         }
         let reason = match (ABOVE.contains(&target), rank(target)) {
             (true, _) => "which no stage may import",
-            (false, Some(_)) => "which stands after it in the flow",
+            (false, Some(_)) => "which comes after it in the flow",
             (false, None) => "which is not a stage: name the module that defines it",
         };
         breaches.push(file.breach(line, &format!("\"{own}\" imports \"{target}\", {reason}")));
     }
 }
 
-/// The modules that lead to a file, from its path below `src`.
+/// The modules on the path to a file, from its path below `src`.
 fn module_path(path: &str) -> Vec<&str> {
     let mut module: Vec<&str> = path.trim_end_matches(".rs").split('/').collect();
     if module.len() > 1 && module.last() == Some(&"mod") {
@@ -110,7 +110,8 @@ fn module_path(path: &str) -> Vec<&str> {
     module
 }
 
-/// Top-level names that the file takes through `crate::` or `super::` paths, with their lines.
+/// Top-level names that the file uses through `crate::` or `super::` paths, with their
+/// lines.
 fn imported<'a>(file: &'a File, module: &[&str]) -> Vec<(usize, &'a str)> {
     let code = file.code.as_str();
     let mut found = Vec::new();
@@ -134,7 +135,7 @@ fn imported<'a>(file: &'a File, module: &[&str]) -> Vec<(usize, &'a str)> {
     found
 }
 
-/// The names behind the path that ends at byte `at`: one, or those of a brace group.
+/// The names after the path that ends at byte `at`: one, or a brace group.
 fn take<'a>(code: &'a str, at: usize, found: &mut Vec<(usize, &'a str)>) {
     let Some(rest) = code[at..].strip_prefix("::") else {
         return;

@@ -1,4 +1,4 @@
-//! How long files and functions may be.
+//! Largest lengths of files and functions.
 
 use crate::source::item_end;
 use crate::tree::{File, Tree};
@@ -68,7 +68,7 @@ fn declared_function(line: &str) -> Option<&str> {
     after.split(['(', '<']).next()
 }
 
-/// Whether the mark of a long matrix stands above line `start`, docs and attributes apart.
+/// Whether the mark of a long matrix is above line `start`, docs and attributes skipped.
 fn is_marked(file: &File, start: usize) -> bool {
     let lines: Vec<&str> = file.text.lines().collect();
     let mut above = lines[..start].iter().rev().map(|line| line.trim());

@@ -1,12 +1,13 @@
 //! Rules of the tree that a machine can check.
 //!
 //! Each test reads the tree, collects all breaches of one rule as
-//! `file:line: what was found and what was expected`, and fails with the whole
-//! list. The rules themselves are in `CONTRIBUTING.md`; the order of the stages
-//! is [`imports::CRATES`].
+//! `file:line: what was found and what was expected`, and fails with the whole list. The
+//! rules are in `CONTRIBUTING.md`; the order of the stages is [`imports::CRATES`].
 
 mod circles;
 mod documents;
+#[path = "../../docs/math/render.rs"]
+mod formulas;
 mod habits;
 mod imports;
 mod lengths;
@@ -16,7 +17,7 @@ mod units;
 
 use tree::Tree;
 
-/// Fails with the list when there is a breach.
+/// Fails with the list if there is a breach.
 fn expect_none(rule: &str, breaches: Vec<String>) {
     assert!(
         breaches.is_empty(),
@@ -105,4 +106,16 @@ fn links_lead_somewhere() {
 #[test]
 fn the_book_lists_every_page() {
     expect_none("pages", documents::pages(&Tree::read()));
+}
+
+#[test]
+fn formulas_of_the_book_are_latex_that_renders() {
+    let tree = Tree::read();
+    let pages = tree.files.iter().filter(|page| page.is_markdown());
+    let wrong = pages.flat_map(|page| {
+        let problems = formulas::rendered(&page.text).err().unwrap_or_default();
+        let breach = |(line, text): (usize, String)| page.breach(line - 1, &text);
+        problems.into_iter().map(breach).collect::<Vec<_>>()
+    });
+    expect_none("formulas", wrong.collect());
 }

@@ -1,10 +1,10 @@
-//! A reader of Rust sources that knows just enough: what is code and what is
-//! not, where a block ends, what is compiled for tests alone.
+//! A minimal reader of Rust sources: code and non-code, the end of a block, code compiled
+//! for tests only.
 
 use std::iter::repeat_n;
 
-/// The source with comments, strings and characters replaced by spaces, so that
-/// lines and columns (counted in characters) stay where they were.
+/// The source with comments, strings and characters replaced by spaces, so that lines and
+/// columns (counted in characters) are kept.
 pub fn blank(source: &str) -> String {
     let chars: Vec<char> = source.chars().collect();
     let mut code = String::with_capacity(source.len());
@@ -27,8 +27,8 @@ fn blanked(c: char) -> char {
     if c == '\n' { '\n' } else { ' ' }
 }
 
-/// Where the comment, string or character that begins at `at` ends; `at` itself
-/// when code stands there.
+/// The end of the comment, string or character that begins at `at`; `at` itself if it is
+/// code.
 fn opaque_end(chars: &[char], at: usize) -> usize {
     match (chars[at], chars.get(at + 1)) {
         ('/', Some('/')) => find(chars, at, |c| c == '\n'),
@@ -102,7 +102,7 @@ pub fn is_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// Byte offsets at which the word `wanted` stands alone in `text`.
+/// Byte offsets at which the word `wanted` is a whole word in `text`.
 pub fn words<'a>(text: &'a str, wanted: &'a str) -> impl Iterator<Item = usize> + 'a {
     text.match_indices(wanted).map(|(at, _)| at).filter(|at| {
         let before = text[..*at].chars().next_back();
@@ -116,8 +116,8 @@ pub fn line_of(text: &str, at: usize) -> usize {
     text[..at].matches('\n').count()
 }
 
-/// The line on which the item that begins on line `start` ends: where its first
-/// brace closes, or where a semicolon ends it before any brace.
+/// The line on which the item that begins on line `start` ends: its first closed brace,
+/// or a semicolon before any brace.
 pub fn item_end(lines: &[&str], start: usize) -> Option<usize> {
     let (mut braces, mut brackets) = (0, 0);
     for (number, line) in lines.iter().enumerate().skip(start) {
@@ -138,7 +138,7 @@ pub fn item_end(lines: &[&str], start: usize) -> Option<usize> {
     None
 }
 
-/// For each line of blanked code, whether it is compiled for tests alone.
+/// For each line of blanked code, whether it is compiled for tests only.
 pub fn test_lines(code: &str) -> Vec<bool> {
     let lines: Vec<&str> = code.lines().collect();
     let mut is_test = vec![false; lines.len()];

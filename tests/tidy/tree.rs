@@ -1,22 +1,22 @@
-//! The files of the repository: what every rule reads.
+//! The files of the repository, input of every rule.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::source;
 
-/// Folders that are not part of the tree, wherever they stand.
+/// Folders that are not part of the tree, at any depth.
 const SKIPPED: [&str; 3] = ["target", ".git", "out"];
 
 /// A text file of the repository.
 pub struct File {
     /// Path from the root of the repository, with forward slashes.
     pub path: String,
-    /// The text as it stands.
+    /// The text, unchanged.
     pub text: String,
     /// Rust only: the text with comments, strings and characters blanked out.
     pub code: String,
-    /// Rust only: for each line, whether it is compiled for tests alone.
+    /// Rust only: for each line, whether it is compiled for tests only.
     pub is_test: Vec<bool>,
 }
 
@@ -54,7 +54,7 @@ impl File {
         format!("{}:{}: {message}", self.path, line + 1)
     }
 
-    /// Lines of blanked code that are not for tests alone: number (from zero) and text.
+    /// Lines of blanked code that are not for tests only: number (from zero) and text.
     pub fn program_lines(&self) -> impl Iterator<Item = (usize, &str)> {
         self.code
             .lines()
@@ -63,7 +63,7 @@ impl File {
     }
 }
 
-/// Whether all of the file is for tests: a folder `tests`, `tests.rs`, `*_tests.rs`.
+/// Whether the whole file is for tests: a folder `tests`, `tests.rs`, `*_tests.rs`.
 fn is_test_path(path: &str) -> bool {
     path.starts_with("tests/")
         || path.contains("/tests/")
@@ -93,7 +93,7 @@ impl Tree {
         tree
     }
 
-    /// A tree of these files alone, for the tests of the rules.
+    /// A tree of these files only, for the tests of the rules.
     #[cfg(test)]
     pub fn of(files: &[(&str, &str)]) -> Self {
         Self {

@@ -1,10 +1,10 @@
-//! Units of public numbers: in a public structure, the doc comment of every public
-//! field of `f64`, or of arrays, vectors and matrices of them, states one in brackets.
+//! Units of public numbers: in a public structure, the doc comment of every public field
+//! of `f64`, or of arrays, vectors and matrices of them, states one in brackets.
 
 use crate::source::words;
 use crate::tree::{File, Tree};
 
-/// Words that a unit is made of, numbers and signs apart.
+/// Words of a unit, without numbers and signs.
 const UNITS: [&str; 33] = [
     "m", "mm", "kg", "s", "ms", "N", "kN", "J", "W", "Pa", "kPa", "MPa", "GPa", "K", "rad", "deg",
     "Hz", "rpm", "V", "A", "C", "F", "g", "t", "in", "ft", "lb", "lbf", "slug", "psi", "per",
@@ -54,7 +54,7 @@ fn public_field(code: &str) -> Option<(&str, &str)> {
     (is_name && kind.ends_with(',')).then_some((name, kind))
 }
 
-/// The doc comment above a line, attributes passed over.
+/// The doc comment above a line, attributes skipped.
 fn doc_above(lines: &[&str], line: usize) -> String {
     let above = lines[..line].iter().rev().map(|text| text.trim());
     let mut doc: Vec<&str> = above
@@ -73,8 +73,8 @@ fn states_unit(doc: &str) -> bool {
         .any(|(content, _)| is_unit(content))
 }
 
-/// `-`, words of [`UNITS`] with numbers and signs between them, or words among which
-/// is "unit", where another value decides.
+/// `-`, words of [`UNITS`] with numbers and signs between them, or words that include
+/// "unit", if another value decides.
 fn is_unit(content: &str) -> bool {
     let content = content.trim_matches(['\\', '`', ' ']);
     if content == "-"

@@ -1,4 +1,4 @@
-//! The way of an equilibrium by the length of its path, past limit points.
+//! Equilibrium path by arc length, past limit points.
 //!
 //! State and factor move together: with the sum Dy of the corrections of a step and the
 //! change Dl of the factor,
@@ -7,10 +7,10 @@
 //! F(y, lambda) = 0                  |Dy|^2 + (psi Dl)^2 = l^2
 //! ```
 //!
-//! by Newton's method for both, `dy = dy_F + dl dy_lambda` with two solutions of one
-//! factorization. Displacements count in sizes of the model, rotations in radians, and
-//! psi is the length of the rate `dy/d lambda` at the start, so that state and load have
-//! equal parts of the first step. The sense of a step is that of the step before.
+//! by Newton's method for both, `dy = dy_F + dl dy_lambda` with two solutions of one factorization.
+//! Displacements are relative to the size of the model, rotations in radians, and psi is the length
+//! of the rate `dy/d lambda` at the start, so that state and load have equal shares of the first
+//! step. The sense of a step is the sense of the previous one.
 //!
 //! References: [Crisfield1981], spherical arc length.
 
@@ -20,19 +20,19 @@ use crate::solver::{Equations, Newton, NewtonStatus, Worst, solve};
 use super::balance::{Balance, worst_equation};
 use super::path::{PathEnd, Point, Walk, Walker};
 
-/// First step where none is asked for, as a part of the whole way.
+/// First step if none is given, as a part of the whole path.
 const FIRST: f64 = 0.05;
-/// Longest step, in first steps, where none is asked for.
+/// Longest step, in first steps, if none is given.
 const LONGEST: f64 = 4.0;
 /// Shortest step, in first steps.
 const SHORTEST: f64 = 1e-4;
-/// Iterations that are wanted: fewer make the next step longer.
+/// Desired number of iterations: with fewer the next step is longer.
 const WANTED: f64 = 5.0;
-/// Iterations at most.
+/// Largest number of iterations.
 const ITERATIONS: usize = 15;
 /// Size of the last correction, in sizes of the model or radians.
 const CONVERGED: f64 = 1e-9;
-/// Least cosine between the direction foreseen and that of the step.
+/// Least cosine between the predicted direction and the direction of the step.
 const TURNED: f64 = 0.7;
 
 /// A point of the path, and the unit direction by which it was reached.
@@ -42,7 +42,7 @@ struct Here {
     direction: (Vec<f64>, f64),
 }
 
-/// A step tried: the point after it, if it was found, and what it took.
+/// A trial step: the point after it, if it was found, and its effort.
 struct Tried {
     found: Option<Here>,
     iterations: usize,
@@ -51,7 +51,7 @@ struct Tried {
 }
 
 impl Walker<'_> {
-    /// Goes to the end by steps along the path.
+    /// Continues to the end by steps along the path.
     pub fn by_length(&self) -> Walk {
         let mut points = Vec::new();
         let end = self.follow(&mut points).err();
@@ -212,7 +212,7 @@ impl Arc<'_, '_> {
         dl.is_finite().then(|| (sum.collect(), dl))
     }
 
-    /// Where the step passes the factor asked for: the state there, and its residual.
+    /// The state at which the step passes the requested factor, and its residual.
     fn landing(&self, here: &Here, there: &Here) -> Option<(State, f64)> {
         let to = self.walker.to;
         let passed = (here.factor - to) * to < 0.0 && (there.factor - to) * to >= 0.0;
@@ -222,7 +222,7 @@ impl Arc<'_, '_> {
         let part = (to - here.factor) / (there.factor - here.factor);
         let whole = self.walker.at(to, &there.state).moved_from(&here.state);
         let foreseen: Vec<_> = whole.iter().map(|value| part * value).collect();
-        // Reactions are unknowns as well: they come with the first correction.
+        // Reactions are unknowns too: the first correction determines them.
         let mut balance = self.walker.at(to, &here.state);
         balance.correct(&foreseen);
         let report = solve(&mut balance, &Newton::default());

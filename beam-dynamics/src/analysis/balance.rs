@@ -264,19 +264,26 @@ impl Scales {
                 largest[force as usize] = of_forces.max(of_moments / self.arm);
             }
         }
-        // The terms of a constraint vanish with it: they are measured against one.
-        let scale = |place: usize| match place < nodes {
-            true => largest[kind(place)],
-            false => 1.0,
-        };
-        let relative = |place: usize| match scale(place) > 0.0 {
-            true => residual.values[place].abs() / scale(place),
-            false => 0.0,
-        };
-        let places = (0..first).map(|place| Worst {
-            relative: relative(place),
+        // The worst of each kind: those of a kind have one scale. The terms of a constraint
+        // vanish with it: they are measured against one.
+        let mut worst = [(0.0_f64, 0); KINDS];
+        for (place, value) in residual.values[..nodes].iter().enumerate() {
+            take_larger(&mut worst[kind(place)], (value.abs(), place));
+        }
+        let mut of_constraints = (0.0, nodes);
+        for (place, value) in residual.values[nodes..first].iter().enumerate() {
+            take_larger(&mut of_constraints, (value.abs(), nodes + place));
+        }
+        let of_nodes = worst.into_iter().zip(largest);
+        let of_nodes = of_nodes.map(|((value, place), scale)| Worst {
+            relative: if scale > 0.0 { value / scale } else { 0.0 },
             place,
-            scale: scale(place),
+            scale,
+        });
+        let of_constraints = (first > nodes).then_some(Worst {
+            relative: of_constraints.0,
+            place: of_constraints.1,
+            scale: 1.0,
         });
         let size = |i: usize| residual.sizes[first + i];
         let of_scalars = self.equations.largest(&residual.values[first..], size);
@@ -286,10 +293,19 @@ impl Scales {
             scale: of_scalars.scale,
         };
         let has_scalars = !self.equations.is_empty();
-        let worst = places.chain(has_scalars.then_some(of_scalars));
+        let worst = of_nodes.chain(of_constraints);
+        let worst = worst.chain(has_scalars.then_some(of_scalars));
         worst
             .max_by(|a, b| a.relative.total_cmp(&b.relative))
             .unwrap_or_default()
+    }
+}
+
+/// Takes a size with its place where it is no smaller than the largest so far; one without a
+/// value is larger than all.
+fn take_larger(largest: &mut (f64, usize), other: (f64, usize)) {
+    if other.0.total_cmp(&largest.0).is_ge() {
+        *largest = other;
     }
 }
 

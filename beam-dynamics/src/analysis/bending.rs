@@ -1,4 +1,4 @@
-//! Where beam elements turn too far for their number.
+//! Beam elements that turn too far for their number.
 //!
 //! Between the nodes a position is quadratic: the chord of an arc of half angle alpha is
 //! short by `alpha^4/270` of its length, while curvatures stay exact.
@@ -10,10 +10,10 @@ use crate::elements::SectionState;
 /// Rotation between the middle and an end of an element beyond which it is reported
 /// \[rad\]: distances are then short by 1.4e-3.
 const FAR: f64 = FRAC_PI_4;
-/// The rotation that is recommended \[rad\]: distances are then short by 9e-5.
+/// The rotation recommended \[rad\]: distances are then short by 9e-5.
 const GOOD: f64 = 0.5 * FRAC_PI_4;
 
-/// A remark where an element of `sections` turns far within itself, at `place` in words.
+/// A remark if an element of `sections` turns far within itself, at `place` given as text.
 pub(super) fn bending(sections: &[SectionState], place: &str) -> Option<String> {
     let worst = sections.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;
     let far: Vec<_> = sections

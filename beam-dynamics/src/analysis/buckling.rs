@@ -1,9 +1,8 @@
 //! Critical loads by linearized prestress.
 //!
-//! About an equilibrium under rotation and constant loads, the proportional loads give
-//! the linear solution `y_1 = -K_0^-1 F_lambda`. Its internal forces, the reactions and
-//! the loads themselves make the tangent grow, at fixed geometry, by `K_1` a unit of the
-//! factor. The model gives way where
+//! About an equilibrium under rotation and constant loads, the proportional loads give the linear
+//! solution `y_1 = -K_0^-1 F_lambda`. Its internal forces, the reactions and the loads themselves
+//! make the tangent grow, at fixed geometry, by `K_1` per unit of the factor. The model buckles if
 //!
 //! ```text
 //! (K_0 + lambda K_1) v = 0
@@ -27,17 +26,16 @@ use super::first_order::first_order;
 use super::statics::{base, static_step};
 use super::steady::NoEquilibrium;
 
-/// Copies of one critical load that are looked for: both bending directions of a round
-/// column.
+/// Multiplicity of a critical load that is resolved: both bending directions of a round column.
 const COPIES: usize = 4;
-/// Relative error of factor and shape above which the reader is told.
+/// Relative error of factor and shape above which a remark is given.
 const TRUSTED: f64 = 1e-6;
-/// Difference of factors that count as one, relative.
+/// Relative difference below which factors are treated as equal.
 const SAME: f64 = 1e-6;
 /// Growth of the tangent below this part of the loads is round-off.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Why there are no critical loads.
+/// Reasons for missing critical loads.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum BucklingFailure {
     /// No equilibrium under rotation and constant loads.
@@ -47,30 +45,30 @@ pub enum BucklingFailure {
     #[error("load factor 0: the tangent is singular: a motion has no stiffness")]
     Singular,
     /// Nothing grows with the factor.
-    #[error("no load grows with the load factor, so that there is none that is critical")]
+    #[error("no load grows with the load factor, so that no critical load exists")]
     NoLoad,
-    /// The loads put nothing under stress that could give way.
-    #[error("the loads cause no internal force that could make the model give way")]
+    /// The loads cause no stress that could make the model buckle.
+    #[error("the loads cause no internal force that could make the model buckle")]
     NoPrestress,
     /// Forces act, but no real factor of them makes the tangent singular.
     #[error(
-        "no real factor of the loads is critical: the model does not give way at rest, \
-         whatever their size; follower loads may make it flutter instead"
+        "no real factor of the loads is critical: the model does not buckle at rest \
+         under loads of any size; follower loads may make it flutter instead"
     )]
     NoRealFactor,
-    /// No factor was found, and that there is none is not proven.
+    /// No factor was found, but it is not proven that none exists.
     #[error(
         "no critical load was found, but in a model of this size and with follower loads or \
-         finite volumes it is not certain that there is none"
+         finite volumes it is not certain that none exists"
     )]
     NotFound,
-    /// Forces beyond the numbers.
-    #[error("the loads or the stiffnesses are so large or small that the factors are no numbers")]
+    /// Factors outside the range of floating-point numbers.
+    #[error("the loads or the stiffnesses are so large or small that the factors are not finite")]
     OutOfRange,
 }
 
 impl BucklingFailure {
-    /// What to do about it.
+    /// The remedy.
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::NoLoad => {
@@ -87,17 +85,19 @@ impl BucklingFailure {
                  [static] until a critical point is reported"
             }
             Self::OutOfRange => "give loads for which the factors are near one",
-            Self::Base(_) | Self::Singular => "hold what is free, with [[clamp]] or [[imposed]]",
+            Self::Base(_) | Self::Singular => {
+                "constrain the free motion with [[clamp]] or [[imposed]]"
+            }
         }
     }
 }
 
-/// Critical loads, and why there are none.
+/// Critical loads, and the reason if there are none.
 #[derive(Debug)]
 pub struct BucklingOutcome {
-    /// What was found.
+    /// The critical loads found.
     pub result: BucklingResult,
-    /// Why it is not complete.
+    /// Reason for an incomplete result.
     pub failure: Option<BucklingFailure>,
 }
 
@@ -180,12 +180,12 @@ fn remarks(modes: &[BucklingMode], factors: &Factors, asked: usize) -> Vec<Strin
     if modes.len() < asked {
         let why = match (factors.is_complete, factors.uncertain) {
             (true, _) => "the model has no more".to_owned(),
-            (false, 0) => "whether there are more is not known of a model of this size".to_owned(),
-            (false, n) => format!("{n} more came out with too large an error to be listed"),
+            (false, 0) => "whether more exist is unknown for a model of this size".to_owned(),
+            (false, n) => format!("{n} more have too large an error to be listed"),
         };
         let found = modes.len();
         remarks.push(format!(
-            "{found} critical loads were found of {asked}: {why}"
+            "{found} critical loads were found of {asked} requested: {why}"
         ));
     }
     remarks.extend(copies(modes));
@@ -194,14 +194,14 @@ fn remarks(modes: &[BucklingMode], factors: &Factors, asked: usize) -> Vec<Strin
     if worst > TRUSTED || worst.is_nan() {
         remarks.push(format!(
             "digits are lost (relative residual {worst:.1e}): stiffnesses or lengths of very \
-             different size meet in the model"
+             different size occur in the model"
         ));
     }
     remarks
 }
 
-/// A remark on turns of sections that have one factor: where all sections lose their
-/// torsional stiffness together, there is a shape for every one of them.
+/// A remark on rotations of sections at one factor: if all sections lose their torsional stiffness
+/// together, each of them has a shape.
 fn copies(modes: &[BucklingMode]) -> Option<String> {
     let turns: Vec<_> = modes.iter().filter(|mode| mode.is_rotation()).collect();
     let same = |a: &BucklingMode, b: &BucklingMode| (a.factor / b.factor - 1.0).abs() < SAME;
@@ -212,12 +212,12 @@ fn copies(modes: &[BucklingMode]) -> Option<String> {
         .filter(|most| most.0 > 1)?;
     Some(format!(
         "{count} of the shapes turn sections at the same factor, {factor:.6}: there the sections lose \
-         their torsional stiffness, and every shape of torsion is critical; ask for more critical \
-         loads if others are sought"
+         their torsional stiffness, and every shape of torsion is critical; request more \
+         critical loads if others are needed"
     ))
 }
 
-/// A remark where rotation and constant loads alone are past a critical point.
+/// A remark if rotation and constant loads alone are past a critical point.
 fn beyond(
     model: &Model,
     solver: &LinearSolver,
@@ -233,8 +233,8 @@ fn beyond(
         false => "the constant loads",
     };
     Some(format!(
-        "the model gives way under about {part:.4} of {cause} already: the factors are those \
-         of an unstable equilibrium"
+        "the model buckles under about {part:.4} of {cause} already: the factors belong \
+         to an unstable equilibrium"
     ))
 }
 
@@ -252,7 +252,7 @@ fn mode(pair: &Eigenpair) -> BucklingMode {
         longest.map_or_else(Vector3::zeros, |vector| *vector)
     };
     let (moved, turned) = (largest(&displacements), largest(&rotations));
-    // Where no node moves the shape is one of rotations.
+    // If no node is displaced, the shape consists of rotations.
     let by = match moved.norm() > 1e-9 * turned.norm() {
         true => moved,
         false => {

@@ -1,15 +1,15 @@
-//! Critical points on the way from one equilibrium to another.
+//! Critical points between two equilibria.
 //!
-//! Between two tangents `K_a` and `K_b` there is one where a small motion has no stiffness,
-//! if one on the straight way between them is singular:
+//! Between two tangents `K_a` and `K_b` a small motion has no stiffness somewhere, if a tangent on
+//! the straight line between them is singular:
 //!
 //! ```text
 //! (K_a + mu (K_b - K_a)) v = 0      0 < mu < 1
 //! ```
 //!
-//! Of symmetric matrices of which both are positive definite none between them is singular.
-//! Tangents of states that are turned against each other are not compared: those here are
-//! balances of forces at the nodes, not symmetric.
+//! Between two positive definite symmetric matrices none is singular. Tangents of states that are
+//! turned relative to each other are not compared: these tangents are balances of forces at the
+//! nodes and not symmetric.
 
 use crate::assembly::{MasslessMotions, Sparse, Tangent};
 use shared_geom::rotation::vector;
@@ -21,12 +21,12 @@ use crate::solver::LinearSolver;
 /// Largest turn of a node between two states whose tangents are compared \[rad\].
 const TURN: f64 = 0.02;
 
-/// Eigenvalues looked at, those nearest to zero, and copies of each.
+/// Eigenvalues computed, nearest to zero, and multiplicity of each.
 const COUNT: usize = 4;
 
-/// The first mu between two states with their tangents, which are asked for where the states
-/// can be compared; `None` where there is none, where
-/// the first is singular itself, and where they cannot be compared.
+/// The first mu between two states with their tangents, which are requested only if the states can
+/// be compared; `None` if there is none, if the first tangent is singular itself, or if they cannot
+/// be compared.
 pub(super) fn critical_part(
     solver: &LinearSolver,
     from: (&State, impl FnOnce() -> Sparse),

@@ -1,4 +1,4 @@
-//! Where a table of prestress, which is of first order in the strain, is asked too much.
+//! Limits of a table of prestress, which is of first order in the strain.
 //!
 //! ```text
 //! (T q + sum c_i T_i) v = part K v                                         (D-253)
@@ -6,12 +6,12 @@
 
 use crate::elements::SectionState;
 
-/// Change of the stiffness, as part of it, beyond which it is told: what is left out is
-/// of the order of its square.
+/// Relative change of the stiffness beyond which a remark is given: the neglected terms are of the
+/// order of its square.
 const SIZABLE: f64 = 0.1;
 
-/// A remark where the strain of `sections` changes a stiffness by a sizable part, or
-/// takes it away, at `place` in words, as in "at the last step".
+/// A remark if the strain of `sections` changes a stiffness considerably, or makes it indefinite,
+/// at `place` given as text, as in "at the last step".
 pub(super) fn first_order(sections: &[SectionState], place: &str) -> Option<String> {
     let changes = || {
         sections.iter().filter_map(|section: &SectionState| {
@@ -23,9 +23,9 @@ pub(super) fn first_order(sections: &[SectionState], place: &str) -> Option<Stri
     let least = changes().min_by(|a, b| a.0[0].total_cmp(&b.0[0]))?;
     if least.0[0] <= -1.0 {
         return Some(format!(
-            "{place} the strain of beam \"{}\" takes stiffness away from its sections: K + T e \
-             is not positive definite, and the equilibrium unstable or beyond what a table of \
-             prestress can tell",
+            "{place} the strain of beam \"{}\" reduces the stiffness of its sections too far: \
+             K + T e is not positive definite, and the equilibrium is unstable or outside the \
+             range of a table of prestress",
             least.1
         ));
     }

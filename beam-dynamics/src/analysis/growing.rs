@@ -1,24 +1,24 @@
-//! Oscillations that grow, also beyond the modes that are asked for.
+//! Growing oscillations, also beyond the requested modes.
 //!
-//! The tangent of elements with an energy is symmetric at rest, and nothing of them feeds
-//! energy into an oscillation there. Where it is not symmetric, as with beams of finite
-//! volumes, high modes may have negative damping though nothing drives them, and a run that
-//! resolves them in time gains energy.
+//! The tangent of elements with an energy is symmetric at rest, and these elements feed no energy
+//! into an oscillation. If it is not symmetric, as for beams of finite volumes, high modes may have
+//! negative damping without any drive, and a run that resolves them in time gains energy.
 
 use crate::assembly::System;
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Variable};
 use crate::modes::{EigenProblem, Eigenpair};
 
-/// Damping ratios above this are none, by round-off.
+/// Damping ratios above this are treated as zero, because of round-off.
 const NO_DAMPING: f64 = -1e-8;
-/// What may cause it.
-const UNSYMMETRIC: &str = "the tangent of the model is not symmetric at rest, as that of beams with \
-                           formulation = \"finite-volume\" or of springs that are relaxed elsewhere";
+/// The possible cause.
+const UNSYMMETRIC: &str = "the tangent of the model is not symmetric at rest, as with beams of \
+                           formulation = \"finite-volume\" or with springs that are not relaxed \
+                           in the undeformed model";
 /// A tangent is symmetric up to this part of its largest entry.
 const SYMMETRIC: f64 = 1e-9;
 
-/// Remarks on oscillations that grow `at` a speed, among the `pairs` that are listed and,
-/// where the tangent is not symmetric at rest, beyond them.
+/// Remarks on oscillations that grow `at` a speed, among the listed `pairs` and, if the tangent is
+/// not symmetric at rest, beyond them.
 pub(super) fn remarks(
     problem: &EigenProblem<'_>,
     pairs: &[Eigenpair],
@@ -56,7 +56,7 @@ impl Growing {
         -self.growth / self.growth.hypot(self.angular_frequency)
     }
 
-    /// A remark on those of `found` that grow, `at` a speed; `place` says where they are.
+    /// A remark on the growing ones of `found`, `at` a speed; `place` describes their range.
     fn remark(found: &[Self], at: &str, place: &str) -> Option<String> {
         let growing = found.iter().filter(|one| one.damping_ratio() < NO_DAMPING);
         let all: Vec<_> = growing.collect();
@@ -102,7 +102,7 @@ pub(super) fn is_symmetric_at_rest(system: &System) -> bool {
 fn beyond(problem: &EigenProblem<'_>, known: f64, at: &str) -> Option<String> {
     let Some(growing) = problem.growing(NO_DAMPING) else {
         return Some(format!(
-            "{at} whether modes beyond those listed have negative damping is not known of a \
+            "{at} whether modes beyond the listed ones have negative damping is unknown for a \
              model of this size: {UNSYMMETRIC}"
         ));
     };
@@ -112,6 +112,6 @@ fn beyond(problem: &EigenProblem<'_>, known: f64, at: &str) -> Option<String> {
         angular_frequency: s.im,
     });
     let found: Vec<_> = found.collect();
-    let remark = Growing::remark(&found, at, " beyond those listed")?;
+    let remark = Growing::remark(&found, at, " beyond the listed ones")?;
     Some(format!("{remark}; {UNSYMMETRIC}"))
 }

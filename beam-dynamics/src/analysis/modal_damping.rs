@@ -1,4 +1,4 @@
-//! Damping ratios that are given take the place of those of the model.
+//! Given damping ratios of modes replace the computed ones.
 //!
 //! With the natural frequency `|s|` of a mode kept and a damping ratio zeta,
 //!
@@ -13,7 +13,7 @@ use shared_geom::error::nearest_name;
 use crate::case::ModalDamping;
 use crate::result::{ModeBranch, ModePoint};
 
-/// Gives the modes their damping ratios; tells of names that no mode has.
+/// Sets the damping ratios of the modes; reports names without a mode.
 pub(super) fn give(damping: &ModalDamping, branches: &mut [ModeBranch]) -> Vec<String> {
     for (order, branch) in branches.iter_mut().enumerate() {
         if let Some(ratio) = damping.ratio(order, &branch.name) {
@@ -46,7 +46,7 @@ fn unknown(ratios: &[(String, f64)], branches: &[ModeBranch]) -> Vec<String> {
     let tell = |(name, _): &(String, f64)| {
         let near = nearest_name(name, names());
         let near = near.map_or_else(String::new, |near| format!("; did you mean \"{near}\"?"));
-        format!("a damping ratio is given for \"{name}\", which no mode is called{near}")
+        format!("a damping ratio is given for \"{name}\", but no mode has this name{near}")
     };
     ratios.iter().filter(is_unknown).map(tell).collect()
 }
@@ -106,7 +106,7 @@ mod tests {
         assert_eq!(
             told,
             [
-                "a damping ratio is given for \"flap 3\", which no mode is called; did you mean \"flap 1\"?"
+                "a damping ratio is given for \"flap 3\", but no mode has this name; did you mean \"flap 1\"?"
             ]
         );
     }

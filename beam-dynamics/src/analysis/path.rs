@@ -1,15 +1,15 @@
-//! The way of an equilibrium with the factor of the loads, `F(y, lambda) = 0`.
+//! Equilibrium path with the factor of the loads, `F(y, lambda) = 0`.
 //!
-//! From a state the next one is foreseen along the rate of the solution,
+//! From a state the next one is predicted along the rate of the solution,
 //!
 //! ```text
 //! dy/d lambda = -F_y^-1 F_lambda
 //! ```
 //!
-//! and corrected by Newton's method at a fixed factor. A step is cut when the iteration
-//! fails, or when the way from state to state is not that of the rates at both ends: the
-//! solution has then jumped to another branch. Short of a limit point the rate grows
-//! like one over the square root of the distance, from which its place is told.
+//! and corrected by Newton's method at a fixed factor. A step is cut if the iteration fails, or if
+//! the displacement between the states disagrees with the rates at both ends: the solution has then
+//! jumped to another branch. Just before a limit point the rate grows like one over the square root
+//! of the distance, from which its position is extrapolated.
 
 use crate::model::{Conditions, State};
 use crate::solver::{Equations, Newton, NewtonReport, NewtonStatus, solve};
@@ -17,18 +17,18 @@ use crate::solver::{Equations, Newton, NewtonReport, NewtonStatus, solve};
 use super::balance::{Balance, worst_equation};
 use super::settling::free_motion;
 
-/// Part of a way that the rates at its ends may leave unexplained.
+/// Part of a displacement that may differ from the rates at its ends.
 const UNEXPLAINED: f64 = 0.25;
-/// Motion below which a way is not judged: sizes of the model, radians. The iteration
-/// leaves 1e-9.
+/// Motion below which a step is not checked: relative to the size of the model, or radians. The
+/// error of the iteration is 1e-9.
 const SMALL: f64 = 1e-7;
-/// Largest rotation of one step that a rotation vector can tell \[rad\].
+/// Largest rotation of one step that a rotation vector represents \[rad\].
 const TURN: f64 = 2.0;
-/// Steps are not cut below this part of the whole way.
+/// Least step, as a part of the whole path.
 const SMALLEST: f64 = 1e-5;
-/// Growth of the rate, against its smallest so far, by which a limit point is known.
+/// Growth of the rate, relative to its smallest value so far, at which a limit point is recognized.
 const GROWN: f64 = 4.0;
-/// First step where none is asked for, as a part of the whole way.
+/// First step if none is given, as a part of the whole path.
 const FIRST: f64 = 0.1;
 /// Iterations up to which the next step is longer.
 const QUICK: usize = 7;
@@ -38,63 +38,63 @@ const QUICK: usize = 7;
 pub(super) struct Point {
     pub factor: f64,
     pub state: State,
-    /// Newton iterations since the point before, those of steps that were cut included.
+    /// Newton iterations since the previous point, including the iterations of cut steps.
     pub iterations: usize,
     /// Largest residual relative to the largest term of its kind.
     pub residual: f64,
 }
 
-/// Why a path ended before the factor asked for.
+/// Reason for a path that ends before the requested factor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PathEnd {
-    /// The loads can grow no more.
+    /// The loads cannot grow further.
     #[error(
         "limit point near the load factor {factor:.4}: the loads can grow no further along \
          this path; worst equation there: {equation}"
     )]
     LimitPoint {
-        /// Where it is, as the rates of the last states foretell it [-].
+        /// Its factor, extrapolated from the rates of the last states [-].
         factor: f64,
-        /// The worst equation of the last step tried, in words.
+        /// The worst equation of the last trial step, as text.
         equation: String,
     },
-    /// The loads move what nothing resists.
+    /// The loads drive a motion without stiffness.
     #[error(
         "no equilibrium beyond the load factor 0: the loads drive a motion without stiffness{}",
         mostly(.motion)
     )]
     Free {
-        /// The motion in words, if it is known.
+        /// The motion as text, if it is known.
         motion: Option<String>,
     },
-    /// An element has no value beyond.
+    /// An element is undefined beyond.
     #[error("no equilibrium beyond the load factor {factor:.6}: \"{element}\": {why}")]
     WithoutValue {
         /// The last factor reached [-].
         factor: f64,
         /// Name of the element.
         element: String,
-        /// Why, in words.
+        /// The reason, as text.
         why: String,
     },
-    /// The iteration fails however short the step.
+    /// The iteration fails for any length of the step.
     #[error(
         "no equilibrium beyond the load factor {factor:.6}: {reason}; worst equation: {equation}"
     )]
     Stuck {
         /// The last factor reached [-].
         factor: f64,
-        /// How the iteration ended, in words.
+        /// End of the iteration, as text.
         reason: &'static str,
-        /// The worst equation in words.
+        /// The worst equation, as text.
         equation: String,
     },
-    /// The steps allowed were used up.
+    /// The allowed number of steps is used up.
     #[error("the load factor {wanted} was not reached in {steps} steps; the last is {factor:.6}")]
     OutOfSteps {
         /// The last factor reached [-].
         factor: f64,
-        /// The factor asked for [-].
+        /// The requested factor [-].
         wanted: f64,
         /// Steps taken.
         steps: usize,
@@ -106,18 +106,18 @@ fn mostly(motion: &Option<String>) -> String {
     words.unwrap_or_default()
 }
 
-/// Points that were reached, and why there are no more if the end was not.
+/// Points reached, and the reason if the end was not reached.
 pub(super) type Walk = (Vec<Point>, Option<PathEnd>);
 
-/// Where a walk begins, and how far it goes.
+/// Start and end of a path.
 pub(super) struct Walker<'a> {
     /// The balance at the start, whose state is an equilibrium.
     pub balance: Balance<'a>,
     /// Factor at the end.
     pub to: f64,
-    /// Steps asked for.
+    /// Requested steps.
     pub steps: Option<usize>,
-    /// Steps at most.
+    /// Largest number of steps.
     pub most_steps: usize,
 }
 
@@ -142,11 +142,11 @@ impl<'a> Walker<'a> {
         self.balance.at(self.conditions(factor), state.clone())
     }
 
-    /// Goes to the end by steps of the factor.
+    /// Continues to the end by steps of the factor.
     pub fn by_factor(&self) -> Walk {
         let (mut points, mut between) = (Vec::new(), None);
         let end = self.walk(&mut points, &mut between).err();
-        // Of a path that ends early the last state is kept as well.
+        // The last state of a path that ends early is kept too.
         points.extend(end.as_ref().and(between));
         (points, end)
     }
@@ -204,7 +204,7 @@ impl<'a> Walker<'a> {
         Ok(())
     }
 
-    /// The state without the loads, whose rate must be one that stiffness allows.
+    /// The state without the loads, whose rate must be finite.
     fn start(&self) -> Result<Here, PathEnd> {
         let free = || PathEnd::Free {
             motion: self.free_motion(),
@@ -217,7 +217,7 @@ impl<'a> Walker<'a> {
         }
     }
 
-    /// The motion that the loads drive and nothing resists.
+    /// The motion without stiffness that the loads drive.
     pub fn free_motion(&self) -> Option<String> {
         free_motion(&self.at(self.to, &self.balance.state))
     }
@@ -234,7 +234,7 @@ impl<'a> Walker<'a> {
         })
     }
 
-    /// The equilibrium at the factor `next`, where it belongs to the same path.
+    /// The equilibrium at the factor `next`, if it belongs to the same path.
     fn step(&self, here: &Here, next: f64) -> (Option<Here>, NewtonReport) {
         let change = next - here.factor;
         let mut balance = self.at(next, &here.state);
@@ -260,7 +260,7 @@ impl<'a> Walker<'a> {
         (there, report)
     }
 
-    /// An element without a value a little further along the path, with its name.
+    /// An element that is undefined a little further along the path, with its name.
     fn without_value(&self, here: &Here) -> Option<(String, String)> {
         let further = 2.0 * SMALLEST * self.to;
         let mut balance = self.at(here.factor + further, &here.state);
@@ -298,7 +298,7 @@ impl<'a> Walker<'a> {
     }
 }
 
-/// The lengths of the rates on a path: what foretells a limit point.
+/// The lengths of the rates on a path, from which a limit point is extrapolated.
 struct Rates {
     slowest: f64,
     /// Factor and length of the rate of the last two states.
@@ -318,7 +318,8 @@ impl Rates {
         self.last = [self.last[1], (here.factor, here.speed)];
     }
 
-    /// Where `1 / |dy/d lambda|^2`, which falls linearly before a limit point, is zero.
+    /// The factor at which `1 / |dy/d lambda|^2`, which falls linearly before a limit point, is
+    /// zero.
     fn limit(&self) -> Option<f64> {
         let [(a, slow), (b, fast)] = self.last;
         let [before, now] = [slow, fast].map(|speed| 1.0 / (speed * speed));

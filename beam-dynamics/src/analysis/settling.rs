@@ -1,4 +1,4 @@
-//! The way to an equilibrium where the tangent is singular, although there is one.
+//! Equilibrium from a singular tangent.
 //!
 //! A blade on a free hinge has no stiffness about it until it is in tension; Newton's
 //! method cannot start. Backward steps of a motion that always begins at rest can:
@@ -7,8 +7,8 @@
 //! (F_y + sigma F_y') dy = -F
 //! ```
 //!
-//! is one such step of length `1 / sigma`. Masses resist what nothing else does. While
-//! the steps succeed sigma falls, and at zero this is Newton's method.
+//! is one such step of length `1 / sigma`. Masses resist motions without stiffness. While the steps
+//! succeed sigma falls; at zero this is Newton's method.
 //!
 //! References: [KelleyKeyes1998], pseudo-transient continuation.
 
@@ -16,18 +16,18 @@ use super::balance::Balance;
 use crate::model::{MOTION_WORDS, NODE_UNKNOWNS};
 use crate::solver::{Equations, Iteration, Newton, NewtonReport, NewtonStatus, solve};
 
-/// Largest correction of one step, in sizes of the model or radians.
+/// Largest correction of one step, relative to the size of the model or in radians.
 const LARGEST: f64 = 0.3;
-/// Correction below which the state is worth a try of Newton's method.
+/// Correction below which Newton's method is tried from the state.
 const NEAR: f64 = 0.1;
 /// Factor by which sigma falls after a step that succeeds, and rises after one that
 /// does not.
 const FALL: f64 = 3.0;
-/// Steps at most.
+/// Largest number of steps.
 const STEPS: usize = 300;
 
-/// Moves `balance` to an equilibrium; the report of the last Newton iteration, with all
-/// steps in its history, or `None` when none was found.
+/// Moves `balance` to an equilibrium; the report of the last Newton iteration, with all steps in
+/// its history, or `None` if none was found.
 pub(super) fn settle(balance: &mut Balance<'_>) -> Option<NewtonReport> {
     let start = balance.state.clone();
     let mut sigma = 1.0;
@@ -77,16 +77,16 @@ fn step(balance: &Balance<'_>, sigma: f64, residual: &[f64]) -> Option<Vec<f64>>
     Some(correction)
 }
 
-/// The node that moves most, and how, in the motion that masses alone resist.
+/// The node of the largest motion, and its direction, in the motion that only masses resist.
 pub(super) fn free_motion(balance: &Balance<'_>) -> Option<String> {
     let system = balance.system;
     let nodes = system.nodes().len();
     let (residual, _) = balance.clone().residual();
-    // Sigma so small that all motions with stiffness stand still beside the free one.
+    // Sigma so small that all motions with stiffness are negligible compared with the free one.
     let motion = [1e-6, 1e-4, 1e-2, 1.0]
         .into_iter()
         .find_map(|sigma| step(balance, sigma, &residual))?;
-    // Displacements in sizes of the model.
+    // Displacements relative to the size of the model.
     let part = |i: &usize| match i % NODE_UNKNOWNS {
         0..3 => motion[*i].abs() / balance.reach(),
         3..6 => motion[*i].abs(),

@@ -6,7 +6,7 @@ use shared_geom::section::{self, Centers, Engineering, Piezo, Provenance, Sectio
 use super::modes::modes;
 use crate::input;
 
-/// A soft beam whose electrodes all couple with all strains.
+/// A soft beam all of whose electrodes couple with all strains.
 fn coupled() -> SectionProperties {
     let stiffness = [2.4e5_f64, 9e4, 8e4, 0.3, 0.5, 20.0];
     let written = Engineering {
@@ -35,10 +35,10 @@ fn coupled() -> SectionProperties {
     }
 }
 
-/// Charges that leak away in days or in ages are no motions: the modes are those of the open
-/// circuit with all their names, also beside a motion without stiffness about a hinge, and
-/// beside a damper of it. The slowest modes turn through 1e8 of their radians in the
-/// shortest of these times.
+/// Charges that leak away in days or years are not modes: the modes are equal to the modes of the
+/// open circuit, with all their names, also with a motion without stiffness about a hinge, and with
+/// a damper of it. The slowest modes turn through 1e8 of their radians in the shortest of these
+/// times.
 #[test]
 fn charges_that_leak_slowly_are_no_modes() {
     let found = |circuits: [&str; 3], root: &str| {

@@ -15,7 +15,7 @@ use super::steady::{NoEquilibrium, equilibrium};
 
 pub use super::path::PathEnd;
 
-/// Why statics stopped before the end of the path.
+/// Reason for a static analysis that ends before the end of the path.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum StaticFailure {
     /// No equilibrium under rotation and constant loads.
@@ -27,7 +27,7 @@ pub enum StaticFailure {
 }
 
 impl StaticFailure {
-    /// What to do about it.
+    /// The remedy.
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::Path(PathEnd::LimitPoint { .. }) => {
@@ -43,27 +43,27 @@ impl StaticFailure {
                 "look at the last equilibrium; smaller \"steps\" or arc_length = true may help"
             }
             Self::Base(_) | Self::Path(PathEnd::Free { .. }) => {
-                "hold what is free, or take away the load that nothing can carry"
+                "constrain the free motion, or remove the load that nothing carries"
             }
         }
     }
 }
 
-/// What was reached, and why it ended early if it did.
+/// Equilibria reached, and the reason if it ended early.
 #[derive(Debug)]
 pub struct StaticOutcome {
-    /// Equilibria that were reached.
+    /// Equilibria reached.
     pub result: StaticResult,
-    /// Why there are no more.
+    /// Reason why there are no more.
     pub failure: Option<StaticFailure>,
 }
 
-/// What is to be thought of a limit point where prestress is more than first order can tell.
-const OF_FIRST_ORDER: &str = "the limit point may be one of the table of prestress alone: in large \
-    twist without tension sections with a table soften where they stiffen in truth, see the \
-    remark before; try without prestress = true";
+/// Remark on a limit point at which prestress is beyond first order.
+const OF_FIRST_ORDER: &str = "the limit point may be caused by the table of prestress: in large \
+    twist without tension, sections with a table soften although they stiffen in reality, see \
+    the previous remark; try without prestress = true";
 
-/// Equilibria of `model` up to the load factor that `question` asks for.
+/// Equilibria of `model` up to the load factor requested by `question`.
 pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
     let mut result = StaticResult {
         name: model.name.clone(),
@@ -147,7 +147,7 @@ pub(super) fn base(
     })
 }
 
-/// A point of a path with all that is told of it.
+/// A point of a path with all its output.
 pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) -> StaticStep {
     let observed = model.system.observe(&point.state, conditions);
     let nodes = &point.state.nodes;
@@ -163,8 +163,8 @@ pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) 
     }
 }
 
-/// A remark on the first critical point that is no limit point: there the path meets
-/// another one, and the equilibria that follow are unstable.
+/// A remark on the first critical point that is not a limit point: there the path meets another
+/// one, and the following equilibria are unstable.
 fn branching(walker: &Walker<'_>, points: &[Point]) -> Option<String> {
     let balance = &walker.balance;
     let tangent = |point: &Point| {

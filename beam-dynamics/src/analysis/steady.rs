@@ -1,8 +1,8 @@
 //! Steady equilibrium in the turning frame: `F(y, 0) = 0`.
 //!
-//! Conditions go from those of a known state to those asked for, in steps that are cut
-//! where Newton's method fails and grow again where it is quick. Where the tangent of
-//! the first state is singular, masses help (`analysis/settling.rs`).
+//! The conditions change from the conditions of a known state to the requested ones, in steps that
+//! are cut if Newton's method fails and grow again if it converges fast. If the tangent of the
+//! first state is singular, masses help (`analysis/settling.rs`).
 
 use crate::assembly::System;
 use crate::case::Model;
@@ -12,25 +12,25 @@ use crate::solver::{LinearSolver, Newton, NewtonReport, NewtonStatus, solve};
 use super::balance::{Balance, worst_equation};
 use super::settling::{free_motion, settle};
 
-/// Smallest step, as a part of the way to the wanted conditions, before giving up.
+/// Smallest step, as a part of the change of the conditions.
 const SMALLEST_STEP: f64 = 1.0 / 256.0;
-/// Iterations up to which the next step is twice as long.
+/// Largest number of iterations after which the next step is twice as long.
 const QUICK: usize = 6;
 
-/// An equilibrium and the effort that it took.
+/// An equilibrium and its effort.
 #[derive(Debug, Clone)]
 pub struct Equilibrium {
     /// The state, at rest in the turning frame.
     pub state: State,
-    /// What acts.
+    /// Loads and other conditions.
     pub conditions: Conditions,
-    /// Newton iterations, those of intermediate steps included.
+    /// Newton iterations, including the iterations of intermediate steps.
     pub iterations: usize,
     /// Largest residual relative to the largest term of its kind [-].
     pub residual: f64,
 }
 
-/// Why no equilibrium was found.
+/// Reason why no equilibrium was found.
 #[derive(Debug, Clone, thiserror::Error)]
 #[error(
     "no steady equilibrium at {}{}: {reason}; worst equation: {equation}",
@@ -40,11 +40,11 @@ pub struct Equilibrium {
 pub struct NoEquilibrium {
     /// Speed of rotation [rad/s].
     pub speed: f64,
-    /// The part of the way to the conditions asked for that was tried last [-].
+    /// The last part of the change to the requested conditions that was tried [-].
     pub part: f64,
-    /// How the iteration ended, in words.
+    /// End of the iteration, as text.
     pub reason: String,
-    /// The worst equation in words, with its residual.
+    /// The worst equation as text, with its residual.
     pub equation: String,
     /// Its residual relative to the largest term of its kind [-].
     pub residual: f64,
@@ -54,12 +54,12 @@ pub struct NoEquilibrium {
 
 fn part_of_loads(part: f64) -> String {
     match part < 1.0 {
-        true => format!(", {:.3} of the way to what acts", part),
+        true => format!(", {:.3} of the full conditions", part),
         false => String::new(),
     }
 }
 
-/// A speed in the unit of messages, with the digits that a reader needs.
+/// A speed in the unit of messages, with the necessary digits.
 pub(super) fn rpm(speed: f64) -> String {
     let speed = speed * 30.0 / std::f64::consts::PI;
     if speed.abs() < 1e7 {
@@ -69,7 +69,7 @@ pub(super) fn rpm(speed: f64) -> String {
     }
 }
 
-/// Conditions at a part of the way between two.
+/// Conditions between two conditions, at a part of their difference.
 fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
     if part == 1.0 {
         return *to;
@@ -97,13 +97,13 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
 
 /// Finds the equilibrium under the conditions `to` from a state known under `from`.
 ///
-/// A model on which nothing acts stays undeformed.
+/// A model without loads stays undeformed.
 ///
 /// # Errors
 /// [`NoEquilibrium`] with the worst equation of the smallest step tried.
 ///
-/// Voltages act in full from the start, as time and temperature do. Where that leads nowhere
-/// they are raised from zero, together with all else.
+/// Voltages act in full from the start, as do time and temperature. If that fails they are raised
+/// from zero, together with the other conditions.
 pub fn equilibrium(
     model: &Model,
     solver: &LinearSolver,
@@ -144,7 +144,7 @@ fn directly(
             residual: 0.0,
         });
     }
-    // The undeformed state belongs to a frame at rest without loads.
+    // The undeformed state is an equilibrium of a frame at rest without loads.
     let nothing = Conditions::turning(TurningFrame {
         center: to.frame.center,
         ..TurningFrame::at_rest()
@@ -155,15 +155,15 @@ fn directly(
     let known = if *from.1 == rest { &nothing } else { from.0 };
     let balance = Balance::new(system, solver, *to, from.1.clone());
     match advance(&balance, known, to) {
-        // The state given was none of equilibrium: from rest.
+        // The given state was not an equilibrium: from rest.
         Err(_) if known == to => advance(&balance.at(*to, rest), &nothing, to),
         other => other,
     }
 }
 
-/// The equilibrium of a turning model from the undeformed state: first the rotation, then
-/// the loads. A hinged blade needs its tension before it can carry anything: under the
-/// loads alone it would hang, and swing up to a state beyond the hub.
+/// The equilibrium of a turning model from the undeformed state: first the rotation, then the
+/// loads. A hinged blade needs its tension before it can carry loads: under the loads alone it
+/// would hang, and swing up to a state beyond the hub.
 fn spun_up(
     rest: &Balance<'_>,
     nothing: &Conditions,
@@ -179,8 +179,8 @@ fn spun_up(
     Ok(loaded)
 }
 
-/// Whether `to` asks nothing of the undeformed state: to the last digit the residual is
-/// that without loads, which is round-off unless springs are relaxed elsewhere.
+/// Whether `to` has no effect on the undeformed state: the residual is identical to the residual
+/// without loads, which is round-off unless springs are relaxed in another state.
 fn is_at_rest(system: &System, solver: &LinearSolver, rest: &State, to: &Conditions) -> bool {
     if to.frame.angular_velocity.norm() > 0.0 {
         return false;
@@ -200,7 +200,7 @@ fn advance(
     let (mut reached, mut state) = (0.0, start.state.clone());
     let mut step = 1.0;
     let mut iterations = 0;
-    // `reached` and `step` are parts of the way: no step is below SMALLEST_STEP.
+    // `reached` and `step` are parts of the change: no step is below SMALLEST_STEP.
     loop {
         let next: f64 = f64::min(reached + step, 1.0);
         let mut balance = start.at(between(from, to, next), state.clone());
@@ -208,7 +208,7 @@ fn advance(
         iterations += report.history.len();
         let quick = report.history.len() <= QUICK;
         if report.status != NewtonStatus::Converged && reached == 0.0 && from != to {
-            // Newton's method may be unable to start, however short the step.
+            // Newton's method may fail at once for any length of the step.
             balance = start.at(between(from, to, next), state.clone());
             if is_singular(start, from, to)
                 && let Some(settled) = settle(&mut balance)
@@ -236,7 +236,7 @@ fn advance(
     }
 }
 
-/// Whether even the shortest step leads Newton's method astray at once.
+/// Whether Newton's method diverges at once even for the shortest step.
 fn is_singular(start: &Balance<'_>, from: &Conditions, to: &Conditions) -> bool {
     let conditions = between(from, to, SMALLEST_STEP);
     let mut balance = start.at(conditions, start.state.clone());
@@ -258,7 +258,8 @@ fn no_equilibrium(balance: &Balance<'_>, part: f64, report: NewtonReport) -> NoE
             .any(|one| !one.correction.is_finite() || one.correction > Newton::default().largest);
     let reason = match singular.then(|| free_motion(balance)).flatten() {
         Some(motion) => format!(
-            "the tangent is singular: what acts drives a motion without stiffness, mostly {motion}"
+            "the tangent is singular: the loads or the rotation drive a motion without stiffness, \
+             mostly {motion}"
         ),
         None if report.status == NewtonStatus::Singular => "the tangent is singular".to_owned(),
         None => "Newton's method did not converge".to_owned(),

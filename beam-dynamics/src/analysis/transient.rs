@@ -1,9 +1,10 @@
-//! Motion in time: start-up, then step after step, every one told to a recorder.
+//! Motion in time: initialization, then step after step, each passed to a recorder.
 //!
-//! 1. Places and velocities are made to fulfill the constraints, with the smallest
+//! 1. Positions and velocities are changed to fulfill the constraints, with the smallest weighted
+//!   change; momenta, their rates and the multipliers follow.
 //!    weighted change; momenta, their rates and the multipliers follow.
 //! 2. The integrator makes one accepted step after the other, to the last instant.
-//! 3. What ends a run early is told with the equation that is worst and the likely cause.
+//! 3. The reason for an early end is reported with the worst equation and the likely cause.
 
 use crate::assembly::Slack;
 use crate::assembly::massless;
@@ -43,12 +44,13 @@ use multibody::Multibody;
 use singular::Passed;
 use start::{Started, start};
 
-/// Rotation of a node in a step above which it is told: half a percent of a rotation is then
-/// left to the error of the formula \[rad\].
+/// Rotation of a node in a step above which a remark is given \[rad\]: the relative error of the
+/// rotation formula is then half a percent.
 const FAR_TURN: f64 = 0.3;
 
-/// Rotation of a node in a step above which it is told \[rad\]: with two steps of a radius near
-/// one, also that whose square is more than what alternates from step to step decays by.
+/// Rotation of a node in a step above which a remark is given \[rad\]: with two steps of a radius
+/// near one, also a rotation whose square exceeds the decay of alternating errors from step to
+/// step.
 fn farthest_turn(scheme: &Scheme) -> f64 {
     match *scheme {
         Scheme::TwoStep { radius } if radius < 1.0 => FAR_TURN.min((1.0 - radius).sqrt()),
@@ -56,24 +58,24 @@ fn farthest_turn(scheme: &Scheme) -> f64 {
     }
 }
 
-/// What a run in time came to; its steps are with the recorder.
+/// Outcome of a run in time; its steps are passed to the recorder.
 #[derive(Debug)]
 pub struct TransientOutcome {
-    /// Steps, iterations, and where the time went.
+    /// Steps, iterations, and times by phase.
     pub effort: Effort,
     /// Time reached [s].
     pub time: f64,
-    /// Every change of the given places and velocities that start-up made.
+    /// Every change of the given positions and velocities by initialization.
     pub changes: Vec<StartChange>,
-    /// What the reader must know: doubtful choices, how the start was found.
+    /// Remarks: doubtful settings, the kind of start.
     pub remarks: Vec<String>,
-    /// What was put in, and what became of the energy.
+    /// Energy input, and energy balance.
     pub energy: EnergyBalance,
-    /// Why the run ended early, if it did.
+    /// Reason if the run ended early.
     pub failure: Option<TransientFailure>,
 }
 
-/// A run on its way.
+/// A run in progress.
 struct Run<'a> {
     model: &'a Model,
     question: &'a TransientQuestion,
@@ -83,22 +85,22 @@ struct Run<'a> {
     /// Length [s] and iterations of the latest step.
     latest: (f64, usize),
     output_time: f64,
-    /// When the run began, if the parts before this one had been made at once before it [s].
+    /// Start of the run, as if the earlier parts had been made immediately before this one [s].
     began: f64,
-    /// The first node that turned far in a step, in words.
+    /// The first node that turned far in a step, as text.
     far_turn: Option<String>,
     /// Singular positions.
     passed: Passed,
-    /// What is put in.
+    /// Energy input.
     energy: EnergyWatch,
-    /// Constraints that follow from others.
+    /// Redundant constraints.
     redundant: &'a [Redundant],
 }
 
-/// Runs `model` in time as `question` asks, from its start or from where `resumed` was
-/// kept, and tells `recorder` every accepted step; `clock` gives seconds \[s\].
+/// Runs `model` in time as defined by `question`, from its start or from the snapshot `resumed`,
+/// and passes every accepted step to `recorder`; `clock` returns seconds \[s\].
 ///
-/// A run that is continued does not tell its first state again.
+/// A continued run does not pass its first state again.
 pub fn transient(
     model: &Model,
     question: &TransientQuestion,
@@ -154,7 +156,7 @@ pub fn transient(
     outcome
 }
 
-/// Looks ahead for jumps of places that drives hold: from those no motion follows.
+/// Finds jumps of driven positions ahead: no motion can follow them.
 ///
 /// # Errors
 /// [`TransientFailure::Jump`].
@@ -162,7 +164,7 @@ pub fn driven_places(model: &Model, question: &TransientQuestion) -> Result<(), 
     corner::check_places(model, [question.from, question.to])
 }
 
-/// What is doubtful about a question.
+/// Doubtful settings of a question.
 fn doubts(model: &Model, question: &TransientQuestion) -> Vec<String> {
     let has_multipliers = model.system.numbering().multipliers() > 0;
     let doubt = question.scheme.warning(has_multipliers);
@@ -224,7 +226,7 @@ fn run<'a>(
     })
 }
 
-/// A run where a snapshot was taken.
+/// A run at the time of a snapshot.
 fn resume<'a>(
     model: &'a Model,
     question: &'a TransientQuestion,
@@ -240,7 +242,7 @@ fn resume<'a>(
 }
 
 impl Run<'_> {
-    /// Steps to the last instant; the first state is told if `tell_start`.
+    /// Steps to the last instant; the first state is passed to the recorder if `tell_start`.
     fn go(
         &mut self,
         tell_start: bool,
@@ -271,7 +273,7 @@ impl Run<'_> {
             if let Some(corner) = self.integrator.corner()
                 && let Err(failure) = self.check_corner(&corner)
             {
-                // The state just before it is sound.
+                // The state just before it is valid.
                 self.tell(&conditions, recorder, clock)?;
                 return Err(failure);
             }
@@ -288,19 +290,19 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Looks at the energy of the latest state.
+    /// Checks the energy of the latest state.
     fn end_energy(&mut self) {
         let (conditions, time) = (self.conditions(), self.integrator.time());
         self.energy.end(&self.dae, &conditions, time);
     }
 
-    /// Energy that nothing put in, if there is.
+    /// Unexplained gain of energy, if there is any.
     fn gained(&self) -> Option<Finding> {
         let turns_far = self.far_turn.is_some();
         self.energy.finding(self.model, self.question, turns_far)
     }
 
-    /// What the reader must know of the run; what was gained unless the failure tells.
+    /// Remarks on the run; the gain of energy only if the failure does not contain it.
     fn remarks(&mut self, is_told: bool) -> Vec<String> {
         let gained = self.gained().filter(|_| !is_told);
         let mut remarks: Vec<_> = self.dae.impulses.remarks().collect();
@@ -310,8 +312,8 @@ impl Run<'_> {
         remarks
     }
 
-    /// No place that a drive holds may jump at a corner, and no drives may contradict each
-    /// other just after it.
+    /// Checks that no driven position jumps at a corner, and that no drives contradict each other
+    /// just after it.
     fn check_corner(&self, corner: &Corner) -> Result<(), TransientFailure> {
         corner::check_corner(self.model, self.dae.state(), corner)?;
         if corner.after >= self.question.to {
@@ -327,14 +329,14 @@ impl Run<'_> {
         }
     }
 
-    /// Constraints, in words, whose drives contradict those of others at the latest state.
+    /// Constraints, as text, whose drives contradict other drives at the latest state.
     fn contradicting(&self, conditions: &Conditions) -> Option<String> {
         let at = (self.dae.state(), conditions);
         redundant::contradicting(&self.model.system, self.redundant, at)
     }
 
-    /// What acts at the latest accepted state; at a corner what acted up to it, as all of the
-    /// state is of the motion before.
+    /// Conditions at the latest accepted state; at a corner the conditions before it, since the
+    /// whole state belongs to the motion before it.
     fn conditions(&self) -> Conditions {
         let corner = self.integrator.corner().map(|corner| corner.before);
         let time = self.integrator.time();
@@ -342,7 +344,7 @@ impl Run<'_> {
             .conditions_at(corner.map_or(time, |before| before.min(time)))
     }
 
-    /// No driven rotation must have come to be held half a turn off.
+    /// Checks that no driven rotation settled half a turn away from its prescribed value.
     fn check_attitudes(&self, conditions: &Conditions) -> Result<(), TransientFailure> {
         let system = &self.model.system;
         match system.turned_over(self.dae.state(), conditions) {
@@ -354,7 +356,7 @@ impl Run<'_> {
         }
     }
 
-    /// No spring must have turned by half a turn since the time `before` \[s\].
+    /// Checks that no spring has turned by half a turn since the time `before` \[s\].
     fn check_springs(&self, before: f64, now: &Conditions) -> Result<(), TransientFailure> {
         let states = self.dae.states();
         let then = self.model.conditions_at(before);
@@ -387,7 +389,7 @@ impl Run<'_> {
         });
     }
 
-    /// Constraints that follow from others must go on to do so.
+    /// Checks that redundant constraints are still redundant.
     fn check_redundant(&self) -> Result<(), TransientFailure> {
         let broken = (self.dae.slack()).filter(|slack| redundant::is_broken(slack));
         let Some(&Slack {
@@ -413,15 +415,15 @@ impl Run<'_> {
         })
     }
 
-    /// Hands the latest accepted state to the recorder, at which the integrator had come to
-    /// `progress`: the step after it could not be made.
+    /// Passes the latest accepted state to the recorder, with the `progress` of the integrator: the
+    /// step after it failed.
     fn tell_last(&self, progress: Progress, recorder: &mut dyn Recorder, clock: &dyn Fn() -> f64) {
         let conditions = self.model.conditions_at(progress.time);
         let moment = self.moment(&conditions);
         let times = [self.output_time, clock() - self.began];
         let steps = (self.step, progress);
         let snapshot = snapshot::take(self.model, self.dae.states(), steps, times);
-        // What cannot be written is told with the files.
+        // Failures of writing are reported with the files.
         let _ = recorder.stopped(&moment, &snapshot);
     }
 
@@ -438,7 +440,7 @@ impl Run<'_> {
         }
     }
 
-    /// Tells the recorder of the latest state.
+    /// Passes the latest state to the recorder.
     fn tell(
         &mut self,
         conditions: &Conditions,
@@ -471,7 +473,7 @@ impl Run<'_> {
     }
 }
 
-/// The effort of the steps, as results tell it.
+/// The effort of the steps, for the results.
 fn effort(counters: &Counters, output_time: f64) -> Effort {
     Effort {
         steps: counters.steps,

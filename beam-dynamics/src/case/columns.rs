@@ -1,26 +1,26 @@
-//! What a run in time writes: columns of numbers, and how often.
+//! Output of a run in time: columns of numbers, and how often they are written.
 
 use nalgebra::Vector3;
 
 use crate::elements::{EnergyPart, NodeQuantity, Part, Reading, Signal};
 use crate::model::Drive;
 
-/// A number of every state that is written, with its name and its unit.
+/// A number that is written for every state, with its name and its unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     /// Name, unique among the columns: letters, digits, `_`, `.` and `-`.
     pub name: String,
-    /// The unit of the numbers that are written, in words.
+    /// The unit of the written numbers, as text.
     pub unit: String,
     /// SI units in one of it [SI unit of the quantity].
     pub factor: f64,
-    /// What it is, in words.
+    /// Description of the quantity.
     pub words: String,
-    /// Where the number comes from.
+    /// Source of the number.
     pub quantity: Quantity,
 }
 
-/// Where the number of a column comes from.
+/// Source of the number of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Quantity {
     /// A vector of a node, or of one node relative to another.
@@ -29,7 +29,7 @@ pub enum Quantity {
     Momentum(Part),
     /// The angular momentum of the model \[kg m^2/s\].
     AngularMomentum {
-        /// The point about which it is [m].
+        /// The point of reference of the moment [m].
         about: Vector3<f64>,
         /// The part of it.
         part: Part,
@@ -41,11 +41,11 @@ pub enum Quantity {
         /// The number.
         reading: Reading,
     },
-    /// What is asked of an electrode.
+    /// A quantity of an electrode.
     Electrode {
-        /// Its number.
+        /// The electrode's index.
         electrode: usize,
-        /// What of it.
+        /// The quantity.
         quantity: ElectrodeQuantity,
     },
     /// The value of a drive \[its unit\].
@@ -60,40 +60,40 @@ pub enum Quantity {
     Iterations,
 }
 
-/// What is asked of an electrode.
+/// A quantity of an electrode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ElectrodeQuantity {
-    /// Against ground \[V\].
+    /// Voltage relative to ground \[V\].
     Voltage,
     /// Free charge \[C\].
     Charge,
-    /// That flows to it \[A\].
+    /// Current into it \[A\].
     Current,
 }
 
 /// How often something is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Every {
-    /// Every so many steps.
+    /// Once in this number of steps.
     Steps(usize),
     /// At the first step at or after each multiple of a time \[s\].
     Time(f64),
 }
 
-/// What is asked to be written of a run in time.
+/// The requested output of a run in time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutputQuestion {
-    /// Columns, in their order; time stands before them.
+    /// Columns, in their order; time precedes them.
     pub columns: Vec<Column>,
     /// How often they are written.
     pub every: Every,
-    /// Whether there is a table as text.
+    /// Whether a text table is written.
     pub csv: bool,
-    /// Whether there is a table in binary.
+    /// Whether a binary table is written.
     pub netcdf: bool,
-    /// Field files: one of so many rows has one; `None` without.
+    /// Field files: one per this number of rows; `None` without.
     pub vtu: Option<usize>,
-    /// How often the state is kept to go on from; `None`: at the end alone.
+    /// How often the state is saved for a restart; `None`: only at the end.
     pub restart: Option<Every>,
 }
 

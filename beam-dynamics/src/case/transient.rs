@@ -1,4 +1,4 @@
-//! What is asked about motion in time.
+//! The requested motion in time.
 
 use nalgebra::Vector3;
 
@@ -7,22 +7,23 @@ use crate::elements::Queries;
 use crate::integrator::{Scheme, StepLimits, Stepping};
 use crate::model::{Conditions, Loading, Pace, TurningFrame};
 
-/// How a node moves at the start, as far as it is said.
+/// Initial motion of a node, as far as it is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InitialMotion {
     /// Velocity in the model's frame [m/s].
     pub velocity: Option<Vector3<f64>>,
     /// Angular velocity, in the axes of the model [rad/s].
     pub angular_velocity: Option<Vector3<f64>>,
-    /// Weight of a change of place and attitude: the larger, the less they change [-].
+    /// Weight of a change of position and orientation: the larger, the less they change
+    /// [-].
     pub weight: f64,
-    /// Weight of a change of the velocities [-]; `None`: one for those that are said, next
-    /// to nothing for the others.
+    /// Weight of a change of the velocities [-]; `None`: one for given velocities, almost
+    /// zero for the others.
     pub velocity_weight: Option<f64>,
 }
 
 impl Default for InitialMotion {
-    /// Nothing is said.
+    /// Nothing is given.
     fn default() -> Self {
         Self {
             velocity: None,
@@ -33,46 +34,47 @@ impl Default for InitialMotion {
     }
 }
 
-/// Where a run in time starts.
+/// Initial state of a run in time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Start {
-    /// From the places and velocities of the nodes as they are given, made to fulfill the
+    /// From the given positions and velocities of the nodes, adjusted to fulfill the
     /// constraints.
     Given,
-    /// From the equilibrium at rest under what acts at the first instant.
+    /// From the equilibrium at rest under the loads at the first instant.
     Equilibrium,
-    /// From the equilibrium of the whole model turning steadily about the axis of the hub.
+    /// From the equilibrium of the whole model in steady rotation about the axis of the
+    /// hub.
     Rotating {
         /// Speed of rotation [rad/s].
         speed: f64,
     },
 }
 
-/// How the accelerations and the reactions of the first instant are found.
+/// Method for the accelerations and the reactions of the first instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StartAccelerations {
-    /// From the second derivative of the constraints, where all elements know it, else by
+    /// From the second derivative of the constraints, if all elements provide it, else by
     /// dummy steps.
     Consistent,
     /// They are zero.
     Zero,
     /// From the same equations with everything at rest: without the terms that are
-    /// quadratic in the velocities, as in the source of the two-step formula.
+    /// quadratic in the velocities, as in the source of the two-step scheme.
     AtRest,
-    /// By a few very short steps of which only they are kept.
+    /// By a few very short steps, of which only the accelerations and reactions are kept.
     Dummy,
 }
 
-/// What is done with constraints that say the same twice.
+/// Treatment of redundant constraints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Redundant {
-    /// They are told, and nothing is run.
+    /// They are reported, and nothing is run.
     Error,
-    /// Those that say nothing new are left out.
+    /// They are removed.
     Remove,
 }
 
-/// What is asked about motion in time.
+/// The requested motion in time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TransientQuestion {
     /// First instant [s].
@@ -81,23 +83,23 @@ pub struct TransientQuestion {
     pub to: f64,
     /// Length of the steps.
     pub stepping: Stepping,
-    /// Formula of integration.
+    /// Integration scheme.
     pub scheme: Scheme,
     /// Iteration of a step.
     pub newton: StepLimits,
-    /// Whether rotations are linearized as at their prediction, and not exactly.
+    /// Whether rotations are linearized as at their prediction, instead of exactly.
     pub simplified_jacobian: bool,
-    /// Where the run starts.
+    /// Initial state of the run.
     pub start: Start,
-    /// How it gets its first accelerations and reactions.
+    /// Method for the first accelerations and reactions.
     pub start_accelerations: StartAccelerations,
-    /// What is done with constraints that say the same twice.
+    /// Treatment of redundant constraints.
     pub redundant: Redundant,
 }
 
 impl TransientQuestion {
-    /// From the given state, at time zero, to the time `to` in equal steps \[s\], all else
-    /// as it is when nothing is said.
+    /// From the given state, at time zero, to the time `to` in equal steps \[s\], with the
+    /// defaults of an input file for everything else.
     pub fn new(to: f64, step: f64) -> Self {
         Self {
             from: 0.0,
@@ -114,7 +116,7 @@ impl TransientQuestion {
 }
 
 impl Model {
-    /// All that acts at a time \[s\] of a run, in axes that do not turn: constant and
+    /// All loads at a time \[s\] of a run, in axes that do not turn: constant and
     /// proportional loads act in full.
     pub fn conditions_at(&self, time: f64) -> Conditions {
         Conditions {
@@ -133,13 +135,13 @@ impl Model {
         }
     }
 
-    /// How long steps may be for what is given over time in a run \[s\].
+    /// Limits of the step length from quantities given over time in a run \[s\].
     pub fn pace(&self, run: [f64; 2]) -> Pace {
         let drives = self.system.elements().flat_map(|element| element.drives());
         Pace::new(drives.chain([&self.gravity_drive]), run)
     }
 
-    /// The first time after `time` at which something that acts has a corner \[s\].
+    /// The first time after `time` at which a drive or load has a corner \[s\].
     pub fn next_corner(&self, time: f64) -> f64 {
         let corners = self.system.elements().map(|one| one.next_corner(time));
         corners.fold(self.gravity_drive.next_corner(time), f64::min)

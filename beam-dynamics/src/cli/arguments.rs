@@ -1,4 +1,4 @@
-//! The arguments of the command line, and the words that explain them.
+//! The arguments of the command line, and their help texts.
 
 use std::path::PathBuf;
 
@@ -16,7 +16,7 @@ and followed over the speeds; critical loads; the motion in time of beams, bodie
 and joints with their reactions.
 
 Axes: x along the blade, y toward the leading edge, z up; the rotor turns about +z unless \
-the file says otherwise.";
+the file states otherwise.";
 
 const EXAMPLES: &str = "\
 Example, a uniform blade from nothing:
@@ -50,7 +50,7 @@ Exit codes: 0 done; 1 ran but did not reach its goal; 2 wrong input or command l
 const MODES: &str = "\
 Finds frequencies and modes over rotor speed
 
-Reads the dynamics files and the files that they name, tells all that is wrong with them \
+Reads the dynamics files and the files that they name, reports all their problems \
 at once, finds equilibrium and modes at each speed, prints the tables, and writes into the \
 folder DIR:
   NAME.frequencies.csv   a row for each speed and mode
@@ -62,8 +62,8 @@ folder DIR:
   NAME.modes/            with --vtu: a series .pvd of field files for each mode
 where FILE is NAME.dynamics.toml.
 
-A FILE can also be a blade by itself, in any of the formats that are read: its modes are \
-those of the blade clamped at its root and at rest, unless the options say otherwise.";
+A FILE can also be a blade file, in any of the known formats: its modes are \
+those of the blade clamped at its root and at rest, unless the options state otherwise.";
 
 const MODES_EXAMPLE: &str = "\
 Examples:
@@ -75,7 +75,7 @@ const STATIC: &str = "\
 Finds equilibria under loads
 
 Reads the dynamics files and the files that they name, finds the equilibrium under rotation \
-and constant loads and then along the path of the proportional loads, as [static] asks, \
+and constant loads and then along the path of the proportional loads, as [static] states, \
 prints the steps, and writes displacements, internal forces, strains, reactions, plots and \
 field files into the folder DIR, named by FILE, which is NAME.dynamics.toml.";
 
@@ -90,10 +90,10 @@ Example, a load at a node of a blade:
   beam-dynamics static blade.dynamics.toml";
 
 const BUCKLING: &str = "\
-Finds critical loads and the shapes in which the model gives way
+Finds critical loads and the shapes of buckling
 
 Reads the dynamics files and the files that they name, finds the factors of the \
-proportional loads at which the model gives way, by linearized prestress about the \
+proportional loads at which the model buckles, by linearized prestress about the \
 equilibrium under rotation and constant loads, prints them, and writes factors and shapes \
 into the folder DIR, named by FILE, which is NAME.dynamics.toml.";
 
@@ -104,15 +104,16 @@ Example:
 const TRANSIENT: &str = "\
 Follows the motion in time
 
-Reads the dynamics files and the files that they name, finds a start that fulfills all joints, \
-and integrates over the time that [transient] asks for. Tables grow while it runs, so that a \
-run that is stopped keeps what it has. Prints what the run took, and writes into the folder DIR:
+Reads the dynamics files and the files that they name, finds an initial state that fulfills all \
+joints, and integrates over the time of [transient]. Tables grow while it runs, so that a \
+run that is stopped keeps its rows. Prints steps, iterations and times, and writes into the \
+folder DIR:
   NAME.transient.csv     a row for each time: the columns of [output]
   NAME.transient.nc      the same as NetCDF, which Python reads with names and units
   NAME.transient.txt     the text as printed: start, remarks, steps, iterations, time by phase
   NAME.transient.png, .svg   all columns over time
   NAME.transient.pvd     with vtu in [output]: the moving model for ParaView, with its folder
-  NAME.restart.json      the state from which --restart goes on
+  NAME.restart.json      the state from which --restart continues
 where FILE is NAME.dynamics.toml.";
 
 const TRANSIENT_EXAMPLE: &str = "\
@@ -138,7 +139,7 @@ Examples:
 Several files side by side, on two threads and without figures:
   RAYON_NUM_THREADS=2 beam-dynamics transient stiff.dynamics.toml soft.dynamics.toml --no-figures
 
-A run that was stopped goes on where its restart file was written:
+A stopped run continues from its restart file:
   beam-dynamics transient blade.dynamics.toml --restart results/blade.restart.json";
 
 const PLOT: &str = "\
@@ -159,20 +160,20 @@ Examples:
 const CHECK: &str = "\
 Reads and checks dynamics files without analyzing them
 
-Tells all that is wrong with the files and those that they name, with file, line and \
-remedy; prints what was read when nothing is.";
+Reports all problems of the files and of the files that they name, with file, line and \
+remedy; prints a summary if there are none.";
 
 const CHECK_EXAMPLE: &str = "\
 Example:
   beam-dynamics check rotor/swept.dynamics.toml";
 
 const DESCRIBE: &str = "\
-Says in words what blade files hold
+Describes the contents of blade files
 
 For files of any known format: BeamDyn, HAWC2, windIO, DYMORE, VABS, tables, blade and \
-property files. Tells the format, what its axes, order and reference point mean, the line \
+property files. States the format, the meaning of its axes, order and reference point, the line \
 with twist, the stations, mass and moments, ranges of stiffness and centers, damping, whether \
-the stiffness is positive definite, what looks wrong and what is missing.";
+the stiffness is positive definite, and implausible and missing data.";
 
 const DESCRIBE_EXAMPLE: &str = "\
 Examples:
@@ -182,9 +183,10 @@ Examples:
 const CONVERT: &str = "\
 Converts a blade from one format to another
 
-Reads FROM in any format that `describe` knows and writes TO, in the format of its ending \
-or that named with --to, with companion files beside it. Numbers keep all their digits; what \
-the other format cannot carry is told, with its size. Never overwrites what it reads.";
+Reads FROM in any format known to `describe` and writes TO, in the format of its ending \
+or that named with --to, with companion files in the same folder. Numbers keep all their \
+digits; data that the other format cannot hold are reported, with their size. Never overwrites \
+the input.";
 
 const CONVERT_EXAMPLE: &str = "\
 Examples:
@@ -192,14 +194,14 @@ Examples:
   beam-dynamics convert nrel.blade.json nrel.st
   beam-dynamics convert nrel.blade.json table.dat --to dymore";
 
-/// A length for files that have none: more than zero.
+/// A length above zero, for files that contain none.
 fn length(text: &str) -> Result<f64, String> {
     let value: Option<f64> = text.parse().ok();
     let value = value.filter(|value| value.is_finite() && *value > 0.0);
     value.ok_or_else(|| "expected a number of meters above zero".to_owned())
 }
 
-/// What a command does, for the list of commands.
+/// Summary of a command, for the list of commands.
 fn first_line(text: &'static str) -> &'static str {
     text.lines().next().unwrap_or(text)
 }
@@ -212,13 +214,13 @@ pub(super) struct Arguments {
     pub command: Command,
 }
 
-/// Where results go, and which are made.
+/// Folder of the results, and which of them are made.
 #[derive(Debug, Args)]
 pub(super) struct Results {
-    /// Folder for the results; the folder "results" beside each FILE if not given
+    /// Folder for the results; the folder "results" next to each FILE if not given
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Draw no figures; those of an earlier run go
+    /// Draw no figures; removes the figures of an earlier run
     #[arg(long)]
     pub no_figures: bool,
 }
@@ -261,7 +263,7 @@ pub(super) enum Command {
         files: Vec<PathBuf>,
         #[command(flatten)]
         results: Results,
-        /// Go on from this state, NAME.restart.json of an earlier part of the same run
+        /// Continue from this state, NAME.restart.json of an earlier part of the same run
         #[arg(long, value_name = "SNAPSHOT")]
         restart: Option<PathBuf>,
     },
@@ -296,7 +298,7 @@ pub(super) enum Command {
         /// Blade file to write
         #[arg(value_name = "TO")]
         to: PathBuf,
-        /// Format to write; that of the ending of TO if not given
+        /// Format to write; if not given, by the ending of TO
         #[arg(long = "to", value_name = "NAME", id = "format")]
         format: Option<String>,
         /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file

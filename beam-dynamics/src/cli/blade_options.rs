@@ -13,7 +13,7 @@ pub(super) enum RootWord {
     Hinged,
 }
 
-/// What is asked of a blade file; a dynamics file says all of it itself.
+/// Settings for a blade file; a dynamics file contains all of them itself.
 #[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Options for blade files")]
 pub(super) struct BladeOptions {
@@ -46,7 +46,7 @@ pub(super) struct BladeOptions {
     elements: Option<usize>,
 }
 
-/// A number that is one.
+/// A finite number.
 fn finite(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
@@ -55,7 +55,7 @@ fn finite(text: &str) -> Result<f64, String> {
 }
 
 impl BladeOptions {
-    /// The name of an option that was given; `None` when none was.
+    /// Name of an option that was given; `None` without one.
     pub fn given(&self) -> Option<&'static str> {
         let given = [
             (self.speeds.is_some(), "--speeds"),
@@ -71,7 +71,7 @@ impl BladeOptions {
         given.iter().find(|option| option.0).map(|option| option.1)
     }
 
-    /// The question to a blade file.
+    /// The settings for a blade file.
     pub fn question(&self) -> BladeQuestion {
         let default = BladeQuestion::default();
         BladeQuestion {

@@ -11,16 +11,16 @@ use crate::output::list;
 
 use super::{DONE, NOT_REACHED, Terminal, WRONG_INPUT};
 
-/// Why a conversion is refused.
+/// Reason for refusing a conversion.
 #[derive(Debug, thiserror::Error)]
 enum ConvertProblem {
-    #[error("\"{found}\" is no format, expected {}", names().join(", "))]
+    #[error("\"{found}\" is not a format, expected {}", names().join(", "))]
     NoFormat { found: String },
-    #[error("the ending of \"{file}\" stands for no format")]
+    #[error("the ending of \"{file}\" belongs to no format")]
     NoEnding { file: String },
     #[error("\"{file}\": blade files in TOML are written by people, expected one in JSON")]
     Toml { file: String, remedy: String },
-    #[error("\"{file}\" would be overwritten, and it is what is read")]
+    #[error("\"{file}\" would be overwritten, but it is the input")]
     Input { file: String },
     #[error(transparent)]
     Exchange(#[from] ExchangeProblem),
@@ -37,7 +37,7 @@ impl Explain for ConvertProblem {
                 names().join(", "),
                 endings().join(", ")
             )),
-            Self::Input { .. } => Some("give another name to write to".to_owned()),
+            Self::Input { .. } => Some("give the output another name".to_owned()),
             Self::Toml { remedy, .. } => Some(format!(
                 "convert to \"{remedy}\", which is read wherever one in TOML is"
             )),
@@ -46,7 +46,7 @@ impl Explain for ConvertProblem {
     }
 }
 
-/// Names of the formats that are written.
+/// Names of the output formats.
 fn names() -> Vec<&'static str> {
     let written = Format::ALL.into_iter().filter(|format| format.is_written());
     written.map(Format::name).collect()
@@ -62,7 +62,7 @@ fn endings() -> Vec<String> {
     endings.collect()
 }
 
-/// Reads `from` and writes `to`, in the format named or that of the ending.
+/// Reads `from` and writes `to`, in the named format or the format of the ending.
 pub(super) fn convert(
     from: &Path,
     to: &Path,
@@ -88,14 +88,14 @@ pub(super) fn convert(
         .filter(|(first, _)| code == DONE && first != to)
     {
         terminal.show(&format!(
-            "\n{} is the file to give to modes and describe: it names the others\n",
+            "\n{} is the file for modes and describe: it refers to the others\n",
             first.display()
         ));
     }
     code
 }
 
-/// Why nothing is written.
+/// Reason for writing nothing.
 enum Refusal {
     Problem(ConvertProblem),
     File(Diagnostics),
@@ -107,7 +107,7 @@ impl From<ConvertProblem> for Refusal {
     }
 }
 
-/// What is told of the conversion, and the files to write.
+/// The report of the conversion, and the files to write.
 fn prepare(
     from: &Path,
     to: &Path,
@@ -140,19 +140,19 @@ fn prepare(
         seen.title(),
         format.title()
     );
-    list(&mut text, "Could not be carried", &writing.lost);
+    list(&mut text, "Cannot be represented", &writing.lost);
     if writing.lost.is_empty() {
-        text.push_str("\nEverything is carried over\n");
+        text.push_str("\nEverything is converted\n");
     }
     list(&mut text, "Remarks", &reading.remarks);
     let problems = reading.blade.problems();
     let problems: Vec<_> = problems.iter().map(ToString::to_string).collect();
-    list(&mut text, "Wrong with the blade", &problems);
+    list(&mut text, "Problems of the blade", &problems);
     Ok((text, files))
 }
 
-/// States who wrote the blade, from what: readers of foreign files give the hash of all
-/// that they have read, a blade file of our own that of what it was made from.
+/// Records the program and the source of the blade: readers of foreign files give the hash
+/// of all files read, a blade file of our own the hash of its source.
 fn stamp(reading: &mut Reading, source: &Path) {
     let provenance = &mut reading.blade.provenance;
     let own = provenance.program == env!("CARGO_PKG_NAME") || provenance.input_hash.is_empty();
@@ -190,7 +190,7 @@ fn name_of(file: &Path) -> String {
         .to_owned()
 }
 
-/// The files beside `to`; the first is `to` itself, unless the ending of `to` stands for
+/// The files next to `to`; the first is `to` itself, unless the ending of `to` belongs to
 /// another kind of file.
 fn placed(files: Vec<(PathBuf, String)>, to: &Path) -> Vec<(PathBuf, String)> {
     let folder = to.parent().unwrap_or(Path::new(""));
@@ -208,7 +208,7 @@ fn placed(files: Vec<(PathBuf, String)>, to: &Path) -> Vec<(PathBuf, String)> {
 /// Whether a file that would be written is the input, or is named in it.
 fn is_input(file: &Path, input: &Path) -> bool {
     let Ok(file) = file.canonicalize() else {
-        // What does not exist is not overwritten.
+        // A file that does not exist is not overwritten.
         return false;
     };
     let Ok(input) = input.canonicalize() else {

@@ -1,4 +1,4 @@
-//! `describe`: what blade files hold.
+//! `describe`: the contents of blade files.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,7 @@ use super::{DONE, Terminal, WRONG_INPUT, files};
 /// The name of our own frame.
 const OURS: &str = "helicoid";
 
-/// Describes all files, whatever is wrong with one; those that cannot be read are told.
+/// Describes all files, even if some are wrong; reports those that cannot be read.
 pub(super) fn describe_files(
     paths: &[PathBuf],
     length: Option<f64>,
@@ -49,8 +49,8 @@ fn describe(file: &Path, length: Option<f64>, terminal: &mut Terminal<'_>) -> u8
     }
 }
 
-/// `text` with zeros that have no sign: numbers of a few digits round to `-0.0000`. In a
-/// column of a table a blank takes the place of the sign.
+/// `text` without minus signs of zeros: numbers of a few digits round to `-0.0000`. In a
+/// column of a table a blank replaces the sign.
 fn without_signs_of_zero(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;

@@ -1,4 +1,4 @@
-//! Several files of one command: side by side, on as many threads as rayon has, and told in
+//! Several files of one command: in parallel, on the threads of rayon, and reported in
 //! their order.
 
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -12,21 +12,21 @@ use super::DONE;
 use super::progress::{Overview, PARTS};
 use super::terminal::{Message, Terminal};
 
-/// Stack of a thread \[bytes\]: that of a main thread, so that a file which can be answered
-/// alone can be answered beside others.
+/// Stack of a thread \[bytes\], as large as of a main thread, so that a file needs no more
+/// when it runs in parallel with others.
 const STACK: usize = 8 << 20;
 
-/// Time between two looks at how far the files are.
+/// Interval of the progress display.
 const TICK: Duration = Duration::from_millis(200);
 
-/// What a thread has to say about the job of some number.
+/// A message or the result of a job.
 enum Event<R> {
     Said(usize, Message),
     Ended(usize, R),
 }
 
-/// Answers every job with an exit code and tells it, with two empty lines between the texts
-/// of two jobs; gives the worst code.
+/// Runs every job and prints its output, with two empty lines between the texts of two
+/// jobs; returns the largest exit code.
 pub(super) fn worst_of<T: Sync>(
     jobs: &[T],
     terminal: &mut Terminal<'_>,
@@ -42,11 +42,11 @@ pub(super) fn worst_of<T: Sync>(
     codes.into_iter().max().unwrap_or(DONE)
 }
 
-/// Answers every job; gives the answers in the order of the jobs.
+/// Runs every job; returns the results in the order of the jobs.
 ///
-/// What is shown and told is the same, in the same order, for any number of threads: that of
-/// the first job which has not ended at once, that of the later ones when their turn comes.
-/// One job, or one thread, has the terminal for itself.
+/// The output is the same, in the same order, for any number of threads: messages of the
+/// first unfinished job are printed immediately, messages of later jobs in their turn. One
+/// job, or one thread, uses the terminal directly.
 pub(super) fn each<T: Sync, R: Send>(
     jobs: &[T],
     terminal: &mut Terminal<'_>,
@@ -59,14 +59,14 @@ pub(super) fn each<T: Sync, R: Send>(
     }
 }
 
-/// As many threads as `RAYON_NUM_THREADS` says, or else as there are cores; `None` if that is
-/// one, or if they cannot be started.
+/// Threads as set by `RAYON_NUM_THREADS`, or one per core; `None` if there is only one, or
+/// if they cannot be started.
 fn threads() -> Option<ThreadPool> {
     let pool = ThreadPoolBuilder::new().stack_size(STACK).build().ok()?;
     (pool.current_num_threads() > 1).then_some(pool)
 }
 
-/// Answers the jobs on the threads of `pool`; the calling thread has the terminal.
+/// Runs the jobs on the threads of `pool`; the calling thread writes to the terminal.
 fn side_by_side<T: Sync, R: Send>(
     pool: &ThreadPool,
     jobs: &[T],
@@ -76,15 +76,15 @@ fn side_by_side<T: Sync, R: Send>(
     let parts: Vec<_> = jobs.iter().map(|_| AtomicU64::new(0)).collect();
     let (sender, receiver) = channel();
     let mut listener = Listener::new(&parts, terminal);
-    // The scope ends when all jobs have, and goes on with a panic of one.
+    // The scope ends when all jobs have ended, and passes on a panic.
     pool.in_place_scope(|scope| {
         scope.spawn(|_| {
-            // One by one in their order: the first texts are complete first.
+            // In their order: the first texts are complete first.
             let jobs = jobs.iter().zip(&parts).enumerate().par_bridge();
             jobs.for_each_with(sender, |sender, (number, (job, part))| {
                 let result = answer(job, &mut sending(sender, number, part));
                 part.store(PARTS, Ordering::Relaxed);
-                // The receiver lives until the last sender is gone.
+                // The receiver exists until the last sender is dropped.
                 let _ = sender.send(Event::Ended(number, result));
             });
         });
@@ -93,7 +93,7 @@ fn side_by_side<T: Sync, R: Send>(
     listener.results.into_iter().flatten().collect()
 }
 
-/// The terminal of the job of some number.
+/// The terminal of job `number`.
 fn sending<'a, R>(sender: &Sender<Event<R>>, number: usize, part: &'a AtomicU64) -> Terminal<'a>
 where
     R: 'a,
@@ -105,15 +105,15 @@ where
     Terminal::sending(Box::new(send), part)
 }
 
-/// Tells the messages of all jobs in the order of the jobs.
+/// Prints the messages of all jobs in the order of the jobs.
 struct Listener<'a, 'b, R> {
     terminal: &'a mut Terminal<'b>,
     overview: Overview<'a>,
-    /// Messages of each job that are not told yet.
+    /// Messages of each job that are not printed yet.
     waiting: Vec<Vec<Message>>,
-    /// Answers of the jobs that have ended.
+    /// Results of the jobs that have ended.
     results: Vec<Option<R>>,
-    /// The first job that has not ended; its messages are told at once.
+    /// The first job that has not ended; its messages are printed immediately.
     first: usize,
 }
 
@@ -128,7 +128,7 @@ impl<'a, 'b, R> Listener<'a, 'b, R> {
         }
     }
 
-    /// Listens until all jobs have ended.
+    /// Receives until all jobs have ended.
     fn listen(&mut self, receiver: &Receiver<Event<R>>) {
         loop {
             match receiver.recv_timeout(TICK) {
@@ -138,7 +138,7 @@ impl<'a, 'b, R> Listener<'a, 'b, R> {
             }
         }
         self.overview.finish();
-        // What is left if a job has panicked.
+        // Remaining messages, if a job has panicked.
         while self.first < self.waiting.len() {
             self.tell_first();
             self.first += 1;
@@ -157,7 +157,7 @@ impl<'a, 'b, R> Listener<'a, 'b, R> {
         }
     }
 
-    /// Tells what waits of the first job that has not ended.
+    /// Prints the waiting messages of the first job that has not ended.
     fn tell_first(&mut self) {
         let Some(waiting) = self.waiting.get_mut(self.first) else {
             return;
@@ -182,7 +182,7 @@ mod tests {
     use std::sync::mpsc::sync_channel;
     use std::time::Instant;
 
-    /// After which a job that waits for another one gives up.
+    /// Longest time for which a job waits for another one.
     const PATIENCE: Duration = Duration::from_secs(60);
 
     /// Both streams as one text, an error line with a mark before it.
@@ -208,7 +208,7 @@ mod tests {
             .unwrap()
     }
 
-    /// What `work` writes to both streams.
+    /// The text that `work` writes to both streams.
     fn written(work: impl FnOnce(&mut Terminal<'_>)) -> String {
         let text = Mutex::new(String::new());
         let (mut out, mut err) = (Both(&text, ""), Both(&text, "!"));
@@ -247,7 +247,7 @@ mod tests {
         assert_eq!(alone, LINES);
     }
 
-    /// The first job is told while it is under way.
+    /// The messages of the first job are printed while it runs.
     #[test]
     fn the_first_job_does_not_wait_for_its_end() {
         let text = Mutex::new(String::new());

@@ -1,4 +1,4 @@
-//! Where the results of each file go.
+//! Folders and names of the results of each file.
 
 use std::path::{Path, PathBuf};
 
@@ -9,7 +9,7 @@ use super::arguments::Results;
 use crate::input;
 use crate::output::ResultPlace;
 
-/// Two files whose results would go to the same place.
+/// Two files whose results would have the same names.
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
 #[error("results of \"{first}\" and \"{second}\" would both be \"{target}\"")]
 pub(super) struct SameResults {
@@ -24,11 +24,11 @@ impl Explain for SameResults {
     }
 }
 
-/// Places of the results of all files, each of its own: two files that run at the same time
-/// must not write over each other, whatever way their folder is written.
+/// Folders and names of the results of all files, all different: two files that run at the
+/// same time must not overwrite each other, however their folder is written.
 ///
 /// # Errors
-/// [`SameResults`]: the first two files of one place.
+/// [`SameResults`]: the first two files with the same results.
 pub(super) fn places(
     files: &[PathBuf],
     results: &Results,

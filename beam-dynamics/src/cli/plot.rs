@@ -12,10 +12,10 @@ use crate::output::{RunFileProblem, TimePlot, TimeTable};
 /// Endings of the figures.
 const ENDINGS: [&str; 2] = ["png", "svg"];
 
-/// What is drawn, and where it goes.
+/// Selected columns and times, and the output file.
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct PlotOptions {
-    /// Columns to draw, joined by commas, all that begin so with * at the end; all
+    /// Columns to draw, joined by commas, with * at the end all that begin with the text; all
     /// columns if not given
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,
@@ -31,7 +31,7 @@ pub(super) struct PlotOptions {
     /// Title of the figure; the names of the models if not given
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
-    /// Figure to write: PNG and SVG, or one of them by its ending; NAME.plot beside the
+    /// Figure to write: PNG and SVG, or one of them by its ending; NAME.plot next to the
     /// first RESULT if not given
     #[arg(long, value_name = "FIGURE")]
     out: Option<PathBuf>,
@@ -84,7 +84,7 @@ pub(super) fn plot_files(
     DONE
 }
 
-/// The figure, or every wrong name and not only the first.
+/// The figure, or all wrong names.
 fn plot_of(tables: &[TimeTable], options: &PlotOptions) -> Result<TimePlot, Vec<RunFileProblem>> {
     let columns = options.columns.iter().map(|name| name.trim().to_owned());
     let columns: Vec<_> = columns.collect();
@@ -107,7 +107,7 @@ fn plot_of(tables: &[TimeTable], options: &PlotOptions) -> Result<TimePlot, Vec<
 
 /// A span of time that ends before it begins.
 #[derive(Debug, thiserror::Error)]
-#[error("--from {from} is later than --to {to}: no time is between them")]
+#[error("--from {from} is later than --to {to}: there is no time between them")]
 struct Backward {
     from: f64,
     to: f64,
@@ -119,7 +119,7 @@ impl Explain for Backward {
     }
 }
 
-/// A figure of a kind that is not written.
+/// A figure of an unsupported kind.
 #[derive(Debug, thiserror::Error)]
 #[error("\"{file}\" ends in \"{ending}\", expected png, svg or a name without such an ending")]
 struct OtherKind {
@@ -129,11 +129,11 @@ struct OtherKind {
 
 impl Explain for OtherKind {
     fn help(&self) -> Option<String> {
-        Some("write SVG, which other programs turn into further kinds".to_owned())
+        Some("write SVG, which other programs convert to other kinds".to_owned())
     }
 }
 
-/// What is wrong with the ending of a figure.
+/// Problem of the ending of a figure, if any.
 fn other_kind(out: &Path) -> Option<OtherKind> {
     const OTHERS: [&str; 10] = [
         "pdf", "eps", "ps", "jpg", "jpeg", "gif", "tif", "tiff", "bmp", "webp",
@@ -144,7 +144,7 @@ fn other_kind(out: &Path) -> Option<OtherKind> {
     is_other.then_some(OtherKind { file, ending })
 }
 
-/// Reads the rows of all tables that are drawn; tells what is wrong with any.
+/// Reads the rows of all tables to draw; reports all problems.
 fn read(
     results: &[PathBuf],
     options: &PlotOptions,
@@ -176,7 +176,7 @@ fn save(plot: &TimePlot, path: &Path) -> Result<(), OutputProblem> {
     plot.save(path)
 }
 
-/// Files to write: one where its ending is given, else both kinds.
+/// Files to write: one if its ending is given, else both kinds.
 fn targets(result: &Path, out: Option<&Path>) -> Vec<PathBuf> {
     let Some(out) = out else {
         let name = result.file_name().unwrap_or_default().to_string_lossy();

@@ -1,4 +1,4 @@
-//! How far a run in time is, or several files side by side are: bars on a terminal alone.
+//! Progress of a run in time, or of several files in parallel: bars, only on a terminal.
 
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -7,19 +7,20 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::input::short_number;
 
-/// Parts of a run that a bar tells apart.
+/// Number of parts of a run that a bar distinguishes.
 pub(super) const PARTS: u64 = 10_000;
 
-/// How far one run is.
+/// Progress of one run.
 pub(super) enum Progress<'a> {
-    /// Of the only run: a bar of its own.
+    /// A bar for the only run.
     Alone(ProgressBar),
-    /// Of a run beside others: its parts, which the overview shows.
+    /// Parts done of a run in parallel with others, shown by the overview.
     Beside(&'a AtomicU64),
 }
 
 impl<'a> Progress<'a> {
-    /// Of a run whose parts are `beside` those of others, or which has a bar of its own.
+    /// Of a run in parallel with others, whose parts done are `beside`, or with a bar of
+    /// its own.
     pub fn new(beside: Option<&'a AtomicU64>) -> Self {
         let alone = || bar(PARTS, "{bar:40} {percent:>3} %  at {msg} s  {eta} left");
         beside.map_or_else(|| Self::Alone(alone()), Self::Beside)
@@ -39,14 +40,14 @@ impl<'a> Progress<'a> {
         }
     }
 
-    /// The time left is counted from here on.
+    /// Starts the clock for the time left.
     pub fn begin(&self) {
         if let Self::Alone(bar) = self {
             bar.reset_eta();
         }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         if let Self::Alone(bar) = self {
             bar.finish_and_clear();
@@ -54,14 +55,14 @@ impl<'a> Progress<'a> {
     }
 }
 
-/// How far all files are, in one bar that the calling thread draws.
+/// Progress of all files, in one bar drawn by the calling thread.
 pub(super) struct Overview<'a> {
     bar: ProgressBar,
     parts: &'a [AtomicU64],
 }
 
 impl<'a> Overview<'a> {
-    /// Of files of which `parts` are done.
+    /// Of files whose parts done are `parts`.
     pub fn new(parts: &'a [AtomicU64]) -> Self {
         let length = PARTS * parts.len() as u64;
         Self {
@@ -70,7 +71,7 @@ impl<'a> Overview<'a> {
         }
     }
 
-    /// Shows how far they are now.
+    /// Shows the present progress.
     pub fn show(&self) {
         if self.bar.is_hidden() {
             return;
@@ -82,18 +83,18 @@ impl<'a> Overview<'a> {
         self.bar.set_position(parts().sum());
     }
 
-    /// Does `work`, which writes to the terminal, while the bar is away.
+    /// Runs `work`, which writes to the terminal, while the bar is hidden.
     pub fn above(&self, work: impl FnOnce()) {
         self.bar.suspend(work);
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
 }
 
-/// A bar of `length` on a terminal, which no one sees elsewhere.
+/// A bar of `length` on a terminal, invisible elsewhere.
 fn bar(length: u64, template: &str) -> ProgressBar {
     let target = match std::io::stderr().is_terminal() {
         true => ProgressDrawTarget::stderr(),

@@ -22,7 +22,7 @@ pub(super) fn static_of_files(
     let asked = NotAsked {
         file: String::new(),
         table: "static",
-        example: "speed = 0 and to = 1, or nothing for the loads as they are",
+        example: "speed = 0 and to = 1, or without keys for the loads as given",
     };
     each(
         files,
@@ -53,7 +53,7 @@ pub(super) fn buckling_of_files(
     )
 }
 
-/// Answers the question of every file; the worst exit code.
+/// Analyzes every file; returns the largest exit code.
 fn each<Q: Sync>(
     paths: &[PathBuf],
     results: &Results,
@@ -112,7 +112,7 @@ fn static_of(
     terminal.show(&text);
     let failure = outcome.failure.map(|failure| {
         let last = result.last().map_or_else(
-            || "nothing was reached".to_owned(),
+            || "no load step converged".to_owned(),
             |step| {
                 let kept = match result.steps.len() {
                     1 => ("1 equilibrium".to_owned(), "is"),

@@ -5,31 +5,31 @@ use std::sync::atomic::AtomicU64;
 
 use shared_geom::error::Explain;
 
-/// What is written to the terminal, in pieces that stay together.
+/// A piece of output that stays together.
 pub(super) enum Message {
-    /// Text for the output stream, as it stands.
+    /// Text for the output stream, unchanged.
     Shown(String),
-    /// All that was shown is to be seen now.
+    /// Makes all output so far visible.
     Flush,
     /// A line for the error stream.
     Told(String),
 }
 
-/// Output and error stream. A stream that no one reads any more (a closed pipe) takes
-/// everything in silence; the work goes on.
+/// Output and error stream. A closed pipe discards everything without an error; the work
+/// continues.
 pub(super) struct Terminal<'a> {
     place: Place<'a>,
-    /// Whether something was lost for another reason than a closed pipe.
+    /// Whether output was lost for another reason than a closed pipe.
     failed: bool,
 }
 
-/// Where messages go.
+/// Destination of messages.
 enum Place<'a> {
     Streams {
         out: &'a mut dyn Write,
         err: &'a mut dyn Write,
     },
-    /// To the thread that has the streams; and how far the work is.
+    /// To the thread that has the streams; with the progress of the work.
     Other {
         send: Box<dyn Fn(Message) + 'a>,
         part: &'a AtomicU64,
@@ -44,8 +44,8 @@ impl<'a> Terminal<'a> {
         }
     }
 
-    /// One that sends its messages to the thread that has the streams. `part` is how far
-    /// the work is, of `PARTS`.
+    /// A terminal that sends its messages to the thread that has the streams. `part` is the
+    /// progress of the work, out of `PARTS`.
     pub fn sending(send: Box<dyn Fn(Message) + 'a>, part: &'a AtomicU64) -> Self {
         Self {
             place: Place::Other { send, part },
@@ -53,7 +53,7 @@ impl<'a> Terminal<'a> {
         }
     }
 
-    /// Where to note how far the work is, if it goes on beside other work.
+    /// The progress to update, if the work runs in parallel with other work.
     pub fn part(&self) -> Option<&'a AtomicU64> {
         match &self.place {
             Place::Streams { .. } => None,
@@ -61,7 +61,7 @@ impl<'a> Terminal<'a> {
         }
     }
 
-    /// Writes `text` as it stands.
+    /// Writes `text` unchanged.
     pub fn show(&mut self, text: &str) {
         self.take(Message::Shown(text.to_owned()));
     }
@@ -76,7 +76,7 @@ impl<'a> Terminal<'a> {
         self.take(Message::Told(text.to_owned()));
     }
 
-    /// Writes a message, or sends it on.
+    /// Writes a message, or passes it on.
     pub fn take(&mut self, message: Message) {
         let (out, err) = match &mut self.place {
             Place::Streams { out, err } => (out, err),
@@ -90,7 +90,7 @@ impl<'a> Terminal<'a> {
         results.iter().for_each(|result| self.note(result));
     }
 
-    /// Tells a problem, with its remedy.
+    /// Reports a problem, with its remedy.
     pub fn tell(&mut self, problem: &impl Explain) {
         let help = problem
             .help()
@@ -114,7 +114,7 @@ impl<'a> Terminal<'a> {
         {
             self.failed = true;
             if let Place::Streams { err, .. } = &mut self.place {
-                // If this fails too, there is no one left to tell.
+                // If this fails too, there is no way to report it.
                 let _ = writeln!(err, "error: the output cannot be written: {error}");
             }
         }

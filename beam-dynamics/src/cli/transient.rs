@@ -1,4 +1,5 @@
-//! `transient`: runs each model in time, writes while it runs, and tells what it took.
+//! `transient`: runs each model in time, writes results during the run, and reports the
+//! effort.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -21,21 +22,21 @@ use crate::output::{
 };
 use crate::result::{Moment, Recorder, Snapshot};
 
-/// The table that asks for a run in time.
+/// The table that defines a run in time.
 const TABLE: &str = "transient";
-/// Changes at the start that are told one by one.
+/// Number of changes at the start that are listed.
 const MOST_CHANGES: usize = 60;
 
 /// A restart file that does not fit.
 #[derive(Debug, thiserror::Error)]
 enum RestartProblem {
-    /// One state for several models.
-    #[error("--restart goes on with one file, but {files} are given")]
+    /// One restart file for several models.
+    #[error("--restart continues one file, but {files} are given")]
     ManyFiles { files: usize },
     /// A state of other nodes or joints.
     #[error("\"{file}\" is the state of another model: {difference}")]
     OtherModel { file: String, difference: String },
-    /// Nothing is left to be done.
+    /// No time is left to run.
     #[error("\"{file}\" is at {at} s, and the run ends at {to} s")]
     AtEnd { file: String, at: f64, to: f64 },
 }
@@ -45,10 +46,10 @@ impl Explain for RestartProblem {
         let text = match self {
             Self::ManyFiles { .. } => "run them one by one",
             Self::OtherModel { .. } => {
-                "nodes, elements, laws, drives, gravity and hub must be those of the run that wrote \
-                 it; \"to\", \"step\", \"scheme\" and [output] may differ"
+                "nodes, elements, laws, drives, gravity and hub must be the same as in the \
+                 run that wrote it; \"to\", \"step\", \"scheme\" and [output] may differ"
             }
-            Self::AtEnd { .. } => "give [transient] a later \"to\" to go on",
+            Self::AtEnd { .. } => "give [transient] a later \"to\" to continue",
         };
         Some(text.to_owned())
     }
@@ -106,7 +107,7 @@ fn tell_not_asked(path: &Path, terminal: &mut Terminal<'_>) {
     }
 }
 
-/// The state at `path` from which the run goes on; tells why it does not fit.
+/// The state at `path` from which the run continues; reports a state that does not fit.
 fn resumed(
     path: &Path,
     input: &Input,
@@ -134,28 +135,28 @@ fn resumed(
     None
 }
 
-/// In what a state is not one of the model. Another law of the same joints is told by the
-/// fingerprint alone; a model without what was redundant has other constraints.
+/// Difference between a state and the model. Another law of the same joints changes only
+/// the fingerprint; a model whose redundant constraints were removed has other constraints.
 fn other_model(snapshot: &Snapshot, input: &Input) -> Option<String> {
     if snapshot.model == input.model.fingerprint() {
         return None;
     }
     let told = difference(&input.model, snapshot);
     Some(told.unwrap_or_else(|| {
-        "its nodes have the same names, but some element, law, drive, gravity or the hub is \
-         another"
+        "its nodes have the same names, but some element, law, drive, gravity or the hub \
+         differs"
             .to_owned()
     }))
 }
 
-/// Runs one model, writes its results and tells them.
+/// Runs one model, writes its results and prints the report.
 fn run(
     (input, question): (&Input, &TransientQuestion),
     resumed: Option<&Snapshot>,
     place @ ResultPlace { name, .. }: &ResultPlace,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    // Before anything is written: it is the input that is wrong.
+    // Before anything is written: the input is wrong.
     if let Err(failure) = driven_places(&input.model, question) {
         terminal.tell_text(&format!(
             "error: {name}: {failure}{}\n  help: {}",
@@ -210,7 +211,7 @@ fn run(
     code.max(finish(watched.files, (title, &(head + &text)), terminal))
 }
 
-/// Where the joints stand that a failure is about.
+/// Locations of the joints that a failure concerns.
 fn cards_of(input: &Input, failure: &TransientFailure) -> String {
     let joints = failure.joints().into_iter();
     let places = joints.filter_map(|joint| Some((input.joint_places.get(joint)?, joint)));
@@ -218,7 +219,7 @@ fn cards_of(input: &Input, failure: &TransientFailure) -> String {
     lines.collect()
 }
 
-/// Ends the files of a run and names them.
+/// Ends the files of a run and lists them.
 fn finish(files: RunFiles<'_>, (title, text): (&str, &str), terminal: &mut Terminal<'_>) -> u8 {
     match files.finish(title, text) {
         Ok(written) => {
@@ -236,13 +237,13 @@ fn finish(files: RunFiles<'_>, (title, text): (&str, &str), terminal: &mut Termi
     }
 }
 
-/// What is run, told before it is.
+/// Summary printed before the run.
 fn heading(input: &Input, question: &TransientQuestion, resumed: Option<&Snapshot>) -> String {
     let system = &input.model.system;
     let seconds = |time: f64| format!("{} s", short_number(time, 9));
     let start = match resumed {
         Some(snapshot) => format!(
-            "goes on at {} (step {})",
+            "continues at {} (step {})",
             seconds(snapshot.progress.time),
             snapshot.step
         ),
@@ -287,14 +288,14 @@ fn scheme_words(scheme: Scheme) -> String {
     }
 }
 
-/// Remarks, how far the run came, and what it took.
+/// Remarks, time reached, and effort.
 fn outcome_text(input: &Input, question: &TransientQuestion, outcome: &TransientOutcome) -> String {
     let mut text = String::new();
     for remark in input.remarks.iter().chain(&outcome.remarks) {
         text.push_str(&format!("  note: {remark}\n"));
     }
     if !outcome.changes.is_empty() {
-        text.push_str("\nChanged at the start, for the joints to be fulfilled\n");
+        text.push_str("\nChanged at the start to fulfill the joints\n");
     }
     for change in outcome.changes.iter().take(MOST_CHANGES) {
         text.push_str(&format!("  {change}\n"));

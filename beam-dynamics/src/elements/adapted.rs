@@ -1,9 +1,8 @@
-//! An element without some of its constraints, or with readings of it as scalars.
+//! An element without some of its constraints, or with readings as scalars.
 //!
-//! In the place of a constraint that is removed stands "the multiplier is zero". For each reading
-//! q the scalar s has the equation `s - q = 0`; a force or moment that the element exerts on a
-//! node is the part of its residual in the equations of that node, along a direction m that may
-//! turn with a node c:
+//! A removed constraint is replaced by "the multiplier is zero". For each reading q the scalar s
+//! has the equation `s - q = 0`; a force or moment that the element exerts on a node is the part of
+//! its residual in the equations of that node, along a direction m that may turn with a node c:
 //!
 //! ```text
 //! q = m . F ,      dq = m . dF + ( m x F ) . theta_c
@@ -22,7 +21,7 @@ use super::{
 use crate::elements::{Constraints, Energetic, Growth, Memory, Queries, Reports, Structure};
 use crate::model::{Equation, Loading, NodeMotion, Scalar, Scalars, Variable};
 
-/// Number of multipliers of all but unusual elements.
+/// Number of multipliers of most elements.
 const FEW: usize = 16;
 
 /// An element, adapted.
@@ -30,7 +29,7 @@ const FEW: usize = 16;
 pub struct Adapted {
     element: Arc<dyn Element>,
     removed: Vec<usize>,
-    /// Readings; their scalars come behind those of the element.
+    /// Readings; their scalars follow the element's scalars.
     readings: Vec<Reading>,
     scalars: Vec<Scalar>,
 }
@@ -46,7 +45,7 @@ struct Reacting {
 }
 
 impl Adapted {
-    /// `element` without its constraints number `removed`.
+    /// `element` without its constraints of the indices `removed`.
     pub fn reduced(element: Arc<dyn Element>, removed: Vec<usize>) -> Self {
         Self {
             removed,
@@ -54,7 +53,7 @@ impl Adapted {
         }
     }
 
-    /// `element` with readings of it, each with its scalar.
+    /// `element` with readings, each with its scalar.
     pub fn read(element: Arc<dyn Element>, readings: Vec<(Reading, Scalar)>) -> Self {
         let mut scalars = element.scalars().to_vec();
         let (readings, own): (Vec<_>, Vec<_>) = readings.into_iter().unzip();
@@ -87,7 +86,7 @@ impl Adapted {
         reading.of(&observed, |_| Matrix3::identity()).is_some()
     }
 
-    /// A reaction `force` at a state; the value of it.
+    /// A reaction `force` at a state: its value.
     fn reacting(
         &self,
         reading: &Reading,
@@ -133,12 +132,12 @@ impl Adapted {
         Some((found, part.in_axes(&force, &axes)))
     }
 
-    /// Number of the scalar of the first reading.
+    /// Index of the scalar of the first reading.
     fn first(&self) -> usize {
         self.scalars.len() - self.readings.len()
     }
 
-    /// Calls with what the element sees, the multipliers of removed constraints at zero.
+    /// Calls with the element's input, the multipliers of removed constraints at zero.
     fn with<T>(&self, at: &Local<'_>, call: impl FnOnce(&Local<'_>) -> T) -> T {
         let count = at.multipliers.len();
         let mut few = [0.0; FEW];
@@ -160,7 +159,7 @@ impl Adapted {
 }
 
 impl Adapted {
-    /// Adds the equations of the readings to what the element has added, `acting`.
+    /// Adds the equations of the readings to the element's residual `acting`.
     fn add_readings(&self, at: &Local<'_>, out: &mut LocalResidual) {
         for (i, reading) in self.readings.iter().enumerate() {
             let scalar = self.first() + i;

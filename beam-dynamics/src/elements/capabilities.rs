@@ -1,7 +1,7 @@
-//! Capabilities of elements: each is a set of methods that an element has together, or not at
-//! all. None has a default, so that an element that decorates another one can forget none.
+//! Capabilities of elements: each is a set of methods that an element implements completely or not
+//! at all. No method has a default, so that a decorator cannot omit one.
 //!
-//! The rest of the program asks [`Queries`](super::Queries), which every element answers, also
+//! The rest of the program calls [`Queries`](super::Queries), which every element implements, also
 //! without the capability.
 
 use nalgebra::{Matrix3, Vector3};
@@ -13,7 +13,7 @@ use super::{
 };
 use crate::model::{Loading, NodeMotion, Scalars};
 
-/// Says in the `Element` of a type which capabilities it has: `has!(energetic: Energetic)`.
+/// Declares in the `Element` of a type its capabilities: `has!(energetic: Energetic)`.
 macro_rules! has {
     ($($query:ident: $capability:ident),+) => {
         $(
@@ -53,16 +53,16 @@ pub trait Constraints {
     fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]>;
 }
 
-/// Numbers that an element keeps of accepted steps.
+/// Numbers that an element stores at accepted steps.
 pub trait Memory {
-    /// How many they are.
+    /// Their number.
     fn size(&self) -> usize;
 
-    /// Writes those with which a run in time begins from a state.
+    /// Writes the initial memory of a run in time from a state.
     fn begin(&self, at: &Local<'_>, memory: &mut [f64]);
 
-    /// Takes notice of an accepted state: `memory` is that from which it was found, and becomes
-    /// that of the steps from here on. At the times at which it changes,
+    /// Updates the memory after an accepted state: `memory` is the one with which the state was
+    /// found, and becomes the one of the following steps. At the times at which it changes,
     /// [`Memory::next_change`] must have a corner.
     fn accept(&self, at: &Local<'_>, memory: &mut [f64]);
 
@@ -82,7 +82,7 @@ pub trait Energetic {
     /// See [`super::Queries::keeps_energy`].
     fn is_conservative(&self) -> bool;
 
-    /// From where the derivatives of its energy follow.
+    /// Source of the derivatives of its energy.
     fn slope(&self) -> EnergySlope;
 }
 
@@ -113,7 +113,7 @@ pub trait Structure {
     fn undefined(&self, at: &Local<'_>) -> Option<String>;
 }
 
-/// Reports of a state beside the forces on the nodes.
+/// Reports of a state other than the forces on the nodes.
 pub trait Reports {
     /// See [`super::Queries::observe`].
     fn report(&self, at: &Local<'_>, out: &mut Observations);

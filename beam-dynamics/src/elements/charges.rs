@@ -2,10 +2,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// What drives the charge of an electrode.
+/// Drive of the charge of an electrode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Flow {
-    /// Its voltage is given: the rate of that [V/s].
+    /// Its voltage is given: its rate [V/s].
     Voltage(f64),
     /// Its current is known [A].
     Current(f64),
@@ -14,13 +14,13 @@ pub enum Flow {
 /// The circuit of an electrode at a state.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CircuitState {
-    /// Number of the electrode.
+    /// Index of the electrode.
     pub number: usize,
     /// Its name.
     pub name: String,
     /// Its voltage [V].
     pub voltage: f64,
-    /// What drives its charge.
+    /// Drive of its charge.
     pub flow: Flow,
 }
 
@@ -29,29 +29,28 @@ pub struct CircuitState {
 pub struct ElectrodeState {
     /// Its name.
     pub name: String,
-    /// Its voltage against ground [V].
+    /// Its voltage relative to ground [V].
     pub voltage: f64,
     /// Its free charge [C].
     pub charge: f64,
-    /// The current that flows to it: the rate of the charge [A].
+    /// The current into it: the rate of the charge [A].
     pub current: f64,
 }
 
-/// What the elements know of electrodes, summed over them.
+/// Contributions of the elements to electrodes, summed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Charges {
-    /// Numbers of two electrodes, and a part of the charge of the first for one volt on the
-    /// second [F].
+    /// Indices of two electrodes, and a part of the charge of the first per volt on the second [F].
     pub capacitance: Vec<(usize, usize, f64)>,
-    /// Number of an electrode, a part of its charge by strains, and of its rate [C, A].
+    /// Index of an electrode, a part of its charge due to strains, and its rate [C, A].
     pub by_strain: Vec<(usize, f64, f64)>,
     /// The circuits.
     pub circuits: Vec<CircuitState>,
 }
 
 impl Charges {
-    /// The electrodes, in the order of their numbers. With s the part of the currents by
-    /// rates of strain, h the electrodes whose voltage is given and f the others,
+    /// The electrodes, in the order of their indices. With s the part of the currents due to rates
+    /// of strain, h the electrodes of given voltage and f the others,
     ///
     /// ```text
     /// Q = -Theta' eps + C V          I = s + C V'
@@ -95,7 +94,7 @@ impl Charges {
     }
 }
 
-/// Rates of all voltages, given the currents `strained` by rates of strain.
+/// Rates of all voltages, given the currents `strained` due to rates of strain.
 fn rates(flows: &[Flow], capacitance: &DMatrix<f64>, strained: &DVector<f64>) -> DVector<f64> {
     let mut matrix = capacitance.clone();
     let mut right = DVector::zeros(flows.len());

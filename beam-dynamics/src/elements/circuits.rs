@@ -1,7 +1,7 @@
-//! Electrodes of the model and the circuits that they are in.
+//! Electrodes of the model and their circuits.
 //!
-//! With the charge Q that the beams report ([`super::beams::Beam`]), C the capacitance
-//! of the electrode over all beams and E a voltage that is given, the circuits are
+//! With the charge Q that the beams report ([`super::beams::Beam`]), C the capacitance of the
+//! electrode over all beams and E a given voltage, the circuits are
 //!
 //! ```text
 //! held      V = E(t)                        no unknown
@@ -13,9 +13,9 @@
 //!           V - E + R I + L I'    = 0                                          (D-266)
 //! ```
 //!
-//! of the unknowns V, then Q, then I. The part by y and V is added by the beams. A state of
-//! rest has no current, so that its voltage is E; the energy of a state in motion changes by
-//! what the source gives and the resistor takes,
+//! of the unknowns V, then Q, then I. The part by y and V is added by the beams. A state of rest
+//! has no current, so that its voltage is E; in motion the energy changes by the work of the source
+//! and the loss of the resistor,
 //!
 //! ```text
 //! d/dt ( kinetic + elastic + 1/2 V C V + 1/2 L I^2 ) = E I - R I^2 + loads     (D-267)
@@ -30,12 +30,12 @@ use super::{
 use crate::elements::{Energetic, Exchange, Observations, Reading, ReadingRow, Reports, has};
 use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart};
 
-/// What an electrode is connected to.
+/// Connection of an electrode.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Circuit {
     /// A source of voltage [V].
     Held(Signal),
-    /// Nothing: its charge is held.
+    /// Open: its charge is constant.
     Open {
         /// The charge [C].
         charge: f64,
@@ -44,7 +44,7 @@ pub enum Circuit {
     Shunt {
         /// Voltage of the source [V].
         source: Signal,
-        /// Resistance, above zero where there is no inductance [Ohm].
+        /// Resistance, above zero if there is no inductance [Ohm].
         resistance: f64,
         /// Inductance; zero for none [H].
         inductance: f64,
@@ -53,7 +53,7 @@ pub enum Circuit {
 
 impl Circuit {
     /// The unknowns of the circuit of the electrode `owner` of the given `capacitance` \[F\]:
-    /// voltage, charge, current, as far as there are such, in scales of one volt.
+    /// voltage, charge and current, as far as they exist, in scales of one volt.
     pub fn scalars(&self, owner: &str, capacitance: f64) -> Vec<Scalar> {
         let scalar = |[name, unit]: [&str; 2], size: f64, equation: &str, has_rate: bool| {
             Scalar::new(ScalarSpec {
@@ -85,7 +85,7 @@ impl Circuit {
         !matches!(self, Self::Held(_))
     }
 
-    /// The voltage that is given.
+    /// The given voltage.
     fn source(&self) -> Option<&Signal> {
         match self {
             Self::Held(source) | Self::Shunt { source, .. } => Some(source),
@@ -100,18 +100,18 @@ pub struct Electrode {
     label: String,
     number: usize,
     circuit: Circuit,
-    /// Its voltage, charge and current, as far as they are unknown, then those that its source
-    /// reads.
+    /// Its voltage, charge and current, as far as they are unknown, then the scalars that its
+    /// source reads.
     scalars: Vec<Scalar>,
-    /// The number of the first of these.
+    /// The index of the first of these.
     own: usize,
     /// Capacitance at constant strain [F].
     capacitance: f64,
 }
 
 impl Electrode {
-    /// Electrode number `number`, of the given `capacitance` over all its beams \[F\], with
-    /// the unknowns of its circuit, see [`Circuit::scalars`].
+    /// Electrode `number` of the given `capacitance` over all its beams \[F\], with the unknowns of
+    /// its circuit, see [`Circuit::scalars`].
     pub fn new(
         label: impl Into<String>,
         number: usize,
@@ -301,7 +301,7 @@ impl Reports for Electrode {
     }
 }
 
-/// Value of the unknown number `i` of an electrode, and the rate.
+/// Value of the unknown `i` of an electrode, and its rate.
 fn unknown(i: usize, at: &Local<'_>) -> [f64; 2] {
     [at.scalars.values[i], at.scalars.rates[i]]
 }

@@ -1,6 +1,6 @@
-//! What elements tell of their constraints in motion, and of energy.
+//! Constraints of elements in motion.
 
-/// The highest derivative of the unknowns' motion that a constraint holds.
+/// The highest derivative of the motion of the unknowns that a constraint contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     /// `Phi(x, R, t) = 0`: positions and rotations.
@@ -9,21 +9,21 @@ pub enum Level {
     Velocity,
 }
 
-/// A constraint of an element and its multiplier in words.
+/// A constraint of an element and its multiplier, as text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConstraintWords {
-    /// What it holds: `offset along y of axes a`.
+    /// The constrained quantity: `offset along y of axes a`.
     pub held: String,
-    /// In which unit that counts.
+    /// The unit of the constraint.
     pub unit: &'static str,
-    /// What its multiplier is: `force along y of axes a`.
+    /// The meaning of the multiplier: `force along y of axes a`.
     pub reaction: String,
-    /// In which unit the multiplier counts.
+    /// The unit of the multiplier.
     pub reaction_unit: &'static str,
 }
 
 impl ConstraintWords {
-    /// Those of a constraint of which no more is known than its number, from zero.
+    /// Texts of a constraint of which only the index is known, from zero.
     pub fn numbered(constraint: usize) -> Self {
         let number = constraint + 1;
         Self {
@@ -35,20 +35,20 @@ impl ConstraintWords {
     }
 }
 
-/// A jump of what a drive holds in place.
+/// A jump of a position or an attitude that a drive prescribes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaceJump {
-    /// What is held, in words.
+    /// The prescribed quantity, as text.
     pub what: String,
-    /// Its value before the jump [`Self::unit`].
+    /// Its value before the jump, in [`Self::unit`].
     pub from: f64,
-    /// Its value after the jump [`Self::unit`].
+    /// Its value after the jump, in [`Self::unit`].
     pub to: f64,
     /// The unit of both.
     pub unit: &'static str,
 }
 
-/// How the constraints of an element change by themselves.
+/// Rates of the constraints of an element at given motion.
 ///
 /// With `Phi_y` the derivatives by spatial variations of position and rotation, the
 /// velocities v, omega and the accelerations a, alpha relative to the frame, a
@@ -68,6 +68,6 @@ pub struct PlaceJump {
 pub struct ConstraintRates<'a> {
     /// `d Phi / d t` at fixed positions and rotations [unit of the constraint/s].
     pub by_time: &'a mut [f64],
-    /// What is left of the last derivative without accelerations [unit of it].
+    /// Terms of the last derivative without accelerations [unit of it].
     pub convective: &'a mut [f64],
 }

@@ -1,4 +1,4 @@
-//! Elements that act by signals alone: filters, control laws and actuators.
+//! Elements that act only through signals: filters, control laws and actuators.
 
 mod actuator;
 mod inputs;

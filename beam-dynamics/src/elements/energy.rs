@@ -9,7 +9,7 @@ pub struct Energy {
     pub elastic: f64,
     /// Potential of gravity, zero at the origin [J].
     pub gravity: f64,
-    /// Energy of the electric fields at the voltages that there are, and of inductances [J].
+    /// Energy of the electric fields at the present voltages, and of inductances [J].
     pub electric: f64,
 }
 
@@ -51,11 +51,11 @@ pub enum EnergyPart {
     Gravity,
     /// Of electric fields and inductances.
     Electric,
-    /// The sum of them.
+    /// The sum of all parts.
     Total,
 }
 
-/// From where the derivatives of the energy of an element follow.
+/// Source of the derivatives of the energy of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EnergySlope {
     /// It has no energy.
@@ -66,12 +66,12 @@ pub enum EnergySlope {
     Forces,
     /// Elastic energy, which it reads itself, see [`super::Reports::reading`].
     Read,
-    /// They are not known: it has other forces than the derivatives of its energy, or is driven.
+    /// They are unknown: it has other forces than the derivatives of its energy, or is driven.
     Unknown,
 }
 
 impl EnergySlope {
-    /// Whether an element has such energy.
+    /// Whether an element has this kind of energy.
     pub fn has(self, part: EnergyPart) -> bool {
         match part {
             EnergyPart::Kinetic | EnergyPart::Gravity => self == Self::Momenta,

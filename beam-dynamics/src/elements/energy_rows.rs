@@ -1,7 +1,7 @@
-//! Derivatives of the energies of elements, from what these add to the balances of nodes.
+//! Derivatives of the energies of elements, from their terms in the balances of nodes.
 //!
-//! With F and M the force and the moment of an element on a node, `-beta` and `-gamma` what it adds
-//! to the momenta there, v and omega the velocities in space:
+//! With F and M the force and the moment of an element on a node, `-beta` and `-gamma` its
+//! contributions to the momenta there, v and omega the velocities in space:
 //!
 //! ```text
 //! T = 1/2 sum ( v . beta + omega . gamma )
@@ -17,8 +17,8 @@ use super::{
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::{NodeMotion, Scalars, TurningFrame, Variable};
 
-/// Adds the derivatives of a part of the energy that an element has, at a state; `acting` is its
-/// residual there, the derivatives of which are known to `row`.
+/// Adds the derivatives of a part of the energy of an element at a state; `acting` is its residual
+/// there, the derivatives of which are known to `row`.
 pub(super) fn add_slope(
     element: &dyn Element,
     part: EnergyPart,

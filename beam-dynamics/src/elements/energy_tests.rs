@@ -29,7 +29,7 @@ fn node(x: f64, turn: [f64; 3]) -> Node {
 /// Velocities and accelerations of the nodes.
 type Rates = Vec<[Vector3<f64>; 4]>;
 
-/// Each node at a displaced place, with its velocities.
+/// Each node at a displaced position, with its velocities.
 fn displaced(nodes: &[Node]) -> (Vec<NodeMotion>, Rates) {
     let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
     let mut rates = Vec::new();
@@ -123,7 +123,7 @@ fn stored_rate(element: &dyn Element, motion: &[NodeMotion], rates: &Rates) -> f
     (at(STEP) - at(-STEP)) / (2.0 * STEP)
 }
 
-/// What is stored comes from the power of the forces.
+/// The stored energy comes from the power of the forces.
 fn check_stored(element: &dyn Element, nodes: &[Node]) {
     let (motion, rates) = displaced(nodes);
     let found = stored_rate(element, &motion, &rates);
@@ -307,9 +307,9 @@ fn relaxing(nodes: &[Node; 2], k: f64) -> [Box<dyn Element>; 4] {
     ]
 }
 
-/// The energy counts from the relaxed state of its time. With the nodes at rest it is changed
-/// by the drive alone, by what this does against the force: `W' = - f . eps_0'`, by
-/// differences in time of 1e-5 s.
+/// The energy is relative to the relaxed state of its time. With the nodes at rest only the drive
+/// changes it, by its work against the force: `W' = - f . eps_0'`, by differences in time of 1e-5
+/// s.
 #[test]
 fn energy_counts_from_the_relaxed_state_of_its_time() {
     let nodes = [node(0.0, [0.0; 3]), node(1.5, [0.0; 3])];
@@ -406,7 +406,7 @@ fn energy_of_a_beam_is_the_work_of_its_forces() {
     );
 }
 
-/// Viscous forces take energy out.
+/// Viscous forces dissipate energy.
 #[test]
 fn a_viscous_beam_dissipates() {
     let nodes = beam_nodes();
@@ -445,7 +445,7 @@ fn energy_of_the_inertia_of_a_beam() {
     assert!((found.gravity - 3.0 * 9.0 * LENGTH * 1.5).abs() < 1e-12);
 }
 
-/// In a rigid motion the momenta of the portions give and take all of the energy.
+/// In a rigid motion the momenta of the portions account for all of the energy.
 #[test]
 fn energy_of_the_inertia_of_a_beam_that_moves_as_one() {
     let nodes = beam_nodes();

@@ -13,9 +13,9 @@ use nalgebra::{Matrix3, Vector3};
 ///         R_ij = -e cos b sin c,  R_ii = cos b cos c
 /// ```
 ///
-/// Where the first and the last axis fall together, the last angle is zero.
+/// If the first and the last axis coincide, the last angle is zero.
 pub(super) fn euler_angles(r: &Matrix3<f64>, [i, j, k]: [usize; 3]) -> Vector3<f64> {
-    /// Sine below which two axes count as one.
+    /// Sine below which two axes are treated as one.
     const LOCKED: f64 = 1e-9;
     let l = 3 - i - j;
     let e = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
@@ -55,7 +55,7 @@ mod tests {
 
     use super::*;
 
-    // The turns that the angles stand for, one after the other about axes that move along.
+    // The rotations of these angles, one after the other about axes that move along.
     #[test]
     fn euler_angles_rebuild_the_attitude() {
         let turn = |axis: usize, angle: f64| {
@@ -77,7 +77,7 @@ mod tests {
             let attitude = turn(i, angles[0]) * turn(j, angles[1]) * turn(k, angles[2]);
             let found = euler_angles(&attitude, sequence);
             assert_relative_eq!(found, angles, epsilon = 1e-14);
-            // With the first and the last axis together only their sum is known.
+            // If the first and the last axis coincide, only their sum is defined.
             let middle = if i == k { 0.0 } else { FRAC_PI_2 };
             let locked = turn(i, 0.3) * turn(j, middle) * turn(k, 0.4);
             let [a, b, c] = euler_angles(&locked, sequence).into();

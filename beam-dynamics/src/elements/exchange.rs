@@ -1,22 +1,22 @@
-//! How elements exchange energy with what is outside of the model.
+//! Exchange of energy between elements and the outside of the model.
 
-/// How an element exchanges energy with what is outside of the model: what it gives the
-/// nodes beyond its own energy.
+/// Exchange of energy between an element and the outside of the model: its work on the nodes beyond
+/// its own energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Exchange {
-    /// Not at all: what its forces give the nodes is taken from its energy.
+    /// No exchange: the work of its forces on the nodes comes from its energy.
     #[default]
     Nothing,
-    /// It gives and takes: loads, driven joints, springs whose relaxed state is driven,
+    /// It supplies or absorbs energy: loads, driven joints, springs whose relaxed state is driven,
     /// electrodes, laws without an energy.
     Driven,
-    /// It resists rates, and may be driven as well.
+    /// It dissipates energy, and may be driven as well.
     Viscous,
 }
 
 impl Exchange {
-    /// That of an element which resists rates, is given something over time or has forces
-    /// without an energy.
+    /// The exchange of an element that resists rates, depends on time or has forces without an
+    /// energy.
     pub fn of(is_viscous: bool, is_driven: bool) -> Self {
         match (is_viscous, is_driven) {
             (true, _) => Self::Viscous,

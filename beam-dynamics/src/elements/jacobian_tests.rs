@@ -1,8 +1,8 @@
 //! Every element's Jacobian against central differences at random states.
 //!
-//! Step h = 1e-6 of unit-sized variables: truncation h^2 and round-off
-//! eps/h of terms of order one (properties are chosen so) give about 1e-9 of the
-//! largest entry; 2e-8 leaves a factor for the third derivatives.
+//! Step h = 1e-6 of unit-sized variables: truncation h^2 and round-off eps/h of terms of order one
+//! (properties are chosen so) give about 1e-9 of the largest entry; 2e-8 allows for the third
+//! derivatives.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
 use shared_geom::rotation::parameters::Parametrization;
@@ -89,8 +89,8 @@ pub(super) fn nodes(random: &mut Random, count: usize) -> Vec<Node> {
         .collect()
 }
 
-/// Undeformed nodes of a beam, which no rotation of [`moved`] brings to half a turn against
-/// each other.
+/// Undeformed nodes of a beam, which no rotation of [`moved`] turns by half a turn relative to each
+/// other.
 fn beam_nodes(random: &mut Random) -> Vec<Node> {
     let axes = random.rotation(2.0);
     let mut nodes = nodes(random, 3);
@@ -161,7 +161,7 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
     }
 }
 
-/// What an element sees beside its nodes.
+/// Input of an element other than its nodes.
 #[derive(Clone)]
 struct Own {
     multipliers: Vec<f64>,
@@ -199,7 +199,7 @@ fn check_at(element: &dyn Element, motion: &[NodeMotion], own: &Own, conditions:
         assert!(error < TOLERANCE, "{}: {error:e}", element.label());
     }
     check_factor(element, motion, own, conditions);
-    // Nothing that changes is outside the declared pattern.
+    // Only entries of the declared pattern change.
     let sizes = by_unknowns.abs() + by_rates.abs();
     for (size, touched) in sizes.iter().zip(jacobian.touched()) {
         assert!(
@@ -598,8 +598,8 @@ fn beams_of_any_law_with_offsets_and_turned_sections() {
     }
 }
 
-/// `K psi + 1/2 T q q + sum c_i T_i q`, T of unit size over the components that a section
-/// has it for, under two states, and a viscosity beside it.
+/// `K psi + 1/2 T q q + sum c_i T_i q`, T of unit size in the components that exist for a section,
+/// under two states, and a viscosity.
 fn prestressed_law(random: &mut Random, drive: fn(f64) -> Signal) -> Law<6> {
     let table = CubicTable::from_fn(|_| random.number());
     let mut state = |signal: Signal| laws::Imposed {

@@ -58,7 +58,7 @@ impl<const N: usize> Response<N> {
 pub struct Driven<const N: usize> {
     /// The vector for the signal one [unit of strain or force].
     pub vector: SVector<f64, N>,
-    /// What it is multiplied with [-].
+    /// Its factor [-].
     pub signal: Signal,
 }
 
@@ -69,7 +69,7 @@ pub struct Term<const N: usize> {
     pub kind: LawKind<N>,
     /// Strain at which the function vanishes.
     pub prestrain: Option<Driven<N>>,
-    /// Force beside the function.
+    /// Force in addition to the function.
     pub prestress: Option<Driven<N>>,
 }
 
@@ -136,7 +136,7 @@ impl<const N: usize> Law<N> {
         LawKind::Linear { stiffness }.into()
     }
 
-    /// Lets its signals find what they read among the `scalars` of an element.
+    /// Localizes the indices of its signals in the `scalars` of an element.
     pub fn bind(&mut self, scalars: &mut Vec<Scalar>) {
         for term in &mut self.terms {
             let driven = [&mut term.prestrain, &mut term.prestress];
@@ -179,7 +179,7 @@ impl<const N: usize> Law<N> {
         }
     }
 
-    /// Calls `add` with the derivatives of the force by scalars: number of the scalar in the
+    /// Calls `add` with the derivatives of the force by scalars: index of the scalar in the
     /// element, derivative, whether it is by the rate of the scalar.
     pub fn by_scalars(
         &self,
@@ -213,8 +213,8 @@ impl<const N: usize> Law<N> {
         }
     }
 
-    /// Elastic energy at a strain: that of the terms that have one, and of the
-    /// prestresses, `f_0 . eps` [J, or J per unit length].
+    /// Elastic energy at a strain: the energies of the terms that have one, and of the prestresses,
+    /// `f_0 . eps` [J, or J per unit length].
     pub fn energy(&self, strain: &SVector<f64, N>, now: &Instant<'_>) -> f64 {
         let of_term = |term: &Term<N>| {
             let value = |driven: &Option<Driven<N>>| match driven {
@@ -274,9 +274,9 @@ impl<const N: usize> Law<N> {
 }
 
 impl Law<6> {
-    /// Least and largest change of the stiffness by prestress, as parts of the stiffness
-    /// itself \[-\]: the eigenvalues of the change that quadratic forces make of it, beside
-    /// the rest. `None` for a law without such a force, or without stiffness.
+    /// Least and largest change of the stiffness by prestress, as parts of the stiffness itself
+    /// \[-\]: the eigenvalues of its change by quadratic forces, compared with the rest. `None` for
+    /// a law without quadratic force, or without stiffness.
     pub fn change_by_prestress(
         &self,
         strain: &Vector6<f64>,

@@ -1,6 +1,6 @@
-//! Loads: forces and moments on nodes, imposed displacements, and how they grow.
+//! Loads: forces and moments on nodes, imposed displacements, and their growth.
 //!
-//! Loads along beams are in [`super::beams`], weight in the bodies that have it.
+//! Distributed loads are in [`super::beams`], weight in the bodies.
 
 mod factor;
 mod imposed;

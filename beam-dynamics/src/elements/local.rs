@@ -199,7 +199,7 @@ impl LocalJacobian {
         let clear = |matrix: &mut DMatrix<f64>| {
             let values = matrix.as_mut_slice();
             for run in touched {
-                values[run.range()].fill(0.0);
+                clear_run(&mut values[run.range()]);
             }
         };
         clear(&mut self.by_unknowns);
@@ -407,6 +407,17 @@ impl LocalJacobian {
     /// Entries to which something was ever added.
     pub fn touched(&self) -> &DMatrix<bool> {
         &self.touched
+    }
+}
+
+/// Makes a run zero. Most are one or two equations of a node long: for these the length is
+/// known when this is compiled, and no call is made.
+#[inline(always)]
+fn clear_run(values: &mut [f64]) {
+    match values.len() {
+        3 => values.copy_from_slice(&[0.0; 3]),
+        6 => values.copy_from_slice(&[0.0; 6]),
+        _ => values.fill(0.0),
     }
 }
 

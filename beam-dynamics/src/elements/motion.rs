@@ -1,4 +1,4 @@
-//! Relative motions of nodes that an element resists by springs, or leaves free.
+//! Relative motions of nodes that an element resists with springs, or leaves free.
 
 use nalgebra::Vector3;
 
@@ -8,6 +8,6 @@ use nalgebra::Vector3;
 pub struct Motion {
     /// `d_i` [-] and `r_i` [m] of each node of the element.
     pub form: Vec<[Vector3<f64>; 2]>,
-    /// Whether a spring resists it; else it is free on purpose, as that of a hinge.
+    /// Whether a spring resists it; else it is free by design, as in a hinge.
     pub is_resisted: bool,
 }

@@ -1,4 +1,4 @@
-//! What elements tell of a state.
+//! Observations: quantities that elements report of a state.
 
 use nalgebra::{Matrix3, Vector3, Vector6};
 
@@ -7,9 +7,9 @@ use nalgebra::{Matrix3, Vector3, Vector6};
 pub struct SectionState {
     /// Name of the beam.
     pub beam: String,
-    /// Place along the undeformed beam, -1 to 1 [-].
+    /// Position along the undeformed beam, -1 to 1 [-].
     pub xi: f64,
-    /// Place of the reference line in the model's frame [m].
+    /// Position of the reference line in the model's frame [m].
     pub position: Vector3<f64>,
     /// Section axes (columns) in the model's frame [-].
     pub axes: Matrix3<f64>,
@@ -17,20 +17,20 @@ pub struct SectionState {
     pub strain: Vector6<f64>,
     /// Internal force, section axes [N, N m].
     pub internal_force: Vector6<f64>,
-    /// Least and largest change of the stiffness by prestress, as parts of the stiffness
-    /// without; `None` where no table of prestress is used [-].
+    /// Least and largest change of the stiffness by prestress, relative to the stiffness without
+    /// prestress; `None` if no table of prestress is used [-].
     pub change_of_stiffness: Option<[f64; 2]>,
-    /// The larger rotation of the two outer sections of the element against its middle one
+    /// The larger rotation of the two outer sections of the element relative to its middle one
     /// [rad].
     pub turn: f64,
 }
 
-/// What a joint exerts on a node.
+/// Reaction of a joint on a node.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reaction {
     /// Name of the joint.
     pub joint: String,
-    /// Number of the node on which it acts.
+    /// Index of the node on which it acts.
     pub node: usize,
     /// Force on the node, model's axes [N].
     pub force: Vector3<f64>,
@@ -38,16 +38,16 @@ pub struct Reaction {
     pub moment: Vector3<f64>,
 }
 
-/// A joint at a state: what it exerts and how its second end moves against its first.
+/// A joint at a state: its reaction and the motion of its second end relative to its first.
 ///
-/// The first end, a, is the first of two nodes, or the frame of the model; b is the other.
-/// Each carries a point and axes, which are the same in the undeformed model unless the
-/// joint says otherwise.
+/// The first end, a, is the first of two nodes, or the frame of the model; b is the other. Each
+/// carries a point and axes, which coincide in the undeformed model unless the joint specifies
+/// otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointState {
     /// Name of the joint.
     pub joint: String,
-    /// Numbers of the nodes of a and b; `None` for the frame.
+    /// Indices of the nodes of a and b; `None` for the frame.
     pub nodes: [Option<usize>; 2],
     /// The axes (columns) that turn with a and with b, model's axes [-].
     pub axes: [Matrix3<f64>; 2],
@@ -55,28 +55,28 @@ pub struct JointState {
     pub force: Vector3<f64>,
     /// Moment on b about its point, model's axes [N m].
     pub moment: Vector3<f64>,
-    /// From the point of a to that of b, axes of a [m].
+    /// From the point of a to the point of b, axes of a [m].
     pub displacement: Vector3<f64>,
-    /// Rotation vector of the axes of b against those of a, axes of a; at most half a
-    /// turn [rad].
+    /// Rotation vector of the axes of b relative to the axes of a, axes of a; at most half a turn
+    /// [rad].
     pub rotation: Vector3<f64>,
     /// Angle about the axis of a joint that has one, between minus and plus half a turn
     /// (see [`JointState::unwrapped`]) [rad].
     pub angle: Option<f64>,
-    /// Rate of `displacement`: the velocity of b's point seen from a [m/s].
+    /// Rate of `displacement`: the velocity of b's point relative to a [m/s].
     pub velocity: Vector3<f64>,
-    /// Angular velocity of b against a, axes of a [rad/s].
+    /// Angular velocity of b relative to a, axes of a [rad/s].
     pub angular_velocity: Vector3<f64>,
 }
 
-/// The axes in which a reaction is written.
+/// Axes of the components of a reaction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ReactionAxes {
-    /// Those of the model.
+    /// The axes of the model.
     Model,
-    /// Those of the joint as they turn with a.
+    /// The axes of the joint that turn with a.
     First,
-    /// Those of the joint as they turn with b.
+    /// The axes of the joint that turn with b.
     Second,
 }
 
@@ -91,8 +91,7 @@ impl JointState {
         [back * self.force, back * self.moment]
     }
 
-    /// The angle with as many full turns as bring it next to `before`, the angle a moment
-    /// ago [rad].
+    /// The angle plus full turns, closest to `before`, the angle a moment ago [rad].
     pub fn unwrapped(&self, before: f64) -> Option<f64> {
         use std::f64::consts::TAU;
         let angle = self.angle?;
@@ -105,23 +104,22 @@ impl JointState {
 pub struct SpringState {
     /// Name of the rod or spring.
     pub spring: String,
-    /// Axes in which the vectors below are (columns), in the model's frame: those of the
-    /// first node, or of a rod its line and two directions across it [-].
+    /// Axes (columns) of the vectors below, in the model's frame: the axes of the first node, or
+    /// for a rod its line and two directions across it [-].
     pub axes: Matrix3<f64>,
-    /// Displacement of the second end against the first since the undeformed state; of a
-    /// rod its elongation and zeros [m].
+    /// Displacement of the second end relative to the first since the undeformed state; for a rod
+    /// its elongation and zeros [m].
     pub displacement: Vector3<f64>,
-    /// Rotation vector of the second end against the first; of a rod zero [rad].
+    /// Rotation vector of the second end relative to the first; zero for a rod [rad].
     pub rotation: Vector3<f64>,
-    /// Force with which the spring resists the displacement: of a rod its tension and
-    /// zeros [N].
+    /// Force of the spring against the displacement: for a rod its tension and zeros [N].
     pub force: Vector3<f64>,
-    /// Moment with which the spring resists the rotation, on its first end and about the
-    /// place of the second [N m].
+    /// Moment of the spring against the rotation, on its first end and about the position of the
+    /// second [N m].
     pub moment: Vector3<f64>,
 }
 
-/// All that the elements tell, in their order.
+/// All observations of the elements, in their order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Observations {
     /// Sections of beams.

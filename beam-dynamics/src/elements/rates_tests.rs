@@ -1,9 +1,9 @@
 //! Every constraint's rates against differences in time.
 //!
-//! The nodes follow polynomial motions whose velocities and accelerations are known. The
-//! first derivative of a constraint over a step h = 1e-3 s is taken by differences of
-//! fourth order, the second by those of fourth order of the first: truncation 1e-12 times
-//! fifth derivatives (up to 1e3), round-off 1e-16/1e-6: 1e-8 leaves a factor.
+//! The nodes follow polynomial motions whose velocities and accelerations are known. The first
+//! derivative of a constraint over a step h = 1e-3 s is taken by differences of fourth order, the
+//! second by differences of fourth order of the first: truncation 1e-12 times fifth derivatives (up
+//! to 1e3), round-off 1e-16/1e-6: 1e-8 has a margin.
 #![allow(clippy::unwrap_used, reason = "test helpers")]
 
 use nalgebra::{Matrix3, Vector3};
@@ -66,8 +66,8 @@ struct Found {
     convective: Vec<f64>,
 }
 
-/// At time `t` after 0.3 s; the products are of the derivatives with `rates`, velocity and
-/// angular velocity a node.
+/// At time `t` after 0.3 s; the products are of the derivatives with `rates`, velocity and angular
+/// velocity of each node.
 fn found(
     element: &dyn Element,
     paths: &[Path],

@@ -1,4 +1,4 @@
-//! Readings: numbers of a state that columns show and that sensors make scalars of.
+//! Readings: numbers of a state for columns and for the scalars of sensors.
 
 use nalgebra::{Matrix3, RowVector3, Vector3};
 
@@ -8,13 +8,13 @@ use crate::model::{Equation, Variable};
 /// A part of a vector of a node, or of one node relative to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodeQuantity {
-    /// Number of the node.
+    /// Index of the node.
     pub node: usize,
     /// The vector.
     pub vector: NodeVector,
-    /// The part of it.
+    /// The part of the vector.
     pub part: Part,
-    /// The node from which it is counted; `None` for the model.
+    /// The reference node; `None` for the model.
     pub against: Option<usize>,
     /// Axes of the components.
     pub axes: Axes,
@@ -25,7 +25,7 @@ pub struct NodeQuantity {
 pub enum NodeVector {
     /// From the origin, or from the other node \[m\].
     Position,
-    /// From the undeformed place; against another node the difference of both \[m\].
+    /// From the undeformed position; relative to another node the difference of both \[m\].
     Displacement,
     /// Relative to the model's frame \[m/s\].
     Velocity,
@@ -42,9 +42,9 @@ pub enum NodeVector {
     AngularVelocity,
     /// In space \[rad/s\].
     AngularVelocityInSpace,
-    /// Momentum of what moves with the node \[kg m/s\].
+    /// Momentum of all bodies that move with the node \[kg m/s\].
     Momentum,
-    /// Angular momentum of it about the node \[kg m^2/s\].
+    /// Angular momentum of these bodies about the node \[kg m^2/s\].
     AngularMomentum,
 }
 
@@ -62,37 +62,37 @@ pub enum Reading {
         /// Component, from zero.
         component: usize,
     },
-    /// What a joint exerts on a node.
+    /// Reaction of a joint on a node.
     Reaction {
-        /// Number of the node.
+        /// Index of the node.
         node: usize,
         /// The moment about the node; else the force.
         moment: bool,
-        /// The part of it.
+        /// The part of the vector.
         part: Part,
         /// Axes of the components.
         axes: Axes,
     },
-    /// How the second end of a joint moves against its first, in the axes of that.
+    /// Motion of the second end of a joint relative to its first, in the axes of the first end.
     Joint {
         /// The motion.
         motion: JointMotion,
-        /// The part of it.
+        /// The part of the vector.
         part: Part,
     },
-    /// What a rod or a spring between two ends reports, in its own axes.
+    /// Observation of a rod or a spring between two ends, in its own axes.
     Spring {
         /// The vector.
         vector: SpringVector,
-        /// The part of it.
+        /// The part of the vector.
         part: Part,
     },
 }
 
-/// A motion of the second end of a joint against the first.
+/// A motion of the second end of a joint relative to the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum JointMotion {
-    /// From the point of the first end to that of the second \[m\].
+    /// From the point of the first end to the point of the second \[m\].
     Displacement,
     /// Rotation vector, at most half a turn \[rad\].
     Rotation,
@@ -104,16 +104,16 @@ pub enum JointMotion {
     AngularVelocity,
 }
 
-/// What a rod or a spring reports, in the axes of its first node, or of a rod in its line.
+/// Observations of a rod or a spring, in the axes of its first node, or for a rod along its line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpringVector {
-    /// Of the second end against the first; of a rod its elongation along x \[m\].
+    /// Of the second end relative to the first; for a rod its elongation along x \[m\].
     Displacement,
-    /// Rotation vector of the second end against the first \[rad\].
+    /// Rotation vector of the second end relative to the first \[rad\].
     Rotation,
-    /// With which it resists the displacement; of a rod its tension along x \[N\].
+    /// Force against the displacement; for a rod its tension along x \[N\].
     Force,
-    /// With which it resists the rotation \[N m\].
+    /// Moment against the rotation \[N m\].
     Moment,
 }
 
@@ -126,16 +126,16 @@ pub enum Part {
     Magnitude,
 }
 
-/// Axes in which components are taken.
+/// Axes of components.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Axes {
-    /// Those of the model's frame.
+    /// The axes of the model's frame.
     Model,
     /// Fixed in the model's frame, as columns \[-\].
     Fixed(Matrix3<f64>),
-    /// Those of a node, as they are at the time.
+    /// The current axes of a node.
     Node(usize),
-    /// Of reactions: those of the joint that turn with its first end (0) or its second.
+    /// Of reactions: the axes of the joint that turn with its first end (0) or its second.
     End(usize),
 }
 
@@ -148,7 +148,7 @@ impl Part {
         }
     }
 
-    /// The derivative of the part by the vector; zero for the length of no vector.
+    /// The derivative of the part by the vector; zero for the length of a zero vector.
     pub fn slope(self, vector: &Vector3<f64>) -> Vector3<f64> {
         match self {
             Self::Component(k) => Vector3::ith(k, 1.0),
@@ -169,13 +169,13 @@ impl Part {
 }
 
 impl Reading {
-    /// Whether it is a part of a sum over elements, which have its scalar in common.
+    /// Whether it is a sum over elements, with one common scalar.
     pub fn is_share(&self) -> bool {
         matches!(self, Self::Energy(_))
     }
 
-    /// Its value among what the element reports, in SI units, with the `rotation` of a node;
-    /// `None` where the element reports nothing of the kind.
+    /// Its value from the observations of the element, in SI units, with the `rotation` of a node;
+    /// `None` if the element has no reading of this kind.
     pub fn of(
         &self,
         observed: &Observations,
@@ -252,8 +252,8 @@ impl Reading {
     }
 }
 
-/// Takes the derivatives of a reading: those of a scalar equation, from which the reading is
-/// subtracted.
+/// Receives the derivatives of a reading: the derivatives of a scalar equation, from which the
+/// reading is subtracted.
 #[derive(Debug)]
 pub struct ReadingRow<'a> {
     row: usize,
@@ -261,8 +261,8 @@ pub struct ReadingRow<'a> {
 }
 
 impl<'a> ReadingRow<'a> {
-    /// Those of the equation of the scalar number `row`. The derivatives of the residual of the
-    /// element that is read must have been added to `out` before.
+    /// The derivatives of the equation of scalar `row`. The derivatives of the residual of the
+    /// element must have been added to `out` before.
     pub(super) fn new(row: usize, out: &'a mut LocalJacobian) -> Self {
         Self { row, out }
     }
@@ -278,7 +278,8 @@ impl<'a> ReadingRow<'a> {
         self.out.add_scalar(self.row, scalar, -slope, rate);
     }
 
-    /// Adds the derivative of what the element adds to an equation of a node, along a direction.
+    /// Adds the derivative of the element's contribution to an equation of a node, along a
+    /// direction.
     pub fn by_equation(&mut self, node: usize, equation: Equation, along: &Vector3<f64>) {
         self.out
             .add_equation_to_scalar(self.row, (node, equation), &-along);

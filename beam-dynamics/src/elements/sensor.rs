@@ -1,7 +1,7 @@
-//! Sensors of nodes: a number of their motion as a scalar, which signals read.
+//! Sensors of nodes: a number of their motion as a scalar, for signals.
 //!
-//! A vector w of a node b, or of b against a node a, and a part of it along e, a direction of the
-//! model or of the axes of a node c: the equation of the scalar s is `s - e . w = 0`, with
+//! A vector w of a node b, or of b relative to a node a, and a part of it along e, a direction of
+//! the model or of the axes of a node c: the equation of the scalar s is `s - e . w = 0`, with
 //! (D-194)
 //!
 //! ```text
@@ -28,9 +28,9 @@ use crate::model::{
 /// A number of the motion of nodes.
 #[derive(Debug, Clone)]
 pub struct NodeReading {
-    /// The nodes, once each.
+    /// The nodes, each once.
     nodes: Vec<usize>,
-    /// By places among them.
+    /// The vector, by indices among these nodes.
     quantity: NodeQuantity,
     /// `(x_b - x_a)_0` of a displacement, else zero [m].
     offset: Vector3<f64>,
@@ -78,7 +78,7 @@ impl NodeReading {
         }
     }
 
-    /// Numbers of the nodes on which it depends.
+    /// Indices of the nodes on which it depends.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
     }
@@ -87,7 +87,7 @@ impl NodeReading {
     pub fn value(&self, nodes: &[NodeMotion], frame: &TurningFrame) -> f64 {
         let vector = self.vector(nodes, frame);
         match self.quantity.vector {
-            // Angles about axes are no vector.
+            // Angles about axes are not a vector.
             NodeVector::Euler(_) => self.quantity.part.of(&vector),
             _ => self.quantity.part.in_axes(&vector, &self.axes(nodes)),
         }
@@ -126,7 +126,7 @@ impl NodeReading {
         }
     }
 
-    /// Adds its derivatives. Those of [`NodeVector::Euler`] are not known.
+    /// Adds its derivatives. The derivatives of [`NodeVector::Euler`] are not available.
     pub fn gradient(&self, nodes: &[NodeMotion], frame: &TurningFrame, row: &mut ReadingRow<'_>) {
         let NodeQuantity {
             node,
@@ -168,7 +168,7 @@ impl NodeReading {
     }
 }
 
-/// Motion of b, and of a where there is one.
+/// Motion of b, and of a if there is one.
 fn ends<'a>(
     quantity: &NodeQuantity,
     nodes: &'a [NodeMotion],

@@ -7,9 +7,8 @@
 //! s'' = f_,tt + 2 sum_i f_,ti q_i' + sum_ij f_,ij q_i' q_j' + sum_i f_,i q_i''     (D-278)
 //! ```
 //!
-//! The rate of a scalar is an unknown where an equation has it, and its second derivative is
-//! known where its rate is a scalar too ([`crate::model::ScalarSpec::rate`]), as of an
-//! actuator.
+//! The rate of a scalar is an unknown if it occurs in an equation, and its second derivative is
+//! known if its rate is a scalar too ([`crate::model::ScalarSpec::rate`]), as for an actuator.
 
 use std::sync::Arc;
 
@@ -17,7 +16,7 @@ use shared_geom::expression::{Expression, Jet};
 
 use crate::model::{Drive, DriveValue, Scalar, Scalars};
 
-/// The instant at which signals are evaluated. Scalars that are not there count as zero.
+/// The instant at which signals are evaluated. Missing scalars are zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instant<'a> {
     /// The time [s].
@@ -27,10 +26,10 @@ pub struct Instant<'a> {
 }
 
 impl Instant<'_> {
-    /// The time zero; all scalars count as zero.
+    /// The time zero; all scalars are zero.
     pub const START: Self = Self::at(0.0);
 
-    /// A time [s]; all scalars count as zero.
+    /// A time [s]; all scalars are zero.
     pub const fn at(time: f64) -> Self {
         Self {
             time,
@@ -60,8 +59,7 @@ pub struct Sensing {
     factor: f64,
 }
 
-/// Numbers of an input, and of its rate where that is a scalar too, among the scalars of an
-/// element.
+/// Indices of an input, and of its rate if that is a scalar too, among the scalars of an element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     value: usize,
@@ -82,13 +80,13 @@ pub enum Smoothness {
 /// A number that depends on time and on scalars.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Signal {
-    /// Of time alone.
+    /// Only of time.
     Drive(Drive),
     /// Of time and of scalars.
     Sensing {
         /// The expression.
         of: Arc<Sensing>,
-        /// Where the element has the inputs, see [`Signal::bind`].
+        /// Indices of the inputs in the element, see [`Signal::bind`].
         places: Vec<Place>,
     },
 }
@@ -106,7 +104,7 @@ impl From<Drive> for Signal {
     }
 }
 
-/// The number of a scalar in a list, at the end of which it is added if it is not there.
+/// The index of a scalar in a list, to which it is appended if missing.
 pub(super) fn place_in(scalars: &mut Vec<Scalar>, scalar: &Scalar) -> usize {
     let known = scalars.iter().position(|own| own == scalar);
     known.unwrap_or_else(|| {
@@ -141,8 +139,8 @@ impl Signal {
         matches!(self, Self::Sensing { .. })
     }
 
-    /// Lets it find its inputs among the `scalars` of an element, to which those are added that
-    /// are not there. Before that every input counts as zero.
+    /// Localizes its inputs in the `scalars` of an element, to which missing ones are appended.
+    /// Before that every input is zero.
     pub fn bind(&mut self, scalars: &mut Vec<Scalar>) {
         if let Self::Sensing { of, places } = self {
             let place = |input: &Input| Place {
@@ -172,7 +170,7 @@ impl Signal {
     }
 
     /// Its value, with its first and second derivative as far as they are known
-    /// ([`Self::rougher_than`]); zero where they are not.
+    /// ([`Self::rougher_than`]); zero if unknown.
     pub fn at(&self, at: &Instant<'_>) -> DriveValue {
         match self {
             Self::Drive(drive) => drive.at(at.time),
@@ -187,7 +185,7 @@ impl Signal {
         }
     }
 
-    /// Calls `add` with its derivatives: number of the scalar in the element, derivative.
+    /// Calls `add` with its derivatives: index of the scalar in the element, derivative.
     pub fn gradient(&self, at: &Instant<'_>, mut add: impl FnMut(usize, f64)) {
         let Self::Sensing { of, places } = self else {
             return;
@@ -212,15 +210,15 @@ impl Signal {
         slope
     }
 
-    /// Calls `add` with the derivatives of its rate: number of the scalar in the element,
+    /// Calls `add` with the derivatives of its rate: index of the scalar in the element,
     /// derivative, whether it is by the rate of the scalar.
     pub fn gradient_of_rate(&self, at: &Instant<'_>, mut add: impl FnMut(usize, f64, bool)) {
         let Self::Sensing { of, places } = self else {
             return;
         };
         for (i, (input, place)) in of.inputs.iter().zip(places).enumerate() {
-            // Along time, along the input, and along both: the mixed derivative is half of
-            // what the second derivative along both has more than the others.
+            // Along time, along the input, and along both: the mixed derivative is half of the
+            // second derivative along both, less the other two.
             let along = |time: f64, own: f64| {
                 of.expression.at(|index| {
                     let jet = of.jet(index, places, at);
@@ -247,7 +245,7 @@ impl Signal {
         }
     }
 
-    /// A scalar that it reads, and of which less is known than is needed.
+    /// A scalar that it reads, with fewer known derivatives than required.
     pub fn rougher_than(&self, needed: Smoothness) -> Option<&Scalar> {
         let Self::Sensing { of, .. } = self else {
             return None;
@@ -260,7 +258,7 @@ impl Signal {
         of.inputs.iter().map(|input| &input.scalar).find(rough)
     }
 
-    /// The drive that it is, where it depends on no scalar.
+    /// Its drive, if it depends on no scalar.
     pub fn drive(&self) -> Option<&Drive> {
         match self {
             Self::Drive(drive) => Some(drive),
@@ -268,19 +266,19 @@ impl Signal {
         }
     }
 
-    /// The number that it always is, where it does not change.
+    /// Its value, if it is constant.
     pub fn constant(&self) -> Option<f64> {
         self.drive()?.constant()
     }
 
-    /// The first corner or jump after `time` that time alone makes \[s\].
+    /// The first corner or jump in time after `time` \[s\].
     pub fn next_corner(&self, time: f64) -> f64 {
         match self {
             Self::Drive(drive) => drive.next_corner(time),
             Self::Sensing { of, .. } => {
                 let variable = |index, time: f64| match index {
                     0 => Jet::line(time / of.second, 1.0 / of.second),
-                    // Scalars are not known ahead, and nothing follows from them.
+                    // Scalars are not known ahead and cause no corners.
                     _ => Jet::constant(f64::NAN),
                 };
                 of.expression.next_corner(time, variable)
@@ -289,7 +287,7 @@ impl Signal {
     }
 }
 
-/// A number of a list, zero where it ends before.
+/// A number of a list, zero beyond its end.
 fn number(of: &[f64], place: usize) -> f64 {
     of.get(place).copied().unwrap_or(0.0)
 }

@@ -1,4 +1,4 @@
-//! Rods, springs and dampers between nodes, or between a node and what carries the model.
+//! Rods, springs and dampers between nodes, or between a node and the frame of the model.
 
 pub(in crate::elements) mod line;
 mod rod;

@@ -1,16 +1,16 @@
-//! Forces that are gradients: the tangent of each element is symmetric up to half of the
-//! moments that it puts on its nodes.
+//! Forces that are gradients: the tangent of each element is symmetric except for half of its
+//! moments on its nodes.
 //!
-//! For any function of positions and rotations, with its gradient `[g; m]` by spatial
-//! variations and the derivatives H of that,
+//! For any function of positions and rotations, with its gradient `[g; m]` by spatial variations
+//! and the derivatives H of the gradient,
 //!
 //! ```text
 //! H - H^T = - blockdiag( 0, [m_j]x )
 //! ```
 //!
-//! so that the tangent of a whole model is symmetric where the moments at each node are in
-//! balance. Constraints are functions times their multipliers. Random states that fulfill
-//! no constraint; round-off of products of numbers of order one.
+//! so that the tangent of a whole model is symmetric if the moments at each node are in balance.
+//! Constraints are functions times their multipliers. Random states that fulfill no constraint;
+//! round-off of products of numbers of order one.
 
 use nalgebra::DMatrix;
 use shared_geom::rotation::{skew, vector};
@@ -25,7 +25,7 @@ use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Node, NodeMotion, Scalar
 
 const TOLERANCE: f64 = 1e-13;
 
-/// Random places and attitudes of `nodes`.
+/// Random positions and attitudes of `nodes`.
 fn moved(nodes: &[Node], random: &mut Random) -> Vec<NodeMotion> {
     let moved = nodes.iter().map(|node| NodeMotion {
         position: node.position + random.vector(0.2),
@@ -48,13 +48,13 @@ impl Tangents {
     /// The largest entry of the difference and of `d constraint - (d force)^T`, relative to
     /// the largest of H.
     fn defect(&self) -> f64 {
-        // Of either sign, which is the multiplier's.
+        // Of either sign, which is the sign of the multiplier.
         let pairs = self.constraints.iter().zip(self.forces.iter());
         let coupled = pairs.map(|(a, b)| (a.abs() - b.abs()).abs());
         self.rest.amax().max(coupled.fold(0.0, f64::max)) / self.tangent.amax().max(1.0)
     }
 
-    /// The same of motions that keep the constraints.
+    /// The same for motions that keep the constraints.
     fn defect_of_motions(&self) -> f64 {
         let n = self.constraints.ncols();
         let squares = self.constraints.tr_mul(&self.constraints).symmetric_eigen();
@@ -140,8 +140,8 @@ fn joints_of_positions() {
     assert!(checked > 250, "{checked}");
 }
 
-/// The moment of the spring of a hinge is about its axis: a gradient in motions that the
-/// hinge lets happen, where it is fulfilled.
+/// The moment of the spring of a hinge is about its axis: a gradient in motions that the hinge
+/// permits, if its constraint is fulfilled.
 #[test]
 fn hinges_with_springs() {
     let mut random = Random::new(35);

@@ -1,4 +1,4 @@
-//! Section properties along a beam, as its elements want them.
+//! Section properties along a beam, in the form that its elements use.
 
 use nalgebra::Matrix6;
 use shared_geom::section::{CubicTable, Piezo, among_six};
@@ -17,21 +17,21 @@ pub(super) struct Along {
     pub damping: Option<[Matrix6<f64>; 2]>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
-    /// Effect of prestress on the stiffness there; `None` where it is not asked for.
+    /// Effect of prestress on the stiffness there; `None` if it is not requested.
     prestress: Option<[CubicTable; 2]>,
-    /// What heat and imposed strains add to the forces there.
+    /// States of heat and imposed strains that add to the forces there.
     heat: Vec<Acting>,
     /// Electrodes along the whole beam; `None` without.
     pub piezo: Option<Piezo>,
-    /// What the section was solved for; `None` for a straight beam, and where a blade
-    /// file has compared it with its line.
+    /// Curvature for which the section was solved; `None` for a straight beam, and if a
+    /// blade file has compared it with its line.
     pub curved: Option<Curved>,
     /// xi and 6x6 mass per length \[kg/m, kg, kg m\], in the order of xi; linear between
-    /// them, and one alone holds everywhere.
+    /// them; a single entry applies everywhere.
     mass: Vec<(f64, Matrix6<f64>)>,
-    /// Places of the mass between the ends.
+    /// Values of xi of the mass between the ends.
     breaks: Vec<f64>,
-    /// Length of the line for which the beam stands; `None` for that through its nodes
+    /// Length of the line that the beam represents; `None` for the line through its nodes
     /// \[m\].
     length: Option<f64>,
 }
@@ -54,7 +54,7 @@ impl Along {
     }
 
     /// Stiffness at the evaluation points, and a mass that is linear between the given
-    /// places, of which the first is -1 and the last 1, on a line of the given length.
+    /// values of xi, of which the first is -1 and the last 1, on a line of the given length.
     pub fn varying(
         stiffness: [Matrix6<f64>; 2],
         mass: Vec<(f64, Matrix6<f64>)>,
@@ -80,7 +80,7 @@ impl Along {
         Self { damping, ..self }
     }
 
-    /// A law, and the mass of the properties; none without them.
+    /// A law, and the mass of the properties; no mass without them.
     pub fn of_law(law: Law<6>, properties: Option<&Properties>) -> Self {
         let zero = Matrix6::zeros();
         let of_mass = properties.cloned().unwrap_or(Properties {
@@ -130,9 +130,9 @@ impl Along {
         Law::sum(std::iter::once(linear.into()).chain(quadratic).collect())
     }
 
-    /// What the states that act are to a quadratic force.
+    /// The acting states as terms of a quadratic force.
     fn imposed(&self, stiffness: &Matrix6<f64>) -> Vec<Imposed<6>> {
-        // what is not positive definite has been refused
+        // A stiffness that is not positive definite has been refused.
         let Some(factors) = stiffness.cholesky() else {
             return Vec::new();
         };
@@ -146,12 +146,12 @@ impl Along {
         self.heat.iter().map(of_state).collect()
     }
 
-    /// What acts of heat and imposed strains.
+    /// The acting states of heat and imposed strains.
     pub fn heat(&self) -> &[Acting] {
         &self.heat
     }
 
-    /// Whether a table of prestress is used, or a law that stands in its place.
+    /// Whether a table of prestress is used, or a law that replaces it.
     pub fn knows_prestress(&self) -> bool {
         self.prestress.is_some() || self.law.is_some()
     }

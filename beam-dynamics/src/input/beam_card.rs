@@ -1,4 +1,4 @@
-//! A beam of the model, as its card means it.
+//! A beam of the model, as its card defines it.
 
 use super::along::Along;
 use super::formulation::Inertia;

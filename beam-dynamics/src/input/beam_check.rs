@@ -17,21 +17,21 @@ use super::beam_card::Beam;
 use super::problem::InputProblem;
 use crate::model::Node;
 
-/// Distances below this part of the largest coordinate or of the beam count as none.
+/// Distances below this part of the largest coordinate or of the beam are treated as zero.
 const NO_DISTANCE: f64 = 1e-9;
 /// Largest distance of the middle node from the middle, as part of the length.
 const OFF_MIDDLE: f64 = 0.05;
 /// Largest angle between the section axis x and the line \[deg\]: more is a section
 /// of another beam, or a missing orientation.
 const ACROSS: f64 = 45.0;
-/// Rotation of the section within half a beam that is no longer interpolated well
+/// Rotation of the section within half a beam above which it is not interpolated well
 /// \[deg\].
 const WRUNG: f64 = 90.0;
 
 /// A beam as it lies in the model, undeformed.
 #[derive(Debug)]
 pub(super) struct BeamCheck<'a> {
-    /// The beam in words.
+    /// Description of the beam.
     words: &'a str,
     names: [&'a str; 3],
     /// Points of the reference line at the nodes \[m\].
@@ -41,7 +41,7 @@ pub(super) struct BeamCheck<'a> {
 }
 
 impl<'a> BeamCheck<'a> {
-    /// `words` name the beam in messages; `nodes` are all nodes of the model.
+    /// `words` describe the beam in messages; `nodes` are all nodes of the model.
     pub fn new(words: &'a str, beam: &Beam, nodes: &'a [Node]) -> Self {
         let nodes = beam.nodes.map(|node| &nodes[node]);
         let ends = &beam.geometry.nodes;
@@ -53,7 +53,7 @@ impl<'a> BeamCheck<'a> {
         }
     }
 
-    /// Notes what is wrong at the line of `key`; true when nothing is.
+    /// Notes problems at the line of `key`; returns true if there are none.
     pub fn note_on(&self, table: &Table<'_>, key: &str) -> bool {
         let found = self.of_places().unwrap_or_else(|| {
             let mut found = self.of_axes();
@@ -66,7 +66,8 @@ impl<'a> BeamCheck<'a> {
         found.is_empty()
     }
 
-    /// Problems of the places of the nodes, without which the rest has no meaning.
+    /// Problems of the positions of the nodes, without which the other checks are
+    /// meaningless.
     fn of_places(&self) -> Option<Vec<InputProblem>> {
         let [p1, p2, p3] = self.points;
         let beam = self.words.to_owned();

@@ -8,10 +8,10 @@ use super::curved::Curved;
 use super::problem::InputProblem;
 use crate::elements::laws::{Driven, Law};
 
-/// What an even rise of temperature is called.
+/// Name of a uniform rise of temperature.
 pub(super) const TEMPERATURE: &str = "temperature";
 
-/// What a beam needs of its section, in section axes about the reference line.
+/// Section data of a beam, in section axes about the reference line.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Properties {
     /// 6x6 stiffness \[N, N m, N m^2\].
@@ -22,49 +22,48 @@ pub(super) struct Properties {
     pub damping: Option<Matrix6<f64>>,
     /// Law in place of stiffness and viscosity; `None` for these.
     pub law: Option<Law<6>>,
-    /// What heat and imposed strains do to the section.
+    /// Effects of heat and imposed strains on the section.
     pub heat: Heat,
-    /// Effect of prestress on the stiffness; `None` where it is not asked for.
+    /// Effect of prestress on the stiffness; `None` if it is not requested.
     pub prestress: Option<CubicTable>,
-    /// Why critical loads know nothing of torsional buckling, in words; `None` where they
-    /// do, and for numbers in place.
+    /// Reason why critical loads ignore torsional buckling, as text; `None` if they include
+    /// it, and for numbers in the card.
     pub torsional_buckling: Option<&'static str>,
     /// Electrodes; `None` without.
     pub piezo: Option<Piezo>,
-    /// What the section was solved for; `None` for a straight beam.
+    /// Curvature for which the section was solved; `None` for a straight beam.
     pub curved: Option<Curved>,
 }
 
-/// What heat and imposed strains do to a section.
+/// Effects of heat and imposed strains on a section.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Heat {
-    /// Internal force per kelvin when held \[N/K, N m/K\]; `None` where it is not known.
+    /// Internal force per kelvin of the restrained section \[N/K, N m/K\]; `None` if unknown.
     pub thermal_force: Option<Vector6<f64>>,
     /// Named states.
     pub imposed: Vec<ImposedState>,
-    /// Change of the stiffness per kelvin \[N/K, N m/K, N m^2/K\]; `None` where it is not
-    /// known.
+    /// Change of the stiffness per kelvin \[N/K, N m/K, N m^2/K\]; `None` if unknown.
     pub stiffness_per_kelvin: Option<Matrix4<f64>>,
-    /// What acts, of the card that was read last.
+    /// The acting states, of the card that was read last.
     pub acting: Vec<Acting>,
 }
 
-/// A state of heat or imposed strain that acts.
+/// An acting state of heat or imposed strain.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Acting {
-    /// The card that says it, in words.
+    /// The card that defines it, as text.
     pub card: String,
-    /// What it is called: "temperature", or the name of the state.
+    /// Its name: "temperature", or the name of the state.
     pub name: String,
-    /// Force of the section that is held \[N, N m\], times its drive.
+    /// Force of the restrained section \[N, N m\], multiplied by its drive.
     pub force: Driven<6>,
-    /// Change of the stiffness for the drive one, over the components of a table of
-    /// prestress \[N, N m, N m^2\]; `None` where it is not known.
+    /// Change of the stiffness for the drive one, in the components of a table of prestress
+    /// \[N, N m, N m^2\]; `None` if unknown.
     pub stiffness: Option<Matrix4<f64>>,
 }
 
 impl Heat {
-    /// What is known of a section.
+    /// The data of a section.
     pub fn of(properties: &SectionProperties) -> Self {
         Self {
             thermal_force: properties.thermal_force,
@@ -76,7 +75,7 @@ impl Heat {
         }
     }
 
-    /// States whose effect on the stiffness the property file does not have.
+    /// States without an effect on the stiffness in the property file.
     pub fn without_stiffness(&self) -> Vec<&str> {
         let kelvin = self.thermal_force.is_some() && self.stiffness_per_kelvin.is_none();
         let kelvin = kelvin.then_some(TEMPERATURE);
@@ -86,13 +85,13 @@ impl Heat {
         kelvin.into_iter().chain(states).collect()
     }
 
-    /// What acts: forces that are held, times drives.
+    /// The acting states: restrained forces, multiplied by drives.
     pub fn acting(&self) -> &[Acting] {
         &self.acting
     }
 }
 
-/// The matrices of sound properties; notes under `key` what is unsound.
+/// The matrices of valid properties; notes problems under `key`.
 pub(super) fn usable(
     name: &str,
     table: &Table<'_>,

@@ -1,7 +1,7 @@
-//! A model of blades from a blade file alone, with what is asked of it.
+//! A model of blades from a blade file alone, with settings of the analysis.
 //!
-//! The words of the question become the text of a dynamics input, which is read as any
-//! other: a blade file means the same from both doors.
+//! The settings become the text of a dynamics input, which is read like any other: a blade
+//! file has the same meaning on both ways.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -11,12 +11,12 @@ use shared_geom::error::{Diagnostics, Place};
 
 use super::Input;
 
-/// The file name of the text that the question becomes.
+/// The file name of the text made from the settings.
 const MADE: &str = "(made from the options)";
 /// Endings that name a blade file.
 const ENDINGS: [&str; 2] = [".blade.json", ".blade.toml"];
 
-/// What is asked of the blade of a file, and how it is mounted.
+/// Requested analysis of the blade of a file, and its mounting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BladeQuestion {
     /// Rotor speeds \[rpm\].
@@ -70,7 +70,7 @@ impl BladeQuestion {
         let numbers = [("elements", self.elements), ("count", self.blades)];
         for (key, number) in numbers {
             if let Some(number) = number {
-                // A string takes all that is written to it.
+                // Writing to a string does not fail.
                 let _ = writeln!(text, "{key} = {number}");
             }
         }
@@ -128,9 +128,9 @@ pub(super) fn name_of(path: &Path) -> String {
 /// Reads and checks the blade file at `path`: in our formats, or in that of another tool.
 ///
 /// # Errors
-/// Everything that is wrong with the file and the question.
+/// All problems of the file and the settings.
 pub fn read_blade(path: &Path, question: &BladeQuestion) -> Result<Input, Diagnostics> {
-    // A missing file is told as the user named it.
+    // A missing file is reported with the name that the user gave.
     read_text(path)?;
     let file = path.display().to_string();
     let input = super::checked(&question.text(&file), MADE, &name_of(path));

@@ -34,11 +34,11 @@ use masses::PointMass;
 use seats::Seat;
 use source::Source;
 
-/// How the root of a blade is held.
+/// Attachment of the root of a blade.
 enum Root {
     /// Clamped to the hub.
     Clamped,
-    /// Not at all by this card.
+    /// Not attached by this card.
     Free,
     /// By hinges, from the hub outward.
     Hinged(Vec<BladeHinge>),
@@ -50,7 +50,7 @@ struct Card {
     laid: Laid,
     formulation: (Formulation, Inertia),
     root: Root,
-    /// Number of the node that carries it, and the inertia about that node.
+    /// Index of the node that carries it, and the inertia about that node.
     masses: Vec<(usize, RigidInertia)>,
 }
 
@@ -157,7 +157,7 @@ fn root(table: &Table<'_>, name: &str, draft: &Draft) -> Option<Root> {
 fn add(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) {
     let nodes = add_nodes(card, seat, table, draft);
     if nodes.len() != card.laid.nodes.len() {
-        // A name was taken, which has been noted.
+        // A name is taken already, which has been noted.
         return draft.note_loose_end();
     }
     if !add_beams(card, seat, &nodes, table, draft) {
@@ -182,7 +182,7 @@ fn add(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) {
     });
 }
 
-/// Adds the nodes of a blade; fewer than there are when a name is taken.
+/// Adds the nodes of a blade; fewer if a name is taken already.
 fn add_nodes(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) -> Vec<usize> {
     let last = card.laid.nodes.len().saturating_sub(1);
     let axes = seat.blade_axes();
@@ -210,7 +210,7 @@ fn add_nodes(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) -> 
     nodes
 }
 
-/// Adds the beams of a blade; false when one cannot be, which is noted.
+/// Adds the beams of a blade; returns false if one cannot be added, which is noted.
 fn add_beams(
     card: &Card,
     seat: &Seat,

@@ -29,20 +29,20 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     }
 }
 
-/// A concentrated mass with its center, in the axes of what carries it.
+/// A concentrated mass with its center, in the axes of the carrying part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lump {
     /// Mass \[kg\].
     mass: f64,
-    /// Place of its center \[m\].
+    /// Position of its center \[m\].
     offset: Vector3<f64>,
-    /// Inertia about that center \[kg m^2\].
+    /// Inertia about the center \[kg m^2\].
     central: Matrix3<f64>,
 }
 
 impl Lump {
-    /// The inertia about a node, when what carries the mass is at `place` as seen from
-    /// the node \[m\].
+    /// The inertia about a node, if the carrying part is at `place` relative to the node
+    /// \[m\].
     pub fn inertia(&self, place: &Vector3<f64>) -> RigidInertia {
         RigidInertia::about_node(self.mass, &(place + self.offset), &self.central)
     }

@@ -1,4 +1,4 @@
-//! `[output]`: what a run in time writes, and the columns of its tables.
+//! `[output]`: output of a run in time, and the columns of its tables.
 
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
@@ -16,13 +16,12 @@ mod tests;
 
 pub use problem::ColumnProblem;
 
-/// Numbers of a table at most: some thirty gigabytes of text and binary.
+/// Largest number of values in a table: some thirty gigabytes of text and binary.
 const MOST_NUMBERS: f64 = 1e9;
-/// Field files at most.
+/// Largest number of field files.
 const MOST_FIELDS: f64 = 1e5;
 
-/// Reads `[output]`; without it, and without columns in it, there are those that most
-/// look for first.
+/// Reads `[output]`; without it, and without columns in it, default columns are written.
 pub(super) fn read(root: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
     let mut question = match root.has("output") {
         true => card(&root.table("output")?, draft)?,
@@ -34,7 +33,7 @@ pub(super) fn read(root: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
     Some(question)
 }
 
-/// Notes more output of a run than a disk holds.
+/// Notes output of a run that is too large for a disk.
 pub(super) fn check(root: &Table<'_>, output: &OutputQuestion, run: Option<&TransientQuestion>) {
     let Some(run) = run else { return };
     let longest = match run.stepping {

@@ -1,7 +1,7 @@
 //! Control: sensors, systems of states and actuators.
 //!
-//! Each card is read twice. First its names are declared, so that the cards of all elements may
-//! read them; then, when nodes and elements are known, it becomes an element.
+//! Each card is read twice. First its names are declared, so that the cards of all elements
+//! may read them; then, when nodes and elements are known, its element is added.
 
 use shared_geom::document::{Document, Table};
 
@@ -24,7 +24,7 @@ pub(super) struct Declared<'a> {
     actuators: Vec<actuators::Named<'a>>,
 }
 
-/// Lets expressions read the names of all cards.
+/// Makes the names of all cards readable by expressions.
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Declared<'a> {
     Declared {
         sensors: sensors::declare(root, drives),
@@ -40,7 +40,7 @@ pub(super) fn read(declared: Declared<'_>, draft: &mut Draft) {
     actuators::read(declared.actuators, draft);
 }
 
-/// Notes what is wrong with the cards in a run from and to the given `times` \[s\].
+/// Notes problems of the cards in a run from and to the given `times` \[s\].
 pub(super) fn check_run(document: &Document, draft: &Draft, times: [f64; 2]) {
     state_spaces::check_run(document, draft, times);
 }

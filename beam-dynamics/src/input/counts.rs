@@ -1,4 +1,4 @@
-//! Numbers of steps, modes and the like, which have a limit.
+//! Numbers of steps, modes and the like, which have an upper limit.
 
 use shared_geom::document::Table;
 

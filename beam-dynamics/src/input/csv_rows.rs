@@ -1,12 +1,12 @@
-//! Rows of CSV files with the lines on which they stand. Empty lines and lines that begin
-//! with `#` do not count.
+//! Rows of CSV files with their lines. Empty lines and lines that begin with `#` are
+//! ignored.
 
 use shared_geom::error::{Diagnostics, Explain, Place};
 
-/// Problems of the rows that are shown one by one.
+/// Number of problems of rows that are listed.
 const ROWS_SHOWN: usize = 10;
 
-/// The rows of a text, the heading among them, each with its line.
+/// The rows of a text, including the heading, each with its line.
 pub(super) fn records(text: &str) -> impl Iterator<Item = (usize, csv::StringRecord)> {
     let reader = csv::ReaderBuilder::new()
         .has_headers(false)
@@ -14,15 +14,15 @@ pub(super) fn records(text: &str) -> impl Iterator<Item = (usize, csv::StringRec
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .from_reader(text.as_bytes());
-    // Reading text from memory and with rows of any length, nothing can fail.
+    // Reading from memory, with rows of any length, cannot fail.
     let records = reader.into_records().filter_map(Result::ok);
     let is_empty = |record: &csv::StringRecord| record.len() == 1 && record[0].is_empty();
     let records = records.filter(move |record| !is_empty(record));
     records.map(move |record| (line(text, &record), record))
 }
 
-/// The line of a record: the reader tells where it began to look for it, which may be
-/// at lines that do not count.
+/// The line of a record: the reader reports the position where it began to look for the
+/// record, which may be at ignored lines.
 fn line(text: &str, record: &csv::StringRecord) -> usize {
     let begin = record.position().map_or(0, |place| place.byte() as usize);
     let (before, rest) = text.split_at_checked(begin).unwrap_or((text, ""));
@@ -31,8 +31,8 @@ fn line(text: &str, record: &csv::StringRecord) -> usize {
     1 + before.matches('\n').count() + skipped
 }
 
-/// What is wrong with rows of `file`, one by one those that a reader will look at; `more`
-/// tells how many others there are.
+/// Problems of rows of `file`: the first ones are listed; `more` gives the number of the
+/// others.
 pub(super) fn problems<P: Explain>(
     file: &str,
     wrong: &[(usize, P)],

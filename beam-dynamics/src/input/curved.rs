@@ -1,8 +1,8 @@
 //! Sections that were solved for a curved and twisted beam, on the beams of a model.
 //!
-//! The undeformed line of a beam carries its curvature in kinematics and equilibrium
-//! (D-21), the matrices of the section what it does inside of the section. Nothing is
-//! added to either, and both must be those of one beam:
+//! The curvature of the undeformed line is in kinematics and equilibrium of the beam
+//! (D-21), its effects within the section are in the matrices of the section. Nothing is
+//! added to either, and both must belong to the same beam:
 //!
 //! ```text
 //! k = axial( R_0^T dR_0/ds )        l = R_0^T dp_0/ds                        (D-230)
@@ -13,10 +13,10 @@
 use nalgebra::Matrix6;
 use shared_geom::section::{CurvatureMismatch, InitialCurvature, SectionProperties};
 
-/// A length of the slope that differs from one by less is that of digits.
+/// A difference of the slope's length from one below this is due to rounding.
 const DIGITS: f64 = 1e-6;
 
-/// What a section was solved for.
+/// Curvature for which a section was solved.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Curved {
     /// Name of the properties.
@@ -30,7 +30,7 @@ pub(super) struct Curved {
 }
 
 impl Curved {
-    /// Of the properties of a file; `None` for those of a straight beam.
+    /// For the properties of a file; `None` for a straight beam.
     pub fn of(name: &str, properties: &SectionProperties) -> Option<Self> {
         let initial = properties.initial_curvature?;
         let stretch = initial.slope.norm();
@@ -42,22 +42,22 @@ impl Curved {
         })
     }
 
-    /// That the matrices of the file were those of another parameter, in words; `None`
-    /// where it was the arc length.
+    /// A note that the matrices of the file refer to another parameter; `None` if the
+    /// parameter is the arc length.
     pub fn conversion(&self) -> Option<String> {
         ((self.stretch - 1.0).abs() > DIGITS).then(|| {
             format!(
                 "the line of the section is {:.6} long per unit of the parameter of its \
-                 matrices: stiffness times that and mass divided by it are those per arc length",
+                 matrices: stiffness times this length and mass divided by it are per arc length",
                 self.stretch
             )
         })
     }
 
-    /// A small difference from the line of the beam that uses the properties, in words.
+    /// A note of a small difference from the line of the beam that uses the properties.
     pub fn remark(&self, user: &str, mismatch: &CurvatureMismatch) -> String {
         format!(
-            "{user}, properties \"{}\": {mismatch}; {}, and it is used as it is",
+            "{user}, properties \"{}\": {mismatch}; {}; the matrices are used as given",
             self.name,
             mismatch.size()
         )

@@ -10,8 +10,8 @@ use super::draft::Draft;
 use super::problem::InputProblem;
 use crate::elements::beams;
 
-/// Whether a straight piece, in words, with a twist that grows by `rate` \[1/m\] has the
-/// curvature for which its section was solved.
+/// Whether a straight piece, described by `words`, with a twist that grows by `rate`
+/// \[1/m\] has the curvature for which its section was solved.
 pub(super) fn suits_piece(
     curved: Option<&Curved>,
     rate: f64,
@@ -42,9 +42,9 @@ pub(super) fn suits_beam(beam: &Beam, table: &Table<'_>, draft: &mut Draft) -> b
     })
 }
 
-/// Compares a section with a line: notes on `table` that this is another beam, and tells
-/// in `draft` that it differs a little. `user` says who uses the properties, and where.
-/// True unless it is another beam.
+/// Compares a section with a line: notes on `table` that they belong to different beams,
+/// and adds a remark to `draft` if they differ a little. `user` describes the user of the
+/// properties and the position. True unless they belong to different beams.
 fn is_on(
     curved: &Curved,
     line: &InitialCurvature,

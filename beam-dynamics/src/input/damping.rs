@@ -8,8 +8,8 @@ use shared_geom::units::Dimension;
 use super::number::not_negative;
 use super::problem::InputProblem;
 
-/// The damping of a table of properties: `None` when it is wrong, `Some(None)` when
-/// there is none.
+/// The damping of a table of properties: `None` if it is wrong, `Some(None)` if there is
+/// none.
 pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
     const KEYS: [&str; 2] = ["time", "matrix"];
     if !table.has("damping") {
@@ -31,7 +31,7 @@ pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
     damping.map(Some)
 }
 
-/// The 6x6 matrix in SI units: N s among forces and shears, N m^2 s among moments and
+/// The 6x6 matrix in SI units: N s for forces and shears, N m^2 s for moments and
 /// curvatures, N m s between them.
 fn matrix(table: &Table<'_>) -> Option<Matrix6<f64>> {
     let rows = table.rows("matrix", 6, 6)?;

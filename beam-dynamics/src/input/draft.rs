@@ -1,7 +1,7 @@
-//! The model as far as it has been read: nodes, and what is attached to them.
+//! The model as read so far: nodes, and the parts attached to them.
 //!
-//! A card that is wrong leaves its name behind, so that those who use the name are
-//! not told that it is unknown.
+//! The name of a wrong card is kept, so that its users are not reported to use an unknown
+//! name.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -35,16 +35,16 @@ mod watch;
 
 pub(super) use electrodes::{ElectrodeCard, names as electrode_names};
 
-/// What a name of a node stands for.
+/// The node with a name.
 #[derive(Debug, Clone, Copy)]
 struct Named {
-    /// Number of the node; `None` for one that could not be read.
+    /// Index of the node; `None` if it could not be read.
     node: Option<usize>,
     /// Line of its card.
     line: usize,
 }
 
-/// The model while it is read.
+/// The model during reading.
 #[derive(Debug)]
 pub(super) struct Draft {
     properties: Catalog,
@@ -73,11 +73,11 @@ pub(super) struct Draft {
     blades: Vec<BladeNodes>,
     remarks: Vec<String>,
     labels: BTreeMap<(&'static str, String), usize>,
-    /// Readings of elements, by their names, with their scalars.
+    /// Readings of elements, by element names, with their scalars.
     watched: Vec<(String, Reading, Scalar)>,
     /// Energies of the model, with their scalars.
     watched_energies: Vec<(EnergyPart, Scalar)>,
-    /// Unknowns of electrodes, by numbers of both, with names and scalars of sensors.
+    /// Unknowns of electrodes, by both indices, with names and scalars of sensors.
     watched_electrodes: Vec<([usize; 2], String, Scalar)>,
     /// Whether some beam or other user of a node could not be attached.
     loose_ends: bool,
@@ -85,7 +85,7 @@ pub(super) struct Draft {
 }
 
 impl Draft {
-    /// An empty model; `hub` is `None` when its card is wrong.
+    /// An empty model; `hub` is `None` if its card is wrong.
     pub fn new(properties: Catalog, hub: Option<Hub>) -> Self {
         let remarks = properties.remarks.clone();
         Self {
@@ -149,7 +149,7 @@ impl Draft {
         self.blade_axes[node]
     }
 
-    /// Adds a node of a card; a name that is taken already is noted there.
+    /// Adds a node of a card; notes a name that is taken already.
     pub fn add_node(
         &mut self,
         node: Node,
@@ -166,12 +166,12 @@ impl Draft {
         Some(index)
     }
 
-    /// Says how node number `node` moves at the start.
+    /// Sets the initial motion of node `node`.
     pub fn set_initial(&mut self, node: usize, initial: InitialMotion) {
         self.initial[node] = initial;
     }
 
-    /// Gives node number `index`, or one that could not be read, a further name.
+    /// Gives node `index`, or one that could not be read, another name.
     pub fn name_node(&mut self, name: &str, index: Option<usize>, table: &Table<'_>) -> bool {
         self.broken |= index.is_none();
         if let Some(first) = self.names.get(name) {
@@ -187,12 +187,12 @@ impl Draft {
         true
     }
 
-    /// Adds an element that is no part of the structure: a load, an imposed motion, a sensor.
+    /// Adds an element that is not part of the structure: a load, an imposed motion, a sensor.
     pub fn add_load(&mut self, load: Box<dyn Element>) {
         self.loads.push(load);
     }
 
-    /// Adds an element that acts by scalars alone.
+    /// Adds an element that acts only on scalars.
     pub fn add_control(&mut self, element: Box<dyn Element>) {
         self.control.push(element);
     }
@@ -202,13 +202,13 @@ impl Draft {
         self.broken = true;
     }
 
-    /// Notes that a blade could not be read: its nodes are neither known nor unknown.
+    /// Notes that a blade could not be read: uses of its nodes are not reported.
     pub fn note_broken_blade(&mut self, blade: &str) {
         self.broken = true;
         self.broken_blades.insert(blade.to_owned());
     }
 
-    /// The node called `name` under `key` of a card that is `user` in words.
+    /// The node called `name` under `key` of a card described by `user`.
     pub fn find_node(
         &mut self,
         name: &str,
@@ -229,7 +229,7 @@ impl Draft {
     fn note_unknown_node(&mut self, name: &str, table: &Table<'_>, key: &str, user: &str) {
         let known = self.names.keys().map(String::as_str);
         match nearest_name(name, known) {
-            // The node that is likely meant has its user.
+            // The node that is probably meant is treated as used.
             Some(meant) => self.used.extend(self.names[meant].node),
             None => self.loose_ends = true,
         }
@@ -251,13 +251,13 @@ impl Draft {
         self.used.insert(node);
     }
 
-    /// Notes that a card does not say which nodes it uses.
+    /// Notes that the nodes used by a card are unknown.
     pub fn note_loose_end(&mut self) {
         self.broken = true;
         self.loose_ends = true;
     }
 
-    /// The properties named under `properties` of a card that is `user` in words.
+    /// The properties named under `properties` of a card described by `user`.
     pub fn find_properties(&mut self, table: &Table<'_>, user: &str) -> Option<Properties> {
         let found = self
             .properties
@@ -266,7 +266,7 @@ impl Draft {
         found
     }
 
-    /// Takes a name for a thing of a kind; notes one that is taken already.
+    /// Reserves a name for a thing of a kind; notes one that is taken already.
     pub fn take_label(&mut self, kind: &'static str, name: &str, table: &Table<'_>) -> bool {
         let key = (kind, name.to_owned());
         if let Some(&line) = self.labels.get(&key) {
@@ -303,8 +303,8 @@ impl Draft {
         self.joints.push(joint);
     }
 
-    /// Adds a hinge at `position` along `axis`, both in the model's frame; the second of
-    /// the nodes turns against the first.
+    /// Adds a hinge at `position` along `axis`, both in the model's frame; the second
+    /// node turns relative to the first.
     pub fn add_hinge(
         &mut self,
         label: &str,
@@ -343,14 +343,14 @@ impl Draft {
         self.clamps.insert(node, table.line_of(key));
     }
 
-    /// Notes what is wrong with the model as a whole.
+    /// Notes problems of the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
         const CARDS: [&str; 7] = ["blade", "beam", "hinge", "rigid", "joint", "spring", "rod"];
         let flies = root.has("transient") && (root.has("body") || root.has("joint"));
         let bodies = !flies || self.bodies.is_empty();
         let nothing = self.beams.is_empty() && self.joints.is_empty() && bodies && !self.broken;
         if nothing || !(flies || CARDS.iter().any(|card| root.has(card))) {
-            // That [blade] should be [[blade]] has been told already.
+            // [blade] instead of [[blade]] has been reported already.
             if !CARDS.iter().any(|card| root.is_table(card)) {
                 root.note("", &InputProblem::EmptyModel);
             }
@@ -363,7 +363,7 @@ impl Draft {
             root.document()
                 .note(line, &InputProblem::UnusedNode { node });
         }
-        // Statics does without mass.
+        // Statics needs no mass.
         let massless = ["static", "buckling"].iter().any(|card| root.has(card));
         let massless = massless && !root.has("modes");
         if !self.broken && !massless && self.moving_mass() <= 0.0 {
@@ -371,7 +371,7 @@ impl Draft {
         }
     }
 
-    /// How each node moves at the start, with its name and the line of its card.
+    /// Initial motion of each node, with its name and the line of its card.
     pub fn initial(&self) -> impl Iterator<Item = (&InitialMotion, &str, usize)> {
         let nodes = self.initial.iter().zip(&self.nodes);
         nodes.map(move |(initial, node)| {
@@ -412,8 +412,8 @@ impl Draft {
             .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
     }
 
-    /// The checked model; `None` where some card could not be read, whether or not that was
-    /// noted: a model without a part of it is another one.
+    /// The checked model; `None` if some card could not be read, even if that was not
+    /// noted: a model without a part is a different one.
     pub fn model(self, name: String, spin: Spin) -> Option<Model> {
         if self.broken {
             return None;
@@ -451,7 +451,7 @@ impl Draft {
         })
     }
 
-    /// Elements of beam number `index`, given the unknowns of all electrodes.
+    /// Elements of beam `index`, given the unknowns of all electrodes.
     fn beam_elements(
         &self,
         index: usize,

@@ -1,7 +1,7 @@
-//! Numbers that change with time: `[drives.NAME]`, and what may stand for one in a card.
+//! Numbers that change with time: `[drives.NAME]`, and their forms in cards.
 //!
-//! A plain number counts in the declared unit of the key for which it stands. A drive
-//! that has a name counts so for every key that uses it, unless it has a `unit`.
+//! A plain number is in the declared unit of its key. So are the numbers of a named drive,
+//! for every key that uses it, unless it has a `unit`.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -32,7 +32,7 @@ use super::problem::InputProblem;
 use crate::model::{Drive, Formula};
 use signals::Readable;
 
-/// Corners of a drive in a run at most: a step ends at each of them.
+/// Largest number of corners of a drive in a run: a step ends at each of them.
 const MOST_CORNERS: usize = 500_000;
 
 /// A drive with a name.
@@ -42,7 +42,7 @@ struct Named {
     measure: Measure,
 }
 
-/// A drive where it is used.
+/// A use of a drive.
 #[derive(Debug)]
 struct Used {
     line: usize,
@@ -51,24 +51,24 @@ struct Used {
     counts: Counts,
 }
 
-/// What counts of a drive.
+/// The required properties of a drive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Counts {
     Value,
-    /// Its slope too.
+    /// Its slope as well.
     Slope,
-    /// Its slope too, and it must be above zero at all times.
+    /// Its slope as well, and it must be above zero at all times.
     Positive,
 }
 
-/// The drives of an input by name; those that are wrong are `None`.
+/// The drives of an input by name; wrong drives are `None`.
 #[derive(Debug, Default)]
 pub(super) struct Catalog {
     named: BTreeMap<String, Option<Named>>,
-    /// Where a drive that does not have a value at all times is used: its line, its key
-    /// and the times between which it has one.
+    /// Uses of drives that do not have a value at all times: line, key and the times
+    /// between which there is a value.
     bounded: RefCell<Vec<(usize, String, [f64; 2])>>,
-    /// The drives of the model where they are used.
+    /// All uses of drives in the model.
     used: RefCell<Vec<Used>>,
     /// Scalars that expressions read by name.
     readable: Readable,
@@ -76,7 +76,7 @@ pub(super) struct Catalog {
 
 /// Reads the drive under `key` of a card, in SI units of `dimension`: a number or a
 /// quantity, an expression of time `"= ..."`, the name of a `[drives.NAME]`, or a table.
-/// `None` when it is absent or wrong; what is wrong has been noted.
+/// `None` if it is absent or wrong; problems have been noted.
 pub(super) fn read(
     table: &Table<'_>,
     key: &str,
@@ -86,7 +86,7 @@ pub(super) fn read(
     read_value(&table.item(key)?, dimension, catalog)
 }
 
-/// As [`read`], of a value wherever it stands.
+/// Like [`read`], for a value in any position.
 pub(super) fn read_value(
     item: &Item<'_>,
     dimension: Dimension,
@@ -95,7 +95,7 @@ pub(super) fn read_value(
     used(item, dimension, catalog, Counts::Value)
 }
 
-/// A drive that must have a value where a run starts.
+/// A drive that must have a value at the start of a run.
 fn used(item: &Item<'_>, dimension: Dimension, catalog: &Catalog, counts: Counts) -> Option<Drive> {
     let drive = read_item(item, dimension, catalog)?;
     catalog.used.borrow_mut().push(Used {
@@ -107,7 +107,8 @@ fn used(item: &Item<'_>, dimension: Dimension, catalog: &Catalog, counts: Counts
     Some(drive)
 }
 
-/// As [`read`], of a value wherever it stands, which is shown alone and may have gaps.
+/// Like [`read`], for a value in any position, which is only written to tables and may have
+/// gaps.
 pub(super) fn read_item(item: &Item<'_>, dimension: Dimension, catalog: &Catalog) -> Option<Drive> {
     let find = |name: &str| catalog.find(name, item);
     if let Some(name) = catalog.sensed(item) {
@@ -124,7 +125,7 @@ pub(super) fn read_item(item: &Item<'_>, dimension: Dimension, catalog: &Catalog
     Some(drive)
 }
 
-/// What finds a drive by its name and notes that there is none.
+/// A function that finds a drive by its name and notes an unknown name.
 type Find<'a> = dyn Fn(&str) -> Option<Named> + 'a;
 
 /// A drive in `measure`.
@@ -177,7 +178,7 @@ fn formula(item: &Item<'_>, text: &str, measure: Measure) -> Option<Drive> {
     }
     let value = expression.at(|_| Default::default()).value;
     if value.is_nan() && constants.iter().any(|own| own.1.is_nan()) {
-        // What is wrong with the parameter has been told.
+        // The problem of the parameter has been reported.
         return None;
     }
     match value.is_finite() {
@@ -205,16 +206,16 @@ pub(super) fn read_named(root: &Table<'_>) -> Catalog {
     }
 }
 
-/// Drives with names while they are read.
+/// Named drives during reading.
 struct Reader<'a, 'd> {
     tables: &'a [(String, Table<'d>)],
     done: RefCell<BTreeMap<String, Option<Named>>>,
-    /// Names that are being read, each used by the one before.
+    /// Names that are being read, each used by the previous one.
     open: RefCell<Vec<String>>,
 }
 
 impl Reader<'_, '_> {
-    /// The drive called `name`; `None` when it is wrong, which has been noted.
+    /// The drive called `name`; `None` if it is wrong, which has been noted.
     fn find(&self, name: &str) -> Option<Named> {
         if let Some(found) = self.done.borrow().get(name) {
             return found.clone();
@@ -237,7 +238,7 @@ impl Reader<'_, '_> {
         drive
     }
 
-    /// A drive that another one uses.
+    /// A drive that is used by another one.
     fn other(&self, name: &str, user: &Table<'_>) -> Option<Named> {
         let open = self.open.borrow().clone();
         if let Some(first) = open.iter().position(|own| own == name) {
@@ -260,7 +261,7 @@ fn has_many_corners(drive: &Drive, [from, to]: [f64; 2]) -> bool {
     let mut time = from;
     for _ in 0..=MOST_CORNERS {
         let next = drive.next_corner(time);
-        // Beyond the end, or none.
+        // Beyond the end, or absent.
         if next.is_nan() || next > to {
             return false;
         }
@@ -279,8 +280,8 @@ fn unknown(name: &str, user: &str, known: Vec<String>) -> InputProblem {
 }
 
 impl Catalog {
-    /// Notes what is wrong with drives in a run from and to the given `times` \[s\]: tables
-    /// that end before, corners without end, lengths that get to zero.
+    /// Notes problems of drives in a run from and to the given `times` \[s\]: tables that
+    /// end too early, too many corners, lengths that reach zero.
     pub fn check_run(&self, document: &Document, times: [f64; 2]) {
         self.check(document, times);
         self.check_corners(document, times);
@@ -306,7 +307,7 @@ impl Catalog {
         found?.clone()
     }
 
-    /// The first scalar that stands in an expression.
+    /// The first sensed scalar in an expression.
     fn sensed(&self, item: &Item<'_>) -> Option<String> {
         let text = item.text().and_then(written)?;
         let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
@@ -315,7 +316,7 @@ impl Catalog {
     }
 
     /// Notes every drive of the model without a finite value at the time `start` \[s\], or
-    /// without a finite slope where something moves by it.
+    /// without a finite slope if it prescribes a motion.
     pub fn check_start(&self, document: &Document, start: f64) {
         for used in self.used.borrow().iter() {
             let [first, last] = used.drive.domain();
@@ -341,7 +342,7 @@ impl Catalog {
         }
     }
 
-    /// Notes every drive of the model with more corners in a run than steps can land on.
+    /// Notes every drive of the model with too many corners in a run.
     pub fn check_corners(&self, document: &Document, run: [f64; 2]) {
         for used in self.used.borrow().iter() {
             if has_many_corners(&used.drive, run) {
@@ -351,8 +352,8 @@ impl Catalog {
         }
     }
 
-    /// Notes every length of the model that is not above zero at all times of a run, as far as
-    /// its corners and many instants between show.
+    /// Notes every length of the model that is not above zero at all times of a run, as
+    /// found at its corners and at many instants between.
     pub fn check_lengths(&self, document: &Document, run: [f64; 2]) {
         let used = self.used.borrow();
         for length in used.iter().filter(|one| one.counts == Counts::Positive) {
@@ -369,7 +370,7 @@ impl Catalog {
         }
     }
 
-    /// Notes every drive that a card uses and that has no value at some time of a run.
+    /// Notes every drive of a card that has no value at some time of a run.
     pub fn check(&self, document: &Document, [from, to]: [f64; 2]) {
         for (line, key, [first, last]) in self.bounded.borrow().iter() {
             if from < *first || to > *last {

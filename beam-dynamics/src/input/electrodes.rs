@@ -1,4 +1,4 @@
-//! Electrodes of piezoelectric beams and what they are connected to: `[[electrode]]`.
+//! Electrodes of piezoelectric beams and their circuits: `[[electrode]]`.
 //!
 //! ```text
 //! voltage = DRIVE                             held
@@ -17,7 +17,7 @@ use super::loads::beams;
 use crate::elements::circuits::Circuit;
 use crate::model::Drive;
 
-/// Keys of a circuit without charge that is held.
+/// Keys of a circuit without a prescribed charge.
 const OF_SOURCE: [&str; 3] = ["voltage", "resistance", "inductance"];
 
 /// A problem of an electrode.
@@ -36,17 +36,17 @@ pub enum ElectrodeProblem {
     /// A name that a beam does not have.
     #[error("beam \"{beam}\" has no electrode \"{electrode}\"")]
     Unknown {
-        /// The name found.
+        /// The name.
         electrode: String,
         /// The beam.
         beam: String,
         /// The electrodes of the beam.
         known: Vec<String>,
     },
-    /// A blade none of whose beams has the electrode.
+    /// A blade without the electrode on any beam.
     #[error("no beam of blade \"{blade}\" has an electrode \"{electrode}\"")]
     NotOnBlade {
-        /// The name found.
+        /// The name.
         electrode: String,
         /// The blade.
         blade: String,
@@ -64,10 +64,10 @@ pub enum ElectrodeProblem {
         beam: String,
         /// Name of the card that has it.
         first: String,
-        /// Its line, in words.
+        /// Its line, as text.
         line: String,
     },
-    /// Nothing said of the circuit.
+    /// A card without a circuit.
     #[error(
         "electrode \"{electrode}\" has no circuit, expected \"voltage\", \"charge\", \"resistance\" or \"inductance\""
     )]
@@ -75,7 +75,7 @@ pub enum ElectrodeProblem {
         /// The electrode.
         electrode: String,
     },
-    /// A charge that is held, and something through which it would flow.
+    /// A prescribed charge, and a connection through which it would flow.
     #[error(
         "\"charge\" holds the charge of electrode \"{electrode}\", and \"{key}\" would let it flow, expected one of them"
     )]
@@ -87,25 +87,25 @@ pub enum ElectrodeProblem {
     },
     /// No resistance and no inductance.
     #[error(
-        "\"resistance\" of electrode \"{electrode}\" is zero, expected more than zero where there is no \"inductance\""
+        "\"resistance\" of electrode \"{electrode}\" is zero, expected more than zero if there is no \"inductance\""
     )]
     NoResistance {
         /// The electrode.
         electrode: String,
     },
-    /// Charge has no place.
+    /// A capacitance that is not positive.
     #[error(
         "the capacitance of electrode \"{electrode}\", {found:.6e} F with all beams of the card, is not positive"
     )]
     Capacitance {
         /// The electrode.
         electrode: String,
-        /// What was found \[F\].
+        /// The capacitance \[F\].
         found: f64,
     },
-    /// Capacitances that are not those of electrodes.
+    /// Capacitances that are not positive definite.
     #[error(
-        "the capacitances of electrodes {electrodes} are not positive definite: some voltages on them would gather charge of the opposite sign"
+        "the capacitances of electrodes {electrodes} are not positive definite: some voltages would give charges of the opposite sign"
     )]
     Indefinite {
         /// Names of the electrodes whose voltage is unknown.
@@ -125,29 +125,29 @@ impl Explain for ElectrodeProblem {
             | Self::NotOnBlade {
                 electrode, known, ..
             } => match nearest_name(electrode, known.iter().map(String::as_str)) {
-                Some(near) => format!("did you mean \"{near}\"? say electrode = \"{near}\""),
+                Some(near) => format!("did you mean \"{near}\"? write electrode = \"{near}\""),
                 None if known.is_empty() => {
                     "property files with \"piezo\" have electrodes; blades \
-                     from blade files carry none"
+                     from blade files have none"
                         .to_owned()
                 }
-                None => format!("those of the property files: {}", known.join(", ")),
+                None => format!("electrodes of the property files: {}", known.join(", ")),
             },
             Self::Twice { .. } => {
-                "take the beam out of one of the cards, or the card away".to_owned()
+                "remove the beam from one of the cards, or remove the card".to_owned()
             }
             Self::NoCircuit { .. } => "voltage = 0 connects it to ground, charge = 0 leaves it \
                  open, resistance = 1e4 is a resistor to ground"
                 .to_owned(),
             Self::ChargeAnd { .. } => "without \"charge\", the charge follows from the circuit \
-                 and begins with that of its source"
+                 and begins with the charge at the voltage of its source"
                 .to_owned(),
             Self::NoResistance { .. } => {
-                "leave \"resistance\" out: the voltage is then that of the source".to_owned()
+                "leave \"resistance\" out: the voltage is then the voltage of its source".to_owned()
             }
             Self::Capacitance { .. } | Self::Indefinite { .. } => {
                 "correct \"capacitance\" in the property file, charge per length and volt at \
-                 constant strain; only electrodes with a given voltage do without"
+                 constant strain; only electrodes with a given voltage work without it"
                     .to_owned()
             }
         })
@@ -172,7 +172,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 }
 
 fn card(table: &Table<'_>, draft: &Draft, label: String) -> Option<ElectrodeCard> {
-    // Of the property file; that of the card unless it says otherwise.
+    // The name in the property file; by default the name of the card.
     let name = match table.has("electrode") {
         true => table.text("electrode"),
         false => Some(label.clone()),
@@ -188,7 +188,7 @@ fn card(table: &Table<'_>, draft: &Draft, label: String) -> Option<ElectrodeCard
     })
 }
 
-/// The beams that have an electrode, with its column; a beam named by itself must have it.
+/// The beams that have an electrode, with its column; a beam that is named explicitly must have it.
 fn on(
     table: &Table<'_>,
     draft: &Draft,
@@ -243,7 +243,7 @@ fn on(
     (is_sound && is_first(table, draft, name, &on)).then_some(on)
 }
 
-/// Whether no other card has the electrode of one of the beams; notes the first that has.
+/// Whether no other card has the electrode of one of the beams; otherwise notes the first.
 fn is_first(table: &Table<'_>, draft: &Draft, name: &str, on: &[(usize, usize)]) -> bool {
     let mut others = draft.electrodes().iter();
     let twice = others.find_map(|card| {
@@ -301,7 +301,7 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
     })
 }
 
-/// A number that is not below zero; zero when absent.
+/// A number, zero or more; zero if absent.
 fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
     if !table.has(key) {
         return Some(0.0);
@@ -314,7 +314,7 @@ fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f6
     Some(value)
 }
 
-/// Notes electrodes with a voltage that would not follow from their charge.
+/// Notes electrodes whose voltage does not follow from their charge.
 fn check_capacitances(tables: &[Table<'_>], draft: &mut Draft) {
     let cards = draft.electrodes().iter();
     let free = cards.filter(|card| card.circuit.has_unknowns());

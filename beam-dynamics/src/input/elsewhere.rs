@@ -1,4 +1,4 @@
-//! Keys that stand in the wrong table, and where they belong.
+//! Keys in the wrong table, and the right tables.
 
 /// Keys of other cards that are written at the top of a file by mistake.
 pub(super) const OF_FILE: [(&str, &str); 23] = [
@@ -27,7 +27,7 @@ pub(super) const OF_FILE: [(&str, &str); 23] = [
     ("mass", "\"mass\" in [[body]], or [[blade.mass]]"),
 ];
 
-/// The same of `[transient]`.
+/// Keys of other cards that are written in `[transient]` by mistake.
 pub(super) const OF_TRANSIENT: [(&str, &str); 11] = [
     ("every", "\"every\" in [output]"),
     ("restart_every", "\"restart_every\" in [output]"),

@@ -1,4 +1,4 @@
-//! Ends of rods and springs: two nodes, or one node and a place in the frame.
+//! Ends of rods and springs: two nodes, or one node and a point of the frame.
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
@@ -10,13 +10,13 @@ use super::laws::LawProblem;
 use super::problem::InputProblem;
 use crate::elements::springs::End;
 
-/// The name of the card `number` of a kind.
+/// The name of card `number` of a kind.
 pub(super) fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
     let own = table.text("name");
     own.unwrap_or_else(|| format!("{kind} {}", number + 1))
 }
 
-/// The nodes under `nodes` of a card that is `words`: two of them, or one where the frame
+/// The nodes under `nodes` of a card described by `words`: two of them, or one if the frame
 /// may be the other end.
 pub(super) fn nodes(
     table: &Table<'_>,
@@ -30,7 +30,7 @@ pub(super) fn nodes(
     one_or_two(table, draft, words, |found| LawProblem::Ends { found })
 }
 
-/// The two nodes under `nodes` of a card that is `words`.
+/// The two nodes under `nodes` of a card described by `words`.
 pub(super) fn pair(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]> {
     let found = listed(table, draft, words)?;
     let [first, second] = found[..] else {
@@ -42,8 +42,8 @@ pub(super) fn pair(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<
     are_two(table, draft, words, &nodes).then_some(nodes)
 }
 
-/// One node or two under `nodes` of a card that is `words`; `wrong` is what is noted of
-/// another number.
+/// One node or two under `nodes` of a card described by `words`; `wrong` is the problem
+/// noted for another number.
 pub(super) fn one_or_two<P: Explain>(
     table: &Table<'_>,
     draft: &mut Draft,
@@ -60,7 +60,7 @@ pub(super) fn one_or_two<P: Explain>(
     nodes.filter(|nodes| are_two(table, draft, words, nodes))
 }
 
-/// Another number of nodes than is expected.
+/// A number of nodes that differs from the expected one.
 pub(super) fn count(found: usize, expected: &'static str) -> InputProblem {
     InputProblem::Count {
         key: "nodes",
@@ -69,7 +69,7 @@ pub(super) fn count(found: usize, expected: &'static str) -> InputProblem {
     }
 }
 
-/// The nodes listed under `nodes`; `None` for each that is unknown.
+/// The nodes listed under `nodes`; `None` for each unknown node.
 fn listed(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<Option<usize>>> {
     if !table.has("nodes") {
         let _ = table.require_text("nodes", "the names of two nodes");
@@ -82,7 +82,7 @@ fn listed(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<Optio
     Some(names.iter().map(find).collect())
 }
 
-/// Whether the nodes are different ones; notes if not.
+/// Whether the nodes are different; notes equal nodes.
 fn are_two(table: &Table<'_>, draft: &Draft, words: &str, nodes: &[usize]) -> bool {
     if nodes.len() < 2 || nodes[0] != nodes[1] {
         return true;
@@ -113,7 +113,7 @@ pub(super) fn frame_and_point(table: &Table<'_>, node: usize, words: &str) -> Op
     Some([End::Frame { position }, End::Node { node, offset }])
 }
 
-/// One vector a node; zeros when absent.
+/// One vector per node; zeros if absent.
 fn offsets<const N: usize>(table: &Table<'_>) -> Option<[Vector3<f64>; N]> {
     if !table.has("offsets") {
         return Some([Vector3::zeros(); N]);

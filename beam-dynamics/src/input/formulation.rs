@@ -1,7 +1,7 @@
-//! How the beams of a card are formulated, and how their mass moves.
+//! Formulation and inertia of the beams of a card.
 //!
-//! Default: the variational beam, its mass at the nodes by weights. The finite volumes of the
-//! thesis are a set of their own: forces, rigid portions and loads on portions.
+//! Default: the variational beam, with its mass at the nodes by weights. The finite volumes
+//! of the thesis come as a set: forces, rigid portions and loads on portions.
 
 use shared_geom::document::Table;
 use shared_geom::rotation::parameters::Parametrization;
@@ -9,7 +9,7 @@ use shared_geom::rotation::parameters::Parametrization;
 use super::problem::InputProblem;
 use crate::elements::beams::Formulation;
 
-/// How the mass of a beam moves.
+/// Motion of the mass of a beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Inertia {
     /// Rigidly with the nodes.
@@ -63,7 +63,7 @@ mod tests {
     use crate::input::test_files::{STRIP, read_beside};
     use crate::model::{Conditions, Equation, Variable};
 
-    /// A blade of one piece with further keys, and how unsymmetric its tangent is.
+    /// A blade of one piece with further keys; returns the asymmetry of its tangent.
     fn blade(keys: &str) -> Result<f64, String> {
         let text = format!(
             "units = \"SI\"\n{STRIP}[[blade]]\nname = \"b\"\nproperties = \"strip\"\n\
@@ -88,7 +88,7 @@ mod tests {
         Ok(off / largest)
     }
 
-    // Round-off against the lever arms of finite volumes, of the order of one.
+    // Round-off, compared with the lever arms of finite volumes, of the order of one.
     #[test]
     fn a_card_chooses_the_formulation() {
         for keys in [

@@ -1,5 +1,5 @@
-//! Tests of what a file says once for many: parameters, frames, copies, included files,
-//! signals; and of what is told when it says it wrong.
+//! Tests of repeated and shared cards: parameters, frames, copies, included files, signals;
+//! and of the problems reported for wrong ones.
 
 #![allow(
     clippy::unwrap_used,
@@ -22,7 +22,8 @@ fn refused(cards: &str) -> String {
     told(input(cards))
 }
 
-/// Places and axes of the nodes, and the residual at rest under loads, of two inputs.
+/// Compares positions and axes of the nodes, and the residual at rest under loads, of two
+/// inputs.
 fn assert_same(found: &Input, expected: &Input) {
     let [found, expected] = [found, expected].map(|input| &input.model.system);
     assert_eq!(found.nodes().len(), expected.nodes().len());
@@ -94,7 +95,7 @@ speeds = 0
 count = 4
 ";
 
-// The same arms written by hand: rotated by 120 and 240 degrees about z through
+// The same arms as explicit cards: rotated by 120 and 240 degrees about z through
 // (0.5, 0, 0), with the orientation of the tip as a rotation vector in the model's axes.
 #[test]
 fn polar_copies_are_what_one_would_write_by_hand() {
@@ -115,7 +116,7 @@ fn polar_copies_are_what_one_would_write_by_hand() {
             cards += &format!("orientation = {:?}\n", [phi.x, phi.y, phi.z]);
         }
     }
-    // Copies come arm by arm, so that the nodes do.
+    // Copies come arm by arm, and so do the nodes.
     let mut blocks: Vec<_> = cards.split("[[node]]\n").skip(1).collect();
     blocks.sort_by_key(|block| {
         block.find(" ").map(|_| {
@@ -148,7 +149,7 @@ fn polar_copies_are_what_one_would_write_by_hand() {
 
 #[test]
 fn frames_lie_in_frames() {
-    // A quarter turn about z at (1, 0, 0), and in it one at (0, 2, 0) turned about x.
+    // A quarter turn about z at (1, 0, 0), and a frame in it at (0, 2, 0) turned about x.
     let cards = "
 [[frame]]
 name = \"outer\"
@@ -192,7 +193,7 @@ step = 0.1
     );
     let cycle = refused(&cards.replacen("position = [1, 0, 0]", "in = \"inner\"", 1));
     assert!(
-        cycle.contains("the frame \"inner\" lies in itself: inner in outer in inner"),
+        cycle.contains("the frame \"inner\" is in itself: inner in outer in inner"),
         "{cycle}"
     );
     let unknown = refused(&cards.replacen("in = \"outer\"", "in = \"oter\"", 1));
@@ -245,7 +246,7 @@ fn joints_springs_and_forces_turn_with_their_copy() {
         for (i, node) in state.nodes.iter_mut().enumerate() {
             node.position += Vector3::new(0.1, 0.2, -0.1) * (i as f64 + 1.0);
         }
-        // Multipliers of a joint turn with axes that are not given across its own.
+        // Multipliers of a joint turn with axes that are not perpendicular to its own.
         let values = system.residual(&state, &conditions(0.0)).values;
         values[..12 * system.nodes().len()].to_vec()
     });
@@ -298,7 +299,7 @@ fn included_files_count_from_their_own_folder_and_tell_their_own_lines() {
     ];
     let found = read_beside(&rest, &files).unwrap();
     assert_same(&found, &input(ARMS).unwrap());
-    // A mistake in an included file.
+    // An error in an included file.
     let wrong = arms.replacen("name = \"mid\"\n", "name = \"root\"\n", 1);
     let files = [
         ("parts/arms.toml", wrong.as_str()),
@@ -395,11 +396,11 @@ fn loads_sense_nodes() {
     assert_eq!(found.model.gravity_at(1.0).z, -5.0);
     assert_eq!(found.model.conditions_at(0.5).loading.gravity.z, -2.5);
     assert_eq!(found.model.next_corner(0.5), 2.0);
-    // Statics are at the time zero.
+    // Statics are at time zero.
     assert_eq!(found.model.conditions(0.0, 1.0, 1.0).loading.gravity.z, 0.0);
     let gravity = refused(&SPRUNG.replace("{ kind = \"ramp\", to = 1, end = 2 }", "\"= height\""));
     assert!(
-        gravity.contains("\"drive\" senses \"height\", expected a function of time alone"),
+        gravity.contains("\"drive\" senses \"height\", expected a function of time only"),
         "{gravity}"
     );
     let sensor = refused(
@@ -408,7 +409,7 @@ fn loads_sense_nodes() {
             .replace("3*fall", "3"),
     );
     assert!(
-        sensor.contains("\"sin\" is no name of a signal"),
+        sensor.contains("\"sin\" is not a name of a signal"),
         "{sensor}"
     );
 }
@@ -491,7 +492,7 @@ fn systems_of_states_stand_between_sensors_and_loads() {
             "law second",
         ]
     );
-    // One input needs no list, and no delay is one.
+    // One input needs no list, and no delay is a delay.
     let short = text.replace("[\"height\", \"= 2*fall + t\", 3]", "\"height\"");
     let short = short.replace(
         "b = [[1, 0, 0], [0, 1, 0]]",
@@ -508,7 +509,7 @@ fn systems_of_states_stand_between_sensors_and_loads() {
         taken.contains("\"push\" is the name of a drive already"),
         "{taken}"
     );
-    // The same as a computer runs it, which remembers two states and three pairs of outputs.
+    // The same as a sampled system, which stores two states and three pairs of outputs.
     let keys = "sample_time = 0.01\ndelay = 2\nlimits = [-1, 1]\nrate_limits = [5, 6]\n";
     let sampled = input(&format!("{text}{keys}")).unwrap();
     assert_eq!(sampled.model.system.numbering().memory(), 1 + 2 + 6);
@@ -546,7 +547,7 @@ fn what_is_wrong_with_systems_of_states_is_told() {
         (
             "c = [[1, 1], [0, 1]]",
             "delay = 1",
-            "\"delay\" is of systems that sample",
+            "\"delay\" applies to systems that sample",
         ),
         (
             "c = [[1, 1], [0, 1]]",
@@ -602,7 +603,7 @@ fn what_is_wrong_with_transfer_functions_is_told() {
         ),
         (
             "d = [[1]]\nsample_time = 1e-300",
-            "\"sample_time\" makes 1.0e300 samples in the run",
+            "\"sample_time\" gives 1.0e300 samples in the run",
         ),
         ("d = [[1]]\nstart = 1", "a list of numbers, or \"settled\""),
         ("", "the system is given by nothing, expected one way"),
@@ -614,7 +615,7 @@ fn what_is_wrong_with_transfer_functions_is_told() {
         ("file = \"no.toml\"", "no.toml"),
         (
             "[[state_space.transfer]]\noutput = \"pull\"\ninput = 2\nnumerator = [1]\ndenominator = [1, 1]",
-            "the number of an input, 1 to 1",
+            "the index of an input, 1 to 1",
         ),
     ] {
         let found = refused(&format!("{single_load}{single}{keys}\n"));

@@ -1,8 +1,8 @@
 //! Reference frames in which cards are written: `[[frame]]`, and the frames of the copies
 //! of `[[repeat]]`.
 //!
-//! A point p of a frame at x with the axes A lies at `x + A p`, a direction d points
-//! along `A d`; frames may lie in frames.
+//! A point p of a frame at x with the axes A is at `x + A p`, a direction d points along
+//! `A d`; frames may be in frames.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -80,8 +80,8 @@ pub enum FrameProblem {
         /// The frames of the input.
         known: Vec<String>,
     },
-    /// Frames that lie in each other.
-    #[error("the frame \"{}\" lies in itself: {}", .chain[0], .chain.join(" in "))]
+    /// Frames that contain each other.
+    #[error("the frame \"{}\" is in itself: {}", .chain[0], .chain.join(" in "))]
     Cycle {
         /// The frames, from one back to it.
         chain: Vec<String>,
@@ -107,12 +107,12 @@ impl Explain for FrameProblem {
     }
 }
 
-/// The frames of an input by name; those that are wrong are `None`.
+/// The frames of an input by name; wrong frames are `None`.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Frames(BTreeMap<String, Option<Frame>>);
 
 impl Frames {
-    /// The frame of a card: that under `in`, else the model's. `None` when it is wrong.
+    /// The frame of a card: the frame under `in`, else the model's. `None` if it is wrong.
     pub fn of(&self, table: &Table<'_>) -> Option<Frame> {
         if !table.has("in") {
             return Some(Frame::default());
@@ -126,8 +126,8 @@ impl Frames {
         *found
     }
 
-    /// The axes (columns) of the frame called `name`, in the model's frame: `None` where
-    /// there is none of this name, `Some(None)` where it is wrong, which has been noted.
+    /// The axes (columns) of the frame called `name`, in the model's frame: `None` if there
+    /// is no frame of this name, `Some(None)` if it is wrong, which has been noted.
     pub fn axes_of(&self, name: &str) -> Option<Option<Matrix3<f64>>> {
         let found = self.0.get(name)?;
         Some(found.map(|frame| frame.rotation))
@@ -139,12 +139,12 @@ impl Frames {
     }
 }
 
-/// Makes the copies of `[[repeat]]`; `false` when there are too many.
+/// Makes the copies of `[[repeat]]`; `false` if there are too many.
 pub(super) fn repeat(document: &mut Document) -> bool {
     document.repeat(&FRAMED)
 }
 
-/// Reads every `[[frame]]`, and what is left of each `[[repeat]]`.
+/// Reads every `[[frame]]`, and the remaining keys of each `[[repeat]]`.
 pub(super) fn read(root: &Table<'_>) -> Frames {
     for table in root.tables("repeat") {
         let _ = table.has("in");
@@ -166,7 +166,7 @@ pub(super) fn read(root: &Table<'_>) -> Frames {
     Frames(reader.done.into_inner())
 }
 
-/// The tables by their names; notes names that two have.
+/// The tables by their names; notes duplicate names.
 fn named<'a, 'd>(tables: &'a [Table<'d>]) -> BTreeMap<String, &'a Table<'d>> {
     let mut named: BTreeMap<String, &Table<'_>> = BTreeMap::new();
     for table in tables {
@@ -184,7 +184,7 @@ fn named<'a, 'd>(tables: &'a [Table<'d>]) -> BTreeMap<String, &'a Table<'d>> {
     named
 }
 
-/// Frames while they are read.
+/// Frames during reading.
 struct Reader<'a, 'd> {
     tables: BTreeMap<String, &'a Table<'d>>,
     done: RefCell<BTreeMap<String, Option<Frame>>>,
@@ -208,7 +208,7 @@ impl Reader<'_, '_> {
         frame
     }
 
-    /// The frame in which a frame lies.
+    /// The frame that contains a frame.
     fn outer(&self, table: &Table<'_>) -> Option<Frame> {
         if !table.has("in") {
             return Some(Frame::default());
@@ -229,7 +229,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// The frame of a card, in the frame in which it lies: at `position` with `orientation`,
+/// The frame of a card, in the frame that contains it: at `position` with `orientation`,
 /// or turned by `turn` about an `axis` through a `center`.
 fn frame(table: &Table<'_>) -> Option<Frame> {
     let position = point(table, "position");
@@ -256,7 +256,7 @@ fn frame(table: &Table<'_>) -> Option<Frame> {
     Some(Frame { position, rotation })
 }
 
-/// The axis about which is turned, of unit length: z unless it is given.
+/// The axis of the turn, of unit length: z by default.
 fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
     if !table.has("axis") {
         return Some(Vector3::z());

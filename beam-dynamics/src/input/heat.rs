@@ -5,9 +5,9 @@
 //! theta = K psi + thermal_force T(t) + sum restrained_force_i c_i(t)                (D-250)
 //! ```
 //!
-//! Prestressed sections take what each state does to their stiffness too, (D-252).
+//! Prestressed sections also take the effect of each state on their stiffness, (D-252).
 //!
-//! Without these keys nothing is heated, whatever the property file says.
+//! Without these keys nothing is heated, whatever the property file contains.
 
 use shared_geom::document::Table;
 use shared_geom::error::{Explain, nearest_name};
@@ -23,33 +23,33 @@ use crate::model::Drive;
 /// The keys, as cards have them.
 const KEYS: [&str; 2] = ["temperature", "imposed"];
 
-/// Cards that are named.
+/// Number of cards that are named.
 const MOST_CARDS: usize = 3;
 /// Digits of temperatures and factors.
 const DIGITS: usize = 6;
 /// A problem of heat.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum HeatProblem {
-    /// A temperature where nothing is known of expansion.
+    /// A temperature for properties without thermal forces.
     #[error("{user} has a \"temperature\", but its properties have no \"thermal_force\"")]
     NoThermalForce {
-        /// What is heated, in words.
+        /// The heated part, as text.
         user: String,
     },
     /// A state that the properties do not have.
     #[error("unknown imposed state \"{name}\" in {user}")]
     UnknownState {
-        /// The name found.
+        /// The name.
         name: String,
-        /// What uses it, in words.
+        /// The user of the state, as text.
         user: String,
         /// The states of the properties.
         known: Vec<String>,
     },
-    /// Heat on what has no properties that could know of it.
+    /// Heat on a part without named properties.
     #[error("{user} has \"{key}\", which needs properties with a name")]
     NoProperties {
-        /// What is heated, in words.
+        /// The heated part, as text.
         user: String,
         /// The key.
         key: &'static str,
@@ -61,7 +61,7 @@ impl Explain for HeatProblem {
         Some(match self {
             Self::NoThermalForce { .. } => {
                 "give the materials of the section an \"expansion\" and analyze it again, or write \
-                 \"thermal_force\", six numbers, beside stiffnesses given in place"
+                 \"thermal_force\", six numbers, next to the stiffnesses of the card"
                     .to_owned()
             }
             Self::UnknownState { name, known, .. } => {
@@ -72,11 +72,11 @@ impl Explain for HeatProblem {
                          [initial_strain.NAME] to the section file"
                             .to_owned()
                     }
-                    None => format!("those of the properties: {}", known.join(", ")),
+                    None => format!("states of the properties: {}", known.join(", ")),
                 }
             }
             Self::NoProperties { .. } => {
-                "blade files and laws do not carry thermal forces: use pieces or beams whose \
+                "blade files and laws have no thermal forces: use pieces or beams whose \
                  properties are property files, or a prestress in the law"
                     .to_owned()
             }
@@ -84,8 +84,8 @@ impl Explain for HeatProblem {
     }
 }
 
-/// What acts on beams, a line for all cards on which the same acts: the values at the time
-/// zero.
+/// Remarks on heat and imposed strains of beams, a line for all cards with the same states:
+/// the values at time zero.
 pub(super) fn told<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String> {
     let mut known: Vec<(Vec<&str>, &[Acting])> = Vec::new();
     for acting in beams {
@@ -101,8 +101,8 @@ pub(super) fn told<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String>
     known.iter().map(line).collect()
 }
 
-/// A remark on what heat and imposed strains would do to the stiffness of beams that do not
-/// use tables of prestress; given is what acts on each of these.
+/// A remark on the effect of heat and imposed strains on the stiffness of beams that do not
+/// use tables of prestress; given are the states of each of these beams.
 pub(super) fn unused_stiffness<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String> {
     let mut cards: Vec<&str> = Vec::new();
     let acting = beams.flatten().filter(|state| state.stiffness.is_some());
@@ -113,14 +113,14 @@ pub(super) fn unused_stiffness<'a>(beams: impl Iterator<Item = &'a [Acting]>) ->
     }
     let remark = |card: &str| {
         format!(
-            "what heat and imposed strains of {card} do to the stiffness is left out, as the table \
-             of prestress of the property file is not used: add prestress = true"
+            "the effect of heat and imposed strains of {card} on the stiffness is ignored, as the \
+             table of prestress of the property file is not used: add prestress = true"
         )
     };
     cards.into_iter().map(remark).collect()
 }
 
-/// Whether the same acts, whatever the cards are called.
+/// Whether two states are equal except for the names of the cards.
 fn same(a: &[Acting], b: &[Acting]) -> bool {
     let pairs = || a.iter().zip(b);
     a.len() == b.len() && pairs().all(|(a, b)| a.name == b.name && a.force == b.force)
@@ -131,8 +131,8 @@ fn line((cards, acting): &(Vec<&str>, &[Acting])) -> String {
         let now = short_number(state.force.signal.value(&Instant::START), DIGITS);
         let when = match &state.force.signal {
             Signal::Drive(Drive::Constant(_)) => "",
-            Signal::Drive(_) => " at the time zero",
-            Signal::Sensing { .. } => " while all that it reads is zero",
+            Signal::Drive(_) => " at time zero",
+            Signal::Sensing { .. } => " while all its inputs are zero",
         };
         match state.name.as_str() {
             TEMPERATURE => format!("temperature {now} K{when}"),
@@ -152,15 +152,15 @@ fn line((cards, acting): &(Vec<&str>, &[Acting])) -> String {
     )
 }
 
-/// Whether a card says anything about heat.
+/// Whether a card has a key of heat.
 pub(super) fn is_given(table: &Table<'_>) -> bool {
-    // Both are asked for, so that none of them counts as unknown.
+    // Both are read, so that neither is reported as unknown.
     let given = KEYS.map(|key| table.has(key));
     given.contains(&true)
 }
 
-/// The properties under the heat of a card, `user` in words, in place of that of the card
-/// before; as they are where the card says nothing. What is wrong is noted.
+/// The properties with the heat of a card, described by `user`, in place of the heat of the
+/// previous card; unchanged if the card has none. Problems are noted.
 pub(super) fn read(
     table: &Table<'_>,
     properties: Option<Properties>,
@@ -170,8 +170,8 @@ pub(super) fn read(
     if !is_given(table) {
         return properties;
     }
-    // Without properties the names cannot be looked up, and what is wrong with the
-    // properties has been told.
+    // Without properties the names cannot be looked up, and the problems of the properties
+    // have been reported.
     let properties = properties?;
     let acting = acting(table, &properties.heat, drives, user)?;
     Some(Properties {
@@ -207,11 +207,11 @@ fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Optio
             None => found.push(None),
         }
     }
-    // Every state is read before the first wrong one ends the reading.
+    // All states are read before the first wrong one ends the function.
     found.into_iter().collect()
 }
 
-/// The states of `imposed = { NAME = DRIVE }`; those that are wrong are `None`.
+/// The states of `imposed = { NAME = DRIVE }`; wrong states are `None`.
 fn states(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Vec<Option<Acting>> {
     let names = table.keys();
     let state = |name: &String| {
@@ -243,7 +243,7 @@ fn states(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Vec<O
     names.iter().map(state).collect()
 }
 
-/// Notes heat on a card without named properties; `None` where there is any.
+/// Notes heat on a card without named properties; `None` if there is any.
 pub(super) fn refuse_without_properties(table: &Table<'_>, user: &str) -> Option<()> {
     let mut is_free = Some(());
     for key in KEYS {

@@ -1,4 +1,4 @@
-//! The hub: what the model turns about, where azimuth zero is, and whether it moves.
+//! The hub: axis of rotation, direction of azimuth zero, and support.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
@@ -15,8 +15,8 @@ use crate::elements::bodies::RigidInertia;
 pub(super) const HUB: &str = "hub";
 /// Directions of a support: across the axis, along it, about the diameters, about it.
 const DIRECTIONS: [&str; 4] = ["in_plane", "axial", "tilt", "torsion"];
-/// Smallest sine of the angle between the axis and x for which the direction of
-/// azimuth zero has a meaning: a twentieth of a degree.
+/// Smallest sine of the angle between the axis and x for which the direction of azimuth
+/// zero is defined: a twentieth of a degree.
 const SMALLEST_SINE: f64 = 1e-3;
 
 /// Mass and support of a hub.
@@ -24,7 +24,7 @@ const SMALLEST_SINE: f64 = 1e-3;
 pub(super) struct MovingHub {
     /// Mass and moments of inertia about the center of the hub.
     pub inertia: RigidInertia,
-    /// Stiffness in each direction; `None` where the hub is held \[N/m, N m\].
+    /// Stiffness in each direction; `None` if the hub is held \[N/m, N m\].
     pub stiffness: [Option<f64>; 4],
     /// Damping in each direction \[N s/m, N m s\].
     pub damping: [f64; 4],
@@ -35,11 +35,11 @@ pub(super) struct MovingHub {
 pub(super) struct Hub {
     axis: Vector3<f64>,
     center: Vector3<f64>,
-    /// What carries it; `None` for a hub that the frame holds.
+    /// Its support; `None` for a hub that is held by the frame.
     moving: Option<MovingHub>,
 }
 
-/// Reads `[hub]`; `None` when it is wrong, the z axis through the origin when absent.
+/// Reads `[hub]`; `None` if it is wrong, the z axis through the origin if absent.
 pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
     let default = Spin::default();
     let mut hub = Hub {
@@ -77,7 +77,7 @@ fn unit(table: &Table<'_>, axis: Vector3<f64>) -> Option<Vector3<f64>> {
 }
 
 impl Hub {
-    /// Axis and center, as the case wants them.
+    /// Axis and center, in the form of the case.
     pub fn spin(&self) -> Spin {
         Spin {
             axis: self.axis,
@@ -85,13 +85,13 @@ impl Hub {
         }
     }
 
-    /// What carries the hub; `None` when the frame holds it.
+    /// The support of the hub; `None` if the frame holds it.
     pub fn moving(&self) -> Option<&MovingHub> {
         self.moving.as_ref()
     }
 
-    /// Axes of the hub (columns): those of a blade at azimuth zero where there is one,
-    /// in any case with z along the axis.
+    /// Axes of the hub (columns): the axes of a blade at azimuth zero if they exist, always
+    /// with z along the axis.
     pub fn axes(&self) -> Matrix3<f64> {
         self.blade_axes(0.0).unwrap_or_else(|| {
             let across = Vector3::y() - self.axis * self.axis.y;
@@ -101,10 +101,10 @@ impl Hub {
     }
 
     /// Axes of a blade (columns) at `azimuth` \[rad\]: x out along the span, z along
-    /// the axis, y = z x x the way the blade goes.
+    /// the axis, y = z x x in the direction of motion.
     ///
-    /// At azimuth zero x is the model's x as seen across the axis; `None` when the
-    /// axis points along it.
+    /// At azimuth zero x is the projection of the model's x; `None` if the axis points
+    /// along x.
     pub fn blade_axes(&self, azimuth: f64) -> Option<Matrix3<f64>> {
         let across = Vector3::x() - self.axis * self.axis.x;
         if across.norm() < SMALLEST_SINE {
@@ -115,13 +115,13 @@ impl Hub {
         Some(self.turn(azimuth) * at_zero)
     }
 
-    /// Place at `azimuth` \[rad\] of what is at `position` for azimuth zero \[m\].
+    /// The point at `azimuth` \[rad\] that is at `position` for azimuth zero \[m\].
     pub fn at_azimuth(&self, position: Vector3<f64>, azimuth: f64) -> Vector3<f64> {
         self.center + self.turn(azimuth) * (position - self.center)
     }
 
-    /// Axes for naming where no blade gives them: x along `span` as seen across the
-    /// axis, z along the axis; where the span is the axis itself, the model's axes.
+    /// Axes for naming if no blade gives them: x along `span`, projected across the axis, z
+    /// along the axis; if the span is along the axis, the model's axes.
     pub fn naming_axes(&self, span: &Vector3<f64>) -> Matrix3<f64> {
         let across = span - self.axis * self.axis.dot(span);
         if across.norm() < SMALLEST_SINE * span.norm() {
@@ -137,8 +137,8 @@ impl Hub {
 }
 
 impl MovingHub {
-    /// What `[hub]` says of its support: `None` when that is wrong, `Some(None)` when the
-    /// frame holds the hub.
+    /// Reads the support in `[hub]`: `None` if it is wrong, `Some(None)` if the frame holds
+    /// the hub.
     fn read(table: &Table<'_>) -> Option<Option<Self>> {
         if !table.has("support") {
             let useless = ["mass", "inertia", "support_damping"];
@@ -218,8 +218,8 @@ mod tests {
         assert!(shown.contains("did you mean \"center\"?"), "{shown}");
     }
 
-    // Right-hand rotation about +z: a blade at azimuth 90 degrees lies along +y and
-    // goes toward -x.
+    // Right-hand rotation about +z: a blade at azimuth 90 degrees is along +y and moves
+    // toward -x.
     #[test]
     fn azimuth_turns_about_the_axis_through_the_center() {
         let hub = Hub {

@@ -1,8 +1,8 @@
 //! A hub that moves in the model: its node, its mass, and the springs and dampers that
-//! carry it.
+//! support it.
 //!
-//! The support stands in the world and is the same in all directions about the axis, so
-//! that it is constant in the turning frame too.
+//! The support is fixed in the ground frame and isotropic about the axis, so that it is
+//! constant in the turning frame too.
 
 use shared_geom::document::Table;
 

@@ -1,4 +1,4 @@
-//! Properties given in place, by stiffnesses and inertias about their centers.
+//! Properties given in the card, by stiffnesses and inertias about their centers.
 
 use nalgebra::{Vector2, Vector6};
 use shared_geom::document::Table;
@@ -10,7 +10,7 @@ use super::damping;
 use super::number::not_negative;
 use super::problem::InputProblem;
 
-/// Keys of properties in place.
+/// Keys of properties given in the card.
 pub(super) const KEYS: [&str; 13] = [
     "ea",
     "gay",
@@ -32,7 +32,7 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
     const FORCE: Dimension = Dimension::FORCE;
     const MOMENT: Dimension = Dimension::BENDING_STIFFNESS;
     let dimensions = [FORCE, FORCE, FORCE, MOMENT, MOMENT, MOMENT];
-    // Every key is asked for, so that all problems are told.
+    // All keys are read, so that all problems are reported.
     let stiffness: [_; 6] = std::array::from_fn(|i| table.require_positive(KEYS[i], dimensions[i]));
     let mass = [
         not_negative(table, "m", Dimension::MASS_PER_LENGTH),
@@ -64,7 +64,8 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
     usable(name, table, "", &section)
 }
 
-/// Internal force per kelvin when held, about the reference point; `Some(None)` when absent.
+/// Internal force per kelvin of the restrained beam, about the reference point;
+/// `Some(None)` if absent.
 fn thermal_force(table: &Table<'_>) -> Option<Option<Vector6<f64>>> {
     const KEY: &str = "thermal_force";
     if !table.has(KEY) {
@@ -81,7 +82,7 @@ fn thermal_force(table: &Table<'_>) -> Option<Option<Vector6<f64>>> {
     Some(Some(Vector6::from_fn(|i, _| numbers[i] * units[i / 3])))
 }
 
-/// A point (y, z) of the section; the reference point when absent.
+/// A point (y, z) of the section; the reference point if absent.
 fn center(table: &Table<'_>, key: &'static str) -> Option<Vector2<f64>> {
     if !table.has(key) {
         return Some(Vector2::zeros());
@@ -104,7 +105,7 @@ fn center(table: &Table<'_>, key: &'static str) -> Option<Vector2<f64>> {
     }
 }
 
-/// Properties that this program made.
+/// Provenance of properties made by this program.
 fn provenance() -> Provenance {
     Provenance {
         program: env!("CARGO_PKG_NAME").to_owned(),
@@ -145,7 +146,7 @@ mod tests {
         p.stiffness.try_inverse().unwrap() * load
     }
 
-    // What the centers mean: an axial force at the tension center stretches by 1/EA and
+    // Meaning of the centers: an axial force at the tension center stretches by 1/EA and
     // does not bend; a shear force at the shear center does not twist. Strains of 1e-7
     // from an inverse with entries up to 1/30: a few roundings, 1e-15.
     #[test]
@@ -156,12 +157,12 @@ mod tests {
         let sheared = strain(&p, [0.0, 1.0, 1.0], -0.2, 0.05);
         assert!(sheared[3].abs() < 1e-15, "{sheared}");
         assert!((sheared[1] - 0.5e-6).abs() < 1e-15 && (sheared[2] - 1e-6).abs() < 1e-15);
-        // Elsewhere they do: EA at y = 0.3 bends about z by -0.3 F / EIz.
+        // At other points they do: EA at y = 0.3 bends about z by -0.3 F / EIz.
         let elsewhere = strain(&p, [1.0, 0.0, 0.0], 0.0, 0.0);
         assert!((elsewhere[5] - 0.3 / 900.0).abs() < 1e-12, "{elsewhere}");
     }
 
-    // Momentum of a rotation about z through the reference point: the mass center at
+    // Momentum for a rotation about z through the reference point: the mass center at
     // y = 0.1 moves with v_x = -0.1, and Steiner gives Iz + m y^2.
     #[test]
     fn mass_is_taken_from_its_center() {

@@ -25,7 +25,7 @@ nodes = [\"root\", \"mid\", \"tip\"]
 properties = \"strip\"
 ";
 
-/// Reads the cards behind the units `units` and the strip.
+/// Reads the cards after the units `units` and the strip.
 fn input_in(units: &str, cards: &str) -> Result<Input, String> {
     read_beside(&format!("{units}\n{STRIP}{cards}"), &[])
 }
@@ -56,7 +56,7 @@ fn a_hinge_joins_two_nodes_and_a_free_one_is_remarked() {
     );
     let free = input(&cards).unwrap();
     let remark = "joint \"flap\" can move freely: at rest this is a motion of frequency zero";
-    // The strip has the density of no light metal, which is told first.
+    // The strip has the density of no light metal, which is reported first.
     let [density, hinge] = &free.remarks[..] else {
         panic!("{:?}", free.remarks);
     };
@@ -64,11 +64,12 @@ fn a_hinge_joins_two_nodes_and_a_free_one_is_remarked() {
     assert_eq!(hinge, remark);
     let sprung = input(&format!("{cards}stiffness = 20\ndamping = 3\nangle = 5\n")).unwrap();
     assert_eq!(sprung.remarks, [density.as_str()]);
-    // The moment about y of the root by its rotation, without the beam: that of the spring.
+    // The moment about y of the root by its rotation, without the beam: the spring's
+    // stiffness.
     let rotation = Variable::Rotation.column();
     let row = |node: usize, axis: usize| 12 * node + 9 + axis;
     let of = |input: &Input, rates| entry(input, row(3, 1), 12 * 3 + rotation + 1, rates);
-    // The spring is relaxed at 5 deg: k about the axis, no matter where it is relaxed.
+    // The spring is relaxed at 5 deg: k about the axis, whatever the relaxed angle.
     assert!((of(&sprung, false) - of(&free, false) + 20.0).abs() < 1e-12);
     assert!((of(&sprung, true) - of(&free, true) + 3.0).abs() < 1e-12);
 }
@@ -130,7 +131,7 @@ fn a_hub_on_a_support_carries_its_blades() {
     for label in ["bearing of the hub", "support of the hub", "hub to b/root"] {
         assert!(joints.contains(&label), "{label} is not in {joints:?}");
     }
-    // Axial motion and torsion are held, and the six rows of the rigid connection.
+    // Axial motion and torsion are fixed, and the six rows of the rigid connection.
     assert_eq!(system.numbering().multipliers(), 2 + 6);
     assert_eq!(found.model.naming[0].blade, found.model.naming[1].blade);
     assert!((found.summary.mass - (50.0 + 12.0)).abs() < 1e-9);
@@ -158,11 +159,11 @@ fn a_spring_in_the_world_must_be_the_same_about_the_axis() {
     };
     assert!(input(&spring("root", "[4, 4, 9]")).is_ok());
     let beside = input(&spring("mast", "[4, 4, 9]")).unwrap_err();
-    let expected = "spring \"s\" stands in the world, but node \"mast\" is not on the axis";
+    let expected = "spring \"s\" has stands_in = \"world\", but node \"mast\" is not on the axis";
     assert!(beside.contains(expected), "{beside}");
     let uneven = input(&spring("root", "[4, 5, 9]")).unwrap_err();
     assert!(
-        uneven.contains("is not the same in all directions"),
+        uneven.contains("is not isotropic about the axis"),
         "{uneven}"
     );
     assert!(uneven.contains("stands_in = \"frame\""), "{uneven}");
@@ -182,14 +183,14 @@ fn every_wrong_key_of_joints_and_supports_is_told() {
     );
     let shown = input(&cards).unwrap_err();
     for expected in [
-        "\"mass\" is that of a hub that moves, but this one has no \"support\"",
+        "\"mass\" is a key of a hub that moves, but this one has no \"support\"",
         "hinge \"h\" joins \"root\" to itself, expected two nodes",
         "\"axis\" has no direction",
         "\"stiffness\" is -1, expected a moment, zero or more",
         "unknown key \"angel\"",
         "\"nodes\" lists 1, expected two",
         "has no \"axis\", expected the direction of the axis",
-        "\"angle\" is that of the relaxed spring, but the hinge has none",
+        "\"angle\" is the angle of the relaxed spring, but the hinge has none",
         "unknown node \"tipp\" in rigid connection \"rigid connection 1\"",
         "expected an array of 3, each a force per length, zero or more",
     ] {
@@ -197,7 +198,7 @@ fn every_wrong_key_of_joints_and_supports_is_told() {
     }
     let held = HUB.replace("in_plane = 40", "torsion = 40");
     let shown = input(&held).unwrap_err();
-    let expected = "\"torsion\" has a damping but no stiffness: the hub is held there";
+    let expected = "\"torsion\" has a damping but no stiffness: the hub is fixed in this direction";
     assert!(shown.contains(expected), "{shown}");
 }
 
@@ -236,8 +237,8 @@ fn damping_of_properties_is_a_time_or_a_matrix() {
     assert!(indefinite.contains("positive semidefinite"), "{indefinite}");
 }
 
-// The stiffness of the properties and a damper beside it: the viscosity is that of the same
-// matrix, the stiffness that of the properties; not both ways at once.
+// The stiffness of the properties with a damper added: the viscosity is the same matrix,
+// the stiffness is unchanged; both ways at once are an error.
 #[test]
 fn properties_carry_a_law_as_a_sum() {
     let slope = -7.0 / 6.0;

@@ -1,4 +1,4 @@
-//! Constitutive laws in cards: `law = { kind = "linear", ... }`, or a list of such tables
+//! Constitutive laws in cards: `law = { kind = "linear", ... }`, or a list of tables
 //! whose forces add up.
 
 use nalgebra::{SMatrix, SVector};
@@ -20,18 +20,18 @@ mod tests;
 
 pub use problem::LawProblem;
 
-/// Least eigenvalue of the stiffness of a law, scaled to a unit diagonal, that counts as
-/// positive: more than its round-off.
+/// Least eigenvalue of the stiffness of a law, scaled to a unit diagonal, that is treated
+/// as positive: more than its round-off.
 const SOFT: f64 = 1e-12;
 
-/// What the components of a law are.
+/// The components of a law.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Components<const N: usize> {
     /// Their names in tables and expressions.
     pub names: [&'static str; N],
-    /// What the strains are.
+    /// Dimensions of the strains.
     pub strain: [Dimension; N],
-    /// What the forces are.
+    /// Dimensions of the forces.
     pub force: [Dimension; N],
     /// Stiffness of the section, for the kind `"section"` [N, N m, N m^2].
     pub section: Option<SMatrix<f64, N, N>>,
@@ -44,14 +44,14 @@ const PER_LENGTH: Dimension = Dimension {
 };
 
 impl Components<1> {
-    /// Of a rod, by its strain.
+    /// For a rod, by its strain.
     pub const STRAIN: Self = Self {
         names: ["e"],
         strain: [Dimension::NUMBER],
         force: [Dimension::FORCE],
         section: None,
     };
-    /// Of a rod, by its elongation.
+    /// For a rod, by its elongation.
     pub const ELONGATION: Self = Self {
         strain: [Dimension::LENGTH],
         ..Self::STRAIN
@@ -59,14 +59,14 @@ impl Components<1> {
 }
 
 impl Components<3> {
-    /// Of a displacement.
+    /// For a displacement.
     pub const DISPLACEMENT: Self = Self {
         names: ["x", "y", "z"],
         strain: [Dimension::LENGTH; 3],
         force: [Dimension::FORCE; 3],
         section: None,
     };
-    /// Of a rotation.
+    /// For a rotation.
     pub const ROTATION: Self = Self {
         strain: [Dimension::ANGLE; 3],
         force: [Dimension::MOMENT; 3],
@@ -80,7 +80,7 @@ const fn three_and_three(first: Dimension, last: Dimension) -> [Dimension; 6] {
 }
 
 impl Components<6> {
-    /// Of displacement and rotation together.
+    /// For displacement and rotation together.
     pub const BOTH: Self = Self {
         names: ["x", "y", "z", "turn_x", "turn_y", "turn_z"],
         strain: three_and_three(Dimension::LENGTH, Dimension::ANGLE),
@@ -88,7 +88,7 @@ impl Components<6> {
         section: None,
     };
 
-    /// Of a beam section, whose stiffness is known or not.
+    /// For a beam section, whose stiffness may be unknown.
     pub fn section(stiffness: Option<SMatrix<f64, 6, 6>>) -> Self {
         Self {
             names: [
@@ -106,8 +106,8 @@ impl Components<6> {
     }
 }
 
-/// The law under `key` of a card; `None` when it is absent or wrong, and what is wrong has
-/// been noted.
+/// The law under `key` of a card; `None` if it is absent or wrong; problems have been
+/// noted.
 pub(super) fn read<const N: usize>(
     table: &Table<'_>,
     key: &str,
@@ -122,7 +122,7 @@ pub(super) fn read<const N: usize>(
         table.note(key, &LawProblem::Empty);
         return None;
     }
-    // Every term is read, so that each wrong one is told.
+    // All terms are read, so that each problem is reported.
     let terms: Vec<_> = tables.iter().map(|table| term(table, of, drives)).collect();
     let terms: Option<Vec<_>> = terms.into_iter().collect();
     Some(Law::sum(terms?))
@@ -165,8 +165,8 @@ fn term<const N: usize>(
     Some(term)
 }
 
-/// A force or a slope at zero strain and the time zero that is not finite. What drives
-/// give at that time is not looked at here.
+/// A force or a slope at zero strain and time zero that is not finite. The values of drives
+/// at that time are not checked here.
 fn not_finite_at_rest<const N: usize>(term: &Term<N>) -> Option<f64> {
     let mut term = Term {
         prestress: None,
@@ -181,7 +181,7 @@ fn not_finite_at_rest<const N: usize>(term: &Term<N>) -> Option<f64> {
     all.find(|value| !value.is_finite()).copied()
 }
 
-/// A vector times a drive, when the first of the keys is there; the drive is one without
+/// A vector times a drive, if the first of the keys is present; the drive is one without
 /// the second.
 fn driven<const N: usize>(
     table: &Table<'_>,
@@ -208,8 +208,8 @@ fn driven<const N: usize>(
     }))
 }
 
-/// The law of a beam, or of properties, which must hold the beam together: the rest of the
-/// program knows no beam that can come apart.
+/// The law of a beam, or of properties; all later stages need a positive definite
+/// stiffness.
 pub(super) fn of_section(
     table: &Table<'_>,
     drives: &Catalog,

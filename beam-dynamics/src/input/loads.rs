@@ -1,4 +1,4 @@
-//! What acts: loads on nodes and along beams, imposed motions, gravity.
+//! Loads: on nodes and along beams, imposed motions, gravity.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ mod problem;
 pub(super) use along_beams::beams;
 pub use problem::LoadProblem;
 
-/// Reads `[gravity]`: zero without; and what it is multiplied by.
+/// Reads `[gravity]` and its factor; zero if absent.
 pub(super) fn gravity(root: &Table<'_>, draft: &Draft) -> Option<(Vector3<f64>, Drive)> {
     if !root.has("gravity") {
         return Some((Vector3::zeros(), Drive::Constant(1.0)));

@@ -12,7 +12,7 @@ use crate::result::{Measured, MeasuredPoint, ModeKind};
 
 const HEADING: [&str; 3] = ["speed_rpm", "frequency_hz", "order"];
 
-/// Reads `[measured]` and the file that it names; nothing measured when absent.
+/// Reads `[measured]` and the file that it names; empty if absent.
 pub(super) fn read(root: &Table<'_>) -> Option<Measured> {
     if !root.has("measured") {
         return Some(Measured::default());
@@ -41,7 +41,7 @@ fn kinds(table: &Table<'_>) -> Option<Vec<ModeKind>> {
         }
         kind
     };
-    // Every name is looked at, so that each wrong one is noted.
+    // All names are checked, so that each problem is noted.
     let kinds: Vec<_> = table.texts(KEY)?.into_iter().map(kind).collect();
     kinds.into_iter().collect()
 }
@@ -132,7 +132,7 @@ fn point(row: &csv::StringRecord) -> Result<MeasuredPoint, InputProblem> {
                 .ok()
                 .filter(|order| *order > 0)
                 .ok_or_else(|| {
-                    wrong("a whole number of at least 1, or nothing, in the third column")
+                    wrong("a whole number of at least 1, or an empty cell, in the third column")
                 })?,
         ),
     };
@@ -159,7 +159,7 @@ mod tests {
         assert_eq!((points[1].speed, points[1].order), (750.0 * RPM, None));
     }
 
-    // The empty line and the remark before the last row count as lines.
+    // The empty line and the remark before the last row are counted as lines.
     #[test]
     fn every_wrong_row_is_told_with_its_line() {
         let text = "speed_rpm,frequency_hz,order\n0,1.4\n-1,2,1\n0,0,1\n0,x,1\n0,1,0\n0,1,2\n\n# a remark\n0,3,2\n";
@@ -169,7 +169,7 @@ error: a.csv:2: row \"0,1.4\" cannot be read, expected three columns: speed, fre
 error: a.csv:3: row \"-1,2,1\" cannot be read, expected a speed in rpm of zero or more in the first column
 error: a.csv:4: row \"0,0,1\" cannot be read, expected a frequency in Hz of more than zero in the second column
 error: a.csv:5: row \"0,x,1\" cannot be read, expected a frequency in Hz of more than zero in the second column
-error: a.csv:6: row \"0,1,0\" cannot be read, expected a whole number of at least 1, or nothing, in the third column
+error: a.csv:6: row \"0,1,0\" cannot be read, expected a whole number of at least 1, or an empty cell, in the third column
 error: a.csv:10: order 2 at this speed is already measured on line 7, expected one row";
         assert_eq!(shown, expected);
     }

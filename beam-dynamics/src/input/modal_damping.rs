@@ -9,7 +9,7 @@ use crate::result::ModeKind;
 
 const KEY: &str = "damping_ratio";
 
-/// Reads the key; `None` when it is wrong.
+/// Reads the key; `None` if it is wrong.
 pub(super) fn read(modes: &Table<'_>) -> Option<ModalDamping> {
     if !modes.has(KEY) {
         return Some(ModalDamping::Found);
@@ -24,7 +24,7 @@ pub(super) fn read(modes: &Table<'_>) -> Option<ModalDamping> {
         modes.note(KEY, &InputProblem::NoRatio { name, found });
         return None;
     }
-    // One number is that of all modes, a list of one that of the first.
+    // One number applies to all modes, a list of one to the first.
     Some(match (modes.is_list(KEY), &ratios[..]) {
         (false, [all]) => ModalDamping::All(*all),
         _ => ModalDamping::ByOrder(ratios),
@@ -53,12 +53,12 @@ fn by_name(table: &Table<'_>) -> Option<ModalDamping> {
     sound.then_some(ModalDamping::ByName(ratios))
 }
 
-/// Damping ratios of motions that oscillate.
+/// Whether a number is the damping ratio of an oscillation.
 fn is_ratio(number: f64) -> bool {
     (0.0..1.0).contains(&number)
 }
 
-/// Modes are called by a kind and more.
+/// Whether a name begins with a kind of mode.
 fn begins_with_kind(name: &str) -> bool {
     let coupled = ModeKind::Coupled.word();
     let mut kinds = ModeKind::PURE

@@ -6,7 +6,7 @@ use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
 
-/// By how much one moment of inertia may pass the sum of the others, relative: digits
+/// Relative amount by which one moment of inertia may exceed the sum of the others: digits
 /// lost in the input.
 const ROUNDING: f64 = 1e-6;
 
@@ -26,7 +26,7 @@ pub(super) fn moments(table: &Table<'_>, label: &str) -> Option<Vector3<f64>> {
     })
 }
 
-/// Moments of inertia are sums of two of the three non-negative `int x^2 dm`: none is
+/// Moments of inertia are sums of two of the three non-negative `int x^2 dm`: no moment is
 /// negative, and none larger than the sum of the others.
 fn is_possible(moments: &Vector3<f64>) -> bool {
     let sum = moments.sum();

@@ -1,7 +1,7 @@
-//! Axes by which the motion of each node is named.
+//! Axes used to name the motion of each node.
 //!
-//! A node of a blade takes the axes of the blade's root, and so does every node that
-//! beams and joints connect with it. Where no blade is near, the span is the section axis x at
+//! A node of a blade takes the axes of the blade's root, and so does every node connected
+//! with it by beams and joints. If no blade is connected, the span is the section axis x at
 //! the clamped node of the connected beams, or else at their first node.
 
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use super::draft::Draft;
 use crate::model::NamingAxes;
 
 impl Draft {
-    /// Axes for naming, one a node; `None` without a hub.
+    /// Axes for naming, one per node; `None` without a hub.
     pub fn naming(&self) -> Option<Vec<NamingAxes>> {
         let groups = self.connected();
         let sections = self.sections();
@@ -49,7 +49,7 @@ impl Draft {
         Some(axes)
     }
 
-    /// For each node the first node that beams and joints connect it with.
+    /// For each node the first node that is connected with it by beams and joints.
     fn connected(&self) -> Vec<usize> {
         let mut group: Vec<usize> = (0..self.nodes().len()).collect();
         let of_beams = self.beams().iter().map(|beam| beam.nodes.to_vec());
@@ -66,12 +66,12 @@ impl Draft {
             }
             changed
         };
-        // Forward and back, so that a chain is done at once in either order.
+        // Forward and back, so that a chain in either order takes one pass.
         while spread(&mut links.iter()) | spread(&mut links.iter().rev()) {}
         group
     }
 
-    /// Section axes at each node: those of the first beam on it, or its own.
+    /// Section axes at each node: the axes of the first beam on it, or its own.
     fn sections(&self) -> Vec<Matrix3<f64>> {
         let mut sections: Vec<_> = self.nodes().iter().map(|node| node.rotation).collect();
         for beam in self.beams().iter().rev() {

@@ -38,7 +38,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     }
 }
 
-/// The node of a card; `None` for the frame when it is wrong.
+/// The node of a card; `None` for the frame if it is wrong.
 fn node(table: &Table<'_>, label: Option<String>, frame: Option<Frame>) -> Option<Node> {
     let position = match table.has("position") {
         true => table.vector("position", Dimension::LENGTH),

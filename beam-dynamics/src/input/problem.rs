@@ -1,4 +1,4 @@
-//! What can be wrong with a dynamics input, beyond what any input file can have.
+//! Problems of a dynamics input, other than those of any input file.
 
 use shared_geom::document::DocumentProblem;
 use shared_geom::error::{Explain, nearest_name};
@@ -9,14 +9,14 @@ use super::number::short_number;
 /// A problem of a dynamics input or of the table of measurements that it names.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum InputProblem {
-    /// A name that nothing in the file has.
+    /// An unknown name.
     #[error("unknown {kind} \"{name}\" in {user}")]
     UnknownName {
         /// `node` or `properties`.
         kind: &'static str,
-        /// The name found.
+        /// The name.
         name: String,
-        /// What uses the name, in words.
+        /// The user of the name, as text.
         user: String,
         /// The names of this kind.
         known: Vec<String>,
@@ -28,13 +28,13 @@ pub enum InputProblem {
         kind: &'static str,
         /// The name.
         name: String,
-        /// Line of the first, in words.
+        /// Line of the first, as text.
         line: String,
     },
     /// No beam and no body at all.
     #[error("the model is empty, expected [[blade]], or [[node]] with [[beam]] or [[body]]")]
     EmptyModel,
-    /// Nothing has a mass, or only what is clamped.
+    /// No mass, or mass only on clamped nodes.
     #[error("the model has no mass that can move, expected a mass per length or a body")]
     NoMass,
     /// A node to which nothing is attached.
@@ -48,40 +48,40 @@ pub enum InputProblem {
     NoPropertyFile {
         /// Name of the properties.
         name: String,
-        /// Where the file was looked for.
+        /// Location where the file was searched.
         file: String,
         /// Files of this kind in the same folder.
         known: Vec<String>,
     },
     /// Properties given in two ways.
-    #[error("{table} has \"file\" and \"{key}\", expected a file or numbers in place")]
+    #[error("{table} has \"file\" and \"{key}\", expected a file or numbers in the card")]
     FileAndNumbers {
-        /// The table, in words.
+        /// The table, as text.
         table: String,
-        /// The first key of properties in place.
+        /// The first key of properties in the card.
         key: &'static str,
     },
-    /// Properties that no beam can have.
+    /// Properties that are invalid for a beam.
     #[error("properties \"{name}\": {problem}")]
     Unsound {
         /// Name of the properties.
         name: String,
-        /// What is wrong with them.
+        /// The problem.
         problem: PropertyProblem,
     },
     /// Properties that were solved for a beam of another curvature.
     #[error("{user}, properties \"{name}\": {mismatch}; {}", .mismatch.size())]
     OtherCurvature {
-        /// Who uses them and where, in words.
+        /// The user and the position, as text.
         user: String,
         /// Name of the properties.
         name: String,
         /// Both curvatures.
         mismatch: Box<CurvatureMismatch>,
     },
-    /// Prestress is asked for, and the file has none.
+    /// Prestress is requested, but the file has no table.
     #[error(
-        "properties \"{name}\" ask for the effect of prestress, and \"{file}\" has no table of it"
+        "properties \"{name}\" request the effect of prestress, but \"{file}\" has no table of it"
     )]
     NoPrestress {
         /// Name of the properties.
@@ -89,26 +89,26 @@ pub enum InputProblem {
         /// The property file.
         file: String,
     },
-    /// Prestress is asked for, and there is no file.
-    #[error("properties \"{name}\" ask for the effect of prestress, and have no \"file\"")]
+    /// Prestress is requested, but there is no file.
+    #[error("properties \"{name}\" request the effect of prestress, but have no \"file\"")]
     PrestressInPlace {
         /// Name of the properties.
         name: String,
     },
-    /// Internal damping that is given in no way or in two.
+    /// Internal damping that is not given, or given twice.
     #[error("\"damping\" needs a \"time\" or a \"matrix\", and not both")]
     OneDamping,
-    /// A list of another length.
+    /// A list of a wrong length.
     #[error("\"{key}\" lists {found}, expected {expected}")]
     Count {
         /// The key.
         key: &'static str,
         /// Number of items found.
         found: usize,
-        /// Number expected, in words.
+        /// Expected number, as text.
         expected: &'static str,
     },
-    /// A number past what the program accepts.
+    /// A number above the program's limit.
     #[error("\"{key}\" is {found}, expected at most {limit}")]
     TooMany {
         /// The key.
@@ -118,7 +118,7 @@ pub enum InputProblem {
         /// The largest number accepted.
         limit: usize,
     },
-    /// An angle past a quarter turn.
+    /// An angle of a quarter turn or more.
     #[error("\"{key}\" is {} deg, expected less than 90 deg to either side", six(*.found))]
     SteepAngle {
         /// The key.
@@ -126,19 +126,19 @@ pub enum InputProblem {
         /// The angle found \[deg\].
         found: f64,
     },
-    /// An angle of a hinge that is not one of those by which its turn is told.
+    /// An angle of a hinge of half a turn or more.
     #[error("\"angle\" is {} deg, expected less than 180 deg to either side", six(*.found))]
     HalfTurn {
         /// The angle found \[deg\].
         found: f64,
     },
-    /// An axis of no direction.
+    /// An axis without direction.
     #[error("\"axis\" has no direction: its length is zero")]
     NoAxis,
     /// A blade at a hub whose axis points along x.
-    #[error("the axis of the hub points along x, so that the azimuth of a blade has no zero")]
+    #[error("the axis of the hub points along x, so that azimuth zero is undefined")]
     AxisAlongSpan,
-    /// A blade without length.
+    /// A blade without pieces.
     #[error("blade \"{blade}\" has no [[blade.piece]], expected at least one")]
     NoPieces {
         /// Name of the blade.
@@ -147,21 +147,21 @@ pub enum InputProblem {
     /// A piece of a blade without properties.
     #[error("{piece} has no \"properties\", and the blade has none for all its pieces")]
     NoProperties {
-        /// The piece, in words.
+        /// The piece, as text.
         piece: String,
     },
     /// A beam with the same node twice.
     #[error("{beam} has node \"{node}\" twice, expected three nodes")]
     NodeTwice {
-        /// The beam, in words.
+        /// The beam, as text.
         beam: String,
         /// Name of the node.
         node: String,
     },
-    /// Two nodes of a beam at one place.
-    #[error("{beam}: \"{first}\" and \"{second}\" lie at the same place, expected a distance")]
+    /// Two nodes of a beam at the same position.
+    #[error("{beam}: \"{first}\" and \"{second}\" are at the same position, expected a distance")]
     Coincident {
-        /// The beam, in words.
+        /// The beam, as text.
         beam: String,
         /// Name of a node.
         first: String,
@@ -169,9 +169,9 @@ pub enum InputProblem {
         second: String,
     },
     /// A middle node beyond an end.
-    #[error("{beam}: \"{middle}\" does not lie between \"{first}\" and \"{last}\"")]
+    #[error("{beam}: \"{middle}\" is not between \"{first}\" and \"{last}\"")]
     OutOfOrder {
-        /// The beam, in words.
+        /// The beam, as text.
         beam: String,
         /// Names of the nodes as listed.
         first: String,
@@ -182,12 +182,12 @@ pub enum InputProblem {
     },
     /// A middle node too far from the middle.
     #[error(
-        "{beam}: \"{middle}\" lies at {:.1} % of the way from \"{first}\" to \"{last}\", \
+        "{beam}: \"{middle}\" is at {:.1} % of the way from \"{first}\" to \"{last}\", \
          expected 45 % to 55 %",
         100.0 * .part
     )]
     OffMiddle {
-        /// The beam, in words.
+        /// The beam, as text.
         beam: String,
         /// Names of the nodes as listed.
         first: String,
@@ -195,7 +195,7 @@ pub enum InputProblem {
         middle: String,
         /// The third.
         last: String,
-        /// Place of the middle node, as part of the way \[-\].
+        /// Position of the middle node, as part of the way \[-\].
         part: f64,
     },
     /// Section axes across the beam.
@@ -204,7 +204,7 @@ pub enum InputProblem {
          expected at most {limit} deg"
     )]
     AcrossLine {
-        /// The beam, in words.
+        /// The beam, as text.
         beam: String,
         /// Name of the node.
         node: String,
@@ -219,7 +219,7 @@ pub enum InputProblem {
          expected less than {limit} deg"
     )]
     Wrung {
-        /// The beam, in words.
+        /// The beam, as text.
         beam: String,
         /// Name of the node.
         node: String,
@@ -230,17 +230,17 @@ pub enum InputProblem {
     },
     /// Consistent inertia of finite volumes.
     #[error(
-        "\"consistent\" inertia belongs to the variational beam, expected \"lumped\" beside \
+        "\"consistent\" inertia belongs to the variational beam, expected \"lumped\" with \
          formulation = \"finite-volume\""
     )]
     PortionsOnly,
-    /// A choice of the interpolation of the variational beam.
+    /// An interpolation key for the variational beam.
     #[error(
-        "\"interpolation\" is a choice of formulation = \"finite-volume\"; the variational beam \
+        "\"interpolation\" is a key of formulation = \"finite-volume\"; the variational beam \
          interpolates by rotation vectors"
     )]
     OwnInterpolation,
-    /// A body with a moment of inertia that no mass has.
+    /// A body with impossible moments of inertia.
     #[error(
         "body \"{body}\" has the inertia {found:?} kg m^2, expected each at most the sum of the others"
     )]
@@ -253,29 +253,29 @@ pub enum InputProblem {
     /// A joint of a node with itself.
     #[error("{joint} joins \"{node}\" to itself, expected two nodes")]
     JoinedToItself {
-        /// The joint, in words.
+        /// The joint, as text.
         joint: String,
         /// Name of the node.
         node: String,
     },
-    /// The angle of a relaxed spring that does not exist.
-    #[error("\"angle\" is that of the relaxed spring, but the hinge has none")]
+    /// A relaxed angle without a spring.
+    #[error("\"angle\" is the angle of the relaxed spring, but the hinge has none")]
     NoSpring,
-    /// Properties of a hub that cannot move.
-    #[error("\"{key}\" is that of a hub that moves, but this one has no \"support\"")]
+    /// Properties of a moving hub for a hub that cannot move.
+    #[error("\"{key}\" is a key of a hub that moves, but this one has no \"support\"")]
     HeldHub {
         /// The key.
         key: &'static str,
     },
-    /// A damper where a hub is held.
-    #[error("\"{direction}\" has a damping but no stiffness: the hub is held there")]
+    /// A damper in a direction in which the hub is held.
+    #[error("\"{direction}\" has a damping but no stiffness: the hub is fixed in this direction")]
     DampedClamp {
         /// The direction.
         direction: &'static str,
     },
-    /// A spring that stands in the world beside the axis.
+    /// A spring in the ground frame off the axis.
     #[error(
-        "spring \"{spring}\" stands in the world, but node \"{node}\" is not on the axis of the hub"
+        "spring \"{spring}\" has stands_in = \"world\", but node \"{node}\" is not on the axis of the hub"
     )]
     OffAxis {
         /// Name of the spring.
@@ -283,15 +283,15 @@ pub enum InputProblem {
         /// Name of the node.
         node: String,
     },
-    /// A spring that stands in the world and is not the same about the axis.
+    /// A spring in the ground frame that is not isotropic about the axis.
     #[error(
-        "spring \"{spring}\" stands in the world, but is not the same in all directions about the axis of the hub"
+        "spring \"{spring}\" has stands_in = \"world\", but is not isotropic about the axis of the hub"
     )]
     Anisotropic {
         /// Name of the spring.
         spring: String,
     },
-    /// A damping ratio that no oscillation has.
+    /// An impossible damping ratio of an oscillation.
     #[error("\"{name}\" is {}, expected a damping ratio from 0 to below 1", six(*.found))]
     NoRatio {
         /// The key, or the name of the mode.
@@ -299,8 +299,8 @@ pub enum InputProblem {
         /// The number found [-].
         found: f64,
     },
-    /// A name that no mode can have.
-    #[error("\"{name}\" is no name of a mode, expected one such as \"flap 1\"")]
+    /// A name that is not a possible name of a mode.
+    #[error("\"{name}\" is not a name of a mode, expected a name like \"flap 1\"")]
     NoModeName {
         /// The name found.
         name: String,
@@ -316,7 +316,7 @@ pub enum InputProblem {
         /// The speed \[rpm\].
         rpm: f64,
     },
-    /// A rotor speed twice.
+    /// A duplicate rotor speed.
     #[error("\"speeds\" has the speed {} rpm twice, expected each once", six(*.rpm))]
     SpeedTwice {
         /// The speed \[rpm\].
@@ -330,8 +330,8 @@ pub enum InputProblem {
         /// The nearest one that is analyzed \[rpm\].
         nearest: f64,
     },
-    /// A range of speeds that does not rise.
-    #[error("\"speeds\" runs from {} to {} rpm, expected a rising range", six(*.from), six(*.to))]
+    /// A range of speeds that does not increase.
+    #[error("\"speeds\" runs from {} to {} rpm, expected an increasing range", six(*.from), six(*.to))]
     FallingRange {
         /// First speed \[rpm\].
         from: f64,
@@ -341,9 +341,9 @@ pub enum InputProblem {
     /// A table of measurements that cannot be read.
     #[error("no table of measurements at \"{file}\": {reason}")]
     NoMeasurements {
-        /// Where the file was looked for.
+        /// Location where the file was searched.
         file: String,
-        /// The reason in words.
+        /// The reason, as text.
         reason: String,
     },
     /// A table of measurements without the expected heading.
@@ -357,7 +357,7 @@ pub enum InputProblem {
     Row {
         /// The row as written.
         found: String,
-        /// What was expected, in words.
+        /// The expected content, as text.
         expected: &'static str,
     },
     /// Two measurements of one mode at one speed.
@@ -371,7 +371,7 @@ pub enum InputProblem {
     /// Further rows with problems.
     #[error("{count} more rows have problems")]
     MoreRows {
-        /// Their number.
+        /// Number of rows.
         count: usize,
     },
     /// A table of measurements without a row.
@@ -394,21 +394,21 @@ impl Explain for InputProblem {
             Self::Document(problem) => return problem.help(),
             Self::NoPrestress { .. } => {
                 "put prestress = \"biot\" into the section file and analyze it again, or remove \
-                 \"prestress\" to go without"
+                 \"prestress\" to ignore prestress"
             }
             Self::PrestressInPlace { .. } => "only property files have tables of prestress",
             Self::ShapeSpeed { nearest, .. } => {
                 return Some(format!("the nearest is {} rpm", six(*nearest)));
             }
             Self::NoModeName { .. } => {
-                "modes are called by flap, lag, torsion, axial or coupled, and a number, as the table of modes has them"
+                "modes are called by flap, lag, torsion, axial or coupled, and a number, as in the table of modes"
             }
-            Self::NoRatio { .. } => "the ratio is that to critical damping: 1 % is 0.01",
+            Self::NoRatio { .. } => "the ratio is relative to critical damping: 1 % is 0.01",
             Self::UnusedNode { .. } => {
                 "name it in a [[beam]], a [[body]] or a [[joint]], or remove it"
             }
             Self::AxisAlongSpan => {
-                "azimuth 0 is where x lies across the axis: turn the model, for example axis = [0, 0, 1]"
+                "azimuth 0 is the projection of x across the axis: turn the model, for example axis = [0, 0, 1]"
             }
             Self::OutOfOrder { .. } => {
                 "list the nodes from one end to the other, the middle one second"
@@ -421,11 +421,11 @@ impl Explain for InputProblem {
             }
             Self::NoSpring => "give the hinge a \"stiffness\", or turn its second node",
             Self::HeldHub { .. } => {
-                "add support = { in_plane = ... }: directions that it does not name are held"
+                "add support = { in_plane = ... }: directions that it does not name are fixed"
             }
             Self::DampedClamp { .. } => "name the direction in \"support\", 0 for no spring",
             Self::OffAxis { .. } | Self::Anisotropic { .. } => {
-                "in turning axes such a support is not constant: stands_in = \"frame\" turns with the model"
+                "in rotating axes this support is not constant: stands_in = \"frame\" turns with the model"
             }
             Self::Wrung { .. } => "divide the beam into shorter ones",
             Self::NoProperties { .. } => "name the properties in [[blade]] or in the piece",
@@ -438,7 +438,7 @@ impl Explain for InputProblem {
     }
 }
 
-/// A number of a message.
+/// A number in a message.
 fn six(value: f64) -> String {
     short_number(value, 6)
 }
@@ -460,7 +460,7 @@ fn nearest_file(found: &str, known: &[String]) -> String {
     }
 }
 
-/// Names in quotes, the first ones if they are many.
+/// Names in quotes, the first ones if there are many.
 fn shortened(names: &[String]) -> String {
     const SHOWN: usize = 12;
     let quoted: Vec<_> = names

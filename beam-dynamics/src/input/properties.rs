@@ -1,4 +1,4 @@
-//! Named properties of beams: from property files, or in place.
+//! Named properties of beams: from property files, or given in the card.
 
 use std::path::Path;
 
@@ -27,11 +27,11 @@ const NO_TABLE: &str = "torsional and torsional-flexural buckling are left out, 
     file has no table of prestress: analyze the section with prestress = \"biot\", and add \
     prestress = true here";
 
-/// The properties of an input by name; those that are wrong are `None`.
+/// The properties of an input by name; wrong properties are `None`.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Catalog {
     named: Vec<(String, Option<Properties>)>,
-    /// What looks like a mistake, in words.
+    /// Remarks on probable mistakes.
     pub remarks: Vec<String>,
 }
 
@@ -70,13 +70,13 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
     catalog
 }
 
-/// What looks like a mistake where a table of prestress is used under heat.
+/// A remark on a probable mistake if a table of prestress is used with heat.
 fn unknown_heat(properties: &Properties) -> Option<String> {
     let names = properties.heat.without_stiffness();
     (properties.prestress.is_some() && !names.is_empty()).then(|| {
         format!(
-            "the property file does not say what {} does to the stiffness: under it \
-             \"prestress\" does not know of the stresses within the free section; analyze the \
+            "the property file does not contain the effect of {} on the stiffness: with it \
+             \"prestress\" ignores the stresses within the free section; analyze the \
              section again",
             names.join(", ")
         )
@@ -91,7 +91,7 @@ fn is_si(table: &Table<'_>) -> bool {
 }
 
 impl Catalog {
-    /// What a reader of critical loads must know.
+    /// Remarks for users of critical loads.
     pub fn of_buckling(&self) -> Vec<String> {
         let named = self.named.iter();
         let remark = |(name, found): &(String, Option<Properties>)| {
@@ -101,8 +101,8 @@ impl Catalog {
         named.filter_map(remark).collect()
     }
 
-    /// The properties `name`, as named under `properties` of `table`, which is `user`
-    /// in words; `None` when they are wrong, and when they are unknown, which is noted.
+    /// The properties `name`, as named under `properties` of `table`, described by `user`;
+    /// `None` if they are wrong, or unknown, which is noted.
     pub fn find(&self, name: &str, table: &Table<'_>, user: &str) -> Option<Properties> {
         let found = self.named.iter().find(|named| named.0 == name);
         if found.is_none() {
@@ -182,7 +182,7 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
     };
     let found = table.document().keep(section::read(&path))?;
     let mut properties = found.per_arc_length();
-    // The damping of the card takes the place of that of the file.
+    // The damping of the card replaces the damping of the file.
     if let Some(damping) = damping? {
         properties.damping = Some(damping);
     }
@@ -203,7 +203,7 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
     })
 }
 
-/// The table of prestress of a file, for those who ask for it.
+/// The table of prestress of a file, if it is requested.
 fn third_of(
     name: &str,
     table: &Table<'_>,
@@ -220,7 +220,7 @@ fn third_of(
     properties.prestress.map(|prestress| prestress.third)
 }
 
-/// Numbers in place have no table of prestress.
+/// Notes a request for prestress by properties in the card, which have no table of it.
 fn note_prestress_in_place(name: &str, table: &Table<'_>) {
     if table.has("prestress") {
         let name = name.to_owned();

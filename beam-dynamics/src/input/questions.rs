@@ -1,4 +1,4 @@
-//! What is asked about equilibria under loads and about critical loads.
+//! The requested equilibria under loads and critical loads.
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
@@ -13,18 +13,19 @@ use crate::case::{
     BucklingQuestion, ModesQuestion, Spin, Start, StaticQuestion, TransientQuestion,
 };
 
-/// Steps along a path at most, unless a number is given.
+/// Default of the largest number of steps along a path.
 const DEFAULT_MOST_STEPS: usize = 500;
-/// Steps of one run: more are a slip of the pen.
+/// Steps of one run: more are treated as an error.
 const MOST_STEPS: usize = 100_000;
-/// Critical loads that are reported unless a number is given.
+/// Default number of critical loads.
 const DEFAULT_COUNT: usize = 4;
-/// Critical loads of one run at most.
+/// Largest number of critical loads of one run.
 const MOST_LOADS: usize = 1000;
-/// Part of gravity across the axis below which it is along it: digits lost in the input.
+/// Part of gravity across the axis below which gravity is treated as axial: digits lost in
+/// the input.
 const ALONG: f64 = 1e-9;
 
-/// All that can be asked of a model.
+/// All analyses of a model.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Questions {
     pub modes: Option<ModesQuestion>,
@@ -33,7 +34,7 @@ pub(super) struct Questions {
     pub transient: Option<TransientQuestion>,
 }
 
-/// Reads every question.
+/// Reads the cards of all analyses.
 pub(super) fn read(root: &Table<'_>) -> Option<Questions> {
     let modes = match root.has("modes") {
         true => speeds::read(root).map(Some),
@@ -76,7 +77,7 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticQuestion>> {
         to: to?,
         steps,
         arc_length: arc_length?,
-        // Steps that are asked for count as allowed.
+        // Requested steps are always allowed.
         most_steps: most_steps?.max(steps.unwrap_or(0)),
     }))
 }
@@ -113,8 +114,8 @@ fn speed(table: &Table<'_>) -> Option<f64> {
 }
 
 impl Questions {
-    /// The first and the last time for which drives are asked \[s\]: equilibria and modes
-    /// are at the time zero.
+    /// The first and the last time at which drives are evaluated \[s\]: equilibria and
+    /// modes are at time zero.
     pub fn times(&self) -> Option<[f64; 2]> {
         let at_rest = self.modes.is_some() || self.statics.is_some() || self.buckling.is_some();
         let run = self.transient.as_ref().map(|run| [run.from, run.to]);
@@ -125,7 +126,7 @@ impl Questions {
         }
     }
 
-    /// Notes gravity across the axis of a model that turns: it has no steady equilibrium.
+    /// Notes gravity across the axis of a rotating model: it has no steady equilibrium.
     pub fn check(&self, root: &Table<'_>, gravity: &Vector3<f64>, spin: &Spin) {
         let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());
         let of_statics = self.statics.iter().map(|statics| &statics.speed);

@@ -1,4 +1,4 @@
-//! Readings: the quantities of a state by their words, as columns and sensors name them.
+//! Readings: the quantities of a state by their words, as in columns and sensors.
 
 use shared_geom::document::{DocumentProblem, Table};
 use shared_geom::units::{Dimension, Unit};
@@ -15,12 +15,11 @@ pub(super) use reading::Reading;
 /// The quantity of a card.
 pub(super) fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     let words = KINDS.map(|kind| kind.0);
-    table.require_text("quantity", "a quantity such as \"position\"")?;
+    table.require_text("quantity", "a quantity, for example \"position\"")?;
     Some(&KINDS[table.word("quantity", &words)?])
 }
 
-/// Whether the keys of a card are those of a quantity: of none, and of an unknown one, none is
-/// wrong.
+/// Whether the quantity of a card is known; otherwise its keys are not checked.
 pub(super) fn is_known(table: &Table<'_>) -> bool {
     let is_one = |word: String| KINDS.iter().any(|kind| kind.0 == word);
     table.is_text("quantity") && table.text("quantity").is_some_and(is_one)

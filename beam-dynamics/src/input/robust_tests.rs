@@ -1,4 +1,4 @@
-//! Files of any content: an input is read whole, or it is told what is wrong.
+//! Files of any content: an input is read completely, or its problems are reported.
 
 use std::path::{Path, PathBuf};
 
@@ -6,10 +6,10 @@ use shared_geom::exchange::{Format, write};
 
 use super::test_files::{STRIP, read_beside};
 
-/// Changes of each file.
+/// Number of changes of each file.
 const CHANGES: usize = 100;
 
-/// Words that stand for numbers but should not, and what ends or leads elsewhere.
+/// Words that are not valid numbers, and words that end an input or refer to other files.
 const WORDS: [&str; 8] = [
     "-1",
     "0",
@@ -38,7 +38,7 @@ fn below(random: &mut Random, end: usize) -> usize {
     (z >> 33) as usize % end.max(1)
 }
 
-/// `text` with one to three lines left out, doubled, cut or with another word.
+/// `text` with one to three lines removed, doubled, cut or with another word.
 fn changed(text: &str, random: &mut Random) -> String {
     let mut lines: Vec<_> = text.lines().map(str::to_owned).collect();
     for _ in 0..=below(random, 3) {
@@ -62,8 +62,7 @@ fn changed(text: &str, random: &mut Random) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The files of a sound blade in each format that is read, the first of which names the
-/// others.
+/// The files of a valid blade in each input format; the first file refers to the others.
 fn blades() -> Vec<Vec<(PathBuf, String)>> {
     let corpus = concat!(
         env!("CARGO_MANIFEST_DIR"),
@@ -75,7 +74,8 @@ fn blades() -> Vec<Vec<(PathBuf, String)>> {
     files.collect()
 }
 
-// Beside a sound blade, one of a file with slips: the model has both, or it is told why not.
+// A valid blade, and one of a file with errors: the model has both, or the reason is
+// reported.
 #[test]
 fn no_blade_vanishes_from_a_model() {
     let mut random = Random(3);

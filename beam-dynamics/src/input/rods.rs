@@ -9,8 +9,8 @@ use crate::elements::springs::{End, Measure, Rod};
 use crate::elements::{Element, Smoothness};
 use crate::model::NodeMotion;
 
-/// Part of the largest coordinate below which a length counts as none: digits lost in the
-/// input.
+/// Part of the largest coordinate below which a length is treated as zero: digits lost in
+/// the input.
 const NO_LENGTH: f64 = 1e-9;
 
 /// Adds every `[[rod]]` to the model.
@@ -34,7 +34,7 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
         Some(&[a, b]) => ends::points(table, [a, b]),
         Some(&[node]) => ends::frame_and_point(table, node, &words),
         _ => {
-            // Their shape is not known without the nodes.
+            // Their shape is unknown without the nodes.
             let _ = (table.has("offsets"), table.has("at"));
             None
         }

@@ -1,4 +1,4 @@
-//! The question for modes: rotor speeds, the number of modes, and shapes that are animated.
+//! The requested modes: rotor speeds, the number of modes, and animated shapes.
 
 use std::f64::consts::PI;
 
@@ -13,11 +13,11 @@ use crate::case::ModesQuestion;
 /// Radians per second in one revolution per minute.
 pub(super) const RPM: f64 = PI / 30.0;
 
-/// Modes that are reported unless a number is given.
+/// Default number of modes.
 const DEFAULT_COUNT: usize = 10;
-/// Speeds of one run: more are a slip of the pen.
+/// Speeds of one run: more are treated as an error.
 const MOST_SPEEDS: usize = 10_000;
-/// Modes of one run: more than any model has that can be solved here.
+/// Modes of one run: more than any model that can be solved here.
 const MOST_MODES: usize = 10_000;
 /// Speeds closer than this part of the larger are the same speed.
 const SAME_SPEED: f64 = 1e-9;
@@ -102,7 +102,7 @@ fn ascending(table: &Table<'_>, mut speeds: Vec<f64>) -> Option<Vec<f64>> {
 }
 
 /// Reads `shapes` and `shape_speeds` of `[modes]`: whether shapes are animated, and the
-/// speeds chosen for shapes, of `speeds`; none chosen is an empty list.
+/// speeds chosen for shapes, of `speeds`; empty if none are chosen.
 fn shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<(bool, Vec<f64>)> {
     let animate = match table.has("shapes") {
         true => table.boolean("shapes"),
@@ -115,8 +115,8 @@ fn shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<(bool, Vec<f64>)>
     Some((animate?, chosen?))
 }
 
-/// The speeds of the analysis that `shape_speeds` names; each one that is none of them
-/// is noted.
+/// The speeds of the analysis that `shape_speeds` names; each one that is not analyzed is
+/// noted.
 fn chosen_shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<Vec<f64>> {
     const KEY: &str = "shape_speeds";
     let wanted = table.quantities(KEY, Dimension::ROTATION_SPEED)?;
@@ -173,7 +173,7 @@ mod tests {
             [100.0, 200.0, 300.0, 400.0]
         );
         assert_eq!(rpm("speeds = { from = 100, to = 400, steps = 1 }"), [100.0]);
-        // Far apart, but close in parts of the largest.
+        // Far apart, but close relative to the largest.
         assert_eq!(rpm("speeds = [0, 1, 1e12]"), [0.0, 1.0, 1e12]);
         assert_eq!(question("speeds = [1]").unwrap().count, 10);
     }
@@ -220,7 +220,7 @@ mod tests {
             ),
             (
                 "speeds = [1]\ndamping_ratio = { \"flap 1\" = -1, flop = 0.1 }",
-                "\"flop\" is no name of a mode",
+                "\"flop\" is not a name of a mode",
             ),
             ("speeds = []", "\"speeds\" is empty"),
             (

@@ -1,4 +1,4 @@
-//! Springs and dampers between two nodes, or between a node and the frame or the world.
+//! Springs and dampers between two nodes, or between a node and the frame or the ground.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
@@ -12,11 +12,11 @@ use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
 
 mod between;
 
-/// Part of the largest entry below which a matrix, and part of the largest coordinate
-/// below which a distance from the axis, counts as zero: digits lost in the input.
+/// Part of the largest entry below which a matrix, and part of the largest coordinate below
+/// which a distance from the axis, is treated as zero: digits lost in the input.
 const ROUNDING: f64 = 1e-9;
 
-/// A spring as its card means it.
+/// A spring as its card defines it.
 struct Spring {
     axes: Matrix3<f64>,
     /// Along the axes \[N/m\], about them \[N m\].
@@ -85,7 +85,7 @@ fn spring(table: &Table<'_>) -> Option<Spring> {
     })
 }
 
-/// Three numbers under each key, none below zero; zeros when absent.
+/// Three numbers under each key, zero or more; zeros if absent.
 fn six(table: &Table<'_>, keys: [&'static str; 2], dimensions: [Dimension; 2]) -> Option<[f64; 6]> {
     let three = |i: usize| -> Option<Vector3<f64>> {
         if !table.has(keys[i]) {
@@ -130,7 +130,7 @@ fn add(spring: &Spring, (index, label): (usize, String), table: &Table<'_>, draf
     draft.add_joint(Box::new(support));
 }
 
-/// Whether all of a law is the same in all directions about an axis: its matrices
+/// Whether a law is isotropic about an axis: its matrices
 /// commute with the rotations about it.
 fn is_isotropic(law: &SupportLaw, axis: &Vector3<f64>) -> bool {
     let turn = skew(axis);

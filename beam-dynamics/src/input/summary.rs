@@ -1,4 +1,4 @@
-//! What an input consists of, in one line.
+//! The contents of an input, in one line.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use super::speeds::RPM;
 use crate::case::ModesQuestion;
 use crate::result::Measured;
 
-/// What a model consists of and what is asked of it.
+/// Contents of a model and number of results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
     /// Number of nodes.
@@ -21,7 +21,7 @@ pub struct Summary {
     pub clamps: usize,
     /// Mass of beams and bodies \[kg\].
     pub mass: f64,
-    /// Number of modes asked for.
+    /// Number of requested modes.
     pub modes: usize,
     /// Lowest and highest rotor speed \[rad/s\].
     pub speed_range: [f64; 2],
@@ -32,7 +32,7 @@ pub struct Summary {
 }
 
 impl Draft {
-    /// Counts what the model consists of.
+    /// Counts the contents of the model.
     pub fn summary(&self, modes: Option<&ModesQuestion>, measured: &Measured) -> Summary {
         let speeds = modes.map_or(&[][..], |modes| &modes.speeds);
         let ends = [speeds.first(), speeds.last()];

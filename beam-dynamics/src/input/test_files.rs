@@ -1,4 +1,4 @@
-//! Files that tests read: a text with others beside it, and what is told of it.
+//! Files for tests: a text with other files in its folder, and the problems reported.
 
 use std::fs;
 
@@ -18,7 +18,7 @@ iy = 0.01
 iz = 0.04
 ";
 
-/// Reads `text` as `a.dynamics.toml`, with further files beside it; problems as they are
+/// Reads `text` as `a.dynamics.toml`, with other files in its folder; problems as they are
 /// shown, with the names of files as written.
 pub(super) fn read_beside(text: &str, files: &[(&str, &str)]) -> Result<Input, String> {
     let folder = tempfile::tempdir().expect("a folder");
@@ -33,7 +33,7 @@ pub(super) fn read_beside(text: &str, files: &[(&str, &str)]) -> Result<Input, S
     read(&path).map_err(|problems| problems.to_string().replace(&prefix, ""))
 }
 
-/// What is told of a text that must not be accepted.
+/// The problems reported for a text that must not be accepted.
 #[track_caller]
 pub(super) fn told(found: Result<Input, String>) -> String {
     match found {

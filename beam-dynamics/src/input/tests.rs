@@ -1,4 +1,5 @@
-//! Tests of the input as a whole: what sound files mean, and what is told of others.
+//! Tests of the whole input: the models of valid files, and the problems reported for
+//! others.
 
 use std::path::Path;
 
@@ -49,8 +50,8 @@ speeds = [0, 300]
 count = 4
 ";
 
-/// Reads the cards behind `units = "SI"` and the strip, with a file of measurements
-/// and a broken file of properties beside them.
+/// Reads the cards after `units = "SI"` and the strip, with a file of measurements and a
+/// broken file of properties in the folder.
 fn input(cards: &str) -> Result<Input, String> {
     let files = [
         ("a.csv", "speed_rpm,frequency_hz,order\n0,1.4,1\n300,6,\n"),
@@ -60,13 +61,13 @@ fn input(cards: &str) -> Result<Input, String> {
     read_beside(&format!("units = \"SI\"\n{STRIP}{cards}"), &files)
 }
 
-/// What is told of the cards.
+/// The problems reported for the cards.
 #[track_caller]
 fn refused(cards: &str) -> String {
     told(input(cards))
 }
 
-/// Expects a part of what is told when `old` in `cards` is replaced by `new`.
+/// Expects a part of the message when `old` in `cards` is replaced by `new`.
 #[track_caller]
 fn expect(cards: &str, old: &str, new: &str, expected: &str) {
     assert!(cards.contains(old), "\"{old}\" is not in {cards}");
@@ -120,7 +121,7 @@ fn a_blade_becomes_nodes_beams_and_a_clamp() {
     assert_eq!(model.naming[3], NamingAxes::default());
 }
 
-// A model at rest that is not loaded has no residual: kinks, twists and offsets
+// A model at rest without loads has no residual: kinks, twists and offsets
 // belong to the undeformed state. Round-off of strains of 1e-16 times EA = 7e6.
 #[test]
 fn the_undeformed_state_is_free_of_internal_force() {
@@ -257,25 +258,25 @@ fn impossible_beams_are_explained() {
         &cards,
         tip,
         "position = [0, 0, 0]",
-        "\"root\" and \"tip\" lie at the same place",
+        "\"root\" and \"tip\" are at the same position",
     );
     expect(
         &cards,
         tip,
         "position = [0.5, 0, 0]",
-        "\"mid\" does not lie between \"root\" and \"tip\"",
+        "\"mid\" is not between \"root\" and \"tip\"",
     );
     expect(
         &cards,
         tip,
         "position = [2.3, 0, 0]",
-        "\"mid\" lies at 43.5 % of the way",
+        "\"mid\" is at 43.5 % of the way",
     );
     expect(
         &cards,
         tip,
         "position = [0, 2, 0]",
-        "\"mid\" lies at 0.0 % of the way",
+        "\"mid\" is at 0.0 % of the way",
     );
     let across = "the section axis x at \"tip\" is 60.0 deg off the line of the beam";
     expect(
@@ -323,7 +324,7 @@ fn beams_need_three_nodes_in_order() {
         "[\"root\", 3, \"tip\"]",
         "\"nodes\" is 3, expected a text in quotes",
     );
-    // A beam that does not say its nodes leaves none unused.
+    // For a beam without valid nodes no node is reported as unused.
     for wrong in ["[\"root\", \"mid\"]", "[\"root\", \"root\", \"tip\"]"] {
         let shown = refused(&cards.replacen(nodes, wrong, 1));
         assert!(!shown.contains("nothing is attached"), "{shown}");
@@ -427,7 +428,7 @@ fn the_model_as_a_whole_is_checked() {
         shown.contains("a.dynamics.toml:34: nothing is attached to node \"far\""),
         "{shown}"
     );
-    // A model without a question is sound; a misspelled question is not.
+    // A model without an analysis is valid; a misspelled analysis is not.
     assert!(input(BEAM).unwrap().modes.is_none());
     let shown = refused(&format!("{BEAM}{MODES}").replace("[modes]", "[mode]"));
     assert!(shown.contains("unknown key \"mode\""), "{shown}");
@@ -455,7 +456,8 @@ fn files_beside_the_input_are_checked() {
         "strip.properties.json",
         malformed,
     );
-    let both = "properties \"filed\" has \"file\" and \"ea\", expected a file or numbers in place";
+    let both =
+        "properties \"filed\" has \"file\" and \"ea\", expected a file or numbers in the card";
     expect(
         &cards,
         "[properties.filed]",

@@ -1,4 +1,4 @@
-//! What is asked about motion in time: `[transient]`.
+//! The requested motion in time: `[transient]`.
 
 use shared_geom::document::Table;
 use shared_geom::error::Explain;
@@ -16,19 +16,19 @@ mod tests;
 
 pub(super) use node::{check, initial_motion};
 
-/// Iterations of a step at most that may be asked for.
+/// Largest accepted number of iterations of a step.
 const MOST_ITERATIONS: usize = 1000;
-/// Steps of a run at most: more are a slip of the pen.
+/// Largest number of steps of a run: more are treated as an error.
 const MOST_STEPS: f64 = 1e9;
 /// Smallest tolerance of the iteration that round-off allows.
 const LEAST_TOLERANCE: f64 = 1e-13;
-/// Where variable steps stop, unless it is said: this part of the first step.
+/// Default smallest variable step, as a part of the first step.
 const LEAST_STEP: f64 = 1e-6;
-/// Radius of the two-step formula below one at most: what alternates from step to step decays
-/// by the radius, and grows in rotations by about the square of the angle of a step, which is
-/// more at steps of 0.1 rad.
+/// Largest radius of the two-step scheme below one: an oscillation from step to step decays
+/// by the radius, and grows in rotations by about the square of the angle of a step, which
+/// is more at steps of 0.1 rad.
 const MOST_RADIUS: f64 = 0.99;
-/// Largest of the variable steps, unless it is said, as a part of the run.
+/// Default largest variable step, as a part of the run.
 const MOST_STEP: f64 = 1.0 / 50.0;
 
 /// A problem of `[transient]` or of the initial motion of a node.
@@ -52,10 +52,10 @@ pub enum TransientProblem {
         /// Length of the run \[s\].
         length: f64,
     },
-    /// More steps than anyone waits for.
+    /// Too many steps.
     #[error("the run would take {} steps of {} s", six(*.steps), six(*.step))]
     ManySteps {
-        /// Their number.
+        /// Number of steps.
         steps: f64,
         /// The step \[s\].
         step: f64,
@@ -79,13 +79,13 @@ pub enum TransientProblem {
         key: &'static str,
         /// The number found.
         found: f64,
-        /// What was expected, in words.
+        /// The expected values, as text.
         expected: &'static str,
     },
-    /// A radius at which the two-step formula feeds energy into rotations.
+    /// A radius at which the two-step scheme adds energy to rotations.
     #[error(
         "\"radius\" of \"two-step\" is {}, expected at most {MOST_RADIUS}, or 1: nearer to 1 it \
-         feeds energy into rotations",
+         adds energy to rotations",
         six(*.found)
     )]
     UndampedRadius {
@@ -101,10 +101,10 @@ pub enum TransientProblem {
         scheme: &'static str,
     },
     /// A speed without rotation.
-    #[error("\"speed\" is that of a rotating start, but \"start\" is not \"rotating\"")]
+    #[error("\"speed\" is the speed of a rotating start, but \"start\" is not \"rotating\"")]
     IdleSpeed,
-    /// Velocities without a run in time.
-    #[error("node \"{node}\" has a \"{key}\", but nothing is asked in time")]
+    /// Initial velocities without `[transient]`.
+    #[error("node \"{node}\" has a \"{key}\", but there is no [transient]")]
     IdleVelocity {
         /// Name of the node.
         node: String,
@@ -118,19 +118,19 @@ impl Explain for TransientProblem {
         let text = match self {
             Self::EndsBefore { .. } => "times are in the unit of time of the file",
             Self::LongStep { .. } | Self::ManySteps { .. } => {
-                "give \"step\" in the unit of time of the file; some hundred steps a period of the \
-                 fastest motion of interest are usual"
+                "give \"step\" in the unit of time of the file; some hundred steps per period of \
+                 the fastest motion of interest are usual"
             }
             Self::Limits { .. } => "steps are between \"least\" and \"most\"",
             Self::NotOfScheme { key: "radius", .. } => {
-                "\"radius\" is that of \"two-step\" and \"cubic\""
+                "\"radius\" is a key of \"two-step\" and \"cubic\""
             }
-            Self::NotOfScheme { .. } => "\"zeta\" is that of \"parabolic\"",
+            Self::NotOfScheme { .. } => "\"zeta\" is a key of \"parabolic\"",
             Self::UndampedRadius { .. } => {
-                "take radius = 0.99, scheme = \"crank-nicolson\", or scheme = \"cubic\" with \
-                 radius = 1, which keeps energies best"
+                "use radius = 0.99, scheme = \"crank-nicolson\", or scheme = \"cubic\" with \
+                 radius = 1, which conserves energy best"
             }
-            Self::IdleSpeed => "say start = \"rotating\", or remove \"speed\"",
+            Self::IdleSpeed => "write start = \"rotating\", or remove \"speed\"",
             Self::IdleVelocity { .. } => "add [transient] with \"to\" and \"step\", or remove it",
             Self::Range { .. } => return None,
         };
@@ -185,7 +185,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
     })
 }
 
-/// The number of the word under `key` among `known`; the first when there is none.
+/// The index of the word under `key` among `known`; the first if it is absent.
 fn word(table: &Table<'_>, key: &str, known: &[&str]) -> Option<usize> {
     match table.has(key) {
         true => table.word(key, known),
@@ -207,7 +207,7 @@ fn times(table: &Table<'_>) -> Option<[f64; 2]> {
     Some([from, to])
 }
 
-/// Reads `step`: a length, or limits; `length` is that of the run, if it is known.
+/// Reads `step`: a length, or limits; `length` is the length of the run, if it is known.
 fn stepping(table: &Table<'_>, length: Option<f64>) -> Option<Stepping> {
     if table.is_table("step") {
         return variable(&table.table("step")?, length).map(Stepping::Variable);
@@ -216,7 +216,7 @@ fn stepping(table: &Table<'_>, length: Option<f64>) -> Option<Stepping> {
     is_possible(table, "step", step, length).then_some(Stepping::Constant { step })
 }
 
-/// Whether a step fits into a run; notes if not.
+/// Whether a step fits into a run; otherwise notes the problem.
 fn is_possible(table: &Table<'_>, key: &'static str, step: f64, length: Option<f64>) -> bool {
     let Some(length) = length else { return true };
     let steps = length / step;
@@ -332,7 +332,7 @@ fn number_in(
         return Some(None);
     }
     let found = table.quantity(key, Dimension::NUMBER)?;
-    // The ends of zeta make the weights of the formula infinite.
+    // The ends of the range of zeta make the weights of the scheme infinite.
     let is_end = key == "zeta" && (found == low || found == high);
     if !(low..=high).contains(&found) || is_end {
         let problem = TransientProblem::Range {

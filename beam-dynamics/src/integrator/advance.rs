@@ -2,10 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::corrector::{Corrector, Meter};
+use super::corrector::Corrector;
 use super::formula::{Formula, STAGES};
 use super::lengths::{Accepted, Lengths, Plan, cut_by};
 use super::limits::MOST_CROWDED;
+use super::meter::Meter;
 use super::prediction::Past;
 use super::speeds::Speeds;
 use super::{
@@ -269,11 +270,8 @@ impl Integrator {
     ) -> Result<usize, Reason> {
         let began = clock();
         self.predict(dae, formula, plan);
-        self.progress.counters.prediction_time += clock() - began;
-        let mut meter = Meter {
-            counters: &mut self.progress.counters,
-            clock,
-        };
+        let mut meter = Meter::new(&mut self.progress.counters, clock, began);
+        meter.end_phase(|counters| &mut counters.prediction_time);
         self.corrector
             .converge(dae, formula, plan.length, &self.limits, &mut meter)
     }
@@ -381,6 +379,11 @@ impl Integrator {
             local_error,
             history: self.corrector.history().to_vec(),
         }
+    }
+
+    /// Whether the equations of the latest step may be nearly singular.
+    pub fn is_doubtful(&self) -> bool {
+        self.corrector.is_doubtful()
     }
 
     /// What the unknowns of the last stage of the latest step move by where its residual is

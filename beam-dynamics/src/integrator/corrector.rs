@@ -11,27 +11,14 @@
 use std::sync::Arc;
 
 use super::formula::{Formula, STAGES};
-use super::{Counters, Dae, Jacobians, Reason, StepLimits};
+use super::meter::Meter;
+use super::{Dae, Jacobians, Reason, StepLimits};
 use crate::assembly::{Combination, Pattern, Residual, Sparse};
 use crate::solver::{Iteration, StepSolver, Worst};
 
 mod stages;
 
 use stages::StageMatrix;
-
-/// Counts and times what is done.
-pub(super) struct Meter<'a> {
-    /// What is counted.
-    pub counters: &'a mut Counters,
-    /// The time that passes [s].
-    pub clock: &'a dyn Fn() -> f64,
-}
-
-impl std::fmt::Debug for Meter<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.counters.fmt(f)
-    }
-}
 
 /// A residual or correction so far below its limit is nothing but round-off.
 const ROUND_OFF: f64 = 1e-3;
@@ -228,11 +215,10 @@ impl Corrector {
     }
 
     fn find_residuals(&mut self, dae: &mut dyn Dae, meter: &mut Meter<'_>) {
-        let start = (meter.clock)();
         for (stage, residual) in self.residuals.iter_mut().enumerate() {
             dae.residual(stage, residual);
         }
-        meter.counters.residual_time += (meter.clock)() - start;
+        meter.end_phase(|counters| &mut counters.residual_time);
     }
 
     /// The worst equation of all stages.
@@ -332,10 +318,9 @@ impl Corrector {
         weights: &[[f64; STAGES]; STAGES],
         meter: &mut Meter<'_>,
     ) {
-        let start = (meter.clock)();
         let residuals = &mut self.residuals[..];
         self.matrix.combine(dae, weights, Some(residuals));
-        meter.counters.jacobian_time += (meter.clock)() - start;
+        meter.end_phase(|counters| &mut counters.jacobian_time);
     }
 
     /// Derivatives of all stages.
@@ -345,9 +330,8 @@ impl Corrector {
         weights: &[[f64; STAGES]; STAGES],
         meter: &mut Meter<'_>,
     ) {
-        let start = (meter.clock)();
         self.matrix.combine(dae, weights, None);
-        meter.counters.jacobian_time += (meter.clock)() - start;
+        meter.end_phase(|counters| &mut counters.jacobian_time);
     }
 
     fn factorize(
@@ -355,13 +339,11 @@ impl Corrector {
         weights: &[[f64; STAGES]; STAGES],
         meter: &mut Meter<'_>,
     ) -> Result<(), Reason> {
-        let start = (meter.clock)();
         let pivotings = self.solver.counts().pivotings;
         let factorized = self.solver.factorize_taking(self.matrix.matrix_mut());
         meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
-        let end = (meter.clock)();
         meter.counters.jacobians += 1;
-        meter.counters.factorization_time += end - start;
+        meter.end_phase(|counters| &mut counters.factorization_time);
         self.kept = None;
         factorized.ok_or_else(|| self.why_singular())?;
         self.kept = Some(Kept {
@@ -370,6 +352,11 @@ impl Corrector {
             uses: 0,
         });
         Ok(())
+    }
+
+    /// Whether the last Jacobian may be nearly singular.
+    pub fn is_doubtful(&self) -> bool {
+        self.solver.is_doubtful()
     }
 
     /// What the unknowns of the last stage move by where its residual is `right` less, which
@@ -405,7 +392,6 @@ impl Corrector {
         weights: &[[f64; STAGES]; STAGES],
         meter: &mut Meter<'_>,
     ) -> Result<f64, Reason> {
-        let start = (meter.clock)();
         let stages = self.stages;
         for (stage, residual) in self.residuals.iter().enumerate() {
             for (i, value) in residual.values.iter().enumerate() {
@@ -415,7 +401,6 @@ impl Corrector {
         let pivotings = self.solver.counts().pivotings;
         let solved = self.solver.solve(&mut self.solution);
         meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
-        meter.counters.solution_time += (meter.clock)() - start;
         meter.counters.iterations += 1;
         solved.ok_or(Reason::Singular)?;
         if let Some(kept) = &mut self.kept {
@@ -436,6 +421,7 @@ impl Corrector {
                 false => f64::INFINITY,
             };
         }
+        meter.end_phase(|counters| &mut counters.solution_time);
         Ok(size)
     }
 

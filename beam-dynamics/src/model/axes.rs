@@ -1,4 +1,4 @@
-//! Directions by which the motion of a node is named: span, lag, flap, torsion.
+//! Directions used to name the motion of a node: span, lag, flap, torsion.
 
 use nalgebra::Matrix3;
 
@@ -6,10 +6,10 @@ use nalgebra::Matrix3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamingAxes {
     /// Axes of the blade root (columns): x along the span, y in the direction of lag
-    /// (toward the leading edge), z in that of flap [-].
+    /// (toward the leading edge), z in the direction of flap [-].
     pub blade: Matrix3<f64>,
-    /// Axes of the section at the node (columns): x along the beam, about which
-    /// torsion turns [-].
+    /// Axes of the section at the node (columns): x along the beam, the axis of
+    /// torsion [-].
     pub section: Matrix3<f64>,
 }
 

@@ -1,25 +1,25 @@
-//! What surrounds a model: the turning frame, gravity, and how far loads are applied.
+//! Conditions of a model: the turning frame, gravity, and the factors of loads.
 
 use nalgebra::Vector3;
 
 use super::TurningFrame;
 
-/// Gravity, the factors of the loads, and the time for which drives are asked.
+/// Gravity, the factors of the loads, and the time at which drives are evaluated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Loading {
-    /// Acceleration of gravity as it acts now, in the frame [m/s^2].
+    /// Present acceleration of gravity, in the frame [m/s^2].
     pub gravity: Vector3<f64>,
     /// Factor of the loads that are constant during an analysis [-].
     pub constant: f64,
     /// Factor of the loads that grow in proportion [-].
     pub proportional: f64,
-    /// Time; statics and modes are at the time zero [s].
+    /// Time; statics and modes are at time zero [s].
     pub time: f64,
-    /// Part of the driven rotations that is applied: one, but while places are made to
-    /// fulfill the constraints \[-\].
+    /// Part of the prescribed rotations that is applied: one, except while positions are
+    /// adjusted to fulfill the constraints \[-\].
     pub turns: f64,
-    /// Part of the given voltages that is applied: one, but on the way to an equilibrium that
-    /// is not found otherwise \[-\].
+    /// Part of the given voltages that is applied: one, except on the way to an equilibrium
+    /// that is not found otherwise \[-\].
     pub voltages: f64,
 }
 
@@ -37,7 +37,7 @@ impl Loading {
     }
 }
 
-/// All that acts on a model from outside.
+/// All external actions on a model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conditions {
     /// The frame in which the model is written.

@@ -1,8 +1,8 @@
 //! Numbers that change with time.
 //!
-//! A [`Drive`] is a given function of time that knows its first and second derivative
-//! and the times at which it is not smooth. At a corner or a jump it has the value and
-//! the derivatives of the time after it.
+//! A [`Drive`] is a given function of time with its first and second derivative and the
+//! times at which it is not smooth. At a corner or a jump it has the value and the
+//! derivatives just after it.
 
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ pub struct DriveValue {
 }
 
 impl DriveValue {
-    /// A number that does not change.
+    /// A constant number.
     pub fn constant(value: f64) -> Self {
         Self {
             value,
@@ -77,13 +77,13 @@ impl DriveValue {
 pub enum Drive {
     /// Always the same.
     Constant(f64),
-    /// From one value to another in a stretch of time.
+    /// From one value to another within a time interval.
     Ramp(Ramp),
     /// A jump.
     Step(Step),
     /// A sine.
     Harmonic(Harmonic),
-    /// Up, then down by the same.
+    /// Up, then down by the same amount.
     Doublet(Doublet),
     /// Interpolated between given times.
     Table(Arc<DriveTable>),
@@ -119,8 +119,8 @@ impl Drive {
         })
     }
 
-    /// The value at `time` \[s\]; at a corner that after it. Outside of the domain it is
-    /// not a number.
+    /// The value at `time` \[s\]; at a corner the value after it. Outside of the domain it
+    /// is NaN.
     pub fn at(&self, time: f64) -> DriveValue {
         match self {
             Self::Constant(value) => DriveValue::constant(*value),
@@ -145,7 +145,7 @@ impl Drive {
     }
 
     /// The first time after `time` at which the drive or its first derivative jumps \[s\];
-    /// infinite when there is none.
+    /// infinite without one.
     pub fn next_corner(&self, time: f64) -> f64 {
         match self {
             Self::Constant(_) | Self::Band(_) => f64::INFINITY,
@@ -174,7 +174,7 @@ impl Drive {
         }
     }
 
-    /// The number that it always has, if it does not change.
+    /// The constant value, if the drive is constant.
     pub fn constant(&self) -> Option<f64> {
         match self {
             Self::Constant(value) => Some(*value),
@@ -195,7 +195,7 @@ impl Drive {
     }
 }
 
-/// The first of ascending `times` that lies after `time`; infinite when there is none.
+/// The first of ascending `times` after `time`; infinite without one.
 fn next_of(times: &[f64], time: f64) -> f64 {
     let next = times.iter().find(|corner| **corner > time);
     next.copied().unwrap_or(f64::INFINITY)

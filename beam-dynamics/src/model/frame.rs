@@ -31,7 +31,7 @@ impl TurningFrame {
         velocity + self.angular_velocity.cross(&(position - self.center))
     }
 
-    /// `[Omega]x`, the derivative of the velocity in space by the position [1/s].
+    /// `[Omega]x`, the derivative of the velocity in space with respect to position [1/s].
     pub fn skew(&self) -> Matrix3<f64> {
         skew(&self.angular_velocity)
     }

@@ -3,15 +3,15 @@
 use std::borrow::Cow;
 use std::fmt;
 
-/// An unknown or an equation in words: `force balance along y of node "tip"`.
+/// An unknown or an equation as text: `force balance along y of node "tip"`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Name {
-    /// What it is: `force balance along y`.
+    /// The quantity: `force balance along y`.
     pub what: String,
-    /// Whose it is: `node "tip"`, or the label of an element in quotes; empty for a thing
-    /// of the system as a whole.
+    /// The owner: `node "tip"`, or the label of an element in quotes; empty for the system
+    /// as a whole.
     pub owner: String,
-    /// In which unit it counts: `N`.
+    /// Its unit: `N`.
     pub unit: Cow<'static, str>,
 }
 
@@ -51,8 +51,8 @@ impl Name {
         }
     }
 
-    /// The name and how far it is off: a part of the scale by which it is measured, and the
-    /// scale \[unit of the name\].
+    /// The name with its error: a part of the scale by which it is measured, and the scale
+    /// \[unit of the name\].
     pub fn off_by(&self, relative: f64, scale: f64) -> String {
         if !relative.is_finite() {
             return format!("{self}, without a value");
@@ -66,7 +66,7 @@ impl Name {
     }
 }
 
-/// A number of four digits, with a power of ten where it is large or small.
+/// A number of four digits, with a power of ten if it is large or small.
 fn brief(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     match rounded == 0.0 || (1e-2..1e5).contains(&rounded.abs()) {

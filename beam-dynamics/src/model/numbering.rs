@@ -1,4 +1,4 @@
-//! Places of unknowns and equations in the vectors of the system, and their names.
+//! Indices of unknowns and equations in the vectors of the system, and their names.
 
 /// Unknowns, and equations, of a node.
 pub const NODE_UNKNOWNS: usize = 12;
@@ -40,7 +40,7 @@ impl Equation {
         3 * self as usize
     }
 
-    /// The equation in words, up to its axis.
+    /// Description of the equation, without its axis.
     pub fn words(self) -> &'static str {
         match self {
             Self::Momentum => "definition of momentum along",
@@ -50,7 +50,7 @@ impl Equation {
         }
     }
 
-    /// In which unit it counts.
+    /// Unit of the equation.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Momentum => "kg m/s",
@@ -61,7 +61,7 @@ impl Equation {
     }
 }
 
-/// Vector variables of a node by which a residual is differentiated. Rotation is
+/// Vector variables of a node with respect to which a residual is differentiated. Rotation is
 /// the spatial rotation `theta` of `dR = [theta]x R`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Variable {
@@ -109,7 +109,7 @@ impl Variable {
         Self::AngularMomentum,
     ];
 
-    /// The variable in words, up to its axis.
+    /// Description of the variable, without its axis.
     pub fn words(self) -> &'static str {
         match self {
             Self::Position => "position along",
@@ -123,7 +123,7 @@ impl Variable {
         }
     }
 
-    /// In which unit it counts.
+    /// Unit of the variable.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Position => "m",
@@ -143,9 +143,9 @@ impl Variable {
     }
 }
 
-/// Order of the unknowns: twelve a node (position, rotation, momentum, angular
-/// momentum), then the multipliers of each element in turn, then the scalars. The equations
-/// stand in the same order.
+/// Order of the unknowns: twelve per node (position, rotation, momentum, angular momentum),
+/// then the multipliers of each element in turn, then the scalars. The equations are in the
+/// same order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Numbering {
     nodes: usize,
@@ -156,7 +156,7 @@ pub struct Numbering {
     /// The scalar of each use.
     used: Vec<usize>,
     scalars: usize,
-    /// Elements that remember, with the first number of each, and how many there are.
+    /// Elements with memory, with the range of each in the memory.
     remembering: Vec<(usize, std::ops::Range<usize>)>,
 }
 
@@ -173,8 +173,8 @@ impl Numbering {
         }
     }
 
-    /// The same with the scalars of the elements, in their order: how many each uses, and the
-    /// number of the scalar of each use.
+    /// The same with the scalars of the elements, in their order: the number of scalars of
+    /// each element, and the index of each scalar used.
     #[must_use]
     pub fn with_scalars(self, counts: impl Iterator<Item = usize>, used: Vec<usize>) -> Self {
         Self {
@@ -205,12 +205,12 @@ impl Numbering {
         self.scalars
     }
 
-    /// The scalars of an element in its own order, counted among the scalars.
+    /// The scalars of an element in its own order, as indices among the scalars.
     pub fn scalars_of(&self, element: usize) -> &[usize] {
         &self.used[self.first_use[element]..self.first_use[element + 1]]
     }
 
-    /// The same with what the elements remember, given by how much that is of each.
+    /// The same with the memory of the elements, given by the number of values of each.
     #[must_use]
     pub fn with_memory(self, counts: impl Iterator<Item = usize>) -> Self {
         let mut end = 0;
@@ -225,49 +225,49 @@ impl Numbering {
         }
     }
 
-    /// Length of what the elements remember.
+    /// Length of the memory of all elements.
     pub fn memory(&self) -> usize {
         self.remembering.last().map_or(0, |last| last.1.end)
     }
 
-    /// Elements that remember, with their parts of the memory.
+    /// Elements with memory, with their parts of it.
     pub fn remembering(&self) -> &[(usize, std::ops::Range<usize>)] {
         &self.remembering
     }
 
-    /// The part of the memory that is an element's own.
+    /// The part of the memory that belongs to an element.
     pub fn memory_of(&self, element: usize) -> std::ops::Range<usize> {
         let place = self.remembering.binary_search_by_key(&element, |own| own.0);
         place.map_or(0..0, |place| self.remembering[place].1.clone())
     }
 
-    /// Place of the first multiplier among the unknowns.
+    /// Index of the first multiplier among the unknowns.
     pub fn first_multiplier(&self) -> usize {
         NODE_UNKNOWNS * self.nodes
     }
 
-    /// Place of the first scalar unknown.
+    /// Index of the first scalar unknown.
     pub fn first_scalar(&self) -> usize {
         self.first_multiplier() + self.multipliers()
     }
 
-    /// Place of the first unknown of a node.
+    /// Index of the first unknown of a node.
     pub fn node(&self, node: usize) -> usize {
         NODE_UNKNOWNS * node
     }
 
-    /// Multipliers of an element, counted among the multipliers.
+    /// Multipliers of an element, as indices among the multipliers.
     pub fn multipliers_of(&self, element: usize) -> std::ops::Range<usize> {
         self.first_multiplier[element]..self.first_multiplier[element + 1]
     }
 
-    /// Place of the first multiplier of an element among the unknowns.
+    /// Index of the first multiplier of an element among the unknowns.
     pub fn first_multiplier_of(&self, element: usize) -> usize {
         self.first_multiplier() + self.first_multiplier[element]
     }
 }
 
-/// The first number of each of those that have so many, and the end.
+/// The first index of each range of the given lengths, and the end.
 fn firsts(counts: impl Iterator<Item = usize>) -> Vec<usize> {
     let ends = counts.scan(0, |end, count| {
         *end += count;

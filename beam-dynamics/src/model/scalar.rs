@@ -1,9 +1,10 @@
-//! Scalar unknowns: numbers that elements add to the unknowns of nodes and constraints, as
-//! voltages, states of controllers, inflow or pressures.
+//! Scalar unknowns: numbers that elements add to the unknowns of nodes and constraints, for
+//! example voltages, states of controllers, inflow or pressures.
 //!
-//! An element lists the scalars that it uses in [`crate::elements::Element::scalars`]; those
-//! that list the same [`Scalar`] share one unknown and one equation, to which each of them
-//! adds its part. The system numbers them in the order in which the elements list them.
+//! An element lists the scalars that it uses in [`crate::elements::Element::scalars`];
+//! elements that list the same [`Scalar`] share one unknown and one equation, to which each
+//! of them adds its part. The system numbers them in the order in which the elements list
+//! them.
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -11,16 +12,17 @@ use std::sync::Arc;
 /// A quantity by its name and its unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
-    /// Name, as "voltage".
+    /// Name, for example "voltage".
     pub name: String,
     /// Unit.
     pub unit: String,
-    /// Size from which on a value counts as large: smaller ones are measured by it [unit].
+    /// Size above which errors are relative to the value: below, they are relative to this
+    /// size [unit].
     pub scale: f64,
 }
 
 impl Quantity {
-    /// The quantity `name` in `unit`; values below `scale` are measured by it.
+    /// The quantity `name` in `unit`; values below `scale` are measured relative to it.
     pub fn new(name: impl Into<String>, unit: impl Into<String>, scale: f64) -> Self {
         Self {
             name: name.into(),
@@ -33,13 +35,13 @@ impl Quantity {
 /// Value of a scalar at the start of a run that begins from a given motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ScalarStart {
-    /// Given, or where to start to look for a scalar without rate [unit of the scalar].
+    /// Given, or an initial guess for a scalar without rate [unit of the scalar].
     Value(f64),
-    /// That at which it rests: its equation holds with a rate of zero.
+    /// At rest: its equation holds with a rate of zero.
     Settled,
 }
 
-/// A scalar unknown, and the equation that stands in its place.
+/// A scalar unknown, and its equation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScalarSpec {
     /// Name of the element to which it belongs.
@@ -48,9 +50,9 @@ pub struct ScalarSpec {
     pub unknown: Quantity,
     /// The equation.
     pub equation: Quantity,
-    /// Whether its rate stands in an equation. Without, it may jump.
+    /// Whether its rate appears in an equation. Without, it may jump.
     pub has_rate: bool,
-    /// The scalar that its equation makes its rate, where there is one. Then its rate does not
+    /// The scalar that the equation sets equal to its rate, if any. Then its rate does not
     /// jump.
     pub rate: Option<Scalar>,
     /// Its value at the start.
@@ -67,7 +69,7 @@ impl Scalar {
         Self(Arc::new(spec))
     }
 
-    /// The number of each scalar of `used` among the different ones, which are returned in
+    /// The index of each scalar of `used` among the different ones, which are returned in
     /// the order in which they first appear.
     pub fn number<'a>(used: impl Iterator<Item = &'a Self>) -> (Vec<usize>, Vec<Self>) {
         let mut known = std::collections::HashMap::new();
@@ -103,7 +105,7 @@ impl Deref for Scalar {
 pub struct Scalars<'a> {
     /// Values [unit of each].
     pub values: &'a [f64],
-    /// Rates of those that have one, else zero [unit of each/s].
+    /// Rates of the scalars that have one, else zero [unit of each/s].
     pub rates: &'a [f64],
 }
 

@@ -1,4 +1,4 @@
-//! All that changes during a run.
+//! All variables of a run.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::gibbs;
@@ -12,7 +12,7 @@ pub struct NodeMotion {
     pub position: Vector3<f64>,
     /// Orientation, columns are the node's axes [-].
     pub rotation: Matrix3<f64>,
-    /// Momentum of what moves with the node [kg m/s].
+    /// Momentum of the masses that move with the node [kg m/s].
     pub momentum: Vector3<f64>,
     /// Angular momentum about the node [kg m^2/s].
     pub angular_momentum: Vector3<f64>,
@@ -27,7 +27,7 @@ pub struct NodeMotion {
 }
 
 impl NodeMotion {
-    /// At rest in the frame, at the undeformed place of `node`.
+    /// At rest in the frame, at the undeformed position of `node`.
     pub fn at_rest(node: &Node) -> Self {
         Self {
             position: node.position,
@@ -61,9 +61,9 @@ pub struct State {
     pub multipliers: Vec<f64>,
     /// Scalar unknowns, in the order of the numbering [unit of each].
     pub scalars: Vec<f64>,
-    /// Rates of those that have one, else zero [unit of each/s].
+    /// Rates of the scalars that have one, else zero [unit of each/s].
     pub scalar_rates: Vec<f64>,
-    /// What elements remember of accepted steps, in their order [unit of each].
+    /// Memory of the elements from accepted steps, in their order [unit of each].
     pub memory: Vec<f64>,
 }
 
@@ -79,7 +79,7 @@ impl State {
         }
     }
 
-    /// Becomes `other`, a state of the same model, in the room that is there.
+    /// Copies `other`, a state of the same model, without allocating.
     pub fn copy_from(&mut self, other: &Self) {
         self.nodes.copy_from_slice(&other.nodes);
         self.multipliers.copy_from_slice(&other.multipliers);

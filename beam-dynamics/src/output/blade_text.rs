@@ -1,4 +1,4 @@
-//! What a blade file holds, in words.
+//! Description of the contents of a blade file.
 
 use nalgebra::Vector2;
 use shared_geom::blade::{Blade, BladeDamping, Interpolation, Station};
@@ -50,7 +50,7 @@ pub fn blade_text(file: &str, format: Format, reading: &Reading) -> String {
     text
 }
 
-/// A headed list, where there is something to tell.
+/// A list with a heading; empty without items.
 pub fn list(text: &mut String, head: &str, lines: &[String]) {
     if lines.is_empty() {
         return;
@@ -178,7 +178,7 @@ fn damping_words(blade: &Blade) -> String {
     }
 }
 
-/// Whether the stiffness is positive definite, and how nearly it is not.
+/// Whether the stiffness is positive definite, and its least eigenvalue.
 fn definite_words(blade: &Blade) -> String {
     let least = |station: &Station| match least_eigenvalue(&station.stiffness) {
         value if value.is_nan() => f64::NEG_INFINITY,
@@ -195,7 +195,7 @@ fn definite_words(blade: &Blade) -> String {
     format!("{verdict}; least eigenvalue, scaled to a unit diagonal, {value:.3e} at {place:.4} m")
 }
 
-/// Where the least and the largest of a quantity stand.
+/// The least and the largest value of a quantity, with their positions.
 fn range(values: &[(f64, f64)]) -> [(f64, f64); 2] {
     let order = |a: &&(f64, f64), b: &&(f64, f64)| a.0.total_cmp(&b.0);
     let least = values.iter().min_by(order);
@@ -207,7 +207,7 @@ fn words(cells: &[&str]) -> Vec<String> {
     cells.iter().map(|&cell| cell.to_owned()).collect()
 }
 
-/// A row of a quantity: least and largest, with their places.
+/// A row of a quantity: least and largest value, with their positions.
 fn range_row(name: String, values: &[(f64, f64)], digits: impl Fn(f64) -> String) -> Vec<String> {
     let [least, most] = range(values);
     let place = |s: f64| format!("{s:.3}");
@@ -275,7 +275,7 @@ fn center_table(blade: &Blade) -> String {
     aligned(&rows)
 }
 
-/// What a complete blade has and this has not.
+/// Missing parts of a blade.
 fn missing(blade: &Blade) -> Vec<String> {
     let mut missing = Vec::new();
     let length = blade.length();
@@ -287,19 +287,19 @@ fn missing(blade: &Blade) -> Vec<String> {
     let margin = 1e-9 * length;
     if *first > margin {
         missing.push(format!(
-            "properties from the root to {first:.6} m: those of the first station"
+            "properties from the root to {first:.6} m, taken from the first station"
         ));
     }
     if *last < length - margin {
         missing.push(format!(
-            "properties from {last:.6} m to the tip at {length:.6} m: those of the last station"
+            "properties from {last:.6} m to the tip at {length:.6} m, taken from the last station"
         ));
     }
     if blade.damping.is_none() {
         missing.push("damping".to_owned());
     }
     if blade.provenance.input_hash.is_empty() {
-        missing.push("the hash of what it was made from".to_owned());
+        missing.push("the hash of its source".to_owned());
     }
     missing
 }

@@ -1,4 +1,4 @@
-//! What is written of critical loads.
+//! Output of critical loads.
 
 mod fields;
 mod files;

@@ -1,4 +1,4 @@
-//! Measured frequencies beside the computed ones.
+//! Measured frequencies compared with computed ones.
 
 use super::text::{RPM, aligned};
 use crate::input::short_number;
@@ -97,7 +97,7 @@ fn conclusion(rows: &[Comparison]) -> String {
     )
 }
 
-/// What does not count, and what has nothing to be set beside.
+/// Points left out by the settings, and points without a computed counterpart.
 fn left_out(measured: &Measured, compared: usize) -> String {
     let mut text = String::new();
     if !measured.leave_out.is_empty() {

@@ -25,9 +25,9 @@ use boxes::Obstacles;
 const SIZE: (u32, u32) = (WIDTH, 1250);
 /// Height of the plot of damping below \[figure pixels\].
 const DAMPING: u32 = 480;
-/// Size of labels beside lines.
+/// Size of labels next to lines.
 const SMALL: f64 = 0.8 * TEXT;
-/// Colors of modes: those of categories without yellow, which is faint as a line.
+/// Colors of modes: the colors of categories without yellow, which is faint as a line.
 const COLORS: usize = CATEGORIES.len() - 1;
 
 /// A fan plot, ready to be saved.
@@ -51,13 +51,13 @@ struct Curve {
     color: RGBColor,
     /// Damping ratios \[%\].
     damping: Vec<Option<f64>>,
-    /// Pattern of the line: another one each time that the colors come again.
+    /// Pattern of the line: a different one for each repetition of the colors.
     pattern: usize,
 }
 
 impl FanPlot {
-    /// The plot of `table` and the measured points; `None` for less than two speeds,
-    /// which are no lines, and without modes.
+    /// The plot of `table` and the measured points; `None` for fewer than two speeds, which make no
+    /// lines, and without modes.
     pub fn new(table: &FrequencyTable, measured: &Measured) -> Option<Self> {
         let speeds: Vec<_> = table.speeds.iter().map(|speed| speed * RPM).collect();
         let shown = |branch: &&ModeBranch| branch.points.iter().any(Option::is_some);
@@ -103,7 +103,7 @@ impl FanPlot {
         canvas: &Canvas<B>,
         axes: &Axes,
     ) -> Result<(), FigureProblem> {
-        // Bold letters are wider than those that are measured.
+        // Bold letters are wider than the measured ones.
         let width = 1.2 * canvas.text_width(&self.title, TEXT);
         let (total, height) = (canvas.size().0, f64::from(SIZE.1));
         let size = TEXT * ((total - axes.left - 24.0) / width).min(1.0);
@@ -132,8 +132,8 @@ impl Curve {
         }
     }
 
-    /// Whether there are points at half of the speeds at least: others are mostly pieces
-    /// of one of several modes of one frequency, of which not all were asked for.
+    /// Whether there are points at half of the speeds at least: shorter ones are mostly pieces of a
+    /// mode of a multiple frequency, of which not all modes were requested.
     fn is_long(&self) -> bool {
         2 * self.frequencies.iter().flatten().count() >= self.frequencies.len()
     }
@@ -213,9 +213,9 @@ mod tests {
         }
     }
 
-    // Where a measured point lies beyond the last speed, the names stand at the ends of
-    // the lines within the frame; a line from there to the column beyond the frame would
-    // look like more of the curve.
+    // If a measured point lies beyond the last speed, the names are at the ends of the lines within
+    // the frame; a line from there to the column beyond the frame would look like more of the
+    // curve.
     #[test]
     fn no_line_is_drawn_beyond_the_last_speed() {
         let table = samples::swept_tip(3);

@@ -14,8 +14,8 @@ const TEXT: &str = "frequencies.txt";
 const COMPARISON: &str = "comparison.csv";
 const FAN: [&str; 2] = ["fan.png", "fan.svg"];
 
-/// The text of a result: the frequency table, the comparison with the measurements if
-/// there are any, and what it all means.
+/// The text of a result: the frequency table, the comparison with the measurements if there are
+/// any, and the conventions.
 pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
     let comparison = match measured.points.is_empty() {
         true => String::new(),
@@ -29,9 +29,8 @@ pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
 }
 
 /// Writes `NAME.frequencies.csv`, `NAME.modes.csv`, `NAME.frequencies.txt`, with measurements
-/// `NAME.comparison.csv`, and for two speeds or more, where figures are drawn, `NAME.fan.png`
-/// and `NAME.fan.svg` to `place`. Those that an earlier run left there and this one does not
-/// have are removed.
+/// `NAME.comparison.csv`, and for two speeds or more, if figures are drawn, `NAME.fan.png` and
+/// `NAME.fan.svg` to `place`. Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.

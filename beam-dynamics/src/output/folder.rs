@@ -1,22 +1,22 @@
-//! The files of one name in a folder of results: written, listed, and removed when
-//! they are out of date.
+//! The files of one name in a folder of results: written, listed, and removed if they are out of
+//! date.
 
 use std::path::{Path, PathBuf};
 
 use shared_geom::files::{OutputProblem, make_folder, write_text};
 use shared_geom::vtk::FieldFile;
 
-/// Endings of what a folder of field files holds; nothing else is removed from it.
+/// Endings of the files in a folder of field files; only these are removed from it.
 const FIELD_ENDINGS: [&str; 2] = ["vtu", "pvd"];
 
-/// Where the results of a file go, and which kinds of them are made.
+/// Destination of the results of a file, and their kinds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ResultPlace {
-    /// Folder, which is made when it does not exist.
+    /// Folder, created if it does not exist.
     pub folder: PathBuf,
-    /// What the names of all files begin with, before a dot.
+    /// Beginning of the names of all files, before a dot.
     pub name: String,
-    /// Whether figures are drawn. Where they are not, those of an earlier run go.
+    /// Whether figures are drawn. If not, figures of an earlier run are removed.
     pub figures: bool,
 }
 
@@ -30,20 +30,20 @@ impl ResultPlace {
         }
     }
 
-    /// The same, with figures drawn or left out.
+    /// The same, with or without figures.
     pub fn with_figures(self, figures: bool) -> Self {
         Self { figures, ..self }
     }
 }
 
-/// Files written, in order, and what was left out.
+/// Files written, in order, and omitted ones.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Written {
     /// The files.
     pub files: Vec<PathBuf>,
-    /// Why there is no fan plot, if there is none but one would be drawn.
+    /// Reason for a missing fan plot that would otherwise be drawn.
     pub no_plot: Option<&'static str>,
-    /// Columns that the figure of a run leaves out.
+    /// Columns omitted from the figure of a run.
     pub not_drawn: Vec<String>,
 }
 
@@ -51,7 +51,7 @@ pub struct Written {
 #[derive(Debug)]
 pub(super) struct Results<'a> {
     place: &'a ResultPlace,
-    /// What was written so far; of many field files their folder.
+    /// Files written so far; for many field files their folder.
     pub written: Written,
 }
 
@@ -79,7 +79,7 @@ impl<'a> Results<'a> {
     /// Removes files of an earlier run.
     pub fn remove<'e>(&self, endings: impl IntoIterator<Item = &'e str>) {
         for ending in endings {
-            // One that does not exist is no problem.
+            // A missing file is not an error.
             let _ = std::fs::remove_file(self.path(ending));
         }
     }
@@ -95,8 +95,7 @@ impl<'a> Results<'a> {
         });
     }
 
-    /// Removes the field files in the folder `NAME.FIELDS`, and the folder if that was
-    /// all in it.
+    /// Removes the field files in the folder `NAME.FIELDS`, and the folder if it is then empty.
     pub fn remove_fields(&self, fields: &str) {
         let folder = self.path(fields);
         remove_files(&folder, |name| {
@@ -116,8 +115,8 @@ impl<'a> Results<'a> {
         Ok(())
     }
 
-    /// Saves one figure in two formats, if there is one. It is made only where figures are
-    /// drawn. Gives whether it is drawn.
+    /// Saves one figure in two formats, if there is one. It is made only if figures are drawn.
+    /// Returns whether it is drawn.
     pub fn figures<F>(
         &mut self,
         endings: [&str; 2],
@@ -135,8 +134,8 @@ impl<'a> Results<'a> {
         Ok(true)
     }
 
-    /// Writes a grid into the folder `NAME.FIELDS`; gives its path from the folder of
-    /// the results, for a series.
+    /// Writes a grid into the folder `NAME.FIELDS`; returns its path from the folder of the
+    /// results, for a series.
     pub fn field(
         &mut self,
         fields: &str,
@@ -149,7 +148,7 @@ impl<'a> Results<'a> {
         Ok(format!("{}.{fields}/{file}", self.place.name))
     }
 
-    /// Writes a series into the folder `NAME.FIELDS`, beside its grids.
+    /// Writes a series into the folder `NAME.FIELDS`, next to its grids.
     pub fn series(&self, fields: &str, file: &str, text: &str) -> Result<(), OutputProblem> {
         write_text(&self.path(fields).join(file), text)
     }

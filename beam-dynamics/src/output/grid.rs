@@ -13,9 +13,9 @@ use crate::model::Node;
 const AXES: [&str; 3] = ["axis_x", "axis_y", "axis_z"];
 
 impl Structure {
-    /// The grid with its nodes at `positions`: two lines a beam, from its first node to
-    /// the middle one and on to the last, with the numbers of beam and member; a node
-    /// without beams is a vertex with the numbers -1.
+    /// The grid with its nodes at `positions`: two lines per beam, from its first node to the
+    /// middle one and to the last, with the numbers of beam and member; a node without beams is a
+    /// vertex with the numbers -1.
     pub fn grid(&self, positions: &[Vector3<f64>]) -> FieldFile {
         let mut file = FieldFile::new(positions.iter().map(|place| (*place).into()));
         let (mut beams, mut members) = (Vec::new(), Vec::new());
@@ -68,13 +68,13 @@ impl Structure {
     }
 }
 
-/// Adds vectors, one a point.
+/// Adds vectors, one per point.
 pub(super) fn add_vectors(file: &mut FieldFile, name: &str, vectors: &[Vector3<f64>]) {
     let values = vectors.iter().flat_map(|v| v.iter().copied());
     file.point_values(name, 3, values.collect());
 }
 
-/// Adds the columns of attitudes, one a point, as unit vectors.
+/// Adds the columns of attitudes, one per point, as unit vectors.
 pub(super) fn add_axes(file: &mut FieldFile, attitudes: &[Matrix3<f64>]) {
     for (column, name) in AXES.iter().enumerate() {
         let vectors: Vec<_> = attitudes
@@ -85,7 +85,7 @@ pub(super) fn add_axes(file: &mut FieldFile, attitudes: &[Matrix3<f64>]) {
     }
 }
 
-/// Adds what the evaluation points tell; where there is none it is not a number.
+/// Adds the quantities of the evaluation points; NaN where there is none.
 fn add_sections(file: &mut FieldFile, structure: &Structure, sections: &[SectionState]) {
     let count = structure.cell_count();
     let values = |value: &dyn Fn(&SectionState) -> f64| -> Vec<f64> {

@@ -1,4 +1,4 @@
-//! A small plot within a figure: frame, ticks, zero line, and places of points.
+//! A small plot within a figure: frame, ticks, zero line, and positions of points.
 
 use plotters::backend::DrawingBackend;
 use plotters::style::{BLACK, RGBColor};
@@ -6,30 +6,30 @@ use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks};
 
 /// Size of the letters of ticks.
 pub(super) const SMALL: f64 = 0.8 * TEXT;
-/// Color of what is behind the curves.
+/// Color of the background of the curves.
 pub(super) const GRAY: RGBColor = RGBColor(165, 165, 165);
 /// Color of zero lines.
 pub(super) const LIGHT: RGBColor = RGBColor(215, 215, 215);
 const TICK: f64 = 10.0;
 const FRAME: f64 = 2.5;
-/// Room above and below the curves, as part of their range.
+/// Margin above and below the curves, as part of their range.
 const ROOM: f64 = 0.06;
 
-/// A frame \[figure pixels\] and the ranges that it shows.
+/// A frame \[figure pixels\] and its ranges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Panel {
     pub left: f64,
     pub right: f64,
     pub top: f64,
     pub bottom: f64,
-    /// What the left and the right edge stand for.
+    /// Values at the left and the right edge.
     pub x: [f64; 2],
-    /// What the lower and the upper edge stand for.
+    /// Values at the lower and the upper edge.
     pub y: [f64; 2],
 }
 
 impl Panel {
-    /// Place of a point.
+    /// Position of a point.
     pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let part = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
         [
@@ -49,7 +49,7 @@ impl Panel {
         }
     }
 
-    /// Draws the line at zero, where zero is within the frame.
+    /// Draws the line at zero, if zero is within the frame.
     pub fn draw_zero<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         if self.y[0] < 0.0 && self.y[1] > 0.0 {
             let ends = [[self.x[0], 0.0], [self.x[1], 0.0]].map(|end| self.place(end));
@@ -58,8 +58,8 @@ impl Panel {
         Ok(())
     }
 
-    /// Draws the left and the lower edge with about these numbers of ticks; below the
-    /// lower edge only where `below`.
+    /// Draws the left and the lower edge with about these numbers of ticks; below the lower edge
+    /// only if `below`.
     pub fn draw_frame<B: DrawingBackend>(
         &self,
         canvas: &Canvas<B>,
@@ -107,8 +107,8 @@ impl Panel {
     }
 }
 
-/// The range of `values` with room at both ends; where all are of a size up to `floor`,
-/// zero with one at both sides.
+/// The range of `values` with margins at both ends; if all are of a size up to `floor`, zero with
+/// one at both sides.
 pub(super) fn range(values: impl IntoIterator<Item = f64>, floor: f64) -> [f64; 2] {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for value in values.into_iter().filter(|value| value.is_finite()) {
@@ -119,7 +119,7 @@ pub(super) fn range(values: impl IntoIterator<Item = f64>, floor: f64) -> [f64; 
         let about_zero = floor.max(1.0);
         return [-about_zero, about_zero];
     }
-    // A nearly constant curve is no rough one.
+    // A nearly constant curve is not drawn rough.
     let least = 0.02 * low.abs().max(high.abs());
     if high - low < least {
         let middle = 0.5 * (low + high);
@@ -129,20 +129,20 @@ pub(super) fn range(values: impl IntoIterator<Item = f64>, floor: f64) -> [f64; 
     [low - room, high + room]
 }
 
-/// A title above all that fits on one line, in smaller letters if it is long.
+/// A title above all panels that fits on one line, in smaller letters if it is long.
 pub(super) fn draw_title<B: DrawingBackend>(
     canvas: &Canvas<B>,
     title: &str,
     [x, y]: [f64; 2],
 ) -> Result<(), FigureProblem> {
-    // Bold letters are wider than those that are measured.
+    // Bold letters are wider than the measured ones.
     let width = 1.2 * canvas.text_width(title, TEXT);
     let size = TEXT * ((canvas.size().0 - x - 24.0) / width).min(1.0);
     canvas.text(title, [x, y], Label::new(size).bold())
 }
 
-/// A row of lines with their meaning, from `place` to the right; what does not fit into
-/// the canvas goes to the next row. Gives the height of the next row.
+/// A row of lines with their meaning, from `place` to the right; entries that do not fit into the
+/// canvas continue in the next row. Returns the height of the next row.
 pub(super) fn draw_legend<B: DrawingBackend>(
     canvas: &Canvas<B>,
     place: [f64; 2],

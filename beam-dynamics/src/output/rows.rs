@@ -5,11 +5,11 @@ use crate::input::short_number;
 /// Digits of the numbers in tables for programs: enough to compare two runs.
 const DIGITS: usize = 10;
 
-/// The rows as CSV below `heading`; what holds a comma or a quote is quoted.
+/// The rows as CSV below `heading`; values that contain a comma or a quote are quoted.
 pub(super) fn csv_text(heading: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {
-        // Rows of the same length in memory: nothing can fail.
+        // Rows of equal length in memory: writing cannot fail.
         let _ = writer.write_record(&row);
     }
     let rows = writer.into_inner().unwrap_or_default();

@@ -22,7 +22,7 @@ pub use shapes::{shaped, tip_motion};
 pub use statics::torsion;
 pub use statics::{bent, column};
 
-/// Names of the files that were written.
+/// Names of the written files.
 pub(super) fn names(written: &Written) -> Vec<String> {
     let name = |path: &PathBuf| {
         path.file_name()
@@ -33,7 +33,7 @@ pub(super) fn names(written: &Written) -> Vec<String> {
     written.files.iter().map(name).collect()
 }
 
-/// Nodes `n0`, `n1`, ... at these places, their axes along those of the model.
+/// Nodes `n0`, `n1`, ... at these positions, their axes along the axes of the model.
 pub(super) fn nodes_at(places: &[[f64; 3]]) -> Vec<Node> {
     let node = |(k, place): (usize, &[f64; 3])| Node {
         label: format!("n{k}"),
@@ -109,8 +109,8 @@ pub(super) fn small() -> FrequencyTable {
     }
 }
 
-/// Measurements beside [`small`], lag left out: two that fit, one without an order,
-/// one at another speed, one of an order too high.
+/// Measurements for [`small`], without lag: two that match, one without an order, one at another
+/// speed, one of too high an order.
 pub(super) fn measured() -> Measured {
     let point = |rpm: f64, frequency, order| MeasuredPoint {
         speed: rpm / RPM,
@@ -129,9 +129,8 @@ pub(super) fn measured() -> Measured {
     }
 }
 
-/// A table like that of a swept tip at `count` speeds from 0 to 750 rpm, with
-/// crossing modes, a branch that begins late and one that ends early:
-/// `f^2 = f0^2 + K (Omega / 2 pi)^2`.
+/// A table similar to a swept tip at `count` speeds from 0 to 750 rpm, with crossing modes, a
+/// branch that begins late and one that ends early: `f^2 = f0^2 + K (Omega / 2 pi)^2`.
 pub(super) fn swept_tip(count: usize) -> FrequencyTable {
     let modes: [(&str, ModeKind, f64, f64); 10] = [
         ("flap 1", ModeKind::Flap, 1.4, 1.4),
@@ -209,8 +208,8 @@ pub(super) fn crowded() -> FrequencyTable {
     }
 }
 
-/// Measurements by Epps and Chandra (1996) on a strip with a tip swept by 15 degrees
-/// (the file of it is in `tests/reference/rotors`).
+/// Measurements by Epps and Chandra (1996) on a strip with a tip swept by 15 degrees (in
+/// `tests/reference/rotors`).
 pub(super) fn epps_chandra() -> Measured {
     let rows: [(f64, &[f64]); 3] = [
         (0.0, &[1.8, 10.2, 27.2]),

@@ -1,4 +1,4 @@
-//! What is written of the shapes of modes: plots along the span, animated field files.
+//! Output of the shapes of modes: plots along the span, animated field files.
 
 use nalgebra::{Complex, Vector3};
 
@@ -23,13 +23,13 @@ type Components = [Complex<f64>; 4];
 /// The motion along a member, scaled so that the largest component is one.
 #[derive(Debug, Clone, PartialEq)]
 struct Along {
-    /// Number of the member.
+    /// Index of the member.
     member: usize,
     /// Arc position \[m\] and motion of each node.
     points: Vec<(f64, Components)>,
 }
 
-/// The motion along the member that moves most; `None` without members or motion.
+/// The motion along the member with the largest motion; `None` without members or motion.
 fn along(structure: &Structure, naming: &[NamingAxes], shape: &ModeShape) -> Option<Along> {
     let motions = structure
         .members
@@ -43,7 +43,7 @@ fn along(structure: &Structure, naming: &[NamingAxes], shape: &ModeShape) -> Opt
             });
             (number, points, largest)
         });
-    // Of equal ones, as blades at rest, the first.
+    // The first of equal ones, as blades at rest.
     let most = motions.reduce(|a, b| match b.2.norm() > (1.0 + 1e-6) * a.2.norm() {
         true => b,
         false => a,
@@ -55,8 +55,8 @@ fn along(structure: &Structure, naming: &[NamingAxes], shape: &ModeShape) -> Opt
     Some(Along { member, points })
 }
 
-/// Displacements along the axes of the blade, rotation about that of the section times
-/// the lever, at the nodes of a member.
+/// Displacements along the axes of the blade, and rotation about its section axis times the lever,
+/// at the nodes of a member.
 fn motion(
     structure: &Structure,
     member: &Member,
@@ -78,7 +78,7 @@ fn motion(
     stations.map(motion).collect()
 }
 
-/// A mode that has a shape at some speed.
+/// A mode with a shape at some speed.
 #[derive(Debug, Clone, Copy)]
 struct Shaped<'a> {
     name: &'a str,
@@ -89,7 +89,7 @@ struct Shaped<'a> {
     shape: &'a ModeShape,
 }
 
-/// Modes with shapes at speed number `speed`, ascending in frequency.
+/// Modes with shapes at speed index `speed`, ascending in frequency.
 fn shaped(table: &FrequencyTable, speed: usize) -> Vec<Shaped<'_>> {
     let modes = table.at_speed(speed).into_iter();
     let shaped = modes.filter_map(|(branch, point)| {

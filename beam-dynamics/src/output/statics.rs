@@ -1,4 +1,4 @@
-//! What is written of a load path.
+//! Output of a load path.
 
 mod deformed;
 mod fields;

@@ -1,4 +1,4 @@
-//! What is drawn of a model: its nodes, its beams, and the lines that these make.
+//! Drawn parts of a model: its nodes, its beams, and their lines.
 
 use nalgebra::Vector3;
 
@@ -14,7 +14,7 @@ const POINTS_A_BEAM: usize = 9;
 pub(super) struct Structure {
     /// Name of each node.
     pub labels: Vec<String>,
-    /// Undeformed places of the nodes \[m\].
+    /// Undeformed positions of the nodes \[m\].
     pub positions: Vec<Vector3<f64>>,
     /// Nodes of each beam.
     pub beams: Vec<[usize; 3]>,
@@ -22,12 +22,12 @@ pub(super) struct Structure {
     pub members: Vec<Member>,
 }
 
-/// Beams that follow each other: those of a blade, or those that join end to end.
+/// Beams that follow each other: the beams of a blade, or beams that join end to end.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Member {
     /// Name of the blade, or names of the nodes at both ends.
     pub name: String,
-    /// Numbers of the beams, from the root to the tip.
+    /// Indices of the beams, from the root to the tip.
     pub beams: Vec<usize>,
     /// Arc position of the first node of each beam, from the first node of the member
     /// along the undeformed line \[m\].
@@ -37,8 +37,8 @@ pub(super) struct Member {
 }
 
 impl Structure {
-    /// The structure of these nodes and beams. Beams between the nodes of a blade are a
-    /// member by its name, the others are joined where one ends and the next begins.
+    /// The structure of these nodes and beams. Beams between the nodes of a blade form the member
+    /// of this name, the others are joined end to end.
     pub fn new(nodes: &[Node], beams: &[[usize; 3]], blades: &[BladeNodes]) -> Self {
         let mut structure = Self {
             labels: nodes.iter().map(|node| node.label.clone()).collect(),
@@ -88,14 +88,13 @@ impl Structure {
         });
     }
 
-    /// Arc position in its member of the place xi of the beam number `place` of the
-    /// member \[m\].
+    /// Arc position in its member of the position xi on beam `place` of the member \[m\].
     pub fn arc_position(&self, member: &Member, place: usize, xi: f64) -> f64 {
         let nodes = self.beams[member.beams[place]].map(|node| self.positions[node]);
         member.starts[place] + arc_length(&nodes, xi)
     }
 
-    /// Member and place in it of each beam.
+    /// Member and index in it of each beam.
     pub fn places(&self) -> Vec<(usize, usize)> {
         let mut places = vec![(0, 0); self.beams.len()];
         for (number, member) in self.members.iter().enumerate() {
@@ -106,8 +105,8 @@ impl Structure {
         places
     }
 
-    /// Member and arc position \[m\] of each evaluation point; `sections` has them beam by
-    /// beam, in the order of the beams, two a beam.
+    /// Member and arc position \[m\] of each evaluation point; `sections` contains them in the
+    /// order of the beams, two per beam.
     pub fn along(&self, sections: &[SectionState]) -> Vec<(usize, f64)> {
         let places = self.places();
         let along = |(k, section): (usize, &SectionState)| {
@@ -115,12 +114,12 @@ impl Structure {
             let member = &self.members[number];
             (number, self.arc_position(member, place, section.xi))
         };
-        // Sections of what is no three-node beam would have no place here.
+        // Only sections of three-node beams have an index here.
         let known = sections.iter().take(2 * places.len());
         known.enumerate().map(along).collect()
     }
 
-    /// Arc positions and numbers of the nodes of a member, from the root to the tip.
+    /// Arc positions and indices of the nodes of a member, from the root to the tip.
     pub fn stations(&self, member: &Member) -> Vec<(f64, usize)> {
         let mut stations: Vec<(f64, usize)> = Vec::new();
         for (place, &beam) in member.beams.iter().enumerate() {
@@ -164,8 +163,7 @@ impl Structure {
         (high - low).max(0.0)
     }
 
-    /// Diagonal of the box around the undeformed nodes \[m\]; one where they are at one
-    /// place.
+    /// Diagonal of the box around the undeformed nodes \[m\]; one if all are at one position.
     pub fn size(&self) -> f64 {
         match Vector3::from_fn(|axis, _| self.length(axis)).norm() {
             0.0 => 1.0,
@@ -174,7 +172,7 @@ impl Structure {
     }
 }
 
-/// Takes the first of `free` and all that follow it end to end.
+/// Removes the first of `free`, with all beams joined to it end to end.
 fn take_chain(beams: &[[usize; 3]], free: &mut Vec<usize>) -> Vec<usize> {
     let mut chain = vec![free.remove(0)];
     // Backward first: the list may begin in the middle of a line.

@@ -4,7 +4,7 @@ use super::text::{RPM, per_rev};
 use crate::input::short_number;
 use crate::result::FrequencyTable;
 
-/// Digits of frequencies: more than any model is worth, enough to compare two runs.
+/// Digits of frequencies: more than the accuracy of any model, enough to compare two runs.
 const DIGITS: usize = 10;
 
 const HEADING: &str = "speed_rpm,mode,name,frequency_hz,per_rev,damping_ratio,flap,lag,torsion,\
@@ -13,9 +13,9 @@ const HEADING: &str = "speed_rpm,mode,name,frequency_hz,per_rev,damping_ratio,fl
 /// Rows `speed_rpm,mode,name,frequency_hz,per_rev,damping_ratio,flap,lag,torsion,axial,
 /// assurance`.
 ///
-/// Modes are numbered at each speed from one, ascending in frequency. The four shares
-/// are those of the kinetic energy, and the assurance is that with the same mode at
-/// the speed before. What has no value is empty.
+/// Modes are numbered at each speed from one, ascending in frequency. The four shares are shares of
+/// the kinetic energy, and the assurance is relative to the same mode at the previous speed.
+/// Missing values are empty.
 pub fn frequency_csv(table: &FrequencyTable) -> String {
     let mut text = format!("{HEADING}\n");
     let number = |value: f64| short_number(value, DIGITS);

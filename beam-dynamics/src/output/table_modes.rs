@@ -1,4 +1,4 @@
-//! What each mode is, as CSV: a row for each speed and mode.
+//! Properties of the modes, as CSV: a row for each speed and mode.
 
 use std::f64::consts::TAU;
 
@@ -10,12 +10,11 @@ use crate::result::{Direction, FrequencyTable, ModePoint};
 const HEADING: &str = "speed_rpm,mode,name,kind,frequency_hz,per_rev,damping_ratio,growth_per_s,\
     flap,lag,torsion,axial,assurance,whirl,whirl_share,fixed_frequency_hz,fixed_direction";
 
-/// Rows for each speed and mode, numbered from one, ascending in frequency: name, kind
-/// at the first speed, frequency, damping ratio, growth (the real part of the eigenvalue),
-/// shares of the kinetic energy, assurance with the same mode at the speed before; of a
-/// rotor of equal blades how these move together, the share of that in the kinetic
-/// energy of the blades, and the frequency and direction that the fixed system sees. What
-/// has no value is empty.
+/// Rows for each speed and mode, numbered from one, ascending in frequency: name, kind at the first
+/// speed, frequency, damping ratio, growth (the real part of the eigenvalue), shares of the kinetic
+/// energy, assurance relative to the same mode at the previous speed; for a rotor of equal blades
+/// their pattern of motion, its share in the kinetic energy of the blades, and its frequency and
+/// direction in the fixed system. Missing values are empty.
 pub fn mode_csv(table: &FrequencyTable) -> String {
     let mut rows = Vec::new();
     for (index, &speed) in table.speeds.iter().enumerate() {
@@ -36,8 +35,8 @@ pub fn mode_csv(table: &FrequencyTable) -> String {
     csv_text(HEADING, rows)
 }
 
-/// How the blades move together, its share, and what the fixed system sees at a rotor
-/// speed \[Hz\].
+/// Pattern of motion of the blades, its share, and its frequency and direction in the fixed system
+/// at a rotor speed \[Hz\].
 fn whirl(point: &ModePoint, speed: f64) -> [String; 4] {
     let Some(whirl) = &point.whirl else {
         return Default::default();
@@ -61,7 +60,7 @@ mod tests {
     use crate::output::samples;
     use crate::result::Whirl;
 
-    // A progressive mode of 12.5 Hz in a rotor at 10 Hz is seen at 22.5 Hz.
+    // A progressive mode of 12.5 Hz in a rotor at 10 Hz has 22.5 Hz in the fixed system.
     #[test]
     fn a_row_a_speed_and_mode() {
         let mut table = samples::small();

@@ -1,42 +1,42 @@
-//! The frequency table as text for a report: a row a mode, columns of speeds.
+//! The frequency table as text for a report: one row per mode, columns of speeds.
 
 use super::text::{DAMPED, RPM, aligned, per_rev};
 use crate::input::short_number;
 use crate::result::FrequencyTable;
 
-/// Speeds side by side, without and with damping: they fill the width of a page. Blocks
-/// are of equal width.
+/// Speeds side by side, without and with damping: to fill the width of a page. Blocks are of equal
+/// width.
 const SPEEDS_A_BLOCK: [usize; 2] = [4, 3];
 
-/// What the numbers and names of the tables mean.
+/// Meaning of the numbers and names of the tables.
 pub const CONVENTION: &str = "\
 Convention
-  Hz    frequency of small motions about the steady equilibrium, seen in the turning axes
-  /rev  frequency over rotor speed; none at rest
-  mode  named at its first speed by the motion that holds most of the kinetic energy,
+  Hz    frequency of small motions about the steady equilibrium, in the turning axes
+  /rev  frequency over rotor speed; undefined at rest
+  mode  named at its first speed by the motion with most of the kinetic energy,
         numbered from the lowest, and followed over the speeds by its shape
           flap     out of the plane of rotation
           lag      in the plane of rotation
           torsion  about the axis of the beam
           axial    along the span
-          coupled  none of these holds most of the energy
+          coupled  none of these has most of the energy
   -     no value, or not among the modes computed at this speed
 ";
 
-/// What the tables of damped modes have beside.
+/// Further columns of the tables of damped modes.
 const DAMPING: &str = "\
-\x20 %     damping ratio: part of the critical damping in per cent, negative where the motion
+\x20 %     damping ratio: part of the critical damping in per cent, negative if the motion
         grows
 ";
 
-/// What the names of modes of a rotor have beside.
+/// Further parts of the names of modes of a rotor.
 const WHIRL: &str = "\
-\x20 collective, progressive, regressive, differential: how the blades move together, seen in
-        the turning axes: all alike, as a wave that runs with the rotation, as one that runs
-        against it, or neighbors against each other; x2 is a wave twice around the rotor
+\x20 collective, progressive, regressive, differential: relative motion of the blades,
+        in the turning axes: all in phase, a wave with the rotation, a wave against the
+        rotation, or neighbors in antiphase; x2 is a wave twice around the rotor
 ";
 
-/// What the numbers and names of `table` mean.
+/// Meaning of the numbers and names of `table`.
 pub fn convention(table: &FrequencyTable) -> String {
     let damping = if is_damped(table) { DAMPING } else { "" };
     let mut branches = table.branches.iter();
@@ -100,7 +100,7 @@ fn rows(table: &FrequencyTable, block: &[usize]) -> Vec<Vec<String>> {
             row.extend([String::new(), decimal(frequency), decimal(over_speed)]);
             if damped {
                 let per_cent = point.map(|point| 100.0 * point.damping_ratio);
-                // Adding zero takes away the sign of a negative zero.
+                // Adding zero removes the sign of a negative zero.
                 row.push(decimal(per_cent.map(|x| (1e3 * x).round() / 1e3 + 0.0)));
             }
             has_point |= point.is_some();
@@ -116,13 +116,13 @@ fn decimal(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"))
 }
 
-/// Remarks, and how the equilibria were found.
+/// Remarks, and the convergence of the equilibria.
 fn remarks(table: &FrequencyTable) -> String {
     let mut text = String::new();
     for remark in &table.remarks {
         text.push_str(&format!("  {remark}\n"));
     }
-    // At rest nothing acts, and a residual has nothing to be small against.
+    // Without loads at rest a relative residual is meaningless.
     let turning = table
         .equilibria
         .iter()

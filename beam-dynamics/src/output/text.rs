@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 /// Revolutions per minute in one radian per second.
 pub(super) const RPM: f64 = 30.0 / PI;
 
-/// Damping ratios up to this are those of undamped models: the round-off of the
-/// eigenvalues of stiff models, far below what any structure has \[-\].
+/// Damping ratios up to this are treated as undamped: the round-off of the eigenvalues of stiff
+/// models, far below the damping of any structure [-].
 pub(super) const DAMPED: f64 = 1e-4;
 
 /// Frequency over rotor speed [-]; `None` at rest.

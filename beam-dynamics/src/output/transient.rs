@@ -1,4 +1,4 @@
-//! What is written of a run in time, while it runs and at its end.
+//! Output of a run in time, during the run and at its end.
 
 use std::path::Path;
 
@@ -29,19 +29,19 @@ pub use table::TimeTable;
 
 use crate::case::Column;
 
-/// What stands above a column.
+/// The heading of a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Heading {
     /// Name.
     pub name: String,
-    /// Unit; `1` of pure numbers.
+    /// Unit; `1` for pure numbers.
     pub unit: String,
-    /// What it is, in words.
+    /// Its meaning, as text.
     pub words: String,
 }
 
 impl Heading {
-    /// Of the first column.
+    /// Heading of the first column.
     fn time() -> Self {
         Self {
             name: "time".to_owned(),
@@ -69,7 +69,7 @@ impl Heading {
 
 /// A table that grows by rows.
 trait RowWriter: std::fmt::Debug {
-    /// Where it is.
+    /// Path of the table.
     fn path(&self) -> &Path;
 
     /// Adds a row: time and the columns.

@@ -1,4 +1,4 @@
-//! Views of a model along the axes: which two axes matter, and equal scales in all.
+//! Views of a model along the axes: selection of two axes each, and one scale for all.
 
 use nalgebra::Vector3;
 use plotters::backend::DrawingBackend;
@@ -7,7 +7,7 @@ use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT};
 
 use super::panel::{Panel, SMALL};
 
-/// A line in space with its look.
+/// A line in space with its style.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Stroke {
     pub points: Vec<Vector3<f64>>,
@@ -15,7 +15,7 @@ pub(super) struct Stroke {
     pub color: RGBColor,
 }
 
-/// What is shown along each axis.
+/// Content of the view along each axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Extent {
     low: Vector3<f64>,
@@ -26,15 +26,13 @@ pub(super) struct Extent {
 pub(super) type View = [usize; 2];
 
 const AXES: [&str; 3] = ["x", "y", "z"];
-/// Room about what is shown, as part of the largest extent.
+/// Margin around the content, as part of the largest extent.
 const ROOM: f64 = 0.04;
-/// Least extent of a view, as part of the largest: room for ticks and for a line.
+/// Least extent of a view, as part of the largest: space for ticks and for a line.
 const LEAST: f64 = 0.13;
-/// A direction in which the model reaches less than this part of the largest extent is
-/// not looked at.
+/// Part of the largest extent below which the model has no view along a direction.
 const FLAT: f64 = 1e-3;
-/// A view across the longest direction is shown where the model reaches this part of
-/// it.
+/// Part of the longest direction from which on the view across it is shown.
 const DEEP: f64 = 0.3;
 /// Margins of a view: left, right, above, below \[figure pixels\].
 pub(super) const MARGINS: [f64; 4] = [150.0, 40.0, 20.0, 120.0];
@@ -72,8 +70,8 @@ impl Extent {
         if largest > 0.0 { largest } else { 1.0 }
     }
 
-    /// The views that matter: the two longest directions, the longest and the third
-    /// unless the model is flat, and the shorter two where these are long.
+    /// The views shown: the two longest directions, the longest and the third unless the model is
+    /// flat, and the shorter two if they are long.
     pub fn views(&self) -> Vec<View> {
         let mut axes = [0, 1, 2];
         axes.sort_by(|a, b| self.length(*b).total_cmp(&self.length(*a)));
@@ -111,7 +109,7 @@ impl Extent {
         }
     }
 
-    /// What the view shows along one of its axes: the extent with room.
+    /// Content of the view along one of its axes: the extent with margins.
     fn range(&self, axis: usize) -> [f64; 2] {
         let half = (0.5 * self.length(axis)).max(0.5 * LEAST * self.largest());
         let half = half + ROOM * self.largest();
@@ -120,7 +118,7 @@ impl Extent {
     }
 }
 
-/// Views beside or below each other, all in one scale.
+/// Views next to or below each other, all in one scale.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Arrangement {
     /// Panel of each view, from the upper left corner of all.
@@ -181,13 +179,12 @@ impl Arrangement {
     }
 }
 
-/// What the axes of a view are called where they are lengths.
+/// Titles of the axes of a view that are lengths.
 pub(super) fn lengths(view: View) -> [String; 2] {
     view.map(|axis| format!("{} [m]", AXES[axis]))
 }
 
-/// Draws strokes and marks as they are seen in a view, with its axes and what these are
-/// called.
+/// Draws strokes and marks in the projection of a view, with its axes and their titles.
 pub(super) fn draw_view<B: DrawingBackend>(
     canvas: &Canvas<B>,
     (view, names): (View, &[String; 2]),
@@ -223,11 +220,11 @@ fn draw_axes<B: DrawingBackend>(
     canvas.text(upward, [panel.left - 122.0, middle[1]], title.upward())
 }
 
-/// Pixels a meter of views arranged below each other (`along` 0) or beside (1).
+/// Pixels per meter of views arranged below each other (`along` 0) or next to each other (1).
 fn scale(lengths: &[[f64; 2]], along: usize, room: [f64; 2]) -> f64 {
     let margins = [MARGINS[0] + MARGINS[1], MARGINS[2] + MARGINS[3]];
     let count = lengths.len() as f64;
-    // In the direction of the arrangement lengths add up, across it the largest counts.
+    // In the direction of the arrangement lengths add up, across it the largest determines.
     let (sum, across) = (1 - along, along);
     let total: f64 = lengths.iter().map(|length| length[sum]).sum();
     let largest = lengths
@@ -259,7 +256,7 @@ mod tests {
         assert_eq!(extent([0.0; 3]).views(), [[0, 1]]);
     }
 
-    // A long blade has its views below each other, a tower beside.
+    // A long blade has its views below each other, a tower next to each other.
     #[test]
     fn scales_are_equal_and_as_large_as_possible() {
         for (lengths, beside) in [([50.0, 4.0, 8.0], false), ([4.0, 8.0, 50.0], true)] {

@@ -1,4 +1,4 @@
-//! Critical factors of loads, and the shapes in which a model gives way.
+//! Critical factors of loads, and the shapes of buckling.
 
 use nalgebra::Vector3;
 
@@ -8,8 +8,8 @@ use crate::model::Node;
 /// One critical load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BucklingMode {
-    /// Factor of the proportional loads at which the model gives way; negative where
-    /// the loads must be turned round [-].
+    /// Factor of the proportional loads at which the model buckles; negative if the loads
+    /// must be reversed [-].
     pub factor: f64,
     /// Displacement of each node, model's axes; the largest is one, or all are zero and
     /// the largest rotation is one [-].
@@ -39,11 +39,11 @@ pub struct BucklingResult {
     pub nodes: Vec<Node>,
     /// Nodes of each beam, for drawing.
     pub beams: Vec<[usize; 3]>,
-    /// The equilibrium under rotation and constant loads, about which the model gives
-    /// way; its factor is zero.
+    /// The equilibrium under rotation and constant loads, about which the model buckles;
+    /// its factor is zero.
     pub base: Option<StaticStep>,
     /// Critical loads, ascending by the magnitude of the factor.
     pub modes: Vec<BucklingMode>,
-    /// Remarks for the reader.
+    /// Remarks for the user.
     pub remarks: Vec<String>,
 }

@@ -1,4 +1,4 @@
-//! The numbers of columns at the moments of a run.
+//! The values of columns at the steps of a run.
 
 use std::collections::BTreeMap;
 
@@ -9,12 +9,12 @@ use crate::elements::{
 };
 use crate::model::{NodeMotion, Scalars};
 
-/// Finds the numbers of columns. Only elements that some column needs are asked.
+/// Finds the values of columns. Only elements that some column needs are evaluated.
 #[derive(Debug)]
 pub struct ColumnValues<'a> {
     model: &'a Model,
     columns: &'a [Column],
-    /// Elements that are asked, with the columns that use their answer.
+    /// Elements to evaluate, with the columns that use their results.
     asked: Vec<Asked>,
     /// Columns that need no element.
     direct: Vec<usize>,
@@ -24,16 +24,16 @@ pub struct ColumnValues<'a> {
     energy: Vec<usize>,
     /// Columns of electrodes.
     electrodes: Vec<usize>,
-    /// Columns of signals, whose scalars are those of the model.
+    /// Columns of signals, with the scalars of the model.
     signals: Vec<(usize, Signal)>,
     observed: Observations,
     /// The nodes of a reading.
     seen: Vec<NodeMotion>,
-    /// Angles of joints with their full turns at the latest moment, by name [rad].
+    /// Angles of joints with their full turns at the latest step, by name [rad].
     angles: BTreeMap<String, f64>,
 }
 
-/// An element and the columns that are filled from what it tells.
+/// An element and the columns that are filled from its results.
 #[derive(Debug)]
 struct Asked {
     element: usize,
@@ -41,7 +41,7 @@ struct Asked {
 }
 
 impl<'a> ColumnValues<'a> {
-    /// Those of the columns of `question`, whose nodes are those of `model`.
+    /// The columns of `question`, with the nodes of `model`.
     pub fn new(model: &'a Model, question: &'a OutputQuestion) -> Self {
         let columns = &question.columns[..];
         let mut values = Self {
@@ -67,7 +67,8 @@ impl<'a> ColumnValues<'a> {
                 Quantity::Energy(_) => values.energy.push(index),
                 Quantity::Electrode { .. } => values.electrodes.push(index),
                 Quantity::Signal(signal) => {
-                    // Scalars of which no element makes an unknown come behind, and count as zero.
+                    // Scalars that are not unknowns of any element follow at the end and
+                    // are zero.
                     let mut all = model.system.scalars().to_vec();
                     values.signals.push((index, signal.clone().bound(&mut all)));
                 }
@@ -77,7 +78,7 @@ impl<'a> ColumnValues<'a> {
         values
     }
 
-    /// Notes that a column needs what the elements called `label` tell.
+    /// Notes that a column needs results of the elements called `label`.
     fn ask(&mut self, label: &str, column: usize) {
         let elements = self.model.system.elements().enumerate();
         for (element, _) in elements.filter(|(_, element)| element.label() == label) {
@@ -96,7 +97,7 @@ impl<'a> ColumnValues<'a> {
         self.columns
     }
 
-    /// Goes on with the full turns that the angles of joints had.
+    /// Continues from the full turns that the angles of joints had.
     pub fn go_on(&mut self, angles: &BTreeMap<String, f64>) {
         self.angles.clone_from(angles);
     }
@@ -106,7 +107,7 @@ impl<'a> ColumnValues<'a> {
         &self.angles
     }
 
-    /// Follows the angles of joints over full turns; to be told of every step.
+    /// Follows the angles of joints over full turns; must be called at every step.
     pub fn follow(&mut self, moment: &Moment<'_>) {
         for asked in &self.asked {
             let is_angle = |index: &usize| is_angle(&self.columns[*index].quantity);
@@ -127,8 +128,8 @@ impl<'a> ColumnValues<'a> {
         }
     }
 
-    /// Writes the numbers at `moment` to `out`, one a column in its unit; not a number
-    /// where an element tells nothing.
+    /// Writes the values at `moment` to `out`, one per column in its unit; NaN if an
+    /// element reports no value.
     pub fn evaluate(&mut self, moment: &Moment<'_>, out: &mut [f64]) {
         out.fill(f64::NAN);
         for &index in &self.direct {
@@ -236,11 +237,11 @@ impl<'a> ColumnValues<'a> {
                 let sum = state.nodes.iter().map(of_node).sum();
                 part.of(&sum)
             }
-            // At a corner the value before it, as all of the row.
+            // At a corner the value before it, as in the whole row.
             Quantity::Drive(drive) => drive.at(moment.conditions.loading.time).value,
             Quantity::StepLength => moment.length,
             Quantity::Iterations => moment.iterations as f64,
-            // These are those of nodes and elements.
+            // These come from nodes and elements.
             Quantity::Node(_)
             | Quantity::Element { .. }
             | Quantity::Electrode { .. }
@@ -250,7 +251,7 @@ impl<'a> ColumnValues<'a> {
     }
 }
 
-/// What an element reports for a column.
+/// The reading of an element for a column.
 fn reading(quantity: &Quantity) -> Option<&Reading> {
     match quantity {
         Quantity::Element { reading, .. } => Some(reading),

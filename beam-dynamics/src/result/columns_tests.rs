@@ -59,7 +59,7 @@ fn of_tip(vector: NodeVector, part: Part, against: Option<usize>, axes: Axes) ->
     })
 }
 
-/// The number of a quantity in SI units.
+/// The value of a quantity in SI units.
 fn value(quantity: Quantity) -> f64 {
     let model = model();
     let state = state(&model);
@@ -167,7 +167,7 @@ fn the_run_and_drives_are_told() {
     assert_eq!(value(Quantity::Drive(Drive::Constant(9.0))), 9.0);
 }
 
-// Energies are those of the elements; the sum is that of its parts.
+// Energies are sums over the elements; the total is the sum of the parts.
 #[test]
 fn energies_are_sums_of_the_elements() {
     let parts = [

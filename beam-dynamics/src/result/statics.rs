@@ -13,15 +13,15 @@ pub struct StaticStep {
     pub factor: f64,
     /// Position of each node, model's axes [m].
     pub positions: Vec<Vector3<f64>>,
-    /// Attitude of each node: its axes (columns) in the model's axes [-].
+    /// Orientation of each node: its axes (columns) in the model's axes [-].
     pub rotations: Vec<Matrix3<f64>>,
-    /// Newton iterations since the step before, those of steps that were cut included.
+    /// Newton iterations since the previous step, including shortened steps.
     pub iterations: usize,
     /// Largest residual relative to the largest term of its kind [-].
     pub residual: f64,
     /// Strains and internal forces at the evaluation points of all beams, beam by beam.
     pub sections: Vec<SectionState>,
-    /// What holds the model: forces and moments of the joints on their nodes.
+    /// Reactions of the supports: forces and moments of the joints on their nodes.
     pub reactions: Vec<Reaction>,
     /// Voltages and charges of the electrodes.
     pub electrodes: Vec<ElectrodeState>,
@@ -40,9 +40,9 @@ pub struct StaticResult {
     pub beams: Vec<[usize; 3]>,
     /// Blades, for output along the span.
     pub blades: Vec<BladeNodes>,
-    /// Equilibria; the first one under the constant loads alone, with the factor zero.
+    /// Equilibria; the first one under the constant loads only, with the factor zero.
     pub steps: Vec<StaticStep>,
-    /// Remarks for the reader.
+    /// Remarks for the user.
     pub remarks: Vec<String>,
 }
 

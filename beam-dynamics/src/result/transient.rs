@@ -1,4 +1,4 @@
-//! A run in time: what is told of every step, and of the run.
+//! A run in time: records of every step, and of the run.
 
 use std::collections::BTreeMap;
 
@@ -14,61 +14,60 @@ pub struct Moment<'a> {
     pub step: usize,
     /// Time [s].
     pub time: f64,
-    /// Length of the step that led here; zero at the start [s].
+    /// Length of the step that led to the state; zero at the start [s].
     pub length: f64,
     /// Iterations of the step.
     pub iterations: usize,
     /// The state.
     pub state: &'a State,
-    /// What acts.
+    /// Loads and frame.
     pub conditions: &'a Conditions,
 }
 
-/// Who is told of every accepted step, in order.
+/// Receiver of every accepted step, in order.
 pub trait Recorder {
-    /// Takes a step; `false` ends the run, as when nothing more can be written.
+    /// Takes a step; `false` ends the run, for example if nothing more can be written.
     fn record(&mut self, moment: &Moment<'_>) -> bool;
 
-    /// Whether what the run can be continued from is wanted after this step.
+    /// Whether a snapshot for a restart is needed after this step.
     fn wants_snapshot(&self, _moment: &Moment<'_>) -> bool {
         false
     }
 
-    /// Takes what the run can be continued from; `false` ends the run.
+    /// Takes a snapshot for a restart; `false` ends the run.
     fn keep(&mut self, _snapshot: &Snapshot) -> bool {
         true
     }
 
-    /// Takes the last accepted step, which has been told already, of a run that cannot go
-    /// on, and what it can be continued from; `false` when it cannot be written.
+    /// Takes the last accepted step, which was recorded already, of a run that cannot
+    /// continue, and its snapshot for a restart; `false` if it cannot be written.
     fn stopped(&mut self, _moment: &Moment<'_>, snapshot: &Snapshot) -> bool {
         self.keep(snapshot)
     }
 }
 
-/// All that a run needs to go on, to the last bit, as if it had never ended.
+/// The data for a restart, exact to the last bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     /// Fingerprint of the model (see [`crate::case::Model::fingerprint`]); empty in a
     /// snapshot that has not been in a file.
     pub model: String,
-    /// Names of the nodes, by which a model is known again.
+    /// Names of the nodes, by which the model is recognized.
     pub nodes: Vec<String>,
     /// Number of multipliers.
     pub multipliers: usize,
     /// Number of the last step.
     pub step: usize,
-    /// What the integrator knows of the steps so far.
+    /// The integrator's data of the steps so far.
     pub progress: Progress,
     /// Time spent by the recorder so far [s].
     pub output_time: f64,
     /// Time of the run so far [s].
     pub total_time: f64,
-    /// The latest states, the last one first: thirty numbers a node, then the
+    /// The latest states, the last one first: thirty numbers per node, then the
     /// multipliers, then the scalars, their rates, and the memory [unit of each].
     pub states: Vec<Vec<f64>>,
-    /// The angles with their full turns of joints, by name, of those that were followed
-    /// [rad].
+    /// The angles of the followed joints with their full turns, by name [rad].
     pub angles: BTreeMap<String, f64>,
 }
 
@@ -77,9 +76,9 @@ pub struct Snapshot {
 pub struct Effort {
     /// Accepted steps.
     pub steps: usize,
-    /// Steps that were tried again with a shorter one.
+    /// Steps that were repeated with a shorter length.
     pub rejected: usize,
-    /// Newton iterations, those of rejected steps included.
+    /// Newton iterations, including rejected steps.
     pub iterations: usize,
     /// Jacobians that were assembled and factorized.
     pub jacobians: usize,
@@ -89,7 +88,8 @@ pub struct Effort {
     pub least_step: f64,
     /// Longest accepted step [s].
     pub most_step: f64,
-    /// Time spent in predictions, and in how constraints share loads there [s].
+    /// Time spent in predictions, including the distribution of loads among constraints
+    /// [s].
     pub prediction_time: f64,
     /// Time spent in residuals [s].
     pub residual_time: f64,

@@ -1,6 +1,6 @@
 //! Steps of a run in time allocate nothing: allocations of this thread are counted.
 
-// A test that cannot go on panics.
+// A test that cannot continue panics.
 #![allow(clippy::unwrap_used)]
 
 use std::path::Path;
@@ -21,7 +21,7 @@ use beam_dynamics::solver::StepSolver;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 /// Two beams with consistent inertia, and a body that swings on a hinge at their end; or
-/// all of it falling, without a clamp and a hinge.
+/// all of it in free fall, without a clamp and a hinge.
 fn model(is_held: bool) -> Model {
     let node = |i: usize| Node {
         label: format!("n{i}"),
@@ -93,7 +93,7 @@ fn an_iteration_allocates_nothing() {
     assert_eq!(measure(&mut iterate).count_total, 0);
 }
 
-/// Keeps nothing.
+/// Records nothing.
 struct Silent;
 
 impl Recorder for Silent {
@@ -103,8 +103,8 @@ impl Recorder for Silent {
 }
 
 /// Schemes of one, two and three stages. Cubic interpolation at Gauss' points is not for
-/// systems with constraints: the matrix of its weights has no inverse, so that multipliers
-/// that are opposite at the two inner stages move nothing.
+/// systems with constraints: the matrix of its weights is singular, so that opposite
+/// multipliers at the two inner stages have no effect.
 const SCHEMES: [Scheme; 8] = [
     Scheme::ImplicitEuler,
     Scheme::CrankNicolson,
@@ -116,7 +116,7 @@ const SCHEMES: [Scheme; 8] = [
     Scheme::Parabolic { zeta: -0.5 },
 ];
 
-/// Allocations of a run, and its effort.
+/// Number of allocations of a run, and its effort.
 fn allocations(model: &Model, question: &TransientQuestion) -> (u64, Effort) {
     let mut effort = Effort::default();
     let count = measure(|| {
@@ -135,7 +135,7 @@ fn check(model: &Model, question: &TransientQuestion) {
     let (few, short) = of(0.01);
     let (many, long) = of(0.03);
     assert!(few > 0 && long.steps >= 3 * short.steps);
-    // Other pivots are chosen with allocations: in none of these runs is there a reason.
+    // A new choice of pivots allocates: none is needed in these runs.
     assert_eq!([short.pivotings, long.pivotings], [1; 2], "{question:?}");
     assert_eq!(many, few, "{question:?}");
 }
@@ -151,7 +151,7 @@ fn a_step_allocates_nothing() {
     check(&falling, &TransientQuestion { scheme, ..question });
 }
 
-/// The model of a file beside this one.
+/// The model of a file in this folder.
 fn read(name: &str) -> Model {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/allocations");
     match beam_dynamics::input::read(&folder.join(name)) {
@@ -189,7 +189,7 @@ fn a_step_of_shared_loads_allocates_nothing() {
     }
 }
 
-/// Variable steps, some of which are tried in vain: a body hits a stiff stop.
+/// Variable steps, some of which are rejected: a body hits a stiff stop.
 #[test]
 fn a_step_that_is_tried_in_vain_allocates_nothing() {
     let model = read("stop.dynamics.toml");
@@ -207,8 +207,8 @@ fn a_step_that_is_tried_in_vain_allocates_nothing() {
         let ((few, short), (many, long)) = (of(0.02), of(0.4));
         assert_eq!(short.rejected, 0);
         assert!(long.rejected > 0, "{question:?}");
-        // A trial that goes astray may need a factorization with pivots of its own, once,
-        // which allocates; steps do not.
+        // A trial that diverges may need one factorization with new pivots, which
+        // allocates; accepted steps do not.
         let tried = (long.steps + long.rejected) as u64;
         let more = many.abs_diff(few);
         assert!(

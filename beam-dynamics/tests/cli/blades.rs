@@ -1,4 +1,4 @@
-//! Modes of a blade file by itself.
+//! Modes of a single blade file.
 
 use nalgebra::Vector2;
 use shared_geom::blade::{self, Blade, Interpolation, Station};

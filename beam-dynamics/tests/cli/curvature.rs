@@ -1,11 +1,11 @@
-//! Sections that were solved for curved beams: the beam must have that curvature.
+//! Sections that were solved for curved beams: the beam must have the same curvature.
 
 use nalgebra::Vector3;
 use shared_geom::section::{self, InitialCurvature, SectionProperties};
 
 use crate::{Folder, Run, strip};
 
-/// The strip as solved for a beam of this curvature [deg/m] and slope.
+/// The strip, solved for a beam of this curvature [deg/m] and slope.
 fn solved_for(curvature: [f64; 3], slope: [f64; 3]) -> SectionProperties {
     SectionProperties {
         initial_curvature: Some(InitialCurvature {
@@ -16,7 +16,7 @@ fn solved_for(curvature: [f64; 3], slope: [f64; 3]) -> SectionProperties {
     }
 }
 
-/// A folder with the strip as solved for a twist of 20 deg/m.
+/// A folder with the strip, solved for a twist of 20 deg/m.
 fn twisted() -> Folder {
     let folder = Folder::new();
     let section = solved_for([20.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
@@ -27,7 +27,7 @@ fn twisted() -> Folder {
 const HEAD: &str = "units = \"SI\"\n[properties.strip]\nfile = \"strip.properties.json\"\n";
 const MODES: &str = "[modes]\nspeeds = [0]\ncount = 2\n";
 
-/// A blade of one piece of 0.5 m, whose twist grows by `degrees`; its line is line 9.
+/// A blade of one piece of 0.5 m, whose twist increases by `degrees`; its card is on line 9.
 fn piece(degrees: f64) -> String {
     format!(
         "{HEAD}[[blade]]\nname = \"b\"\nproperties = \"strip\"\n[[blade.piece]]\nlength = 0.5\n\
@@ -54,8 +54,8 @@ fn a_piece_without_the_twist_of_its_section_is_refused() {
         format!(
             "error: a.dynamics.toml:9: blade \"b\", piece 1, properties \"strip\": the section was \
              solved for a beam with curvature [20, 0, 0] deg/m, and the line has curvature {line} \
-             deg/m; couplings Kij/sqrt(Kii Kjj) differ by {delta} at most, those of the section \
-             by curvature are up to 0.0204\n  help: {help}"
+             deg/m; couplings Kij/sqrt(Kii Kjj) differ by at most {delta}; the couplings of the \
+             section by curvature are up to 0.0204\n  help: {help}"
         )
     };
     let remedy = |cause: &str, line: &str| {
@@ -88,8 +88,8 @@ fn a_piece_with_that_twist_is_taken_and_a_near_one_told() {
     assert_good(&run);
     let told = "blade \"b\", piece 1, properties \"strip\": the section was solved for a beam with \
                 curvature [20, 0, 0] deg/m, and the line has curvature [19, 0, 0] deg/m; couplings \
-                Kij/sqrt(Kii Kjj) differ by 0.00102 at most, those of the section by curvature \
-                are up to 0.0204, and it is used as it is";
+                Kij/sqrt(Kii Kjj) differ by at most 0.00102; the couplings of the section by \
+                curvature are up to 0.0204; the matrices are used as given";
     assert!(run.out.contains(told), "{}", run.out);
 }
 
@@ -110,8 +110,8 @@ fn assert_same(a: &[f64], b: &[f64]) {
     assert!(a.len() == 2 && b.len() == 2 && same, "{a:?} {b:?}");
 }
 
-// The matrices are used as they are: a section that says for which twist it was solved
-// gives the frequencies of the same numbers without a word of it.
+// The matrices are used unchanged: a section that states the twist for which it was solved
+// gives the frequencies of the same numbers, without a remark.
 #[test]
 fn nothing_is_added_to_the_matrices() {
     let text = piece(10.0);
@@ -121,7 +121,8 @@ fn nothing_is_added_to_the_matrices() {
     );
 }
 
-// A file by another parameter: the matrices of 1.25 units of length of the line, told.
+// A file with another parameter: the matrices of 1.25 units of length of the line, which is
+// reported.
 #[test]
 fn another_parameter_becomes_the_arc_length() {
     let folder = twisted();
@@ -167,7 +168,7 @@ fn beams_between_nodes_are_compared_at_their_evaluation_points() {
                 \"strip\": the section was solved for a beam with curvature [20, 0, 0] deg/m, and \
                 the line has curvature [0, 0, 0] deg/m";
     assert!(run.err.starts_with(told), "{}", run.err);
-    // Faster on the outer half: only the second evaluation point is off.
+    // A larger twist on the outer half: only the second evaluation point is off.
     let run = checked(&folder, &beam([0.0, 5.0, 13.0]));
     assert!(
         run.err.contains("beam \"one\", 0.3943 m of 0.5000 m"),
@@ -176,8 +177,8 @@ fn beams_between_nodes_are_compared_at_their_evaluation_points() {
     );
 }
 
-/// A blade file of a straight line of 0.5 m with a twist that grows by `degrees`, and the
-/// strip at both ends.
+/// A blade file of a straight line of 0.5 m with a twist that increases by `degrees`, and
+/// the strip at both ends.
 fn blade_file(degrees: f64, more: &str) -> String {
     let station =
         |eta: f64| format!("[[station]]\neta = {eta}\nfile = \"strip.properties.json\"\n{more}");
@@ -213,9 +214,9 @@ fn stations_of_a_blade_file_are_compared_with_its_line() {
     }
 }
 
-// About a point 50 mm above the line, and at 20 deg/m of it, the line of that point has
-// the slope (1, -0.05 k1, 0): the section that was solved with a line normal to it there
-// is that of another beam, and the message says which slope it needs.
+// About a point 50 mm above the line, and at a twist of 20 deg/m, the line of this point
+// has the slope (1, -0.05 k1, 0): a section solved with a line normal to it there belongs
+// to another beam, and the message states the slope that it needs.
 #[test]
 fn a_reference_point_off_the_line_has_a_line_of_its_own() {
     let folder = twisted();
@@ -281,7 +282,7 @@ fn tables_that_name_sections_are_compared_too() {
     );
 }
 
-// A property file with a length alone is the blade for which its section was solved.
+// A property file with a length only is the blade for which its section was solved.
 #[test]
 fn one_section_makes_a_blade_of_its_curvature() {
     let folder = twisted();
@@ -319,8 +320,8 @@ fn one_section_makes_a_blade_of_its_curvature() {
     assert_good(&checked(&folder, &cards));
 }
 
-// A line that bends toward +y by 0.5 rad/m: a section whose y leads along z, turned by 90
-// degrees, sees it about its own y.
+// A line that bends toward +y by 0.5 rad/m: a section whose y points along z, turned by 90
+// degrees, has the curvature about its own y.
 #[test]
 fn the_angle_of_a_station_turns_its_curvature() {
     let folder = Folder::new();

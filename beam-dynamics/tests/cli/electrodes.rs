@@ -1,11 +1,11 @@
-//! Electrodes of beams: what runs tell of them, and what can be wrong with their cards.
+//! Electrodes of beams: results of runs, and problems of their cards.
 
 use nalgebra::DMatrix;
 use shared_geom::section::{self, Piezo};
 
 use super::{Folder, strip};
 
-/// Two strips in a row and one without electrodes beside them.
+/// Two strips in a row and a separate one without electrodes.
 const STRIPS: &str = "\
 units = \"SI\"
 [properties.strip]
@@ -52,8 +52,8 @@ fn card(lines: &str) -> String {
     format!("[[electrode]]\n{lines}\n")
 }
 
-/// The report of statics has voltages and charges, the remarks what acts and what has no
-/// card; `theta^2 / EI + c` holds 1e-8 / 0.634 + 1e-6 C per volt.
+/// The report of statics has voltages and charges, the remarks list the sources and the
+/// electrodes without a card; `theta^2 / EI + c` is 1e-8 / 0.634 + 1e-6 C per volt.
 #[test]
 fn statics_tells_of_electrodes() {
     let folder = folder(SOUND);
@@ -78,7 +78,7 @@ fn statics_tells_of_electrodes() {
     assert!((found / charge - 1.0).abs() < 1e-8, "{table}");
 }
 
-/// A run in time has the columns of its electrodes unless it asks for others, and goes on
+/// A run in time has the columns of its electrodes unless it requests others, and continues
 /// from a restart file with their charges, to the last bit where both runs wrote one.
 #[test]
 fn runs_in_time_write_and_continue_circuits() {
@@ -119,7 +119,7 @@ fn refuses(cards: &str, line: usize, message: &str) {
     folder(SOUND).refuses(&format!("{STRIPS}{cards}"), &expected);
 }
 
-/// What can be wrong with the names and beams of a card, with its remedy.
+/// Problems of the names and beams of a card, with their remedies.
 #[test]
 fn wrong_names_and_beams_are_told() {
     let top = "name = \"top\"\nblade = \"blade\"\n";
@@ -128,13 +128,13 @@ fn wrong_names_and_beams_are_told() {
             card("name = \"tpo\"\nblade = \"blade\"\nvoltage = 1"),
             25,
             "no beam of blade \"blade\" has an electrode \"tpo\"\n  \
-             help: did you mean \"top\"? say electrode = \"top\"",
+             help: did you mean \"top\"? write electrode = \"top\"",
         ),
         (
             card("name = \"a\"\nelectrode = \"topp\"\nbeams = [\"blade/beam 1\"]\nvoltage = 1"),
             26,
             "beam \"blade/beam 1\" has no electrode \"topp\"\n  \
-             help: did you mean \"top\"? say electrode = \"top\"",
+             help: did you mean \"top\"? write electrode = \"top\"",
         ),
         (
             card("name = \"top\"\nbeams = [\"other/beam 1\"]\nvoltage = 1"),
@@ -147,7 +147,7 @@ fn wrong_names_and_beams_are_told() {
             card("name = \"top\"\nblade = \"other\"\nvoltage = 1"),
             25,
             "no beam of blade \"other\" has an electrode \"top\"\n  \
-             help: property files with \"piezo\" have electrodes; blades from blade files carry none",
+             help: property files with \"piezo\" have electrodes; blades from blade files have none",
         ),
         (
             card(&format!("{top}voltage = 1"))
@@ -156,14 +156,14 @@ fn wrong_names_and_beams_are_told() {
                 ),
             29,
             "electrode \"top\" of beam \"blade/beam 2\" belongs to \"top\" on line 24 already, \
-             expected one card\n  help: take the beam out of one of the cards, or the card away",
+             expected one card\n  help: remove the beam from one of the cards, or remove the card",
         ),
     ] {
         refuses(&cards, line, message);
     }
 }
 
-/// What can be wrong with a circuit, with its remedy.
+/// Problems of a circuit, with their remedies.
 #[test]
 fn wrong_circuits_are_told() {
     let top = "name = \"top\"\nblade = \"blade\"\n";
@@ -180,14 +180,14 @@ fn wrong_circuits_are_told() {
             27,
             "\"charge\" holds the charge of electrode \"top\", and \"resistance\" would let it \
              flow, expected one of them\n  help: without \"charge\", the charge follows from the \
-             circuit and begins with that of its source",
+             circuit and begins with the charge at the voltage of its source",
         ),
         (
             card(&format!("{top}resistance = 0")),
             26,
-            "\"resistance\" of electrode \"top\" is zero, expected more than zero where there is \
-             no \"inductance\"\n  help: leave \"resistance\" out: the voltage is then that of the \
-             source",
+            "\"resistance\" of electrode \"top\" is zero, expected more than zero if there is \
+             no \"inductance\"\n  help: leave \"resistance\" out: the voltage is then the voltage \
+             of its source",
         ),
         (
             card(&format!("{top}resistance = -5")),
@@ -210,12 +210,12 @@ fn wrong_circuits_are_told() {
     }
 }
 
-/// Capacitances from which no voltage follows, each by its card.
+/// Capacitances that do not determine a voltage, each on the line of its card.
 #[test]
 fn charges_need_a_capacitance() {
     let open = |name: &str| card(&format!("name = \"{name}\"\nblade = \"blade\"\ncharge = 0"));
     let help = "correct \"capacitance\" in the property file, charge per length and volt at \
-                constant strain; only electrodes with a given voltage do without";
+                constant strain; only electrodes with a given voltage work without it";
     let negative = folder([-1e-6, 0.0, 1e-6]);
     negative.refuses(
         &format!("{STRIPS}{}", open("top")),
@@ -230,17 +230,17 @@ fn charges_need_a_capacitance() {
         &format!("{STRIPS}{cards}"),
         &format!(
             "error: a.dynamics.toml:24: the capacitances of electrodes \"top\", \"bottom\" are not \
-             positive definite: some voltages on them would gather charge of the opposite \
+             positive definite: some voltages would give charges of the opposite \
              sign\n  help: {help}"
         ),
     );
-    // A given voltage needs none.
+    // A given voltage needs no capacitance.
     let text = card("name = \"top\"\nblade = \"blade\"\nvoltage = 3");
     negative.write("a.dynamics.toml", &format!("{STRIPS}{text}"));
     assert_eq!(negative.run(&["check", "a.dynamics.toml"]).code, 0);
 }
 
-/// All that is wrong is told at once.
+/// All problems are reported at once.
 #[test]
 fn several_cards_are_told_together() {
     let folder = folder(SOUND);

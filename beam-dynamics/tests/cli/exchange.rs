@@ -72,8 +72,8 @@ fn describe_goes_on_behind_a_file_that_is_wrong() {
     assert!(run.out.contains("strip.csv: Helicoid blade table"));
 }
 
-// A stiffness with a coupling beyond the root of the diagonals is indefinite: described,
-// with the place, and marked.
+// A stiffness with a coupling larger than the root of the diagonals is indefinite:
+// described, with the position, and marked.
 #[test]
 fn describe_marks_a_stiffness_that_is_not_positive_definite() {
     let folder = folder();
@@ -109,8 +109,8 @@ fn a_section_is_described_and_made_a_blade_with_a_length() {
     assert!(run.err.contains("expected a number of meters above zero"));
 }
 
-// csv -> BeamDyn -> DYMORE -> VABS -> JSON -> csv: the stations come back letter by
-// letter, since every number keeps all its digits.
+// csv -> BeamDyn -> DYMORE -> VABS -> JSON -> csv: the stations return letter by letter,
+// since every number keeps all its digits.
 #[test]
 fn a_chain_of_conversions_loses_no_digit() {
     let folder = folder();
@@ -151,7 +151,7 @@ fn exports_state_the_hash_of_what_was_read() {
     assert!(folder.read("b.inp").contains(&format!("input: {hash}")));
 }
 
-// Six times become one in a DYMORE table: 1 to 6 ms have the mean 3.5 ms.
+// Six damping times become one in a DYMORE table: 1 to 6 ms have the mean 3.5 ms.
 #[test]
 fn what_cannot_be_carried_is_told_with_its_size() {
     let folder = folder();
@@ -161,19 +161,16 @@ fn what_cannot_be_carried_is_told_with_its_size() {
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(
         run.out
-            .contains("Could not be carried\n  six damping times become one")
+            .contains("Cannot be represented\n  six damping times become one")
     );
     assert!(
-        run.out.contains("3.500e-3 s: up to 2.50e-3 s apart"),
+        run.out
+            .contains("3.500e-3 s: they differ from it by up to 2.50e-3 s"),
         "{}",
         run.out
     );
     let run = folder.run(&["convert", "times.csv", "times.inp"]);
-    assert!(
-        run.out.contains("Everything is carried over"),
-        "{}",
-        run.out
-    );
+    assert!(run.out.contains("Everything is converted"), "{}", run.out);
 }
 
 #[test]
@@ -193,7 +190,7 @@ fn convert_refuses_to_overwrite_what_it_reads() {
             false => run,
         };
         assert_eq!((run.code, run.out.as_str()), (2, ""));
-        let expected = format!("error: \"{file}\" would be overwritten, and it is what is read");
+        let expected = format!("error: \"{file}\" would be overwritten, but it is the input");
         assert!(run.err.starts_with(&expected), "{}", run.err);
     }
     assert_eq!(before, [folder.read("b.inp"), folder.read("b_blade.dat")]);
@@ -207,7 +204,7 @@ fn formats_that_are_not_known_are_told_with_those_that_are() {
     assert_eq!(run.code, 2);
     assert!(
         run.err
-            .contains("the ending of \"a.dat\" stands for no format")
+            .contains("the ending of \"a.dat\" belongs to no format")
     );
     assert!(
         run.err
@@ -269,7 +266,7 @@ fn toml_is_not_written_and_the_first_of_several_files_is_told() {
     assert!(!folder.path("y.blade.json").exists());
     let run = folder.run(&["convert", "strip.csv", "y.K"]);
     assert_eq!(run.code, 0, "{}", run.err);
-    let told = "y.sections.csv is the file to give to modes and describe: it names the others\n";
+    let told = "y.sections.csv is the file for modes and describe: it refers to the others\n";
     assert!(run.out.ends_with(told), "{}", run.out);
 }
 

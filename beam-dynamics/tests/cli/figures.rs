@@ -1,4 +1,4 @@
-//! `--no-figures`: all that is no figure is the same to the last bit.
+//! `--no-figures`: all other output is the same to the last bit.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,10 +8,10 @@ use super::loads::STRIP;
 use super::transient::beam;
 use super::{BLADE, Folder};
 
-/// Files that hold how long a run took.
+/// Files that contain run times.
 const TIMED: [&str; 2] = ["results/a.restart.json", "results/a.transient.txt"];
 
-/// The files in a folder and those below, with what is in them.
+/// The files in a folder and its subfolders, with their contents.
 fn contents(folder: &Folder, below: &str) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder.path(below)).unwrap() {
@@ -32,7 +32,7 @@ fn is_figure(path: &str) -> bool {
     ending == "png" || ending == "svg"
 }
 
-/// Each command, its file, and how many figures it draws.
+/// Each command, its file, and its number of figures.
 fn commands() -> [(&'static str, Vec<&'static str>, String, usize); 4] {
     let loaded = format!(
         "{STRIP}[[load]]\nnode = \"blade/tip\"\nforce = [-0.1, 0, 0.001]\n[static]\n\
@@ -46,7 +46,7 @@ fn commands() -> [(&'static str, Vec<&'static str>, String, usize); 4] {
     ]
 }
 
-/// Figures of the run before go; a run without the option draws them again.
+/// Figures of the previous run are removed; a run without the option draws them again.
 #[test]
 fn a_run_without_figures_writes_all_else() {
     for (command, more, text, figures) in commands() {
@@ -81,7 +81,7 @@ fn a_run_without_figures_writes_all_else() {
     }
 }
 
-/// The first run in a folder, of two files, draws none either.
+/// The first run in a folder, of two files, also draws none.
 #[test]
 fn several_files_without_figures() {
     let folder = Folder::new();
@@ -105,7 +105,8 @@ fn the_help_tells_of_it() {
     let folder = Folder::new();
     for (command, ..) in commands() {
         let help = folder.run(&[command, "--help"]).out;
-        let words = "--no-figures\n          Draw no figures; those of an earlier run go";
+        let words =
+            "--no-figures\n          Draw no figures; removes the figures of an earlier run";
         assert!(help.contains(words), "{help}");
     }
 }

@@ -1,13 +1,13 @@
-//! The keys that cards take and those that the book lists.
+//! The keys that cards accept and the keys listed in the book.
 
 use std::collections::BTreeSet;
 
 use super::Folder;
 use super::messages::page;
 
-/// A key that no card has, nor one like it.
+/// A key that no card has, nor a similar one.
 const STRANGE: &str = "zqj";
-/// Pages on which keys of cards are described.
+/// Pages that describe keys of cards.
 const PAGES: [&str; 5] = [
     "dynamics-input.md",
     "drives.md",
@@ -16,7 +16,7 @@ const PAGES: [&str; 5] = [
     "time-output.md",
 ];
 
-/// Keys that the cards of a file know, as they tell where they find a strange one.
+/// Keys of the cards of a file, as listed in the message about an unknown one.
 fn known(folder: &Folder, cards: &str) -> BTreeSet<String> {
     let text = format!(
         "units = \"SI\"\n{}\n",
@@ -35,7 +35,7 @@ fn known(folder: &Folder, cards: &str) -> BTreeSet<String> {
     keys
 }
 
-/// Cards of one line each, and those with kinds.
+/// Cards of one line each, and cards with kinds.
 const CARDS: &[&str] = &[
     "ZQJ",
     "[properties.p]\nZQJ",
@@ -69,7 +69,7 @@ const CARDS: &[&str] = &[
     "[measured]\nZQJ",
 ];
 
-/// Kinds of a card, with the card up to its kind and what stands behind.
+/// Kinds of a card, with the text of the card before and after its kind.
 const KINDS: &[(&str, &[&str], &str)] = &[
     (
         "[drives.d]\nkind = ",
@@ -181,8 +181,7 @@ fn every_key_of_the_cards_is_in_the_book() {
     assert!(missing.is_empty(), "not in the book: {missing:?}");
 }
 
-/// Words in backquotes of the first column of the first table behind a text of a page, in
-/// column number `column`.
+/// Words in backquotes in column `column` of the first table after a text of a page.
 fn listed(page: &str, behind: &str, column: usize) -> BTreeSet<String> {
     let from = page.find(behind).unwrap();
     let rows = page[from..]

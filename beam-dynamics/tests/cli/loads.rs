@@ -1,4 +1,4 @@
-//! `static` and `buckling`, and what can be wrong with loads.
+//! `static` and `buckling`, and problems of loads.
 
 use super::{BLADE, Folder};
 
@@ -112,7 +112,7 @@ fn a_file_without_the_question_is_refused() {
     for (command, table) in [("static", "[static]"), ("buckling", "[buckling]")] {
         let run = folder.run(&[command, "a.dynamics.toml"]);
         assert_eq!(run.code, 2);
-        let told = format!("error: a.dynamics.toml: has no {table}, which says what is asked");
+        let told = format!("error: a.dynamics.toml: has no {table}, which defines the analysis");
         assert!(run.err.starts_with(&told), "{}", run.err);
     }
 }
@@ -127,7 +127,7 @@ fn buckling_without_loads_ends_with_the_reason() {
     assert!(run.err.starts_with(told), "{}", run.err);
 }
 
-// A column of EI = 0.64 and 160 N m^2, clamped, 0.95 m: gives way under
+// A column of EI = 0.64 and 160 N m^2, clamped, 0.95 m: buckles under
 // pi^2 EI / (4 L^2) = 1.74976 N.
 #[test]
 fn buckling_beyond_the_critical_load_is_remarked() {
@@ -152,7 +152,7 @@ fn buckling_beyond_the_critical_load_is_remarked() {
     assert!(!run.out.contains("NaN"), "{}", run.out);
 }
 
-// The critical load of the strip again: the straight path goes on past it. A load across
+// The critical load of the strip again: the straight path continues past it. A load across
 // the strip has no critical point, however far it bends.
 #[test]
 fn statics_tells_where_another_path_branches_off() {
@@ -177,7 +177,7 @@ fn statics_tells_where_another_path_branches_off() {
     }
 }
 
-// Nothing acts on the blade but the spring, which turns it up until it is relaxed.
+// Only the spring acts on the blade; it turns the blade up until it is relaxed.
 #[test]
 fn a_hinge_goes_where_its_spring_is_relaxed() {
     let folder = Folder::new();
@@ -212,7 +212,7 @@ fn a_hinge_goes_where_its_spring_is_relaxed() {
     );
 }
 
-/// Cards that are wrong, and what is said of them.
+/// Wrong cards, and the expected problems.
 const WRONG_LOADS: &[(&str, &str)] = &[
     (
         "[[load]]\nnode = \"blade/top\"\nforce = [0, 0, 1]\n",
@@ -236,11 +236,11 @@ const WRONG_LOADS: &[(&str, &str)] = &[
     ),
     (
         "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5, 0.2]\nforce = [0, 0, 1]\n",
-        "\"at\" falls from 0.5 m to 0.2 m, expected ascending arc lengths",
+        "\"at\" decreases from 0.5 m to 0.2 m, expected increasing arc lengths",
     ),
     (
         "[[distributed_load]]\nblade = \"blade\"\nat = [0.5, 0.5]\nforce = [[0, 0, 1], [0, 0, 1]]\n",
-        "\"at\" has only the place 0.5 m, expected a stretch of the line",
+        "\"at\" has only the position 0.5 m, expected an interval",
     ),
     (
         "[[distributed_load]]\nbeams = []\nforce = [0, 0, 1]\n",
@@ -248,7 +248,7 @@ const WRONG_LOADS: &[(&str, &str)] = &[
     ),
     (
         "[[distributed_load]]\nblade = \"blade\"\nat = [0, 0.5]\nforce = [0, 0, 1]\n",
-        "\"force\" has 1 rows, expected 2: one for each place of \"at\"",
+        "\"force\" has 1 rows, expected 2: one for each position of \"at\"",
     ),
     (
         "[[imposed]]\nnode = \"blade/root\"\ndisplacement = { x = 0 }\n",
@@ -327,7 +327,7 @@ fn a_node_is_moved_by_one_card() {
         format!("[[imposed]]\nnode = \"blade/tip\"\ndisplacement = {{ {axis} = 0 }}\n")
     };
     let message = "error: a.dynamics.toml:22: node \"blade/tip\" has an imposed motion on line 18 \
-        already, expected one card a node\n  help: put all components of the motion into one \
+        already, expected one card per node\n  help: put all components of the motion into one \
         [[imposed]]";
     folder.refuses(&format!("{BLADE}{}{}", card("x"), card("z")), message);
 }

@@ -1,6 +1,6 @@
-//! The program as a user meets it: files in, messages and files out, exit codes.
+//! The program as users run it: files in, messages and files out, exit codes.
 
-// A test that cannot go on panics.
+// A test that cannot continue panics.
 #![allow(clippy::unwrap_used)]
 
 mod blades;
@@ -27,7 +27,7 @@ mod prestress;
 mod several;
 mod transient;
 
-/// A blade of a strip whose properties are in a file.
+/// A blade of a strip with properties from a file.
 const BLADE: &str = "\
 units = \"SI\"
 [properties.strip]
@@ -51,7 +51,7 @@ count = 4
 /// A folder for one test, and the program run in it.
 struct Folder(TempDir);
 
-/// What a run gave.
+/// Outcome of a run.
 struct Run {
     code: i32,
     out: String,
@@ -186,7 +186,7 @@ fn a_good_run_writes_everything_and_says_where() {
     let text = folder.read("in/results/a.frequencies.txt");
     assert!(
         run.out.starts_with(&text),
-        "what is printed is what is written"
+        "printed and written texts differ"
     );
     assert!(
         text.starts_with("a\n\nFrequencies over rotor speed\n"),
@@ -315,7 +315,7 @@ error: strip.properties.json:3: written in version 7 of the property-file format
     folder.refuses(BLADE, message);
 }
 
-/// The history says how the matrices came about; it is not applied to them again.
+/// The history records the origin of the matrices; it is not applied to them again.
 #[test]
 fn a_property_file_with_a_history_is_read() {
     let folder = Folder::new();
@@ -420,7 +420,7 @@ fn a_folder_that_cannot_be_made_is_told() {
     );
     assert_eq!(
         run.err,
-        "error: folder \"results\" cannot be made: a file of this name is in the way\n  \
+        "error: folder \"results\" cannot be made: a file of this name exists\n  \
          help: name another folder with --out\n"
     );
 }
@@ -494,7 +494,7 @@ fn what_was_reached_is_kept() {
     assert!(folder.path("results/a.fan.png").is_file());
 }
 
-// The reader of the pipe is gone before anything is written.
+// The reading end of the pipe is closed before anything is written.
 #[test]
 fn a_closed_pipe_is_no_error() {
     let folder = Folder::new();

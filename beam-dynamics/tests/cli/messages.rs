@@ -1,4 +1,4 @@
-//! What is told of wrong files and of runs that fail: the examples of the book, causes of
+//! Messages about wrong files and failing runs: the examples of the book, causes of
 //! failures, and files that nobody writes on purpose.
 
 use super::Folder;
@@ -9,7 +9,7 @@ pub fn page(name: &str) -> String {
     std::fs::read_to_string(format!("{root}{name}")).unwrap()
 }
 
-/// The block of a page that begins with `head`, and the next one.
+/// The block of a page that begins with `head`, and the next block.
 fn blocks(page: &str, head: &str) -> [String; 2] {
     let from = page.find(&format!("\n{head}")).unwrap() + 1;
     let (first, rest) = page[from..].split_once("\n```\n").unwrap();
@@ -18,7 +18,7 @@ fn blocks(page: &str, head: &str) -> [String; 2] {
     [format!("{first}\n"), second.to_owned()]
 }
 
-/// A text with each number as `#`: their last digits are those of the machine.
+/// A text with each number as `#`: their last digits depend on the machine.
 fn without_numbers(text: &str) -> String {
     let mut found = String::new();
     for word in text.split_inclusive([' ', '\n', ',', ';']) {
@@ -40,7 +40,7 @@ fn ten_mistakes_of_the_book_are_told_at_once() {
     assert_eq!((run.code, run.out.as_str()), (2, ""));
     assert_eq!(run.err.trim_end(), told.trim_end());
     assert_eq!(told.matches("error: crane.dynamics.toml:").count(), 10);
-    // All that the name of a thing can mend says so.
+    // All problems with a similar known name suggest it.
     assert!(told.matches("did you mean").count() >= 3, "{told}");
 }
 
@@ -51,7 +51,7 @@ fn the_failure_of_the_book_is_told() {
     folder.write("rod.dynamics.toml", &file);
     let run = folder.run(&["transient", "rod.dynamics.toml"]);
     assert_eq!(run.code, 1);
-    // Where the mechanism is locked, iterations are as good as chance.
+    // When the mechanism is locked, the outcome of the iteration is random.
     let comparable = |text: &str| -> Vec<String> {
         let text = text.replace("the iteration diverged", "the iteration did not converge");
         let lines = text.trim_end().lines().map(without_numbers);
@@ -64,7 +64,7 @@ fn the_failure_of_the_book_is_told() {
     assert_eq!(comparable(&run.err), comparable(&told), "{}", run.err);
 }
 
-/// A cart of 1 kg on a rail along x at 1 m/s, and what its place is called.
+/// A cart of 1 kg on a rail along x at 1 m/s, and the name of its position.
 const CART: &str = "units = \"SI\"
 [[node]]
 name = \"cart\"
@@ -96,14 +96,14 @@ of = \"cart\"
 component = \"x\"
 ";
 
-/// What acts on the cart, how it is run, and what is told of it.
+/// Loads and run of the cart, and the expected messages.
 const FAILURES: &[(&str, &str, &[&str])] = &[
     (
         "[[load]]\nname = \"push\"\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= place^2 + 1\"",
         "to = 10\nstep = 0.01",
         &[
             "the motion has grown beyond the model: node \"cart\"",
-            "\"push\" acts on what it senses and feeds it",
+            "\"push\" acts on sensed quantities and feeds the motion",
             "the sign and the gain of the drive",
         ],
     ),
@@ -112,7 +112,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 10\nstep = { first = 0.01, least = 1e-6 }",
         &[
             "the motion has grown beyond the model",
-            "\"load 1\" acts on what it senses",
+            "\"load 1\" acts on sensed quantities",
         ],
     ),
     (
@@ -120,7 +120,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 2\nstep = 0.01",
         &[
             "without a value",
-            "\"pull\" has no value at what it senses there",
+            "\"pull\" has no value at the sensed quantities there",
             "sqrt(max(0, ...))",
         ],
     ),
@@ -129,7 +129,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 2\nstep = 0.01",
         &[
             "\"late\" has no value at 0.5",
-            "wherever the nodes are",
+            "at any position of the nodes",
             "end the run before",
         ],
     ),
@@ -148,7 +148,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         &[
             "largest error: position along x of node \"cart\", off by",
             "the least step, 1.000e-2 s, is too long",
-            "let \"least\" be",
+            "set \"least\" to",
         ],
     ),
     (
@@ -157,7 +157,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 1\nstep = { first = 0.05, least = 0.05, tolerance = 1 }\nnewton = { iterations = 2 }",
         &[
             "worst equation: force balance along x of node \"cart\", off by",
-            "was still coming nearer when its 2 iterations were used up",
+            "was still converging when its 2 iterations were used up",
             "newton = { iterations = 15 }",
         ],
     ),
@@ -165,7 +165,7 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "[[load]]\nnode = \"cart\"\nforce = [1, 0, 0]\ndrive = \"= if(place > 0.3, -1e5, 1)\"",
         "to = 1\nstep = { first = 0.01, least = 0.002, tolerance = 1e-9 }",
         &[
-            "the iteration goes to and fro",
+            "the iteration oscillates",
             "\"load 1\"",
             "make the law smoother",
         ],
@@ -175,13 +175,13 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         "to = 1\nstep = { first = 0.01, least = 0.0005, tolerance = 1e-10 }",
         &[
             "a force or a stiffness jumps within the step",
-            "\"load 1\" acts on what it senses",
+            "\"load 1\" acts on sensed quantities",
         ],
     ),
     (
         "[[load]]\nnode = \"cart\"\nforce = [1e100, 0, 0]",
         "to = 1\nstep = 0.01",
-        &["a mass, a load or another number of the model is beyond reason"],
+        &["a mass, a load or another number of the model is unreasonably large"],
     ),
 ];
 
@@ -229,7 +229,7 @@ quantity = \"position\"
 of = \"bob\"
 ";
 
-/// A change of the pendulum, and what is told of it.
+/// A change of the pendulum, and the expected message.
 const SLIPS: &[(&str, &str, &str)] = &[
     (
         "mass = 1",
@@ -334,8 +334,8 @@ fn slips_are_told_where_they_stand_and_nothing_else() {
     }
 }
 
-// Line ends of another system, a mark of its encoding, no end of the last line, letters
-// that are no ASCII: the same numbers. A file without a word, and one that is no text.
+// Line ends of another system, a byte order mark, no end of the last line, letters that are
+// not ASCII: the same numbers. An empty file, and one that is not text.
 #[test]
 fn files_may_be_written_elsewhere() {
     let folder = Folder::new();
@@ -364,8 +364,9 @@ fn files_may_be_written_elsewhere() {
     assert!(run.err.contains("not a text file"), "{}", run.err);
 }
 
-// A pin takes away the velocity along the arm and gives the bob the rotation that goes with
-// the other; weights of 1e-8 of what is not said leave as much.
+// A pin removes the velocity along the arm and gives the bob the rotation that belongs to
+// the other component; weights of 1e-8 of unspecified velocities leave an error of the same
+// size.
 #[test]
 fn changes_of_a_start_that_does_not_fit_are_told() {
     let folder = Folder::new();
@@ -374,7 +375,7 @@ fn changes_of_a_start_that_does_not_fit_are_told() {
     let run = folder.run(&["transient", "a.dynamics.toml"]);
     assert_eq!(run.code, 0, "{}", run.err);
     for part in [
-        "\nChanged at the start, for the joints to be fulfilled\n",
+        "\nChanged at the start to fulfill the joints\n",
         "  velocity of node \"bob\" along x: from 1 to 0 m/s\n",
         "  angular velocity of node \"bob\" about z: from 0 to -0.99999",
     ] {

@@ -1,4 +1,4 @@
-//! The binary table of a run, read by the published grammar of the format alone.
+//! The binary table of a run, read only by the published grammar of the format.
 //!
 //! # References
 //! - Unidata, "NetCDF file format specifications": classic and 64-bit offset formats.
@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::Folder;
 
-/// The bytes of a file and how far they are read.
+/// The bytes of a file and the position of reading.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
@@ -21,7 +21,7 @@ impl<'a> Bytes<'a> {
         u32::from_be_bytes(self.take(4).try_into().unwrap())
     }
 
-    /// Of eight bytes, as offsets of this format are.
+    /// A number of eight bytes, like the offsets of this format.
     fn offset(&mut self) -> usize {
         u64::from_be_bytes(self.take(8).try_into().unwrap()) as usize
     }
@@ -35,7 +35,7 @@ impl<'a> Bytes<'a> {
         text
     }
 
-    /// The head of a list: its tag, or twice zero of an empty one; the number of entries.
+    /// The head of a list: its tag, or twice zero for an empty one; the number of entries.
     fn list(&mut self, tag: u32) -> usize {
         let (found, count) = (self.number(), self.number());
         assert!(found == tag || (found, count) == (0, 0), "tag {found}");
@@ -157,7 +157,7 @@ fn a_table_in_binary_tells_what_it_holds_to_any_reader() {
     assert_eq!(told, expected);
     assert_eq!(variables[0].attributes["axis"], "T");
 
-    // The numbers are those of the text, to the last bit.
+    // The numbers equal the numbers of the text, to the last bit.
     let text = folder.read("results/m.transient.csv");
     for (row, line) in text.lines().skip(1).enumerate() {
         for (value, variable) in line.split(',').zip(&variables) {

@@ -1,10 +1,10 @@
-//! `prestress` of properties: where it cannot be.
+//! `prestress` of properties: cases in which it is refused.
 
 use shared_geom::section::{self, CubicTable, Prestress, SectionProperties, StrainMeasure};
 
 use super::{BLADE, Folder, strip};
 
-/// The blade, with a key behind the file of its properties.
+/// The blade, with a key after the file of its properties.
 fn with(key: &str) -> String {
     let file = "file = \"strip.properties.json\"\n";
     assert!(BLADE.contains(file));
@@ -30,7 +30,7 @@ fn prestressed() -> Folder {
 fn a_file_without_a_table_is_told_with_the_remedy() {
     let folder = Folder::new();
     let path = folder.path("strip.properties.json");
-    let message = "properties \"strip\" ask for the effect of prestress, and ";
+    let message = "properties \"strip\" request the effect of prestress, but ";
     folder.write("a.dynamics.toml", &with("prestress = true"));
     let run = folder.run(&["check", "a.dynamics.toml"]);
     assert_eq!(run.code, 2);
@@ -39,7 +39,7 @@ fn a_file_without_a_table_is_told_with_the_remedy() {
         &path.file_name().unwrap().to_string_lossy(),
         "has no table of it",
         "\n  help: put prestress = \"biot\" into the section file and analyze it again, or remove \
-         \"prestress\" to go without\n",
+         \"prestress\" to ignore prestress\n",
     ] {
         assert!(
             run.err.contains(expected),
@@ -56,8 +56,8 @@ fn a_law_and_prestress_exclude_each_other() {
     folder.write("a.dynamics.toml", &with(keys));
     let run = folder.run(&["check", "a.dynamics.toml"]);
     assert_eq!(run.code, 2);
-    let words = "properties \"strip\": a \"law\" takes the place of the stiffness, and with it of \
-                 \"prestress\"\n  help: remove one of the two";
+    let words = "properties \"strip\": a \"law\" replaces the stiffness, and \
+                 \"prestress\" with it\n  help: remove one of the two";
     assert!(run.err.contains(words), "{}", run.err);
 }
 
@@ -68,12 +68,12 @@ fn numbers_in_place_have_no_table() {
     folder.write("a.dynamics.toml", text);
     let run = folder.run(&["check", "a.dynamics.toml"]);
     assert_eq!(run.code, 2);
-    let words = "a.dynamics.toml:3: properties \"p\" ask for the effect of prestress, and have no \
+    let words = "a.dynamics.toml:3: properties \"p\" request the effect of prestress, but have no \
                  \"file\"\n  help: only property files have tables of prestress";
     assert!(run.err.contains(words), "{}", run.err);
 }
 
-/// A table of zeros changes nothing, whether it is asked for or not: the same table of
+/// A table of zeros changes nothing, whether it is requested or not: the same table of
 /// frequencies, to the last digit that is written.
 #[test]
 fn a_table_of_zeros_changes_nothing() {

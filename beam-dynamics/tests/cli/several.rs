@@ -1,4 +1,4 @@
-//! Several files of one command: side by side, told as one after the other.
+//! Several files of one command: run in parallel, reported one after the other.
 
 use std::fs::{self, File};
 use std::process::Stdio;
@@ -13,7 +13,8 @@ const FILES: [&str; 3] = ["a.dynamics.toml", "b.dynamics.toml", "c.dynamics.toml
 /// Heading of the times of a run, which differ from run to run.
 const TIMES: &str = "time [s]  share [%]  per iteration [us]";
 
-/// What is written, without the times of runs: the table from its heading to an empty line.
+/// The output without the times of runs: without the table from its heading to an empty
+/// line.
 fn without_times(text: &str) -> String {
     let mut is_time = false;
     let kept = text.split_inclusive('\n').filter(|line| {
@@ -23,8 +24,8 @@ fn without_times(text: &str) -> String {
     kept.collect()
 }
 
-/// Runs `command` on `files` with some threads; both streams, and as they come together in
-/// one file.
+/// Runs `command` on `files` with some threads; returns both streams, and both as written
+/// to one file.
 fn run(folder: &Folder, command: &str, files: &[&str], threads: &str) -> (Run, String) {
     let arguments: Vec<_> = [command].into_iter().chain(files.iter().copied()).collect();
     let prepared = || {
@@ -45,8 +46,8 @@ fn run(folder: &Folder, command: &str, files: &[&str], threads: &str) -> (Run, S
     (apart, without_times(&folder.read("both.txt")))
 }
 
-/// Files of which the first takes longest and the middle one ends early, with what is said
-/// of it.
+/// Files of which the first takes longest and the middle one ends early, with the expected
+/// message.
 fn asked() -> Vec<(&'static str, [String; 3], &'static str)> {
     let late = "[[load]]\nname = \"late\"\nnode = \"blade/tip\"\nforce = [1, 0, 0]\n\
                 drive = \"= sqrt(0.01 - t)\"\n";
@@ -89,8 +90,8 @@ fn asked() -> Vec<(&'static str, [String; 3], &'static str)> {
     ]
 }
 
-/// One after the other is the measure: the texts of each file by itself, two empty lines
-/// between them; the middle one fails, the last one is answered all the same.
+/// The reference is one run after the other: the text of each file alone, two empty lines
+/// between them; the middle one fails, the last one is still run.
 #[test]
 fn what_is_printed_does_not_depend_on_the_number_of_threads() {
     for (command, texts, told) in asked() {
@@ -117,7 +118,7 @@ fn what_is_printed_does_not_depend_on_the_number_of_threads() {
     }
 }
 
-/// Nothing runs if the input of one is wrong; all that is wrong is told, in order.
+/// Nothing runs if one input is wrong; all problems are reported, in order.
 #[test]
 fn wrong_files_are_told_in_their_order() {
     let folder = Folder::new();
@@ -137,7 +138,7 @@ fn wrong_files_are_told_in_their_order() {
     assert!(!folder.path("results").exists());
 }
 
-/// `describe` tells of all files, whatever is wrong with one.
+/// `describe` describes all files, even if one is wrong.
 #[test]
 fn blade_files_are_described_in_their_order() {
     let folder = Folder::new();
@@ -154,7 +155,7 @@ fn blade_files_are_described_in_their_order() {
     assert_eq!(told_together, together);
 }
 
-/// Two runs without end: both write their rows.
+/// Two runs that do not end: both write their rows.
 #[test]
 fn two_files_are_under_way_at_the_same_time() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! `transient` and `plot`, with runs that are stopped and gone on with.
+//! `transient` and `plot`, with runs that are stopped and continued.
 
 use std::fs;
 use std::process::Stdio;
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::Folder;
 
-/// A beam of two elements that falls from its straight place.
+/// A beam of two elements that falls from its straight position.
 pub const BEAM: &str = "\
 units = \"SI\"
 [properties.strip]
@@ -98,7 +98,7 @@ fn a_run_writes_its_tables_figures_and_effort() {
     let last = row(&table, 25);
     assert!((last[0] - 0.1).abs() < 1e-12);
     // The tip falls nearly as freely as g t^2 / 2 = 49 mm; the energy, zero at the start, is
-    // dissipated a little by the formula, beside some 2 J that have changed their kind.
+    // dissipated a little by the scheme, compared with some 2 J of converted energy.
     assert!(last[3] < -40.0 && last[3] > -60.0, "{last:?}");
     assert!(last[7] < 1e-9 && last[7] > -0.02, "{last:?}");
     assert!((last[6] - 2e-3 * last[0]).abs() < 1e-15);
@@ -119,7 +119,7 @@ fn a_killed_run_goes_on_to_the_last_bit() {
     let mut endless = endless.stdout(Stdio::null()).spawn().unwrap();
     let state = folder.path("parts/a.restart.json");
     let table = folder.path("parts/a.transient.csv");
-    // More rows than the first state covers.
+    // More rows than before the first saved state.
     let rows = || fs::read_to_string(&table).map_or(0, |text| text.lines().count());
     let patience = Instant::now();
     while !(state.exists() && rows() > 20) && patience.elapsed() < Duration::from_secs(300) {
@@ -162,7 +162,7 @@ fn a_state_that_does_not_fit_is_refused() {
     assert_eq!(
         again.err,
         "error: \"parts/a.restart.json\" is at 0.1 s, and the run ends at 0.1 s\n  \
-         help: give [transient] a later \"to\" to go on\n"
+         help: give [transient] a later \"to\" to continue\n"
     );
     folder.write(
         "a.dynamics.toml",
@@ -179,7 +179,7 @@ fn a_state_that_does_not_fit_is_refused() {
     );
 }
 
-// What is asked may be another, and so may the words of the file; what moves may not.
+// The requested output and names in the file may differ; the model may not.
 #[test]
 fn a_state_goes_on_with_other_questions_but_not_with_another_model() {
     let folder = Folder::new();
@@ -212,7 +212,7 @@ fn a_state_goes_on_with_other_questions_but_not_with_another_model() {
     let taken = folder.run(&again);
     assert_eq!(taken.code, 0, "{}", taken.err);
     let table = folder.read("other/a.transient.csv");
-    // A step of 4 ms, which is twice the last; the grid of 5 ms begins where the run goes on.
+    // A step of 4 ms, which is twice the last; the grid of 5 ms begins where the run continues.
     let times: Vec<_> = (0..4).map(|number| row(&table, number)[0]).collect();
     for (time, expected) in times.iter().zip([0.1025, 0.105, 0.11, 0.115]) {
         assert!((time - expected).abs() < 1e-9, "{times:?}");
@@ -252,7 +252,7 @@ unit = \"rad\"
     )
 }
 
-// A row each 0.14 s, 1.4 rad apart. The run stops where its drive ends, at 1.25 s, or a
+// A row every 0.14 s, 1.4 rad apart. The run stops where its drive ends, at 1.25 s, or a
 // little before, between two rows.
 #[test]
 fn a_run_that_fails_keeps_its_last_state_and_angles_their_turns() {
@@ -278,7 +278,7 @@ fn a_run_that_fails_keeps_its_last_state_and_angles_their_turns() {
     assert!(state.contains("\"angles\":{\"axle\":12."), "{state}");
     assert!(folder.path("results/a.transient.svg").exists());
 
-    // A run that is gone on with keeps the turn that the wheel has made.
+    // A continued run keeps the turn that the wheel has made.
     let end = 1.2;
     folder.write("a.dynamics.toml", &wheel(1.0));
     let parts = [&arguments[..], &["--out", "parts"]].concat();
@@ -358,7 +358,7 @@ fn a_file_without_a_run_is_told() {
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
-        "error: a.dynamics.toml: has no [transient], which says what is asked\n  \
+        "error: a.dynamics.toml: has no [transient], which defines the analysis\n  \
          help: add [transient] with to = 1 and step = \"1 ms\"\n"
     );
     let run = folder.run(&[
@@ -371,7 +371,7 @@ fn a_file_without_a_run_is_told() {
     assert_eq!(run.code, 2);
     assert!(
         run.err
-            .contains("--restart goes on with one file, but 2 are given"),
+            .contains("--restart continues one file, but 2 are given"),
         "{}",
         run.err
     );

@@ -1,5 +1,5 @@
-//! The main job: from the mesh of a strip to the frequencies of four rotating
-//! swept-tip blades beside the experiment of Epps and Chandra.
+//! The main job: from the mesh of a strip to the frequencies of four rotating swept-tip
+//! blades, compared with the experiment of Epps and Chandra.
 //!
 //! Runs the two programs as a user would on the command line:
 //!
@@ -63,7 +63,7 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// All blades beside the experiment, from the comparison files of the four runs.
+/// All blades compared with the experiment, from the comparison files of the four runs.
 fn summary(case: &Path) -> Result<String, csv::Error> {
     let mut rows: Vec<(String, [String; SWEEPS.len()])> = Vec::new();
     for (column, sweep) in SWEEPS.iter().enumerate() {
@@ -87,7 +87,8 @@ fn summary(case: &Path) -> Result<String, csv::Error> {
             rows[row].1[column] = entry;
         }
     }
-    let mut text = String::from("Frequencies beside the experiment [Hz], lag modes left out\n\n");
+    let mut text =
+        String::from("Frequencies compared with the experiment [Hz], lag modes omitted\n\n");
     text += "speed  mode";
     SWEEPS
         .iter()
@@ -113,7 +114,7 @@ struct Comparison {
     computed_hz: f64,
 }
 
-/// The case below the present folder, or below the one in which the runner was built.
+/// The case below the current folder, or below the folder in which the runner was built.
 fn folder() -> PathBuf {
     let here = PathBuf::from(CASE);
     if here.is_dir() {

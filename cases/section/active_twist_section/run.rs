@@ -1,5 +1,5 @@
 //! Convergence of the active-twist section over its three meshes: prints the stiffness of
-//! each, and draws how far it is from that of a mesh twice as fine as the finest.
+//! each, and plots its difference from a mesh twice as fine as the finest.
 //!
 //! ```sh
 //! cargo run --release --example active_twist_section
@@ -19,7 +19,7 @@ use shared_geom::gmsh;
 
 /// The meshes, coarsest first.
 const MESHES: [&str; 3] = ["coarse", "medium", "active_twist_section"];
-/// Entries that are drawn: name, row, column.
+/// Entries that are plotted: name, row, column.
 const ENTRIES: [(&str, usize, usize); 8] = [
     ("axial", 0, 0),
     ("shear in plane", 1, 1),
@@ -98,7 +98,7 @@ struct Convergence {
     lines: Vec<Vec<[f64; 2]>>,
 }
 
-/// What is drawn: nodes and differences as powers of ten.
+/// The plotted data: nodes and differences as powers of ten.
 const NODES: [f64; 2] = [3.3, 4.0];
 const DIFFERENCES: [f64; 2] = [-6.0, -2.0];
 /// The frame of the chart \[figure pixels\].

@@ -55,7 +55,7 @@ nu23 = 0.34
 density = 1550.0
 ";
 
-/// Writes the box refined by `r` into `folder`; gives its section file.
+/// Writes the box refined by `r` into `folder`; returns its section file.
 fn write_case(mesh: &Mesh, r: usize, folder: &Path) -> PathBuf {
     let mesh_name = format!("box_{r}.msh");
     let refined = refine::refined(mesh, r);
@@ -89,15 +89,15 @@ fn section(file: &Path) -> Section {
         .section
 }
 
-/// The section as the solver sees it, in the order of elimination.
+/// The domain and pattern of the section, in the order of elimination.
 fn prepared(section: &Section) -> Option<(Domain, Pattern)> {
     let domain = Domain::new(section).ok()?;
     let pattern = Pattern::new(&domain);
     in_elimination_order(domain, &pattern)
 }
 
-/// The shortest processor time of the runs within a second, five at least: on a
-/// machine that does other things as well it is the steadiest figure.
+/// The shortest processor time of the runs within a second, at least five: the most
+/// repeatable figure on a machine that is shared.
 fn shortest<T>(mut work: impl FnMut() -> T) -> Duration {
     let (begin, mut best, mut runs) = (Instant::now(), Duration::MAX, 0);
     while runs < 5 || begin.elapsed() < Duration::from_secs(1) {
@@ -118,7 +118,7 @@ fn angles(section: &Section) -> Vec<Parameter> {
         .collect()
 }
 
-/// Most memory in use at a time by `work`, beyond what was in use before \[byte\].
+/// Peak memory of `work`, beyond the memory in use before \[byte\].
 fn peak<T>(work: impl FnOnce() -> T) -> usize {
     let before = ALLOCATOR.current_usage();
     ALLOCATOR.reset_peak_usage();
@@ -138,7 +138,7 @@ struct Times {
     solve: Duration,
     central: Duration,
     analyze: Duration,
-    /// Derivatives with respect to [`ANGLES`] fiber angles, beside the analysis.
+    /// Derivatives with respect to [`ANGLES`] fiber angles, without the analysis.
     sensitivities: Duration,
     total: Duration,
     /// The same section on a beam of general curvature.
@@ -147,9 +147,9 @@ struct Times {
     piezo: Duration,
     /// Stresses of a hundred load cases.
     loads: Duration,
-    /// Strains, means and smoothed values of ten of them besides.
+    /// Full recoveries (strains, means and smoothed values) of ten load cases.
     recoveries: Duration,
-    /// Most memory in use at a time, over that of the factor [-].
+    /// Peak memory over the memory of the factor [-].
     memory: f64,
 }
 
@@ -182,7 +182,7 @@ impl Times {
                 Some((Pattern::new(&domain), pattern))
             }),
             assemble: shortest(|| SectionMatrices::assemble(&domain, &pattern)),
-            // the order is a part of it
+            // the ordering is included
             bare: shortest(|| elimination_order(&unordered))
                 + shortest(|| Factor::new(matrices.e.clone(), &pattern, pins.clone())),
             solve: shortest(|| {
@@ -201,7 +201,8 @@ impl Times {
     }
 }
 
-/// The section on a beam that turns by half a radian along its own length, about all axes.
+/// The section on a beam with a curvature of about half a radian per size of the section,
+/// about all axes.
 fn curved(section: &Section) -> Section {
     let nodes = section.mesh.nodes.iter();
     let size = nodes.map(|[y, z]| y.hypot(*z)).fold(0.0, f64::max);
@@ -341,8 +342,8 @@ fn ratios(files: &[PathBuf]) {
     }
 }
 
-/// Prints the times of the whole command `analyze`, files written, over that of reading and
-/// analyzing.
+/// Prints the times of the whole command `analyze`, with its files, over the time of
+/// reading and analyzing.
 fn commands(files: &[PathBuf], times: &[Times]) {
     println!("\n nodes | analyze --no-figures  with figures [ms]  both over total");
     for (file, t) in files.iter().zip(times) {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use nalgebra::Vector3;
 use shared_geom::mesh::{Cell, CellKind, Mesh, Node};
 
-/// Corners with whole weights, which place a node; sorted by corner.
+/// Corners with integer weights, which determine the position of a node; sorted by corner.
 type Weights = Vec<(u32, usize)>;
 
 /// `mesh` with each of its triangles cut into `r * r`; lines and points are left out.
@@ -61,7 +61,7 @@ struct Nodes<'a> {
 }
 
 impl Nodes<'_> {
-    /// The node at a place on the lattice of the triangle with these corners.
+    /// The node at a lattice point of the triangle with these corners.
     fn at(&mut self, corners: &[u32], [i, j]: [usize; 2]) -> u32 {
         let weights = [self.parts - i - j, i, j];
         let mut key: Weights = corners.iter().copied().zip(weights).collect();

@@ -11,11 +11,10 @@ use crate::solve::{
 };
 use nalgebra::Matrix6;
 
-/// Smallest pivot relative to its diagonal entry: below it no digit of the
-/// pivot is significant.
+/// Smallest pivot relative to its diagonal entry: a smaller pivot has no significant digit.
 const PIVOT_LIMIT: f64 = 1e-14;
 
-/// Errors beyond which there is no result.
+/// Errors above which the analysis fails.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
     /// Largest relative error of a rigid-body identity.
@@ -24,27 +23,26 @@ pub(super) struct Limits {
     pub check: f64,
 }
 
-/// Those of sections of cells. Round-off of the identities is 1e-15, a node in the
-/// wrong place of a cell gives 1e-3 or more. Sound sections reach 1e-13 in the checks;
+/// Limits of sections of cells. Round-off of the identities is 1e-15; a node at a wrong
+/// index of a cell gives 1e-3 or more. The checks of valid sections are about 1e-13;
 /// sections of extreme slenderness or contrast of moduli lose digits.
 pub(super) const OF_CELLS: Limits = Limits {
     identity: 1e-10,
     check: 1e-9,
 };
 
-/// A node as messages name it.
+/// A node as named in messages.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Named {
     pub tag: u64,
-    /// Place (y, z) [m].
+    /// Position (y, z) [m].
     pub place: [f64; 2],
 }
 
 /// The names of the nodes of a model.
 pub(super) type Naming<'a> = &'a dyn Fn(usize) -> Named;
 
-/// The decoupled central solutions in the units of the solver, with what vouches for
-/// them.
+/// The decoupled central solutions in the units of the solver, with their checks.
 #[derive(Debug)]
 pub(super) struct Central {
     pub decoupled: Decoupled,
@@ -52,8 +50,8 @@ pub(super) struct Central {
     pub checks: Checks,
 }
 
-/// Solves `model`, whose steady matrices are `matrices`, and checks the solution; gives
-/// the systems that found it, too.
+/// Solves `model`, whose steady matrices are `matrices`, and checks the solution; returns
+/// the factored systems, too.
 pub(super) fn solve_central(
     model: &impl Model,
     pattern: &Pattern,
@@ -110,7 +108,7 @@ fn check_solution(
     }
 }
 
-/// One part, joined node by node.
+/// Requires one part, connected by nodes.
 pub(super) fn require_connected(parts: &[usize], naming: Naming<'_>) -> Result<(), Failure> {
     match *parts {
         [first, second, ..] => Err(Failure::Disconnected {
@@ -122,7 +120,7 @@ pub(super) fn require_connected(parts: &[usize], naming: Naming<'_>) -> Result<(
     }
 }
 
-/// All identities hold within `limit`.
+/// Requires that all identities hold within `limit`.
 fn require_identities(
     errors: &[f64],
     identities: &[&'static str],
@@ -180,7 +178,8 @@ fn require_checks(checks: &Checks, limit: f64, weakest: Named) -> Result<(), Fai
     Ok(())
 }
 
-/// The error of a check is within `limit`; `weakest` is the node that is held least.
+/// Requires the error of a check to be within `limit`; `weakest` is the node of the
+/// smallest pivot.
 pub(super) fn require_small(
     (check, error): (&'static str, f64),
     limit: f64,

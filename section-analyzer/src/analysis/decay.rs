@@ -1,4 +1,4 @@
-//! How far the ends of the beam are felt in it: the decaying solutions in meters.
+//! Decay of end effects along the beam: the decaying solutions in meters.
 
 use super::Analysis;
 use crate::assembly::Model;
@@ -8,8 +8,7 @@ use crate::solve::{CentralSystems, DecayRates};
 use nalgebra::DMatrix;
 
 impl Analysis<'_> {
-    /// The `wanted` slowest decaying solutions. Not converging is a status of the
-    /// result.
+    /// The `wanted` slowest decaying solutions. Non-convergence is reported in the result.
     ///
     /// # Errors
     /// [`Failure::OutOfMemory`].
@@ -21,7 +20,7 @@ impl Analysis<'_> {
 }
 
 /// The `wanted` slowest decaying solutions of a model whose unit of length is `length`
-/// \[m\], by its systems and the forces on the face of its central solutions.
+/// \[m\], from its systems and the face forces of its central solutions.
 pub(super) fn end_effects(
     model: &impl Model,
     (systems, face): (&CentralSystems, &DMatrix<f64>),

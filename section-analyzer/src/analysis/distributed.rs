@@ -1,5 +1,4 @@
-//! Loads distributed along the beam: the state that they add to that of the internal
-//! force.
+//! Distributed loads: the state that they add to the state of the internal force.
 //!
 //! Its generalized strain is found a second time, by the work of its stresses on the
 //! central solutions, and must be the same:
@@ -21,11 +20,11 @@ use shared_geom::wrench;
 const TOGETHER: usize = 6;
 
 impl Analysis<'_> {
-    /// The state that each of `loads` adds, one solution a degree for six of them.
+    /// The state that each of `loads` adds; one solution per degree for six loads.
     ///
     /// # Errors
-    /// [`Failure::OutOfMemory`]; [`Failure::Inaccurate`] when the generalized strain
-    /// found by the work on the central solutions is another.
+    /// [`Failure::OutOfMemory`]; [`Failure::Inaccurate`] when the generalized strain from
+    /// the work on the central solutions differs.
     pub fn distributed(
         &self,
         loads: &[&DistributedLoad],
@@ -55,8 +54,8 @@ impl Analysis<'_> {
             .ok_or(Failure::OutOfMemory { unknowns })
     }
 
-    /// The differences of the generalized strains from those of (S-107), relative to
-    /// the largest of warping, rate and strain \[-\].
+    /// The differences of the generalized strains from (S-107), relative to the largest of
+    /// warping, rate and strain \[-\].
     fn distributed_errors(&self, solved: &DistributedSolution) -> Vector6<f64> {
         let (domain, central) = (self.domain(), self.central());
         let state = State {
@@ -83,8 +82,8 @@ impl Analysis<'_> {
         })
     }
 
-    /// From the units of the domain to SI, from its origin to that of the mesh, as the
-    /// central solutions.
+    /// Converts from the units of the domain to SI and from its origin to the origin of the
+    /// mesh, as the central solutions.
     fn distributed_in_si(
         &self,
         load: &DistributedLoad,

@@ -1,4 +1,4 @@
-//! Imposed strains: what they do to a section that is free, and what holds it back.
+//! Imposed strains: the free strain of an unloaded section, and its restrained force.
 //!
 //! ```text
 //! E x + R y = f0      R' x + A y = fp      r = -Ph' x      x <- x + H r      psi_T = y - T r    (S-92)
@@ -25,8 +25,7 @@ use shared_geom::wrench;
 const TOGETHER: usize = 6;
 
 impl Analysis<'_> {
-    /// What a kelvin does to the section, where it expands, and what each of `states`
-    /// does.
+    /// Effect of one kelvin on the section, if it expands, and of each of `states`.
     ///
     /// # Errors
     /// As [`Analysis::imposed`].
@@ -50,12 +49,12 @@ impl Analysis<'_> {
         })
     }
 
-    /// Warping, free strain and restrained force of each of `states`, one solution for
-    /// six of them.
+    /// Warping, free strain and restrained force of each of `states`, one solution for six
+    /// states.
     ///
     /// # Errors
-    /// [`Failure::OutOfMemory`]; [`Failure::Inaccurate`] when the free strain found by
-    /// the work on the central solutions is another.
+    /// [`Failure::OutOfMemory`]; [`Failure::Inaccurate`] when the free strain from the work
+    /// on the central solutions differs.
     pub fn imposed(&self, states: &[ImposedStrain]) -> Result<Vec<ImposedSolution>, Failure> {
         let mut found = Vec::with_capacity(states.len());
         for states in states.chunks(TOGETHER) {
@@ -75,8 +74,8 @@ impl Analysis<'_> {
         Ok(found)
     }
 
-    /// The difference of the free strains from those of (S-94), beside the largest strain
-    /// imposed \[-\].
+    /// The difference of the free strains from (S-94), relative to the largest imposed
+    /// strain \[-\].
     fn errors(&self, forces: &ImposedForces, solved: &ParticularSolution) -> Vector6<f64> {
         let (domain, central) = (self.domain(), self.central());
         let state = State {
@@ -103,8 +102,8 @@ impl Analysis<'_> {
         })
     }
 
-    /// From the units of the domain to SI, from its origin to that of the mesh, as the
-    /// generalized strains of the central solutions.
+    /// Converts from the units of the domain to SI and from its origin to the origin of the
+    /// mesh, as the generalized strains of the central solutions.
     fn imposed_in_si(
         &self,
         state: &ImposedStrain,
@@ -151,8 +150,8 @@ mod tests {
         [straight, curved]
     }
 
-    /// `H' f0 = T' fp`: imposed stresses do no work on rigid motions of the section but
-    /// what the beam knows of. Round-off of forces of order one.
+    /// `H' f0 = T' fp`: the work of imposed stresses on rigid motions of the section
+    /// follows from their resultant. Round-off of forces of order one.
     #[test]
     fn imposed_forces_know_of_rigid_motions() {
         for section in sections() {
@@ -172,8 +171,8 @@ mod tests {
         }
     }
 
-    /// A body that grows evenly, (S-133), whatever it is made of; condition of some 1e4
-    /// times round-off.
+    /// A body that expands evenly, (S-133), of any material; a condition of about 1e4 times
+    /// round-off.
     #[test]
     fn a_curved_beam_that_grows_evenly_moves_by_the_mean_of_its_places() {
         for section in sections() {
@@ -205,15 +204,16 @@ mod tests {
             let difference = (solved.free_strain - expected).amax();
             assert!(difference < 1e-11, "{difference:e}");
             let is_straight = section.initial_curvature.is_straight();
-            // what the line itself grows by: on the straight beam, but for the mesh
+            // the free strain is the expansion of the line on the straight beam only, up to
+            // the error of the mesh
             let line = section.initial_curvature.slope;
             let off = (solved.free_strain.fixed_rows::<3>(0) - line).amax();
             assert_eq!(off < 1e-4, is_straight, "{off:e}");
         }
     }
 
-    /// Both ways to the free strain agree, and each of seven states, which take two
-    /// solutions, is that of the state alone; condition of some 1e4 times round-off.
+    /// Both computations of the free strain agree, and each of seven states, solved in two
+    /// batches, equals the state solved alone; a condition of about 1e4 times round-off.
     #[test]
     fn random_states_have_the_free_strain_of_their_work() {
         for section in sections() {
@@ -236,8 +236,8 @@ mod tests {
         }
     }
 
-    /// The rigid part of a state that its pins leave: its strains with the unknowns of
-    /// `pins` at zero, `y - T r` with `x + H r = 0` there, as they were before decoupling.
+    /// The strains of a state with the unknowns of `pins` at zero, `y - T r` with
+    /// `x + H r = 0` there, as before decoupling.
     fn of_pins(domain: &Domain, pins: &Pins, state: &ParticularSolution) -> Matrix6<f64> {
         let mut rigid = DMatrix::zeros(domain.unknowns(), 6);
         add_rigid_motions(domain, &Matrix6::identity(), &mut rigid);
@@ -246,9 +246,9 @@ mod tests {
         state.y - domain.line.equilibrium().transpose() * r
     }
 
-    /// Random strains have the same state whatever the pins, to round-off times a
-    /// condition of some 1e4; before decoupling their generalized strains are those of the
-    /// pins, and differ by a part of themselves.
+    /// Random strains have the same state for any pins, to round-off times a condition of
+    /// about 1e4; before decoupling their generalized strains depend on the pins, with
+    /// relative differences above 1e-3.
     #[test]
     fn random_states_do_not_depend_on_the_pins() {
         for section in sections() {

@@ -15,32 +15,33 @@ use shared_geom::error::Explain;
 use sprs::{CsMat, TriMat};
 
 /// Matrices that break an identity by more than 1e-6 of its terms are wrong or rounded to
-/// less than seven digits. How far sound digits reach depends on the section: see
-/// [`DIGITS`]. The checks of the solution compare it with itself, to ten times that.
+/// less than seven digits. The number of correct digits depends on the section: see
+/// [`DIGITS`]. The checks of the solution compare it with itself, to ten times that limit.
 const LIMITS: Limits = Limits {
     identity: 1e-6,
     check: 1e-5,
 };
 
-/// Estimates of the error by rounding of the files above which it is worth a word, and
-/// above which there is no result. The estimate is the error of the identities times the
+/// Estimates of the error by rounding of the files above which a warning is given, and
+/// above which the analysis fails. The estimate is the error of the identities times the
 /// condition number. Strips of 40 by 1 from slices 5, 1 and 0.2 thick, in files of 6 to 12
-/// digits, have errors of up to four times it, most of them less than it.
+/// digits, have errors of up to four times the estimate, most of them less than the
+/// estimate.
 const DIGITS: (f64, f64) = (1e-3, 1e-1);
 
-/// M counts as positive semidefinite down to this, relative to its diagonal: rounding to
-/// seven digits. A slice with one point through it that is read as linear gives -0.1 and
-/// less.
+/// Negative part of M, relative to its diagonal, up to which M is accepted as positive
+/// semidefinite: rounding to seven digits. A slice with one point through it that is read
+/// as linear gives -0.1 and less.
 const SEMIDEFINITE: f64 = 1e-6;
 
 /// The names of M and E in messages.
 const M: &str = "M, the stiffness against the rate of the warping,";
 const E: &str = "E, the stiffness against the warping,";
 
-/// What is odd about given matrices.
+/// Warnings about given matrices.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum OutsideWarning {
-    /// Few digits.
+    /// The matrices have few digits.
     #[error(
         "the digits of the matrices leave a relative error of about {error:.0e} (identities of rigid motions {identity:.1e}, times the condition number {condition:.1e})"
     )]
@@ -61,7 +62,7 @@ pub enum OutsideWarning {
         thickness: f64,
     },
     /// No mass is given.
-    #[error("no mass is given: that of the property file is zero")]
+    #[error("no mass is given: the mass in the property file is zero")]
     NoMass,
 }
 
@@ -79,13 +80,13 @@ impl Explain for OutsideWarning {
 /// Finds stiffness, centers and central solutions of a section given by its matrices.
 ///
 /// # Errors
-/// [`Failure`] when the matrices do not belong together, or the section has no unique,
-/// accurate solution.
+/// [`Failure`] when the matrices are inconsistent, or the section has no unique, accurate
+/// solution.
 pub fn analyze_matrices(section: &OutsideSection) -> Result<SectionSolution, Failure> {
     Ok(OutsideAnalysis::new(section)?.solution)
 }
 
-/// The analysis of a section that is given by its matrices, ready for further questions.
+/// The analysis of a section that is given by its matrices, for further results.
 #[derive(Debug)]
 pub struct OutsideAnalysis {
     domain: OutsideDomain,
@@ -146,7 +147,7 @@ impl OutsideAnalysis {
         &self.solution
     }
 
-    /// What is odd about the matrices.
+    /// Warnings about the matrices.
     pub fn warnings(&self) -> &[OutsideWarning] {
         &self.warnings
     }
@@ -162,7 +163,8 @@ impl OutsideAnalysis {
     }
 }
 
-/// All identities of the matrices hold; every one that does not is told.
+/// Requires all identities of the matrices; the error lists every identity that is
+/// violated.
 fn require_belonging(
     domain: &OutsideDomain,
     section: &OutsideSection,
@@ -185,7 +187,7 @@ fn require_belonging(
     }
 }
 
-/// M gives no motion an energy below zero.
+/// Requires that M gives no motion a negative energy.
 fn require_positive_face(
     domain: &OutsideDomain,
     pattern: &Pattern,
@@ -208,9 +210,10 @@ fn require_positive_face(
     })
 }
 
-/// Whether a slice read as `middle` looks like a linear one. The M of such is `M0 + a E`,
-/// a = h^2/12: then `M - a E` is positive, and `M - 2 a E` is not where the slice is as
-/// thick as its cells. Of thinner ones it cannot be told, and hardly matters.
+/// Whether a slice read as `middle` looks like a linear one. The M of a linear slice is
+/// `M0 + a E`, a = h^2/12: then `M - a E` is positive, and `M - 2 a E` is not if the slice
+/// is as thick as its cells. Thinner slices cannot be distinguished, but the difference
+/// hardly matters.
 fn looks_linear(
     section: &OutsideSection,
     domain: &OutsideDomain,
@@ -231,7 +234,7 @@ fn looks_linear(
     Ok(looks.then_some(OutsideWarning::Through { thickness }))
 }
 
-/// What is left of the digits of the matrices.
+/// Warning or error for the loss of digits in the matrices.
 fn digits(central: &Central) -> Result<Option<OutsideWarning>, Failure> {
     let checks = &central.checks;
     let identity = checks.identities.into_iter().fold(0.0, largest);
@@ -252,7 +255,7 @@ fn digits(central: &Central) -> Result<Option<OutsideWarning>, Failure> {
     }))
 }
 
-/// A failure in the words of matrices in place of those of cells.
+/// A failure expressed in terms of matrices instead of cells.
 fn of_given_matrices(failure: Failure, of_slice: bool) -> Failure {
     match failure {
         Failure::Identity {
@@ -275,7 +278,7 @@ fn of_given_matrices(failure: Failure, of_slice: bool) -> Failure {
     }
 }
 
-/// Which nodes meet in any of the matrices.
+/// Pairs of nodes that have an entry in any of the matrices.
 fn pattern(count: usize, blocks: &Blocks) -> Pattern {
     let Blocks { m, c, e } = blocks;
     let entries = [m, c, e].into_iter().flat_map(|matrix| matrix.iter());
@@ -283,8 +286,8 @@ fn pattern(count: usize, blocks: &Blocks) -> Pattern {
     Pattern::of_pairs(count, pairs)
 }
 
-/// The section in the units of the solver, its nodes in the order of elimination, which
-/// `blocks` have.
+/// The section in the units of the solver, with its nodes in the order of elimination, the
+/// order of `blocks`.
 fn in_order(
     section: &OutsideSection,
     order: &[u32],

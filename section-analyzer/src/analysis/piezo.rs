@@ -1,4 +1,4 @@
-//! Voltages on the electrodes of a section: what they do to it, and the charges.
+//! Voltages on the electrodes of a section: their effects, and the charges.
 //!
 //! ```text
 //! [E R; R' A]_ff [x; y] = -[E_fc V; R_c' V]      theta = 0       r = -Ph_u' x_u   (S-166)
@@ -13,7 +13,7 @@
 //! Y_v = X' f0 + Y' fp + T (X' P - Ph_V' x_V)        P = C x + L Y_v               (S-168)
 //! ```
 //!
-//! where f0 and fp are what the voltages ask for, and x is without the potential of the
+//! where f0 and fp are the loads of the voltages, and x excludes the potential of the
 //! conductors.
 //!
 //! # References
@@ -31,8 +31,8 @@ use crate::solve::{CentralSystems, Load, ParticularSolution, electric_work};
 use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
-/// Last correction up to which the forces before it are good enough for the check: a tenth
-/// of what it may be off.
+/// Last correction up to which the forces before it are accurate enough for the check: a
+/// tenth of its limit.
 const CORRECTED: f64 = 1e-10;
 
 /// Electrodes that are solved together.
@@ -41,13 +41,13 @@ const TOGETHER: usize = 6;
 /// All electrodes at one volt each, in the units of the domain.
 #[derive(Debug)]
 pub(super) struct Voltages {
-    /// Displacements and potentials, n x 6 for each six electrodes.
+    /// Displacements and potentials, n x 6 for every six electrodes.
     x: Vec<DMatrix<f64>>,
-    /// Y_v, a column an electrode.
+    /// Y_v, a column per electrode.
     y: Vec<Vector6<f64>>,
     /// Charges at no internal force, electrodes x electrodes.
     charges: DMatrix<f64>,
-    /// Differences of `y` from what (S-168) gives.
+    /// Differences of `y` from (S-168).
     errors: Vec<Vector6<f64>>,
     checks: PiezoChecks,
 }
@@ -88,7 +88,7 @@ impl Voltages {
         Ok(Some(found))
     }
 
-    /// Takes the solution of the electrodes `range`.
+    /// Adds the solution of the electrodes `range`.
     fn add(
         &mut self,
         (domain, central): (&Domain, &Central),
@@ -138,8 +138,8 @@ impl Voltages {
         self.x.push(x);
     }
 
-    /// The checks, and the capacitance made symmetric. A strain counts beside
-    /// `sqrt(C_ii cap_ee)`, that of which the energy is that of one volt.
+    /// Computes the checks and makes the capacitance symmetric. A strain is relative to
+    /// `sqrt(C_ii cap_ee)`, the strain with the energy of one volt.
     fn check(&mut self, domain: &Domain, compliance: &Matrix6<f64>) {
         let electrodes = &domain.electric.electrodes;
         let is_conductor = |&electrode: &usize| electrodes[electrode].fingered.is_empty();
@@ -175,7 +175,7 @@ fn steady<'a>(warping: &'a DMatrix<f64>, strain: &'a Matrix6<f64>) -> State<'a> 
 }
 
 impl Solved<'_> {
-    /// What voltages do, in SI about the origin of the mesh; `None` without electrodes.
+    /// Effects of voltages, in SI about the origin of the mesh; `None` without electrodes.
     ///
     /// # Errors
     /// [`Failure::Inaccurate`] when a check fails.
@@ -247,7 +247,7 @@ impl Solved<'_> {
     }
 
     /// Potential at the nodes of the mesh per unit of the forces about the origin of the
-    /// mesh, which `v` takes to that of the domain \[V/N, V/(N m)\].
+    /// mesh, which `v` shifts to the origin of the domain \[V/N, V/(N m)\].
     fn potential_of_forces(&self, v: &Matrix6<f64>) -> DMatrix<f64> {
         let scaling = &self.domain.scaling;
         let per_force = scaling.force().map(|unit| scaling.potential / unit);

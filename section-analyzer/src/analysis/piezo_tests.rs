@@ -25,7 +25,7 @@ fn sections() -> [Section; 2] {
         permittivity: half * half.transpose() + Matrix3::identity(),
     });
     straight.materials.push(poled);
-    // cells stand row by row, three in a row
+    // cells are row by row, three in a row
     let columns: Vec<usize> = (0..6).map(|cell| cell % 3).collect();
     for (made_of, column) in straight.cells.iter_mut().zip(&columns) {
         made_of.material = usize::from(*column < 2);
@@ -81,7 +81,7 @@ fn central(domain: &Domain, pattern: &Pattern) -> (Central, CentralSystems) {
 }
 
 /// The decoupled free strains do not depend on the pins, to round-off times a condition of
-/// some 1e4; before decoupling they do.
+/// about 1e4; before decoupling they do.
 #[test]
 fn free_strains_do_not_depend_on_the_pins() {
     for section in sections() {
@@ -121,7 +121,7 @@ fn free_strains_do_not_depend_on_the_pins() {
 }
 
 /// Charges per unit internal force on the conductors of a section, with the rates along the
-/// beam: what the electric displacements of the central solutions lack of balance.
+/// beam: the imbalance of the electric displacements of the central solutions.
 fn charges_of_forces(domain: &Domain, central: &Central) -> Vec<Option<Vector6<f64>>> {
     let solution = &central.decoupled;
     let state = State {
@@ -179,7 +179,7 @@ fn charges_of_forces_are_strains_of_voltages() {
                 difference < 1e-11 * scale,
                 "{number}: {difference:e} of {scale:e}"
             );
-            // the ends take part: real charges alone would not do
+            // the end terms are needed: real charges alone do not agree
             assert!((voltages.y[number] - charge).amax() > 1e-4 * scale);
         }
     }
@@ -234,7 +234,7 @@ fn ends_take_no_part_in_symmetric_sections() {
     }
 }
 
-/// Rigid motions of the section strain nothing, whatever potentials there are.
+/// Rigid motions of the section cause no strain, with any potentials.
 #[test]
 fn identities_hold_with_potentials() {
     for section in sections() {
@@ -250,8 +250,8 @@ fn identities_hold_with_potentials() {
     }
 }
 
-/// The assembled matrices are those of the integrated stresses: E x + R y of random states,
-/// and the same after other elimination orders.
+/// The assembled matrices agree with the integrated stresses: E x + R y of random states,
+/// also after other elimination orders.
 #[test]
 fn matrices_are_those_of_the_stresses() {
     for section in sections() {

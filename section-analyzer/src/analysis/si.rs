@@ -1,4 +1,5 @@
-//! From the units of the solver to SI, from its origin to the reference point.
+//! Conversion from the units of the solver to SI, and from its origin to the reference
+//! point.
 
 use super::central::Central;
 use crate::assembly::Scaling;
@@ -8,12 +9,12 @@ use crate::solution::SectionSolution;
 use nalgebra::{DMatrix, Matrix6, Vector3};
 use shared_geom::wrench;
 
-/// What the solution of a section becomes a result with.
+/// Data that convert the solution of a section to its result.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame<'a> {
     /// The units of the solver, and its origin.
     pub scaling: &'a Scaling,
-    /// For each node of the solver its index among those of the result.
+    /// For each node of the solver its index among the nodes of the result.
     pub nodes: &'a [u32],
     /// Number of nodes of the result.
     pub count: usize,
@@ -75,7 +76,7 @@ pub(super) fn in_si(frame: &Frame<'_>, central: &Central) -> Result<SectionSolut
 }
 
 /// Warping in meters at all nodes of the result per unit of the forces that `forces`
-/// takes to those of the solver; zero at nodes that it does not have.
+/// converts to the forces of the solver; zero at nodes that the solver does not have.
 fn warping(frame: &Frame<'_>, x: &DMatrix<f64>, forces: &Matrix6<f64>) -> DMatrix<f64> {
     let mut warping = DMatrix::zeros(3 * frame.count, 6);
     for (node, &target) in frame.nodes.iter().enumerate() {
@@ -91,8 +92,8 @@ fn symmetric(matrix: &Matrix6<f64>) -> Matrix6<f64> {
     0.5 * (matrix + matrix.transpose())
 }
 
-/// Finite matrices, a stiffness that stores energy: in SI and about the reference point,
-/// which may be out of range though all is well in the units of the solver.
+/// Requires finite matrices and a stiffness that stores energy in SI about the reference
+/// point: they may be out of range there but not in the units of the solver.
 fn require_sound(solution: &SectionSolution) -> Result<(), Failure> {
     let SectionSolution {
         stiffness, mass, ..

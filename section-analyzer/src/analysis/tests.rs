@@ -35,8 +35,8 @@ fn checks_are_at_round_off() {
     }
 }
 
-/// Stiffness and compliance are each other's inverse, found apart and moved apart to
-/// the origin; the strains of the solutions are the compliance again.
+/// Stiffness and compliance are each other's inverse, computed and moved to the origin
+/// separately; the strains of the solutions equal the compliance.
 #[test]
 fn stiffness_inverts_compliance_about_the_origin() {
     let solution = analyze(&coupled_rectangle(CellKind::Quadrilateral9)).expect("sound section");
@@ -52,12 +52,12 @@ fn stiffness_inverts_compliance_about_the_origin() {
     );
 }
 
-/// Warping in SI about the origin: with the strains it gives back the energy, i.e. the
+/// Warping in SI about the origin: with the strains it reproduces the energy, i.e. the
 /// compliance, when the stresses are integrated in SI without any scaling.
 #[test]
 fn warping_and_strain_belong_together_in_si() {
     let mut section = coupled_rectangle(CellKind::Quadrilateral8);
-    // units far from one
+    // dimensions and moduli far from one
     for node in &mut section.mesh.nodes {
         *node = node.map(|x| 7e-3 * x);
     }
@@ -155,8 +155,8 @@ fn numbers_that_are_none_are_refused() {
     ));
 }
 
-/// Moduli that no number can hold in SI, though all is well in the units of the domain,
-/// and an origin so far away that the stiffness about it has no digits.
+/// Moduli out of range in SI but not in the units of the domain, and an origin so far away
+/// that the stiffness about it has no digits.
 #[test]
 fn results_beyond_all_numbers_are_refused() {
     let mut section = of_quadrilaterals(&grid(0.0, 0.0), &GRID_CELLS);
@@ -218,8 +218,8 @@ fn parts_that_share_one_node_are_refused() {
     );
 }
 
-/// The same, but the second square hangs on a filler 1e13 times softer: beyond what
-/// double precision can tell, and said so instead of answered.
+/// The same, but the second square is connected by a filler 1e13 times softer: beyond
+/// double precision, and reported as an error.
 #[test]
 fn parts_that_hardly_hang_together_are_refused_or_exact() {
     let nodes = grid(0.0, 0.0);
@@ -238,8 +238,8 @@ fn parts_that_hardly_hang_together_are_refused_or_exact() {
     }
 }
 
-/// Thinner and thinner plates end in a statement, never in a panic or a wrong number:
-/// as long as there is an answer, its axial stiffness is exact.
+/// Thinner and thinner plates end in an error, never in a panic or a wrong number: every
+/// result has the exact axial stiffness.
 #[test]
 fn thin_plates_are_exact_or_refused() {
     for exponent in 1..12 {

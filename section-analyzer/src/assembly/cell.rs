@@ -1,4 +1,4 @@
-//! A cell as the solver sees it.
+//! A cell in the solver's form.
 
 use shared_geom::mesh::CellKind;
 

@@ -1,10 +1,10 @@
-//! Forces at the nodes per length of the beam, of loads that are distributed along it.
+//! Nodal forces of distributed loads, per length of the beam.
 //!
 //! ```text
 //! f_j = sum over the parts of d^j q/dx^j int N' b J dA + d^j q/dx^j int N' t dS   (S-101)
 //! ```
 //!
-//! b is a force per volume, t one per area of the surface, dS as in (S-102); the sides
+//! b is a force per volume, t a force per area of the surface, dS as in (S-102); the sides
 //! have the shape functions of their cells.
 
 use super::domain::Domain;
@@ -41,7 +41,7 @@ pub fn distributed_forces(
     forces
 }
 
-/// The section with the place of each mesh node in its domain.
+/// The section with the index of each mesh node in its domain.
 struct NodesOfMesh<'a> {
     section: &'a Section,
     domain: &'a Domain,
@@ -71,7 +71,7 @@ impl<'a> NodesOfMesh<'a> {
         }
     }
 
-    /// The nodes in the domain, and their places there.
+    /// The indices of the nodes in the domain, and their positions there.
     fn placed(&self, nodes: &[u32]) -> (Vec<usize>, Vec<[f64; 2]>) {
         let nodes = nodes.iter().map(|&node| self.node_of_mesh[node as usize]);
         let nodes: Vec<_> = nodes.collect();

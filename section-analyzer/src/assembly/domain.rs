@@ -1,11 +1,11 @@
-//! The section as the solver sees it: nodes that belong to a cell, coordinates
-//! from the area centroid in units of the section's size, laws in section axes
-//! in units of the largest stiffness.
+//! The section in the solver's form: nodes that belong to a cell, coordinates from the area
+//! centroid in units of the section's size, laws in section axes in units of the largest
+//! stiffness.
 //!
-//! All matrices of the problem are then free of units and of order one, whatever
-//! the units, size, place and moduli of the section: a section of 1 mm at 100 m
-//! from the origin and one of 10 m around it are solved with the same digits.
-//! Units of length and modulus are powers of two, so that scaling rounds nothing.
+//! All matrices of the problem are then dimensionless and of order one, for any units,
+//! size, position and moduli of the section: a section of 1 mm at 100 m from the origin and
+//! one of 10 m around it are solved with the same digits. Units of length and modulus are
+//! powers of two, so that scaling is exact.
 
 use super::cell::DomainCell;
 use super::electric::{Electric, electric, potential_unit};
@@ -16,10 +16,10 @@ use crate::material::section_stiffness;
 use crate::section::{CellMaterial, Section};
 use nalgebra::Matrix6;
 
-/// The section in the solver's units.
+/// The section in the units of the solver.
 #[derive(Debug, Clone)]
 pub struct Domain {
-    /// Places (y, z) of the nodes from the area centroid, in units of length \[-\].
+    /// Positions (y, z) of the nodes from the area centroid, in units of length \[-\].
     pub nodes: Vec<[f64; 2]>,
     /// For each node its index in the mesh of the section.
     pub mesh_nodes: Vec<u32>,
@@ -39,9 +39,9 @@ impl Domain {
     /// Prepares `section` for assembly.
     ///
     /// # Errors
-    /// [`Failure`] when the section has no cells, a cell lacks its material, or
-    /// coordinates and stiffness leave no finite, positive scale; or the beam is curved
-    /// so much that the material folds over itself.
+    /// [`Failure`] when the section has no cells, a cell lacks its material, or coordinates
+    /// and stiffness leave no finite, positive scale; or the curvature is so large that the
+    /// material folds over itself.
     pub fn new(section: &Section) -> Result<Self, Failure> {
         check_lists(section)?;
         let (laws, law_of_cell) = laws_in_section_axes(section);
@@ -99,7 +99,7 @@ impl Domain {
         Ok(domain)
     }
 
-    /// J must be positive at the nodes and at the integration points of every cell.
+    /// Requires a positive J at the nodes and at the integration points of every cell.
     fn check_unfolded(&self, section: &Section) -> Result<(), Failure> {
         if self.line.is_straight() {
             return Ok(());
@@ -129,7 +129,7 @@ impl Domain {
         Ok(())
     }
 
-    /// The same domain with its nodes in another order, and the cells in that of their
+    /// The same domain with its nodes in another order, and the cells in the order of their
     /// nodes: `order` lists the present nodes, each once.
     pub fn renumbered(mut self, order: &[u32]) -> Self {
         let mut place = vec![0; order.len()];
@@ -147,7 +147,7 @@ impl Domain {
                 *node = place[*node as usize];
             }
         }
-        // cells in the order of their nodes: sums over cells stay near in memory
+        // cells in the order of their nodes: sums over cells access neighboring memory
         self.cells
             .sort_by_key(|cell| cell.nodes().iter().copied().min());
         self
@@ -158,20 +158,21 @@ impl Domain {
         3 * self.nodes.len() + self.electric.potentials()
     }
 
-    /// The unknown of the potential of `node`; `None` for a node of no dielectric.
+    /// The unknown of the potential of `node`; `None` for a node without a dielectric cell.
     #[inline(always)]
     pub fn potential_unknown(&self, node: usize) -> Option<usize> {
         let potential = self.electric.potential(node)?;
         Some(3 * self.nodes.len() + potential)
     }
 
-    /// Places of the nodes of `cell`; the first `cell.kind.node_count()` count.
+    /// Positions of the nodes of `cell`; only the first `cell.kind.node_count()` entries
+    /// are used.
     pub fn places(&self, cell: &DomainCell) -> [[f64; 2]; 9] {
         cell.nodes.map(|node| self.nodes[node as usize])
     }
 }
 
-/// Every cell must have a material that exists, and nodes that exist.
+/// Requires that the material and the nodes of every cell exist.
 fn check_lists(section: &Section) -> Result<(), Failure> {
     let mesh = &section.mesh;
     if mesh.cells.is_empty() {
@@ -217,7 +218,7 @@ fn laws_in_section_axes(section: &Section) -> (Vec<Matrix6<f64>>, Vec<u32>) {
     (laws, law_of_cell)
 }
 
-/// Mesh nodes that belong to a cell, and for each mesh node its place in that list.
+/// Mesh nodes that belong to a cell, and for each mesh node its index in that list.
 fn attached_nodes(section: &Section) -> (Vec<u32>, Vec<u32>) {
     let mut attached = vec![false; section.mesh.nodes.len()];
     for cell in &section.mesh.cells {
@@ -244,12 +245,12 @@ fn renumbered(nodes: &[u32], node_of_mesh: &[u32]) -> [u32; 9] {
     out
 }
 
-/// Area centroid of the corner polygons: near enough to the true one for a
-/// choice of origin.
+/// Area centroid of the corner polygons: close enough to the true centroid for the choice
+/// of the origin.
 fn area_centroid(section: &Section) -> Result<[f64; 2], Failure> {
     let mut area = 0.0;
     let mut moment = [0.0; 2];
-    // the first node as local origin keeps the digits of a far away mesh
+    // the first node as local origin keeps the digits of a mesh far from its origin
     let base = section.mesh.nodes[section.mesh.cells[0].nodes()[0] as usize];
     for cell in &section.mesh.cells {
         let corners = &cell.nodes()[..cell.kind.corner_count()];

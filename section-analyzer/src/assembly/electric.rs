@@ -1,8 +1,8 @@
-//! The electric side of a domain: which nodes have a potential, and what electrodes do.
+//! The electric part of a domain: nodes with a potential, and electrodes.
 //!
-//! A node of a dielectric cell has a potential beside its three displacements. Unknowns are
-//! the displacements of all nodes, node by node, and behind them the potentials in the order
-//! of their nodes.
+//! A node of a dielectric cell has a potential in addition to its three displacements.
+//! Unknowns are the displacements of all nodes, node by node, followed by the potentials in
+//! the order of their nodes.
 
 use super::cell::DomainCell;
 use super::scaling::{Scaling, largest, power_of_two};
@@ -13,14 +13,14 @@ use nalgebra::Vector6;
 /// No potential.
 const NONE: u32 = u32::MAX;
 
-/// The electric side of a domain; empty where no conductor makes fields.
+/// The electric part of a domain; empty without conductors.
 #[derive(Debug, Clone, Default)]
 pub struct Electric {
     /// For each node the number of its potential.
     potential_of_node: Vec<u32>,
     /// Number of potentials.
     count: usize,
-    /// Whether each node is part of a cell with stiffness; empty for all of them.
+    /// Whether each node is part of a cell with stiffness; empty if all nodes are.
     is_structural: Vec<bool>,
     /// Laws of dielectric cells in section axes, in units of stress \[-\].
     pub laws: Vec<CoupledLaw>,
@@ -42,9 +42,9 @@ pub struct DomainElectrode {
 pub struct Fingered {
     /// Index of the cell in the mesh.
     pub mesh_cell: u32,
-    /// e' E: stress that the field takes off, order yz yy zz xx xy xz \[-\].
+    /// e' E: stress that the field subtracts, order yz yy zz xx xy xz \[-\].
     pub stress: Vector6<f64>,
-    /// E' epsS E: charge per volume and volt at no strain \[-\].
+    /// E' epsS E: charge per volume and volt at zero strain \[-\].
     pub charge: f64,
 }
 
@@ -54,7 +54,7 @@ impl Electric {
         self.count
     }
 
-    /// The number of the potential of `node`; `None` for a node of no dielectric.
+    /// The number of the potential of `node`; `None` for a node without a dielectric cell.
     pub fn potential(&self, node: usize) -> Option<usize> {
         match self.potential_of_node.get(node) {
             None | Some(&NONE) => None,
@@ -90,7 +90,7 @@ impl Electric {
     }
 }
 
-/// Numbers for those that have a potential; empty where none has.
+/// Numbers for the nodes that have a potential; empty if no node has one.
 fn numbered(has: &[bool]) -> Vec<u32> {
     if !has.contains(&true) {
         return Vec::new();
@@ -106,8 +106,8 @@ fn numbered(has: &[bool]) -> Vec<u32> {
     has.iter().map(number).collect()
 }
 
-/// Which cells of the mesh are dielectrics of the electric problem: those with an electric
-/// law that are not between fingers, where conductors make fields at all.
+/// For each cell of the mesh whether it is a dielectric of the electric problem: cells with
+/// an electric law that are not between fingers, if there are conductors.
 pub fn dielectric_cells(section: &Section) -> Vec<bool> {
     let mut is_dielectric: Vec<bool> = section
         .cells
@@ -131,8 +131,8 @@ pub fn dielectric_cells(section: &Section) -> Vec<bool> {
     is_dielectric
 }
 
-/// The unit of potential that makes stiffness and permittivity alike, a power of two \[V\]:
-/// `V0 = length sqrt(modulus / permittivity)`, one without dielectrics.
+/// The unit of potential that gives stiffness and permittivity the same size, a power of
+/// two \[V\]: `V0 = length sqrt(modulus / permittivity)`, one without dielectrics.
 pub(super) fn potential_unit(section: &Section, length: f64, modulus: f64) -> f64 {
     let electric = section.materials.iter().filter_map(|m| m.electric.as_ref());
     let entries = electric.flat_map(|law| law.permittivity.iter());
@@ -140,8 +140,9 @@ pub(super) fn potential_unit(section: &Section, length: f64, modulus: f64) -> f6
     power_of_two(length * (modulus / permittivity).sqrt()).unwrap_or(1.0)
 }
 
-/// The electric side of `section`; `numbering` lists the mesh nodes of the domain, and for
-/// each mesh node its place in that list. Tells the cells of the domain, which are in the order of the mesh, their coupled laws.
+/// The electric part of `section`: `numbering` lists the mesh nodes of the domain, and for each
+/// mesh node its index in that list. Sets the coupled laws of the cells of the domain, which are in
+/// the order of the mesh.
 pub(super) fn electric(
     section: &Section,
     scaling: &Scaling,
@@ -199,7 +200,7 @@ fn scaled(mut law: CoupledLaw, scaling: &Scaling) -> CoupledLaw {
     law
 }
 
-/// Where an electrode is in the domain.
+/// Nodes or cells of an electrode in the domain.
 fn shape(
     section: &Section,
     scaling: &Scaling,
@@ -231,7 +232,8 @@ fn shape(
     }
 }
 
-/// A cell between fingers in the units of `scaling`; `None` for one without electric law.
+/// A cell between fingers in the units of `scaling`; `None` for a cell without electric
+/// law.
 fn fingered(section: &Section, scaling: &Scaling, cell: &FingeredCell) -> Option<Fingered> {
     let CellMaterial {
         material,

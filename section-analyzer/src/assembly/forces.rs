@@ -2,8 +2,7 @@
 
 use nalgebra::{DMatrix, Matrix6};
 
-/// A state of the section in the units of the domain, up to six cases side by
-/// side.
+/// A state of the section in the units of the domain, up to six cases at once.
 #[derive(Debug, Clone, Copy)]
 pub struct State<'a> {
     /// u': derivative of the warping along the beam.
@@ -17,11 +16,11 @@ pub struct State<'a> {
 /// u': derivative of the warping along the beam.
 #[derive(Debug, Clone, Copy)]
 pub enum Rate<'a> {
-    /// None: the state is constant along the beam.
+    /// Zero: the state is constant along the beam.
     Zero,
     /// Of six cases per unit internal force, in their order: `u' = X T'`, which on a
-    /// straight beam is minus the warping of M3 for F2, that of M2 for F3, and zero for
-    /// the others.
+    /// straight beam is minus the warping of M3 for F2, the warping of M2 for F3, and zero
+    /// for the others.
     Central,
     /// Any, n x k.
     Given(&'a DMatrix<f64>),

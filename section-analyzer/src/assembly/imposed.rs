@@ -1,16 +1,16 @@
-//! The forces that hold imposed strains back.
+//! The restraining forces of imposed strains.
 //!
 //! ```text
 //! f0 = int B0' D eps_p J dA       within the section       sigma_p = D eps_p      (S-91)
 //! fp = int Bpsi' D eps_p J dA     internal force
 //! ```
 //!
-//! With the parts sS, sY, sZ of sigma_p that stand for the face, for gradients along y
-//! and along z, and the metric (S-71), node by node:
+//! With the parts sS, sY, sZ of sigma_p that belong to the face and to the gradients along
+//! y and along z, and the metric (S-71), node by node:
 //!
 //! ```text
 //! fp = sum [I, -t x]' sS w                                 w: area of the point
-//! on dielectrics:  f0_V = int grad N . e eps_p J dA, what holds potentials back
+//! on dielectrics:  f0_V = int grad N . e eps_p J dA, restraint of the potentials
 //! f0 = sum [J (N,y sY + N,z sZ) - N k x sS - (a N,y + b N,z) sS] w
 //! ```
 
@@ -49,7 +49,7 @@ pub fn imposed_forces(
         let places = domain.places(cell);
         let places = &places[..cell.kind.node_count()];
         for (case, state) in states.iter().take(6).enumerate() {
-            // a state without an entry for the cell does not strain it
+            // a state without an entry for the cell has no strain there
             let Some(free) = state.cells.get(index) else {
                 continue;
             };
@@ -82,7 +82,7 @@ fn in_section_axes(free: &FreeStrain, made_of: &CellMaterial) -> FreeStrain {
     }
 }
 
-/// The place of a point in the mesh \[m\].
+/// The position of a point in the mesh \[m\].
 fn place_in_mesh(domain: &Domain, point: &CellPoint) -> [f64; 2] {
     let scaling = &domain.scaling;
     let [y, z] = scaling.origin;
@@ -99,8 +99,8 @@ impl ImposedForces {
         }
     }
 
-    /// Adds what an electric displacement y z x at a point of a dielectric cell puts on its
-    /// potentials, (S-163).
+    /// Adds the charges of an electric displacement y z x at a point of a dielectric cell
+    /// to its potentials, (S-163).
     fn add_charges(
         &mut self,
         case: usize,

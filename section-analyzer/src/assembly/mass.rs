@@ -44,7 +44,7 @@ pub fn mass_of_moments(domain: &Domain, sums: &[f64; 6]) -> Matrix6<f64> {
         -my, 0.0, 0.0, 0.0,       -myz, myy,
     );
 
-    // from the domain's units to SI, from the centroid to the origin
+    // from the units of the domain to SI, from the centroid to the origin
     let length = domain.scaling.length;
     let unit = Vector6::new(1.0, 1.0, 1.0, length, length, length) * length;
     let mass = mass.component_mul(&(unit * unit.transpose()));

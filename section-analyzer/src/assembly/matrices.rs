@@ -10,11 +10,10 @@
 //! | R | n x 6 | | u and psi |
 //! | A | 6 x 6 | yes | psi and psi |
 //!
-//! These three make the system that is factored: for a solution that varies along the
-//! beam as `exp(lambda x)` with `B0 + lambda B1` for B0, Hermitian for an imaginary
-//! lambda (S-73). Products with all six, M, C and
-//! L included, are integrals of stresses and need no matrix: see
-//! [`super::section_forces`].
+//! These three form the system that is factored. For a solution that varies along the beam
+//! as `exp(lambda x)`, `B0 + lambda B1` replaces B0, and the system is Hermitian for an
+//! imaginary lambda (S-73). Products with all six, M, C and L included, are integrals of
+//! stresses and need no matrix: see [`super::section_forces`].
 //!
 //! # References
 //! - Giavotto et al. 1983: the same matrices, from the internal work per length.
@@ -36,8 +35,8 @@ pub trait Scalar: ComplexField<RealField = f64> + Copy {}
 impl<T: ComplexField<RealField = f64> + Copy> Scalar for T {}
 
 /// E, R, A in the units of the domain. Unknowns are ux, uy, uz node by node, then the
-/// potentials; in E, where each potential follows the displacements of its node, they stand
-/// as `order` says.
+/// potentials; in E, where each potential follows the displacements of its node, they are
+/// in the order `order`.
 #[derive(Debug, Clone)]
 pub struct SectionMatrices<T> {
     /// `int B0' D B0 J`: the lower triangle in compressed columns, the diagonal
@@ -47,7 +46,7 @@ pub struct SectionMatrices<T> {
     pub r: DMatrix<T>,
     /// `int Bpsi' D Bpsi J` \[-\].
     pub a: Matrix6<f64>,
-    /// For each row of `e` its unknown; empty where they are the same.
+    /// For each row of `e` its unknown; empty if they are the same.
     pub order: Vec<u32>,
 }
 
@@ -55,8 +54,8 @@ impl SectionMatrices<f64> {
     /// Sums the blocks of all cells, of solutions that are steady along the beam.
     ///
     /// # Errors
-    /// [`Failure::CellWithoutArea`] for an inverted or flat cell;
-    /// [`Failure::OutOfMemory`] for more entries than 32 bits count.
+    /// [`Failure::CellWithoutArea`] for an inverted or flat cell; [`Failure::OutOfMemory`]
+    /// for more entries than 32 bits can count.
     pub fn assemble(domain: &Domain, pattern: &Pattern) -> Result<Self, Failure> {
         if domain.line.is_straight() {
             Arch::new().dispatch(StraightSum { domain, pattern })
@@ -86,7 +85,7 @@ impl<T: Scalar> SectionMatrices<T> {
     }
 }
 
-/// E and R while they are summed, and the moments of A, by law.
+/// E and R during the summation, and the moments of A, by law.
 struct Sums<'a, T> {
     pattern: &'a Pattern,
     starts: Vec<u32>,
@@ -114,8 +113,7 @@ impl<'a, T: Scalar> Sums<'a, T> {
         })
     }
 
-    /// Adds the blocks of a cell: those of the lower triangle of E, those of R, and
-    /// what its area adds to A.
+    /// Adds the blocks of a cell to the lower triangle of E and to R, and its moments to A.
     #[inline(always)]
     fn add<const C: usize>(
         &mut self,

@@ -1,4 +1,4 @@
-//! What the solver asks of a section, wherever its matrices come from.
+//! Interface between the solver and a section, for any source of its matrices.
 
 use super::domain::Domain;
 use super::forces::{SectionForces, State};
@@ -10,13 +10,13 @@ use nalgebra::Complex;
 
 /// A section in the units of the solver.
 pub trait Model {
-    /// Places (y, z) of the nodes, in units of length \[-\].
+    /// Positions (y, z) of the nodes, in units of length \[-\].
     fn nodes(&self) -> &[[f64; 2]];
 
     /// The line of the beam through the origin, in its unit of length.
     fn line(&self) -> &Line;
 
-    /// Replaces `forces` by those of `state`.
+    /// Replaces `forces` by the forces of `state`.
     fn measure(&self, state: State<'_>, forces: &mut SectionForces);
 
     /// E and R of solutions that vary along the beam as `exp(lambda x)` (S-73).
@@ -34,7 +34,7 @@ pub trait Model {
         0
     }
 
-    /// Unknowns that are held at zero besides those that take rigid motions out.
+    /// Unknowns that are held at zero in addition to those that remove rigid motions.
     fn held(&self) -> Vec<usize> {
         Vec::new()
     }

@@ -6,9 +6,9 @@
 //! L = M H      R = C^T H      A = L^T H                                           (S-130)
 //! ```
 //!
-//! and what is left of the identities tells whether the three belong together:
-//! `C H = L T`, `E H = R T`, `R^T H = A T`. Products with the matrices take the place of
-//! the integrals of stresses.
+//! and the remaining identities show whether the three are consistent: `C H = L T`,
+//! `E H = R T`, `R^T H = A T`. Products with the matrices replace the integrals of
+//! stresses.
 //!
 //! # References
 //! - [Masarati], appendix E.3: section matrices from other finite-element codes.
@@ -79,7 +79,7 @@ impl OutsideDomain {
         &self.scaling
     }
 
-    /// H: a column a rigid motion, n x 6.
+    /// H: a column per rigid motion, n x 6.
     fn rigid_motions(&self) -> DMatrix<f64> {
         let mut motions = DMatrix::zeros(self.unknowns(), 6);
         add_rigid_motions(self, &Matrix6::identity(), &mut motions);
@@ -139,9 +139,9 @@ impl OutsideDomain {
         ]
     }
 
-    /// Differences of L, R, A as given, in SI about the reference point and in the order
-    /// of the nodes before `order`, from those of M and C, relative to their largest
-    /// entry; those that are given, with the identity that they break.
+    /// Differences of the given L, R, A, in SI about the reference point and in the order
+    /// of the nodes before `order`, from the L, R, A of M and C, relative to their largest
+    /// entry; each with the identity that it violates.
     pub fn compared(&self, given: &Reduced, order: &[u32]) -> Vec<(&'static str, f64)> {
         let Scaling {
             origin: [y, z],
@@ -149,7 +149,8 @@ impl OutsideDomain {
             modulus,
             ..
         } = self.scaling;
-        // motions about the reference point to those about the origin: H_O = H_c U(-t)'
+        // from motions about the reference point to motions about the origin: H_O = H_c
+        // U(-t)'
         let shift = wrench::shift_matrix(&Vector3::new(0.0, -y, -z)).transpose();
         let unit = Vector6::new(1.0, 1.0, 1.0, length, length, length);
         let to_reference = Matrix6::from_diagonal(&unit) * shift;
@@ -209,7 +210,7 @@ impl OutsideDomain {
                 }
             }
         };
-        // half of each triangle: what is left of asymmetry is taken out
+        // half of each triangle: removes the remaining asymmetry
         let half = T::from_real(0.5);
         add(&self.e, half);
         add(&self.e.transpose_view().to_csr(), half);

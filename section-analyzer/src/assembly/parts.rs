@@ -2,8 +2,8 @@
 
 use super::domain::Domain;
 
-/// First node of each part of the structure that shares no node with the others, by cells
-/// with stiffness.
+/// First node of each part of the structure that shares no node with the others; parts of
+/// cells with stiffness.
 pub fn structural_parts(domain: &Domain) -> Vec<usize> {
     let count = domain.nodes.len();
     let mut parent: Vec<u32> = (0..count as u32).collect();

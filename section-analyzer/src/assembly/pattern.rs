@@ -1,8 +1,8 @@
-//! Which nodes meet in a cell, and where the entries of two nodes lie in the
-//! lower triangle of a symmetric matrix in compressed columns.
+//! Pairs of nodes that share a cell, and the positions of their entries in the lower
+//! triangle of a symmetric matrix in compressed columns.
 //!
-//! A node has three unknowns, or four with a potential; those of a node follow each other
-//! in the matrix. The columns of node j have the rows of the neighbors i > j in rising
+//! A node has three unknowns, or four with a potential; the unknowns of a node are adjacent
+//! in the matrix. The columns of node j have the rows of the neighbors i > j in ascending
 //! order, after the rest of the block of j itself:
 //!
 //! ```text
@@ -11,7 +11,7 @@
 //! column of uz of j               a=2 | i1: 0 1 2 | i2: 0 1 2 3 ...
 //! ```
 //!
-//! So the entries of a block need one search among the neighbors of j.
+//! The entries of a block therefore need one search among the neighbors of j.
 
 use super::domain::Domain;
 
@@ -21,11 +21,11 @@ pub struct Pattern {
     /// Neighbors of node j: `neighbors[starts[j]..starts[j + 1]]`.
     starts: Vec<u32>,
     neighbors: Vec<u32>,
-    /// For each node the place of itself among its neighbors.
+    /// For each node its own index among its neighbors.
     own: Vec<usize>,
     /// First entry of the first column of each node.
     columns: Vec<usize>,
-    /// Where nodes have a potential too; `None` where none has.
+    /// Nodes with a potential; `None` without any.
     potentials: Option<Potentials>,
 }
 
@@ -34,9 +34,10 @@ pub struct Pattern {
 struct Potentials {
     /// First row of each node, and the number of rows.
     first: Vec<u32>,
-    /// For each neighbor of each node, rows of the neighbors before it from the node on.
+    /// For each neighbor of each node, number of rows of the neighbors before it, from the
+    /// node on.
     places: Vec<u32>,
-    /// For each row its place among the unknowns of the model.
+    /// For each row its index among the unknowns of the model.
     order: Vec<u32>,
 }
 
@@ -47,7 +48,7 @@ impl Pattern {
         let count = domain.nodes.len();
         let mut starts = Vec::with_capacity(count + 1);
         let mut neighbors = Vec::with_capacity(16 * count);
-        // last node that has taken each node for a neighbor
+        // last node that has each node as a neighbor
         let mut taken_by = vec![u32::MAX; count];
         starts.push(0);
         for node in 0..count {
@@ -70,7 +71,7 @@ impl Pattern {
         pattern
     }
 
-    /// Gives the nodes of dielectrics a fourth unknown.
+    /// Adds a fourth unknown to the nodes of dielectrics.
     fn add_potentials(&mut self, domain: &Domain) {
         let count = self.node_count();
         let potential = |node: usize| domain.electric.potential(node);
@@ -112,8 +113,7 @@ impl Pattern {
         }
     }
 
-    /// For each row its place among the unknowns of the model; `None` where they are the
-    /// same.
+    /// For each row its index among the unknowns of the model; `None` if they are the same.
     pub fn order(&self) -> Option<&[u32]> {
         self.potentials
             .as_ref()
@@ -144,8 +144,8 @@ impl Pattern {
         (self.first(node + 1) - self.first(node)) as usize
     }
 
-    /// The adjacency of `count` nodes that meet as `pairs` say; each pair in either
-    /// order, any number of times, and each node with itself.
+    /// The adjacency of `count` nodes from `pairs` of neighbors; each pair in either order,
+    /// any number of times. Each node is its own neighbor.
     pub fn of_pairs(count: usize, pairs: impl Iterator<Item = (u32, u32)>) -> Self {
         let mut lists: Vec<Vec<u32>> = (0..count as u32).map(|node| vec![node]).collect();
         for (a, b) in pairs {
@@ -162,7 +162,7 @@ impl Pattern {
         Self::from_adjacency(starts, neighbors)
     }
 
-    /// Where the entry of unknowns `row >= column` stands; their nodes meet.
+    /// Index of the entry of the unknowns `row >= column`, whose nodes are neighbors.
     pub fn entry(&self, row: usize, column: usize) -> usize {
         let (node, other) = ((row / 3) as u32, (column / 3) as u32);
         let (a, b) = (row % 3, column % 3);
@@ -198,7 +198,7 @@ impl Pattern {
         self.starts.len() - 1
     }
 
-    /// Neighbors of `node` in rising order, itself included.
+    /// Neighbors of `node` in ascending order, itself included.
     pub fn neighbors(&self, node: usize) -> &[u32] {
         &self.neighbors[self.starts[node] as usize..self.starts[node + 1] as usize]
     }
@@ -213,9 +213,10 @@ impl Pattern {
         self.columns[self.node_count()]
     }
 
-    /// Where the entries of row node `row` start in each column of node `column`: all rows
-    /// of the node in a row, of which those above the diagonal are left out when the nodes
-    /// are the same. The nodes share a cell, and `row >= column`; the last is of a potential.
+    /// Index of the first entry of row node `row` in each column of node `column`: the rows
+    /// of the node are consecutive, without the rows above the diagonal when the nodes are
+    /// the same. The nodes share a cell, and `row >= column`; the last column belongs to a
+    /// potential.
     pub fn block(&self, row: u32, column: u32) -> [usize; 4] {
         let node = column as usize;
         let below = &self.neighbors(node)[self.own[node]..];
@@ -245,8 +246,8 @@ impl Pattern {
         at
     }
 
-    /// Column starts and row indices of the lower triangle, by row; `None` when
-    /// 32 bits do not count them.
+    /// Column starts and row indices of the lower triangle, by row; `None` when 32 bits
+    /// cannot count them.
     pub fn structure(&self) -> Option<(Vec<u32>, Vec<u32>)> {
         // faer takes signed indices of this width
         i32::try_from(self.entry_count()).ok()?;
@@ -266,8 +267,8 @@ impl Pattern {
         Some((starts, rows))
     }
 
-    /// Column starts and row indices of the upper triangle, by row; `None` when
-    /// 32 bits do not count them.
+    /// Column starts and row indices of the upper triangle, by row; `None` when 32 bits
+    /// cannot count them.
     pub fn upper_structure(&self) -> Option<(Vec<u32>, Vec<u32>)> {
         i32::try_from(self.entry_count()).ok()?;
         let mut starts = Vec::with_capacity(self.rows() + 1);
@@ -311,7 +312,7 @@ impl Pattern {
     }
 }
 
-/// Cells of each node, as starts and list.
+/// Cells of each node: starts, and list of cells.
 fn cells_of_nodes(domain: &Domain) -> (Vec<usize>, Vec<u32>) {
     let mut starts = vec![0; domain.nodes.len() + 1];
     for cell in &domain.cells {

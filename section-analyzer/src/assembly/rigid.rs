@@ -1,5 +1,5 @@
-//! Rigid motions of the section, and the identities that every correct set of
-//! section matrices meets.
+//! Rigid motions of the section, and the identities that every correct set of section
+//! matrices satisfies.
 //!
 //! ```text
 //! H = [I, -t x] at each node (n x 6)          T = [k x, l x; 0, k x]            (S-14)
@@ -7,11 +7,10 @@
 //! theta' = T' theta:  for a straight beam M2' = F3,  M3' = -F2                  (S-13)
 //! ```
 //!
-//! T is that of the line, [`crate::element::Line::equilibrium`].
+//! T is the matrix of the line, [`crate::element::Line::equilibrium`].
 //!
-//! They hold to round-off because the shape functions contain the rigid motions
-//! exactly: a violation means that strains, forces and matrices do not belong
-//! together.
+//! The identities hold to round-off because the shape functions contain the rigid motions
+//! exactly: a violation means that strains, forces and matrices are inconsistent.
 
 use super::domain::Domain;
 use super::forces::{Rate, State};
@@ -23,11 +22,11 @@ use crate::element::rigid_displacement;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use sprs::CsMatI;
 
-/// The identities that join assembled matrices only, as
-/// [`check_assembled_identities`] orders them.
+/// The identities between assembled matrices only, in the order of
+/// [`check_assembled_identities`].
 pub const ASSEMBLED_IDENTITIES: [&str; 2] = ["E H = R T", "R' H = A T"];
 
-/// All six identities, as [`check_identities`] orders them.
+/// All six identities, in the order of [`check_identities`].
 pub const IDENTITIES: [&str; 6] = [
     "M H = L",
     "C' H = R",
@@ -55,13 +54,13 @@ pub fn resultant(model: &impl Model, forces: &DMatrix<f64>) -> Matrix6<f64> {
     resultant
 }
 
-/// A rigid motion with all six parts, none a simple multiple of another: an
-/// identity that fails for any motion fails for this one.
+/// A rigid motion with six nonzero parts, no part a simple multiple of another: an identity
+/// that is violated for any motion is violated for this one.
 const GENERIC_MOTION: [f64; 6] = [1.0, -0.71, 0.43, 0.89, -0.61, 0.53];
 
 /// Error of each of the [`ASSEMBLED_IDENTITIES`], applied to a rigid motion with all six
-/// parts, relative to the largest entry of its right-hand side before T; that of E to
-/// the terms of its product.
+/// parts, relative to the largest entry of its right-hand side before T; the error of E
+/// relative to the terms of its product.
 pub fn check_assembled_identities(model: &impl Model, matrices: &SectionMatrices<f64>) -> [f64; 2] {
     let SectionMatrices { e, r, a, order } = matrices;
     let motion = Vector6::from(GENERIC_MOTION);
@@ -76,12 +75,12 @@ pub fn check_assembled_identities(model: &impl Model, matrices: &SectionMatrices
 
 /// Error of each of the [`IDENTITIES`] in all six rigid motions.
 ///
-/// An error is relative to the largest entry of the right-hand side before T, that of E to
-/// the largest sum of absolute terms of its product. E, R and A are the assembled matrices;
-/// M, C and L act by integration of stresses.
+/// An error is relative to the largest entry of the right-hand side before T, the error of
+/// E relative to the largest sum of absolute terms of its product. E, R and A are the
+/// assembled matrices; M, C and L act by integration of stresses.
 ///
-/// An analysis checks the two of [`ASSEMBLED_IDENTITIES`] only; this is what vouches for
-/// the operators that it does not assemble.
+/// An analysis checks only the two of [`ASSEMBLED_IDENTITIES`]; this function also checks
+/// the operators that are not assembled.
 pub fn check_identities(domain: &Domain, matrices: &SectionMatrices<f64>) -> [f64; 6] {
     let SectionMatrices { e, r, a, order } = matrices;
     let t = domain.line.equilibrium().transpose();
@@ -129,9 +128,9 @@ fn rigid_displacements(model: &impl Model, motion: &Vector6<f64>) -> DVector<f64
     displacement
 }
 
-/// Product of a symmetric matrix, given by its lower triangle in compressed
-/// columns, with `x`, and the largest sum of absolute terms in it; `order` are the unknowns
-/// of its rows where these stand otherwise than in `x`.
+/// Product of a symmetric matrix, given by its lower triangle in compressed columns, with
+/// `x`, and the largest sum of absolute terms in it; `order` are the unknowns of its rows
+/// if their order differs from `x`.
 fn symmetric_product(
     lower: &CsMatI<f64, u32>,
     order: &[u32],

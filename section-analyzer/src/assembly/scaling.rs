@@ -5,7 +5,7 @@ use nalgebra::Vector6;
 /// Units and origin of a [`Domain`](super::Domain), in section axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {
-    /// Place of the domain's origin, the area centroid: y, z \[m\].
+    /// Position of the domain's origin, the area centroid: y, z \[m\].
     pub origin: [f64; 2],
     /// Unit of length \[m\].
     pub length: f64,
@@ -31,7 +31,7 @@ impl Scaling {
     }
 }
 
-/// The larger of two, or not a number when one of them is: to fold with.
+/// The larger of two, NaN when one of them is; for use in a fold.
 pub(crate) fn largest(a: f64, b: f64) -> f64 {
     if a >= b || a.is_nan() { a } else { b }
 }

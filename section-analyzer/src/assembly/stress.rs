@@ -8,9 +8,9 @@
 //! W     = int eps' D eps J dA                            work
 //! ```
 //!
-//! The same as products with the six matrices (S-11), but with the round-off of the
-//! strain instead of that of the displacement. It matters: in a thin wall that
-//! bends, the terms of the product E u are (size/thickness)^3 times their sum.
+//! Equal to products with the six matrices (S-11), but with the round-off of the strain
+//! instead of the displacement. This is important in a thin wall that bends: the terms of
+//! the product E u are (size/thickness)^3 times their sum.
 
 use super::cell::DomainCell;
 use super::domain::Domain;
@@ -41,13 +41,13 @@ impl SectionForces {
         }
     }
 
-    /// Replaces the forces by those of `state`.
+    /// Replaces the forces by the forces of `state`.
     pub fn measure(&mut self, domain: &Domain, state: State<'_>) {
         self.measure_in(domain, state, None);
     }
 
-    /// Replaces the forces by those of `state` in the cells that `only` tells, by their
-    /// place in the domain; in all of them without it.
+    /// Replaces the forces by the forces of `state` in the cells marked in `only`, by their
+    /// index in the domain; in all cells without it.
     pub fn measure_in(&mut self, domain: &Domain, state: State<'_>, only: Option<&[bool]>) {
         let target = self;
         in_widest_registers(Summation {
@@ -131,8 +131,8 @@ fn sum<P: Product>(
     target.resultant = forces.resultant();
 }
 
-/// The state at the nodes of `cell`; `along` is T, by rows, of a line that is not that
-/// of a straight beam.
+/// The state at the nodes of `cell`; `along` is T, by rows, of a line other than a straight
+/// beam's.
 #[inline(always)]
 fn gather(cell: &DomainCell, state: State<'_>, along: Option<&[Row; 6]>, of_cell: &mut CellState) {
     if let Some(warping) = state.warping {
@@ -151,13 +151,13 @@ fn gather(cell: &DomainCell, state: State<'_>, along: Option<&[Row; 6]>, of_cell
     }
 }
 
-/// The unknowns of the potentials of a cell's nodes.
+/// The unknowns of the potentials at the nodes of a cell.
 struct PotentialUnknowns {
     count: usize,
     unknowns: [usize; 9],
 }
 
-/// Those of a dielectric cell.
+/// The unknowns of a dielectric cell.
 #[inline(always)]
 fn potential_unknowns(domain: &Domain, cell: &DomainCell) -> PotentialUnknowns {
     let mut of_cell = PotentialUnknowns {
@@ -180,7 +180,7 @@ impl PotentialUnknowns {
     }
 }
 
-/// The potentials at the nodes of a cell; `along` as [`gather`] takes it.
+/// The potentials at the nodes of a cell; `along` as in [`gather`].
 #[inline(always)]
 fn gather_potentials(
     unknowns: &PotentialUnknowns,
@@ -202,7 +202,7 @@ fn gather_potentials(
     }
 }
 
-/// `X T'` of one unknown; T as [`gather`] takes it.
+/// `X T'` of one unknown; T as in [`gather`].
 #[inline(always)]
 fn central_rate(along: Option<&[Row; 6]>, warping: &Row, rate: &mut Row) {
     match along {
@@ -218,7 +218,7 @@ fn central_rate(along: Option<&[Row; 6]>, warping: &Row, rate: &mut Row) {
     }
 }
 
-/// The columns of `field` (n x k), no more than [`CASES`], at the nodes of `cell`.
+/// The columns of `field` (n x k), at most [`CASES`], at the nodes of `cell`.
 #[inline(always)]
 pub fn take_columns(cell: &DomainCell, field: &DMatrix<f64>, of_cell: &mut CellField) {
     let columns = field.as_slice().chunks_exact(field.nrows());

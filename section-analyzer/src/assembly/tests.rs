@@ -39,9 +39,9 @@ fn state(n: usize, k: usize, seed: usize) -> DMatrix<f64> {
     })
 }
 
-/// Oracle: column j of E is what the stresses of a unit displacement j ask for, and
-/// R, A are those of unit generalized strains. The lower triangle in compressed
-/// columns must hold just that, to round-off of sums of order one.
+/// Oracle: column j of E has the forces of the stresses of a unit displacement j; R and A
+/// have the forces of unit generalized strains. The lower triangle in compressed columns
+/// must agree, to round-off of sums of order one.
 #[test]
 fn assembled_matrices_are_the_forces_of_unit_states() {
     for domain in KINDS.into_iter().flat_map(domains) {
@@ -81,9 +81,9 @@ fn assembled_matrices_are_the_forces_of_unit_states() {
     }
 }
 
-/// Oracle: with `B = B0 + i w B1` a unit displacement asks for
+/// Oracle: with `B = B0 + i w B1` a unit displacement has the forces
 /// `B^H D B e = Q0 + w^2 P1 + i w (Q1 - P0)`, where (Q0, P0) are the forces of the
-/// displacement and (Q1, P1) those of its rate; a unit strain for `R - i w L`.
+/// displacement and (Q1, P1) the forces of its rate; a unit strain has `R - i w L`.
 #[test]
 fn matrices_of_a_wave_are_the_forces_of_unit_waves() {
     let w = 0.7;
@@ -129,7 +129,7 @@ fn matrices_of_a_wave_are_the_forces_of_unit_waves() {
     }
 }
 
-/// Virtual work: the stresses of a state do on another the work that its forces do,
+/// Virtual work: the stresses of a state do the same work on another state as its forces,
 /// `eps2' D eps1 = u2' . P1 + u2 . Q1 + psi2 . theta1`, summed over the section.
 #[test]
 fn forces_do_the_work_of_the_stresses() {
@@ -168,8 +168,8 @@ fn identities_hold() {
     }
 }
 
-/// A matrix that does not belong to the domain is noticed: one entry of R, E, A off
-/// by a thousandth.
+/// A matrix that does not belong to the domain is detected: one entry of R, E, A wrong by a
+/// thousandth.
 #[test]
 fn identities_notice_a_wrong_entry() {
     let domain = domain(CellKind::Quadrilateral9);
@@ -239,7 +239,7 @@ fn mass_of_a_square_off_the_origin() {
     assert_relative_eq!(mass, expected, epsilon = 1e-14);
 }
 
-/// Nodes that no cell uses take no unknowns, and neighbors follow the cells.
+/// Nodes without a cell have no unknowns, and neighbors follow from the cells.
 #[test]
 fn unused_nodes_are_left_out() {
     let nodes = [

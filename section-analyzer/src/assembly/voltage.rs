@@ -1,9 +1,9 @@
-//! What voltages do to a section, and the charges that states put on its electrodes.
+//! Loads of voltages on a section, and the charges of states on its electrodes.
 //!
-//! A conductor at one volt is a potential that is one at its nodes; its forces are those of
-//! the stresses of this state, and its charge what the rest of the section lacks there. The
-//! field of an interdigitated electrode is given, so that its forces are integrals over its
-//! cells:
+//! A conductor at one volt is a potential that is one at its nodes; its forces are the
+//! forces of the stresses of this state, and its charge balances the electric displacement
+//! of the rest of the section there. The field of an interdigitated electrode is given, so
+//! that its forces are integrals over its cells:
 //!
 //! ```text
 //! f0 = int B0' e' E J dA      fp = int Bpsi' e' E J dA
@@ -29,9 +29,9 @@ use nalgebra::{DMatrix, Matrix6, RowVector6};
 pub struct VoltageForces {
     /// The potential of conductors among the unknowns, n x 6 \[-\].
     pub potential: DMatrix<f64>,
-    /// Forces within the section that the voltages ask for, n x 6 \[-\].
+    /// Forces of the voltages within the section, n x 6 \[-\].
     pub within: DMatrix<f64>,
-    /// Internal force that they ask for, a column for each electrode \[-\].
+    /// Internal force of the voltages, a column for each electrode \[-\].
     pub resultant: Matrix6<f64>,
 }
 
@@ -70,7 +70,7 @@ pub fn voltage_forces(domain: &Domain, electrodes: &[DomainElectrode]) -> Voltag
     }
 }
 
-/// Which cells of the domain have a node of a conductor among `electrodes`.
+/// For each cell of the domain whether it has a node of a conductor among `electrodes`.
 fn cells_at(domain: &Domain, electrodes: &[DomainElectrode]) -> Vec<bool> {
     let mut is_conductor = vec![false; domain.nodes.len()];
     for &node in electrodes.iter().flat_map(|electrode| &electrode.nodes) {
@@ -83,7 +83,7 @@ fn cells_at(domain: &Domain, electrodes: &[DomainElectrode]) -> Vec<bool> {
     domain.cells.iter().map(touches).collect()
 }
 
-/// Runs over the points of the cells between the fingers of an electrode.
+/// Calls a function at the points of the cells between the fingers of an electrode.
 fn each_fingered(
     domain: &Domain,
     electrode: &DomainElectrode,

@@ -1,4 +1,4 @@
-//! `section-analyzer analyze`: from section files to their results.
+//! `section-analyzer analyze`: computes the results of section files.
 
 use std::path::{Path, PathBuf};
 
@@ -17,15 +17,15 @@ mod sensitivity;
 
 use one::{Outcome, analyze_one};
 
-/// What tells this program from others: its version and the id of its build, since two
-/// builds of one version may differ.
+/// Identifies this program by its version and the id of its build, since two builds of
+/// one version may differ.
 const PROGRAM: &str = concat!(
     env!("CARGO_PKG_VERSION"),
     " ",
     env!("SECTION_ANALYZER_BUILD")
 );
 
-/// A section to analyze, and where its results go.
+/// A section to analyze, and the folder of its results.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Job {
     file: PathBuf,
@@ -34,8 +34,8 @@ struct Job {
 }
 
 impl Job {
-    /// The results of `file` go to the folder `out`, or else to the folder `results`
-    /// beside the file.
+    /// The results of `file` go to the folder `out`, or else to the folder `results` next
+    /// to the file.
     fn new(file: &Path, out: Option<&Path>) -> Self {
         let beside = || file.parent().unwrap_or(Path::new("")).join("results");
         Self {
@@ -46,7 +46,7 @@ impl Job {
     }
 }
 
-/// What all sections of a run share.
+/// Settings shared by all sections of a run.
 #[derive(Debug, Clone)]
 struct Run {
     /// Whether sections are solved even if nothing has changed.
@@ -54,7 +54,7 @@ struct Run {
     /// Whether figures are drawn.
     figures: bool,
     /// Numbers of the nodes whose coordinates are parameters of the derivatives; `None`
-    /// where no derivatives are asked for.
+    /// if no derivatives are requested.
     sensitivity: Option<Vec<u64>>,
     /// Driven electrodes that are open.
     open: Vec<String>,
@@ -92,11 +92,11 @@ pub(super) fn analyze_files(
     }
 }
 
-/// Shows the outcome of a section that was the only one.
+/// Shows the outcome of a run with a single section.
 fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     write!(terminal.out, "{}", outcome.report)?;
     if let Some(problems) = &outcome.problems {
-        // Told first; what was written is listed all the same.
+        // Reported first; the written files are listed all the same.
         terminal.tell_text(problems, outcome.status.code());
     }
     list(outcome.status.heading(), &outcome.files, terminal)?;

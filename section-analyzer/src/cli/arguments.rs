@@ -1,4 +1,4 @@
-//! The arguments of the command line, and the words that explain them.
+//! The arguments of the command line, and their help texts.
 
 use std::path::PathBuf;
 
@@ -24,7 +24,7 @@ pub(super) use property_files::{
 use stress::{STRESS, STRESS_EXAMPLE};
 
 const ABOUT: &str = "\
-Finds the 6x6 stiffness and mass of a beam section of any shape and material
+Computes the 6x6 stiffness and mass of a beam section of any shape and material
 
 From a plane mesh and the materials of its cells, the warping of the section is solved
 for under each of six internal forces (axial force, two shears, torque, two bending
@@ -35,7 +35,7 @@ Components: axial, shear y, shear z, torsion, bending y, bending z, about the or
 of the mesh. Results are in SI units.";
 
 const EXAMPLES: &str = "\
-Example, a strip of aluminum from nothing:
+Example, a strip of aluminum:
   section-analyzer mesh rectangle --width 1 --height 0.063 \\
     --cells-y 40 --cells-z 4 --out strip.msh
   cat > strip.section.toml <<'END'
@@ -57,9 +57,9 @@ Exit codes: 0 done; 1 ran but did not reach its goal; 2 wrong input or command l
 const CHECK: &str = "\
 Reads and checks a section file without solving it
 
-Tells all that is wrong with the section file, its mesh and its tables, with file,
-line and remedy; prints what was read, and the shapes of the cells by region, when
-nothing is. With --out it draws the section too:
+Reports all problems of the section file, its mesh and its tables, with file,
+line and remedy; without problems, prints the contents of the file and the shapes
+of the cells by region. With --out it draws the section too:
   NAME.mesh.png          the mesh in the colors of its materials
   NAME.fibers.png        wall directions and fiber angles, if a material has directions";
 
@@ -93,11 +93,11 @@ Example, a full disk of 12 x 6 x 6 cells in the physical surface \"section\":
 const BLADE: &str = "\
 A section of a blade, from a file
 
-FILE tells airfoil, skin, spar (D-spar or box-spar), cores and the size of cells; plies
-are as thick as they are told everywhere, and corners are mitred. The mesh is in the unit
+FILE contains airfoil, skin, spar (D-spar or box-spar), cores and the size of cells;
+plies have the given thickness everywhere, corners are mitred. The mesh is in the unit
 of length of FILE, y toward the nose. Each ply is a physical surface; angles follow the
-physical curves \"contour\" (skin) and \"spar\". With --section, a section file is begun
-that has all regions and angles; what remains are the constants of the materials.";
+physical curves \"contour\" (skin) and \"spar\". With --section, a section file is started
+with all regions and angles; the constants of the materials must be added.";
 
 const BLADE_EXAMPLE: &str = "\
 Example, a NACA 0012 with a D-spar of one material:
@@ -121,7 +121,7 @@ const SCHEMA: &str = "\
 Prints the description of the section file, for editors or as a page
 
 As a JSON schema (draft 2020-12), editors complete the keys of a section file and mark
-what is wrong while you type. As Markdown it is the reference of the documentation.";
+mistakes while you type. As Markdown it is the reference of the documentation.";
 
 const SCHEMA_EXAMPLE: &str = "\
 Example, for the editors that use Taplo (Even Better TOML): write the schema
@@ -130,9 +130,9 @@ and name it in the first line of the section file:
   #:schema ./section.schema.json";
 
 const COMPLETIONS: &str = "\
-Prints the script by which a shell completes commands and options
+Prints the completion script of a shell for commands and options
 
-Where the script belongs depends on the shell.";
+The folder for the script depends on the shell.";
 
 const COMPLETIONS_EXAMPLE: &str = "\
 Examples:
@@ -159,7 +159,7 @@ fn group_name(text: &str) -> Result<String, &'static str> {
     }
 }
 
-/// What the list of commands shows of a text.
+/// First paragraph of a text, for the list of commands.
 fn first_line(text: &'static str) -> &'static str {
     text.lines().next().unwrap_or_default()
 }
@@ -190,10 +190,10 @@ pub(super) enum Command {
         file: PathBuf,
         #[command(flatten)]
         load: LoadArguments,
-        /// Folder for the results; the folder "results" beside FILE if not given
+        /// Folder for the results; the folder "results" next to FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
-        /// Draw no figures; those of an earlier run go
+        /// Draw no figures; figures of an earlier run are removed
         #[arg(long)]
         no_figures: bool,
     },
@@ -201,7 +201,7 @@ pub(super) enum Command {
     Matrices {
         /// Matrices file, NAME.matrices.toml
         file: PathBuf,
-        /// Folder for the results; the folder "results" beside FILE if not given
+        /// Folder for the results; the folder "results" next to FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
@@ -217,7 +217,7 @@ pub(super) enum Command {
     Rotate(RotateArguments),
     #[command(about = first_line(SCHEMA), long_about = SCHEMA, after_help = SCHEMA_EXAMPLE)]
     Schema {
-        /// What to write
+        /// Format of the description
         #[arg(long, value_enum, default_value_t = SchemaFormat::Json)]
         format: SchemaFormat,
         /// File to write instead of printing
@@ -314,7 +314,7 @@ pub(super) enum Shape {
     },
 }
 
-/// What the section of a blade needs.
+/// Arguments for the section of a blade.
 #[derive(Debug, Args)]
 pub(super) struct BladeArguments {
     /// Blade file
@@ -322,15 +322,15 @@ pub(super) struct BladeArguments {
     /// Mesh file to write
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// Section file to begin; it must not exist
+    /// Section file to start; it must not exist
     #[arg(long, value_name = "FILE")]
     pub section: Option<PathBuf>,
 }
 
-/// What every shape needs.
+/// Arguments of every shape.
 #[derive(Debug, Args)]
 pub(super) struct Common {
-    /// Kind of the cells; the number is that of their nodes
+    /// Kind of the cells; the number is their number of nodes
     #[arg(long, value_enum, default_value_t = CellName::Quad9)]
     pub cell: CellName,
     /// Mesh file to write

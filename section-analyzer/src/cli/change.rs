@@ -1,5 +1,5 @@
-//! `section-analyzer shift` and `section-analyzer rotate`: a property file about
-//! another point or in other axes.
+//! `section-analyzer shift` and `section-analyzer rotate`: transforms a property file to
+//! another point or other axes.
 
 use std::path::Path;
 
@@ -11,13 +11,13 @@ use super::arguments::{Point, PrincipalName, RotateArguments, ShiftArguments};
 use super::{Stop, Terminal, WRONG_INPUT};
 use crate::output::{property_axes, property_centers};
 
-/// Why a property file cannot be changed as asked.
+/// Reason for which a property file cannot be changed as requested.
 #[derive(Debug, thiserror::Error)]
 enum ChangeProblem {
-    /// A center or axes of mass without mass.
+    /// A center or axes of mass are requested of a section without mass.
     #[error("section \"{name}\" has no mass, expected one for {asked}")]
     NoMass { name: String, asked: &'static str },
-    /// The result would replace what it is made from.
+    /// The result would overwrite its own input.
     #[error("--out names the file that is read, \"{file}\", expected another one")]
     SameFile { file: String },
     /// The shifted matrices cannot be represented.
@@ -63,7 +63,7 @@ pub(super) fn rotate_file(
     let properties = read(&arguments.file, terminal)?;
     let axes = &properties.principal_axes;
     let angle = match arguments.turn.to_principal {
-        // One of the two is there: the command line has seen to it.
+        // One of the two exists: the command line requires it.
         None => arguments.turn.angle.unwrap_or(0.0),
         Some(PrincipalName::Bending) => axes.bending_angle,
         Some(PrincipalName::Inertia) => {
@@ -119,7 +119,7 @@ fn write_changed(
     Ok(())
 }
 
-/// Whether two names lead to one file that exists.
+/// Whether two names lead to one existing file.
 fn is_same(a: &Path, b: &Path) -> bool {
     match (a.canonicalize(), b.canonicalize()) {
         (Ok(a), Ok(b)) => a == b,

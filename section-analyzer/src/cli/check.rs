@@ -1,4 +1,4 @@
-//! `section-analyzer check`: what is wrong with a section file, without solving it.
+//! `section-analyzer check`: reports problems of a section file, without solving it.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! `section-analyzer compare`: how two property files differ.
+//! `section-analyzer compare`: compares two property files.
 
 use shared_geom::error::Diagnostics;
 use shared_geom::section;
@@ -8,7 +8,7 @@ use super::{NOT_REACHED, Stop, Terminal};
 use crate::output::comparison;
 use crate::properties::Difference;
 
-/// Compares two property files; the exit code says whether they are equal.
+/// Compares two property files; the exit code shows whether they are equal.
 pub(super) fn compare_files(
     arguments: &CompareArguments,
     terminal: &mut Terminal<'_>,

@@ -6,8 +6,8 @@ use crate::input::Input;
 use crate::output::{FiberPlot, MeshPlot, ResultWriter};
 use crate::properties::Centers;
 
-/// Draws the mesh, with the centers where they are known, and the fibers where a
-/// material has directions.
+/// Draws the mesh, with the centers if known, and the fibers if a material has
+/// directions.
 pub(super) fn draw_section(
     input: &Input,
     centers: Option<&Centers>,

@@ -30,7 +30,7 @@ pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(
     write_file(&mesh, file, terminal)
 }
 
-/// Writes a mesh and says what is in it.
+/// Writes a mesh and lists its contents.
 fn write_file(mesh: &Mesh, file: &Path, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     write_text(file, &gmsh::write(mesh)).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
     let groups = |dimension: u8| {
@@ -58,19 +58,19 @@ fn write_file(mesh: &Mesh, file: &Path, terminal: &mut Terminal<'_>) -> Result<(
     Ok(())
 }
 
-/// Meshes the section of a blade, and begins its section file.
+/// Meshes the section of a blade, and starts its section file.
 fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     let (out, section) = (&arguments.out, arguments.section.as_deref());
     let blade = blade::read(&arguments.file).map_err(|problems| terminal.tell_all(&problems))?;
     if let Some(section) = section.filter(|section| section.exists()) {
         let text = format!(
-            "error: \"{}\" is there already, expected the name of a new section file\n  \
-             help: without --section the mesh alone is made anew",
+            "error: \"{}\" exists already, expected the name of a new section file\n  \
+             help: without --section only the mesh is made again",
             section.display()
         );
         return Err(terminal.tell_text(&text, WRONG_INPUT));
     }
-    // both files first: no one may read what is told of them
+    // both files first: nobody may read the report about them
     if let Some(section) = section {
         let text = blade_section(&blade, &name_from(section, out));
         write_text(section, &text).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
@@ -87,7 +87,7 @@ fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Resul
     Ok(())
 }
 
-/// What the mesh is called in a section file.
+/// Name of the mesh in a section file.
 fn name_from(section: &Path, mesh: &Path) -> String {
     if section.parent() == mesh.parent() {
         let name = mesh.file_name().unwrap_or_default();
@@ -97,7 +97,7 @@ fn name_from(section: &Path, mesh: &Path) -> String {
     whole.display().to_string()
 }
 
-/// What is to be written.
+/// A file to write.
 enum Made<'a> {
     Shape(Result<Mesh, Vec<GenerateProblem>>, &'a Path),
     Blade(&'a BladeArguments),

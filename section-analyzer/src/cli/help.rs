@@ -1,5 +1,5 @@
-//! `section-analyzer completions` and `manual`: what shells and `man` read, from the
-//! arguments of the command line.
+//! `section-analyzer completions` and `manual`: scripts for shells and pages for `man`,
+//! from the arguments of the command line.
 
 use std::path::Path;
 
@@ -40,7 +40,7 @@ pub(super) fn write_manual(out: Option<&Path>, terminal: &mut Terminal<'_>) -> R
     list("Written", &files, terminal)
 }
 
-/// The page of a command, and then those of its own commands: file name and text.
+/// The page of a command, then the pages of its own commands: file name and text.
 fn collect_pages(command: &Command, pages: &mut Vec<(String, String)>) -> Result<(), Stop> {
     let source = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
     let page = clap_mangen::Man::new(command.clone()).source(source);

@@ -1,4 +1,4 @@
-//! The arguments that give an internal force.
+//! The arguments for an internal force.
 
 use clap::{ArgGroup, Args};
 use shared_geom::error::Explain;
@@ -6,7 +6,7 @@ use shared_geom::units::{Dimension, parse_quantity};
 
 use crate::input::is_load_name;
 
-/// Six components, where they act, and how to call them.
+/// Six components, their point of application, and the name of the load.
 #[derive(Debug, Args)]
 #[command(group(ArgGroup::new("component").multiple(true)))]
 pub(super) struct LoadArguments {
@@ -28,7 +28,8 @@ pub(super) struct LoadArguments {
     /// Bending moment about z
     #[arg(long, value_name = "MOMENT", group = "component", value_parser = moment, allow_hyphen_values = true)]
     bending_z: Option<f64>,
-    /// Where the force acts, in m or with units; the origin of the mesh if not given
+    /// Point of application of the force, in m or with units; the origin of the mesh if
+    /// not given
     #[arg(long, value_names = ["Y", "Z"], num_args = 2, requires = "component", value_parser = length, allow_hyphen_values = true)]
     pub point: Vec<f64>,
     /// Name of the load, in the names of its files
@@ -37,7 +38,7 @@ pub(super) struct LoadArguments {
 }
 
 impl LoadArguments {
-    /// The components in their order \[N, N m\]; `None` where not given.
+    /// The components in their order \[N, N m\]; `None` if not given.
     pub fn components(&self) -> [Option<f64>; 6] {
         [
             self.axial,

@@ -18,7 +18,7 @@ use crate::output::{
 use crate::section::OutsideSection;
 use crate::solution::{EndEffects, SectionSolution};
 
-/// Reads a matrices file, solves, and writes what there is.
+/// Reads a matrices file, solves, and writes the available results.
 pub(super) fn analyze_file(
     file: &Path,
     out: Option<PathBuf>,
@@ -29,12 +29,12 @@ pub(super) fn analyze_file(
     let folder = out.unwrap_or_else(beside);
     let files = OutputFiles::new(&folder, &outside::name_of(file))
         .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
-    // results of an earlier run do not outlive this one
+    // results of an earlier run are removed
     files.remove_results();
     let solved = solve(&input.section).map_err(|failure| {
         let code = match failure {
             Failure::OutOfMemory { .. } => NOT_REACHED,
-            // all else is due to the matrices
+            // all other failures are due to the matrices
             _ => WRONG_INPUT,
         };
         terminal.tell_text(&told(file, &failure), code)
@@ -52,7 +52,7 @@ pub(super) fn analyze_file(
     }
 }
 
-/// The solution, and what the file asks for beside it.
+/// The solution, and the further results that the file requests.
 struct Solved {
     analysis: OutsideAnalysis,
     end_effects: Option<EndEffects>,
@@ -71,7 +71,7 @@ fn solve(section: &OutsideSection) -> Result<Solved, Failure> {
 }
 
 impl Solved {
-    /// What did not converge, in words.
+    /// Searches that did not converge, as text.
     fn open_problem(&self, file: &Path) -> Option<String> {
         let failure = open_end_effects(self.end_effects.as_ref()?)?;
         Some(told(file, &failure))

@@ -1,4 +1,4 @@
-//! `section-analyzer report`: property files in words and tables.
+//! `section-analyzer report`: shows property files as text and tables.
 
 use shared_geom::section;
 
@@ -6,7 +6,7 @@ use super::arguments::ReportArguments;
 use super::{Stop, Terminal, WRONG_INPUT};
 use crate::output::property_report;
 
-/// Shows every file that can be read, and tells what is wrong with the others.
+/// Shows every file that can be read, and reports the problems of the others.
 pub(super) fn report_files(
     arguments: &ReportArguments,
     terminal: &mut Terminal<'_>,

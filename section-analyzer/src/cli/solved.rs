@@ -1,4 +1,4 @@
-//! All that is asked of the solver for a section file, in one analysis.
+//! All analyses requested by a section file, with one solver.
 
 use std::path::Path;
 
@@ -9,24 +9,24 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::solution::{DistributedState, EndEffects, ImposedSolutions, SectionSolution};
 
-/// The solution of a section, and what its file asks for beside it.
+/// The solution of a section, and the further results that its file requests.
 #[derive(Debug)]
 pub(super) struct Solved {
     /// Properties and central solutions.
     pub solution: SectionSolution,
-    /// What heat and the imposed states of the input do.
+    /// Effects of temperature and of the imposed states of the input.
     pub imposed: ImposedSolutions,
-    /// What loads along the beam add, parallel to the loads of the input.
+    /// Contributions of distributed loads, parallel to the loads of the input.
     pub distributed: Vec<Option<DistributedState>>,
-    /// The end effects, if asked for.
+    /// The end effects, if requested.
     pub end_effects: Option<EndEffects>,
 }
 
 impl Solved {
-    /// All that `input` asks of the analysis of its section; its end effects too if `ends`.
+    /// All analyses of the section that `input` requests; its end effects too if `ends`.
     ///
     /// # Errors
-    /// Those of the questions.
+    /// The errors of these analyses.
     pub fn by(analysis: &Analysis<'_>, input: &Input, ends: bool) -> Result<Self, Failure> {
         let loads = &input.distributed;
         let acting: Vec<_> = loads.iter().filter(|load| !load.is_empty()).collect();
@@ -45,7 +45,7 @@ impl Solved {
         })
     }
 
-    /// What did not converge, in words; `file` is the section file.
+    /// Searches that did not converge, as text; `file` is the section file.
     pub fn open_problem(&self, file: &Path) -> Option<String> {
         let failure = open_end_effects(self.end_effects.as_ref()?)?;
         let place = Place::file(file.display().to_string());
@@ -66,7 +66,7 @@ pub(super) fn open_end_effects(found: &EndEffects) -> Option<Failure> {
 /// effects too if `ends`.
 ///
 /// # Errors
-/// As [`Analysis::new`] and its questions.
+/// As [`Analysis::new`] and its methods.
 pub(super) fn solve(input: &Input, ends: bool) -> Result<Solved, Failure> {
     let section = &input.section;
     let asks = input.end_effects.filter(|_| ends).is_some()

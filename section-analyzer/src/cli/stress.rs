@@ -1,5 +1,5 @@
-//! `section-analyzer stress`, and the stresses that `analyze` writes: a set of files
-//! for each load case.
+//! `section-analyzer stress`, and the stresses written by `analyze`: a set of files for
+//! each load case.
 
 use std::path::{Path, PathBuf};
 
@@ -20,9 +20,9 @@ use crate::recovery::{LoadCase, Recoverer, Recovery};
 use crate::section::DistributedLoad;
 use crate::solution::{DistributedState, SectionSolution};
 
-/// Nothing to recover stresses for.
+/// No load to recover stresses for.
 #[derive(Debug, thiserror::Error)]
-#[error("the section file has no load case, and the command line gives no load")]
+#[error("the section file has no load case, and the command line has no load")]
 struct NoLoad;
 
 impl Explain for NoLoad {
@@ -34,7 +34,7 @@ impl Explain for NoLoad {
 }
 
 /// Analyzes a section and writes its stresses under the loads of the command line, or
-/// else under those of its file, into the folder `out`, with or without `figures`.
+/// else under the loads of its file, into the folder `out`, with or without `figures`.
 pub(super) fn recover_file(
     file: &Path,
     load: &LoadArguments,
@@ -77,7 +77,7 @@ pub(super) fn recover_file(
     told.map_or(Ok(()), Err)
 }
 
-/// The load of the command line, where it gives one.
+/// The load of the command line, if given.
 fn written_load(
     arguments: &LoadArguments,
     terminal: &mut Terminal<'_>,
@@ -101,7 +101,7 @@ fn written_load(
         .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))
 }
 
-/// What was recovered.
+/// The recovered stresses.
 #[derive(Debug, Default)]
 pub(super) struct Stresses {
     /// The reports, one for each load that could be recovered.
@@ -146,7 +146,7 @@ impl Stresses {
         Ok(())
     }
 
-    /// All files of one recovery: a new one is one more line.
+    /// All files of one recovery: a new one needs one more line.
     fn write_one(
         &mut self,
         input: &Input,
@@ -159,7 +159,7 @@ impl Stresses {
         } = input;
         let load = &recovery.load.name;
         let files = results.files().clone();
-        // of an earlier run, which may have had strengths
+        // of an earlier run, whose materials may have had strengths
         files.remove_stresses(load);
         let mut report = stress_report(section, limits, recovery);
         if let Some((added, words)) = added {
@@ -181,7 +181,7 @@ impl Stresses {
         write_fields(input, solution, recovery, results)
     }
 
-    /// The loads of the section file `file` that could not be recovered, in words.
+    /// The loads of the section file `file` that could not be recovered, as text.
     pub fn problems(&self, file: &Path) -> Option<String> {
         let mut problems = Diagnostics::new();
         for failure in &self.failures {
@@ -210,7 +210,7 @@ fn write_fields(
     let fields = stress_vtu(section, solution, recovery, &failure);
     results.add(files.stress_field(load), |file| fields.write(file))?;
     if !results.draws() {
-        // those of an earlier run went with its reports
+        // figures of an earlier run were removed with its reports
         return Ok(());
     }
     for (word, plot) in stress_plots(section, summary, recovery, &failure) {

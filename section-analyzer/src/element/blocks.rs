@@ -1,15 +1,15 @@
-//! What one cell adds to the matrices E, R, A of the section (S-10).
+//! The blocks of one cell for the matrices E, R, A of the section (S-10).
 //!
-//! The law is constant over a cell, so every matrix is a few integrals of
-//! products of shape functions (numbers) times constant 3x3 parts of the law:
-//! the integration loop sees numbers only.
+//! The law is constant over a cell, so every matrix is a few integrals of products of shape
+//! functions (numbers) times constant 3x3 parts of the law: the integration loop contains
+//! only numbers.
 //!
 //! # Symbols
 //!
 //! | symbol | meaning | unit | shape |
 //! | --- | --- | --- | --- |
 //! | `D` | law in section axes, order yz yy zz xx xy xz | Pa | 6x6 |
-//! | `S`, `Py`, `Pz` | place a rate, a y derivative, a z derivative of (ux, uy, uz) in the strain | - | 6x3 |
+//! | `S`, `Py`, `Pz` | map a rate, a y derivative, a z derivative of (ux, uy, uz) to the strain | - | 6x3 |
 //! | `E` | `int B0' D B0` | Pa | n x n |
 //! | `R` | `int B0' D Bpsi` | Pa m, Pa m^2 | n x 6 |
 //! | `A` | `int Bpsi' D Bpsi` | Pa m^2 .. Pa m^4 | 6x6 |
@@ -28,8 +28,8 @@ use crate::material::CoupledLaw;
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, SMatrix};
 use shared_geom::mesh::CellKind;
 
-/// The parts of a law that the blocks are made of, for cells whose nodes have C unknowns:
-/// three displacements, and on dielectrics the potential \[Pa\].
+/// The parts of a law that form the blocks, for cells whose nodes have C unknowns: three
+/// displacements, and on dielectrics the potential \[Pa\].
 #[derive(Debug, Clone, PartialEq)]
 pub struct LawBlocks<const C: usize> {
     /// `S' D S` of the displacements.
@@ -78,13 +78,14 @@ impl<const C: usize> LawBlocks<C> {
         }
     }
 
-    /// What `int (1, y, z, y y, y z, z z)` over the cells of this law adds to A.
+    /// The part of A from the cells of this law, whose integrals
+    /// `int (1, y, z, y y, y z, z z)` are `area`.
     pub fn a_of_moments(&self, area: &[f64; 6]) -> Matrix6<f64> {
         a_of_moments(area, &self.ss)
     }
 }
 
-/// A number per pair of nodes; row i, column j.
+/// One number per pair of nodes; row i, column j.
 pub(super) type PairIntegrals = [[f64; 9]; 9];
 
 /// Sums of f, f y and f z over a cell.

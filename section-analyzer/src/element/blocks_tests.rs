@@ -27,8 +27,8 @@ fn distorted(kind: CellKind) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The strain operators written out column by column: B0 (6 x 3 nodes) and Bpsi,
-/// as the strain that each unit displacement and generalized strain makes.
+/// The strain operators column by column: B0 (6 x 3 nodes) and Bpsi, as the strains of unit
+/// displacements and unit generalized strains.
 fn operators(point: &CellPoint) -> (DMatrix<f64>, DMatrix<f64>) {
     let mut b0 = DMatrix::zeros(6, 3 * point.count);
     for node in 0..point.count {

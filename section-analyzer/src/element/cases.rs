@@ -1,5 +1,5 @@
-//! Strain and stress of a cell in six cases side by side: plain arrays, so that the
-//! compiler uses the widest registers of the machine.
+//! Strain and stress of a cell in six cases at once, as plain arrays, so that the compiler
+//! uses the widest registers of the machine.
 //!
 //! ```text
 //! eps = B1 u' + B0 u + Bpsi psi            sigma = D eps
@@ -7,9 +7,10 @@
 //!
 //! The operators are (S-5) for a straight beam, and (S-73) for a curved one.
 //!
-//! Derivatives are taken of the differences from the first node, which is the same in
-//! exact arithmetic (the derivatives of the shape functions add up to zero) and loses
-//! no digits when the cell moves much more than it strains: walls of thin sections do.
+//! Derivatives are taken of the differences from the first node, which is the same in exact
+//! arithmetic (the derivatives of the shape functions add up to zero) and loses no digits
+//! when the displacement of the cell is much larger than its strain, as in walls of thin
+//! sections.
 //!
 //! # References
 //! - Giavotto et al. 1983, section 2: the strain of a straight section.
@@ -20,16 +21,16 @@ use super::strain::FACE_STRAINS;
 use nalgebra::Matrix6;
 use pulp::{Arch, Simd, WithSimd};
 
-/// The first of the strains of the face, which follow each other.
+/// Index of the first of the strains of the face, which are consecutive.
 pub const FACE: usize = FACE_STRAINS[0];
 
-/// Cases side by side: six, and two that stay empty and make whole registers.
+/// Number of cases: six, and two unused ones that fill whole registers.
 pub const CASES: usize = 8;
 
 /// A number for each case.
 pub type Row = [f64; CASES];
 
-/// How `a b + c` is rounded: machines that have it in one instruction round once.
+/// Rounding of `a b + c`: machines with a fused instruction round once.
 pub trait Product {
     /// `a b + c`.
     fn add(a: f64, b: f64, c: f64) -> f64;
@@ -60,9 +61,9 @@ impl Product for Plain {
 /// Six rows of zeros: no strain, no stress, no work.
 pub const NO_ROWS: [Row; 6] = [[0.0; CASES]; 6];
 
-/// A loop over cells, compiled for each width of registers.
+/// A loop over cells that is compiled for each width of registers.
 pub trait CaseLoop {
-    /// What it finds.
+    /// Result of the loop.
     type Output;
 
     /// The loop; to be inlined into the code of each width.
@@ -81,7 +82,7 @@ impl<W: CaseLoop> WithSimd for Widest<W> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> W::Output {
-        // registers of four numbers and more come with fused products, and so does ARM
+        // machines with registers of four or more numbers have fused products, as ARM does
         match size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
             true => self.0.run::<Fused>(),
             false => self.0.run::<Plain>(),
@@ -89,14 +90,14 @@ impl<W: CaseLoop> WithSimd for Widest<W> {
     }
 }
 
-/// A field at the nodes of a cell, `[node][component][case]`; entries behind its
-/// node count are not read.
+/// A field at the nodes of a cell, `[node][component][case]`; entries after its node count
+/// are not read.
 pub type CellField = [[Row; 3]; 9];
 
 /// No displacement at any node.
 pub const NO_FIELD: CellField = [[[0.0; CASES]; 3]; 9];
 
-/// What six cases strain a cell with.
+/// Warping of a cell and its rate in six cases.
 #[derive(Debug, Clone, Copy)]
 pub struct CellState {
     /// u': rate of the warping along the beam.
@@ -112,7 +113,7 @@ impl CellState {
         warping: NO_FIELD,
     };
 
-    /// The warping less that of the first node.
+    /// The warping minus the warping of the first node.
     #[inline(always)]
     pub fn differences(&self) -> CellField {
         let mut difference = self.warping;
@@ -170,7 +171,7 @@ pub fn strain_in_cases<P: Product>(
 }
 
 /// Strain as [`strain_in_cases`], (S-73) with the metric at the point of a beam along
-/// `line`; `difference` is the warping by its differences from the first node.
+/// `line`; `difference` is the warping minus the warping of the first node.
 #[inline(always)]
 pub fn strain_along<P: Product>(
     (line, metric): (&Line, &Metric),
@@ -262,7 +263,7 @@ pub fn add_work<P: Product, const N: usize, const R: usize>(
     strain: &[Row; R],
     stress: &[Row; R],
 ) {
-    // row by row in copies, which the compiler knows to be apart
+    // row by row in copies, which for the compiler do not alias
     for (i, work) in work.iter_mut().enumerate() {
         let mut row = *work;
         for (strain, stress) in strain.iter().zip(stress) {

@@ -8,8 +8,8 @@
 //! W   = int (eps' sigma + g' D) J dA
 //! ```
 //!
-//! Strains, stresses and their forces are those of [`super::forces`]. Minus Q_V is the free
-//! charge per length that holds the potential.
+//! Strains, stresses and their forces are computed as in [`super::forces`]. Minus Q_V is
+//! the free charge per length that maintains the potential.
 //!
 //! # References
 //! - [Masarati], appendix G: the section matrices of piezoelectric beams.
@@ -143,7 +143,7 @@ fn answers<P: Product>(
 }
 
 impl CellCharges {
-    /// Adds those of an electric displacement, times the volume of the point.
+    /// Adds the charges of an electric displacement, times the volume of the point.
     #[inline(always)]
     fn add<P: Product>(&mut self, point: &CellPoint, metric: &Metric, flux: &[Row; 3]) {
         let [of_y, of_z, of_x] = flux;

@@ -1,9 +1,9 @@
-//! What one cell of a curved beam adds to the matrices of the section.
+//! The blocks of one cell of a curved beam for the matrices of the section.
 //!
-//! With the metric J, a, b of the line (S-71), and for solutions that vary along the
-//! beam as `exp(lambda x)`, `B = B0 + lambda B1` takes the place of B0 (S-73): with it
-//! `E`, `R` are the matrices of such a solution, Hermitian for an imaginary lambda.
-//! Each node i feeds the strain by four functions times constant operators:
+//! With the metric J, a, b of the line (S-71), and for solutions that vary along the beam
+//! as `exp(lambda x)`, `B = B0 + lambda B1` replaces B0 (S-73): `E`, `R` are then the
+//! matrices of the varying solution, Hermitian for an imaginary lambda. Each node i enters
+//! the strain through four functions times constant operators:
 //!
 //! ```text
 //! B_i = (k x + lambda) S N_i/J  -  S (a N_i,y + b N_i,z)/J  +  Py N_i,y  +  Pz N_i,z
@@ -13,12 +13,11 @@
 //! A    = int Bpsi' D Bpsi J dA = int [I, -t x]' S' D S [I, -t x] dA / J
 //! ```
 //!
-//! The law is constant over a cell, so that the integrals are numbers that all lambda
-//! share.
+//! The law is constant over a cell, so that the integrals are the same for all lambda.
 //!
 //! # References
 //! - Giavotto et al. 1983: the matrices of the straight section.
-//! - [Borri1992]: those of beams with initial curvature.
+//! - [Borri1992]: the matrices of beams with initial curvature.
 
 use super::blocks::{Moments, PairIntegrals, rigid};
 use super::line::Line;
@@ -29,7 +28,7 @@ use nalgebra::{ComplexField, Matrix6, SMatrix};
 use shared_geom::mesh::CellKind;
 use shared_geom::rotation::skew;
 
-/// Functions of a node that feed the strain.
+/// Number of functions of a node in the strain.
 const PARTS: usize = 4;
 
 /// Integrals over a cell of a curved beam, of products of the four functions of its
@@ -144,8 +143,8 @@ impl CurvedCell {
 }
 
 /// The products of a law with the operators of a line and a rate lambda, for cells whose
-/// nodes have C unknowns. The potential does not turn with the section: of k x + lambda it
-/// has lambda alone.
+/// nodes have C unknowns. The potential does not turn with the section: for it k x + lambda
+/// reduces to lambda.
 #[derive(Debug, Clone)]
 pub struct TurningLaw<T, const C: usize> {
     /// `W_p^H D W_q` \[Pa\].

@@ -86,9 +86,9 @@ impl CellForces {
         }
     }
 
-    /// The forces of the stresses at a point of a curved beam: those of a straight one,
-    /// with the stresses of the face over J, and what the turn and the tilt of the
-    /// material line add within the section.
+    /// The forces of the stresses at a point of a curved beam: as for a straight beam with
+    /// the stresses of the face over J, plus the terms of the turn and the tilt of the
+    /// material line within the section.
     #[inline(always)]
     pub(super) fn add_turned<P: Product>(
         &mut self,
@@ -103,7 +103,7 @@ impl CellForces {
                 face[k] = stress[FACE + axis][k] / metric.volume;
             }
         }
-        // q x k: what the stress of the face does on k x u
+        // q x k: force of the work of the face stress on k x u
         let mut turned = [[0.0; CASES]; 3];
         for k in 0..CASES {
             let of_case = cross(line.curvature.as_ref(), &face, k);
@@ -179,7 +179,7 @@ impl CellForces {
         matrix_of(&self.work)
     }
 
-    /// Clears the forces at the nodes, to go on with the next cell.
+    /// Clears the forces at the nodes for the next cell.
     #[inline(always)]
     pub fn clear_nodes(&mut self) {
         self.within = NO_FIELD;
@@ -228,8 +228,8 @@ mod tests {
         (field, columns)
     }
 
-    /// Oracle: the plain strain of [`strain_at`], and work that adds up: the work of
-    /// the stresses is that of the forces at the nodes and of the internal force.
+    /// Oracle: the plain strain of [`strain_at`], and the balance of work: the work of the
+    /// stresses equals the work of the nodal forces and of the internal force.
     #[test]
     fn forces_are_those_of_the_plain_strains() {
         let law = Matrix6::from_fn(|i, j| if i == j { 3.0 } else { 0.1 * (i + j) as f64 });

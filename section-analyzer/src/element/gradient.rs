@@ -1,12 +1,12 @@
-//! The gradient of the displacement of a section point in a uniform state, and the
-//! second-order strain that it makes.
+//! The gradient of the displacement of a section point in a uniform state, and its
+//! second-order strain.
 //!
 //! # Symbols
 //!
 //! | symbol | meaning | unit | shape |
 //! | --- | --- | --- | --- |
 //! | `R`, `r` | axes and reference point of the deformed section | -, m | 3x3, 3 |
-//! | `t`, `w` | place in the section, (0, y, z), and warping | m | 3 |
+//! | `t`, `w` | position in the section, (0, y, z), and warping | m | 3 |
 //! | `nu`, `kappa` | generalized strain, [nu; kappa] = psi | -, 1/m | 3, 3 |
 //! | `H` | displacement gradient in the axes of the section | - | 3x3 |
 //!
@@ -17,15 +17,15 @@
 //! Biot:   eps2 = 1/2 (H'H - (sym H)^2) + sym([kappa x w, 0, 0])            (S-82)
 //! ```
 //!
-//! H has no rotation of the section, which is in R: what is left of rotations are the
-//! local ones, such as that of the fibers of a twisted bar about its axis.
+//! H has no rotation of the section, which is in R: the remaining rotations are local, e.g.
+//! of the fibers of a twisted bar about its axis.
 
 use super::point::CellPoint;
 use super::strain::rigid_displacement;
 use nalgebra::{Matrix3, Vector3, Vector6};
 use shared_geom::section::StrainMeasure;
 
-/// A uniform state of a section at a point: all that its second-order strain needs.
+/// A uniform state of a section at a point, as required for its second-order strain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointGradient {
     /// H: columns are derivatives along x, y, z \[-\].
@@ -133,15 +133,15 @@ mod tests {
     }
 
     /// Both measures against the strains of the exact gradient `F = R' grad s`,
-    /// `1/2 (F'F - I)` and `sqrt(F'F) - I`: what is left is of third order, 1e-9 for
-    /// displacements of 1e-3, beside second-order strains of 1e-6.
+    /// `1/2 (F'F - I)` and `sqrt(F'F) - I`: the difference is of third order, 1e-9 for
+    /// displacements of 1e-3, compared with second-order strains of 1e-6.
     #[test]
     fn second_order_strains_are_those_of_the_exact_deformation() {
         let (point, psi, warping) = state(1e-3);
         let at = PointGradient::at(&point, &psi, &warping);
         let mut f = Matrix3::identity() + at.gradient;
         f.set_column(0, &(f.column(0) + at.curvature.cross(&at.warping)));
-        // the strain does not know of a rotation
+        // the strain does not depend on a rotation
         let f = vector::to_rotation(&Vector3::new(0.3, 0.2, -0.5)) * f;
         let square = f.transpose() * f;
         let root = square.symmetric_eigen();

@@ -13,7 +13,7 @@ fn vector(random: &mut Random) -> Vector3<f64> {
     Vector3::from_fn(|_, _| random.next())
 }
 
-/// A beam along a helix, of one cell, and how it moves; all in section axes.
+/// A beam along a helix, of one cell, and its motion; all in section axes.
 struct Beam {
     line: Line,
     nodes: [[f64; 2]; 9],
@@ -32,7 +32,7 @@ impl Beam {
             [r + 0.1 * random.next(), 0.2 + s + 0.1 * random.next()]
         });
         Self {
-            // J is 0.4 at least
+            // J is at least 0.4
             line: Line {
                 curvature: 0.2 * vector(random),
                 slope: Vector3::x() + 0.1 * vector(random),
@@ -55,8 +55,8 @@ impl Beam {
         sum
     }
 
-    /// A material point and its displacement, both in space: it stands at
-    /// `x0 + R0 t` and moves by `R0 (p + phi x t + w)`. The generalized strain at x = 0,
+    /// A material point and its displacement, both in space: it is at `x0 + R0 t` and moves
+    /// by `R0 (p + phi x t + w)`. The generalized strain at x = 0,
     /// `R0 nu = (R0 p)' - R0 phi x x0'` and `R0 kappa = (R0 phi)'`, gives p' and phi'.
     fn point(&self, x: f64, r: f64, s: f64) -> [Vector3<f64>; 2] {
         let (k, l) = (&self.line.curvature, &self.line.slope);
@@ -108,9 +108,9 @@ impl Beam {
     }
 }
 
-/// Both forms of (S-73), that of a point and that of six cases side by side, against the
-/// displacement of material points in space: whatever the curvature, the slope of the line
-/// and the motion, a rigid one included, which strains nothing.
+/// Both forms of (S-73), for a point and for six cases at once, against the displacement of
+/// material points in space, for any curvature, slope of the line and motion, including a
+/// rigid motion, which causes no strain.
 ///
 /// Differences of fourth order over 0.004 of fields of order one: h^4 = 3e-10 times a
 /// hundredth, and round-off over h, 1e-13.

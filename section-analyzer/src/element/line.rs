@@ -1,16 +1,17 @@
-//! The reference line of a beam of constant initial curvature, and what it does to
-//! lengths at a point of the section.
+//! The reference line of a beam of constant initial curvature, and its metric at a point of
+//! the section.
 //!
-//! The section frame turns along the beam by `k`, and the line runs in it along `l`,
-//! both constant. A material line through the point t = (0, y, z) has the tangent
+//! The section frame turns along the beam by `k`, and the line has the direction `l` in
+//! this frame, both constant. A material line through the point t = (0, y, z) has the
+//! tangent
 //!
 //! ```text
 //! g1 = l + k x t = (J, a, b)
 //! J = l1 + k2 z - k3 y      a = l2 - k1 z      b = l3 + k1 y                      (S-71)
 //! ```
 //!
-//! so that a volume is `J dy dz dx`, and the derivative along x at a fixed point of
-//! space is that along the material line less `(a d/dy + b d/dz)`.
+//! so that a volume is `J dy dz dx`, and the derivative along x at a fixed point of space
+//! is the derivative along the material line minus `(a d/dy + b d/dz)`.
 //!
 //! # References
 //! - [Borri1992]: beams of constant initial curvature, the section frame that turns
@@ -30,7 +31,7 @@ pub struct Line {
     pub slope: Vector3<f64>,
 }
 
-/// A line at a point of the section.
+/// The metric of a line at a point of the section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Metric {
     /// J: volume per area and length of the line \[-\].
@@ -55,8 +56,8 @@ impl Line {
         }
     }
 
-    /// Whether the beam is straight and its line normal to the section: all metrics
-    /// are those of the plane.
+    /// Whether the beam is straight and its line normal to the section: J is one, a and b
+    /// are zero.
     pub fn is_straight(&self) -> bool {
         *self == Self::STRAIGHT
     }
@@ -71,8 +72,8 @@ impl Line {
         }
     }
 
-    /// T' of `theta' = T' theta`: how internal forces change along an unloaded beam,
-    /// seen in the section frame (S-72).
+    /// T' of `theta' = T' theta`: change of the internal forces along an unloaded beam in
+    /// the section frame (S-72).
     ///
     /// ```text
     /// F' = -k x F      M' = -l x F - k x M
@@ -98,15 +99,15 @@ mod tests {
     use approx::assert_relative_eq;
     use nalgebra::Vector6;
 
-    /// `M2' = F3`, `M3' = -F2`: the moment of a shear force grows with the arm.
+    /// `M2' = F3`, `M3' = -F2`: the moment of a shear force increases with the arm.
     #[test]
     fn equilibrium_of_a_straight_beam() {
         let rate = Line::STRAIGHT.equilibrium() * Vector6::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
         assert_eq!(rate, Vector6::new(0.0, 0.0, 0.0, 0.0, 3.0, -2.0));
     }
 
-    /// A force and a moment that are constant in space, seen along a helix: their rate
-    /// in the turning frame is (S-72), by central differences of the frame.
+    /// A force and a moment that are constant in space, along a helix: their rate in the
+    /// turning frame is (S-72), by central differences of the frame.
     #[test]
     fn forces_at_rest_turn_in_the_frame() {
         let line = Line {
@@ -114,7 +115,7 @@ mod tests {
             slope: Vector3::new(0.9, 0.2, -0.1),
         };
         let (force, moment) = (Vector3::new(1.0, -2.0, 0.5), Vector3::new(0.3, 0.8, -1.1));
-        // frame exp(s k x) and place s l to first order: exact for the rate at s = 0
+        // frame exp(s k x) and position s l to first order: exact for the rate at s = 0
         let at = |s: f64| {
             let frame = nalgebra::Rotation3::new(s * line.curvature);
             let place = s * line.slope;

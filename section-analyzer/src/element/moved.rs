@@ -1,7 +1,7 @@
-//! A cell whose nodes move: how strains and forces of a given state change.
+//! A cell whose nodes move: changes of strains and forces of a given state.
 //!
-//! With the velocity v of the points, linear in those of the nodes, and values at the
-//! nodes that stand still,
+//! With the velocity v of the points, linear in the velocities of the nodes, and constant
+//! values at the nodes,
 //!
 //! ```text
 //! d(u,y) = -(vy,y u,y + vz,y u,z)      d(u,z) = -(vy,z u,y + vz,z u,z)
@@ -35,7 +35,7 @@ pub struct NodalState<'a> {
     pub psi: &'a Matrix6<f64>,
 }
 
-/// A point of a cell, and how it moves.
+/// A point of a cell, and its motion.
 #[derive(Debug, Clone)]
 pub struct MovedPoint<'a> {
     line: &'a Line,
@@ -89,7 +89,7 @@ impl<'a> MovedPoint<'a> {
         Self::new(line, point, &[])
     }
 
-    /// Volume per length of the line that the point stands for, and its rate \[m^2\].
+    /// Volume per length of the line that the point represents, and its rate \[m^2\].
     pub fn volume(&self) -> (f64, f64) {
         let area = self.point.area;
         let growth = self.growth();
@@ -136,7 +136,7 @@ impl<'a> MovedPoint<'a> {
         )
     }
 
-    /// Adds the forces of `stress` as they are, times the volume of the point.
+    /// Adds the forces of `stress`, times the volume of the point.
     pub fn add_forces(&self, stress: &Matrix6<f64>, forces: &mut NodalForces) {
         let [face, y, z] = parts(stress).map(|part| self.point.area * part);
         let volume = self.metric.volume;
@@ -145,7 +145,7 @@ impl<'a> MovedPoint<'a> {
         forces.resultant += rigid_displacement(1.0, self.point.y, self.point.z).transpose() * face;
     }
 
-    /// Adds the rate of the forces of `stress` while the nodes move; `rate` is that of
+    /// Adds the rate of the forces of `stress` while the nodes move; `rate` is the rate of
     /// the stress itself.
     pub fn add_force_rates(
         &self,
@@ -154,7 +154,7 @@ impl<'a> MovedPoint<'a> {
         forces: &mut NodalForces,
     ) {
         let point = self.point;
-        // the rate of the stress, and the growth of what it acts on
+        // the rate of the stress, and the rate of the volume
         self.add_forces(rate, forces);
         let [face, y, z] = parts(stress).map(|part| point.area * part);
         let (volume, growth) = (self.metric.volume, self.growth());
@@ -183,7 +183,7 @@ impl<'a> MovedPoint<'a> {
         self.gradient[0][0] + self.gradient[1][1]
     }
 
-    /// What stresses of the face and those that work on gradients do at the nodes.
+    /// Nodal forces of the stresses of the face and of the stresses that work on gradients.
     fn add(
         &self,
         face: &Matrix3x6<f64>,
@@ -223,7 +223,7 @@ impl CellPoint {
     }
 }
 
-/// A strain of its face part and of the gradients along y and z.
+/// A strain from its face part and the gradients along y and z.
 fn placed(parts: [&Matrix3x6<f64>; 3]) -> Matrix6<f64> {
     let mut strain = Matrix6::zeros();
     for (rows, part) in ROWS.into_iter().zip(parts) {
@@ -236,7 +236,7 @@ fn placed(parts: [&Matrix3x6<f64>; 3]) -> Matrix6<f64> {
     strain
 }
 
-/// Stresses that work on the face part and on the gradients along y and z.
+/// The stresses that work on the face part and on the gradients along y and z.
 fn parts(stress: &Matrix6<f64>) -> [Matrix3x6<f64>; 3] {
     ROWS.map(|rows| Matrix3x6::from_fn(|i, k| stress[(rows[i], k)]))
 }

@@ -1,5 +1,5 @@
-//! A cell at a point: shape functions, their gradients in section axes, and
-//! the area that an integration point stands for.
+//! A cell at a point: shape functions, their gradients in section axes, and the area that
+//! an integration point represents.
 
 use std::sync::LazyLock;
 
@@ -17,9 +17,9 @@ pub struct CellPoint {
     pub dy: [f64; 9],
     /// Their derivatives along z \[1/m\].
     pub dz: [f64; 9],
-    /// Place of the point: y \[m\].
+    /// Position of the point: y \[m\].
     pub y: f64,
-    /// Place of the point: z \[m\].
+    /// Position of the point: z \[m\].
     pub z: f64,
     /// Quadrature weight times Jacobian determinant \[m^2\]. Not positive where
     /// the cell is inverted or has no area; the gradients are meaningless there.
@@ -131,7 +131,7 @@ mod tests {
         }
     }
 
-    /// The rules are found by the number of the kind.
+    /// The rules are indexed by the number of the kind.
     #[test]
     fn kinds_are_numbered_in_the_order_of_their_list() {
         for (number, kind) in CellKind::ALL.into_iter().enumerate() {
@@ -140,8 +140,8 @@ mod tests {
         }
     }
 
-    /// Area of the affine image: |0.7 * 0.5 + 0.3 * 0.2| = 0.41 times that of
-    /// the reference cell (1/2 or 4).
+    /// Area of the affine image: |0.7 * 0.5 + 0.3 * 0.2| = 0.41 times the area of the
+    /// reference cell (1/2 or 4).
     #[test]
     fn areas_add_up_to_the_cell() {
         for kind in CellKind::ALL {

@@ -11,7 +11,7 @@ use super::line::Line;
 use super::point::CellPoint;
 use nalgebra::{Matrix3x6, RowVector6};
 
-/// Six columns of a potential at the nodes of a cell; entries behind its node count are not
+/// Six columns of a potential at the nodes of a cell; entries after its node count are not
 /// read.
 pub type NodalPotential = [RowVector6<f64>; 9];
 
@@ -52,10 +52,10 @@ mod tests {
     use shared_geom::rotation::skew;
     use shared_geom::section::InitialCurvature;
 
-    /// A potential `V(s, y, z) = f . X` of the places X in space of a turning section, with
-    /// X = X0 + t, X' = l + k x t seen from the section: at the section its gradient in
-    /// space is f, whose components along the axes y z x of the section are those of f.
-    /// Round-off of numbers of order one.
+    /// A potential `V(s, y, z) = f . X` of the positions X in space of a turning section,
+    /// with X = X0 + t, X' = l + k x t in section axes: at the section its gradient in
+    /// space is f, with the same components along the axes y z x of the section. Round-off
+    /// of numbers of order one.
     #[test]
     fn linear_potentials_of_space_have_their_gradient_on_curved_beams() {
         let initial = InitialCurvature {

@@ -1,4 +1,4 @@
-//! A side of a cell, and the surface that it makes along the beam.
+//! A side of a cell, and its surface along the beam.
 //!
 //! With the tangent g1 = (J, a, b) of a material line (S-71) and s = (0, dy, dz) along
 //! the side, a piece of the surface has per length of the line
@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 use shared_geom::lagrange::{LineValues, line2, line3};
 use shared_geom::quadrature;
 
-/// Gauss points on a side: polynomials of degree seven are exact, as pressure is on
+/// Gauss points on a side: exact for polynomials of degree seven, and so for pressure on
 /// quadratic sides of beams of any curvature.
 const POINTS: usize = 4;
 
@@ -65,9 +65,9 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// The surface of a piece of a helicoidal beam by its parts: two triangles of its
-    /// four corners in space, for a side and a length that shrink; the difference falls
-    /// with the size.
+    /// The surface of a piece of a helicoidal beam by its parts: two triangles of its four
+    /// corners in space, for a decreasing side and length; the difference decreases with
+    /// the size.
     #[test]
     fn surface_is_that_of_the_beam_in_space() {
         let line = Line {
@@ -92,8 +92,8 @@ mod tests {
         assert_relative_eq!(point.tangent.norm(), 1.0, epsilon = 1e-15);
     }
 
-    /// A quarter of a circle by one parabola: its chord, and pressure that adds up to
-    /// that on the chord, whatever the shape.
+    /// A quarter of a circle by one parabola: its chord, and a resultant of pressure equal
+    /// to the resultant on the chord, for any shape.
     #[test]
     fn pressure_on_a_curved_side_is_that_on_its_chord() {
         let h = std::f64::consts::FRAC_1_SQRT_2;

@@ -1,5 +1,5 @@
-//! The strain of a section point: from the generalized strain, from the
-//! warping, and from its rate along the beam.
+//! The strain of a section point from the generalized strain, the warping, and the rate of
+//! the warping along the beam.
 //!
 //! A point moves with the rigid section and warps on top of it (S-1); the generalized
 //! strain is (S-3), the order of the strains (S-2).
@@ -8,7 +8,7 @@
 //!
 //! | symbol | meaning | unit | shape |
 //! | --- | --- | --- | --- |
-//! | `t` | place in the section, (0, y, z) | m | 3 |
+//! | `t` | position in the section, (0, y, z) | m | 3 |
 //! | `psi` | generalized strain: axial, shears, twist, bendings | -, 1/m | 6 |
 //! | `w`, `w'` | warping and its derivative along x | m, - | 3 |
 //! | `eps` | strain, order yz yy zz xx xy xz, engineering shears | - | 6 |
@@ -25,8 +25,8 @@
 //! Bpsi = S [I, -t x]/J      B1 = S N/J      B0 = S (k x N - a N,y - b N,z)/J + Dop N   (S-73)
 //! ```
 //!
-//! S and Dop only place components, so the operators are kept as the three
-//! lists of strain components below instead of as matrices of zeros and ones.
+//! S and Dop only select components, so the operators are stored as the three lists of
+//! strain components below instead of as matrices of zeros and ones.
 //!
 //! # References
 //! - Giavotto et al. 1983, section 2: the strain of a straight section.
@@ -36,31 +36,31 @@ use super::point::CellPoint;
 use nalgebra::{ArrayStorage, Matrix3x6, Matrix6};
 use shared_geom::rotation::skew;
 
-/// Strain components on the section's face, fed by (ux', uy', uz') and by the
+/// Strain components on the section's face, which depend on (ux', uy', uz') and on the
 /// rigid strain: xx, xy, xz. The rows of S.
 pub const FACE_STRAINS: [usize; 3] = [3, 4, 5];
 
-/// Strain components fed by the derivatives along y of (ux, uy, uz): xy, yy, yz.
+/// Strain components that depend on the derivatives along y of (ux, uy, uz): xy, yy, yz.
 pub const Y_GRADIENT_STRAINS: [usize; 3] = [4, 1, 0];
 
-/// Strain components fed by the derivatives along z of (ux, uy, uz): xz, yz, zz.
+/// Strain components that depend on the derivatives along z of (ux, uy, uz): xz, yz, zz.
 pub const Z_GRADIENT_STRAINS: [usize; 3] = [5, 0, 2];
 
-/// Components of a law that the C unknowns of a node feed, in their order: the
-/// displacements the strains above; on dielectrics the potential V the gradients that
+/// Components of a law that depend on the C unknowns of a node, in their order: for the
+/// displacements the strains above; for the potential V of dielectrics the gradients that
 /// follow the strains in the order of [`crate::material::CoupledLaw`].
 #[derive(Debug, Clone, Copy)]
 pub struct Fed<const C: usize> {
-    /// By themselves or by their rate along the beam.
+    /// Components of the unknowns and of their rates along the beam.
     pub face: [usize; C],
-    /// By their derivatives along y.
+    /// Components of their derivatives along y.
     pub along_y: [usize; C],
-    /// By their derivatives along z.
+    /// Components of their derivatives along z.
     pub along_z: [usize; C],
 }
 
 impl Fed<3> {
-    /// Of ux, uy, uz.
+    /// The components of ux, uy, uz.
     pub const DISPLACEMENTS: Self = Self {
         face: FACE_STRAINS,
         along_y: Y_GRADIENT_STRAINS,
@@ -69,7 +69,7 @@ impl Fed<3> {
 }
 
 impl Fed<4> {
-    /// Of ux, uy, uz and V.
+    /// The components of ux, uy, uz and V.
     pub const WITH_POTENTIAL: Self = Self {
         face: [3, 4, 5, 8],
         along_y: [4, 1, 0, 6],
@@ -89,8 +89,8 @@ pub fn rigid_displacement(one: f64, y: f64, z: f64) -> Matrix3x6<f64> {
     )
 }
 
-/// Six columns of a field at the nodes of a cell; entries behind its node count
-/// are not read.
+/// Six columns of a field at the nodes of a cell; entries after its node count are not
+/// read.
 pub type NodalColumns = [Matrix3x6<f64>; 9];
 
 /// No displacement at any node.
@@ -100,10 +100,10 @@ pub const NO_COLUMNS: NodalColumns =
 /// `eps = B1 u' + B0 u + Bpsi psi` at a point of a beam along `line`, six columns at
 /// once, 6x6.
 ///
-/// Derivatives are taken of the differences from the first node, which is the
-/// same in exact arithmetic (the derivatives of the shape functions add up to
-/// zero) and loses no digits when the cell moves much more than it strains: walls
-/// of thin sections do.
+/// Derivatives are taken of the differences from the first node, which is the same in exact
+/// arithmetic (the derivatives of the shape functions add up to zero) and loses no digits
+/// when the displacement of the cell is much larger than its strain, as in walls of thin
+/// sections.
 pub fn strain_at(
     line: &Line,
     point: &CellPoint,
@@ -160,7 +160,7 @@ mod tests {
     use nalgebra::{Matrix3, Vector3, Vector6};
     use shared_geom::mesh::CellKind;
 
-    /// Rigid displacement is that of the cross product: translation + phi x t.
+    /// The rigid displacement agrees with the cross product: translation + phi x t.
     #[test]
     fn rigid_displacement_is_translation_and_rotation() {
         let t = Vector3::new(0.0, 0.3, -0.7);

@@ -18,23 +18,23 @@ use super::tables::Tables;
 use crate::mesh::SectionMesh;
 use crate::section::CellMaterial;
 
-/// What the cells are assigned from.
+/// Data for the assignment of cells.
 #[derive(Debug)]
 pub(super) struct Assignment<'a> {
     pub document: &'a Document,
     pub mesh: &'a Mesh,
-    /// The same mesh in meters, when it is sound: its cells are in the same order.
+    /// The same mesh in meters, if it is sound: its cells are in the same order.
     pub section_mesh: Option<&'a SectionMesh>,
-    /// Centroids of its cells \[m\]; empty when there is none.
+    /// Centroids of its cells \[m\]; empty without this mesh.
     pub centroids: &'a [[f64; 2]],
     pub regions: &'a [WrittenRegion],
-    /// Region of each cell of the mesh, where it has one.
+    /// Region of each cell of the mesh, if it has one.
     pub region_of_cell: &'a [Option<usize>],
     /// The faces of laminates.
     pub faces: &'a Faces,
 }
 
-/// An angle of a region, ready to be asked for each cell.
+/// An angle of a region, ready to be evaluated for each cell.
 enum Angle {
     Constant(f64),
     Table(PathBuf),
@@ -42,7 +42,7 @@ enum Angle {
 }
 
 impl Assignment<'_> {
-    /// Material and angles of each cell; `None` when something was noted.
+    /// Material and angles of each cell; `None` if a problem was noted.
     ///
     /// The angles are constant in each cell, those that follow a curve are taken
     /// at its centroid.
@@ -122,7 +122,7 @@ impl Assignment<'_> {
         }
     }
 
-    /// The angle of one cell \[rad\]; `None` where a table or curve has none.
+    /// The angle of one cell \[rad\]; `None` if a table or curve does not give one.
     fn of_cell(&self, angle: &Angle, tables: &Tables, cell: usize) -> Option<f64> {
         match angle {
             Angle::Constant(angle) => Some(*angle),
@@ -135,8 +135,7 @@ impl Assignment<'_> {
     }
 }
 
-/// For each region the index of its material; unknown names are noted, with the
-/// nearest.
+/// Index of the material of each region; unknown names are noted, with the nearest.
 pub(super) fn materials_of_regions(
     document: &Document,
     regions: &[WrittenRegion],
@@ -161,7 +160,7 @@ pub(super) fn materials_of_regions(
         }
         found
     };
-    // Every region is looked at before the first unknown material ends the search.
+    // All regions are checked before the first unknown material ends the search.
     let found: Vec<_> = regions.iter().map(of_region).collect();
     found.into_iter().collect()
 }

@@ -1,8 +1,8 @@
-//! Sections of blades that are to be meshed: the file as written, and as meant.
+//! Reads and checks blade files, and meshes their sections.
 //!
-//! [`read`] takes a blade file and the airfoil file that it may name to a [`BladeInput`],
-//! with lengths in the declared unit, which becomes that of the mesh. It notes all problems
-//! before it gives up.
+//! [`read`] converts a blade file and its airfoil file, if any, to a [`BladeInput`], with
+//! lengths in the declared unit, which becomes the unit of the mesh. It notes all
+//! problems before it fails.
 
 use std::path::Path;
 
@@ -29,21 +29,21 @@ const CELLS: [(&str, CellKind); 3] = [
     ("quad8", CellKind::Quadrilateral8),
     ("quad4", CellKind::Quadrilateral4),
 ];
-/// Degrees that the surface turns along one cell at most.
+/// Largest turn of the surface along one cell \[deg\].
 const TURNS: [f64; 2] = [0.5, 45.0];
 
-/// The section of a blade, meshed, and what its parts are made of.
+/// The meshed section of a blade, and the materials of its parts.
 #[derive(Debug, Clone)]
 pub struct BladeInput {
     /// The mesh, in the unit of length of the file.
     pub mesh: Mesh,
     /// The physical surfaces that make up the section, in the order of the file.
     pub regions: Vec<BladeRegion>,
-    /// The units that the file declares: keys and names; none for SI.
+    /// The units that the file declares: keys and names; empty for SI.
     pub units: Vec<(String, String)>,
 }
 
-/// A physical surface of a blade, and what it is made of.
+/// A physical surface of a blade, with its material and angles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BladeRegion {
     /// The physical surface.
@@ -52,20 +52,19 @@ pub struct BladeRegion {
     pub material: String,
     /// Angle of the fiber from x toward the wall \[deg\].
     pub fiber_angle: f64,
-    /// The curve that the wall follows; none in cores.
+    /// The curve that the wall follows; `None` in cores.
     pub follow: Option<&'static str>,
 }
 
 /// Reads the blade file at `path` and meshes the section.
 ///
 /// # Errors
-/// Everything that is wrong with the file, the airfoil that it names, and with what the
-/// two make together.
+/// All problems of the file, of its airfoil file, and of their combination.
 pub fn read(path: &Path) -> Result<BladeInput, Diagnostics> {
     parse(&read_text(path)?, path)
 }
 
-/// Reads the text of a blade file, as if it stood at `path`.
+/// Reads the text of a blade file, as if it were at `path`.
 ///
 /// # Errors
 /// As [`read`].
@@ -81,7 +80,7 @@ pub fn parse(text: &str, path: &Path) -> Result<BladeInput, Diagnostics> {
     root.finish();
     let units = units(&root);
     let input = written.and_then(|(blade, lines, regions)| {
-        // what is wrong so far may be why it cannot be meshed
+        // the problems so far may be the reason why it cannot be meshed
         let mesh = reading.meshed(&blade, &lines)?;
         Some(BladeInput {
             mesh,
@@ -105,7 +104,7 @@ fn units(root: &Table<'_>) -> Vec<(String, String)> {
     table.keys().into_iter().filter_map(unit).collect()
 }
 
-/// Lines of the parts that a blade may have problems with.
+/// Lines of the parts of a blade, for messages.
 #[derive(Debug, Default)]
 struct Lines {
     airfoil: usize,
@@ -136,12 +135,12 @@ impl Lines {
 
 struct Reading<'a> {
     document: &'a Document,
-    /// Meters in the unit of the file.
+    /// Length of the file's unit \[m\].
     unit: f64,
 }
 
 impl Reading<'_> {
-    /// Every part is read before the first that is missing ends it.
+    /// Reads all parts before the first missing one ends the reading.
     fn blade(&self, root: &Table<'_>) -> Option<(Blade, Lines, Vec<BladeRegion>)> {
         let mut lines = Lines::default();
         let mut uses = Uses::default();
@@ -200,7 +199,7 @@ impl Reading<'_> {
         None
     }
 
-    /// As [`Self::part`], with a default; `None` when it is wrong.
+    /// As [`Self::part`], with a default; `None` if it is wrong.
     fn part_or(&self, table: &Table<'_>, key: &str, default: f64) -> Option<f64> {
         match table.has(key) {
             true => self.part(table, key),
@@ -279,7 +278,7 @@ impl Reading<'_> {
                 (
                     "nose",
                     has_front,
-                    "a front web: without one the room in the nose is that of the spar",
+                    "a front web: without one the space in the nose belongs to the spar",
                 ),
                 ("spar", has_spar, "a spar"),
                 ("aft", true, ""),

@@ -10,33 +10,33 @@ use super::problem::InputProblem;
 /// Problems of the rows of one table that are shown one by one.
 const ROWS_SHOWN: usize = 10;
 
-/// What the second column of a table holds.
+/// Content of the second column of a table.
 #[derive(Debug, PartialEq)]
 pub(super) struct Column {
     /// Its heading.
     pub heading: &'static str,
-    /// One of its values, in words.
+    /// Description of one value.
     pub value: &'static str,
-    /// Largest one, in any unit.
+    /// Largest value, in any unit.
     pub largest: f64,
 }
 
-/// Angles: what is left of a much larger one after whole revolutions has no digit that
-/// means anything.
+/// Angles: for a much larger angle the remainder after whole revolutions has no accurate
+/// digit.
 pub(super) const ANGLE: Column = Column {
     heading: "angle",
     value: "an angle",
     largest: 360_000.0,
 };
 
-/// Rises of temperature: nothing is solid far below this one.
+/// Temperature rises: far above all temperatures of solids.
 pub(super) const RISE: Column = Column {
     heading: "rise",
     value: "a rise of temperature",
     largest: LARGEST_RISE,
 };
 
-/// Largest rise of temperature, in any unit: nothing is solid far below it.
+/// Largest temperature rise, in any unit: far above all temperatures of solids.
 pub(super) const LARGEST_RISE: f64 = 100_000.0;
 
 /// A table of values by cell tag.
@@ -46,7 +46,7 @@ pub(super) struct CellTable {
     values: BTreeMap<u64, f64>,
 }
 
-/// How the rows of a table fit the cells that take their value from it.
+/// Mismatch between the rows of a table and the cells that use it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Misfit {
     pub missing: Vec<u64>,
@@ -54,9 +54,9 @@ pub(super) struct Misfit {
 }
 
 impl CellTable {
-    /// Reads `text`, the content of the file at `path`: the heading `cell,` and that of
-    /// the column, then one row a cell. Empty lines and lines that begin with `#` do not
-    /// count; spaces and double quotes around a field may stand.
+    /// Reads `text`, the content of the file at `path`: the heading `cell,` and the
+    /// column's heading, then one row per cell. Empty lines and lines that begin with `#`
+    /// are ignored; spaces and double quotes around a field are allowed.
     pub fn parse(text: &str, path: &Path, column: &'static Column) -> Result<Self, Diagnostics> {
         let mut problems = RowProblems::new(path.display().to_string(), column);
         let lines = text.trim_start_matches('\u{feff}').lines();
@@ -99,7 +99,7 @@ impl CellTable {
     }
 
     /// Compares the rows with the cells that take their value from the table;
-    /// `None` when each has exactly one. Rows of `others` may stand there too.
+    /// `None` if each has exactly one row. Rows of `others` are allowed.
     pub fn misfit(&self, cells: &BTreeSet<u64>, others: &[u64]) -> Option<Misfit> {
         let has = |cell: &&u64| self.values.contains_key(*cell);
         let missing: Vec<_> = cells.iter().filter(|cell| !has(cell)).copied().collect();
@@ -140,7 +140,7 @@ impl RowProblems {
         }
     }
 
-    /// Checks the first row; one that is missing counts as line 1.
+    /// Checks the first row; a missing one is reported on line 1.
     fn heading(&mut self, row: Option<(&str, usize)>) {
         let (found, line) = match row {
             Some((row, _)) if fields(row) == ["cell", self.column.heading] => return,

@@ -6,7 +6,7 @@
 //! J = l1 + k2 z - k3 y                                                        (S-71)
 //! ```
 //!
-//! and a section that reaches the center of curvature, J = 0, would lie on itself.
+//! and a section that reaches the center of curvature, J = 0, would overlap itself.
 
 use nalgebra::Vector3;
 use shared_geom::document::{Document, Table};
@@ -17,23 +17,23 @@ use super::problem::InputProblem;
 use super::summary::InputWarning;
 use crate::mesh::SectionMesh;
 
-/// Curvature times the size of the section above which it looks like a mistake: the
-/// fibers at the edge of a section as large lead off its line by 27 degrees, or differ by
-/// half in length.
+/// Curvature times the size of the section above which a mistake is likely: the direction
+/// of the fibers at the edge of the section then differs by 27 degrees from the line, or
+/// their length by half.
 const STRONG: f64 = 0.5;
 
-/// Angle between the line and the normal of the section above which it looks like a
-/// mistake \[deg\]: sheared layups and sheared slices stay far below.
+/// Angle between the line and the normal of the section above which a mistake is likely
+/// \[deg\]: sheared layups and sheared slices are far below.
 const OBLIQUE: f64 = 75.0;
 
-/// The table, and the line on which its curvature stands.
+/// The table, and the line of its curvature.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WrittenCurvature {
     pub initial: InitialCurvature,
     line: usize,
 }
 
-/// Reads `[initial_curvature]`; a straight beam where it is absent.
+/// Reads `[initial_curvature]`; a straight beam if it is absent.
 pub(super) fn read(root: &Table<'_>) -> Option<WrittenCurvature> {
     let straight = InitialCurvature::STRAIGHT;
     if !root.has("initial_curvature") {
@@ -65,21 +65,21 @@ pub(super) fn read(root: &Table<'_>) -> Option<WrittenCurvature> {
 /// A direction out of the section, as a unit vector.
 fn slope(table: &Table<'_>) -> Option<Vector3<f64>> {
     let slope = table.vector("slope", Dimension::NUMBER)?;
-    // Of huge and of tiny numbers alike.
+    // Safe for huge and for tiny numbers.
     let scaled = slope / slope.amax();
     if scaled.x > 0.0 {
         return Some(scaled.normalize());
     }
     table.wrong(
         "slope",
-        "a direction [x, y, z] whose first number is greater than zero: [1, 0, 0] where the \
-         line is normal to the section",
+        "a direction [x, y, z] whose first number is greater than zero: [1, 0, 0] if the line is \
+         normal to the section",
     );
     None
 }
 
-/// The beam of the section, if the section does not reach its center of curvature; what
-/// is odd about it goes to `warnings`.
+/// The beam of the section, if the section does not reach its center of curvature; adds
+/// to `warnings`.
 pub(super) fn checked(
     written: &WrittenCurvature,
     mesh: &SectionMesh,
@@ -104,9 +104,9 @@ pub(super) fn checked(
     Some(initial)
 }
 
-/// The node where the fiber is shortest.
+/// The node with the shortest fiber.
 struct Least {
-    /// J there.
+    /// J at this node.
     length: f64,
     cell: u64,
     node: u64,
@@ -114,7 +114,7 @@ struct Least {
     place: [f64; 2],
 }
 
-/// The least J of (S-71), which is linear over the section: it stands at a node.
+/// The least J of (S-71), which is linear over the section: its minimum is at a node.
 fn least_length(initial: &InitialCurvature, mesh: &SectionMesh) -> Option<Least> {
     let of_cells = mesh.cells.iter().flat_map(|cell| {
         cell.nodes().iter().map(move |&node| {

@@ -1,4 +1,4 @@
-//! Loads along the beam as written: `[[load.NAME.traction]]` on curves of the mesh and
+//! Distributed loads as written: `[[load.NAME.traction]]` on curves of the mesh and
 //! `[[load.NAME.volume]]` in its regions.
 
 use nalgebra::Vector3;
@@ -17,23 +17,23 @@ mod words;
 
 pub use problem::DistributedProblem;
 
-/// Coefficients of a polynomial at most: a degree of eight.
+/// Largest number of coefficients of a polynomial: a degree of eight.
 pub(super) const MOST_COEFFICIENTS: usize = 9;
 
-/// Largest component \[Pa, N/m^3, m/s^2\] and coefficient: far beyond all structures, and
-/// such that the squares of its stresses are numbers.
+/// Largest component \[Pa, N/m^3, m/s^2\] and coefficient: far beyond all structures; the
+/// squares of the stresses are still finite.
 const LARGEST: f64 = 1e20;
 
 /// The distributed parts of a load as far as they could be read.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WrittenDistribution {
     parts: Vec<WrittenPart>,
-    /// Whether there is anything, read or not.
+    /// Whether the load has distributed parts, read or not.
     is_written: bool,
 }
 
-/// A part, whose curve or region is not yet compared with the mesh; what could not be read
-/// is missing.
+/// A part, whose curve or region is not yet compared with the mesh; unreadable values are
+/// missing.
 #[derive(Debug, Clone)]
 struct WrittenPart {
     place: WrittenPlace,
@@ -43,24 +43,24 @@ struct WrittenPart {
 #[derive(Debug, Clone)]
 enum WrittenPlace {
     Curve(Option<Written>, Option<Traction>),
-    /// A region, or everywhere.
+    /// A region, or the whole section.
     Region(Option<Option<Written>>, Option<VolumeForce>),
 }
 
-/// What the names of loads are looked for in.
+/// Data in which names of loads are looked up.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Places<'a> {
     pub document: &'a Document,
-    /// The mesh as it is in its file, with the laminates.
+    /// The mesh as in its file, with the laminates.
     pub mesh: &'a Mesh,
-    /// The same in meters, when it is sound.
+    /// The same mesh in meters, if it is sound.
     pub section_mesh: Option<&'a SectionMesh>,
     pub laminae: &'a [WrittenLamina],
     /// The faces of laminates.
     pub faces: &'a Faces,
 }
 
-/// Reads the distributed parts of the load in `table`; what is wrong is noted.
+/// Reads the distributed parts of the load in `table`; notes problems.
 pub(super) fn read(table: &Table<'_>) -> WrittenDistribution {
     let mut parts = Vec::new();
     for part in table.tables("traction") {
@@ -127,8 +127,8 @@ fn volume(table: &Table<'_>) -> WrittenPart {
     }
 }
 
-/// The one of several forces that is given; else the problem is noted. Those that could
-/// not be read have been told.
+/// The given one of several forces; otherwise the problem is noted. Unreadable forces
+/// have been reported.
 fn only<T, const N: usize>(
     table: &Table<'_>,
     part: &'static str,
@@ -156,7 +156,7 @@ fn only<T, const N: usize>(
     given.into_iter().next().and_then(|(_, force)| force)
 }
 
-/// A stress under `key`, if it is there.
+/// A stress under `key`, if present.
 fn number(table: &Table<'_>, key: &str) -> Option<f64> {
     if !table.has(key) {
         return None;
@@ -173,8 +173,7 @@ fn vector(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vector3<
     checked(table, key, value.as_slice()).then_some(value)
 }
 
-/// Coefficients of the polynomial along the beam, per power of a meter; one where not
-/// given.
+/// Coefficients of the polynomial along the beam, per power of a meter; 1 if not given.
 fn along(table: &Table<'_>) -> Option<Vec<f64>> {
     if !table.has("along") {
         return Some(vec![1.0]);
@@ -196,7 +195,7 @@ fn along(table: &Table<'_>) -> Option<Vec<f64>> {
     checked(table, "along", &in_si).then_some(in_si)
 }
 
-/// Whether no number is beyond all structures.
+/// Checks that no number is beyond all structures.
 fn checked(table: &Table<'_>, key: &str, values: &[f64]) -> bool {
     let large = values.iter().position(|value| value.abs() > LARGEST);
     if let Some(entry) = large {
@@ -212,14 +211,14 @@ fn checked(table: &Table<'_>, key: &str, values: &[f64]) -> bool {
 }
 
 impl WrittenDistribution {
-    /// Whether nothing was written.
+    /// Whether the load has no distributed part.
     pub fn is_empty(&self) -> bool {
         !self.is_written
     }
 
-    /// The load on the mesh; `None` when anything is wrong with it, which has been noted.
+    /// The load on the mesh; `None` if it has a problem, which has been noted.
     pub fn on_mesh(&self, places: Places<'_>) -> Option<DistributedLoad> {
-        // every part is looked at before the first wrong one ends the search
+        // all parts are checked before the first wrong one ends the search
         let parts: Vec<_> = self.parts.iter().map(|part| part.on_mesh(places)).collect();
         let parts: Option<Vec<_>> = parts.into_iter().collect();
         Some(DistributedLoad {
@@ -229,9 +228,9 @@ impl WrittenDistribution {
 }
 
 impl WrittenPart {
-    /// The part on the mesh: one for each ply where a laminate is named.
+    /// The part on the mesh: one for each ply if a laminate is named.
     fn on_mesh(&self, places: Places<'_>) -> Option<Vec<DistributedForce>> {
-        // the names are looked for even if the values are wrong
+        // the names are looked up even if the values are wrong
         let actions = match &self.place {
             WrittenPlace::Curve(curve, traction) => {
                 let found = sides(places, curve.as_ref()?, traction.as_ref());
@@ -304,8 +303,8 @@ fn sides(
     }
 }
 
-/// The region that `written` names, or those of the plies of a laminate: their indices in
-/// the groups of the section mesh.
+/// The region that `written` names, or the regions of the plies of a laminate: their
+/// indices in the groups of the section mesh.
 pub(super) fn groups_of(places: Places<'_>, written: &Written) -> Option<Vec<usize>> {
     if places.faces.is_open(&written.text) {
         return None;

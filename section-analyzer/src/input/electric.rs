@@ -1,7 +1,8 @@
 //! Electric laws as written: `[material.NAME.electric]`.
 //!
-//! All constants of the material are in axes of their own, whose axis 3 is the poled one.
-//! `poling` and `across` tell how these lie in the axes of the material, which regions turn.
+//! All constants of the material are in the axes of the data, whose axis 3 is the poled
+//! one. `poling` and `across` give the orientation of these axes in the axes of the
+//! material, which regions rotate.
 
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
 use shared_geom::document::Table;
@@ -28,7 +29,7 @@ const COMPONENTS: [[&str; 6]; 3] = [
     ["31", "32", "33", "34", "35", "36"],
 ];
 
-/// Constants that are equal where all directions across the poling are alike.
+/// Constants that are equal if all directions normal to the poling are equivalent.
 const PARTNERS: [[(usize, usize); 2]; 2] = [[(2, 0), (2, 1)], [(0, 4), (1, 3)]];
 
 /// The electric part of a material as far as it could be read.
@@ -36,8 +37,8 @@ const PARTNERS: [[(usize, usize); 2]; 2] = [[(2, 0), (2, 1)], [(0, 4), (1, 3)]];
 pub(super) struct WrittenElectric {
     /// Line of its table.
     pub line: usize,
-    /// The law in the axes of the data; one that any electrode could work on where
-    /// something is wrong with it, which has been noted.
+    /// The law in the axes of the data. If it has a problem, which has been noted, it is
+    /// replaced by one that suits every electrode.
     pub law: ElectricLaw,
     /// The axes of the data, in material axes.
     pub axes: Matrix3<f64>,
@@ -45,7 +46,7 @@ pub(super) struct WrittenElectric {
     pub alone: Vec<[String; 2]>,
 }
 
-/// Reads the table of a material whose law is `law`, if it has one; what is wrong is noted.
+/// Reads the table of a material whose law is `law`, if it has one; notes problems.
 pub(super) fn read(
     material: &str,
     table: &Table<'_>,
@@ -85,7 +86,7 @@ pub(super) fn read(
     Some(written)
 }
 
-/// A law that stands for one that could not be read.
+/// A substitute for a law that could not be read.
 fn open_law() -> ElectricLaw {
     ElectricLaw {
         coupling: Matrix3x6::repeat(1.0),
@@ -93,7 +94,7 @@ fn open_law() -> ElectricLaw {
     }
 }
 
-/// Notes strengths along other axes than those of the other constants.
+/// Notes strengths along other axes than the axes of the other constants.
 pub(super) fn check_limits(
     material: &str,
     table: &Table<'_>,
@@ -111,7 +112,7 @@ pub(super) fn check_limits(
     }
 }
 
-/// Notes keys that say nothing about a material without stiffness.
+/// Notes keys that have no effect in a material without stiffness.
 pub(super) fn check_absent(material: &str, table: &Table<'_>) {
     for key in ["expansion", "strength", "strain_limit"] {
         if table.has(key) {
@@ -134,7 +135,7 @@ impl Data<'_> {
 
     /// The law in the axes of the data.
     fn law(&self, law: Option<&ElasticLaw>, alone: &mut Vec<[String; 2]>) -> Option<ElectricLaw> {
-        // Every key is asked for before the first wrong one ends the reading.
+        // All keys are read before the first wrong one ends the reading.
         let coupling = self.coupling(alone);
         let permittivity = self.permittivity();
         let at = self.at();
@@ -176,7 +177,7 @@ impl Data<'_> {
         }
     }
 
-    /// The coupling, if there is one; `None` for one that is wrong.
+    /// The coupling, if given; `None` if it is wrong.
     fn coupling(&self, alone: &mut Vec<[String; 2]>) -> Option<Option<Coupling>> {
         let (has_d, has_e) = (self.table.has("d"), self.table.has("e"));
         match (has_d, has_e) {
@@ -219,7 +220,7 @@ impl Data<'_> {
 
     /// Permittivity \[F/m\]: one number, three, or three rows.
     fn permittivity(&self) -> Option<Matrix3<f64>> {
-        // Both keys are asked for, so that none counts as unknown.
+        // Both keys are read, so that neither is reported as unknown.
         let has = ["permittivity", "relative_permittivity"].map(|key| self.table.has(key));
         let (key, dimension, unit) = match has {
             [true, false] => ("permittivity", Dimension::PERMITTIVITY, 1.0),
@@ -255,7 +256,7 @@ impl Data<'_> {
         }
     }
 
-    /// The state at which the permittivity was measured, if it is told.
+    /// The state at which the permittivity was measured, if given.
     fn at(&self) -> Option<Option<MeasuredAt>> {
         if !self.table.has("at") {
             return Some(None);
@@ -264,7 +265,7 @@ impl Data<'_> {
         Some(Some([MeasuredAt::Stress, MeasuredAt::Strain][word]))
     }
 
-    /// The axes of the data in those of the material.
+    /// The axes of the data in the axes of the material.
     fn axes(&self) -> Option<Matrix3<f64>> {
         let [poling, across] = ["poling", "across"].map(|key| match self.table.has(key) {
             true => direction(self.table, key).map(Some),
@@ -321,7 +322,7 @@ fn constants(
     is_sound.then_some(found)
 }
 
-/// A material axis by its number, with a minus for the other way, or three components.
+/// A material axis by its number, with a minus for the opposite direction, or three components.
 fn direction(table: &Table<'_>, key: &str) -> Option<Vector3<f64>> {
     if table.is_list(key) {
         return table.vector(key, Dimension::NUMBER);
@@ -331,8 +332,8 @@ fn direction(table: &Table<'_>, key: &str) -> Option<Vector3<f64>> {
         .iter()
         .position(|axis| *axis == number.abs());
     let Some(axis) = axis else {
-        let expected = "1, 2 or 3 for a material axis, with a minus for the other way, or an \
-                        array of 3, its components along them";
+        let expected = "1, 2 or 3 for a material axis, with a minus for the opposite direction, \
+                        or an array of 3, its components along them";
         table.wrong(key, expected);
         return None;
     };

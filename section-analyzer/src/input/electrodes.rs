@@ -18,13 +18,13 @@ pub(super) use on_mesh::Found;
 pub(super) const CIRCUIT_WORDS: [&str; 3] = ["driven", "ground", "floating"];
 const CIRCUITS: [Circuit; 3] = [Circuit::Driven, Circuit::Ground, Circuit::Floating];
 
-/// Largest voltage \[V\], far beyond what any dielectric stands.
+/// Largest voltage \[V\], far beyond the strength of any dielectric.
 const LARGEST_VOLTAGE: f64 = 1e12;
 
-/// Spacings of fingers \[m\].
+/// Allowed spacings of fingers \[m\].
 const SPACINGS: std::ops::RangeInclusive<f64> = 1e-9..=1.0;
 
-/// The circuit in a word of the input.
+/// The circuit as a word of the input.
 pub fn circuit_word(circuit: Circuit) -> &'static str {
     let place = CIRCUITS.iter().position(|known| *known == circuit);
     CIRCUIT_WORDS[place.unwrap_or(0)]
@@ -34,7 +34,7 @@ pub fn circuit_word(circuit: Circuit) -> &'static str {
 #[derive(Debug, Clone)]
 pub(super) struct WrittenElectrodes {
     all: Vec<WrittenElectrode>,
-    /// What is asked for that is not known beside electrodes: keys and their lines.
+    /// Requests that are not known with electrodes: keys and their lines.
     unknown: Vec<(&'static str, usize)>,
 }
 
@@ -47,7 +47,7 @@ struct WrittenElectrode {
     circuit: Option<Circuit>,
 }
 
-/// Where an electrode is.
+/// Location of an electrode.
 #[derive(Debug, Clone)]
 enum WrittenPlace {
     /// On physical curves.
@@ -64,7 +64,7 @@ enum WrittenPlace {
 #[derive(Debug, Clone)]
 struct WrittenFingers {
     regions: Option<Vec<Written>>,
-    /// Those of the regions whose field is the other way round.
+    /// Those regions whose field has the opposite direction.
     reversed: Option<Vec<Written>>,
     /// Positive \[m\].
     spacing: Option<f64>,
@@ -72,7 +72,7 @@ struct WrittenFingers {
     axis: Option<usize>,
 }
 
-/// An electrode on the mesh, and where it is in words.
+/// An electrode on the mesh, and its location as text.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Placed {
     pub electrode: Electrode,
@@ -86,7 +86,7 @@ pub(super) fn read(root: &Table<'_>) -> WrittenElectrodes {
     for table in &tables {
         let electrode = read_one(table);
         let is_same = |other: &&WrittenElectrode| {
-            // figures are files of their names, which may not know capitals
+            // figures are files with their names, and some file systems ignore case
             let names = [&other.name, &electrode.name]
                 .map(|name| name.as_ref().map(|written| written.text.to_lowercase()));
             names[0].is_some() && names[0] == names[1]
@@ -110,7 +110,7 @@ pub(super) fn read(root: &Table<'_>) -> WrittenElectrodes {
 }
 
 fn read_one(table: &Table<'_>) -> WrittenElectrode {
-    // Every key is asked for before the first wrong one ends the reading.
+    // All keys are read before the first wrong one ends the reading.
     let name = name(table);
     let place = place(table);
     let circuit = match table.has("circuit") {
@@ -140,7 +140,7 @@ fn name(table: &Table<'_>) -> Option<Written> {
     Some(Written { text, line })
 }
 
-/// Letters of a name at most: names are parts of file names.
+/// Largest number of letters of a name: names are parts of file names.
 const LONGEST_NAME: usize = 100;
 
 const PLACES: [&str; 4] = ["curve", "region", "point", "interdigitated"];
@@ -208,7 +208,7 @@ fn spacing(table: &Table<'_>) -> Option<f64> {
     is_known.then_some(spacing)
 }
 
-/// One name or a list of names, of which each may be a number that stands for one.
+/// One name or a list of names; each may be a number that represents a name.
 fn names(table: &Table<'_>, key: &str, expected: &str) -> Option<Vec<Written>> {
     let item = table.item(key)?;
     let items = item.list().unwrap_or_else(|| vec![item]);
@@ -216,7 +216,7 @@ fn names(table: &Table<'_>, key: &str, expected: &str) -> Option<Vec<Written>> {
         table.wrong(key, expected);
         return None;
     }
-    // Every item is looked at, so that each wrong one is noted.
+    // All items are checked, so that each wrong one is noted.
     let read: Vec<_> = items.iter().map(|item| one_name(item, expected)).collect();
     read.into_iter().collect()
 }
@@ -237,19 +237,19 @@ fn one_name(item: &Item<'_>, expected: &str) -> Option<Written> {
 }
 
 impl WrittenElectrodes {
-    /// Whether there are none.
+    /// Whether the section has no electrodes.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
 
-    /// Notes what is asked for that is not known for sections with electrodes.
+    /// Notes requests that are not known for sections with electrodes.
     fn note_unknown(&self, document: &Document) {
         for &(key, line) in self.unknown.iter().filter(|_| !self.is_empty()) {
             document.note(line, &ElectrodeProblem::NotWithElectrodes { key });
         }
     }
 
-    /// The voltages under `key` of a load, by the names of the electrodes; `None` for what
+    /// The voltages under `key` of a load, by the names of the electrodes; `None` if one
     /// is wrong, which is noted.
     pub fn voltages(&self, load: &str, table: &Table<'_>, key: &str) -> Option<Vec<(String, f64)>> {
         if !table.has(key) {
@@ -291,7 +291,7 @@ impl WrittenElectrodes {
                 table.note(name, &problem);
                 None
             }
-            // what its circuit is, or its name, has been told to be wrong
+            // its circuit, or its name, has been reported as wrong
             Some(None) => None,
             None if self.all.iter().any(|electrode| electrode.name.is_none()) => None,
             None => {

@@ -1,18 +1,19 @@
-//! How large the section is, and how far from the origin of its mesh.
+//! Size of the section, and its distance from the origin of its mesh.
 
 use super::problem::InputProblem;
 use crate::mesh::SectionMesh;
 
-/// Smallest and largest size of a section \[m\]: far beyond all structures, and such that
-/// the sixth power of a length is a number.
+/// Smallest and largest size of a section \[m\]: far beyond all structures; the sixth
+/// power of a length is still finite.
 const SIZES: (f64, f64) = (1e-30, 1e30);
 
 /// Largest distance of a section from the origin, in sizes. Torsion about the origin
-/// holds the shear stiffness times the square of the distance: at 1e5 sizes, six
-/// digits of the torsional stiffness are left, at 1e8 none.
+/// contains the shear stiffness times the square of the distance: at 1e5 sizes, six
+/// digits of the torsional stiffness remain, at 1e8 none.
 const FARTHEST: f64 = 1e5;
 
-/// Whether the section of `mesh` has numbers about the origin of the mesh.
+/// Checks that the results of the section of `mesh` about the origin of the mesh have
+/// accurate digits.
 ///
 /// # Errors
 /// [`InputProblem::Size`], [`InputProblem::Far`].

@@ -1,4 +1,4 @@
-//! The files that a section input names, read once and kept for the fingerprint.
+//! The files named in a section input, read once and kept for the fingerprint.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use shared_geom::hash::sha256_of;
 use super::problem::InputProblem;
 use super::regions::Written;
 
-/// Everything that was read, in the order of reading.
+/// All files, in the order of reading.
 #[derive(Debug)]
 pub(super) struct Files<'a> {
     document: &'a Document,
@@ -18,7 +18,7 @@ pub(super) struct Files<'a> {
 }
 
 impl<'a> Files<'a> {
-    /// Begins with the text of the input itself.
+    /// Starts with the text of the input itself.
     pub fn new(document: &'a Document, text: &str) -> Self {
         Self {
             document,
@@ -26,13 +26,12 @@ impl<'a> Files<'a> {
         }
     }
 
-    /// The path of a file that the input names.
+    /// The path of a file named in the input.
     pub fn path(&self, written: &Written) -> PathBuf {
         self.document.path(&written.text)
     }
 
-    /// The content of the file at `path`; a failure is noted at the line that
-    /// names it.
+    /// The content of the file at `path`; a failure is noted at the line of its name.
     pub fn read(&mut self, what: &'static str, path: &Path, written: &Written) -> Option<&[u8]> {
         match read_bytes(path) {
             Ok(bytes) => {
@@ -72,7 +71,7 @@ impl<'a> Files<'a> {
         self.document.note(written.line, &problem);
     }
 
-    /// The fingerprint of everything that was read.
+    /// The fingerprint of all files.
     pub fn hash(&self) -> String {
         let parts: Vec<_> = self.contents.iter().map(Vec::as_slice).collect();
         sha256_of(&parts)

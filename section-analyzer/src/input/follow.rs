@@ -1,21 +1,21 @@
-//! Directions that follow a curve: at a point, the tangent of the curve at the
-//! place of it that is nearest to the point.
+//! Directions that follow a curve: the tangent of the curve at the point nearest to a
+//! given point.
 //!
 //! # Symbols
 //!
 //! | symbol | meaning | unit | shape |
 //! | --- | --- | --- | --- |
 //! | `t` | parameter along a line, -1 at its first and 1 at its second end | - | |
-//! | `x(t)` | `c0 + c1 t + c2 t^2`, place on the line | m | 2 |
+//! | `x(t)` | `c0 + c1 t + c2 t^2`, position on the line | m | 2 |
 //! | `g(t)` | `(x - p) . x'`, half the derivative of the squared distance from p | m^2 | |
 
 use nalgebra::Vector2;
 
-/// Steps of the search for a root of `g` in an interval; bisection alone, which
-/// the search falls back on, then reaches the last digit.
+/// Largest number of steps of the search for a root of `g` in an interval; bisection, the
+/// fallback of the search, alone reaches full precision.
 const STEPS: usize = 80;
-/// Distances that differ by less, relative to the nearest, count as equal: the
-/// point is then nearest to the corner between two lines.
+/// Distances that differ by less, relative to the nearest, are treated as equal: the
+/// point is then nearest to the corner of two lines.
 const TIE: f64 = 1e-9;
 
 /// One line of a curve, in the direction of its nodes: a parabola, or straight.
@@ -24,17 +24,17 @@ pub(super) struct Parabola {
     c0: Vector2<f64>,
     c1: Vector2<f64>,
     c2: Vector2<f64>,
-    /// Corners of a box that holds the line.
+    /// Corners of a box that contains the line.
     low: Vector2<f64>,
     high: Vector2<f64>,
 }
 
-/// Where a line is nearest to a point.
+/// The point of a line that is nearest to a given point.
 #[derive(Debug, Clone, Copy)]
 struct Nearest {
     squared_distance: f64,
-    /// Sine of the angle between the tangent and the direction to the point: 1
-    /// where the line passes the point abreast.
+    /// Sine of the angle between the tangent and the direction to the point: 1 if the
+    /// line passes the point abreast.
     abreast: f64,
     tangent: Vector2<f64>,
 }
@@ -65,12 +65,13 @@ impl Parabola {
         self.c1 + 2.0 * t * self.c2
     }
 
-    /// Squared distance from `p` to the box of the line: no place on it is nearer.
+    /// Squared distance from `p` to the box of the line: a lower bound of the distance to
+    /// the line.
     fn squared_bound(&self, p: &Vector2<f64>) -> f64 {
         (p - p.sup(&self.low).inf(&self.high)).norm_squared()
     }
 
-    /// The place nearest to `p`, among the ends and the minima between them.
+    /// The nearest point to `p`, among the ends and the minima between them.
     ///
     /// ```text
     /// g  = -d.c1 + (c1.c1 - 2 d.c2) t + 3 c1.c2 t^2 + 2 c2.c2 t^3      with d = p - c0
@@ -124,7 +125,7 @@ impl Parabola {
     }
 }
 
-/// Real roots of `a + b t + c t^2` in rising order.
+/// Real roots of `a + b t + c t^2`, ascending.
 fn quadratic_roots(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
     let discriminant = b * b - 4.0 * a * c;
     if c == 0.0 {
@@ -134,14 +135,14 @@ fn quadratic_roots(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
     if discriminant < 0.0 {
         return [None, None];
     }
-    // The sum of equal signs loses no digits; the product of the roots is a/c.
+    // Adding terms of equal sign loses no digits; the product of the roots is a/c.
     let q = -0.5 * (b + discriminant.sqrt().copysign(b));
     let (first, second) = (q / c, if q != 0.0 { a / q } else { 0.0 });
     [Some(first.min(second)), Some(first.max(second))]
 }
 
-/// The root of a function that rises through zero between `low` and `high`:
-/// Newton's steps where they stay inside, else halving.
+/// The root of a function that rises through zero between `low` and `high`: Newton steps
+/// if they remain inside, otherwise bisection.
 fn rising_root(g: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
     let (mut low, mut high) = (low, high);
     let mut t = 0.5 * (low + high);
@@ -166,11 +167,11 @@ fn rising_root(g: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, low: f64, hig
     t
 }
 
-/// Angle from +y to the tangent of the curve where it is nearest to the point
-/// `p`, in (-pi, pi] \[rad\]; `None` for a curve without extent.
+/// Angle from +y to the tangent of the curve at its point nearest to `p`, in (-pi, pi]
+/// \[rad\]; `None` for a curve without extent.
 ///
-/// At a corner of the curve that is nearest with both its lines, the line that
-/// passes the point abreast counts.
+/// At a corner of the curve that is nearest with both its lines, the line that passes the
+/// point abreast is used.
 pub(super) fn direction(curve: &[Parabola], p: [f64; 2]) -> Option<f64> {
     let p = Vector2::from(p);
     let mut best: Option<Nearest> = None;

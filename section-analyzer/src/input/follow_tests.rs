@@ -29,8 +29,8 @@ fn nearest_side_of_a_polygon_counts() {
     }
 }
 
-/// Outside of a corner both sides are equally near: the one that passes abreast
-/// counts, whichever comes first.
+/// Outside of a corner both sides are equally near: the one that passes abreast is used,
+/// in either order.
 #[test]
 fn at_a_corner_the_side_abreast_of_the_point_counts() {
     let flat = Parabola::new([0.0, 0.0], [1.0, 0.0], None);
@@ -41,8 +41,8 @@ fn at_a_corner_the_side_abreast_of_the_point_counts() {
     }
 }
 
-/// Brute force over 20001 places: none is nearer than the one found, for random
-/// parabolas (sharply bent ones among them) and random points.
+/// Brute force over 20001 positions: none is nearer than the one found, for random
+/// parabolas (including sharply bent ones) and random points.
 #[test]
 fn nearest_place_on_a_parabola_beats_a_fine_scan() {
     let mut random = Random(3);
@@ -55,22 +55,22 @@ fn nearest_place_on_a_parabola_beats_a_fine_scan() {
             .fold(f64::INFINITY, f64::min);
         // round-off of the squared distance
         assert!(found.squared_distance <= scanned + 1e-14);
-        // a true place on the line: no nearer than the scan by its resolution
+        // a true point of the line: no nearer than the scan by its resolution
         assert!(found.squared_distance.sqrt() > scanned.sqrt() - 1e-3);
         assert!(line.squared_bound(&p) <= found.squared_distance + 1e-14);
     }
 }
 
-/// y = x^2: the point (0, 5) is equally near to two places, and the tangent there
-/// is (1, 2 x) with x^2 = 5 - 1/2 (stationary distance: x + 2 x (x^2 - 5) = 0).
+/// y = x^2: the point (0, 5) is equally near to two points, whose tangent is (1, 2 x)
+/// with x^2 = 5 - 1/2 (stationary distance: x + 2 x (x^2 - 5) = 0).
 #[test]
 fn parabola_has_its_closed_form() {
     let parabola = [Parabola::new([-3.0, 9.0], [3.0, 9.0], Some([0.0, 0.0]))];
     let x = 4.5_f64.sqrt();
-    // A little to the right, the right one counts.
+    // A little to the right, the right one is used.
     let found = direction(&parabola, [1e-9, 5.0]).unwrap();
     assert!((found - (2.0 * x).atan()).abs() < 1e-8);
-    // Below the apex the nearest place is the apex.
+    // Below the apex the nearest point is the apex.
     assert!(direction(&parabola, [0.0, -1.0]).unwrap().abs() < 1e-15);
 }
 

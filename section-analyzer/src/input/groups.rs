@@ -1,4 +1,4 @@
-//! Which region each cell belongs to.
+//! Assigns each cell to its region.
 
 use std::collections::BTreeMap;
 
@@ -12,8 +12,8 @@ const SURFACE: u8 = 2;
 const CURVE: u8 = 1;
 const POINT: u8 = 0;
 
-/// The physical group that `written` names: by its name, else by its number.
-/// One that does not exist is noted, with the nearest name.
+/// The physical group named `written`: by its name, otherwise by its number. An unknown
+/// group is noted, with the nearest name.
 fn find(document: &Document, mesh: &Mesh, dimension: u8, written: &Written) -> Option<usize> {
     let found = named(mesh, dimension, written);
     if found.is_none() {
@@ -43,7 +43,7 @@ fn named(mesh: &Mesh, dimension: u8, written: &Written) -> Option<usize> {
     by_name.or_else(|| mesh.groups.iter().position(by_number))
 }
 
-/// The label of the curve that `written` names, if there is one.
+/// The label of the curve named `written`, if it exists.
 pub(super) fn label_of_curve(mesh: &Mesh, written: &Written) -> Option<String> {
     named(mesh, CURVE, written).map(|group| mesh.groups[group].label())
 }
@@ -56,8 +56,7 @@ fn word(dimension: u8) -> &'static str {
     }
 }
 
-/// The curve that `written` names, which must have lines: its index in the groups
-/// of the mesh.
+/// The curve named `written`, which must have lines: its index in the groups of the mesh.
 pub(super) fn curve(document: &Document, mesh: &Mesh, written: &Written) -> Option<usize> {
     let group = find(document, mesh, CURVE, written)?;
     let has_lines = mesh.lines.iter().any(|line| line.groups.contains(group));
@@ -67,12 +66,12 @@ pub(super) fn curve(document: &Document, mesh: &Mesh, written: &Written) -> Opti
     has_lines.then_some(group)
 }
 
-/// The surface that `written` names: its index in the groups of the mesh.
+/// The surface named `written`: its index in the groups of the mesh.
 pub(super) fn surface(document: &Document, mesh: &Mesh, written: &Written) -> Option<usize> {
     find(document, mesh, SURFACE, written)
 }
 
-/// The tags of the nodes in the physical point that `written` names.
+/// The tags of the nodes in the physical point named `written`.
 pub(super) fn point(document: &Document, mesh: &Mesh, written: &Written) -> Option<Vec<u64>> {
     let group = find(document, mesh, POINT, written)?;
     let points = mesh
@@ -96,9 +95,9 @@ fn note_empty(document: &Document, written: &Written, dimension: u8, content: &'
     document.note(written.line, &problem);
 }
 
-/// For each cell of the mesh the index of its region: the one that names a group of
-/// the cell. Cells have none when no region does, or two, which has been noted. The
-/// others are left in the group of their region alone.
+/// For each cell of the mesh the index of its region: the region that names a group of
+/// the cell. `None` if no region or two regions do, which has been noted. The other cells
+/// then belong only to the group of their region.
 pub(super) fn region_of_cells(
     document: &Document,
     mesh: &mut Mesh,
@@ -142,7 +141,7 @@ fn claiming(
         .filter_map(|group| Some((group, region_of_group[group]?)))
 }
 
-/// Cells that two regions claim: for each such pair their number and the tag of one.
+/// Cells that are in two regions: for each such pair their number and the tag of one.
 #[derive(Debug, Default)]
 struct Claims(BTreeMap<[usize; 2], (usize, u64)>);
 
@@ -169,8 +168,8 @@ impl Claims {
     }
 }
 
-/// For each group of the mesh the index of its region. Notes regions without a
-/// group of their own, and groups without cells.
+/// For each group of the mesh the index of its region. Notes regions that share a group,
+/// and groups without cells.
 fn region_of_groups(
     document: &Document,
     mesh: &Mesh,

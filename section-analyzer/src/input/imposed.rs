@@ -18,7 +18,7 @@ mod problem;
 
 pub use problem::ImposedProblem;
 
-/// Largest initial strain \[-\]: beyond it nothing is linear.
+/// Largest initial strain \[-\]: beyond it linear theory does not apply.
 const LARGEST_STRAIN: f64 = 1.0;
 
 /// The components of a strain in material axes.
@@ -31,7 +31,8 @@ pub(super) struct WrittenStates {
     initial_strains: Vec<WrittenState<Vec<RegionStrain>>>,
 }
 
-/// A state; the name stands even if its content is wrong, so that loads can refer to it.
+/// A state; its name is known even if its content is wrong, so that loads can refer to
+/// it.
 #[derive(Debug)]
 struct WrittenState<T> {
     name: String,
@@ -39,15 +40,14 @@ struct WrittenState<T> {
     content: Option<T>,
 }
 
-/// A rise of temperature as the input gives it.
+/// A temperature rise as given in the input.
 #[derive(Debug)]
 enum Temperature {
     Linear(TemperatureField),
     Table(Written),
 }
 
-/// The initial strain of a region, in material axes \[-\]; what could not be read is
-/// missing.
+/// The initial strain of a region, in material axes \[-\]; unreadable values are missing.
 #[derive(Debug)]
 struct RegionStrain {
     group: Option<Written>,
@@ -95,7 +95,7 @@ fn states<T>(
 }
 
 fn temperature(name: &str, table: &Table<'_>) -> Option<Temperature> {
-    // Every key is asked for, so that none of them counts as unknown.
+    // All keys are read, so that none of them is reported as unknown.
     let has = ["rise", "gradient", "table"].map(|key| table.has(key));
     let found = match has {
         [_, false, false] if !has[0] => "none of them",
@@ -209,17 +209,17 @@ fn strain(table: &Table<'_>) -> Option<Vector6<f64>> {
     Some(Vector6::from_vec(strain))
 }
 
-/// What the rows of a table may name.
+/// Tags that the rows of a table may use.
 #[derive(Debug)]
 pub(super) struct Rows {
-    /// The tag of every cell, those of laminates last.
+    /// The tag of every cell, the cells of laminates last.
     pub tags: Vec<u64>,
     /// The tag of the line of each cell of a laminate, in their order.
     pub lines: Vec<u64>,
 }
 
 impl Rows {
-    /// The row of each cell: its own, or for one of a laminate that of its line.
+    /// The row of each cell: its own, or for a cell of a laminate the row of its line.
     fn keys(&self, table: &CellTable) -> Vec<u64> {
         let solid = self.tags.len().saturating_sub(self.lines.len());
         let (cells, plies) = self.tags.split_at(solid);
@@ -241,8 +241,8 @@ impl WrittenStates {
         }
     }
 
-    /// For each region and initial strain the strain; notes regions that the file does not
-    /// have, and those that stand twice. The name of a laminate stands for its plies.
+    /// The strain of each region and initial strain; notes regions that the file does not
+    /// have, and regions given twice. The name of a laminate represents its plies.
     pub fn strains_of_regions(
         &self,
         document: &Document,
@@ -278,13 +278,14 @@ impl WrittenStates {
             let strains = strains.into_iter().map(Option::unwrap_or_default);
             is_sound.then(|| strains.collect())
         };
-        // Every state is looked at before the first wrong one ends the search.
+        // All states are checked before the first wrong one ends the search.
         let found: Vec<_> = self.initial_strains.iter().map(of_state).collect();
         found.into_iter().collect()
     }
 
-    /// The rises of every table, by cell; `None` for a temperature without table. Notes
-    /// tables whose rows are not those of the mesh; `rows` is `None` while that is not known.
+    /// The temperature rises of every table, by cell; `None` for a temperature without
+    /// table. Notes tables whose rows do not match the mesh; `rows` is `None` while the
+    /// mesh is not known.
     pub fn rises(
         &self,
         document: &Document,
@@ -302,14 +303,14 @@ impl WrittenStates {
                 Some(Some(rises))
             }
         };
-        // Every table is read before the first wrong one ends the reading.
+        // All tables are read before the first wrong one ends the reading.
         let found: Vec<_> = self.temperatures.iter().map(&mut of_state).collect();
         found.into_iter().collect()
     }
 
-    /// The states of `section`, temperatures first: `rises` are those of the tables,
-    /// `strains` those of the regions, of which `region_of_cell` tells the cells. Notes
-    /// temperatures where nothing expands.
+    /// The states of `section`, temperatures first, from the `rises` of the tables and
+    /// the `strains` of the regions, with the region of each cell in `region_of_cell`.
+    /// Notes temperatures for which no material expands.
     pub fn states(
         &self,
         document: &Document,
@@ -346,7 +347,7 @@ impl WrittenStates {
     }
 }
 
-/// The strains with the names of their regions, those of laminates for each ply.
+/// The strains with the names of their regions, for laminates of each ply.
 fn by_region<'a>(
     strains: &'a [RegionStrain],
     laminae: &[WrittenLamina],
@@ -371,7 +372,7 @@ fn names<T>(states: &[WrittenState<T>]) -> Vec<String> {
     states.iter().map(|state| state.name.clone()).collect()
 }
 
-/// The rises of a table, cell by cell \[K\].
+/// The temperature rises of a table, cell by cell \[K\].
 fn rises(
     document: &Document,
     files: &mut Files<'_>,

@@ -25,11 +25,11 @@ const ONE_PLY: [&str; 3] = ["material", "thickness", "fiber_angle"];
 #[derive(Debug, Clone)]
 pub(super) struct WrittenLamina {
     curve: Option<Written>,
-    /// What its regions are called; the name of the curve if there is none.
+    /// Name of its regions; without it the name of the curve.
     name: Option<Written>,
     side: Option<LaminaSide>,
-    /// From the line outward, or from right to left; `None` if something about them is
-    /// wrong that leaves their number open.
+    /// From the line outward, or from right to left; `None` if a problem leaves their
+    /// number unknown.
     plies: Option<Vec<WrittenPly>>,
 }
 
@@ -73,9 +73,9 @@ fn own_name(table: &Table<'_>) -> Option<Written> {
     Some(Written { text, line })
 }
 
-/// The plies: a list of them, or the table is itself one.
+/// The plies: a list of them, or the table itself as the only ply.
 fn plies(table: &Table<'_>) -> Option<Vec<WrittenPly>> {
-    // Every key is asked for, so that none of them counts as unknown.
+    // All keys are read, so that none of them is reported as unknown.
     let own = ONE_PLY.map(|key| (key, table.has(key)));
     let own = own.iter().find(|(_, has)| *has).map(|(key, _)| *key);
     match (table.has("plies"), own) {
@@ -114,13 +114,13 @@ fn ply(table: &Table<'_>) -> WrittenPly {
 }
 
 impl WrittenLamina {
-    /// Its name, or that of its curve.
+    /// Its name, or the name of its curve.
     fn called(&self) -> Option<&str> {
         let name = self.name.as_ref().or(self.curve.as_ref());
         name.map(|name| name.text.as_str())
     }
 
-    /// What its cells are called: its name, with a number for each of several plies.
+    /// Names of its regions: its name, with a number for each of several plies.
     fn labels(&self) -> Vec<String> {
         let name = self.called().unwrap_or("?");
         let count = self.plies.as_ref().map_or(0, Vec::len);
@@ -132,14 +132,14 @@ impl WrittenLamina {
         }
     }
 
-    /// Where its name stands.
+    /// Line of its name.
     fn line(&self) -> usize {
         let written = self.name.as_ref().or(self.curve.as_ref());
         written.map_or(0, |written| written.line)
     }
 }
 
-/// What the plies of the laminate `name` are called, where it has several.
+/// Names of the plies of the laminate `name`, if it has several.
 pub(super) fn plies_of(laminae: &[WrittenLamina], name: &str) -> Vec<String> {
     let is_named = |lamina: &&WrittenLamina| {
         let own = lamina.name.as_ref().or(lamina.curve.as_ref());
@@ -173,7 +173,7 @@ pub(super) fn regions(laminae: &[WrittenLamina]) -> Vec<WrittenRegion> {
 }
 
 /// Adds the cells of the laminates to the mesh, whose unit of length is
-/// `meters_per_unit`, and their faces; without cells when anything was noted.
+/// `meters_per_unit`, and their faces; without cells if a problem was noted.
 pub(super) fn add(
     document: &Document,
     mesh: &mut Mesh,
@@ -200,23 +200,23 @@ pub(super) fn add(
     }
 }
 
-/// What laminates are called.
+/// Names of the laminates.
 pub(super) fn names_of(laminae: &[WrittenLamina]) -> Vec<Option<String>> {
     let names = laminae.iter().map(WrittenLamina::called);
     names.map(|name| name.map(str::to_owned)).collect()
 }
 
-/// What laminates were made of and what they became.
+/// The laminates and their cells.
 #[derive(Debug)]
 pub(super) struct Made {
     pub found: Vec<Lamina>,
     pub laminated: Laminated,
 }
 
-/// What [`add`] made.
+/// Result of [`add`].
 #[derive(Debug)]
 pub(super) struct Added {
-    /// `None` when anything was noted.
+    /// `None` if a problem was noted.
     pub cells: Option<Made>,
     pub faces: Faces,
 }
@@ -227,8 +227,8 @@ impl Added {
         self.cells.as_ref().map(|made| &made.laminated)
     }
 
-    /// The mesh with the laminates in meters, if it is sound; what is wrong with plies is
-    /// noted where these are written, all else at the mesh.
+    /// The mesh with the laminates in meters, if it is sound; problems of plies are noted
+    /// at their lines, all others at the mesh.
     pub fn checked(
         &self,
         document: &Document,
@@ -236,7 +236,7 @@ impl Added {
         laminae: &[WrittenLamina],
         (unit, doubled_nodes, place): (f64, DoubledNodes, &Place),
     ) -> Option<(SectionMesh, MeshReport)> {
-        // without its laminates the section may well be in parts
+        // without its laminates the section may be in separate parts
         let made = self.cells.as_ref()?;
         let problems = match SectionMesh::checked(mesh, unit, doubled_nodes) {
             Ok(checked) => return Some(checked),
@@ -253,7 +253,7 @@ impl Added {
     }
 }
 
-/// Notes problems of laminates where their curves are written.
+/// Notes problems of laminates at the lines of their curves.
 fn note(document: &Document, laminae: &[WrittenLamina], problems: Vec<(usize, LaminaProblem)>) {
     for (lamina, problem) in problems {
         let line = laminae[lamina].curve.as_ref().map_or(0, |curve| curve.line);
@@ -261,8 +261,8 @@ fn note(document: &Document, laminae: &[WrittenLamina], problems: Vec<(usize, La
     }
 }
 
-/// The laminates on the curves of the mesh, as far as they are known; every one is looked
-/// at.
+/// The laminates on the curves of the mesh, as far as they are known; all of them are
+/// checked.
 fn found(
     document: &Document,
     mesh: &Mesh,
@@ -314,18 +314,18 @@ fn made(
     }
 }
 
-/// What laminates are called.
+/// Names of laminates, with their conflicts.
 struct Names {
-    /// Whether no name was noted as taken.
+    /// Whether no name conflict was noted.
     are_free: bool,
-    /// Lines and names of laminates without a name of their own on a curve that another
-    /// one has too: first it is to be seen whether they fit there.
+    /// Lines and names of unnamed laminates on a curve shared with another laminate: the
+    /// fit of the laminates is checked first.
     twice: Vec<(usize, String)>,
 }
 
 impl Names {
-    /// Notes names that surfaces or other laminates have; those of laminates whose curve is
-    /// not known are no names.
+    /// Notes names that surfaces or other laminates have; names from unknown curves are
+    /// ignored.
     fn check(
         document: &Document,
         mesh: &Mesh,
@@ -344,7 +344,7 @@ impl Names {
             if lamina.name.is_none() && found.is_none() {
                 continue;
             }
-            // the curve that gives the name, if it is one
+            // the curve that gives the name, if any
             let curve = lamina.curve.as_ref().filter(|_| lamina.name.is_none());
             let curve = curve.map(|curve| curve.text.as_str());
             let labels = lamina.labels();
@@ -365,7 +365,7 @@ impl Names {
         names
     }
 
-    /// Notes what several laminates on one curve are called, if it is the same.
+    /// Notes laminates on one curve that have the same name.
     fn are_told_apart(self, document: &Document) -> bool {
         let is_told = self.twice.is_empty();
         for (line, name) in self.twice {
@@ -375,7 +375,7 @@ impl Names {
     }
 }
 
-/// The index of the region of each cell of the laminates, of those that [`regions`] has.
+/// The index of the region of each cell of the laminates, in the list of [`regions`].
 pub(super) fn region_of_cells(laminae: &[WrittenLamina], laminated: &Laminated) -> Vec<usize> {
     let mut first = Vec::with_capacity(laminae.len());
     let mut count = 0;
@@ -392,7 +392,7 @@ pub(super) fn lines_of_cells(laminated: &Laminated) -> Vec<u64> {
     laminated.cells.iter().map(|cell| cell.line).collect()
 }
 
-/// Material and angles of the cells of the laminates, where `materials` are those of
+/// Material and angles of the cells of the laminates; `materials` are the materials of
 /// their regions.
 pub(super) fn cells(
     laminae: &[WrittenLamina],

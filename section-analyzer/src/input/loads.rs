@@ -15,7 +15,7 @@ mod problem;
 
 pub use problem::LoadProblem;
 
-/// Keys of the six components, in their order, with what each measures.
+/// Keys of the six components, in their order, with their dimensions.
 pub const LOAD_KEYS: [(&str, Dimension); 6] = [
     ("axial", Dimension::FORCE),
     ("shear_y", Dimension::FORCE),
@@ -25,8 +25,8 @@ pub const LOAD_KEYS: [(&str, Dimension); 6] = [
     ("bending_z", Dimension::MOMENT),
 ];
 
-/// Largest component \[N, N m\]: far beyond all structures, and such that the squares
-/// of its stresses are numbers.
+/// Largest component \[N, N m\]: far beyond all structures; the squares of its stresses
+/// are still finite.
 const LARGEST: f64 = 1e20;
 
 /// `load`, if none of its components is beyond all structures.
@@ -46,9 +46,9 @@ pub fn checked_load(load: LoadCase) -> Result<LoadCase, InputProblem> {
     }
 }
 
-/// Reads every `[load.NAME]` with what is distributed along the beam, of which some act
-/// with imposed `states`; what is wrong is noted. Loads without sound components are
-/// `None`, and what is distributed stands all the same.
+/// Reads every `[load.NAME]` with its distributed loads; loads may refer to imposed
+/// `states`. Notes problems. Loads without sound components are `None`, but their
+/// distributed loads are kept.
 pub(super) fn read(
     root: &Table<'_>,
     states: &WrittenStates,
@@ -68,7 +68,7 @@ pub(super) fn read(
         .collect()
 }
 
-/// Notes names that differ in upper and lower case only.
+/// Notes names that differ only in upper and lower case.
 fn note_same_files(tables: &[(String, Table<'_>)]) {
     for (number, (load, table)) in tables.iter().enumerate() {
         let is_same = |(other, _): &&(String, Table<'_>)| {
@@ -95,7 +95,7 @@ fn read_one(
     if !is_load_name(name) {
         table.note("", &InputProblem::LoadName { load: load.clone() });
     }
-    // Every key is asked for before the first wrong one ends the reading.
+    // All keys are read before the first wrong one ends the reading.
     let read = LOAD_KEYS.map(|(key, dimension)| match table.has(key) {
         true => table.quantity(key, dimension),
         false => Some(0.0),
@@ -152,7 +152,7 @@ fn state(
     Some(Some(name))
 }
 
-/// Where the force acts (y, z) \[m\]; the reference point where not given.
+/// Point of application of the force (y, z) \[m\]; the reference point if not given.
 fn point(table: &Table<'_>) -> Option<[f64; 2]> {
     if !table.has("point") {
         return Some([0.0; 2]);

@@ -1,4 +1,4 @@
-//! Warnings about materials that are not wrong but probably not meant.
+//! Warnings about valid but unusual materials.
 
 use super::electric::ElectricWarning;
 use super::electrodes::WrittenElectrodes;

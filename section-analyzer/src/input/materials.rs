@@ -1,4 +1,4 @@
-//! Materials as written: which law follows from the keys present.
+//! Materials as written: the keys determine the law.
 
 use nalgebra::Matrix6;
 use shared_geom::document::Table;
@@ -17,11 +17,11 @@ const ORTHOTROPIC: [&str; 9] = [
 ];
 const FULL: [&str; 1] = ["stiffness"];
 
-/// Largest expansion coefficient \[1/K\]: thirty times that of rubber.
+/// Largest expansion coefficient \[1/K\]: thirty times the coefficient of rubber.
 const LARGEST_EXPANSION: f64 = 0.01;
 
-/// A material as far as it could be read; the name stands even if its constants
-/// are wrong, so that regions can refer to it.
+/// A material as far as it could be read; its name is known even if its constants are
+/// wrong, so that regions can refer to it.
 #[derive(Debug, Clone)]
 pub(super) struct WrittenMaterial {
     pub name: String,
@@ -118,9 +118,9 @@ fn expansion(table: &Table<'_>) -> Option<[f64; 3]> {
     Some(coefficients)
 }
 
-/// The law that the keys of the table speak of.
+/// The law that the keys of the table determine.
 fn law(name: &str, table: &Table<'_>) -> Option<ElasticLaw> {
-    // Every key is asked for, so that none of them counts as unknown.
+    // All keys are read, so that none of them is reported as unknown.
     let present = |keys: &[&'static str]| -> Vec<&'static str> {
         keys.iter().copied().filter(|key| table.has(key)).collect()
     };
@@ -161,7 +161,7 @@ fn isotropic(table: &Table<'_>) -> Option<ElasticLaw> {
 }
 
 fn orthotropic(table: &Table<'_>) -> Option<ElasticLaw> {
-    // Every constant is asked for before the first missing one ends the reading.
+    // All constants are read before the first missing one ends the reading.
     let read = ORTHOTROPIC.map(|key| {
         let dimension = match key.starts_with("nu") {
             true => Dimension::NUMBER,
@@ -188,8 +188,8 @@ fn full(table: &Table<'_>) -> Option<ElasticLaw> {
     Some(ElasticLaw::Full(Matrix6::from_fn(|i, j| rows[i][j])))
 }
 
-/// The key under which the offending constant stands; that of the table where the
-/// constants offend together.
+/// The key of the wrong constant; the key of the table if several constants are wrong
+/// together.
 fn key_of(problem: &MaterialProblem, law: &ElasticLaw) -> String {
     let constant = match problem {
         MaterialProblem::NotFinite { constant, .. }

@@ -18,16 +18,16 @@ pub(super) struct Meshed {
     /// The mesh without its laminates, if there are any.
     pub bare: Option<Mesh>,
     pub mesh: Mesh,
-    /// Region of each cell that is not part of a laminate, where it has one.
+    /// Region of each cell that is not part of a laminate, if it has one.
     pub region_of_cell: Vec<Option<usize>>,
-    /// The laminates, whose cells are behind the others.
+    /// The laminates, whose cells come after the others.
     pub added: Added,
-    /// The mesh in meters, when it is sound.
+    /// The mesh in meters, if it is sound.
     pub checked: Option<(SectionMesh, MeshReport)>,
 }
 
 impl Meshed {
-    /// What rows of tables may name.
+    /// Tags that rows of tables may use.
     pub fn rows(&self) -> Option<Rows> {
         let tags = self.mesh.cells.iter().map(|cell| cell.tag).collect();
         let lines = laminae::lines_of_cells(self.added.laminated()?);
@@ -36,7 +36,7 @@ impl Meshed {
 }
 
 impl WrittenSection {
-    /// Reads the mesh, gives its cells their regions, adds the laminates and checks it.
+    /// Reads the mesh, assigns regions to its cells, adds the laminates and checks it.
     pub fn meshed(&self, document: &Document, files: &mut Files<'_>) -> Option<Meshed> {
         let mesh_key = self.mesh.as_ref()?;
         let mut mesh = read_mesh(document, files, mesh_key)?;
@@ -61,7 +61,7 @@ impl WrittenSection {
     }
 }
 
-/// The mesh that `key` names.
+/// The mesh file named under `key`.
 fn read_mesh(document: &Document, files: &mut Files<'_>, key: &Written) -> Option<Mesh> {
     let path = files.path(key);
     let bytes = files.read("mesh", &path, key)?;

@@ -1,7 +1,7 @@
-//! Sections given by their matrices: the file as written, and as meant.
+//! Reads and checks sections given by their matrices.
 //!
-//! [`read`] takes a matrices file, its node table and its Matrix Market files to a
-//! checked [`OutsideSection`] in SI units. It notes all problems before it gives up.
+//! [`read`] converts a matrices file, its node table and its Matrix Market files to a
+//! checked [`OutsideSection`] in SI units. It notes all problems before it fails.
 
 use std::path::Path;
 
@@ -29,7 +29,7 @@ use nodes::NodeTable;
 /// The ending of the name of a matrices file.
 pub(super) const ENDING: &str = ".matrices.toml";
 
-/// A section given by its matrices, and the fingerprint of all that was read.
+/// A section given by its matrices, and the fingerprint of its files.
 #[derive(Debug, Clone)]
 pub struct OutsideInput {
     /// The section, checked and in SI units.
@@ -41,7 +41,7 @@ pub struct OutsideInput {
 /// Reads and checks the matrices file at `path`, its node table and its matrices.
 ///
 /// # Errors
-/// Everything that is wrong with any of them, with file and line.
+/// All problems of these files, with file and line.
 pub fn read(path: &Path) -> Result<OutsideInput, Diagnostics> {
     let problem = MatrixProblem::Kind {
         found: super::ENDING,
@@ -52,7 +52,7 @@ pub fn read(path: &Path) -> Result<OutsideInput, Diagnostics> {
     parse(&read_text(path)?, path)
 }
 
-/// Reads and checks the text of a matrices file, as if it stood at `path`.
+/// Reads and checks the text of a matrices file, as if it were at `path`.
 ///
 /// # Errors
 /// As [`read`].
@@ -146,7 +146,7 @@ impl Reading<'_> {
         let r = self.matrix(table, "r", false, Dimension::FORCE_PER_LENGTH, tall);
         let a = self.matrix(table, "a", false, Dimension::FORCE, nodes.map(|_| [6, 6]));
         table.finish();
-        // columns of curvatures have one more length
+        // columns of curvatures contain one more length
         let length = self.document.factor(Dimension::LENGTH);
         let unit = Vector6::new(1.0, 1.0, 1.0, length, length, length);
         let columns = |matrix: CsMat<f64>| {
@@ -175,6 +175,7 @@ impl Reading<'_> {
     }
 
     /// `[slice]`: the stiffness of a slice, and its mass, unless the mass of the section
+    /// `is_given`.
     /// `is_given`.
     fn slice(
         &mut self,
@@ -217,7 +218,7 @@ impl Reading<'_> {
         })
     }
 
-    /// The matrix that `key` names, in SI, of `size`.
+    /// The matrix named under `key`, in SI, of `size`.
     fn matrix(
         &mut self,
         table: &Table<'_>,
@@ -254,7 +255,7 @@ impl Reading<'_> {
     }
 }
 
-/// What the matrices of a file give.
+/// Matrices given in a file.
 struct Given {
     blocks: Blocks,
     slice: Option<Slice>,
@@ -267,7 +268,7 @@ struct Given {
 /// of seven digits pass.
 const SYMMETRY: f64 = 1e-6;
 
-/// The pair of entries that differ most, where a matrix is not symmetric.
+/// The pair of entries that differ most, if a matrix is not symmetric.
 fn asymmetry(matrix: &CsMat<f64>) -> Option<MatrixProblem> {
     let mut worst = (0.0, (0, 0));
     let mut largest: f64 = 0.0;
@@ -293,7 +294,7 @@ fn form(found: &'static str) -> MatrixProblem {
     MatrixProblem::Form { found }
 }
 
-/// `mass`: 6 x 6 per length about the reference point. `None` when it is wrong.
+/// `mass`: 6 x 6 per length about the reference point. `None` if it is wrong.
 fn mass(root: &Table<'_>) -> Option<Option<Matrix6<f64>>> {
     if !root.has("mass") {
         return Some(None);
@@ -329,7 +330,7 @@ fn folded(mass: &CsMat<f64>, thickness: f64) -> CsMat<f64> {
     sum.to_csr()
 }
 
-/// `H' m H`: mass per length of the section from that of its nodes.
+/// `H' m H`: mass per length of the section from the mass of its nodes.
 fn mass_of(mass: &CsMat<f64>, nodes: &[[f64; 2]]) -> Matrix6<f64> {
     let motion = |i: usize| {
         let [y, z] = nodes[i / 3];

@@ -1,4 +1,4 @@
-//! What can be wrong with a section input, beyond what any input file can have.
+//! Problems of section inputs, in addition to the problems of any input file.
 
 use shared_geom::error::Explain;
 use shared_geom::figure::tick_label;
@@ -13,24 +13,23 @@ mod words;
 pub(super) use words::nearest_or_all;
 use words::{known_groups, listed, strength_keys};
 
-/// A problem of a section input, of the tables it names, or of what it says about
-/// its mesh.
+/// A problem of a section input, of its tables, or of its references to the mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum InputProblem {
-    /// A file that the input names cannot be read.
+    /// A file named in the input cannot be read.
     #[error("{what} \"{file}\" cannot be read: {reason}")]
     Unreadable {
-        /// What the file is, in words.
+        /// Description of the file.
         what: &'static str,
-        /// The file as it was looked for.
+        /// The path of the file.
         file: String,
-        /// The reason in words.
+        /// The reason, as text.
         reason: String,
     },
-    /// The effect of prestress is asked for where it is not known.
+    /// The effect of prestress is requested but not known.
     #[error("\"prestress\": {reason}")]
     Prestress {
-        /// Why there is none.
+        /// The reason.
         reason: NoPrestress,
     },
     /// A material with keys of two kinds of law.
@@ -63,7 +62,7 @@ pub enum InputProblem {
         /// The bound that it violates.
         problem: MaterialProblem,
     },
-    /// A table of strengths without any.
+    /// An empty table of strengths.
     #[error("[material.{material}.{table}] is empty, expected {}", strength_keys(.table))]
     NoStrength {
         /// Name of the material.
@@ -101,7 +100,7 @@ pub enum InputProblem {
         /// Whether the material is isotropic.
         is_isotropic: bool,
     },
-    /// A strength that cannot be.
+    /// An impossible strength.
     #[error("material \"{material}\": {problem}")]
     Strength {
         /// Name of the material.
@@ -129,14 +128,14 @@ pub enum InputProblem {
         /// Largest one \[m\].
         largest: f64,
     },
-    /// A section so far from the origin that nothing about it has digits left.
+    /// A section so far from the origin that its results have no accurate digits.
     #[error(
         "the section lies {distance:.3e} m from the origin of the mesh, {ratio:.1e} times its \
-         size, expected at most {limit:e} times: torsion about the origin would have no digits \
-         left"
+         size, expected at most {limit:e} times: torsion about the origin would have no accurate \
+         digits"
     )]
     Far {
-        /// Distance of its middle \[m\].
+        /// Distance of its center \[m\].
         distance: f64,
         /// Distance over size \[-\].
         ratio: f64,
@@ -145,9 +144,9 @@ pub enum InputProblem {
     },
     /// A section that reaches the center of curvature of its beam.
     #[error(
-        "the beam is curved by {} deg/m, and the section reaches its center of curvature: at \
-         node {node} of cell {cell}, ({}, {}) in the mesh, J = l1 + k2 z - k3 y is {}, expected \
-         more than 0 everywhere; less than {} deg/m would do",
+        "the beam is curved by {} deg/m, and the section reaches its center of curvature: at node \
+         {node} of cell {cell}, ({}, {}) in the mesh, J = l1 + k2 z - k3 y is {}, expected more \
+         than 0 everywhere, which requires less than {} deg/m",
         label(*.curvature), label(.place[0]), label(.place[1]), label(*.length), label(*.largest)
     )]
     Folded {
@@ -155,9 +154,9 @@ pub enum InputProblem {
         cell: u64,
         /// Tag of the node with the least J.
         node: u64,
-        /// Its place (y, z) \[unit of length of the file\].
+        /// Its position (y, z) \[unit of length of the file\].
         place: [f64; 2],
-        /// J there \[-\].
+        /// J at this node \[-\].
         length: f64,
         /// Curvature about y and z together \[deg/m\].
         curvature: f64,
@@ -168,7 +167,7 @@ pub enum InputProblem {
         /// Distance of the farthest node from the origin \[unit of length of the file\].
         far: f64,
     },
-    /// A load beyond all structures, whose stresses would have no value.
+    /// A load beyond all structures, whose stresses would not be finite.
     #[error(
         "load \"{load}\" has {} of {value:e} about the origin of the mesh, expected at most \
          {limit:e}",
@@ -177,14 +176,14 @@ pub enum InputProblem {
     HugeLoad {
         /// Name of the load case.
         load: String,
-        /// Component, in their order.
+        /// Index of the component.
         component: usize,
-        /// What was found \[N, N m\].
+        /// Value found \[N, N m\].
         value: f64,
         /// Largest size \[N, N m\].
         limit: f64,
     },
-    /// A name that is no part of a file name.
+    /// A name that cannot be part of a file name.
     #[error("load \"{load}\": expected a name of letters, digits, \"-\" and \"_\"")]
     LoadName {
         /// Name of the load case.
@@ -212,7 +211,7 @@ pub enum InputProblem {
         /// Whether a group of the other kind has this name.
         is_other: bool,
     },
-    /// A group that names nothing.
+    /// A group without elements.
     #[error("physical {kind} \"{group}\" has no {content} in the mesh, expected at least one")]
     EmptyGroup {
         /// `surface` or `curve`.
@@ -230,9 +229,9 @@ pub enum InputProblem {
         /// Line of its first region.
         line: usize,
     },
-    /// Cells that stand in the groups of two regions.
+    /// Cells that are in the groups of two regions.
     #[error(
-        "regions \"{first}\" (line {line}) and \"{second}\" both claim {} (cell {example} for \
+        "regions \"{first}\" (line {line}) and \"{second}\" both contain {} (cell {example} for \
          example), expected every cell in one region",
         counted(*.cells, "cell")
     )]
@@ -256,7 +255,7 @@ pub enum InputProblem {
         /// Number of its cells.
         cells: usize,
     },
-    /// Cells that no region can name.
+    /// Cells in no physical surface.
     #[error(
         "mesh \"{mesh}\" has {} in no physical surface (cell {example} for example), expected \
          every cell in one",
@@ -270,7 +269,7 @@ pub enum InputProblem {
         /// Tag of one of them.
         example: u64,
     },
-    /// A laminate with a list of plies and the keys of one.
+    /// A laminate with a list of plies and the keys of a single ply.
     #[error("a lamina has \"plies\" and \"{key}\", expected one of them")]
     PliesAndPly {
         /// A key of a ply.
@@ -279,13 +278,13 @@ pub enum InputProblem {
     /// A laminate without plies.
     #[error("a lamina has no plies")]
     NoPlies,
-    /// A laminate that is called as something else.
-    #[error("the name \"{name}\" of a lamina is taken by a surface or another lamina")]
+    /// A laminate whose name is in use.
+    #[error("the name \"{name}\" of a lamina is already the name of a surface or another lamina")]
     LaminaName {
         /// The name.
         name: String,
     },
-    /// An angle given in two ways, or in none that is known.
+    /// An angle given in two ways, or in an unknown way.
     #[error("\"{key}\" has both \"table\" and \"follow\", expected one of them")]
     TableAndFollow {
         /// `fiber_angle` or `plane_angle`.
@@ -296,7 +295,7 @@ pub enum InputProblem {
     NoAngle {
         /// `fiber_angle` or `plane_angle`.
         key: &'static str,
-        /// The keys expected, in words.
+        /// The keys expected, as text.
         expected: &'static str,
     },
     /// A table by cells without the expected heading.
@@ -312,7 +311,7 @@ pub enum InputProblem {
     TableRow {
         /// The row as written.
         found: String,
-        /// What was expected.
+        /// Description of the expected row.
         expected: String,
     },
     /// A cell with two values.
@@ -320,7 +319,7 @@ pub enum InputProblem {
     TableRepeats {
         /// Tag of the cell.
         cell: u64,
-        /// What the table gives, in words.
+        /// Description of the values of the table.
         value: &'static str,
         /// Line of its first value.
         line: usize,
@@ -331,7 +330,7 @@ pub enum InputProblem {
         /// Their number.
         count: usize,
     },
-    /// A table with too few or wrong rows.
+    /// A table with missing or unknown rows.
     #[error(
         "{column} table \"{table}\" has {}, expected {expected}, one for each cell of {users}{}{}",
         counted(*.found, "row"), listed(&format!("; no {column} for"), *.has_lines, .missing),
@@ -346,13 +345,13 @@ pub enum InputProblem {
         found: usize,
         /// Rows expected.
         expected: usize,
-        /// What takes its values from it: groups, or the mesh.
+        /// Users of the table: groups, or the mesh.
         users: String,
-        /// Whether rows stand for lines too.
+        /// Whether rows may be for lines too.
         has_lines: bool,
         /// Cells without a value.
         missing: Box<[u64]>,
-        /// Cells that are not among these.
+        /// Cells that do not use the table.
         unknown: Box<[u64]>,
     },
 }
@@ -374,12 +373,12 @@ impl Explain for InputProblem {
             )),
             Self::CellsWithoutGroup { .. } => Some(
                 "in gmsh, put every surface of the section in a physical surface, and set \
-                 Mesh.SaveAll = 0 (with 1, files of version 2.2 name no groups at all)"
+                 Mesh.SaveAll = 0 (with 1, files of version 2.2 contain no groups)"
                     .to_owned(),
             ),
             Self::CellInTwoRegions { .. } => Some(
-                "a cell has one material: name groups that share no cell, or take the surface \
-                 out of one of them"
+                "a cell has one material: name groups that share no cell, or remove the surface \
+                 from one of them"
                     .to_owned(),
             ),
             Self::Inadmissible { problem, .. } => problem.help(),
@@ -410,13 +409,13 @@ fn label(value: f64) -> String {
     tick_label(value, 0.0)
 }
 
-/// What may be wrong with a curvature whose plain numbers count `factor` deg/m, of a
+/// Remedy for a curvature whose plain numbers are in units of `factor` deg/m, of a
 /// section whose farthest node is `far` from the origin of the mesh.
 fn folded_help(factor: f64, far: f64) -> String {
     format!(
-        "a plain number counts {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in 1/m is in \
-         \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), and that the \
-         origin of the mesh is on the reference line (the farthest node is {} away)",
+        "a plain number is in units of {} deg/m here: check the unit (as in \"5 deg/m\"; 1/R in \
+         1/m is in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), and \
+         that the origin of the mesh is on the reference line (the farthest node is {} away)",
         label(factor),
         label(far)
     )
@@ -430,7 +429,7 @@ impl InputProblem {
                  ... }, ...]",
             ),
             Self::LaminaName { .. } => {
-                Some("tables and reports go by it: give the lamina a \"name\" of its own")
+                Some("tables and reports use it: give the lamina its own \"name\"")
             }
             Self::Prestress { .. } => Some("remove \"prestress\" or [initial_curvature]"),
             Self::HugeLoad { .. } => {

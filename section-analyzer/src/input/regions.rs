@@ -5,8 +5,8 @@ use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
 
-/// Largest angle \[rad\]: 1000 revolutions. What is left of a much larger one after whole
-/// revolutions has no digit that means anything.
+/// Largest angle \[rad\]: 1000 revolutions. For a much larger angle the remainder after
+/// whole revolutions has no accurate digit.
 const LARGEST_ANGLE: f64 = 1000.0 * std::f64::consts::TAU;
 
 /// `[[region]]` as far as it could be read.
@@ -19,21 +19,21 @@ pub(super) struct WrittenRegion {
     pub plane_angle: Option<WrittenAngle>,
 }
 
-/// A name and the line that holds it.
+/// A name and its line.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Written {
     pub text: String,
     pub line: usize,
 }
 
-/// An angle as the input gives it.
+/// An angle as given in the input.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum WrittenAngle {
     /// The same for all cells \[rad\].
     Constant(f64),
     /// From a table by cell.
     Table(Written),
-    /// The direction of a curve, or the opposite one.
+    /// The direction of a curve, or the opposite direction.
     Follow { curve: Written, reverse: bool },
 }
 
@@ -56,7 +56,7 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenRegion> {
         .collect()
 }
 
-/// A required name, or a number that stands for one.
+/// A required name, or a number that represents a name.
 pub(super) fn name(table: &Table<'_>, key: &str, expected: &str) -> Option<Written> {
     let text = if table.is_list(key) || table.is_table(key) {
         table.wrong(key, expected);
@@ -70,8 +70,8 @@ pub(super) fn name(table: &Table<'_>, key: &str, expected: &str) -> Option<Writt
     Some(Written { text, line })
 }
 
-/// A constant, `{ table = ... }`, or for the plane angle `{ follow = ... }`; zero
-/// when absent.
+/// A constant, `{ table = ... }`, or for the plane angle `{ follow = ... }`; zero if
+/// absent.
 fn angle(region: &Table<'_>, key: &'static str) -> Option<WrittenAngle> {
     if !region.has(key) {
         return Some(WrittenAngle::Constant(0.0));

@@ -1,13 +1,13 @@
-//! The section file, described once: every key with its table, kind of value,
+//! The single description of the section file: every key with its table, kind of value,
 //! meaning and example.
 //!
-//! From [`SECTION_FILE`] follow the JSON schema for editors ([`json_schema`]) and the
-//! reference of the book ([`reference`]). A test holds the description and the
-//! reader to each other, key by key: what one knows, the other must know.
+//! The JSON schema for editors ([`json_schema`]) and the reference of the book
+//! ([`reference`]) are made from [`SECTION_FILE`]. A test compares the description with
+//! the reader, key by key: both must have the same keys.
 //!
-//! A new key is one line in a list: `schema/keys.rs`, `schema/materials.rs`,
-//! `schema/limits.rs` for the limits of materials, `schema/electric.rs` for electric laws and electrodes, or
-//! `schema/laminae.rs` for laminates along curves.
+//! A new key needs one line in a list: `schema/keys.rs`, `schema/materials.rs`,
+//! `schema/limits.rs` for the limits of materials, `schema/electric.rs` for electric laws
+//! and electrodes, or `schema/laminae.rs` for laminates along curves.
 
 use shared_geom::units::Dimension;
 
@@ -31,21 +31,21 @@ pub use reference::reference;
 pub struct TableSchema {
     /// The table as it is written: `[material.NAME]`.
     pub title: &'static str,
-    /// What it is for.
+    /// Its purpose.
     pub meaning: &'static str,
-    /// Its keys, but for those of its families.
+    /// Its keys, except the keys of its families.
     pub keys: &'static [KeySchema],
     /// Sets of keys that exclude each other, of which the table has exactly one;
-    /// empty where it has no such choice.
+    /// empty if it has no alternatives.
     pub families: &'static [Family],
 }
 
-/// Keys that belong together and exclude those of other families.
+/// Keys that belong together and exclude the keys of other families.
 #[derive(Debug)]
 pub struct Family {
     /// The name of the family: `isotropic`.
     pub name: &'static str,
-    /// What it is for.
+    /// Its purpose.
     pub meaning: &'static str,
     /// Its keys.
     pub keys: &'static [KeySchema],
@@ -56,17 +56,17 @@ pub struct Family {
 pub struct KeySchema {
     /// The key.
     pub name: &'static str,
-    /// What its value may be: one kind, or one of several.
+    /// Allowed values: one kind, or one of several.
     pub kinds: &'static [ValueKind],
-    /// Whether it must be there, and what holds when it is not.
+    /// Whether it is required, and its default.
     pub need: Need,
-    /// What it means.
+    /// Its meaning.
     pub meaning: &'static str,
-    /// A value in TOML; empty where the value is a table.
+    /// A value in TOML; empty if the value is a table.
     pub example: &'static str,
 }
 
-/// A key; a value that is a table has no example of its own.
+/// A key; a value that is a table has no example.
 const fn key(
     name: &'static str,
     kinds: &'static [ValueKind],
@@ -83,23 +83,23 @@ const fn key(
     }
 }
 
-/// Whether a key must be there.
+/// Whether a key is required.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Need {
-    /// It must.
+    /// Required.
     Required,
-    /// It need not, and nothing takes its place.
+    /// Optional, without default.
     Optional,
-    /// It need not; this value or rule, in words, takes its place.
+    /// Optional, with this value or rule as default.
     Default(&'static str),
 }
 
-/// What a value may be.
+/// Allowed values of a key.
 #[derive(Debug)]
 pub enum ValueKind {
     /// A text.
     Text,
-    /// A text, or a whole number that stands for one: a physical group.
+    /// A text, or a whole number that represents it: a physical group.
     Name,
     /// A name, or a list of names.
     Names,
@@ -111,26 +111,26 @@ pub enum ValueKind {
     Unit(Dimension),
     /// A number in the declared units, or a text with a unit of its own.
     Quantity(Dimension),
-    /// As many quantities.
+    /// An array of this number of quantities.
     Vector(usize, Dimension),
-    /// A whole number from 1 to this one.
+    /// A whole number from 1 to this number.
     Count(usize),
-    /// A list of one to as many plain numbers.
+    /// A list of one to this number of plain numbers.
     Numbers(usize),
-    /// A table of quantities by names of the user's choice.
+    /// A table of quantities with names chosen by the user.
     Named(Dimension),
     /// Rows and columns of plain numbers.
     Rows(usize, usize),
     /// A table, `[key]`.
     Table(&'static TableSchema),
-    /// Tables with names of the user's choice, `[key.NAME]`.
+    /// Tables with names chosen by the user, `[key.NAME]`.
     NamedTables(&'static TableSchema),
     /// A list of tables, `[[key]]`.
     Tables(&'static TableSchema),
 }
 
 impl ValueKind {
-    /// The table behind the key, where there is one.
+    /// The table of the key, if its value is a table.
     pub fn table(&self) -> Option<&'static TableSchema> {
         match self {
             Self::Table(table) | Self::NamedTables(table) | Self::Tables(table) => Some(table),

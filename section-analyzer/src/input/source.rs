@@ -1,5 +1,5 @@
-//! What a section was made from, and what moves with a node of the mesh file: the nodes
-//! that laminates make from it, and the plane angles that follow it.
+//! The data from which a section was made, and everything that moves with a node of the
+//! mesh file: nodes of laminates, and plane angles.
 
 use std::f64::consts::{PI, TAU};
 
@@ -16,17 +16,18 @@ use crate::properties::AreaMoments;
 use crate::section::Section;
 use crate::sensitivity::{Axis, CellTurn, MeshNode, Motion, NodeVelocity};
 
-/// Step of the differences, relative to the nearest neighbor of the node. They err by its
-/// square times the cube of what sharp corners stretch, and by 1e-16 of the size of the
-/// section over the step: 1e-8 where neighbors are a thousandth of the size away.
+/// Step of the differences, relative to the distance of the node's nearest neighbor.
+/// Their error is the square of the step times the cube of the stretch at sharp corners,
+/// plus 1e-16 of the size of the section divided by the step: 1e-8 if neighbors are a
+/// thousandth of the size apart.
 const STEP: f64 = 1e-5;
 
-/// Largest change of a rate within a step, relative to the rate: [`STEP`] times the bend
-/// of what is made, a few hundred at the sharpest corner. Where a choice of the laminates
-/// or of the nearest place of a curve changes, it is one and more.
+/// Largest change of a rate within a step, relative to the rate. For smooth motions it is
+/// [`STEP`] times the curvature of the result, a few hundred at the sharpest corner. If a
+/// decision of the laminates or the nearest line of a curve changes, it is one or more.
 const SMOOTH: f64 = 2e-2;
 
-/// The mesh of the file, and what is made from it.
+/// The mesh of the file, with the data of its laminates and angles.
 #[derive(Debug, Clone, Default)]
 pub struct Source {
     /// The mesh of the file, without laminates.
@@ -35,14 +36,14 @@ pub struct Source {
     meters_per_unit: f64,
     /// The laminates along its lines.
     laminae: Vec<Lamina>,
-    /// What they are called.
+    /// Their names.
     names: Vec<Option<String>>,
     /// For each of its cells the curve that the plane angle follows: label of a physical
     /// curve.
     follows: Vec<Option<String>>,
 }
 
-/// Why a node of the mesh file is no parameter.
+/// Reasons for which a node of the mesh file cannot be a parameter.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum NodeProblem {
     /// A node that the file does not have.
@@ -55,7 +56,7 @@ pub enum NodeProblem {
         /// The nearest tag of the file.
         nearest: Option<u64>,
     },
-    /// A node that a laminate has made.
+    /// A node made by a laminate.
     #[error("node {node} is not in the mesh \"{mesh}\": a laminate has made it")]
     Made {
         /// Tag of the node.
@@ -63,7 +64,7 @@ pub enum NodeProblem {
         /// Name of the mesh file.
         mesh: String,
     },
-    /// A node that the section does not depend on.
+    /// A node on which the section does not depend.
     #[error(
         "node {node} of the mesh \"{mesh}\" belongs to no cell and to no line that a laminate or an angle follows"
     )]
@@ -73,18 +74,18 @@ pub enum NodeProblem {
         /// Name of the mesh file.
         mesh: String,
     },
-    /// The section jumps as the node moves.
+    /// The section changes by a jump as the node moves.
     #[error(
         "as node {node} moves, {what} at y = {y:.6e} m, z = {z:.6e} m changes by a jump: there is no derivative"
     )]
     Jump {
         /// Tag of the node.
         node: u64,
-        /// What jumps.
+        /// The quantity with the jump.
         what: &'static str,
-        /// Place of it \[m\].
+        /// Its y coordinate \[m\].
         y: f64,
-        /// Place of it \[m\].
+        /// Its z coordinate \[m\].
         z: f64,
     },
 }
@@ -96,11 +97,11 @@ impl Explain for NodeProblem {
                 return nearest.map(|node| format!("the nearest number in the file is {node}"));
             }
             Self::Made { .. } => {
-                "name nodes of the lines that the laminates are along: all that is made from them moves with them"
+                "name nodes of the lines with laminates: the nodes of laminates move with them"
             }
             Self::Free { .. } => "give a node of a cell, or of a line with a laminate",
             Self::Jump { what, .. } if *what == ANGLE => {
-                "the curve that its plane angle follows is as near at two of its lines: move a node a little"
+                "two lines of the curve that its plane angle follows are equally near: move a node a little"
             }
             Self::Jump { .. } => {
                 "the lines meet at 15 degrees there, or at the limit of another rule of laminates: move a node a little"
@@ -113,16 +114,18 @@ impl Explain for NodeProblem {
 const NODE: &str = "the node of a laminate";
 const ANGLE: &str = "the plane angle of the cell";
 
-/// Places of all nodes and plane angles of all cells that move, for a place of a node.
+/// Positions of all nodes, and plane angles of all moving cells, for one position of a
+/// node.
 struct Shape {
     mesh: SectionMesh,
-    /// Of the cells that [`Source::turning`] lists, then of those of laminates \[rad\].
+    /// Angles of the cells that [`Source::turning`] lists, then of the cells of laminates
+    /// \[rad\].
     angles: Vec<f64>,
 }
 
 impl Source {
-    /// A mesh in the unit of length of `document`, the laminates along its lines, and for
-    /// each of its cells the curve that it follows.
+    /// A mesh in the unit of length of `document`, the laminates along its lines, and the
+    /// curve that each of its cells follows.
     pub(super) fn new(
         document: &Document,
         mesh: Mesh,
@@ -138,15 +141,15 @@ impl Source {
         }
     }
 
-    /// The coordinate along `axis` of the node `tag`, with all that moves with it.
+    /// The coordinate along `axis` of the node `tag`, with everything that moves with it.
     ///
     /// ```text
     /// dx/dp = (x(p + h) - x(p - h)) / 2h
     /// ```
-    /// of the nodes and plane angles that laminates and curves make of the mesh.
+    /// for the nodes and plane angles that laminates and curves add to the mesh.
     ///
     /// # Errors
-    /// [`NodeProblem`]; `name` is that of the mesh file.
+    /// [`NodeProblem`]; `name` is the name of the mesh file.
     pub fn coordinate(
         &self,
         section: &Section,
@@ -197,7 +200,7 @@ impl Source {
         })
     }
 
-    /// What moves with a node of the mesh, beside itself.
+    /// Everything that moves with a node of the mesh, except the node itself.
     fn made_by(&self, section: &Section, node: u32, way: [f64; 2]) -> Result<Motion, NodeProblem> {
         let turning = self.turning(node);
         let is_laminated = self.laminae.iter().any(|lamina| {
@@ -256,8 +259,8 @@ impl Source {
         Ok(motion)
     }
 
-    /// The cells of the mesh whose plane angle may turn with a node: those of it, and all
-    /// that follow a curve of it.
+    /// The cells of the mesh whose plane angle may change with a node: its own cells, and
+    /// all cells that follow one of its curves.
     fn turning(&self, node: u32) -> Vec<usize> {
         let mut moved: Vec<String> = Vec::new();
         for line in self
@@ -272,7 +275,7 @@ impl Source {
         let cells = self.mesh.cells.iter().zip(&self.follows).enumerate();
         let turns = cells.filter(|(_, (cell, follows))| {
             let follows = follows.as_ref();
-            // a curve that the file does not have is the face of a laminate
+            // a curve that is not in the file is the face of a laminate
             let is_made = |label: &String| self.mesh.groups.iter().all(|of| of.label() != *label);
             follows.is_some_and(|label| {
                 moved.contains(label) || is_made(label) || cell.nodes().contains(&node)
@@ -292,8 +295,8 @@ impl Source {
         distances.filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min)
     }
 
-    /// The section with a node of the mesh moved by [mesh unit]; `None` where the laminates
-    /// fail or have other cells.
+    /// The section with a node of the mesh moved by `by` [mesh unit]; `None` if the
+    /// laminates fail or have other cells.
     fn shape(
         &self,
         section: &Section,
@@ -330,7 +333,7 @@ pub(super) fn parabolas(mesh: &SectionMesh, label: &str) -> Option<Vec<Parabola>
     Some(curve.lines.iter().map(line).collect())
 }
 
-/// The central difference; `None` where the two sides of it differ.
+/// The central difference; `None` if its two sides differ.
 fn rate([before, here, behind]: [f64; 3], step: f64, unit: f64) -> Option<f64> {
     let rate = (behind - before) / (2.0 * step);
     let change = (behind - 2.0 * here + before) / step;
@@ -338,7 +341,7 @@ fn rate([before, here, behind]: [f64; 3], step: f64, unit: f64) -> Option<f64> {
     is_smooth.then_some(rate)
 }
 
-/// `angle` by whole turns next to another.
+/// `angle` plus whole turns, nearest to another angle.
 fn nearest_turn(angle: f64, other: f64) -> f64 {
     other + (angle - other + PI).rem_euclid(TAU) - PI
 }

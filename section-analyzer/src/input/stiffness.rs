@@ -1,4 +1,4 @@
-//! What cells of materials without stiffness leave of a section.
+//! Checks sections with cells that have no stiffness.
 
 use shared_geom::document::Document;
 use shared_geom::error::Explain;
@@ -7,27 +7,27 @@ use crate::material::ElasticLaw;
 use crate::mesh::{counted, short};
 use crate::section::Section;
 
-/// Parts that a message describes; the others are counted.
+/// Number of parts that a message describes; the others are counted.
 const PARTS_SHOWN: usize = 3;
 
-/// A section that does not hold together without the cells that have no stiffness.
+/// A section that is not connected by its cells with stiffness.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StiffnessProblem {
-    /// Nothing has a stiffness.
+    /// No cell has a stiffness.
     #[error(
         "no cell of the section has a stiffness: all regions are of materials with stiffness = \"none\""
     )]
     None,
-    /// Parts that nothing stiff joins.
+    /// Parts that no cells with stiffness connect.
     #[error(
-        "cells without stiffness are all that joins the section: the others are in {count} \
-         parts, {}, expected one part, connected through whole sides",
+        "only cells without stiffness connect the section: the others are in {count} parts, {}, \
+         expected one part, connected through whole sides",
         .parts.join(", ")
     )]
     Parts {
         /// Their number.
         count: usize,
-        /// The largest of them, in words.
+        /// Descriptions of the largest parts.
         parts: Vec<String>,
     },
 }
@@ -37,14 +37,15 @@ impl Explain for StiffnessProblem {
         let text = match self {
             Self::None => "a beam needs at least one region with a stiffness",
             Self::Parts { .. } => {
-                "give the filler between them a small modulus, such as 1e-6 of that of the others"
+                "give the filler between them a small modulus, such as 1e-6 of the modulus of the \
+                 others"
             }
         };
         Some(text.to_owned())
     }
 }
 
-/// Notes at `line` that the cells with stiffness are no section.
+/// Notes at `line` a section whose cells with stiffness are not connected.
 pub(super) fn check(document: &Document, line: usize, section: &Section) {
     let is_stiff = |cell: usize| {
         let material = section.cells.get(cell).map(|cell| cell.material);

@@ -14,7 +14,7 @@ const INTERACTION: [&str; 3] = ["f23", "f13", "f12"];
 const UNIFORM: [&str; 3] = ["tension", "compression", "shear"];
 const YIELD: [&str; 1] = ["yield"];
 
-/// Which keys a table has.
+/// The keys of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Family {
     Ply,
@@ -28,19 +28,19 @@ impl Family {
     }
 }
 
-/// What the strengths of a table measure.
+/// Quantity of the limits in a table.
 #[derive(Debug, Clone, Copy)]
 struct Measure {
-    /// Key of the table in that of the material.
+    /// Key of the table in the material's table.
     key: &'static str,
     dimension: Dimension,
-    /// The shear limit of the plane 23 where it is not given, in parts of `yc`.
+    /// Default of the shear limit in the plane 23, as a fraction of `yc`.
     shear_23: f64,
     families: &'static [(Family, &'static [&'static str])],
 }
 
-/// The shear stress in the plane of 2 and 3 under transverse compression at its limit
-/// is half of it.
+/// The shear stress in the plane of 2 and 3 under transverse compression at its limit is
+/// half of this limit.
 const STRENGTH: Measure = Measure {
     key: "strength",
     dimension: Dimension::STRESS,
@@ -53,8 +53,8 @@ const STRENGTH: Measure = Measure {
     ],
 };
 
-/// The engineering shear strain in that state is the compression and the part that
-/// Poisson's ratio adds, which is left out.
+/// The engineering shear strain in this state is the compression plus the Poisson
+/// contribution, which is neglected.
 const STRAIN_LIMIT: Measure = Measure {
     key: "strain_limit",
     dimension: Dimension::NUMBER,
@@ -62,8 +62,8 @@ const STRAIN_LIMIT: Measure = Measure {
     families: &[(Family::Ply, &PLY), (Family::Uniform, &UNIFORM)],
 };
 
-/// The limits in the table of a material whose law is `law`; what is wrong is noted,
-/// and left out.
+/// The limits in the table of a material whose law is `law`; problems are noted, and the
+/// limits omitted.
 pub(super) fn read(name: &str, table: &Table<'_>, law: Option<&ElasticLaw>) -> MaterialLimits {
     let read = |measure: Measure| {
         let table = table
@@ -98,9 +98,9 @@ struct Limits<'a> {
 }
 
 impl Limits<'_> {
-    /// The kind of limits that the keys speak of, if it suits the law.
+    /// The kind of limits that the keys determine, if it suits the law.
     fn family(&self, law: Option<&ElasticLaw>) -> Option<Family> {
-        // Every key is asked for, so that none of them counts as unknown.
+        // All keys are read, so that none of them is reported as unknown.
         let mut found: Vec<(Family, &'static str)> = Vec::new();
         for (family, keys) in self.measure.families {
             let present: Vec<_> = keys.iter().filter(|key| self.table.has(key)).collect();
@@ -142,7 +142,7 @@ impl Limits<'_> {
         self.table.note(key, &problem);
     }
 
-    /// The values, when all that are required are there and admissible.
+    /// The values, if all required ones are present and admissible.
     fn read(&self, family: Family) -> Option<Strength> {
         let require = |key| self.table.require_quantity(key, self.measure.dimension);
         let strength = match family {
@@ -169,7 +169,7 @@ impl Limits<'_> {
                 | StrengthProblem::InteractionOutOfRange { key, .. } => key,
                 StrengthProblem::OpenSurface { .. } => "f12",
             };
-            // One that stands for another has been told with that one.
+            // A default that is another value has been reported with that value.
             let is_written = self.table.has(key);
             if is_written || matches!(problem, StrengthProblem::OpenSurface { .. }) {
                 let material = self.material.to_owned();
@@ -182,7 +182,7 @@ impl Limits<'_> {
 
     fn directional(&self) -> Option<DirectionalLimits> {
         let dimension = self.measure.dimension;
-        // Every key is asked for before the first missing one ends the reading.
+        // All keys are read before the first missing one ends the reading.
         let [xt, xc, yt, yc, s12] =
             ["xt", "xc", "yt", "yc", "s12"].map(|key| self.table.require_quantity(key, dimension));
         // absent or wrong, which has been noted
@@ -198,7 +198,7 @@ impl Limits<'_> {
         })
     }
 
-    /// Interactions 23, 13, 12; none for strains.
+    /// Interactions 23, 13, 12; the default for strains.
     fn interaction(&self) -> Option<[f64; 3]> {
         if self.measure.key != STRENGTH.key {
             return Some([DEFAULT_INTERACTION; 3]);

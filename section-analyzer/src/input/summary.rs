@@ -1,4 +1,4 @@
-//! What went into a section, for its report.
+//! Summary of a section input, for its report.
 
 use std::fmt;
 
@@ -10,15 +10,15 @@ use crate::mesh::quality::{MeshQuality, NamedCell};
 use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh, counted};
 use crate::properties::AreaTable;
 
-/// Seams, gaps and cells that are described at most; the others are counted.
+/// Number of seams, gaps and cells that are described; the others are counted.
 const DESCRIBED: usize = 3;
 
-/// What was read, in numbers and words.
+/// Contents of the input, as numbers and text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InputSummary {
-    /// The section file, as it was given.
+    /// The section file, as given.
     pub file: String,
-    /// The mesh file, as the section file names it.
+    /// The mesh file, as named in the section file.
     pub mesh_file: String,
     /// SHA-256 of the section file, the mesh and all tables.
     pub input_hash: String,
@@ -32,11 +32,11 @@ pub struct InputSummary {
     pub regions: Vec<RegionSummary>,
     /// Areas, moments of area, perimeters and masses, parallel to `regions`.
     pub areas: AreaTable,
-    /// Where the electrodes of the section are, in words, parallel to them.
+    /// Locations of the electrodes of the section, as text, parallel to them.
     pub electrodes: Vec<String>,
     /// Shapes of the cells.
     pub quality: MeshQuality,
-    /// What is odd but not wrong.
+    /// Warnings about the input.
     pub warnings: Vec<InputWarning>,
 }
 
@@ -70,10 +70,10 @@ pub struct RegionSummary {
     pub plane_angle: AngleSource,
 }
 
-/// Where the angles of a region come from.
+/// Source of the angles of a region.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AngleSource {
-    /// The same for all its cells \[rad\].
+    /// One angle for all its cells \[rad\].
     Constant(f64),
     /// A table by cell.
     Table(String),
@@ -90,7 +90,7 @@ impl fmt::Display for AngleSource {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Constant(angle) => {
-                // Degrees to nine decimals, free of the noise of the conversion.
+                // Degrees to nine decimals, without the round-off of the conversion.
                 let degrees = (angle.to_degrees() * 1e9).round() / 1e9;
                 write!(f, "{} deg", degrees + 0.0)
             }
@@ -107,14 +107,14 @@ impl fmt::Display for AngleSource {
     }
 }
 
-/// What is odd about an input, but not wrong.
+/// A warning about an input.
 #[derive(Debug, Clone, PartialEq)]
 pub enum InputWarning {
-    /// A material of no region.
+    /// An unused material.
     UnusedMaterial {
         /// Its name.
         material: String,
-        /// The line on which it stands.
+        /// The line of its table.
         line: usize,
     },
     /// A material without mass.
@@ -122,62 +122,62 @@ pub enum InputWarning {
         /// Its name.
         material: String,
     },
-    /// A material without expansion beside others that expand.
+    /// A material without expansion in a section in which others expand.
     NoExpansion {
         /// Its name.
         material: String,
     },
-    /// Something about electric laws and electrodes.
+    /// A warning about electric laws and electrodes.
     Electric(ElectricWarning),
     /// Cells that the mesh lists clockwise.
     ReversedCells {
         /// Their number.
         count: usize,
     },
-    /// Nodes of no cell.
+    /// Unused nodes.
     UnusedNodes {
         /// Their number.
         count: usize,
     },
-    /// Nodes that lie on each other, though their cells touch along no side.
+    /// Nodes at the same position, although their cells share no side.
     CoincidentNodes {
         /// Number of pairs.
         count: usize,
         /// Tags of the first pair.
         first: [u64; 2],
     },
-    /// Walls that touch in a node alone.
+    /// Walls that touch only in a node.
     PinchedNodes {
         /// Number of nodes.
         count: usize,
         /// Tag of the first.
         first: u64,
     },
-    /// A slit: cells touch along sides with nodes of their own.
+    /// A slit: cells touch along sides that share no nodes.
     Slit(Seam),
-    /// Nodes that hang on sides of other cells.
+    /// Hanging nodes, on sides of other cells.
     HangingNodes {
         /// Their number.
         count: usize,
         /// One of them.
         first: HangingNode,
     },
-    /// Sides that nearly touch.
+    /// Sides with a narrow gap.
     Gap(NarrowGap),
     /// Cells of poor shape.
     PoorCells {
         /// Their number.
         count: usize,
-        /// The worst of them, places in the unit of the mesh file.
+        /// The worst of them, positions in the unit of the mesh file.
         worst: Vec<NamedCell>,
     },
-    /// A beam so curved or twisted that it may be a mistake.
+    /// A curvature or twist so large that it may be a mistake.
     StrongCurvature {
         /// Largest curvature times the distance of the farthest node from the reference
         /// line \[-\].
         strength: f64,
     },
-    /// A line that runs along its sections rather than through them.
+    /// A reference line that is far from normal to its sections.
     Oblique {
         /// Angle between the line and the normal of the section \[deg\].
         angle: f64,
@@ -186,13 +186,13 @@ pub enum InputWarning {
     More {
         /// Their number.
         count: usize,
-        /// Of what.
+        /// Their kind.
         what: &'static str,
     },
 }
 
 impl InputWarning {
-    /// What the checks of the mesh have to say.
+    /// Warnings of the checks of the mesh.
     pub(super) fn of_mesh(report: &MeshReport) -> Vec<Self> {
         let mut warnings = Vec::new();
         if report.reversed_cells > 0 {
@@ -246,24 +246,23 @@ impl fmt::Display for InputWarning {
             }
             Self::NoExpansion { material } => write!(
                 f,
-                "material \"{material}\" has no \"expansion\", and others have: heat does not \
-                 strain it"
+                "material \"{material}\" has no \"expansion\", and others have: it does not expand"
             ),
             Self::Electric(warning) => warning.fmt(f),
             Self::ReversedCells { count } => write!(
                 f,
-                "{} listed clockwise in the mesh, as a whole surface: turned round",
+                "{} listed clockwise in the mesh, as a whole surface: reversed",
                 are(*count, "cell")
             ),
             Self::UnusedNodes { count } => {
-                write!(f, "{} used by no cell: left out", are(*count, "node"))
+                write!(f, "{} used by no cell: ignored", are(*count, "node"))
             }
             Self::CoincidentNodes {
                 count,
                 first: [a, b],
             } => write!(
                 f,
-                "{} at the same place, as nodes {a} and {b}, but not joined",
+                "{} at the same position, as nodes {a} and {b}, but not joined",
                 are(*count, "node pair")
             ),
             Self::PinchedNodes { count, first } => write!(f, "{}", pinched(*count, *first)),
@@ -276,14 +275,14 @@ impl fmt::Display for InputWarning {
             Self::PoorCells { count, worst } => write_poor_cells(f, *count, worst),
             Self::StrongCurvature { strength } => write!(
                 f,
-                "curvature times size is {}: more than blades and springs usually have; is the \
-                 unit meant (plain numbers are angles per length)?",
+                "curvature times size is {}: more than blades and springs usually have; check the \
+                 unit (plain numbers are angles per length)",
                 tick_label(*strength, 0.0)
             ),
             Self::Oblique { angle } => write!(
                 f,
-                "the reference line leads {} deg off the normal of the section: is \"slope\" \
-                 meant, whose first number is along the normal?",
+                "the reference line is {} deg off the normal of the section; check \"slope\", \
+                 whose first number is along the normal",
                 tick_label(*angle, 0.0)
             ),
             Self::More { count, what } => write!(f, "and {count} more {what}"),
@@ -313,7 +312,7 @@ fn write_poor_cells(f: &mut fmt::Formatter<'_>, count: usize, worst: &[NamedCell
     }
 }
 
-/// The first warnings of a kind, and how many more there are.
+/// The first warnings of a kind, and the number of further ones.
 fn limited(mut warnings: Vec<InputWarning>, what: &'static str) -> Vec<InputWarning> {
     let count = warnings.len().saturating_sub(DESCRIBED);
     if count > 0 {

@@ -1,5 +1,5 @@
-//! The angle tables of all regions: each file read once, and its rows compared
-//! with the cells of all regions that name it.
+//! The angle tables of all regions: each file read once, and its rows compared with the
+//! cells of all regions that use it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -13,16 +13,16 @@ use super::files::Files;
 use super::problem::InputProblem;
 use super::regions::{Written, WrittenAngle, WrittenRegion};
 
-/// A table and who takes angles from it.
+/// A table and its users.
 #[derive(Debug)]
 struct TableUse {
-    /// Where it is named first.
+    /// Location of its first use.
     written: Written,
     table: Option<CellTable>,
     cells: BTreeSet<u64>,
     groups: Vec<String>,
-    /// Whether the cells of all its regions are known: not where a region names a
-    /// group that the mesh does not have.
+    /// Whether the cells of all its regions are known: not if a region names a group that
+    /// the mesh does not have.
     is_complete: bool,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Tables {
 }
 
 impl Tables {
-    /// Reads every table that a region names.
+    /// Reads every table used by a region.
     pub fn read(document: &Document, files: &mut Files<'_>, regions: &[WrittenRegion]) -> Self {
         let mut tables = Self::default();
         let angles = regions
@@ -61,8 +61,7 @@ impl Tables {
         tables
     }
 
-    /// Adds the cells of a region to those that take their angle from the table at
-    /// `path`.
+    /// Adds the cells of a region to the cells that use the table at `path`.
     pub fn expect(&mut self, path: &PathBuf, group: &str, cells: &[u64]) {
         if let Some(table_use) = self.uses.get_mut(path) {
             table_use.cells.extend(cells);
@@ -73,7 +72,7 @@ impl Tables {
         }
     }
 
-    /// Notes every table whose rows are not those of its cells.
+    /// Notes every table whose rows do not match its cells.
     pub fn check(&self, document: &Document) {
         for table_use in self.uses.values().filter(|table_use| table_use.is_complete) {
             let Some(table) = &table_use.table else {

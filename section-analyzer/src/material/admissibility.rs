@@ -1,5 +1,5 @@
-//! Which materials can exist: positive moduli, bounds on Poisson's ratios,
-//! positive strain energy.
+//! Admissible materials: positive moduli, bounds on Poisson's ratios, positive strain
+//! energy.
 //!
 //! # References
 //! - Lempriere, *Poisson's ratio in orthotropic materials*, AIAA J. 6 (1968)
@@ -9,16 +9,15 @@ use super::elastic::{ElasticLaw, EngineeringConstants, Material};
 use nalgebra::Matrix6;
 use shared_geom::error::Explain;
 
-/// Largest difference between mirrored entries of a full stiffness, relative to
-/// its largest entry. Files carry six digits or more; a larger difference is a
-/// slip of the pen.
+/// Largest difference between mirrored entries of a full stiffness, relative to its
+/// largest entry. Files contain six digits or more; a larger difference is a mistake.
 const SYMMETRY_TOLERANCE: f64 = 1e-6;
 
-/// Smallest eigenvalue of a full stiffness relative to its largest entry; below
-/// it, the strain energy is zero to the digits that a factorization keeps.
+/// Smallest eigenvalue of a full stiffness relative to its largest entry; below it, the
+/// strain energy is zero within the accuracy of a factorization.
 const DEFINITENESS_TOLERANCE: f64 = 1e-12;
 
-/// Why a material cannot exist.
+/// Reasons for which a material cannot exist.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MaterialProblem {
     /// A constant is not a number or infinite.
@@ -26,7 +25,7 @@ pub enum MaterialProblem {
     NotFinite {
         /// Name of the constant.
         constant: &'static str,
-        /// What was found.
+        /// Value found.
         value: f64,
     },
     /// A Young's or shear modulus is zero or negative.
@@ -34,19 +33,19 @@ pub enum MaterialProblem {
     ModulusNotPositive {
         /// Name of the modulus.
         constant: &'static str,
-        /// What was found \[Pa\].
+        /// Value found \[Pa\].
         value: f64,
     },
     /// The density is negative.
     #[error("density is {value} kg/m^3, expected 0 or more")]
     DensityNegative {
-        /// What was found \[kg/m^3\].
+        /// Value found \[kg/m^3\].
         value: f64,
     },
     /// Poisson's ratio of an isotropic law is out of its range.
     #[error("nu is {value}, expected more than -1 and less than 0.5")]
     PoissonOutOfRange {
-        /// What was found \[-\].
+        /// Value found \[-\].
         value: f64,
     },
     /// A Poisson's ratio of an orthotropic law is too large for its moduli.
@@ -60,7 +59,7 @@ pub enum MaterialProblem {
         along: &'static str,
         /// Modulus along the contraction.
         across: &'static str,
-        /// What it must stay below \[-\].
+        /// Upper bound \[-\].
         bound: f64,
     },
     /// The three Poisson's ratios together give a negative strain energy.
@@ -69,7 +68,7 @@ pub enum MaterialProblem {
          expected more than 0"
     )]
     PoissonTogetherTooLarge {
-        /// What was found \[-\].
+        /// Value found \[-\].
         value: f64,
     },
     /// Mirrored entries of a full stiffness differ.
@@ -86,9 +85,9 @@ pub enum MaterialProblem {
         /// Entry (column, row) \[Pa\].
         lower: f64,
     },
-    /// A full stiffness gives zero or negative energy to some strain.
+    /// A full stiffness has zero or negative energy for some strain.
     #[error(
-        "smallest eigenvalue of the stiffness is {smallest:e} Pa beside a largest of {largest:e} Pa, expected more than 0"
+        "smallest eigenvalue of the stiffness is {smallest:e} Pa, the largest {largest:e} Pa, expected more than 0"
     )]
     NotPositiveDefinite {
         /// Smallest eigenvalue \[Pa\].
@@ -102,18 +101,18 @@ impl Explain for MaterialProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
             Self::PoissonTooLarge { .. } => {
-                "nu_ij is -strain_j / strain_i under a stress along i alone; \
-                 nu_ji = nu_ij E_j / E_i may have been given in its place"
+                "nu_ij is -strain_j / strain_i under a stress along i alone; nu_ji = nu_ij E_j / \
+                 E_i may have been given instead"
             }
             Self::PoissonTogetherTooLarge { .. } => {
-                "each ratio is within its own bound, but some strain would release energy: \
-                 lower nu23 or the ratio you know least"
+                "each ratio is within its own bound, but some strain would release energy: lower \
+                 nu23 or the least certain ratio"
             }
             Self::PoissonOutOfRange { .. } => {
-                "nearly incompressible materials such as rubber take 0.49 to 0.4999"
+                "nearly incompressible materials such as rubber have 0.49 to 0.4999"
             }
             Self::ModulusNotPositive { .. } => {
-                "give soft fillers a small modulus, such as 1e-6 of that of the skin"
+                "give soft fillers a small modulus, such as 1e-6 of the modulus of the skin"
             }
             Self::NotPositiveDefinite { .. } | Self::NotSymmetric { .. } => {
                 "rows and columns are ordered 11 22 33 23 13 12, with engineering shear strains"
@@ -125,7 +124,7 @@ impl Explain for MaterialProblem {
 }
 
 impl Material {
-    /// Everything that keeps this material from existing; empty when admissible.
+    /// All violations of this material's bounds; empty if admissible.
     pub fn check(&self) -> Vec<MaterialProblem> {
         let mut problems = self.law.check();
         if !self.density.is_finite() {
@@ -143,9 +142,9 @@ impl Material {
 }
 
 impl ElasticLaw {
-    /// Everything that keeps this law from existing; empty when admissible.
+    /// All violations of this law's bounds; empty if admissible.
     ///
-    /// Bounds that need a sound modulus are checked only when there is one.
+    /// Bounds that depend on a modulus are checked only if the modulus is sound.
     pub fn check(&self) -> Vec<MaterialProblem> {
         match self {
             Self::Isotropic { young, poisson } => check_isotropic(*young, *poisson),
@@ -201,7 +200,7 @@ fn check_orthotropic(k: &EngineeringConstants) -> Vec<MaterialProblem> {
     problems
 }
 
-/// `|nu_ij| < sqrt(E_i / E_j)` for each pair, then the three together.
+/// `|nu_ij| < sqrt(E_i / E_j)` for each pair, then the combined bound.
 fn check_ratios(k: &EngineeringConstants) -> Vec<MaterialProblem> {
     let pairs = [
         ("nu12", k.nu12, ("E1", k.e1), ("E2", k.e2)),
@@ -312,8 +311,8 @@ mod tests {
         ));
     }
 
-    /// nu21 in place of nu12: 0.28 * 9/37 would be sound, 0.28 * 37/9 = 1.15 is
-    /// sound too (bound 2.03), but nu12 = 2.5 is not.
+    /// nu21 instead of nu12: 0.28 * 9/37 would be sound, 0.28 * 37/9 = 1.15 is sound too
+    /// (bound 2.03), but nu12 = 2.5 is not.
     #[test]
     fn poisson_ratio_above_its_own_bound_names_the_bound() {
         let law = ElasticLaw::Orthotropic(EngineeringConstants { nu12: 2.5, ..GLASS });

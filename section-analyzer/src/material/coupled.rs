@@ -5,9 +5,9 @@
 //! [  D    ] = [ e  -epsS ] [  g  ]        g = grad V = -E                         (S-162)
 //! ```
 //!
-//! sigma and eps in the order yz yy zz xx xy xz, D and g in the order y z x: what the
-//! potential feeds by its derivatives within the section comes before what it feeds along
-//! the beam. c turns as a fourth-order tensor, e as a third-order one, epsS as a
+//! sigma and eps in the order yz yy zz xx xy xz, D and g in the order y z x: the
+//! derivatives of the potential within the section come before its derivative along the
+//! beam. c rotates as a fourth-order tensor, e as a third-order one, epsS as a
 //! second-order one (S-9).
 //!
 //! # References
@@ -24,7 +24,7 @@ pub type CoupledLaw = SMatrix<f64, 9, 9>;
 /// Axes y z x of the gradient.
 const GRADIENT_ORDER: [usize; 3] = [1, 2, 0];
 
-/// The law in section axes of a material turned by the two angles of [`material_axes`]:
+/// The law in section axes of a material rotated by the two angles of [`material_axes`]:
 /// `c`, order 11 22 33 23 13 12 \[Pa\], and its electric law.
 pub fn coupled_law(
     c: &Matrix6<f64>,
@@ -75,9 +75,9 @@ mod tests {
     use crate::section::samples::Random;
     use nalgebra::{Matrix3, Vector3, Vector6};
 
-    /// The law does not depend on the axes in which it is written: a stress and a
-    /// displacement from random strain and field, turned as tensors, are those of the turned
-    /// law. Round-off of numbers of order one.
+    /// The law does not depend on its axes: stress and electric displacement from random
+    /// strain and field, rotated as tensors, equal the results of the rotated law.
+    /// Tolerance: round-off of numbers of order one.
     #[test]
     fn laws_turn_with_their_tensors() {
         let mut random = Random(11);

@@ -6,23 +6,23 @@
 //! | --- | --- | --- | --- |
 //! | `S`, `C` | compliance and stiffness in material axes, order 11 22 33 23 13 12 | 1/Pa, Pa | 6x6 |
 //! | `D` | law in section axes, order yz yy zz xx xy xz | Pa | 6x6 |
-//! | `w` | axis about which a growing angle turns the material | - | 3 |
-//! | `G` | rate of the six stresses that turn about w | - | 6x6 |
+//! | `w` | axis about which an increasing angle rotates the material | - | 3 |
+//! | `G` | rate of the six stresses under rotation about w | - | 6x6 |
 //!
 //! ```text
 //! dC = -C dS C                                       engineering constants   (S-118)
 //! G s = [w x] s + s [w x]'      dD = G D + D G'      angles                  (S-119)
 //! ```
 //!
-//! A growing fiber angle turns the material about the normal of the ply, a growing
-//! plane angle about the axis of the beam.
+//! An increasing fiber angle rotates the material about the normal of the ply, an
+//! increasing plane angle about the axis of the beam.
 
 use super::elastic::{ElasticLaw, EngineeringConstants, Material};
 use super::orientation::{SECTION_ORDER, material_axes};
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use shared_geom::rotation::skew;
 
-/// A constant of a material, called as in the section file.
+/// A constant of a material, with its name in the section file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Constant {
     /// Young's modulus of an isotropic material.
@@ -82,7 +82,7 @@ impl Material {
         constants
     }
 
-    /// The value of a constant in SI; `None` for one that the material does not have.
+    /// The value of a constant in SI; `None` if the material does not have it.
     pub fn value(&self, constant: Constant) -> Option<f64> {
         match (constant, &self.law) {
             (Constant::Density, _) => Some(self.density),
@@ -97,8 +97,8 @@ impl Material {
 
 impl ElasticLaw {
     /// Derivative of the stiffness in material axes, order 11 22 33 23 13 12, with
-    /// respect to `constant` in SI; zero for one that the law does not have, density
-    /// among them.
+    /// respect to `constant` in SI; zero for a constant that the law does not have,
+    /// including density.
     pub fn derivative(&self, constant: Constant) -> Matrix6<f64> {
         let from_compliance = |rate: &Matrix6<f64>| {
             let c = self.stiffness();
@@ -136,7 +136,7 @@ fn symmetric(i: usize, j: usize, value: f64) -> Matrix6<f64> {
     matrix
 }
 
-/// dS/dnu: `S_ij = -nu/E` beside the diagonal of the normal part, `2 (1 + nu)/E` on the
+/// dS/dnu: `S_ij = -nu/E` off the diagonal of the normal part, `2 (1 + nu)/E` on the
 /// shears.
 fn isotropic_compliance_rate(young: f64) -> Matrix6<f64> {
     let normal = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| symmetric(i, j, -1.0 / young));
@@ -180,7 +180,7 @@ pub fn plane_angle_rate(d: &Matrix6<f64>) -> Matrix6<f64> {
     turning_rate(d, &Vector3::x())
 }
 
-/// Rate of a law whose material turns about `axis` by one radian (S-119).
+/// Derivative of a law with respect to a rotation of the material about `axis` \[per rad\] (S-119).
 fn turning_rate(d: &Matrix6<f64>, axis: &Vector3<f64>) -> Matrix6<f64> {
     let turn = skew(axis);
     let mut rate = Matrix6::zeros();
@@ -205,7 +205,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     /// Central differences with a step of 1e-5 of the value: their error is 1e-10, and
-    /// that of round-off 1e-11.
+    /// round-off 1e-11.
     fn checked(law: ElasticLaw) {
         let material = Material {
             name: "m".into(),
@@ -275,8 +275,8 @@ mod tests {
         checked(ElasticLaw::Full(full));
     }
 
-    /// Central differences of the rotated tensor with a step of 1e-4 rad: their error
-    /// is 16/6 1e-8 of the fourth harmonic.
+    /// Central differences of the rotated tensor with a step of 1e-4 rad: their error is
+    /// 16/6 1e-8 times the fourth harmonic.
     #[test]
     fn angles() {
         let c = ElasticLaw::Orthotropic(CARBON).stiffness();

@@ -13,17 +13,16 @@ use nalgebra::Matrix6;
 /// A material: its name, elastic law, density and expansion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
-    /// Name, as regions refer to it.
+    /// Name, used by regions.
     pub name: String,
-    /// Stress from strain.
+    /// Elastic law.
     pub law: ElasticLaw,
     /// Density \[kg/m^3\].
     pub density: f64,
     /// Coefficients of thermal expansion along the material axes 1, 2, 3; `None` for a
     /// material that does not expand \[1/K\].
     pub expansion: Option<[f64; 3]>,
-    /// What electric fields do; `None` for a material that is not part of the electric
-    /// problem.
+    /// Electric law; `None` for a material that is not part of the electric problem.
     pub electric: Option<ElectricLaw>,
 }
 
@@ -34,7 +33,7 @@ pub struct Material {
     reason = "a section has a handful of materials, and cells refer to them by index"
 )]
 pub enum ElasticLaw {
-    /// The same in all directions.
+    /// Isotropic.
     Isotropic {
         /// Young's modulus \[Pa\].
         young: f64,
@@ -46,7 +45,7 @@ pub enum ElasticLaw {
     /// Stiffness in material axes, order 11 22 33 23 13 12 with engineering
     /// shear strains \[Pa\].
     Full(Matrix6<f64>),
-    /// No stiffness: a material that is felt by its electric field and weight only.
+    /// No stiffness: a material with an electric field and weight only.
     Absent,
 }
 
@@ -128,7 +127,7 @@ impl EngineeringConstants {
 }
 
 impl ElasticLaw {
-    /// Whether it takes any stress.
+    /// Whether the material has a stiffness.
     pub fn has_stiffness(&self) -> bool {
         !matches!(self, Self::Absent)
     }

@@ -49,7 +49,7 @@ impl ElectricLaw {
         }
     }
 
-    /// Whether electric field and stress know of each other.
+    /// Whether electric field and stress are coupled.
     pub fn is_piezoelectric(&self) -> bool {
         self.coupling.iter().any(|&entry| entry != 0.0)
     }

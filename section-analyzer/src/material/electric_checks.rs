@@ -1,4 +1,4 @@
-//! Which electric laws can exist: positive energy of the field at constant strain.
+//! Admissible electric laws: positive energy of the field at constant strain.
 //!
 //! # References
 //! - [Ieee1987]: the two forms and the two permittivities.
@@ -15,14 +15,14 @@ const SYMMETRY_TOLERANCE: f64 = 1e-6;
 /// Smallest eigenvalue of a permittivity relative to its largest one.
 const DEFINITENESS_TOLERANCE: f64 = 1e-9;
 
-/// Largest permittivity \[F/m\], a hundred times that of the best dielectrics, and
-/// smallest one, a thousandth of that of vacuum.
+/// Largest permittivity \[F/m\], a hundred times the value of the best dielectrics, and
+/// smallest one, a thousandth of the vacuum permittivity.
 const PERMITTIVITIES: [f64; 2] = [1e-15, 1e-4];
 
-/// Largest stress per field \[C/m^2\], thirty times that of ceramics.
+/// Largest stress per field \[C/m^2\], thirty times the value of ceramics.
 const LARGEST_COUPLING: f64 = 1e3;
 
-/// At which state of the material a permittivity was measured.
+/// State of the material at which a permittivity was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeasuredAt {
     /// Free of stress: epsT.
@@ -31,7 +31,7 @@ pub enum MeasuredAt {
     Strain,
 }
 
-/// Why an electric law cannot exist.
+/// Reasons for which an electric law cannot exist.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ElectricProblem {
     /// Mirrored entries of a permittivity differ.
@@ -49,7 +49,7 @@ pub enum ElectricProblem {
         /// Entry (column, row) \[F/m\].
         lower: f64,
     },
-    /// A permittivity as given gives zero or negative energy to some field.
+    /// A given permittivity has zero or negative energy for some field.
     #[error(
         "the permittivity has the eigenvalue {smallest:e} F/m, expected all of them more than 0"
     )]
@@ -60,8 +60,8 @@ pub enum ElectricProblem {
     /// The permittivity at constant strain that follows from the constants is not positive.
     #[error(
         "the coupled law is indefinite: the permittivity at constant strain, epsT - {coupling}, \
-         has the eigenvalue {smallest:.4e} F/m (that at constant stress {least:.4e} to \
-         {largest:.4e} F/m), expected all of them more than 0"
+         has the eigenvalue {smallest:.4e} F/m (at constant stress {least:.4e} to {largest:.4e} \
+         F/m), expected all of them more than 0"
     )]
     Indefinite {
         /// `d c d'` or `e s e'`.
@@ -79,7 +79,7 @@ pub enum ElectricProblem {
         PERMITTIVITIES[0], PERMITTIVITIES[1]
     )]
     PermittivityOutOfRange {
-        /// What was found \[F/m\].
+        /// Value found \[F/m\].
         value: f64,
     },
     /// A coupling beyond all materials.
@@ -89,7 +89,7 @@ pub enum ElectricProblem {
         row: usize,
         /// Component of the stress, from one.
         column: usize,
-        /// What was found \[C/m^2\].
+        /// Value found \[C/m^2\].
         value: f64,
     },
 }
@@ -99,34 +99,35 @@ impl Explain for ElectricProblem {
         let text = match self {
             Self::NotSymmetric { .. } => return None,
             Self::NotPositive { .. } => {
-                "a field must take energy, whatever its direction: rows and columns are those of \
-                 axes 1 2 3"
+                "the energy of a field must be positive in all directions: rows and columns are \
+                 in the order of axes 1 2 3"
             }
             Self::Indefinite {
                 coupling: "d c d'", ..
             } => {
-                "d, the stiffness and the permittivity do not belong together: the stiffness is \
-                 that at constant field, and with d the permittivity is taken as that at constant \
-                 stress unless at = \"strain\"; check the unit of d too"
+                "d, the stiffness and the permittivity are inconsistent: the stiffness is at \
+                 constant field, and with d the permittivity is at constant stress unless at = \
+                 \"strain\"; check the unit of d too"
             }
             Self::Indefinite { .. } => {
-                "e, the stiffness and the permittivity do not belong together: the stiffness is \
-                 that at constant field; with e the permittivity is taken as that at constant \
-                 strain unless at = \"stress\""
+                "e, the stiffness and the permittivity are inconsistent: the stiffness is at \
+                 constant field; with e the permittivity is at constant strain unless at = \
+                 \"stress\""
             }
             Self::PermittivityOutOfRange { .. } => {
-                "that of vacuum is 8.854e-12 F/m; \"relative_permittivity\" is in units of it"
+                "the vacuum permittivity is 8.854e-12 F/m; \"relative_permittivity\" is in units \
+                 of it"
             }
             Self::LargeCoupling { .. } => {
-                "plain numbers count in the declared force, length and voltage: give the unit with \
-                 the number, as in \"17 C/m^2\" or \"741 pC/N\""
+                "plain numbers are in units of the declared force, length and voltage: give the \
+                 unit with the number, as in \"17 C/m^2\" or \"741 pC/N\""
             }
         };
         Some(text.to_owned())
     }
 }
 
-/// Coupling as a material's data give it.
+/// Coupling as given in a material's data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Coupling {
     /// Strain per field, 3x6 \[m/V\].
@@ -140,7 +141,7 @@ impl ElectricLaw {
     /// stiffness `c` at constant field \[Pa\] (S-161).
     ///
     /// # Errors
-    /// [`ElectricProblem`], all of them: what was given does not make a law.
+    /// [`ElectricProblem`], all of them: the data do not give an admissible law.
     pub fn checked(
         coupling: Option<&Coupling>,
         (permittivity, at): (&Matrix3<f64>, MeasuredAt),
@@ -244,9 +245,9 @@ mod tests {
         ElectricLaw::checked(Some(&coupling), (permittivity, at), &c)
     }
 
-    /// The reference has e and epsS of the same ceramic in eight digits: half a unit of the
-    /// last one is at most 5e-8 of any of them. Both forms, measured at either state, are one
-    /// law.
+    /// The reference has e and epsS of the same ceramic in eight digits: half a unit of
+    /// the last digit is at most 5e-8 of any value. Both forms, measured at either state,
+    /// give the same law.
     #[test]
     fn all_forms_of_the_data_are_one_law() {
         let Ceramic {
@@ -282,8 +283,8 @@ mod tests {
         }
     }
 
-    /// k33 of the ceramic is 0.75: a d33 larger by more than 1/0.75 leaves no energy to the
-    /// field, and d15 is told the same way.
+    /// k33 of the ceramic is 0.75: with a d33 larger by more than 1/0.75 the energy of
+    /// the field is not positive; likewise for d15.
     #[test]
     fn too_much_coupling_is_told_with_the_part_that_is_negative() {
         let Ceramic {
@@ -300,7 +301,7 @@ mod tests {
             panic!("{problems:?}");
         };
         assert!(coupling == "d c d'" && smallest < 0.0);
-        // at constant strain nothing is taken off
+        // at constant strain nothing is subtracted
         assert!(law(Coupling::Strains(d), &at_stress, MeasuredAt::Strain).is_ok());
         let e = ceramic().e * 2.0;
         let problems = law(Coupling::Stresses(e), &at_stress, MeasuredAt::Stress).unwrap_err();

@@ -16,9 +16,9 @@
 //! | `c` | stiffness in material axes, order 11 22 33 23 13 12 | Pa | 6x6 |
 //! | `d` | stiffness in section axes, order yz yy zz xx xy xz | Pa | 6x6 |
 //!
-//! The axes are (S-8). The rotation is that of the fourth-order tensor (S-9),
-//! `d_abcd = q_ai q_bj q_ck q_dl c_ijkl`: no transformation matrix of the six
-//! components is written by hand.
+//! The axes are (S-8). The fourth-order tensor is rotated (S-9),
+//! `d_abcd = q_ai q_bj q_ck q_dl c_ijkl`, without an explicit transformation matrix of the
+//! six components.
 
 use nalgebra::{Matrix3, Matrix6, Vector6};
 
@@ -56,12 +56,12 @@ pub fn material_axes(fiber_angle: f64, plane_angle: f64) -> Matrix3<f64> {
     )
 }
 
-/// Stiffness in section axes of a material turned by the two angles of
-/// [`material_axes`] \[Pa\].
+/// Stiffness in section axes of a material rotated by the two angles of [`material_axes`]
+/// \[Pa\].
 ///
-/// `c` is in material axes, order 11 22 33 23 13 12; the result is in the order
-/// yz yy zz xx xy xz, which keeps the strains on the section's own plane (first
-/// three) apart from those on its face (last three). Engineering shears.
+/// `c` is in material axes, order 11 22 33 23 13 12; the result is in the order yz yy zz
+/// xx xy xz, which separates the strains within the section's plane (first three) from
+/// the strains on its face (last three). Engineering shears.
 pub fn section_stiffness(c: &Matrix6<f64>, fiber_angle: f64, plane_angle: f64) -> Matrix6<f64> {
     let q = material_axes(fiber_angle, plane_angle);
     let mut tensor = tensor_of(c);
@@ -77,7 +77,7 @@ pub fn section_stiffness(c: &Matrix6<f64>, fiber_angle: f64, plane_angle: f64) -
     0.5 * (d + d.transpose())
 }
 
-/// Strain in section axes of a material turned by the two angles of [`material_axes`]:
+/// Strain in section axes of a material rotated by the two angles of [`material_axes`]:
 /// `eps = Q eps_m Q'` as a tensor \[-\].
 ///
 /// `strain` is in material axes, order 11 22 33 23 13 12; the result is in the order
@@ -112,8 +112,8 @@ fn tensor_of(c: &Matrix6<f64>) -> Tensor {
     tensor
 }
 
-/// `out_aijk = q_al in_ijkl`; applied four times it turns every index once and
-/// puts them back in order.
+/// `out_aijk = q_al in_ijkl`; applied four times it rotates every index once and restores
+/// their order.
 fn turn_last_index_to_front(q: &Matrix3<f64>, tensor: &Tensor) -> Tensor {
     let mut out = Tensor::default();
     for i in 0..3 {

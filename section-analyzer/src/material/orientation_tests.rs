@@ -22,8 +22,8 @@ fn strain_tensor(order: &[(usize, usize); 6], strain: &Vector6<f64>) -> Matrix3<
     tensor
 }
 
-/// Independent way: turn the strain tensor into material axes, apply the law
-/// there, turn the stress tensor back. Round-off of a few products: 1e-13.
+/// Independent way: rotate the strain tensor to material axes, apply the law there,
+/// rotate the stress tensor back. Round-off of a few products: 1e-13.
 #[test]
 fn stress_agrees_with_rotated_tensors_for_a_law_without_symmetry() {
     let mut random = Random(7);
@@ -59,7 +59,7 @@ fn stress_agrees_with_rotated_tensors_for_a_law_without_symmetry() {
     }
 }
 
-/// The axes as the conventions state them: s, n, f, g from their definitions.
+/// The axes by the conventions: s, n, f, g from their definitions.
 #[test]
 fn axes_are_fiber_transverse_normal() {
     let (theta, alpha) = (0.4_f64, 2.1_f64);
@@ -155,7 +155,7 @@ fn strain_turns_with_the_law() {
     assert_relative_eq!(work, strain.dot(&(c * strain)), max_relative = 1e-13);
 }
 
-/// An isotropic law does not see the angles.
+/// An isotropic law does not depend on the angles.
 #[test]
 fn isotropic_law_is_the_same_in_all_axes() {
     let c = ElasticLaw::Isotropic {

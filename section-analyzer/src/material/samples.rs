@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::{ElasticLaw, ElectricLaw, Material};
 
-/// Constants of a ceramic like PZT-5H, as its source gives them.
+/// Constants of a ceramic like PZT-5H, as given in its source.
 pub(crate) struct Ceramic {
     /// Compliance at constant field, order 11 22 33 23 13 12 \[1/Pa\].
     pub s: Matrix6<f64>,

@@ -1,45 +1,46 @@
-//! What a material withstands: stresses and strains at which it fails.
+//! Strengths of materials: stresses and strains at which they fail.
 //!
 //! Values in material axes, 1 along the fiber, 2 transverse in the ply, 3 through the
 //! thickness; all are positive numbers, in compression too.
 
 use shared_geom::error::Explain;
 
-/// Slack of the bound on the three interactions together: -0.5 for all three, the
-/// default, lies on it.
+/// Slack of the combined bound of the three interactions: the default, -0.5 for all
+/// three, lies on it.
 const OPEN_SURFACE: f64 = -1e-12;
 
-/// Smallest and largest limit \[unit of what is limited: Pa or -\]: far beyond all
-/// materials, and such that squares of stresses over strengths are numbers.
+/// Smallest and largest limit \[unit of the limited quantity: Pa or -\]: far beyond all
+/// materials; squares of stresses over strengths are still finite.
 const RANGE: (f64, f64) = (1e-15, 1e100);
 
-/// Interaction of the tensor criterion where none is given \[-\]: with it the criterion
-/// is that of von Mises for a material of equal strengths.
+/// Default interaction of the tensor criterion \[-\]: with it the criterion equals the
+/// von Mises criterion for a material of equal strengths.
 pub const DEFAULT_INTERACTION: f64 = -0.5;
 
 /// Limits of a stress or a strain along the material axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DirectionalLimits {
-    /// Tension along 1, 2, 3 \[unit of what is limited: Pa or -\].
+    /// Tension along 1, 2, 3 \[unit of the limited quantity: Pa or -\].
     pub tension: [f64; 3],
-    /// Compression along 1, 2, 3, positive \[unit of what is limited: Pa or -\].
+    /// Compression along 1, 2, 3, positive \[unit of the limited quantity: Pa or -\].
     pub compression: [f64; 3],
-    /// Shear 23, 13, 12 \[unit of what is limited: Pa or -\].
+    /// Shear 23, 13, 12 \[unit of the limited quantity: Pa or -\].
     pub shear: [f64; 3],
 }
 
-/// Limits of a stress or a strain in a material without directions.
+/// Isotropic limits of a stress or a strain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UniformLimits {
-    /// Of the largest principal value \[unit of what is limited: Pa or -\].
+    /// Of the largest principal value \[unit of the limited quantity: Pa or -\].
     pub tension: f64,
-    /// Of the smallest principal value, positive \[unit of what is limited: Pa or -\].
+    /// Of the smallest principal value, positive \[unit of the limited quantity: Pa or -\].
     pub compression: f64,
-    /// Of the largest shear, engineering shear for strains \[unit of what is limited: Pa or -\].
+    /// Of the largest shear, engineering shear for strains
+    /// \[unit of the limited quantity: Pa or -\].
     pub shear: f64,
 }
 
-/// Stresses that a material withstands.
+/// Limits of the stresses in a material.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Strength {
     /// Along the material axes.
@@ -49,31 +50,31 @@ pub enum Strength {
         /// Interactions 23, 13, 12 of the tensor criterion: `F_ij / sqrt(F_ii F_jj)` \[-\].
         interaction: [f64; 3],
     },
-    /// The same in all directions, by principal stresses \[Pa\].
+    /// Isotropic, by principal stresses \[Pa\].
     Uniform(UniformLimits),
-    /// Yield stress, by the stress of von Mises \[Pa\].
+    /// Yield stress, for the von Mises stress \[Pa\].
     Yield(f64),
 }
 
-/// Strains that a material withstands.
+/// Limits of the strains in a material.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StrainLimit {
     /// Along the material axes \[-\].
     Ply(DirectionalLimits),
-    /// The same in all directions, by principal strains \[-\].
+    /// Isotropic, by principal strains \[-\].
     Uniform(UniformLimits),
 }
 
-/// All that is known about the strength of a material.
+/// Known limits of a material.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MaterialLimits {
-    /// Stresses that it withstands, where known.
+    /// Limits of stresses, if known.
     pub strength: Option<Strength>,
-    /// Strains that it withstands, where known.
+    /// Limits of strains, if known.
     pub strain: Option<StrainLimit>,
 }
 
-/// Why a strength cannot be.
+/// Reasons for which a strength is not admissible.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StrengthProblem {
     /// A limit is zero, negative, or not a number.
@@ -81,7 +82,7 @@ pub enum StrengthProblem {
     NotPositive {
         /// Key of the limit.
         key: &'static str,
-        /// What was found, in SI units.
+        /// Value found, in SI units.
         value: f64,
     },
     /// A limit beyond all materials.
@@ -89,7 +90,7 @@ pub enum StrengthProblem {
     Extreme {
         /// Key of the limit.
         key: &'static str,
-        /// What was found, in SI units.
+        /// Value found, in SI units.
         value: f64,
     },
     /// An interaction is out of its range.
@@ -97,16 +98,16 @@ pub enum StrengthProblem {
     InteractionOutOfRange {
         /// Key of the interaction.
         key: &'static str,
-        /// What was found \[-\].
+        /// Value found \[-\].
         value: f64,
     },
-    /// The three interactions together leave the failure surface open.
+    /// The failure surface is open with the three interactions.
     #[error(
         "1 + 2 f12 f13 f23 - f12^2 - f13^2 - f23^2 is {value:.6}, expected 0 or more: \
          the failure surface is open, and some stress of any size would be safe"
     )]
     OpenSurface {
-        /// What was found \[-\].
+        /// Value found \[-\].
         value: f64,
     },
 }
@@ -115,25 +116,24 @@ impl Explain for StrengthProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
             Self::NotPositive { .. } => {
-                "strengths are positive numbers, those in compression too; leave out what is \
-                 not known"
+                "strengths are positive numbers, also in compression; omit unknown ones"
             }
             Self::Extreme { .. } => {
-                "this is the value in SI units; leave out what is not known, and give 1e30 for \
-                 what never fails"
+                "this is the value in SI units; omit unknown ones, and give 1e30 for a direction \
+                 that never fails"
             }
             Self::InteractionOutOfRange { .. } => {
                 "it is F12 / sqrt(F11 F22), without a unit; -0.5 is the usual choice"
             }
             Self::OpenSurface { .. } => {
-                "f13 and f23 are f12 where they are not given; equal ones must be -0.5 or more"
+                "the default of f13 and f23 is f12; equal ones must be -0.5 or more"
             }
         };
         Some(text.to_owned())
     }
 }
 
-/// Keys of the limits along the material axes, as [`DirectionalLimits`] lists them.
+/// Keys of the limits along the material axes, in the order of [`DirectionalLimits`].
 const DIRECTIONAL_KEYS: [&str; 9] = ["xt", "yt", "zt", "xc", "yc", "zc", "s23", "s13", "s12"];
 
 /// Keys of the interactions 23, 13, 12.
@@ -155,7 +155,7 @@ impl UniformLimits {
 }
 
 impl Strength {
-    /// Everything that keeps this strength from being one; empty when admissible.
+    /// All violations of this strength's bounds; empty if admissible.
     pub fn check(&self) -> Vec<StrengthProblem> {
         match self {
             Self::Ply {
@@ -173,7 +173,7 @@ impl Strength {
 }
 
 impl StrainLimit {
-    /// Everything that keeps this limit from being one; empty when admissible.
+    /// All violations of this limit's bounds; empty if admissible.
     pub fn check(&self) -> Vec<StrengthProblem> {
         match self {
             Self::Ply(limits) => limits.check(),
@@ -197,8 +197,8 @@ fn not_limits(keys: &[&'static str], values: &[f64]) -> Vec<StrengthProblem> {
         .collect()
 }
 
-/// Each within (-1, 1), and the quadratic form of the three normal stresses without a
-/// negative value: its normalized matrix has ones and the interactions.
+/// Each is within (-1, 1), and the quadratic form of the three normal stresses is not
+/// negative: its normalized matrix has ones and the interactions.
 fn check_interaction(interaction: &[f64; 3]) -> Vec<StrengthProblem> {
     let pairs = INTERACTION_KEYS.iter().zip(interaction);
     let mut problems: Vec<_> = pairs
@@ -263,7 +263,7 @@ mod tests {
         assert_eq!(StrainLimit::Uniform(uniform).check().len(), 1);
     }
 
-    /// Squares of stresses over such strengths have no value.
+    /// Squares of stresses over these strengths are not finite.
     #[test]
     fn limits_beyond_all_numbers_are_refused() {
         let mut limits = LIMITS;

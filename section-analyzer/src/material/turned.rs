@@ -1,12 +1,12 @@
-//! Materials whose constants are given in axes of their own: how these lie in the axes of
-//! the material, and the constants there.
+//! Materials whose constants are given in axes of the data, other than the material axes:
+//! orientation of these axes in the material axes, and the constants there.
 //!
 //! # Symbols
 //!
 //! | symbol | meaning | shape |
 //! | --- | --- | --- |
 //! | `Q` | axes of the data in material axes: columns 1', 2', 3' | 3x3 |
-//! | `T` | strain in axes of the data from that in material axes, engineering shears | 6x6 |
+//! | `T` | strain in axes of the data from strain in material axes, engineering shears | 6x6 |
 //!
 //! A strain is `eps' = Q' eps Q` as a tensor, an electric field `E' = Q' E`. The work of
 //! stress and of electric displacement is the same in both axes, so that
@@ -15,8 +15,8 @@
 //! c = T' c' T        e = Q e' T        epsS = Q epsS' Q'
 //! ```
 //!
-//! `T` is made of the tensors of the six unit strains: no transformation matrix is written
-//! by hand.
+//! `T` is computed from the tensors of the six unit strains, without an explicit
+//! transformation matrix.
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::error::Explain;
@@ -25,14 +25,14 @@ use super::elastic::{ElasticLaw, Material};
 use super::electric::ElectricLaw;
 use super::orientation::MATERIAL_ORDER;
 
-/// Largest deviation of two axes from a right angle \[deg\]: more than the digits of written
-/// directions.
+/// Largest deviation of two axes from a right angle \[deg\]: more than the rounding of
+/// written directions.
 const LARGEST_DEVIATION: f64 = 0.01;
 
-/// Why two directions are no axes.
+/// Reasons for which two directions are not axes.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum AxesProblem {
-    /// A direction of no length.
+    /// A direction of zero length.
     #[error("\"{key}\" has no length, expected a direction")]
     NoDirection {
         /// `poling` or `across`.
@@ -44,13 +44,13 @@ pub enum AxesProblem {
         /// The angle between them \[deg\].
         angle: f64,
     },
-    /// A direction that leaves open how the material lies about it.
-    #[error("\"poling\" is along none of the material axes and has no \"across\", expected both")]
+    /// A direction that leaves the rotation of the material about it undetermined.
+    #[error("\"poling\" is along none of the material axes and without \"across\", expected both")]
     NoAcross,
     /// Expansions that are not along the material axes.
     #[error(
-        "turned by \"poling\", the expansion has a shear {shear:.3e} 1/K in material axes, \
-         expected axes along which there is none"
+        "rotated by \"poling\", the expansion has a shear {shear:.3e} 1/K in material axes, \
+         expected axes without shear"
     )]
     ShearedExpansion {
         /// The largest one, a component of the tensor \[1/K\].
@@ -64,14 +64,14 @@ impl Explain for AxesProblem {
             Self::NoDirection { .. } => "give 1, 2 or 3 for a material axis, or three components",
             Self::NotOrthogonal { .. } => {
                 "\"poling\" is the axis 3 of the constants and \"across\" their axis 1: give a \
-                 direction in the plane across the poling"
+                 direction normal to the poling"
             }
             Self::NoAcross => {
                 "\"across\" is the direction of axis 1 of the constants, at a right angle to \
-                 \"poling\"; of a ceramic, alike in all directions across, any one will do"
+                 \"poling\"; for a ceramic, isotropic across the poling, any direction works"
             }
             Self::ShearedExpansion { .. } => {
-                "turn the material by the angles of its regions, or make the expansion one number"
+                "rotate the material by the angles of its regions, or make the expansion one number"
             }
         };
         Some(text.to_owned())
@@ -81,11 +81,11 @@ impl Explain for AxesProblem {
 /// The axes of data whose axis 3 is along `poling` and axis 1 along `across`, both in
 /// material axes: columns 1', 2', 3' \[-\].
 ///
-/// Without `across`, a `poling` along material axis 1, 2 or 3, either way, takes the next of
-/// them (2, 3, 1) as axis 1'.
+/// Without `across`, a `poling` along material axis 1, 2 or 3, in either direction, has
+/// the next of them (2, 3, 1) as axis 1'.
 ///
 /// # Errors
-/// [`AxesProblem`] for directions that are no axes.
+/// [`AxesProblem`] for directions that are not axes.
 pub fn data_axes(
     poling: &Vector3<f64>,
     across: Option<&Vector3<f64>>,
@@ -114,8 +114,8 @@ pub fn data_axes(
     Ok(Matrix3::from_columns(&[first, third.cross(&first), third]))
 }
 
-/// Strain in axes of the data from that in material axes, both in the order
-/// 11 22 33 23 13 12 with engineering shears \[-\].
+/// Strain in axes of the data from strain in material axes, both in the order 11 22 33 23
+/// 13 12 with engineering shears \[-\].
 fn strain_in_data_axes(q: &Matrix3<f64>) -> Matrix6<f64> {
     let columns = MATERIAL_ORDER.map(|(i, j)| {
         let mut strain = Matrix3::zeros();
@@ -135,8 +135,8 @@ fn strain_in_data_axes(q: &Matrix3<f64>) -> Matrix6<f64> {
 }
 
 impl ElasticLaw {
-    /// The law whose data are in the axes `q`, in material axes; one that is the same in all
-    /// directions stays as it is.
+    /// The law whose data are in the axes `q`, in material axes; an isotropic law is
+    /// unchanged.
     pub fn turned(&self, q: &Matrix3<f64>) -> Self {
         match self {
             Self::Isotropic { .. } | Self::Absent => self.clone(),

@@ -35,8 +35,8 @@ fn third_order(q: &Matrix3<f64>, e: &Matrix3x6<f64>) -> Matrix3x6<f64> {
     })
 }
 
-/// Constants without any symmetry, turned by any rotation, are those of the tensors index by
-/// index, to rounding.
+/// Constants without any symmetry, rotated arbitrarily, equal the tensors computed index
+/// by index, to rounding.
 #[test]
 fn constants_turn_as_tensors() {
     let q = *Rotation3::from_euler_angles(0.3, -1.1, 2.2).matrix();
@@ -58,8 +58,8 @@ fn constants_turn_as_tensors() {
     assert_relative_eq!(back.permittivity, permittivity, epsilon = 1e-13);
 }
 
-/// Poled along the fiber, e33 is e11 and e31 is e12 and e13, by the meaning of the axes: a
-/// field along the poling pulls along it and presses across.
+/// Poled along the fiber, e33 is e11 and e31 is e12 and e13, by the meaning of the axes:
+/// a field along the poling extends along it and contracts across.
 #[test]
 fn poling_along_material_axes_permutes_the_constants() {
     let e = pzt_5h().electric.unwrap().coupling;
@@ -80,7 +80,7 @@ fn poling_along_material_axes_permutes_the_constants() {
         }
     }
     assert_eq!(poled(1.0, 2), pzt_5h());
-    // stiff along the poling less than across: c33 < c11
+    // less stiff along the poling than across: c33 < c11
     let ElasticLaw::Full(c) = poled(1.0, 0).law else {
         panic!("a full stiffness")
     };

@@ -1,11 +1,11 @@
-//! The boundary of the mesh: the sides that one cell has, as curves.
+//! The boundary of the mesh: sides that only one cell has, as curves.
 
 use shared_geom::mesh::Cell;
 
 use super::plane::{PlaneMesh, distance};
 
-/// Distance of a middle node from the middle of the chord, relative to it, up to
-/// which a side counts as straight.
+/// Distance of a middle node from the middle of the chord, relative to it, up to which a
+/// side is treated as straight.
 const STRAIGHT: f64 = 1e-9;
 
 /// A side of a cell: a parabola through the node in its middle, or straight.
@@ -34,7 +34,7 @@ impl Curve {
         }
     }
 
-    /// Points whose convex hull holds the side.
+    /// Points whose convex hull contains the side.
     pub(super) fn hull(&self) -> [[f64; 2]; 3] {
         [self.first, self.control, self.second]
     }
@@ -74,10 +74,10 @@ impl Curve {
         along.map(|x| x / length)
     }
 
-    /// The points that divide the side into pieces which lie within `tolerance` of
-    /// it, without the last, and the distance that is left.
+    /// The points that divide the side into pieces whose chords lie within `tolerance` of
+    /// it, without the last point; and the remaining distance.
     pub(super) fn pieces(&self, tolerance: f64, points: &mut Vec<[f64; 2]>) -> f64 {
-        /// More pieces than this do not pay.
+        /// More pieces have no benefit.
         const MOST: f64 = 32.0;
         if self.is_straight {
             points.push(self.first);
@@ -89,7 +89,7 @@ impl Curve {
         self.sagitta() / (count * count)
     }
 
-    /// The parameter of the place nearest to `p`.
+    /// The parameter of the point nearest to `p`.
     pub(super) fn nearest(&self, p: [f64; 2]) -> f64 {
         let straight = |a: [f64; 2], b: [f64; 2]| {
             let along = [b[0] - a[0], b[1] - a[1]];
@@ -100,8 +100,8 @@ impl Curve {
         if self.is_straight {
             return straight(self.first, self.second);
         }
-        // the nearest of a few chords, then steps along the tangent, which get there
-        // for points much nearer than the radius of curvature
+        // the nearest of a few chords, then steps along the tangent, which converge for
+        // points much nearer than the radius of curvature
         const CHORDS: usize = 4;
         let chord = |i: usize| {
             let [low, high] = [i, i + 1].map(|i| i as f64 / CHORDS as f64);
@@ -129,7 +129,7 @@ impl Curve {
     }
 }
 
-/// A side that one cell has.
+/// A side that only one cell has.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BoundarySide {
     /// The cell.
@@ -138,7 +138,7 @@ pub(super) struct BoundarySide {
     pub(super) number: usize,
     /// Ends, counterclockwise in the cell.
     pub(super) ends: [u32; 2],
-    /// The node in its middle.
+    /// The node at its middle.
     pub(super) middle: Option<u32>,
 }
 
@@ -175,7 +175,7 @@ impl Boundary {
         Self { sides, of_cell }
     }
 
-    /// Nodes where walls touch that share no side there: the boundary passes them more
+    /// Nodes at which walls touch without a shared side: the boundary passes them more
     /// than once. `count` is the number of all nodes.
     pub(super) fn pinches(&self, count: usize) -> Vec<u32> {
         let mut passing = vec![0_u32; count];
@@ -211,9 +211,9 @@ pub(super) fn curves<'a>(mesh: &'a PlaneMesh, cell: &'a Cell) -> impl Iterator<I
     })
 }
 
-/// For each side of each cell, in order, whether no other cell has it.
+/// For each side of each cell, in order, whether it is on the boundary.
 fn single_sides(mesh: &PlaneMesh) -> Vec<bool> {
-    // sides sorted by their lower node, without comparing: counts, then places
+    // sides sorted by their lower node, without comparisons: counts, then indices
     let mut start = vec![0_u32; mesh.nodes.len() + 1];
     let ends = || {
         let sides = mesh
@@ -253,9 +253,9 @@ fn single_sides(mesh: &PlaneMesh) -> Vec<bool> {
 mod tests {
     use super::*;
 
-    /// `z = y^2` between -1 and 1: its normal at y is (-2 y, 1). The steps shrink the
-    /// error by the distance over the radius of curvature, here by 0.04 at most: four
-    /// of them leave 1e-6 of the 0.1 that the chords miss.
+    /// `z = y^2` between -1 and 1: its normal at y is (-2 y, 1). Each step multiplies the
+    /// error by the distance over the radius of curvature, here at most 0.04: after four
+    /// steps 1e-6 of the chords' error of 0.1 remains.
     #[test]
     fn nearest_place_of_a_parabola() {
         let parabola = Curve::new([-1.0, 1.0], [1.0, 1.0], Some([0.0, 0.0]));

@@ -11,24 +11,24 @@ use super::problem::{MeshProblem, limited_to};
 use super::seams::{Groups, doubled_sides, representatives, seams};
 use super::sides::sides;
 
-/// Pairs of surfaces that are told at most, of each kind of problem between them.
+/// Surface pairs reported per kind of problem.
 const TOLD: usize = 5;
 
-/// What is odd about cells without problems.
+/// Warnings about cells without problems.
 #[derive(Debug)]
 pub(super) struct CheckedCells {
-    /// Number of cells that were turned counterclockwise.
+    /// Number of cells that were reversed to counterclockwise.
     pub(super) reversed: usize,
-    /// Nodes at the same place.
+    /// Nodes at the same position.
     pub(super) coincident: Vec<[u32; 2]>,
     pub(super) seams: Vec<Seam>,
     pub(super) hanging: Vec<HangingNode>,
     pub(super) gaps: Vec<NarrowGap>,
-    /// Nodes where walls touch that share no side there.
+    /// Nodes at which walls touch without a shared side.
     pub(super) pinches: Vec<u32>,
 }
 
-/// Turns the cells counterclockwise and states that they fit and hold together.
+/// Makes the cells counterclockwise, and checks that they fit and are connected.
 pub(super) fn check_cells(
     plane: &mut PlaneMesh,
     groups: Groups<'_>,
@@ -39,7 +39,7 @@ pub(super) fn check_cells(
     let coincident = coincident_nodes(plane, &boundary);
     let least = representatives(plane.nodes.len(), &coincident);
     let doubled = doubled_sides(&boundary, &least);
-    // what touches can be told only of cells that are all sound
+    // contacts can be found only if all cells are sound
     let contacts = match problems.is_empty() {
         true => contacts(plane, &boundary, &least, &doubled, groups),
         false => Contacts::default(),
@@ -54,7 +54,7 @@ pub(super) fn check_cells(
     let seams = seams(plane, &boundary, &doubled, groups, |cells| {
         slits.parts(cells)
     });
-    // parts that touch are told as such, and not as parts again
+    // parts that touch are reported as seams, and not again as parts
     let mut joined = neighbors;
     joined.extend(
         doubled
@@ -89,8 +89,8 @@ pub(super) fn check_cells(
     }
 }
 
-/// Turns the cells counterclockwise; gives the number of those that were not, the
-/// pairs of cells that share a side, and what is wrong with cells and sides.
+/// Makes the cells counterclockwise; returns the number of reversed ones, the pairs of
+/// cells that share a side, and the problems of cells and sides.
 fn turn_and_fit(plane: &mut PlaneMesh) -> (usize, Vec<[usize; 2]>, Vec<MeshProblem>) {
     let oriented = orient(plane);
     let sides = sides(plane, oriented.is_ok());
@@ -103,7 +103,7 @@ fn turn_and_fit(plane: &mut PlaneMesh) -> (usize, Vec<[usize; 2]>, Vec<MeshProbl
     (reversed, sides.neighbors, problems)
 }
 
-/// Which slits are meant, and which are wrong.
+/// Intended slits, and slits that are problems.
 #[derive(Debug)]
 struct Slits {
     /// Whether the user allows them.
@@ -120,7 +120,7 @@ impl Slits {
         (self.part_of_cell[a] != self.part_of_cell[b]).then_some(self.count)
     }
 
-    /// Seams that are meant, or lie within one region, and those that are wrong.
+    /// Seams that are intended, or lie within one region, and seams that are problems.
     fn of_seams(&self, seams: Vec<Seam>) -> (Vec<Seam>, Vec<MeshProblem>) {
         let is_slit = |seam: &Seam| {
             seam.parts.is_none() && (self.allowed || seam.groups[0] == seam.groups[1])
@@ -135,9 +135,9 @@ impl Slits {
         )
     }
 
-    /// Hanging nodes that are meant, and those that are wrong, by the surfaces that
-    /// they stand between; `cells` are the cell
-    /// with the corner and the cell with the side of each.
+    /// Hanging nodes that are intended, and hanging nodes that are problems, by the
+    /// surfaces between which they lie; `cells` are the cell with the corner and the cell
+    /// with the side of each.
     fn of_hanging(
         &self,
         nodes: Vec<HangingNode>,

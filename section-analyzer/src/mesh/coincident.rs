@@ -1,7 +1,7 @@
-//! Nodes at the same place, within a millionth of the size of their cells.
+//! Nodes at the same position, within a millionth of the size of their cells.
 //!
-//! Only nodes of the boundary are looked at: a node inside can coincide with
-//! another only where cells overlap.
+//! Only nodes of the boundary are compared: an inner node can coincide with another only
+//! if cells overlap.
 
 use super::boundary::Boundary;
 use super::plane::{PlaneMesh, distance};
@@ -9,8 +9,8 @@ use super::plane::{PlaneMesh, distance};
 /// Distance, relative to the shortest side of a cell, within which nodes coincide.
 const NEARNESS: f64 = 1e-6;
 
-/// Pairs of nodes (indices, the smaller first) that lie on each other, sorted; of
-/// more than two at a place, pairs that connect them.
+/// Pairs of nodes (indices, the smaller first) at the same position, sorted; for more
+/// than two at one position, pairs that connect them.
 pub(super) fn coincident_nodes(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<[u32; 2]> {
     let reach = reaches(mesh, boundary);
     let nodes: Vec<u32> = (0..mesh.nodes.len() as u32)
@@ -22,8 +22,8 @@ pub(super) fn coincident_nodes(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<[u3
         return Vec::new();
     }
     let mut pairs = Vec::new();
-    // strips of twice the reach, then the same ones moved by half their width: two
-    // nodes that coincide are in one strip at least once
+    // strips of twice the reach, then the same ones shifted by half their width: two
+    // coincident nodes share a strip at least once
     for shift in [0.0, 0.5] {
         let strip = |node: u32| (mesh.nodes[node as usize][0] / (2.0 * widest) + shift).floor();
         let height = |node: u32| mesh.nodes[node as usize][1];
@@ -40,7 +40,7 @@ pub(super) fn coincident_nodes(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<[u3
                 let [p, q] = [a, b].map(|node| mesh.nodes[node as usize]);
                 let reach = reach[a as usize].min(reach[b as usize]);
                 if distance(p, q) <= reach {
-                    // further nodes at the place follow from this one
+                    // further nodes at this position follow from this one
                     pairs.push([a.min(b), a.max(b)]);
                     break;
                 }
@@ -52,8 +52,8 @@ pub(super) fn coincident_nodes(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<[u3
     pairs
 }
 
-/// For each node of the boundary the distance within which another one coincides
-/// with it; infinite for the others.
+/// For each node of the boundary the distance within which another node coincides with
+/// it; infinite for all other nodes.
 fn reaches(mesh: &PlaneMesh, boundary: &Boundary) -> Vec<f64> {
     let mut reach = vec![f64::INFINITY; mesh.nodes.len()];
     for side in &boundary.sides {

@@ -4,9 +4,9 @@ use super::findings::NarrowGap;
 use super::plane::{PlaneMesh, polygon_area};
 use super::problem::{MeshProblem, Part};
 
-/// States that all cells are connected through sides. `neighbors` are the pairs of
-/// cells that share one, `coincident` the pairs of nodes at the same place, `gaps`
-/// what may explain it, and `label(cell)` is the physical surface of a cell.
+/// Checks that all cells are connected through sides. `neighbors` are the pairs of cells
+/// that share one, `coincident` the pairs of nodes at the same position, `gaps` possible
+/// explanations, and `label(cell)` is the physical surface of a cell.
 pub(super) fn check_connected(
     mesh: &PlaneMesh,
     neighbors: &[[usize; 2]],
@@ -33,10 +33,9 @@ pub(super) fn check_connected(
     })
 }
 
-/// The number of the part that each cell belongs to, in the order in which the
-/// parts appear.
+/// The index of the part of each cell, in the order of the first cells of the parts.
 pub(super) fn part_of_each_cell(cells: usize, neighbors: &[[usize; 2]]) -> Vec<usize> {
-    // union-find; the smallest cell of a part stands for it
+    // union-find; the smallest cell of a part represents it
     let mut parent: Vec<usize> = (0..cells).collect();
     for &[a, b] in neighbors {
         let (a, b) = (root(&mut parent, a), root(&mut parent, b));
@@ -56,7 +55,7 @@ pub(super) fn part_of_each_cell(cells: usize, neighbors: &[[usize; 2]]) -> Vec<u
     number
 }
 
-/// What stands for the set of `cell` in a union-find.
+/// The representative of the set of `cell` in a union-find.
 pub(super) fn root(parent: &mut [usize], mut cell: usize) -> usize {
     while parent[cell] != cell {
         parent[cell] = parent[parent[cell]];
@@ -105,7 +104,7 @@ fn describe(
         part.cells += 1;
         areas[of] += weight;
         for axis in 0..2 {
-            // running mean, so that cells without area do no harm
+            // running mean, which is safe for cells without area
             if weight > 0.0 || areas[of] == 0.0 {
                 let share = if weight > 0.0 {
                     weight / areas[of]

@@ -1,9 +1,9 @@
-//! Cells that overlap, hang on each other, or nearly touch.
+//! Cells that overlap, have hanging nodes, or nearly touch.
 //!
-//! All cells being counterclockwise and all inner sides shared by two cells that
-//! run through them in opposite directions, a place is covered as often as the
-//! boundary winds around it. That number changes at the boundary only, so that it
-//! is enough to look around the sides of the boundary.
+//! All cells are counterclockwise, and each inner side is shared by two cells that pass
+//! it in opposite directions. The number of cells that cover a point is then the winding
+//! number of the boundary around it, which changes only at the boundary. It is therefore
+//! enough to search around the sides of the boundary.
 
 use std::collections::HashSet;
 
@@ -16,25 +16,25 @@ use super::overlap::{is_inside, place_inside};
 use super::plane::{PlaneMesh, distance};
 use super::seams::{Groups, SidePair};
 
-/// Part of the height of a cell within which sides run close to each other, and
-/// beyond which a side that runs inside of another cell is an overlap.
+/// Fraction of the height of a cell within which sides are close to each other, and
+/// beyond which a side inside of another cell is an overlap.
 const NARROW: f64 = 0.02;
-/// Part of the height of a cell within which a corner lies on a side.
+/// Fraction of the height of a cell within which a corner lies on a side.
 const TOUCHING: f64 = 1e-3;
-/// Cosine of the angle within which sides run along each other: 26 degrees.
+/// Cosine of the angle within which sides are parallel: 26 degrees.
 const ALONG: f64 = 0.9;
-/// Where the distance between sides is measured.
+/// Points at which the distance between sides is measured.
 const SAMPLES: [f64; 2] = [0.25, 0.75];
-/// Places inside of a cell near one of its sides: along the side, and from there
-/// toward the opposite side or corner. They tell overlaps of cells whose sides lie
-/// on each other; no ordinary mesh has its lines there.
+/// Points inside of a cell near one of its sides: position along the side, and from there
+/// toward the opposite side or corner. They detect overlaps of cells whose sides
+/// coincide; no ordinary mesh has its lines there.
 const PROBES: [[f64; 2]; 2] = [[0.37, 0.21], [0.71, 0.13]];
 
-/// Pairs of cells that overlap, from which on the search ends: many copies of a
-/// surface would make it long and tell nothing new.
+/// Number of overlapping pairs at which the search ends: more copies of a surface would
+/// cost time without new information.
 const ENOUGH: usize = 10_000;
 
-/// What was found.
+/// Results of the search.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
     pub(super) overlaps: Vec<CellOverlap>,
@@ -46,7 +46,7 @@ pub(super) struct Contacts {
     pub(super) gaps: Vec<NarrowGap>,
 }
 
-/// The search, with what it has found so far.
+/// The search, with its results so far.
 struct Search<'a> {
     mesh: &'a PlaneMesh,
     boundary: &'a Boundary,
@@ -54,22 +54,22 @@ struct Search<'a> {
     curves: Vec<Curve>,
     side_boxes: Vec<[f64; 4]>,
     heights: Vec<f64>,
-    /// For each node the least of those at its place.
+    /// For each node the smallest index of the nodes at its position.
     least: &'a [u32],
     groups: Groups<'a>,
     /// Pairs of cells that overlap.
     covered: HashSet<[usize; 2]>,
-    /// Nodes that hang, with the side on which they do.
+    /// Hanging nodes, with the side on which they lie.
     hung: HashSet<(u32, usize)>,
-    /// Sides with a node that hangs on them.
+    /// Sides with a hanging node on them.
     carrying: HashSet<usize>,
-    /// Sides that nearly touch, and a place and its distance.
+    /// Sides that nearly touch, with a position and the distance.
     near: Vec<(SidePair, [f64; 2], f64)>,
     found: Contacts,
 }
 
 /// Searches a mesh whose cells are counterclockwise and fit at their shared sides.
-/// `doubled` are the pairs of sides of which another finding tells.
+/// `doubled` are the pairs of sides that another check reports.
 pub(super) fn contacts(
     mesh: &PlaneMesh,
     boundary: &Boundary,
@@ -132,7 +132,7 @@ pub(super) fn contacts(
 }
 
 impl Search<'_> {
-    /// Places in the cell of a side, near that side.
+    /// Points in the cell of a side, near this side.
     fn probes(&self, side: usize) -> [[f64; 2]; 2] {
         let BoundarySide { cell, number, .. } = self.boundary.sides[side];
         let cell = &self.mesh.cells[cell];
@@ -148,7 +148,7 @@ impl Search<'_> {
         })
     }
 
-    /// Whether the side, or its cell beside it, reaches into the inside of `cell`.
+    /// Whether the side, or its cell near it, is inside of `cell`.
     fn overlap(&mut self, side: usize, probes: &[[f64; 2]; 2], cell: usize) {
         let own = self.boundary.sides[side].cell;
         let tolerance = NARROW * self.heights[own].min(self.heights[cell]);
@@ -189,7 +189,7 @@ impl Search<'_> {
         overlaps[at].places.push(place);
     }
 
-    /// How the side `one` runs along the side `other`.
+    /// Compares the side `one` with the side `other`: hanging nodes, overlap, gap.
     fn compare(&mut self, one: usize, other: usize) {
         let cells = [one, other].map(|side| self.boundary.sides[side].cell);
         let height = self.heights[cells[0]].min(self.heights[cells[1]]);
@@ -220,8 +220,8 @@ impl Search<'_> {
         }
     }
 
-    /// Whether an end of the side `other` hangs on the side `one`, along which
-    /// `other` runs.
+    /// Whether an end of the side `other` is a hanging node on the side `one`, which is
+    /// parallel to `other`.
     fn hang(&mut self, one: usize, other: usize, tolerance: f64) {
         let [on, of] = [one, other].map(|side| self.boundary.sides[side]);
         let carrier = self.mesh.cells[on.cell].nodes();
@@ -255,7 +255,7 @@ impl Search<'_> {
         }
     }
 
-    /// Whether `next` goes on where `side` ends, and does not turn back along it.
+    /// Whether `next` starts at the end of `side`, and does not turn back along it.
     fn runs_on(&self, side: usize, next: usize) -> bool {
         let (end, start) = (
             self.boundary.sides[side].ends[1],
@@ -275,7 +275,7 @@ impl Search<'_> {
         one.iter().any(|node| other.contains(node))
     }
 
-    /// Gathers the gaps that no other finding tells of.
+    /// Collects the gaps that no other check reports.
     fn finish(mut self, doubled: &[SidePair]) -> Contacts {
         let told: HashSet<SidePair> = doubled.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
         let mut gaps: Vec<([usize; 2], NarrowGap, HashSet<usize>)> = Vec::new();
@@ -313,14 +313,14 @@ impl Search<'_> {
     }
 }
 
-/// A place of the reference cell: on its side `side`, at `along` from the first to
-/// the second end, then `inward` toward the opposite side or corner.
+/// A point of the reference cell: on its side `side`, at `along` from the first to the
+/// second end, then `inward` toward the opposite side or corner.
 fn reference_place(kind: CellKind, side: usize, along: f64, inward: f64) -> [f64; 2] {
     let corners = &kind.reference_nodes()[..kind.corner_count()];
     let at = |i: usize| corners[i % corners.len()];
     let mix = |a: [f64; 2], b: [f64; 2], t: f64| [0, 1].map(|i| a[i] + t * (b[i] - a[i]));
     let place = mix(at(side), at(side + 1), along);
-    // of a triangle both lead to the corner
+    // in a triangle both lead to the corner
     let opposite = mix(at(side + corners.len() - 1), at(side + 2), along);
     mix(place, opposite, inward)
 }
@@ -329,17 +329,17 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// The cells by their boxes; `None` without cells.
+/// The boxes of the cells; `None` without cells.
 fn index_of(boxes: &[[f64; 4]]) -> Option<StaticAABB2DIndex<f64>> {
     let mut builder = StaticAABB2DIndexBuilder::new(boxes.len());
     for &[low_y, low_z, high_y, high_z] in boxes {
         builder.add(low_y, low_z, high_y, high_z);
     }
-    // it fails for no boxes, or for fewer than announced
+    // it fails only for no boxes, or for fewer than announced
     builder.build().ok()
 }
 
-/// A box that holds all of a cell: low y, low z, high y, high z.
+/// A box that contains the whole cell: low y, low z, high y, high z.
 fn box_of(mesh: &PlaneMesh, cell: usize) -> [f64; 4] {
     box_around(curves(mesh, &mesh.cells[cell]).flat_map(|curve| curve.hull()))
 }
@@ -361,8 +361,8 @@ fn is_beyond(a: &[f64; 4], b: &[f64; 4], reach: f64) -> bool {
     a[0] > b[2] + reach || b[0] > a[2] + reach || a[1] > b[3] + reach || b[1] > a[3] + reach
 }
 
-/// Area of a cell over its longest side (of a triangle twice that), its sides taken
-/// as straight.
+/// Area of a cell over its longest side (twice this value for a triangle), with straight
+/// sides.
 fn height(mesh: &PlaneMesh, cell: usize) -> f64 {
     let corners = mesh.cells[cell].corners();
     let place = |i: usize| mesh.nodes[corners[i % corners.len()] as usize];

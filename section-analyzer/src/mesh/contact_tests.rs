@@ -1,5 +1,5 @@
-//! Overlaps, doubled nodes, hanging nodes and gaps in small meshes, on both sides
-//! of each limit; and none of them in sound meshes.
+//! Overlaps, doubled nodes, hanging nodes and gaps in small meshes, on both sides of each
+//! limit; no findings in sound meshes.
 
 use nalgebra::Vector3;
 use shared_geom::error::Explain;
@@ -8,15 +8,16 @@ use shared_geom::mesh::{Cell, CellKind, Mesh, Node, PhysicalGroup};
 use super::super::generate::{Rectangle, Tube};
 use super::super::{DoubledNodes, MeshProblem, MeshReport, SectionMesh};
 
-/// Surfaces of a mesh that is put together by hand.
+/// Surfaces of a mesh assembled by hand.
 #[derive(Default)]
 struct Patches {
     mesh: Mesh,
 }
 
 impl Patches {
-    /// Adds a structured surface with nodes of its own, `cells` by `cells` bilinear
-    /// quadrilaterals, where `place` puts the unit square, as physical surface `name`.
+    /// Adds a structured surface with its own nodes, `cells` by `cells` bilinear
+    /// quadrilaterals, as the image of the unit square under `place`, as physical surface
+    /// `name`.
     fn add(
         mut self,
         name: &str,
@@ -75,7 +76,7 @@ impl Patches {
         })
     }
 
-    /// Gives the nodes at these places, where there are two, to both surfaces.
+    /// Merges the two nodes at each of these positions.
     fn joined(mut self, places: &[[f64; 2]]) -> Self {
         for place in places {
             let at = |node: &Node| [node.position.x, node.position.y] == *place;
@@ -183,8 +184,8 @@ fn a_seam_within_a_region_is_an_error_only_where_it_takes_the_section_apart() {
     assert_eq!(border.messages().len(), 1);
 }
 
-/// Nodes of a doubled border that lie off by less than a millionth of the shortest
-/// side count as doubled; beyond, the border is a gap.
+/// Nodes of a doubled border that are off by less than a millionth of the shortest side
+/// are treated as doubled; beyond, the border is a gap.
 #[test]
 fn doubled_nodes_end_where_gaps_begin() {
     let apart = |gap: f64| {
@@ -259,19 +260,20 @@ fn a_hanging_node_is_named_with_its_side() {
     assert!(messages[0].ends_with(end), "{messages:?}");
     let help = patches.refused(DoubledNodes::Error)[0].help().unwrap();
     assert!(help.contains("both cells need the same nodes"), "{help}");
-    // here nothing else joins the two, so that no slit can be meant
+    // here nothing else connects the two, so that no slit can be intended
     assert_eq!(patches.refused(DoubledNodes::Allow).len(), 1);
 }
 
 #[test]
 fn hanging_nodes_are_slits_where_slits_are_allowed() {
-    // a coarse strip beside a fine one, joined by a third that both share
+    // a coarse strip next to a fine one, connected by a third strip that shares nodes
+    // with both
     let patches = Patches::default()
         .square("web", [1, 1], [0.0, 0.0], [2.0, 1.0])
         .square("skin", [2, 1], [0.0, 1.0], [2.0, 2.0])
         .square("end", [1, 2], [2.0, 0.0], [3.0, 2.0])
         .joined(&[[2.0, 0.0], [2.0, 2.0]]);
-    // (2, 1) stands three times
+    // (2, 1) exists three times
     let patches = patches.joined(&[[2.0, 1.0]]);
     let patches = Patches {
         mesh: merged(patches.mesh, [2.0, 1.0]),
@@ -285,7 +287,7 @@ fn hanging_nodes_are_slits_where_slits_are_allowed() {
     ));
 }
 
-/// All nodes at a place become one.
+/// Merges all nodes at one position.
 fn merged(mut mesh: Mesh, place: [f64; 2]) -> Mesh {
     let at = |node: &Node| [node.position.x, node.position.y] == place;
     let is_there: Vec<bool> = mesh.nodes.iter().map(at).collect();
@@ -307,7 +309,7 @@ fn merged(mut mesh: Mesh, place: [f64; 2]) -> Mesh {
 
 #[test]
 fn a_corner_that_only_pokes_at_a_side_is_no_hanging_node() {
-    // a diamond that stands with its corner on the middle of a side: parts
+    // a diamond whose corner is on the middle of a side: parts
     let patches = Patches::default()
         .square("web", [1, 1], [0.0, 0.0], [2.0, 1.0])
         .add("skin", [1, 1], CellKind::Quadrilateral4, |a, b| {
@@ -331,11 +333,11 @@ fn overlapping_cells_are_named_with_a_place() {
     assert_eq!(
         overlap(0.2).messages(),
         [
-            "cells of \"web\" overlap those of \"skin\": 1 and 2 at (1, 0.65); the area there \
-             would count twice"
+            "cells of \"web\" overlap cells of \"skin\": 1 and 2 at (1, 0.65); the area there \
+             would be counted twice"
         ]
     );
-    // a fiftieth of the lesser height, 0.9, is the limit; below, the sides run close
+    // a fiftieth of the lesser height, 0.9, is the limit; below, the sides are too close
     assert!(overlap(0.019).messages()[0].contains("overlap"));
     let messages = overlap(0.017).messages();
     assert!(
@@ -346,7 +348,7 @@ fn overlapping_cells_are_named_with_a_place() {
 
 #[test]
 fn a_surface_meshed_twice_overlaps_itself() {
-    // with the same nodes in place
+    // with the same nodes at the same positions
     let twice = |cells: [u32; 2], low: [f64; 2]| {
         Patches::default()
             .square("web", [3, 3], [0.0, 0.0], [3.0, 3.0])
@@ -369,11 +371,11 @@ fn a_surface_meshed_twice_overlaps_itself() {
         twice([3, 3], [0.0, 0.0]).messages(),
         [
             "cells of \"web\" overlap: 1 and 10 at (0.37, 0.21), 2 and 11 at (1.37, 0.21), 3 and \
-             12 at (2.37, 0.21) and 5 pairs like these between (0.21, 0.21) and (2.79, 2.79); \
-             the area there would count twice"
+             12 at (2.37, 0.21) and 5 pairs like these between (0.21, 0.21) and (2.79, 2.79); the \
+             area there would be counted twice"
         ]
     );
-    // the cell in the middle alone, whose sides lie on those of its neighbors
+    // only the cell in the middle, whose sides coincide with its neighbors' sides
     let copy = Patches::default()
         .square("web", [3, 3], [0.0, 0.0], [3.0, 3.0])
         .square("skin", [1, 1], [1.0, 1.0], [2.0, 2.0]);
@@ -395,8 +397,8 @@ fn a_strip_wound_over_itself_overlaps() {
     assert!(wound.messages()[0].contains("overlap"));
 }
 
-/// Sides of concentric tubes that touch along arcs with nodes of their own: chords
-/// of one would reach into the other, the arcs themselves do not.
+/// Sides of concentric tubes that touch along arcs without shared nodes: the chords of
+/// one would reach into the other, the arcs do not.
 #[test]
 fn curved_sides_that_touch_do_not_overlap() {
     for (around, kind) in [(12, CellKind::Quadrilateral9), (7, CellKind::Triangle6)] {
@@ -418,8 +420,8 @@ fn curved_sides_that_touch_do_not_overlap() {
     }
 }
 
-/// Thin walls, open and closed, in coarse curved cells: sides close to each other
-/// with material between them are no gaps.
+/// Thin walls, open and closed, in coarse curved cells: sides close to each other with
+/// material between them are not gaps.
 #[test]
 fn thin_walls_are_sound() {
     for kind in CellKind::ALL {
@@ -439,8 +441,8 @@ fn thin_walls_are_sound() {
     }
 }
 
-/// Rectangles mapped to many shapes, of all kinds of cells, with random measures
-/// from a fixed sequence: nothing is found in them.
+/// Rectangles mapped to many shapes, of all kinds of cells, with random dimensions from a
+/// fixed sequence: the checks find nothing.
 #[test]
 fn sound_meshes_of_many_shapes_have_no_findings() {
     let mut state = 0x2545_F491_4F6C_DD1D_u64;
@@ -457,7 +459,7 @@ fn sound_meshes_of_many_shapes_have_no_findings() {
         let (wave, slender) = (0.1 * next(), 0.1 + next());
         let turn = 6.0 * next();
         let shape = |a: f64, b: f64| {
-            // a tapered, sheared and wavy strip, bent to an arc, turned
+            // a tapered, sheared and wavy strip, bent to an arc, rotated
             let height = slender * (b - 0.5) * (1.0 - taper * a);
             let along = a + shear * height + wave * slender * (3.0 * a).sin() * b;
             let (sine, cosine) = (bend * along).sin_cos();
@@ -476,8 +478,8 @@ fn sound_meshes_of_many_shapes_have_no_findings() {
     }
 }
 
-/// Cells between random nodes of a coarse grid, repeated nodes and cells included:
-/// whatever they are, the checks end with an answer.
+/// Cells between random nodes of a coarse grid, including repeated nodes and cells: the
+/// checks always end with a result.
 #[test]
 fn any_soup_of_cells_has_an_answer() {
     let mut state = 0x9E37_79B9_7F4A_7C15_u64;

@@ -1,21 +1,21 @@
 //! The sides of cells on a physical curve.
 //!
-//! A line of the curve and a side of a cell are one if their ends lie at the same
-//! places: a mesh tells lines by the nodes of its cells. The shape of the side is that
-//! of the cell, whether the line has a node in its middle or not.
+//! A line of the curve and a side of a cell match if their ends are at the same
+//! positions. The shape of the side follows the cell, with or without a middle node of
+//! the line.
 
 use std::collections::HashMap;
 
 use super::section_mesh::{Curve, CurveLine, SectionMesh};
 
-/// On which side of a line, seen along it with y to the right and z up, its cells lie.
+/// Position of the cells relative to a line, seen along it with y to the right and z up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bank {
-    /// One cell, at the left: the surface outside is at the right.
+    /// One cell, on the left: the outer surface is on the right.
     Left,
-    /// One cell, at the right: the surface outside is at the left.
+    /// One cell, on the right: the outer surface is on the left.
     Right,
-    /// Cells at both sides: the line lies inside the section.
+    /// Cells on both sides: the line lies inside the section.
     Both,
 }
 
@@ -24,7 +24,7 @@ pub enum Bank {
 pub struct CurveSide {
     /// Tag of the line in the mesh file.
     pub tag: u64,
-    /// Where the cells lie.
+    /// Position of the cells.
     pub bank: Bank,
     nodes: [u32; 3],
     count: usize,
@@ -42,8 +42,8 @@ impl CurveSide {
 #[derive(Debug, Clone, Copy)]
 struct Side {
     middle: Option<u32>,
-    /// Cells that have the side counterclockwise in the direction of rising numbers,
-    /// and in the other one.
+    /// Number of cells that pass the side counterclockwise in the direction of rising
+    /// indices, and in the opposite direction.
     cells: [usize; 2],
 }
 
@@ -62,8 +62,8 @@ impl SectionMesh {
         found.collect()
     }
 
-    /// The nodes of the sides of cells on `curve`, each once and ascending, those in the
-    /// middle of quadratic sides too; along a slit, those of both banks.
+    /// The nodes of the sides of cells on `curve`, each once and ascending, including the
+    /// middle nodes of quadratic sides; along a slit, the nodes of both sides.
     ///
     /// # Errors
     /// The first line that is not a side of a cell.
@@ -113,25 +113,25 @@ impl SectionMesh {
     }
 }
 
-/// A place as a key; both zeros are one.
+/// A position as a key; both zeros are equal.
 fn key(place: &[f64; 2]) -> [u64; 2] {
     place.map(|x| (x + 0.0).to_bits())
 }
 
-/// The nodes at a place.
+/// The nodes at a position.
 fn at<'a>(nodes_at: &'a HashMap<[u64; 2], Vec<u32>>, place: &[f64; 2]) -> &'a [u32] {
     nodes_at.get(&key(place)).map_or(&[], Vec::as_slice)
 }
 
-/// A node of `first` and one of `second`, in all ways.
+/// All pairs of a node of `first` and a node of `second`.
 fn pairs<'a>(first: &'a [u32], second: &'a [u32]) -> impl Iterator<Item = [u32; 2]> + 'a {
     first
         .iter()
         .flat_map(move |a| second.iter().map(move |b| [*a, *b]))
 }
 
-/// The side from a node of `first` to one of `second`. Where nodes are doubled along a
-/// slit, both banks are found, and they count as the cells of one line.
+/// The side from a node of `first` to one of `second`. If nodes are doubled along a slit,
+/// the sides on both of its faces are found, and combined as the two sides of one line.
 fn side_between(
     sides: &HashMap<[u32; 2], Side>,
     tag: u64,
@@ -201,8 +201,8 @@ mod tests {
         }
     }
 
-    /// The borders of the generator run clockwise: cells at the right, nodes where the
-    /// lines have them.
+    /// The borders of the generator run clockwise: cells on the right, nodes as in the
+    /// lines.
     #[test]
     fn borders_have_cells_at_one_side() {
         for kind in CellKind::ALL {

@@ -1,34 +1,34 @@
-//! What stands where cells meet and do not fit: overlaps, doubled nodes along
-//! seams, hanging nodes, narrow gaps.
+//! Contacts of cells that do not fit: overlaps, doubled nodes along seams, hanging nodes,
+//! narrow gaps.
 //!
-//! Places and lengths are those of the mesh file, in its unit.
+//! Positions and lengths are in the unit of the mesh file.
 
 use std::fmt;
 
 use super::words::{counted, place, short};
 
-/// Pairs of nodes that a message lists at most.
+/// Number of pairs of nodes listed in a message.
 const LISTED: usize = 3;
 
 /// Whether cells may touch without sharing nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DoubledNodes {
-    /// Between regions it is an error.
+    /// An error between regions.
     #[default]
     Error,
-    /// A slit is meant, unless it takes the section apart.
+    /// A slit is intended, unless it separates the section into parts.
     Allow,
 }
 
-/// Cells that cover the same places.
+/// Cells that overlap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CellOverlap {
     /// Physical surfaces of the two cells of each pair; the same twice within one
     /// surface.
     pub groups: [String; 2],
-    /// Tags of the pairs of cells that were found along the boundary of the mesh.
+    /// Tags of the pairs of cells found along the boundary of the mesh.
     pub cells: Vec<[u64; 2]>,
-    /// A place in both cells of each pair [file unit].
+    /// A position in both cells of each pair [file unit].
     pub places: Vec<[f64; 2]>,
 }
 
@@ -37,7 +37,7 @@ impl fmt::Display for CellOverlap {
         let [one, other] = &self.groups;
         match one == other {
             true => write!(f, "cells of \"{one}\" overlap")?,
-            false => write!(f, "cells of \"{one}\" overlap those of \"{other}\"")?,
+            false => write!(f, "cells of \"{one}\" overlap cells of \"{other}\"")?,
         }
         let pairs = self.cells.iter().zip(&self.places).take(LISTED);
         for (i, ([a, b], at)) in pairs.enumerate() {
@@ -48,16 +48,16 @@ impl fmt::Display for CellOverlap {
             let places = between(&self.places);
             write!(f, " and {} like these{places}", counted(more + 1, "pair"))?;
         }
-        f.write_str("; the area there would count twice")
+        f.write_str("; the area there would be counted twice")
     }
 }
 
-/// A corner of one cell on the side of another, not joined to it.
+/// A corner of one cell on the side of another, not connected to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HangingNode {
     /// Tag of the node.
     pub node: u64,
-    /// Where it lies [file unit].
+    /// Its position [file unit].
     pub place: [f64; 2],
     /// Tag of the cell whose corner it is.
     pub corner_of: u64,
@@ -87,18 +87,18 @@ impl fmt::Display for HangingNode {
     }
 }
 
-/// Sides of cells that lie on each other with nodes of their own.
+/// Sides of cells that coincide but share no nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seam {
     /// Physical surfaces on its two sides; the same twice within one surface.
     pub groups: [String; 2],
     /// Number of sides along it.
     pub sides: usize,
-    /// Tags of the nodes that lie on each other.
+    /// Tags of the coincident nodes.
     pub pairs: Vec<[u64; 2]>,
-    /// Their places, parallel to `pairs` [file unit].
+    /// Their positions, parallel to `pairs` [file unit].
     pub places: Vec<[f64; 2]>,
-    /// Number of parts into which the section falls, if it would not without seams.
+    /// Number of parts of the section, if seams separate it.
     pub parts: Option<usize>,
 }
 
@@ -129,7 +129,7 @@ impl fmt::Display for Seam {
     }
 }
 
-/// Sides of cells that run close to each other without touching.
+/// Sides of cells that are close to each other without touching.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NarrowGap {
     /// Physical surfaces on its two sides; the same twice within one surface.
@@ -138,9 +138,9 @@ pub struct NarrowGap {
     pub sides: usize,
     /// Least width [file unit].
     pub narrowest: f64,
-    /// Largest width that still counts as narrow [file unit].
+    /// Largest width that is treated as narrow [file unit].
     pub widest: f64,
-    /// Places along it, two a side [file unit].
+    /// Positions along it, two per side [file unit].
     pub places: Vec<[f64; 2]>,
 }
 
@@ -152,7 +152,7 @@ impl fmt::Display for NarrowGap {
         }
         write!(
             f,
-            " within {} of each other along {}{} without touching: nothing joins them across \
+            " within {} of each other along {}{} without touching: they are not connected across \
              this gap",
             short(self.widest),
             counted(self.sides, "side"),
@@ -161,7 +161,7 @@ impl fmt::Display for NarrowGap {
     }
 }
 
-/// ` between (0, 0) and (1, 0)`: the box of the places.
+/// ` between (0, 0) and (1, 0)`: the box of the positions.
 fn between(places: &[[f64; 2]]) -> String {
     let [low, high] = [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
         [0, 1].map(|axis| places.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0.0))

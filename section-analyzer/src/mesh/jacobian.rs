@@ -1,14 +1,13 @@
-//! The least and the largest Jacobian determinant of a cell, in all of it and not
-//! only where it is looked at.
+//! Least and largest Jacobian determinant of a whole cell, not only at sample points.
 //!
 //! ```text
 //! J(r, s) = y,r z,s - y,s z,r = sum_i c_i B_i(r, s),      min c_i <= J <= max c_i
 //! ```
 //!
-//! `J` is a polynomial; its values in as many points as it has terms give its
-//! coefficients `c_i` in the basis of Bernstein polynomials, which are positive and
-//! sum to one, so that the coefficients bound it. Where the bound is not sharp, the
-//! cell is divided into quarters, each with coefficients of its own.
+//! `J` is a polynomial; its coefficients `c_i` in the basis of Bernstein polynomials
+//! follow from its values at one point per term. The basis functions are positive and sum
+//! to one, so that the coefficients bound it. If the bound is not sharp, the cell is
+//! divided into quarters, each with its own coefficients.
 //!
 //! # References
 //! - [Johnen2013], sections 3 and 4.
@@ -16,11 +15,12 @@
 use shared_geom::lagrange::ShapeValues;
 use shared_geom::mesh::CellKind;
 
-/// Bounds are sharpened until they are met within this part of the largest `|J|`.
+/// Bounds are refined until they agree within this fraction of the largest `|J|`.
 const SHARPNESS: f64 = 1e-3;
-/// Quarterings at most; each brings the bounds four times closer together.
+/// Largest number of subdivisions; each reduces the distance of the bounds by a factor of
+/// four.
 const DIVISIONS: usize = 6;
-/// Points in which a polynomial of the third degree is looked at, along each side.
+/// Number of points along each side at which a polynomial of degree three is evaluated.
 const POINTS: usize = 4;
 
 /// Finds extremes of Jacobian determinants.
@@ -39,7 +39,7 @@ struct Piece {
     second: [f64; 2],
 }
 
-/// A cell whose extremes are looked for; `sign` is -1 when the largest is.
+/// A cell whose extremes are searched; `sign` is -1 for the largest.
 #[derive(Debug, Clone, Copy)]
 struct Search<'a> {
     kind: CellKind,
@@ -95,10 +95,10 @@ impl Jacobian {
     }
 }
 
-/// The linear kind of a quadratic cell whose further nodes all lie in the middle, up
-/// to rounding: its mapping is that of the linear cell.
+/// The linear kind of a quadratic cell whose middle nodes are all at the midpoints, up to
+/// rounding: its mapping is the mapping of the linear cell.
 fn straight_kind(kind: CellKind, places: &[[f64; 2]]) -> CellKind {
-    /// Square of the distance off the middle, relative to that of the chord.
+    /// Square of the distance from the midpoint, relative to the square of the chord.
     const ROUNDING: f64 = 1e-26;
     let square = |p: [f64; 2]| p[0] * p[0] + p[1] * p[1];
     let is_middle = |node: usize, of: &[usize]| {
@@ -185,10 +185,9 @@ impl Piece {
     }
 }
 
-/// The points of `piece` in which `J` is looked at: as many as it has terms.
-/// Triangles of the first degree have a constant `J`, straight quadrilaterals one
-/// that is linear in `r` and in `s`, quadratic cells one of degree 2 (triangles) or
-/// of degree 3 in each of `r` and `s`.
+/// The points of `piece` at which `J` is evaluated, one per term. `J` is constant in
+/// linear triangles, linear in `r` and in `s` in straight quadrilaterals, and in
+/// quadratic cells of degree 2 (triangles) or of degree 3 in each of `r` and `s`.
 fn points(kind: CellKind, piece: &Piece) -> Vec<[f64; 2]> {
     let at = |&[a, b]: &[f64; 2]| piece.at(a, b);
     match kind {
@@ -208,13 +207,13 @@ fn grid(n: usize) -> Vec<[f64; 2]> {
     rows.map(|(i, j)| [part(i), part(j)]).collect()
 }
 
-/// From the values in [`points`] to the coefficients.
+/// Converts the values at [`points`] to the coefficients.
 ///
 /// ```text
 /// degree 2, on a side of a triangle:  c_m = 2 f_m - (f_a + f_b) / 2
 /// degree 3, along a line:  c_1 = (-5 f_0 + 18 f_1 - 9 f_2 + 2 f_3) / 6, c_2 mirrored
 /// ```
-/// Corners keep their values.
+/// Values at corners are unchanged.
 fn to_bernstein(kind: CellKind, values: &mut [f64]) {
     match kind {
         CellKind::Triangle3 | CellKind::Quadrilateral4 => {}
@@ -278,9 +277,9 @@ mod tests {
         nodes.map(|p| p.map(|x| x + 0.15 * next())).collect()
     }
 
-    /// Against a search in 81 x 81 points, which misses a smooth extreme by a square
-    /// of its step 1/80: (1/80)^2 / 8 of the second derivative, some 1e-3 of the
-    /// largest J here. Nothing that the search finds may lie outside.
+    /// Compares with a search in 81 x 81 points, whose error at a smooth extreme is
+    /// quadratic in its step 1/80: (1/80)^2 / 8 of the second derivative, some 1e-3 of
+    /// the largest J here. No value of the search may be outside of the result.
     #[test]
     fn extremes_are_those_of_a_fine_search() {
         let finder = Jacobian::new();
@@ -312,9 +311,9 @@ mod tests {
         }
     }
 
-    /// Straight-sided quadratic cells have the Jacobian of the linear cell, found in
-    /// the same way as that of curved ones: moved by far less than they are wide,
-    /// they take the other way with the same result.
+    /// Straight-sided quadratic cells have the Jacobian of the linear cell, computed on
+    /// its own path. If their nodes are moved by far less than their width, the path of
+    /// curved cells is used, with the same result.
     #[test]
     fn straight_cells_are_as_linear_ones() {
         let finder = Jacobian::new();
@@ -340,8 +339,8 @@ mod tests {
         }
     }
 
-    /// Among strongly distorted cells are some whose Jacobian is positive in all nodes
-    /// and integration points, and negative between them.
+    /// Some strongly distorted cells have a Jacobian that is positive at all nodes and
+    /// integration points, and negative between them.
     #[test]
     fn a_fold_between_nodes_and_points_is_found() {
         let kind = CellKind::Quadrilateral9;

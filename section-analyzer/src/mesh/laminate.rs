@@ -1,5 +1,5 @@
 //! Laminates along lines: each line of a physical curve becomes, layer by layer, a
-//! quadrilateral as thick as a ply.
+//! quadrilateral with the thickness of a ply.
 //!
 //! ```text
 //!        hi *-------*-------*        t  direction of the line
@@ -11,14 +11,14 @@
 //! ```
 //!
 //! On the border of cells the level 0 has the nodes of the line itself, so that the
-//! displacements of ply and cell agree all along it, on quadratic sides too. A line
-//! with two nodes becomes quadrilaterals with four, one with three nodes with nine.
+//! displacements of ply and cell are equal along it, also on quadratic sides. A line with
+//! two nodes becomes quadrilaterals with four, one with three nodes with nine.
 //!
 //! The levels are (S-125). At a node between two lines a corner is mitred (S-126), and a
-//! smooth wall gets the mean normal. Where the laminates of the two differ, a smooth wall
-//! steps (the levels of both are cut through all their plies, the nodes of those that
-//! both have are shared), and a corner with as many layers on both sides is mitred layer
-//! by layer.
+//! smooth wall has the mean normal. If the laminates of the two lines differ, a smooth
+//! wall has a step (the levels of both divide all their plies, and the nodes of common
+//! levels are shared), and a corner with equal numbers of layers on both sides is mitred
+//! layer by layer.
 
 use shared_geom::mesh::{Line, Mesh};
 
@@ -50,13 +50,13 @@ use layers::Layers;
 /// Adds the cells of `laminae` to `mesh`.
 ///
 /// # Errors
-/// All problems, each with the index of the laminate whose input has to change; the mesh
-/// is then of no use.
+/// All problems, each with the index of the laminate whose input must change; the mesh is
+/// then not usable.
 pub fn add_laminae(
     mesh: &mut Mesh,
     laminae: &[Lamina],
 ) -> Result<Laminated, Vec<(usize, LaminaProblem)>> {
-    // a mesh that refers to nodes which are not there is told by its own check
+    // a mesh that refers to missing nodes is reported by another check
     if laminae.is_empty() || check_references(mesh).is_err() {
         return Ok(Laminated::default());
     }
@@ -71,7 +71,7 @@ pub fn add_laminae(
     steps::cut(&found, &segments, &mut layers);
     let landings = tees::open(mesh, laminae, &mut segments, &layers, &found)?;
 
-    // the nodes of walls that others end on are new
+    // the nodes of walls on which other laminates end are new
     let found = joints::joints(mesh, laminae, &segments)?;
     let mut builder = Builder::new(mesh, laminae, &segments, &layers);
     let mut ends = mitre::join(&mut builder, &found)?;
@@ -106,7 +106,7 @@ impl Bare {
         Self { nodes, count }
     }
 
-    /// How many of them, and of those made since, no cell has.
+    /// The number of unused nodes among them, and among the nodes made since.
     fn count(&self, mesh: &Mesh) -> usize {
         let mut used = vec![false; mesh.nodes.len()];
         for node in mesh.cells.iter().flat_map(|cell| cell.nodes()) {

@@ -1,11 +1,10 @@
-//! The mesh of a section: from the mesh of a file to the plane mesh in meters that
-//! the analysis uses, with every check that needs nothing but the mesh.
+//! The mesh of a section: converts the mesh of a file to the plane mesh in meters that
+//! the analysis uses, with all checks that need only the mesh.
 //!
-//! [`SectionMesh::from_mesh`] checks that the mesh is plane, that no cell is
-//! inverted, that cells neither overlap nor touch without sharing nodes, and that
-//! the section is in one part, and tells all problems together. [`quality`] has
-//! the shapes of the cells in numbers.
-//! [`generate`] makes meshes of simple shapes.
+//! [`SectionMesh::from_mesh`] checks that the mesh is plane, that no cell is inverted,
+//! that cells neither overlap nor touch without sharing nodes, and that the section is in
+//! one part, and reports all problems together. [`quality`] measures the shapes of the
+//! cells. [`generate`] makes meshes of simple shapes.
 
 mod boundary;
 mod checks;

@@ -12,22 +12,22 @@ use super::jacobian::Jacobian;
 use super::plane::{PlaneMesh, distance};
 use super::problem::{Inversion, MeshProblem, limited};
 
-/// Smallest Jacobian relative to the largest of the cell, below which the cell
-/// counts as inverted: far above rounding, far below any cell of use.
+/// Smallest Jacobian relative to the largest of the cell, below which the cell is treated
+/// as inverted: far above rounding, far below any useful cell.
 const LEAST_RATIO: f64 = 1e-10;
 /// Largest Jacobian relative to the square of the longest side, below which the
 /// cell has no area.
 const LEAST_AREA: f64 = 1e-13;
 
-/// Direction in which the nodes of a cell run.
+/// Direction of the nodes of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Turn {
     Counterclockwise,
     Clockwise,
 }
 
-/// Lists the cells of clockwise surfaces the other way round; gives their number,
-/// or the cells that are inverted or disagree with the others of their surface.
+/// Reverses the cells of clockwise surfaces; returns their number, or the cells that are
+/// inverted or whose direction differs from the others of their surface.
 pub(super) fn orient(mesh: &mut PlaneMesh) -> Result<usize, Vec<MeshProblem>> {
     let jacobian = Jacobian::new();
     let mut problems = Vec::new();
@@ -80,7 +80,7 @@ fn turn([low, high]: [f64; 2], side: f64) -> Option<Turn> {
     }
 }
 
-/// The cells that run the other way round than most cells of their surface.
+/// The cells whose direction is opposite to most cells of their surface.
 fn disagreeing(
     mesh: &PlaneMesh,
     turns: &[Option<Turn>],
@@ -131,7 +131,7 @@ fn reason(mesh: &PlaneMesh, cell: &Cell) -> Inversion {
     if crosses.iter().all(|cross| cross.abs() <= least) {
         return Inversion::NoArea;
     }
-    // the corners that disagree with the sum of all
+    // the corners whose sign differs from the sign of the sum
     let sum: f64 = crosses.iter().sum();
     let worst = (0..count).min_by(|&a, &b| (crosses[a] * sum).total_cmp(&(crosses[b] * sum)));
     if let Some(worst) = worst
@@ -150,7 +150,7 @@ fn repeated(cell: &Cell) -> Option<u32> {
     numbered.find_map(|(i, node)| nodes[..i].contains(node).then_some(*node))
 }
 
-/// The node that is farthest from the middle of its side or of the cell.
+/// The node farthest from the middle of its side or of the cell.
 fn farthest_middle(mesh: &PlaneMesh, cell: &Cell, longest: f64) -> Option<Inversion> {
     let place = |local: usize| mesh.nodes[cell.nodes()[local] as usize];
     let sides = (0..cell.kind.corner_count()).filter_map(|side| {

@@ -1,15 +1,15 @@
-//! Whether a side of one cell runs through the inside of another.
+//! Detects sides of one cell inside of another.
 
 use shared_geom::mesh::Cell;
 
 use super::boundary::{Curve, curves};
 use super::plane::{PlaneMesh, distance};
 
-/// Part of the tolerance that the straight pieces of curved sides may use up.
+/// Fraction of the tolerance available for the straight pieces of curved sides.
 const PIECES: f64 = 0.25;
 
-/// A place of `side` that lies inside of `cell`, farther than `tolerance` from all
-/// of its sides; `None` if there is none.
+/// A point of `side` that lies inside of `cell`, farther than `tolerance` from all of its
+/// sides; `None` if there is none.
 pub(super) fn place_inside(
     mesh: &PlaneMesh,
     cell: &Cell,
@@ -28,14 +28,13 @@ pub(super) fn place_inside(
         .find_map(|piece| piece_inside(&polygon, [piece[0], piece[1]], tolerance))
 }
 
-/// Whether a place lies inside of `cell`, farther than `tolerance` from all of its
-/// sides.
+/// Whether a point lies inside of `cell`, farther than `tolerance` from all of its sides.
 pub(super) fn is_inside(mesh: &PlaneMesh, cell: &Cell, place: [f64; 2], tolerance: f64) -> bool {
     let (polygon, left) = polygon_of(mesh, cell, tolerance);
     is_deep(&polygon, place, tolerance + left)
 }
 
-/// The polygon that stands for a cell, and how far it is from its sides.
+/// The polygon that represents a cell, and its distance from the cell's sides.
 fn polygon_of(mesh: &PlaneMesh, cell: &Cell, tolerance: f64) -> (Vec<[f64; 2]>, f64) {
     let mut polygon = Vec::new();
     let pieces = curves(mesh, cell).map(|curve| curve.pieces(PIECES * tolerance, &mut polygon));
@@ -43,8 +42,8 @@ fn polygon_of(mesh: &PlaneMesh, cell: &Cell, tolerance: f64) -> (Vec<[f64; 2]>, 
     (polygon, left)
 }
 
-/// Whether some straight line parts the side from the cell, up to the tolerance:
-/// the normals of the cell's chords and of the side's are tried.
+/// Whether a straight line separates the side from the cell, up to the tolerance: the
+/// normals of the cell's chords and of the side's chord are tried.
 fn is_apart(mesh: &PlaneMesh, cell: &Cell, side: &Curve, tolerance: f64) -> bool {
     let mut hull = [[0.0; 2]; 8];
     let mut chords = [[0.0; 2]; 6];
@@ -64,7 +63,7 @@ fn is_apart(mesh: &PlaneMesh, cell: &Cell, side: &Curve, tolerance: f64) -> bool
     chords[count + 1] = own.map(|x| -x);
     let (hull, side) = (&hull[..points], side.hull());
     chords[..count + 2].iter().any(|chord| {
-        // to the right of the chord, where the outside of the cell is
+        // to the right of the chord, outside of the cell
         let height = |p: &[f64; 2]| p[0] * chord[1] - p[1] * chord[0];
         let highest = hull.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
         let lowest = side.iter().map(height).fold(f64::INFINITY, f64::min);
@@ -72,7 +71,7 @@ fn is_apart(mesh: &PlaneMesh, cell: &Cell, side: &Curve, tolerance: f64) -> bool
     })
 }
 
-/// The middle of a part of the piece that lies inside of the polygon.
+/// The midpoint of a part of the piece inside of the polygon.
 fn piece_inside(polygon: &[[f64; 2]], piece: [[f64; 2]; 2], tolerance: f64) -> Option<[f64; 2]> {
     let [p, q] = piece;
     let mut cuts = vec![0.0, 1.0];
@@ -96,13 +95,13 @@ fn edges(polygon: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '
     polygon.iter().copied().zip(next.copied())
 }
 
-/// Where on the way from p to q, from 0 to 1, the line from a to b is crossed.
+/// Position from p to q, from 0 to 1, at which the line from a to b is crossed.
 fn crossing(p: [f64; 2], q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> Option<f64> {
     let (d, e) = ([q[0] - p[0], q[1] - p[1]], [b[0] - a[0], b[1] - a[1]]);
     let way = [a[0] - p[0], a[1] - p[1]];
     let cross = |u: [f64; 2], v: [f64; 2]| u[0] * v[1] - u[1] * v[0];
     let (t, u) = (cross(way, e) / cross(d, e), cross(way, d) / cross(d, e));
-    // no numbers for parallel lines, which fail the comparisons
+    // not finite for parallel lines, which fail the comparisons
     (t > 0.0 && t < 1.0 && (0.0..=1.0).contains(&u)).then_some(t)
 }
 

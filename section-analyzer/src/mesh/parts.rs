@@ -1,10 +1,10 @@
-//! Parts of a section made of some of its cells, and sets that grow together.
+//! Parts of a section made of some of its cells, and disjoint sets.
 
 use std::collections::HashMap;
 
 use super::section_mesh::SectionMesh;
 
-/// Sets of numbers, each alone at first.
+/// Disjoint sets of numbers, initially of one member each.
 #[derive(Debug)]
 pub(crate) struct Sets(Vec<u32>);
 
@@ -13,7 +13,7 @@ impl Sets {
         Self((0..count as u32).collect())
     }
 
-    /// The number that stands for the set of `member`.
+    /// The representative of the set of `member`.
     pub fn of(&mut self, member: u32) -> u32 {
         let mut member = member as usize;
         while self.0[member] as usize != member {
@@ -23,13 +23,13 @@ impl Sets {
         member as u32
     }
 
-    /// Makes the sets of two members one; the smallest number stands for it.
+    /// Merges the sets of two members; the smallest number represents the result.
     pub fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.of(a), self.of(b));
         self.0[a.max(b) as usize] = a.min(b);
     }
 
-    /// Makes the sets of all these members one.
+    /// Merges the sets of all these members.
     pub fn join_all(&mut self, members: &[u32]) {
         if let [first, rest @ ..] = members {
             rest.iter().for_each(|member| self.join(*first, *member));
@@ -38,8 +38,8 @@ impl Sets {
 }
 
 impl SectionMesh {
-    /// The parts that the cells for which `is_in` holds are in, connected through whole
-    /// sides, the one with the most cells first: indices of cells.
+    /// The parts formed by the cells for which `is_in` holds, connected through whole
+    /// sides, the largest first: indices of cells.
     pub(crate) fn parts(&self, is_in: impl Fn(usize) -> bool) -> Vec<Vec<usize>> {
         let mut sets = Sets::new(self.cells.len());
         let mut cell_of_side: HashMap<[u32; 2], u32> = HashMap::new();
@@ -70,8 +70,8 @@ mod tests {
     use shared_geom::error::Place;
     use shared_geom::mesh::CellKind;
 
-    /// A row of five cells without the second falls into one and three; two cells that share
-    /// a corner alone are two parts.
+    /// A row of five cells without the second is in parts of one and three; two cells
+    /// that share only a corner are two parts.
     #[test]
     fn cells_left_out_part_the_rest() {
         let mesh = |cells_z| {

@@ -1,13 +1,13 @@
-//! From the mesh of a file to plane coordinates: the check that the mesh is
-//! plane, and the nodes that cells use.
+//! Plane coordinates of the mesh of a file: checks that the mesh is plane, and keeps the
+//! nodes that cells use.
 
 use nalgebra::Vector3;
 use shared_geom::mesh::{Cell, Mesh, Node};
 
 use super::problem::MeshProblem;
 
-/// Deviation from the plane that is allowed, relative to the size of the mesh:
-/// rounding of coordinates written with nine digits or more.
+/// Allowed deviation from the plane, relative to the size of the mesh: rounding of
+/// coordinates written with nine digits or more.
 const FLATNESS: f64 = 1e-9;
 
 /// The cells of a mesh on the nodes that they use, in the unit of the file.
@@ -49,7 +49,7 @@ impl PlaneMesh {
         }
     }
 
-    /// Places of the corners of a cell.
+    /// Positions of the corners of a cell.
     pub(super) fn corners(&self, cell: &Cell) -> impl Iterator<Item = [f64; 2]> {
         cell.corners().iter().map(|&node| self.nodes[node as usize])
     }
@@ -60,7 +60,7 @@ impl PlaneMesh {
         [0, 1].map(|axis| self.corners(cell).map(|p| p[axis]).sum::<f64>() / count)
     }
 
-    /// Lengths of the sides of a cell, taken as straight.
+    /// Lengths of the straightened sides of a cell.
     pub(super) fn sides(&self, cell: &Cell) -> impl Iterator<Item = f64> {
         let sides = cell.kind.sides(cell.nodes());
         sides.map(|(ends, _)| {
@@ -69,7 +69,7 @@ impl PlaneMesh {
         })
     }
 
-    /// Length of the longest side of a cell, taken as straight.
+    /// Length of the longest straightened side of a cell.
     pub(super) fn longest_side(&self, cell: &Cell) -> f64 {
         self.sides(cell).fold(0.0, f64::max)
     }
@@ -99,7 +99,7 @@ pub(crate) fn polygon_area(corners: impl IntoIterator<Item = [f64; 2]>) -> f64 {
     0.5 * twice
 }
 
-/// States that cells and lines refer to nodes of the mesh.
+/// Checks that cells and lines refer to nodes of the mesh.
 pub(super) fn check_references(mesh: &Mesh) -> Result<(), MeshProblem> {
     let exist = |nodes: &[u32]| nodes.iter().all(|&node| (node as usize) < mesh.nodes.len());
     let cells = mesh.cells.iter().map(|cell| (cell.tag, cell.nodes()));
@@ -110,8 +110,8 @@ pub(super) fn check_references(mesh: &Mesh) -> Result<(), MeshProblem> {
     }
 }
 
-/// States that all nodes that a cell or a line of a physical curve uses lie in
-/// one plane z = constant.
+/// Checks that all nodes used by a cell or by a line of a physical curve lie in one plane
+/// z = constant.
 pub(super) fn check_plane(mesh: &Mesh) -> Result<(), MeshProblem> {
     let mut used = vec![false; mesh.nodes.len()];
     let of_cells = mesh.cells.iter().flat_map(|cell| cell.nodes());
@@ -153,7 +153,7 @@ fn normal(nodes: &[&Node], tolerance: f64) -> Option<(Vector3<f64>, f64)> {
         .map(|p| along.cross(&(p - origin)))
         .max_by(by(Vector3::norm_squared))?;
     let mut normal = across.try_normalize(tolerance * along.norm())?;
-    // what is only rounding of a coordinate plane
+    // remove rounding of a coordinate plane
     normal.apply(|x| *x = if x.abs() <= FLATNESS { 0.0 } else { *x });
     normal.normalize_mut();
     if normal.iter().find(|x| **x != 0.0).is_some_and(|x| *x < 0.0) {
@@ -163,7 +163,7 @@ fn normal(nodes: &[&Node], tolerance: f64) -> Option<(Vector3<f64>, f64)> {
     in_plane.then(|| (normal, normal.dot(&origin)))
 }
 
-/// The node farthest from the height of most.
+/// The node farthest from the height of most nodes.
 fn farthest(nodes: &[&Node], tolerance: f64) -> MeshProblem {
     let mut heights: Vec<f64> = nodes.iter().map(|node| node.position.z).collect();
     let middle = heights.len() / 2;

@@ -1,7 +1,7 @@
-//! What can be wrong with the mesh of a section.
+//! Problems of the mesh of a section.
 //!
-//! Coordinates in messages are those of the mesh file, in its unit, so that the
-//! place can be found in the mesh generator.
+//! Coordinates in messages are in the unit of the mesh file, so that the position can be
+//! found in the mesh generator.
 
 use std::fmt;
 
@@ -20,13 +20,13 @@ pub enum MeshProblem {
         /// Labels of the physical curves that have lines.
         curves: Vec<String>,
     },
-    /// An element of a mesh made by hand that names a node which is not there.
+    /// An element of a mesh made by hand with a node that does not exist.
     #[error("element {element} refers to a node that the mesh does not have")]
     MissingNode {
         /// Tag of the element.
         element: u64,
     },
-    /// A length unit of no use.
+    /// An invalid unit of length.
     #[error("length of the mesh unit: expected a positive number of meters, found {found}")]
     LengthFactor {
         /// Meters in a unit of the mesh.
@@ -54,7 +54,7 @@ pub enum MeshProblem {
         found: f64,
         /// The z of the plane: half of the nodes lie on either side [file unit].
         expected: f64,
-        /// Deviation that is allowed [file unit].
+        /// Allowed deviation [file unit].
         tolerance: f64,
     },
     /// A cell whose mapping folds.
@@ -69,8 +69,8 @@ pub enum MeshProblem {
     },
     /// A cell listed in the other direction than its neighbors.
     #[error(
-        "cell {cell} at {} is inverted: its nodes run the other way round than those of the \
-         {others} other cells of surface entity {entity}", place(*.center)
+        "cell {cell} at {} is inverted: its nodes run in the opposite direction to the {others} \
+         other cells of surface entity {entity}", place(*.center)
     )]
     TurnedCell {
         /// Tag of the cell.
@@ -79,10 +79,10 @@ pub enum MeshProblem {
         center: [f64; 2],
         /// Surface entity of gmsh.
         entity: i32,
-        /// Number of cells of the entity that run the common way.
+        /// Number of cells of the entity with the usual direction.
         others: usize,
     },
-    /// Cells that lie on each other.
+    /// Cells that overlap at a side.
     #[error(
         "cells {} and {} overlap: both lie on the same side of the line from node {} to node {}",
         .cells[0], .cells[1], .nodes[0], .nodes[1]
@@ -93,22 +93,23 @@ pub enum MeshProblem {
         /// Tags of the ends of their common side.
         nodes: [u64; 2],
     },
-    /// A node in the middle of a side that only one of the cells there has, or the
-    /// other as a corner.
+    /// A middle node of a side that only one of the adjacent cells has, or that is a
+    /// corner of the other.
     #[error("{}", hanging(*.node, *.at, .side, .cells, *.corner))]
     HangingNode {
         /// Tag of the node.
         node: u64,
-        /// Where it is [file unit].
+        /// Its position [file unit].
         at: [f64; 2],
         /// Tags of the ends of the side.
         side: [u64; 2],
-        /// Tag and shape of the cell that has the node in its side, and of the other.
+        /// Tag and shape of the cell that has the node in its side, and of the other
+        /// cell.
         cells: [(u64, CellKind); 2],
         /// Whether the node is a corner of the other cell.
         corner: bool,
     },
-    /// Quadratic cells that meet at a side, each with a middle node of its own.
+    /// Quadratic cells that meet at a side with two different middle nodes.
     #[error(
         "cells {} and {} share the side from node {} to node {} at {}, but not the node in its \
          middle", .cells[0], .cells[1], .nodes[0], .nodes[1], place(*.at)
@@ -118,7 +119,7 @@ pub enum MeshProblem {
         cells: [u64; 2],
         /// Tags of the ends of the side.
         nodes: [u64; 2],
-        /// Halfway between them [file unit].
+        /// Midpoint between them [file unit].
         at: [f64; 2],
     },
     /// A section in several parts.
@@ -126,45 +127,45 @@ pub enum MeshProblem {
     Disconnected {
         /// The parts, the one with the most cells first.
         parts: Vec<Part>,
-        /// Tags of the nodes where parts touch.
+        /// Tags of the nodes at which parts touch.
         touching: Vec<u64>,
-        /// Tags of nodes of different parts that lie on each other.
+        /// Tags of coincident nodes of different parts.
         coincident: Vec<[u64; 2]>,
         /// Narrow gaps anywhere in the section.
         gaps: Vec<NarrowGap>,
     },
-    /// Cells that cover the same place.
+    /// Cells that overlap.
     #[error("{0}")]
     DoubleCover(CellOverlap),
-    /// Cells that touch along sides with nodes of their own.
+    /// Cells that touch along sides without shared nodes.
     #[error("{seam}")]
     DoubledNodes {
-        /// Where.
+        /// The seam.
         seam: Seam,
-        /// Whether slits are allowed; the section falls apart all the same.
+        /// Whether slits are allowed; the section is in separate parts all the same.
         allowed: bool,
     },
     /// A corner on the side of another cell.
     #[error("{node}{}", likewise(*.more))]
     Hanging {
-        /// One of those between two surfaces.
+        /// One of the nodes between two surfaces.
         node: HangingNode,
-        /// How many more there are.
+        /// Number of further nodes.
         more: usize,
-        /// Whether slits are allowed; the section falls apart all the same.
+        /// Whether slits are allowed; the section is in separate parts all the same.
         allowed: bool,
     },
-    /// Further problems of a kind of which the first have been told.
+    /// Further problems of a kind, which are not reported one by one.
     #[error("and {count} more {what}")]
     More {
-        /// How many were left out.
+        /// Their number.
         count: usize,
-        /// Of what.
+        /// Their kind.
         what: &'static str,
     },
 }
 
-/// Why a cell is inverted.
+/// Reason for which a cell is inverted.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Inversion {
     /// It lists a node more than once.
@@ -172,19 +173,19 @@ pub enum Inversion {
         /// Tag of the node.
         node: u64,
     },
-    /// Its corners lie on a line, or on each other.
+    /// Its corners lie on a line, or coincide.
     NoArea,
     /// A corner of more than 180 degrees, or crossed sides.
     Corner {
         /// Tag of the node at the corner.
         node: u64,
     },
-    /// A node in the middle of a side or of the cell too far from there.
+    /// A middle node of a side or of the cell too far from its usual position.
     Middle {
         /// Tag of the node.
         node: u64,
-        /// Distance from where it belongs, relative to the length of the side, or
-        /// of the longest side \[-\].
+        /// Distance from its usual position, relative to the length of the side, or of
+        /// the longest side \[-\].
         distance: f64,
     },
 }
@@ -213,7 +214,7 @@ impl fmt::Display for Inversion {
 pub struct Part {
     /// Number of cells.
     pub cells: usize,
-    /// Centroid of the cells, their sides taken as straight [file unit].
+    /// Centroid of the cells, with straight sides [file unit].
     pub centroid: [f64; 2],
     /// Smallest coordinates of the corners [file unit].
     pub low: [f64; 2],
@@ -262,7 +263,7 @@ fn hanging(
     )
 }
 
-/// Parts, nodes and pairs that a message lists at most.
+/// Number of parts, nodes and pairs listed in a message.
 const LISTED: usize = 8;
 
 fn disconnected(
@@ -351,8 +352,8 @@ impl Explain for MeshProblem {
             Self::NoCells { curves } => return Some(give_cells(curves)),
             Self::OtherPlane { normal, .. } => {
                 let turn = match normal {
-                    [1.0, 0.0, 0.0] => "turn it by -120 degrees about the direction (1, 1, 1)",
-                    [0.0, 1.0, 0.0] => "turn it by -90 degrees about the mesh axis x",
+                    [1.0, 0.0, 0.0] => "rotate it by -120 degrees about the direction (1, 1, 1)",
+                    [0.0, 1.0, 0.0] => "rotate it by -90 degrees about the mesh axis x",
                     _ => "turn it",
                 };
                 return Some(format!(
@@ -371,14 +372,14 @@ impl Explain for MeshProblem {
                  Mesh.HighOrderOptimize = 1, or straight sides (Mesh.SecondOrderLinear = 1)"
             }
             Self::InvertedCell { .. } | Self::TurnedCell { .. } | Self::Overlap { .. } => {
-                "mesh this place again; in a structured mesh, check the order of the points \
-                 and the numbers of cells on facing curves"
+                "mesh this part again; in a structured mesh, check the order of the points and \
+                 the numbers of cells on facing curves"
             }
             Self::HangingNode { corner: false, .. } => {
                 "use cells of one order throughout: in gmsh, Mesh.ElementOrder for the whole mesh"
             }
             Self::HangingNode { corner: true, .. } => {
-                "neighboring cells must share whole sides: mesh this place again, or use cells of \
+                "neighboring cells must share whole sides: mesh this part again, or use cells of \
                  one order throughout (in gmsh, Mesh.ElementOrder)"
             }
             Self::SideMiddle { .. } => "in gmsh, Mesh > Remove duplicate nodes",
@@ -405,11 +406,11 @@ impl Explain for MeshProblem {
     }
 }
 
-/// What a mesh without cells lacks; `curves` are its curves with lines.
+/// Remedy for a mesh without cells; `curves` are its curves with lines.
 fn give_cells(curves: &[String]) -> String {
     if curves.is_empty() {
-        return "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only what \
-                is in them, so put the surfaces in a physical surface"
+        return "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only \
+                their contents, so put the surfaces in a physical surface"
             .to_owned();
     }
     let names: Vec<_> = curves.iter().map(|name| format!("\"{name}\"")).collect();
@@ -420,7 +421,7 @@ fn give_cells(curves: &[String]) -> String {
     )
 }
 
-/// How the parts of a section are brought together.
+/// Remedy for a section in separate parts.
 fn connect(has_gaps: bool, has_coincident: bool) -> &'static str {
     match (has_gaps, has_coincident) {
         (true, _) => {
@@ -431,11 +432,11 @@ fn connect(has_gaps: bool, has_coincident: bool) -> &'static str {
             "merge the nodes: in gmsh, \"Coherence;\" in the geometry before meshing, or \
              Mesh > Remove duplicate nodes"
         }
-        _ => "parts must share whole sides of cells: join them, or analyze each by itself",
+        _ => "parts must share whole sides of cells: join them, or analyze each alone",
     }
 }
 
-/// How surfaces are joined in gmsh; where a slit may be meant, how to say so.
+/// Remedy for surfaces that are not joined; for a possible slit, the way to allow it.
 fn join(lead: &str, allowed: bool) -> String {
     let remedy = format!(
         "{lead}let the surfaces share their common curve and mesh again: in gmsh \"Coherence;\" \
@@ -445,21 +446,21 @@ fn join(lead: &str, allowed: bool) -> String {
     match allowed {
         true => format!("{remedy}; doubled_nodes = \"allow\" does not join parts"),
         false => format!(
-            "{remedy}; or, if a slit is meant, write doubled_nodes = \"allow\" at the head of the \
-             section file"
+            "{remedy}; or, if a slit is intended, write doubled_nodes = \"allow\" at the head of \
+             the section file"
         ),
     }
 }
 
-/// Problems of one kind that are told at most.
+/// Number of problems per kind that are reported one by one.
 const LIMIT: usize = 20;
 
-/// The problems of one kind, the first of them told and the others counted.
+/// The problems of one kind, the first reported and the others counted.
 pub(super) fn limited(problems: Vec<MeshProblem>, what: &'static str) -> Vec<MeshProblem> {
     limited_to(LIMIT, problems, what)
 }
 
-/// The problems of one kind, the first `limit` of them told and the others counted.
+/// The problems of one kind, the first `limit` reported and the others counted.
 pub(super) fn limited_to(
     limit: usize,
     mut problems: Vec<MeshProblem>,

@@ -1,9 +1,9 @@
-//! The shape of the cells in numbers: how far each is from a square or an
-//! equilateral triangle, by region, and the cells with the worst shape.
+//! Measures of the shape of cells: deviation from a square or an equilateral triangle, by
+//! region, and the cells with the worst shape.
 //!
-//! A poor shape makes the result less accurate; it does not make it wrong, so that
-//! poor cells are a warning. Cells that are no image of the reference cell at all
-//! never get here: they are errors of the mesh.
+//! A poor shape makes the result less accurate, but not wrong, so that poor cells are a
+//! warning. Cells that are not an image of the reference cell have already been reported
+//! as errors of the mesh.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -15,26 +15,26 @@ mod measures;
 
 use measures::values_of;
 
-/// Cells that are named at most, the worst first.
+/// Number of cells that are named, the worst first.
 const NAMED: usize = 5;
 
 /// Least over largest Jacobian determinant below which a cell is poor. The
 /// integrals have the Jacobian in the denominator: at a tenth the integration rule
 /// of the cell, exact for constant Jacobians, is off by percents.
 const POOR_JACOBIAN: f64 = 0.1;
-/// From this ratio on a cell is good.
+/// Ratio from which a cell is good.
 const GOOD_JACOBIAN: f64 = 0.5;
-/// Aspect ratio beyond which a cell is poor: the stiffness of a cell along and
-/// across differ by its square, which costs the solution four of its 16 digits.
-/// Plies of ordinary meshes have 10 to 50.
+/// Aspect ratio beyond which a cell is poor: the stiffness of a cell along and across
+/// differ by its square, so that the solution loses four of its 16 digits. Plies of
+/// ordinary meshes have 10 to 50.
 const POOR_ASPECT: f64 = 100.0;
 /// Up to this ratio a cell is good.
 const GOOD_ASPECT: f64 = 10.0;
-/// Corner angle below which a cell is poor \[rad\]: without a large angle it means a
-/// stretched triangle, and its cotangent does as much harm as an aspect ratio.
-/// Triangles in plies have 3 to 10 degrees, as sharp trailing edges do.
+/// Corner angle below which a cell is poor \[rad\]: without a large angle it is a
+/// stretched triangle, and its cotangent has the effect of an aspect ratio. Triangles in
+/// plies and at sharp trailing edges have 3 to 10 degrees.
 const POOR_SMALL_ANGLE: f64 = PI / 180.0;
-/// From this angle on a cell is good \[rad\].
+/// Angle from which a cell is good \[rad\].
 const GOOD_SMALL_ANGLE: f64 = 15.0 * PI / 180.0;
 /// Corner angle beyond which a cell is poor \[rad\]: the error of the strains grows
 /// as one over its sine, tenfold at 174 degrees.
@@ -48,13 +48,13 @@ const POOR_MIDDLE: f64 = 0.2;
 /// Up to this distance a cell is good: an arc of 22 degrees.
 const GOOD_MIDDLE: f64 = 0.05;
 
-/// What is measured of a cell.
+/// Measures of the shape of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShapeMeasure {
     /// Least over largest Jacobian determinant in the cell.
     Jacobian,
-    /// Square of the longest side over the area, relative to that of the square or
-    /// of the equilateral triangle: of a rectangle, length over width.
+    /// Square of the longest side over the area, relative to the square or the
+    /// equilateral triangle: for a rectangle, length over width.
     Aspect,
     /// Smallest angle at a corner, between the tangents of its sides.
     SmallestAngle,
@@ -65,14 +65,14 @@ pub enum ShapeMeasure {
     Middle,
 }
 
-/// How good a value is.
+/// Grade of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Grade {
-    /// Beyond the limit: worth a warning.
+    /// Beyond the limit: requires a warning.
     Poor,
-    /// Between.
+    /// Between the limits.
     Fair,
-    /// As it should be.
+    /// Within the good limit.
     Good,
 }
 
@@ -102,7 +102,7 @@ impl ShapeMeasure {
         matches!(self, Self::Jacobian | Self::SmallestAngle)
     }
 
-    /// How good a value is.
+    /// Grade of a value.
     pub fn grade(self, value: f64) -> Grade {
         let [poor, good] = self.limits();
         let (beyond, within) = match self.is_better_large() {
@@ -116,14 +116,14 @@ impl ShapeMeasure {
         }
     }
 
-    /// How bad a value is: its grade, 2 if poor and 0 if good, then how near it is to the
-    /// limit of poor ones, 1 at the limit.
+    /// Severity of a value: its grade, 2 if poor and 0 if good, then its nearness to the
+    /// limit of poor values, 1 at the limit.
     fn severity(self, value: f64) -> (usize, f64) {
         let [poor, _] = self.limits();
         let nearness = match self {
             Self::Jacobian | Self::SmallestAngle => poor / value,
             Self::Aspect | Self::Middle => value / poor,
-            // corners up to 90 degrees are no matter
+            // corners up to 90 degrees have no effect
             Self::LargestAngle => (value - 0.5 * PI).max(0.0) / (poor - 0.5 * PI),
         };
         (Grade::Good as usize - self.grade(value) as usize, nearness)
@@ -137,7 +137,7 @@ impl ShapeMeasure {
         }
     }
 
-    /// What it is called at the head of a column.
+    /// Its name in the heading of a column.
     pub fn short_name(self) -> &'static str {
         match self {
             Self::Jacobian => "Jacobian",
@@ -148,7 +148,7 @@ impl ShapeMeasure {
         }
     }
 
-    /// What it is called in tables.
+    /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Jacobian => "least over largest Jacobian",
@@ -160,10 +160,10 @@ impl ShapeMeasure {
     }
 }
 
-/// A value of a measure, in words.
+/// A value of a measure, as text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShapeValue {
-    /// What was measured.
+    /// The measure.
     pub measure: ShapeMeasure,
     /// The value \[-\], of angles \[rad\].
     pub value: f64,
@@ -204,7 +204,7 @@ pub struct RegionQuality {
     pub group: String,
     /// Number of cells.
     pub cells: usize,
-    /// Number of cells that are poor by any measure.
+    /// Whether cells have nodes at the middle of their sides.
     pub poor: usize,
     /// Whether cells have nodes in the middle of their sides.
     pub has_middles: bool,
@@ -225,9 +225,9 @@ pub struct NamedCell {
     pub place: [f64; 2],
     /// Its physical surface.
     pub group: String,
-    /// What is worst about it.
+    /// Its worst value.
     pub worst: ShapeValue,
-    /// Whether that is poor.
+    /// Whether this value is poor.
     pub is_poor: bool,
 }
 
@@ -249,7 +249,7 @@ impl MeshQuality {
             .iter()
             .map(|group| RegionQuality::empty(group))
             .collect();
-        // severity, number of the cell, its worst value
+        // severity, index of the cell, its worst value
         let mut worst: Vec<((usize, f64), usize, ShapeValue)> = Vec::new();
         for (number, cell) in mesh.cells.iter().enumerate() {
             let mut places = [[0.0; 2]; 9];
@@ -338,7 +338,8 @@ impl RegionQuality {
     }
 }
 
-/// The value of the worst grade, among these nearest to its limit or farthest beyond.
+/// The worst value: of the worst grade, and among equal grades nearest to its limit or
+/// farthest beyond.
 fn worst_of(values: &[f64; 5]) -> ((usize, f64), ShapeValue) {
     let mut worst = ((0, f64::NEG_INFINITY), ShapeMeasure::Jacobian, 1.0);
     for (measure, &value) in ShapeMeasure::ALL.into_iter().zip(values) {

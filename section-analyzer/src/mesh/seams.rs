@@ -1,11 +1,11 @@
-//! Seams: sides of cells that lie on each other, each with nodes of its own.
+//! Seams: coincident sides of cells without shared nodes.
 
 use super::boundary::Boundary;
 use super::components::root;
 use super::findings::Seam;
 use super::plane::PlaneMesh;
 
-/// Where cells stand, for messages: the physical surface of each.
+/// The physical surface of each cell, for messages.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Groups<'a> {
     pub(super) labels: &'a [String],
@@ -22,10 +22,10 @@ impl Groups<'_> {
     }
 }
 
-/// Two sides (numbers in the boundary) that run against each other.
+/// Two sides (indices in the boundary) in opposite directions.
 pub(super) type SidePair = [usize; 2];
 
-/// For each node the least of the nodes that lie at its place.
+/// For each node the smallest index of the nodes at its position.
 pub(super) fn representatives(nodes: usize, coincident: &[[u32; 2]]) -> Vec<u32> {
     let mut parent: Vec<usize> = (0..nodes).collect();
     for pair in coincident {
@@ -37,8 +37,8 @@ pub(super) fn representatives(nodes: usize, coincident: &[[u32; 2]]) -> Vec<u32>
         .collect()
 }
 
-/// The pairs of sides with both ends on each other that run in opposite
-/// directions, so that their cells lie on either side.
+/// The pairs of sides with coincident ends and opposite directions, so that their cells
+/// lie on either side.
 pub(super) fn doubled_sides(boundary: &Boundary, least: &[u32]) -> Vec<SidePair> {
     let key = |side: usize| {
         let [a, b] = boundary.sides[side].ends.map(|node| least[node as usize]);
@@ -54,9 +54,8 @@ pub(super) fn doubled_sides(boundary: &Boundary, least: &[u32]) -> Vec<SidePair>
     pairs.map(|pair| [pair[0].1, pair[1].1]).collect()
 }
 
-/// The seams that these pairs of sides make, one for each two physical surfaces.
-/// `parts` gives for two cells the number of parts of the section if they stand in
-/// different ones.
+/// The seams of these pairs of sides, one for each two physical surfaces. `parts` returns
+/// for two cells the number of parts of the section if they are in different ones.
 pub(super) fn seams(
     mesh: &PlaneMesh,
     boundary: &Boundary,
@@ -85,7 +84,7 @@ pub(super) fn seams(
         let (_, seam, nodes) = &mut seams[place];
         seam.sides += 1;
         seam.parts = seam.parts.or(parts(cells));
-        // the sides run against each other
+        // the sides have opposite directions
         let [a, b] = one.ends;
         let [c, d] = other.ends;
         let middles = one.middle.zip(other.middle).map(|(m, n)| [m, n]);

@@ -9,7 +9,7 @@ use super::plane::{PlaneMesh, check_plane, check_references};
 use super::problem::MeshProblem;
 use super::seams::Groups;
 
-/// Label of the cells that stand in no physical surface.
+/// Label of the cells in no physical surface.
 const NO_GROUP: &str = "no physical surface";
 
 /// A section mesh: plane, in one part, all cells counterclockwise.
@@ -18,11 +18,11 @@ const NO_GROUP: &str = "no physical surface";
 ///     z (mesh y)
 ///     ^
 ///     |
-///     +---> y (mesh x)        x, along the beam, points at the reader
+///     +---> y (mesh x)        x, along the beam, toward the reader
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SectionMesh {
-    /// Places (y, z) of the nodes; each is used by a cell \[m\].
+    /// Positions (y, z) of the nodes; each is used by a cell \[m\].
     pub nodes: Vec<[f64; 2]>,
     /// Tags of the nodes in the mesh file.
     pub node_tags: Vec<u64>,
@@ -42,8 +42,8 @@ pub struct SectionCell {
     pub tag: u64,
     /// Shape.
     pub kind: CellKind,
-    /// Physical surface: index in [`SectionMesh::groups`]. Of several it is the
-    /// first of the mesh, and in a section input that of the cell's region.
+    /// Physical surface: index in [`SectionMesh::groups`]. Of several it is the first in
+    /// the mesh, in a section input the surface of the cell's region.
     pub group: usize,
     nodes: [u32; 9],
 }
@@ -72,7 +72,7 @@ impl SectionCell {
     }
 }
 
-/// A physical curve: lines that tell a direction.
+/// A physical curve: lines that define a direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Name of the physical group, or its tag without one.
@@ -86,35 +86,35 @@ pub struct Curve {
 pub struct CurveLine {
     /// Tag of the element in the mesh file.
     pub tag: u64,
-    /// Where it begins (y, z) \[m\].
+    /// Its first end (y, z) \[m\].
     pub first: [f64; 2],
-    /// Where it ends (y, z) \[m\].
+    /// Its second end (y, z) \[m\].
     pub second: [f64; 2],
-    /// The node in its middle, for quadratic lines (y, z) \[m\].
+    /// Its middle node, for quadratic lines (y, z) \[m\].
     pub middle: Option<[f64; 2]>,
 }
 
-/// What was put right or is worth a word, though no error.
+/// Corrections of the mesh, and warnings about it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MeshReport {
-    /// Cells of clockwise surfaces, which were listed the other way round.
+    /// Number of cells of clockwise surfaces, which were reversed.
     pub reversed_cells: usize,
-    /// Nodes that no cell uses, which were left out.
+    /// Number of unused nodes, which were removed.
     pub unused_nodes: usize,
-    /// Tags of nodes that lie on each other though the section is in one part.
+    /// Tags of coincident nodes, although the section is in one part.
     pub coincident_nodes: Vec<[u64; 2]>,
-    /// Where cells touch with nodes of their own: slits, which may be meant.
+    /// Cells that touch along sides without shared nodes: slits, which may be intended.
     pub seams: Vec<Seam>,
-    /// Nodes that hang on sides, where slits are allowed.
+    /// Hanging nodes, if slits are allowed.
     pub hanging_nodes: Vec<HangingNode>,
     /// Sides that nearly touch.
     pub narrow_gaps: Vec<NarrowGap>,
-    /// Tags of nodes that hold walls together which share no side there.
+    /// Tags of nodes that alone connect walls, without a shared side.
     pub pinched_nodes: Vec<u64>,
 }
 
 impl SectionMesh {
-    /// Places of the nodes of a cell \[m\].
+    /// Positions of the nodes of a cell \[m\].
     pub fn places(&self, cell: &SectionCell) -> impl Iterator<Item = [f64; 2]> {
         cell.nodes().iter().map(|&node| self.nodes[node as usize])
     }
@@ -133,8 +133,8 @@ impl SectionMesh {
         self.node_tags.get(node).copied().unwrap_or(node as u64 + 1)
     }
 
-    /// The same cells with nodes and curves where `mesh` has them, whose unit of length is
-    /// `meters_per_unit`; `None` where its nodes and cells are others. Nothing is checked.
+    /// The same cells with the node positions and curves of `mesh`, whose unit of length
+    /// is `meters_per_unit`; `None` if its nodes and cells differ. Nothing is checked.
     pub fn with_places_of(&self, mesh: &Mesh, meters_per_unit: f64) -> Option<Self> {
         check_references(mesh).ok()?;
         let plane = PlaneMesh::new(mesh);
@@ -156,9 +156,9 @@ impl SectionMesh {
         })
     }
 
-    /// The section mesh of `mesh`, whose unit of length is `meters_per_unit`, with
-    /// what is worth reporting; `place` is where the mesh comes from, for messages.
-    /// Nodes doubled along the border of two surfaces are an error.
+    /// The section mesh of `mesh`, whose unit of length is `meters_per_unit`, with its
+    /// report; `place` is the source of the mesh, for messages. Nodes doubled along the
+    /// border of two surfaces are an error.
     ///
     /// # Errors
     /// All problems found: a mesh without cells or out of the plane z = constant,
@@ -171,7 +171,7 @@ impl SectionMesh {
         Self::from_mesh_with(mesh, meters_per_unit, DoubledNodes::Error, place)
     }
 
-    /// As [`SectionMesh::from_mesh`], where slits may be allowed.
+    /// As [`SectionMesh::from_mesh`]; slits may be allowed.
     ///
     /// # Errors
     /// As [`SectionMesh::from_mesh`].
@@ -245,7 +245,7 @@ fn outcome(problems: Vec<MeshProblem>) -> Result<(), Vec<MeshProblem>> {
     }
 }
 
-/// The problems after which no other can be told.
+/// The problems that prevent all further checks.
 fn check_whole(mesh: &Mesh, meters_per_unit: f64) -> Result<(), Vec<MeshProblem>> {
     let mut problems = Vec::new();
     if !(meters_per_unit > 0.0 && meters_per_unit.is_finite()) {
@@ -264,11 +264,11 @@ fn check_whole(mesh: &Mesh, meters_per_unit: f64) -> Result<(), Vec<MeshProblem>
     outcome(problems)
 }
 
-/// Labels of the physical surfaces that have cells, in the order of the mesh,
-/// and for each cell the number of its surface.
+/// Labels of the physical surfaces that have cells, in the order of the mesh, and for
+/// each cell the index of its surface.
 fn surface_groups(mesh: &Mesh) -> (Vec<String>, Vec<usize>) {
     let groups = mesh.groups.len();
-    // the last entry stands for cells in no group
+    // the last entry represents cells in no group
     let entry = |cell: &Cell| {
         let first = cell.groups.first();
         first.filter(|&group| group < groups).unwrap_or(groups)
@@ -284,7 +284,7 @@ fn surface_groups(mesh: &Mesh) -> (Vec<String>, Vec<usize>) {
             .groups
             .get(group)
             .map_or(NO_GROUP.into(), |group| group.label());
-        // groups of one name are one
+        // groups with the same name are combined
         number[group] = labels.iter().position(|l| *l == label).unwrap_or_else(|| {
             labels.push(label);
             labels.len() - 1

@@ -1,4 +1,4 @@
-//! What becomes of sound meshes, and what is said about the others.
+//! Results of sound meshes, and messages about the others.
 
 use nalgebra::{Rotation3, Vector3};
 use shared_geom::error::Explain;
@@ -8,13 +8,13 @@ use super::super::generate::{Ellipse, Rectangle, Tube};
 use super::super::problem::Inversion;
 use super::*;
 
-/// The kind of cell with so many nodes.
+/// The kind of cell with this number of nodes.
 fn kind(nodes: usize) -> CellKind {
     let mut kinds = CellKind::ALL.into_iter();
     kinds.find(|kind| kind.node_count() == nodes).unwrap()
 }
 
-/// A mesh of nodes (tags 101, 102, ...) and cells (tags 1, 2, ... by node tags less
+/// A mesh of nodes (tags 101, 102, ...) and cells (tags 1, 2, ...; nodes by tag minus
 /// 101), all in entity 5 and group "a".
 fn mesh(nodes: &[[f64; 2]], cells: &[&[u32]]) -> Mesh {
     let node = |(i, &[x, y]): (usize, &[f64; 2])| Node {
@@ -42,7 +42,7 @@ fn group(dimension: u8, tag: i32, name: Option<&str>) -> PhysicalGroup {
     }
 }
 
-/// Two unit squares side by side:
+/// Two adjacent unit squares:
 ///
 /// ```text
 /// 3---4---5
@@ -100,7 +100,7 @@ fn a_sound_mesh_comes_out_in_meters_without_unused_nodes() {
 /// ```text
 /// 12--13--14--15
 /// |   |   |   |
-/// 8---9---10--11     squares without those at 0 and at 5: the two beside these touch
+/// 8---9---10--11     squares except at 0 and at 5: their two neighbors touch
 /// |   |   |   |      in node 5, and are joined around it
 /// 4---5---6---7
 ///     |   |   |
@@ -122,7 +122,7 @@ fn walls_that_touch_in_a_node_are_reported() {
         accepted(&mesh(&nodes, &kept)).1.pinched_nodes
     };
     assert_eq!(cells(&[0, 4]), [106]);
-    // a hole, and none
+    // a hole, and no hole
     assert_eq!(cells(&[4]), [0_u64; 0]);
     assert_eq!(cells(&[]), [0_u64; 0]);
 }
@@ -215,7 +215,7 @@ fn generated_meshes_are_sound_and_so_are_their_mirror_images() {
             assert_eq!(report, MeshReport::default());
             assert_eq!(section.nodes.len(), mesh.nodes.len());
 
-            // seen from behind, all cells are clockwise: they are turned
+            // seen from the rear, all cells are clockwise: they are reversed
             for node in &mut mesh.nodes {
                 node.position.x = -node.position.x;
             }
@@ -355,7 +355,7 @@ fn cells_without_area_and_folded_corners_are_inverted() {
         reason(&refused(&crossed)),
         Inversion::Corner { .. } | Inversion::NoArea
     ));
-    // two corners on each other
+    // two coincident corners
     let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     assert!(matches!(
         reason(&refused(&mesh(&nodes, &[&[0, 1, 2, 3]]))),
@@ -365,9 +365,9 @@ fn cells_without_area_and_folded_corners_are_inverted() {
 
 #[test]
 fn a_middle_node_too_far_is_named() {
-    // a unit square; the middle of its lower side is moved, along it and across.
-    // With the node at x = 1/2 + d the Jacobian at a corner is proportional to
-    // 1 - 4 d: it vanishes at the quarter point
+    // a unit square; the middle node of its lower side is moved, along it and across.
+    // With the node at x = 1/2 + d the Jacobian at a corner is proportional to 1 - 4 d:
+    // it vanishes at the quarter point
     let nodes = |x: f64, y: f64| {
         [
             [0.0, 0.0],
@@ -408,8 +408,8 @@ fn a_cell_that_runs_against_its_surface_is_inverted() {
     let problems = refused(&mesh(&nodes, &[LEFT, RIGHT, &[2, 5, 7, 6]]));
     assert_eq!(
         problems[0].to_string(),
-        "cell 3 at (2.5, 0.5) is inverted: its nodes run the other way round than those of \
-         the 2 other cells of surface entity 5"
+        "cell 3 at (2.5, 0.5) is inverted: its nodes run in the opposite direction to the 2 other \
+         cells of surface entity 5"
     );
 }
 
@@ -486,7 +486,7 @@ fn parts_that_touch_at_a_node_are_told() {
 
 #[test]
 fn a_slit_in_one_part_is_reported_but_no_error() {
-    // a ring of four squares around a hole, not closed between the last and the first
+    // a ring of four squares around a hole, open between the last and the first
     let corner = |angle: usize, radius: f64| {
         let (sine, cosine) = (std::f64::consts::FRAC_PI_2 * angle as f64).sin_cos();
         [radius * cosine, radius * sine]

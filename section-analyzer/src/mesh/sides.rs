@@ -1,27 +1,26 @@
-//! The sides of the cells: which cells meet at them, and whether they fit.
+//! The sides of the cells: finds the cells that meet at them, and checks that they fit.
 //!
-//! Two cells fit at a side if they have its nodes in common, the middle one too.
-//! Where only one of them has a middle node, or a middle node is a corner of
-//! another cell, displacements to either side differ between the nodes: the node
-//! hangs.
+//! Two cells fit at a side if they share its nodes, including the middle node. If only
+//! one of them has a middle node, or a middle node is a corner of another cell, the
+//! displacements on the two sides differ between the nodes: the node is a hanging node.
 
 use std::collections::HashMap;
 
 use super::plane::PlaneMesh;
 use super::problem::{MeshProblem, limited};
 
-/// A side, as the first cell that has it sees it.
+/// A side, in the direction of its first cell.
 #[derive(Debug, Clone, Copy)]
 struct Side {
     cell: usize,
     /// First corner, counterclockwise in that cell.
     first: u32,
     middle: Option<u32>,
-    /// Whether a second cell has been met.
+    /// Whether a second cell has been found.
     met: bool,
 }
 
-/// What the sides tell.
+/// Results of the check of sides.
 #[derive(Debug)]
 pub(super) struct Sides {
     /// Pairs of cells (indices) that share a side.
@@ -30,8 +29,8 @@ pub(super) struct Sides {
     pub(super) problems: Vec<MeshProblem>,
 }
 
-/// Goes through the sides of all cells. `oriented` tells whether all cells are
-/// counterclockwise, so that neighbors run through their side in opposite directions.
+/// Goes through the sides of all cells. `oriented` is true if all cells are
+/// counterclockwise, so that neighbors pass their side in opposite directions.
 pub(super) fn sides(mesh: &PlaneMesh, oriented: bool) -> Sides {
     let mut sides: HashMap<[u32; 2], Side> = HashMap::with_capacity(2 * mesh.cells.len());
     let (mut neighbors, mut overlaps, mut gaps) = (Vec::new(), Vec::new(), Vec::new());
@@ -48,7 +47,8 @@ pub(super) fn sides(mesh: &PlaneMesh, oriented: bool) -> Sides {
                     met: false,
                 }
             });
-            // A cell that meets itself lists a node twice: told with the cell.
+            // A cell that meets itself lists a node twice, which is reported with the
+            // cell.
             if new || side.cell == number {
                 continue;
             }
@@ -77,7 +77,7 @@ pub(super) fn sides(mesh: &PlaneMesh, oriented: bool) -> Sides {
     }
 }
 
-/// What is wrong at a side whose cells have different nodes in its middle.
+/// The problem of a side whose cells have different middle nodes.
 fn no_common_middle(
     mesh: &PlaneMesh,
     side: [u32; 2],
@@ -98,8 +98,8 @@ fn no_common_middle(
     }
 }
 
-/// The node `middle` of `side` that the first cell has in its side, the second not,
-/// or as a corner.
+/// The node `middle` of `side` that is in the side of the first cell only, or a corner of
+/// the second.
 fn hanging(
     mesh: &PlaneMesh,
     side: [u32; 2],
@@ -116,8 +116,8 @@ fn hanging(
     }
 }
 
-/// The middle nodes of sides that are corners of other cells: the cell of the side,
-/// the other one, and the problem.
+/// The middle nodes of sides that are corners of other cells: the cell of the side, the
+/// other cell, and the problem.
 fn middles_at_corners(mesh: &PlaneMesh) -> Vec<(usize, usize, MeshProblem)> {
     let mut cell_at_corner = vec![None; mesh.nodes.len()];
     for (number, cell) in mesh.cells.iter().enumerate() {
@@ -132,7 +132,7 @@ fn middles_at_corners(mesh: &PlaneMesh) -> Vec<(usize, usize, MeshProblem)> {
                 continue;
             };
             match cell_at_corner[middle as usize] {
-                // a cell that lists a node twice is told by itself
+                // a cell that lists a node twice is reported by another check
                 Some(other) if other != number => {
                     let problem = hanging(mesh, ends, middle, [number, other], true);
                     found.push((number, other, problem));
@@ -150,7 +150,7 @@ mod tests {
 
     use super::*;
 
-    /// The messages for cells on these places, all tags from one.
+    /// The messages for cells on these nodes, all tags from one.
     fn messages(places: &[[f64; 2]], cells: &[(CellKind, &[u32])]) -> Vec<String> {
         let node = |(&[x, y], tag): (&[f64; 2], u64)| Node {
             tag,

@@ -1,18 +1,18 @@
-//! Counts, numbers and places in words.
+//! Counts, numbers and positions as text.
 
 /// `1 cell`, `2 cells`.
 pub(crate) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-/// A number with six digits at most.
+/// A number with at most six digits.
 pub(crate) fn short(value: f64) -> String {
     let rounded = format!("{value:.5e}").parse().unwrap_or(value);
     let text = format!("{rounded:?}");
     text.strip_suffix(".0").unwrap_or(&text).to_string()
 }
 
-/// A place of the mesh file, `(1, 2.5)`.
+/// A position in the mesh file, `(1, 2.5)`.
 pub(super) fn place([x, y]: [f64; 2]) -> String {
     format!("({}, {})", short(x), short(y))
 }

@@ -7,8 +7,8 @@ use crate::section::Section;
 
 /// Geometry and mass of a region, or of the whole section.
 ///
-/// Moments are plain ones, not weighted by a modulus; "about the reference point" is
-/// about the origin of the mesh.
+/// Moments are geometric, not weighted by a modulus; the reference point is the origin of
+/// the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AreaProperties {
     /// Name of the region.
@@ -23,7 +23,7 @@ pub struct AreaProperties {
     pub first: [f64; 2],
     /// Second moments about the reference point \[m^4\].
     pub second: SecondMoments,
-    /// Second moments about the own centroid \[m^4\].
+    /// Second moments about the region's centroid \[m^4\].
     pub central: SecondMoments,
     /// Length of the boundary: outer lines and holes \[m\].
     pub perimeter: Perimeter,
@@ -50,8 +50,8 @@ impl AreaTable {
     /// The table by regions called `names`; `region_of_cell` has for each cell the
     /// index of its region.
     ///
-    /// The sums of a thin region are taken about its own centroid and then moved to
-    /// the reference point, so that none is a difference of large numbers.
+    /// The sums of a thin region are taken about its own centroid and then moved to the
+    /// reference point, to avoid differences of large numbers.
     pub fn by_region(section: &Section, names: &[String], region_of_cell: &[usize]) -> Self {
         let cells = measured(section);
         let mut parts = vec![Vec::new(); names.len()];
@@ -71,7 +71,8 @@ impl AreaTable {
     }
 }
 
-/// Moments of a cell about its first node, which keeps the digits of a mesh far away.
+/// Moments of a cell about its first node, which keeps the digits of a mesh far from its
+/// origin.
 struct MeasuredCell {
     node: [f64; 2],
     moments: AreaMoments,
@@ -105,7 +106,7 @@ fn properties(
     let base = part.first().map_or([0.0; 2], |&cell| cells[cell].node);
     let first_guess = placed(base, sum_about(base).centroid());
     let near = sum_about(first_guess);
-    // again from there: the first guess has the round-off of places as far as `base`
+    // again from there: the first guess has the round-off of positions as far as `base`
     let correction = near.centroid();
     let centroid = placed(first_guess, correction);
     let central = near.moved(correction.map(|shift| -shift));

@@ -13,8 +13,8 @@ use shared_geom::quadrature;
 use shared_geom::section::InitialCurvature;
 use std::f64::consts::PI;
 
-/// The section of a mesh whose cells with a center that `is_second` takes are a
-/// region and a material of their own; densities 2 and 5.
+/// The section of a mesh in which the cells with a center that `is_second` accepts are a
+/// second region of a second material; densities 2 and 5.
 fn section(mesh: &Mesh, is_second: impl Fn([f64; 2]) -> bool) -> Section {
     let (mut mesh, _) = SectionMesh::from_mesh(mesh, 1.0, &Place::file("test")).expect("sound");
     let material = |density: f64| Material {
@@ -67,7 +67,7 @@ fn assert_moments(found: SecondMoments, [yy, zz, yz]: [f64; 3], tolerance: f64) 
 }
 
 /// A rectangle a x b at (p, q): I = b h^3/12 about its centroid, and the theorem of
-/// parallel axes. Its upper half is a region of its own. Round-off only.
+/// parallel axes. Its upper half is a separate region. Round-off only.
 #[test]
 fn rectangles_have_their_closed_forms_with_all_kinds_of_cells() {
     let (a, b, p, q) = (0.6, 0.4, 2.0, -3.0);
@@ -112,9 +112,9 @@ fn rectangles_have_their_closed_forms_with_all_kinds_of_cells() {
     }
 }
 
-/// A tube whose sides are parabolas through points of the circles. Beside an arc of
-/// angle 2 h (here 2 pi/48) a parabola leaves out h^5/30 of r^2: h^4/30 of the area,
-/// twice that of second moments, less of lengths. Halves are without a hole.
+/// A tube whose sides are parabolas through points of the circles. Compared with an arc of
+/// angle 2 h (here 2 pi/48) a parabola lacks h^5/30 of r^2: h^4/30 of the area, h^4/15 of
+/// second moments, less of lengths. Halves are without a hole.
 #[test]
 fn tubes_have_an_outline_and_a_hole() {
     let (outer, inner) = (1.0, 0.8);
@@ -240,8 +240,8 @@ fn a_curved_quadrilateral_is_exact() {
     }
 }
 
-/// A ply of 1e-4 at 1 from the reference point: its own moment is 1e-9 of the one
-/// about that point, and keeps the digits that its coordinates have (1e-16/1e-4 each,
+/// A ply of 1e-4 at 1 from the reference point: its moment about its centroid is 1e-9 of
+/// the moment about that point, and keeps the digits of its coordinates (1e-16/1e-4 each,
 /// three times).
 #[test]
 fn a_thin_region_keeps_its_digits() {
@@ -257,9 +257,9 @@ fn a_thin_region_keeps_its_digits() {
     assert_relative_eq!(ply.central.yy, t.powi(3) / 12.0, max_relative = 1e-11);
 }
 
-/// Nine squares in a frame: the middle one left out is a hole; with a corner left out
-/// too, the hole touches the outline at a node and counts with it. Opposite corners
-/// apart from it are no holes.
+/// Nine squares in a frame: the middle one left out is a hole; with a corner left out too,
+/// the hole touches the outline at a node and belongs to the outline. Two opposite corners
+/// left out alone are no holes.
 #[test]
 fn holes_are_told_from_the_outline() {
     let node = |i: usize, j: usize| (4 * j + i) as u32;

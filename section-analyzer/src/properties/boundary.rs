@@ -7,17 +7,17 @@ use shared_geom::quadrature;
 use super::moments::{CellSide, SidePoint};
 use crate::mesh::SectionMesh;
 
-/// Pieces in which a side is measured, with [`POINTS`] points each. The length of a
-/// parabola is no polynomial: for a side that turns by 60 degrees, a piece has an
-/// error of 1e-14.
+/// Number of pieces for the length of a side, with [`POINTS`] points each. The length of a
+/// parabola is not a polynomial: for a side that turns by 60 degrees, a piece has an error
+/// of 1e-14.
 const PIECES: usize = 4;
 const POINTS: usize = 6;
 
 /// Lengths of the closed lines that bound a part of a section.
 ///
-/// The sides of a slit count: a slit lies outside. Where two lines touch at a node,
-/// they are told apart as the cells around the node are: a hole that touches the
-/// outline counts with the outline.
+/// The sides of a slit are included: a slit lies outside. If two lines touch at a node,
+/// they are distinguished by the cells around the node: a hole that touches the outline
+/// belongs to the outline.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Perimeter {
     /// Lengths of the lines around the part, one for each of its pieces \[m\].
@@ -64,7 +64,7 @@ type SideOf = (usize, usize);
 /// The sides of the cells of a part, by their ends in the direction of the cell.
 struct Sides {
     by_ends: HashMap<[u32; 2], SideOf>,
-    /// In the order of the cells, so that loops come in one order.
+    /// In the order of the cells, so that the order of the loops is unique.
     all: Vec<([u32; 2], SideOf)>,
 }
 
@@ -110,8 +110,8 @@ impl Sides {
         loops
     }
 
-    /// The boundary side that follows on `side`: the cells around its second end are
-    /// gone through until one has a side without a neighbor.
+    /// The boundary side after `side`: searches the cells around its second end for a side
+    /// without a neighbor.
     fn next(&self, mesh: &SectionMesh, (cell, side): SideOf) -> SideOf {
         let after =
             |(cell, side): SideOf| (cell, (side + 1) % mesh.cells[cell].kind.corner_count());

@@ -5,12 +5,12 @@
 
 use nalgebra::{Matrix2, Matrix6, Vector2};
 
-/// The centers of a section: places (y, z) from the reference point \[m\].
+/// The centers of a section: positions (y, z) from the reference point \[m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Centers {
-    /// Where an axial force bends no section \[m\].
+    /// Point at which an axial force causes no bending \[m\].
     pub tension: [f64; 2],
-    /// Where a shear force twists no section \[m\].
+    /// Point at which a shear force causes no twist \[m\].
     pub shear: [f64; 2],
     /// Center of mass; `None` for a section without mass \[m\].
     pub mass: Option<[f64; 2]>,
@@ -28,8 +28,8 @@ impl Centers {
     /// mass      y = M34 / m        z = -M24 / m       (S-30)
     /// ```
     ///
-    /// Both matrices are to be about a point near the section, so that the
-    /// coordinates keep their digits.
+    /// Both matrices must be about a point near the section, so that the coordinates keep
+    /// their digits.
     pub fn new(compliance: &Matrix6<f64>, mass: &Matrix6<f64>) -> Self {
         let c = compliance;
         let bending: Matrix2<f64> = c.fixed_view::<2, 2>(4, 4).into_owned();
@@ -44,7 +44,7 @@ impl Centers {
         }
     }
 
-    /// The same centers from another point, `offset` \[m\] back.
+    /// The same centers from a reference point moved by minus `offset` \[m\].
     pub fn placed(&self, offset: [f64; 2]) -> Self {
         let place = |[y, z]: [f64; 2]| [y + offset[0], z + offset[1]];
         Self {
@@ -62,8 +62,8 @@ mod tests {
     use nalgebra::{Vector3, Vector6};
     use shared_geom::wrench;
 
-    /// A section that is uncoupled about its centers, moved away: forces act at
-    /// the tension center, shears at another point; the centers come back.
+    /// A section that is uncoupled about its centers, moved away: axial forces act at the
+    /// tension center, shears at another point; the centers are recovered.
     #[test]
     fn centers_are_found_from_a_moved_section() {
         let (tension, shear) = ([0.3, -0.2], [-0.1, 0.4]);

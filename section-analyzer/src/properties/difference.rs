@@ -1,4 +1,4 @@
-//! How two sets of section properties differ, entry by entry, in relative terms.
+//! Relative differences of two sets of section properties, entry by entry.
 
 use crate::assembly::largest;
 use nalgebra::{Matrix6, Vector2, Vector3};
@@ -11,7 +11,7 @@ mod prestress;
 
 use entries::Entries;
 
-/// Distance of two reference points that counts as none, relative to the larger of
+/// Distance of two reference points that is treated as zero, relative to the larger of
 /// their coordinates and the radius of gyration: a few roundings.
 const ROUND_OFF: f64 = 1e-14;
 
@@ -20,25 +20,25 @@ const ROUND_OFF: f64 = 1e-14;
 pub struct Difference {
     /// `(B - A)_ij / sqrt(A_ii A_jj)` of the stiffness \[-\].
     pub stiffness: Matrix6<f64>,
-    /// The same of the mass \[-\]; where A has no mass, relative to that of B.
+    /// The same of the mass \[-\]; if A has no mass, relative to the mass of B.
     pub mass: Matrix6<f64>,
-    /// Radius of gyration of the stiffness of A, `sqrt((EIy + EIz) / EA)` about its
-    /// tension center, beside which places are compared \[m\].
+    /// Radius of gyration of the stiffness of A, `sqrt((EIy + EIz) / EA)` about its tension
+    /// center; the scale of differences of positions \[m\].
     pub length: f64,
-    /// What was done to B before it was compared, in this order.
+    /// Changes made to B before the comparison, in this order.
     pub brought: Vec<Change>,
-    /// All numbers that were compared.
+    /// All compared numbers.
     pub entries: Vec<Entry>,
-    /// What only one of the two has, or has of another kind, in words.
+    /// Data that only one of the two has, or has of another kind, as text.
     pub unlike: Vec<String>,
 }
 
 /// Two numbers and their relative difference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
-    /// What the number belongs to.
+    /// The part that contains the number.
     pub part: Part,
-    /// Which number it is: `axial-bending z`, `tension y`.
+    /// Name of the number: `axial-bending z`, `tension y`.
     pub name: String,
     /// Value of A \[mixed\].
     pub a: f64,
@@ -65,7 +65,7 @@ pub enum Part {
     Curvature,
     /// Coupling and capacitance of electrodes.
     Piezo,
-    /// The thermal force, and those of imposed states.
+    /// The thermal force, and the forces of imposed states.
     Thermal,
     /// The effect of prestress.
     Prestress,
@@ -83,12 +83,12 @@ impl Difference {
     /// principal angle            (b - a) |first - second| / max(first, second)
     /// ```
     ///
-    /// The factor of an angle is that of the coupling which it causes: it has no
-    /// meaning where all directions are principal.
+    /// The factor of an angle measures the coupling that the angle causes: an angle has no
+    /// meaning if all directions are principal.
     ///
-    /// Unless `as_given`, `b` is first brought to the axes and the reference point of
-    /// `a`, as far as the files tell them: turned by the difference of the turns in
-    /// their histories, then shifted by the difference of their reference points.
+    /// Unless `as_given`, `b` is first brought to the axes and the reference point of `a`,
+    /// as far as the files contain them: turned by the difference of the turns in their
+    /// histories, then shifted by the difference of their reference points.
     pub fn between(a: &SectionProperties, b: &SectionProperties, as_given: bool) -> Self {
         let brought = match as_given {
             true => Vec::new(),
@@ -117,7 +117,7 @@ impl Difference {
 
     /// The entries whose relative difference is more than `tolerance`, largest first.
     pub fn beyond(&self, tolerance: f64) -> Vec<&Entry> {
-        // What is not a number is beyond every tolerance.
+        // NaN exceeds every tolerance.
         let is_beyond =
             |entry: &&Entry| entry.relative.is_nan() || entry.relative.abs() > tolerance;
         let mut found: Vec<_> = self.entries.iter().filter(is_beyond).collect();
@@ -125,14 +125,14 @@ impl Difference {
         found
     }
 
-    /// The largest relative difference \[-\]; not a number when one of them is.
+    /// The largest relative difference \[-\]; NaN when one of them is.
     pub fn largest(&self) -> f64 {
         let relative = self.entries.iter().map(|entry| entry.relative.abs());
         relative.fold(0.0, largest)
     }
 }
 
-/// What brings `b` to the axes and the reference point of `a`.
+/// The changes that bring `b` to the axes and the reference point of `a`.
 fn changes(a: &SectionProperties, b: &SectionProperties) -> Vec<Change> {
     let angle = turn(a) - turn(b);
     let mut changes = Vec::new();
@@ -163,8 +163,8 @@ fn turn(properties: &SectionProperties) -> f64 {
     turns.sum()
 }
 
-/// `sqrt((EIy + EIz) / EA)` about the tension center \[m\]: the size of a section, as
-/// its stiffness tells it.
+/// `sqrt((EIy + EIz) / EA)` about the tension center \[m\]: the size of a section, from its
+/// stiffness.
 pub fn radius_of_gyration(properties: &SectionProperties) -> f64 {
     let center = properties.centers.tension;
     let d = Vector3::new(0.0, center.x, center.y);

@@ -1,4 +1,4 @@
-//! Area and moments of area of a cell, by its sides.
+//! Area and moments of area of a cell, from its sides.
 //!
 //! Each integral over a cell is one around it (Green's theorem), counterclockwise:
 //!
@@ -9,10 +9,10 @@
 //! int y z dA =  1/2 oint y^2 z dz                                     (S-60)
 //! ```
 //!
-//! A side is a polynomial of degree two in its parameter at most, an integrand one of
-//! degree seven, which a Gauss rule of four points integrates exactly: cells with
-//! curved sides lose nothing. (The rule of a quadratic cell over its area is exact
-//! for area and first moments, but not for the second moments of a curved cell.)
+//! A side is a polynomial of at most degree two in its parameter, an integrand a polynomial
+//! of degree seven, which a Gauss rule of four points integrates exactly, also for curved
+//! sides. (The rule of a quadratic cell over its area is exact for area and first moments,
+//! but not for the second moments of a curved cell.)
 
 use shared_geom::quadrature;
 
@@ -72,7 +72,7 @@ impl AreaMoments {
         }
     }
 
-    /// The moments about the point that lies `d` \[m\] back: places are y + d from there.
+    /// The moments about the point moved by -`d` \[m\]: positions from there are y + d.
     ///
     /// ```text
     /// int (y + dy) = Sy + A dy      int (y + dy)(z + dz) = Iyz + dz Sy + dy Sz + A dy dz   (S-61)
@@ -94,7 +94,8 @@ impl AreaMoments {
         }
     }
 
-    /// Where the first moments vanish, from the point of these \[m\].
+    /// Centroid: the point where the first moments vanish, from the point of these moments
+    /// \[m\].
     pub fn centroid(&self) -> [f64; 2] {
         self.first.map(|first| first / self.area)
     }
@@ -114,7 +115,7 @@ impl std::ops::AddAssign for AreaMoments {
 /// A side of a cell as a curve, counterclockwise.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CellSide {
-    /// Ends, then the middle where there is one [m].
+    /// Ends, then the middle if there is one [m].
     nodes: [[f64; 2]; 3],
     kind: shared_geom::mesh::LineKind,
 }
@@ -122,9 +123,9 @@ pub(super) struct CellSide {
 /// A point of a side.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SidePoint {
-    /// Place (y, z) [m].
+    /// Position (y, z) [m].
     pub place: [f64; 2],
-    /// Its derivative by the parameter of the side [m].
+    /// Its derivative with respect to the parameter of the side [m].
     pub tangent: [f64; 2],
 }
 

@@ -10,8 +10,8 @@
 //! | `sigma_i` | stress per unit p_i | Pa, N/m | 6 |
 //! | `T` | third derivatives of the energy | N, N m, .. | 4x4x4 |
 //!
-//! The energy per length of a uniform state is least over the warping, so that its
-//! cubic part needs no more than the warping of the linear solution:
+//! The energy per length of a uniform state is a minimum over the warping, so that its
+//! cubic part needs only the warping of the linear solution:
 //!
 //! ```text
 //! psi = Y P K4 p      u = X P K4 p      u' = 0 for these four              (S-83)
@@ -19,23 +19,22 @@
 //! T_ijk = S_ijk + S_ikj + S_jik + S_jki + S_kij + S_kji                    (S-84)
 //! ```
 //!
-//! The axes of the section are those of the linear solution; its reference point moves
+//! The axes of the section are the axes of the linear solution; its reference point moves
 //! with the mean of the warping over the area, `int w dA = 0`.
 //!
-//! All of it is done about the area centroid, where no digits are lost, and the table
-//! is moved to the reference point.
+//! The computation is about the area centroid, where no digits are lost; the table is then
+//! moved to the reference point.
 //!
-//! A state of imposed strain eps_p, without internal force, has a stress sigma_0 in
-//! balance with itself and a gradient H_0. It is one more state beside the four, with the
-//! index 0 of the same sum:
+//! A state of imposed strain eps_p, without internal force, has a self-equilibrated stress
+//! sigma_0 and a gradient H_0. It is a fifth state, with the index 0, of the same sum:
 //!
 //! ```text
 //! sigma_0 = D ( eps_0 - eps_p )
 //! T_0jk = S_0jk + S_0kj + S_j0k + S_jk0 + S_k0j + S_kj0                    (S-150)
 //! ```
 //!
-//! What comes of it in axes along the tangent of the reference line is (S-87); closed
-//! forms of isotropic sections are (S-88), and (S-89) the gain of a strip.
+//! Its form in axes along the tangent of the reference line is (S-87); closed forms of
+//! isotropic sections are (S-88), and (S-89) is the gain of a strip.
 //!
 //! # References
 //! - [HouboltBrooks1958]: tension stiffens torsion by N Ip/A.
@@ -56,7 +55,7 @@ use crate::element::{CellPoint, PointGradient, cell_points};
 use crate::material::{section_stiffness, section_strain};
 use crate::section::{ImposedStrain, Section};
 
-/// Why a section has no table of prestress.
+/// Reason why a section has no table of prestress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoPrestress {
     /// The undeformed beam is curved or twisted.
@@ -68,10 +67,10 @@ pub enum NoPrestress {
 }
 
 impl NoPrestress {
-    /// The table is known for straight beams, normal to their sections.
+    /// Requires a straight beam, normal to its section: the table exists only for these.
     ///
     /// # Errors
-    /// What this one is instead.
+    /// The reason if the beam is not straight and normal.
     pub fn require_straight(initial: &InitialCurvature) -> Result<(), Self> {
         match (initial.is_straight(), initial.curvature == Vector3::zeros()) {
             (true, _) => Ok(()),
@@ -119,10 +118,10 @@ pub fn prestress(
     })
 }
 
-/// An imposed strain, and what the section does under it without internal force.
+/// An imposed strain, and the state of the section under it without internal force.
 #[derive(Debug, Clone, Copy)]
 pub struct FreeState<'a> {
-    /// What is imposed.
+    /// The imposed strain.
     pub imposed: &'a ImposedStrain,
     /// Warping, rows ux, uy, uz of each node of the mesh \[m\].
     pub warping: &'a DVector<f64>,
@@ -130,7 +129,7 @@ pub struct FreeState<'a> {
     pub strain: &'a Vector6<f64>,
 }
 
-/// What each of `states` does to the stiffness of `section` without internal force,
+/// The change of the stiffness of `section` by each of `states` without internal force,
 /// `T_0jk` of (S-150) over axial, torsion, bending y and bending z, about the reference
 /// point \[N, N m, N m^2\]; arguments as of [`prestress`].
 ///
@@ -160,7 +159,7 @@ struct Fields<'a> {
     center: [f64; 2],
     /// `Y P K4`: generalized strain per unit p.
     strain: Matrix6x4<f64>,
-    /// `X P K4`: warping per unit p, three rows a node.
+    /// `X P K4`: warping per unit p, three rows per node.
     warping: Vec<SMatrix<f64, 3, 4>>,
 }
 
@@ -194,7 +193,7 @@ impl<'a> Fields<'a> {
         Some(fields)
     }
 
-    /// Mean of a field over the area; without it `int w dA = 0`.
+    /// Mean of a field over the area; after its subtraction `int w dA = 0`.
     fn mean<const N: usize>(&self, field: &[SMatrix<f64, 3, N>]) -> SMatrix<f64, 3, N> {
         let (mut area, mut sum) = (0.0, SMatrix::zeros());
         for cell in &self.section.mesh.cells {
@@ -251,7 +250,7 @@ impl<'a> Fields<'a> {
         sum
     }
 
-    /// Calls `user` at every integration point, with the number of its cell, its law in
+    /// Calls `user` at every integration point with the number of its cell, its law in
     /// section axes and the four states there.
     fn each_point(
         &self,

@@ -1,5 +1,5 @@
 //! The energy of a section in large uniform strain, by Newton's method on its warping:
-//! what the cubic table is the beginning of, found without it.
+//! independent of the cubic table, which is its expansion.
 //!
 //! ```text
 //! F = [(1 + nu) e1 + kappa x (t + w),  e2 + w,y ,  e3 + w,z]
@@ -16,7 +16,7 @@ use crate::element::{CellPoint, cell_points};
 use crate::material::{section_stiffness, section_strain};
 use crate::section::{ImposedStrain, Section};
 
-/// Variation of F by one unknown: its columns.
+/// Variation of F with one unknown: its columns.
 type Columns = [Vector3<f64>; 3];
 
 pub(super) struct LargeStrain {

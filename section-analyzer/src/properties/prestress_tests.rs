@@ -16,7 +16,7 @@ fn of(section: &Section, measure: StrainMeasure) -> CubicTable {
         .third
 }
 
-/// Largest difference of two tables, entries made comparable by the stiffness: beside
+/// Largest difference of two tables, with entries relative to
 /// `sqrt(K_ii K_jj K_kk / K_11)`.
 fn difference(section: &Section, a: &CubicTable, b: &CubicTable) -> f64 {
     let k = analyze(section).expect("sound").stiffness;
@@ -27,8 +27,8 @@ fn difference(section: &Section, a: &CubicTable, b: &CubicTable) -> f64 {
     a.entries().map(relative).fold(0.0, f64::max)
 }
 
-/// A section of no symmetry, with shear strains in all its states, moved: the table of
-/// the moved mesh is the moved table, to the digits that the moved analysis has.
+/// A section without symmetry, with shear strains in all its states, moved: the table of
+/// the moved mesh equals the moved table, to the accuracy of the moved analysis.
 #[test]
 fn the_table_moves_with_the_mesh() {
     let section = coupled_rectangle(CellKind::Quadrilateral9);
@@ -39,7 +39,7 @@ fn the_table_moves_with_the_mesh() {
         for node in &mut moved.mesh.nodes {
             *node = [node[0] + by[0], node[1] + by[1]];
         }
-        // the mesh moves by +d: its reference point is where -d was
+        // the mesh moves by +d: its reference point is at the former -d
         let expected = table.shifted(-Vector2::from(by));
         assert!(difference(&moved, &expected, &table) > 1e-2);
         let error = difference(&moved, &expected, &of(&moved, measure));
@@ -114,9 +114,9 @@ fn form(stiffness: &Matrix4<f64>, second: impl Fn(&Vector4<f64>) -> Vector4<f64>
     CubicTable::from_fn(|[i, j, k]| 2.0 * (s(i, j, k) + s(j, i, k) + s(k, i, j)))
 }
 
-/// What makes of the table in the axes of the section that in axes which follow the
-/// tangent of the reference line and the mean turn of the warping. With the small turn
-/// `r = (s, -nu3, nu2)` from the one to the other axes,
+/// Converts the table from the axes of the section to axes that follow the tangent of the
+/// reference line and the mean turn of the warping. With the small turn
+/// `r = (s, -nu3, nu2)` from the former to the latter axes,
 ///
 /// ```text
 /// nu = nu1 + 1/2 (nu2^2 + nu3^2)      kappa' = kappa - r x kappa
@@ -154,10 +154,10 @@ impl Fields<'_> {
     }
 }
 
-/// The table against second differences of the forces of the section in large strain, on
-/// a section of no symmetry: all of it follows from the exact kinematics, the moving axes
-/// too. A step of 2e-3 leaves its square times fifth derivatives, some 1e-5 of the
-/// largest entry, and round-off of the forces over its square, 1e-9.
+/// The table against second differences of the forces of the section in large strain, on a
+/// section without symmetry: all terms follow from the exact kinematics, also the terms of
+/// the moving axes. A step of 2e-3 has the error of its square times fifth derivatives,
+/// about 1e-5 of the largest entry, and round-off of the forces over its square, 1e-9.
 #[test]
 fn the_table_begins_the_energy_of_large_strain() {
     let mut section = coupled_rectangle(CellKind::Quadrilateral9);
@@ -203,8 +203,8 @@ fn free_state(solved: &ImposedSolution) -> FreeState<'_> {
     }
 }
 
-/// What (S-87) makes of the change by an imposed state: of the quadratic change of the
-/// strains that part which has the state once,
+/// Applies (S-87) to the change by an imposed state: the part of the quadratic change of
+/// the strains that is linear in the state,
 ///
 /// ```text
 /// T_0jk' = T_0jk - 2 ( K_j . second(k, 0) + K_k . second(j, 0) )
@@ -257,10 +257,10 @@ impl Fields<'_> {
     }
 }
 
-/// The change by a state of strains without any pattern, on a section of no symmetry,
-/// against differences of the forces in large strain: of the stiffness about the free
-/// strain, by the factor of the state. Steps of 1e-3 leave their square times fifth
-/// derivatives, some 1e-5 of the largest entry, and round-off of the forces over the
+/// The change by a state of random strains, on a section without symmetry, against
+/// differences of the forces in large strain: of the stiffness about the free strain, by
+/// the factor of the state. Steps of 1e-3 have the error of their square times fifth
+/// derivatives, about 1e-5 of the largest entry, and round-off of the forces over the
 /// product of the steps, 1e-9.
 #[test]
 fn the_change_by_imposed_strains_begins_the_energy_of_large_strain() {

@@ -52,9 +52,9 @@ impl PrincipalAxes {
     /// Principal bending axes \[N m^2\]: bending stiffness about the tension
     /// center with all other internal forces zero.
     ///
-    /// `compliance` at the reference point. Moments are the same about every
-    /// point when the force is zero, so the bending block of the compliance is
-    /// that of the tension center already; its inverse is the stiffness.
+    /// `compliance` at the reference point. Moments are the same about every point when the
+    /// force is zero, so the bending block of the compliance is also valid at the tension
+    /// center; its inverse is the stiffness.
     pub fn of_bending(compliance: &Matrix6<f64>) -> Self {
         let block: Matrix2<f64> = compliance.fixed_view::<2, 2>(4, 4).into_owned();
         Self::of_tensor(&block.try_inverse().unwrap_or_default())

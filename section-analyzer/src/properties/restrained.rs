@@ -1,9 +1,9 @@
 //! Restrained warping of isotropic sections: shear-flow center and Vlasov's constant.
 //!
-//! In torsion without restraint a section of isotropic materials turns about an axis
-//! and warps along the beam, `u_x = kappa_1 omega(y, z)`. The central solution of
-//! unit torque holds both: its warping per unit twist is omega for a turn about the
-//! point c that does not move,
+//! In torsion without restraint a section of isotropic materials turns about an axis and
+//! warps along the beam, `u_x = kappa_1 omega(y, z)`. The central solution of unit torque
+//! contains both: its warping per unit twist is omega for a turn about the point c that
+//! does not move,
 //!
 //! ```text
 //! omega_c = X[ux, M1] / Y[kappa_1, M1]                                       (S-62)
@@ -27,8 +27,8 @@
 //!
 //! # References
 //! - [Vlasov1961]: the theory of restrained warping, chapter 1.
-//! - [Trefftz1935]: the shear center by the energy of torsion and flexure, whose pole
-//!   it is.
+//! - [Trefftz1935]: the shear center by the energy of torsion and flexure, as the pole of
+//!   this theory.
 //! - [Pilkey2002]: the constants of solid sections by finite elements.
 
 use std::fmt;
@@ -42,7 +42,7 @@ use crate::section::Section;
 /// Largest difference of a law from an isotropic one, relative to its largest entry.
 const ISOTROPIC: f64 = 1e-9;
 
-/// What a beam with restrained warping needs of its section.
+/// Section constants for a beam with restrained warping.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestrainedWarping {
     /// Shear-flow center (y, z), from the reference point \[m\].
@@ -52,22 +52,22 @@ pub struct RestrainedWarping {
     pub function: Vec<f64>,
     /// `E Gamma`, the warping stiffness \[N m^4\].
     pub stiffness: f64,
-    /// Gamma, Vlasov's warping constant; `None` when the cells differ in Young's
-    /// modulus \[m^6\].
+    /// Gamma, Vlasov's warping constant; `None` when Young's modulus differs between cells
+    /// \[m^6\].
     pub constant: Option<f64>,
     /// `G J`, the stiffness of torsion without restraint \[N m^2\].
     pub torsional_stiffness: f64,
-    /// `sqrt(E Gamma / G J)`: away from a restraint its stresses fall by a factor e
-    /// in this length \[m\].
+    /// `sqrt(E Gamma / G J)`: the stresses of a restraint decrease by a factor e over this
+    /// length \[m\].
     pub decay_length: f64,
 }
 
-/// Why a section has no [`RestrainedWarping`].
+/// Reason why a section has no [`RestrainedWarping`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NoRestrainedWarping {
     /// A material is not isotropic, and torsion is coupled with other strains.
     Anisotropic {
-        /// Name of the first such material.
+        /// Name of the first anisotropic material.
         material: String,
     },
     /// The beam is curved or twisted, and torsion is coupled with axial force and bending.
@@ -83,7 +83,7 @@ impl fmt::Display for NoRestrainedWarping {
                  section has no such constants"
             ),
             Self::Curved => f.write_str(
-                "the beam is curved or twisted; these constants are those of straight beams, \
+                "the beam is curved or twisted; these constants apply to straight beams, \
                  whose torsion is not coupled with axial force and bending",
             ),
         }
@@ -134,8 +134,8 @@ impl RestrainedWarping {
     }
 }
 
-/// The linear function of y and z that a field is nearest to, weighted by modulus:
-/// what is left of the field has no resultants, (S-64).
+/// The linear function of y and z nearest to a field, weighted by modulus: the rest of the
+/// field has no resultants, (S-64).
 struct LinearPart {
     mean: f64,
     /// Center of the weights [m].
@@ -146,7 +146,7 @@ struct LinearPart {
 
 impl LinearPart {
     fn of(section: &Section, field: &[f64], modulus: impl Fn(usize) -> f64 + Copy) -> Self {
-        // places from a node: a mesh far from its origin keeps its digits
+        // positions from a node: a mesh far from its origin keeps its digits
         let base = section.mesh.nodes[0];
         let weight = integral(section, modulus, |_| 1.0);
         let mean_of = |what: &dyn Fn(&Point<'_>) -> f64| integral(section, modulus, what) / weight;
@@ -170,7 +170,7 @@ impl LinearPart {
     }
 }
 
-/// An integration point: its place, and what it takes from the nodes of its cell.
+/// An integration point: its position, and the weights of the nodes of its cell.
 struct Point<'a> {
     place: [f64; 2],
     nodes: &'a [u32],
@@ -222,8 +222,7 @@ fn young_of_materials(section: &Section) -> Result<Vec<f64>, NoRestrainedWarping
     Ok(young)
 }
 
-/// Young's modulus \[Pa\] of a law that is the same in all directions, however it is
-/// written.
+/// Young's modulus \[Pa\] of an isotropic law, for any form of input.
 fn isotropic_young(law: &ElasticLaw) -> Option<f64> {
     if let ElasticLaw::Isotropic { young, .. } = law {
         return Some(*young);

@@ -102,8 +102,8 @@ fn two_moduli_have_a_stiffness_but_no_constant() {
     assert_eq!(found.decay_length, length);
 }
 
-/// What (S-62) rests on: under a torque the section is sheared only, also where Poisson
-/// ratios differ and nothing is symmetric; to round-off, relative to
+/// The assumption of (S-62): under a torque the section is only sheared, also with
+/// different Poisson ratios and without symmetry; to round-off, relative to
 /// `sqrt(C_ii C_44)`. The shear center is then not quite the shear-flow center.
 #[test]
 fn torsion_of_isotropic_materials_shears_only() {

@@ -18,7 +18,7 @@ pub fn invert_symmetric(c: &Matrix6<f64>) -> Option<Matrix6<f64>> {
     finite.then(|| 0.5 * (inverse + inverse.transpose()))
 }
 
-/// Largest `|a_ij - b_ij| rows_i columns_j`; not a number when one of them is.
+/// Largest `|a_ij - b_ij| rows_i columns_j`; NaN when one of them is.
 pub fn scaled_difference(
     a: &Matrix6<f64>,
     b: &Matrix6<f64>,

@@ -1,4 +1,4 @@
-//! The strain that a load distributed along the beam adds to that of the internal force.
+//! The strain that a distributed load adds to the strain of the internal force.
 //!
 //! ```text
 //! u' = X T' theta + w'      u = X theta + w      psi = Y theta + y
@@ -36,9 +36,9 @@ impl Recoverer<'_> {
         self.strain_of(&self.added_fields(cell, state), point)
     }
 
-    /// The force that the error of a distributed load is measured beside \[N\], as its
-    /// stresses have no resultant: that of their size, or of the load over a length as
-    /// large as the section.
+    /// The reference force \[N\] for the error of a distributed load, as its stresses have
+    /// no resultant: the integral of the size of the stresses on the face, or the load over
+    /// a length equal to the size of the section.
     pub(super) fn size_of(&self, state: &DistributedState, points: &[PointState]) -> f64 {
         let per_length = wrench::shift_matrix(&self.offset()) * state.force_per_length;
         let load = force_size(&per_length, self.size()) * self.size();

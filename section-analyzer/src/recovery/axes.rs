@@ -4,14 +4,14 @@
 //! sigma_m = Q' sigma Q        eps_m = Q' eps Q                 (S-34)
 //! ```
 //!
-//! Q has the new axes as columns; shear strains are halved in the tensor. No
-//! transformation matrix of the six components is written by hand.
+//! Q has the new axes as columns; shear strains are halved in the tensor. No explicit
+//! transformation matrix of the six components is used.
 
 use nalgebra::{Matrix3, Vector6};
 
 use crate::material::MATERIAL_ORDER;
 
-/// Where each component of the order xx yy zz yz xz xy stands in the order of
+/// Index of each component of the order xx yy zz yz xz xy in the order of
 /// [`strain_at`](crate::element::strain_at), yz yy zz xx xy xz.
 pub(super) const USUAL_ORDER: [usize; 6] = [3, 1, 2, 0, 5, 4];
 
@@ -26,7 +26,7 @@ pub(super) fn strain_in_axes(q: &Matrix3<f64>, strain: &Vector6<f64>) -> Vector6
     turned(q, strain, 0.5)
 }
 
-/// The 3x3 tensor of six components, where `shear` of the last three stand twice.
+/// The 3x3 tensor of six components; the last three, times `shear`, enter twice.
 pub(super) fn tensor(components: &Vector6<f64>, shear: f64) -> Matrix3<f64> {
     let mut tensor = Matrix3::zeros();
     for (&(i, j), value) in MATERIAL_ORDER.iter().zip(components.iter()) {
@@ -52,7 +52,7 @@ mod tests {
     use crate::material::material_axes;
     use approx::assert_relative_eq;
 
-    /// Tension along x seen from fibers at theta: cos^2, sin^2 and -sin cos, by the
+    /// Tension along x in the axes of fibers at theta: cos^2, sin^2 and -sin cos, by the
     /// projections of the traction; round-off of a few products.
     #[test]
     fn tension_seen_from_the_fiber() {
@@ -63,7 +63,7 @@ mod tests {
         assert_relative_eq!(seen, expected, epsilon = 1e-15);
     }
 
-    /// Work is the same in all axes, so that halves and doubles of shears are right.
+    /// Work is the same in all axes, which verifies the factors of the shears.
     #[test]
     fn work_does_not_depend_on_the_axes() {
         let stress = Vector6::new(1.0, -2.0, 0.5, 3.0, -1.5, 0.7);

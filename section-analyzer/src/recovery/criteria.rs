@@ -1,9 +1,9 @@
-//! How far a stress is from failure.
+//! Failure criteria.
 //!
-//! Every criterion gives an index, at most one where the material is safe, and a
-//! reserve factor: the factor on the load at which the index becomes one. The index of
-//! a criterion that is not linear in the load is not its inverse; of several modes,
-//! and of several places, the worst is the one with the smallest reserve factor.
+//! Every criterion gives an index, at most one if the material is safe, and a reserve
+//! factor: the factor on the load at which the index becomes one. If a criterion is not
+//! linear in the load, the reserve factor is not the inverse of the index; of several modes
+//! and positions the one with the smallest reserve factor governs.
 
 mod directional;
 mod hashin;
@@ -24,7 +24,7 @@ pub enum Criterion {
     TsaiWu,
     /// The four modes of Hashin.
     Hashin,
-    /// The stress of von Mises against the yield stress.
+    /// The von Mises stress against the yield stress.
     VonMises,
 }
 
@@ -61,7 +61,7 @@ impl Criterion {
     }
 }
 
-/// What gives way first.
+/// Mode of failure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Tension along an axis of the material, 0 to 2 for 1 to 3.
@@ -110,21 +110,20 @@ impl Mode {
     }
 }
 
-/// What one criterion says about one place.
+/// Result of one criterion at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FailureIndex {
     /// The criterion.
     pub criterion: Criterion,
-    /// At most one where the material is safe \[-\].
+    /// At most one if the material is safe \[-\].
     pub index: f64,
-    /// The factor on the load at which the index is one; infinite where no factor
-    /// leads there \[-\].
+    /// The factor on the load at which the index is one; infinite if there is none \[-\].
     pub reserve_factor: f64,
     /// The governing mode.
     pub mode: Mode,
 }
 
-/// The indices of all criteria that the limits of a material allow, in the order of
+/// The indices of all criteria for which a material has limits, in the order of
 /// [`Criterion::ALL`].
 pub fn failure_indices(limits: &MaterialLimits, tensors: &Tensors) -> Vec<FailureIndex> {
     let mut indices = Vec::new();
@@ -178,7 +177,7 @@ pub fn failure_indices(limits: &MaterialLimits, tensors: &Tensors) -> Vec<Failur
 /// Index, reserve factor, mode.
 type Verdict = (f64, f64, Mode);
 
-/// The worst of several linear measures, each at most one where safe.
+/// The largest of several linear measures, each at most one if safe.
 fn worst_linear(measures: impl IntoIterator<Item = (f64, Mode)>) -> Verdict {
     let measures = measures.into_iter();
     let worst = measures.max_by(|(a, _), (b, _)| a.total_cmp(b));
@@ -186,8 +185,8 @@ fn worst_linear(measures: impl IntoIterator<Item = (f64, Mode)>) -> Verdict {
     (index, 1.0 / index, mode)
 }
 
-/// The smallest positive factor at which `a t^2 + b t` is one, for `a >= 0`; infinite
-/// where there is none.
+/// The smallest positive factor at which `a t^2 + b t` is one, for `a >= 0`; infinite if
+/// there is none.
 ///
 /// ```text
 /// t = 2 / (b + sqrt(b^2 + 4 a))                                                 (S-58)

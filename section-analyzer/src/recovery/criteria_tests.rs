@@ -1,5 +1,5 @@
-//! Numbers worked by hand for each criterion and mode. The strengths are round, so
-//! that the terms can be read off; comparisons are to a few roundings, 1e-14.
+//! Hand calculations for each criterion and mode, with round strengths; comparisons are to
+//! a few roundings, 1e-14.
 
 use super::*;
 use crate::material::{DEFAULT_INTERACTION, DirectionalLimits, UniformLimits};
@@ -124,7 +124,7 @@ fn hashin_modes() {
     let stress = [750.0, 1.0, 0.0, 0.0, 30.0, 35.0];
     // the matrix: (1/50)^2 + 0.5 = 0.5004 is less than 0.75
     hashin(stress, 0.75, Mode::FiberTension);
-    // (600/1200)^2, shear does not count
+    // (600/1200)^2, without shear
     let stress = [-600.0, 0.0, 0.0, 0.0, 0.0, 7.0];
     hashin(stress, 0.25, Mode::FiberCompression);
     // (30 + 10)^2/2500 + (40^2 - 300)/6400 + (7/70)^2
@@ -154,8 +154,8 @@ fn hashin_reserve_of_matrix_compression() {
 }
 
 /// With strengths 200, 400, 90 the principal stresses 100 +- 50 sqrt 2 of (150, 50,
-/// s12 = 50) are ahead in tension; those of (60, -60, s12 = 0) in shear; -300 in
-/// compression. In strains the shear is twice as much.
+/// s12 = 50) govern in tension, the principal stresses of (60, -60, s12 = 0) in shear, and -300
+/// in compression. In strains the shear is twice as large.
 #[test]
 fn principal_values_of_uniform_materials() {
     let uniform = UniformLimits {
@@ -245,8 +245,8 @@ fn index_at_the_reserve_factor_is_one() {
     }
 }
 
-/// No stress: no index, no end to the reserve; so too where a linear term holds the
-/// polynomial below one for ever.
+/// No stress: index zero and infinite reserve; the reserve is also infinite if a linear
+/// term keeps the polynomial below one for any factor.
 #[test]
 fn reserve_may_be_infinite() {
     for found in failure_indices(&PLY, &Tensors::default()) {

@@ -1,5 +1,5 @@
-//! The electric side of recoveries: fields of dielectrics and between fingers, and the
-//! stress that they take off.
+//! The electric part of recoveries: fields of dielectrics and between fingers, and the
+//! stress that they subtract.
 //!
 //! # Symbols
 //!
@@ -8,15 +8,15 @@
 //! | `P` | potential per unit internal force | V/N, V/(N m) | n x 6 |
 //! | `F` | voltages of floating electrodes per unit internal force | V/N, V/(N m) | n_V x 6 |
 //! | `X_V`, `P_V`, `Y_V` | warping, potential and generalized strain per volt | m/V, -, 1/V .. | |
-//! | `E` | electric field; between fingers a given one per volt | V/m | 3 |
+//! | `E` | electric field; between fingers a given field per volt | V/m | 3 |
 //!
 //! ```text
 //! u = (X + X_V F) theta + X_V V      u' = X T' theta      psi = (Y + Y_V F) theta + Y_V V
 //! E = -grad V of P alike             sigma = c eps - e' E      D = e eps + epsS E
 //! ```
 //!
-//! Voltages are constant along the beam: floating electrodes have a part in u and none in
-//! u'. Between fingers E is that of the voltage, whatever the strain.
+//! Voltages are constant along the beam: floating electrodes contribute to u but not to u'.
+//! Between fingers E depends only on the voltage, not on the strain.
 //!
 //! # References
 //! - \[Masarati\], section 9.1: piezoelectric beam sections.
@@ -37,7 +37,7 @@ const NONE: u32 = u32::MAX;
 /// Axes y z x of the gradient in coupled laws, of x y z.
 const OF_GRADIENT: [usize; 3] = [2, 0, 1];
 
-/// The electric side of a section with electrodes.
+/// The electric part of a section with electrodes.
 #[derive(Debug, Clone)]
 pub(super) struct ElectricSide<'a> {
     pub piezo: &'a PiezoSolution,
@@ -63,7 +63,7 @@ struct Finger {
     field: Vector3<f64>,
 }
 
-/// What an electric law adds to an elastic one, in section axes.
+/// The electric part of a law, in section axes.
 #[derive(Debug, Clone)]
 struct ElectricPart {
     /// e: rows x y z, columns xx yy zz yz xz xy \[C/m^2\].
@@ -74,22 +74,22 @@ struct ElectricPart {
     axes: Matrix3<f64>,
 }
 
-/// What voltages do, all electrodes together.
+/// Effects of the voltages of all electrodes.
 #[derive(Debug, Clone)]
 pub(super) struct VoltageState {
-    /// Of each electrode \[V\].
+    /// Voltage of each electrode \[V\].
     pub voltages: Vec<f64>,
-    /// Rows ux, uy, uz of each node of the mesh \[m\].
+    /// Warping, rows ux, uy, uz of each node of the mesh \[m\].
     pub warping: DVector<f64>,
-    /// At each node of the mesh \[V\].
+    /// Potential at each node of the mesh \[V\].
     pub potential: DVector<f64>,
     /// Generalized strain about the reference point \[-, 1/m\].
     pub strain: Vector6<f64>,
 }
 
 impl<'a> ElectricSide<'a> {
-    /// Of a section and its solution; `None` without electrodes. `back` shifts forces from
-    /// the centroid to the reference point.
+    /// The electric part of a section and its solution; `None` without electrodes. `back`
+    /// shifts forces from the centroid to the reference point.
     pub fn new(
         section: &Section,
         solution: &'a SectionSolution,
@@ -137,7 +137,7 @@ impl<'a> ElectricSide<'a> {
         self.is_dielectric[cell]
     }
 
-    /// The field between fingers of a cell, of the voltages of the electrodes.
+    /// The field between fingers of a cell from the voltages of the electrodes.
     pub fn of_fingers(&self, cell: usize, voltage: impl Fn(usize) -> f64) -> Vector3<f64> {
         let terms = self.fingers_of(cell).iter();
         terms
@@ -170,8 +170,8 @@ impl<'a> ElectricSide<'a> {
         self.part(cell).coupling.tr_mul(field)
     }
 
-    /// Takes the stress of `field` (x y z) off the `tensors` of a cell with field, whose
-    /// strain is that of all that acts; gives field and displacement.
+    /// Subtracts the stress of `field` (x y z) from the `tensors` of a cell with field,
+    /// whose strain is the total strain; returns field and displacement.
     pub fn take(&self, cell: usize, field: &Vector3<f64>, tensors: &mut Tensors) -> ElectricState {
         let ElectricPart {
             coupling,
@@ -194,7 +194,7 @@ impl<'a> ElectricSide<'a> {
         &self.laws[self.law_of_cell[cell] as usize]
     }
 
-    /// What `voltages` of all electrodes do.
+    /// Effects of the `voltages` of all electrodes.
     pub fn state(&self, voltages: Vec<f64>) -> VoltageState {
         let piezo = self.piezo;
         let mut state = VoltageState {
@@ -231,7 +231,7 @@ impl<'a> ElectricSide<'a> {
             .sum()
     }
 
-    /// That the voltages of floating electrodes are determined.
+    /// Requires that the voltages of floating electrodes are determined.
     pub fn require_determined(&self) -> Result<(), Failure> {
         match self.is_determined {
             true => Ok(()),
@@ -263,8 +263,7 @@ fn fingers(section: &Section) -> Vec<Finger> {
     all
 }
 
-/// The electric laws of the cells with field; neighbors in the list that are alike share
-/// them.
+/// The electric laws of the cells with field; equal neighbors in the list share them.
 fn parts(section: &Section, has_field: &[bool]) -> (Vec<ElectricPart>, Vec<u32>) {
     let mut laws = Vec::new();
     let mut last: Option<&CellMaterial> = None;

@@ -9,18 +9,18 @@
 //! (a, b) = J0^-1 (y - y0, z - z0)         J0: Jacobian in the middle of the cell
 //! ```
 //!
-//! Strains of a displacement of degree p are more accurate by an order at the points
-//! of the rule of one point less in each direction (2 x 2 in quadrilaterals of 8 and 9
-//! nodes) than elsewhere. The fit goes through the values there: on a parallelogram
-//! what it drops is the second Legendre polynomial, which is zero at these very
-//! points. The strain evaluated at the nodes themselves, where that polynomial is
-//! largest, would carry it whole. `a` and `b` are linear in the place on curved cells
-//! too, so that stresses linear over the section are kept exactly on any cell.
+//! Strains of a displacement of degree p are more accurate by an order at the points of the
+//! rule of one point less in each direction (2 x 2 in quadrilaterals of 8 and 9 nodes) than
+//! elsewhere. The fit passes through the values there: on a parallelogram it drops the
+//! second Legendre polynomial, which is zero at exactly these points. The strain evaluated
+//! at the nodes, where that polynomial is largest, would contain it in full. `a` and `b`
+//! are linear in the position on curved cells too, so that stresses linear over the section
+//! are reproduced exactly on any cell.
 //!
 //! # References
-//! - \[HintonCampbell1974\]: local least-squares smoothing, and that it is the same as
+//! - \[HintonCampbell1974\]: local least-squares smoothing, and its equality to
 //!   extrapolation from the reduced rule.
-//! - \[Barlow1976\]: where the stresses of cells are best.
+//! - \[Barlow1976\]: points of highest accuracy of the stresses in a cell.
 
 use crate::element::CellPoint;
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
@@ -34,7 +34,7 @@ pub(super) struct Extrapolation {
 }
 
 impl Extrapolation {
-    /// Of the cell with `nodes` (y, z) and the points of its rule.
+    /// The weights of the cell with `nodes` (y, z) and the points of its rule.
     pub fn new(kind: CellKind, nodes: &[[f64; 2]], points: &[CellPoint]) -> Self {
         let basis = Basis::new(kind, nodes);
         let area: f64 = points.iter().map(|point| point.area).sum();
@@ -44,13 +44,13 @@ impl Extrapolation {
             .zip(points)
             .map(|(at, point)| (basis.at(at.r, at.s, [point.y, point.z]), point.area / area))
             .collect();
-        // of three functions the fourth is zero: a one keeps the matrix regular
+        // with three functions the fourth is zero: a one keeps the matrix regular
         let mut normal = Matrix4::zeros();
         normal[(3, 3)] = if basis.has_twist { 0.0 } else { 1.0 };
         for (b, weight) in &at_points {
             normal += *weight * b * b.transpose();
         }
-        // a cell too odd for a fit has its mean at all nodes
+        // a cell too distorted for a fit has its mean at all nodes
         let fit = normal.cholesky().map(|factor| factor.inverse());
         let weight = |at_node: &Vector4<f64>, (b, weight): &(Vector4<f64>, f64)| match &fit {
             Some(fit) => weight * at_node.dot(&(fit * b)),
@@ -143,7 +143,7 @@ mod tests {
         fit.rows().map(at).collect()
     }
 
-    /// Linear fields are kept to round-off on curved cells of every kind.
+    /// Linear fields are reproduced to round-off on curved cells of every kind.
     #[test]
     fn linear_fields_are_kept() {
         let field = |y: f64, z: f64| 3.0 - 2.0 * y + 5.0 * z;
@@ -157,7 +157,7 @@ mod tests {
         }
     }
 
-    /// On a square of side 2 the fit to z^2 goes through its values at z = +-1/sqrt 3:
+    /// On a square of side 2 the fit to z^2 passes through its values at z = +-1/sqrt 3:
     /// 1/3 everywhere. Extrapolation in the cell's own functions would give 1 and 0.
     #[test]
     fn fit_goes_through_the_values_at_the_reduced_rule() {

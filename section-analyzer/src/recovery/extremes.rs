@@ -5,8 +5,8 @@ use super::state::{Recovery, Tensors};
 use crate::material::MaterialLimits;
 use crate::section::Section;
 
-/// The stresses that [`RegionStresses`] lists: six in section axes, six in material
-/// axes, and that of von Mises.
+/// The stresses that [`RegionStresses`] lists: six in section axes, six in material axes,
+/// and the von Mises stress.
 pub const STRESS_NAMES: [&str; 13] = [
     "xx",
     "yy",
@@ -23,14 +23,14 @@ pub const STRESS_NAMES: [&str; 13] = [
     "von Mises",
 ];
 
-/// A value and where it is.
+/// A value and its location.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extreme {
     /// Stress \[Pa\].
     pub value: f64,
     /// Tag of the cell at integration points, of the node at nodes.
     pub tag: u64,
-    /// Place (y, z) \[m\].
+    /// Position (y, z) \[m\].
     pub place: [f64; 2],
 }
 
@@ -48,22 +48,22 @@ pub struct Range {
 pub struct RegionStresses {
     /// Region: index of the physical surface in the mesh of the section.
     pub group: usize,
-    /// Over the integration points; tags are those of cells.
+    /// Over the integration points; tags are cell tags.
     pub points: [Range; 13],
-    /// Over the smoothed nodes; tags are those of nodes.
+    /// Over the smoothed nodes; tags are node tags.
     pub nodes: [Range; 13],
 }
 
-/// The worst place of a region by one criterion.
+/// The governing point of a region by one criterion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RegionFailure {
     /// Region: index of the physical surface in the mesh of the section.
     pub group: usize,
-    /// Of the integration point with the smallest reserve factor.
+    /// Failure index at the integration point with the smallest reserve factor.
     pub worst: FailureIndex,
     /// Tag of its cell.
     pub tag: u64,
-    /// Its place (y, z) \[m\].
+    /// Its position (y, z) \[m\].
     pub place: [f64; 2],
 }
 
@@ -119,9 +119,9 @@ fn widen(ranges: &mut Option<[Range; 13]>, tensors: &Tensors, tag: u64, place: [
     }
 }
 
-/// The worst place of each region by each criterion that its materials allow, over the
-/// integration points: the smallest reserve factor. `limits` are parallel to the
-/// materials of the section.
+/// The governing point of each region by each criterion for which its materials have
+/// limits: the integration point with the smallest reserve factor. `limits` are parallel to
+/// the materials of the section.
 pub fn region_failures(
     section: &Section,
     limits: &[MaterialLimits],
@@ -152,7 +152,7 @@ pub fn region_failures(
     worst
 }
 
-/// The criteria that any of the limits allow, in the order of [`Criterion::ALL`].
+/// The criteria for which any of the limits are given, in the order of [`Criterion::ALL`].
 pub fn criteria_of(limits: &[MaterialLimits]) -> Vec<Criterion> {
     let mut criteria: Vec<_> = limits
         .iter()
@@ -174,8 +174,8 @@ mod tests {
     use nalgebra::Vector6;
     use shared_geom::mesh::CellKind;
 
-    /// The extremes against a plain search, and the worst reserve against the largest
-    /// von Mises stress, with which it falls together.
+    /// The extremes against a plain search, and the smallest reserve factor against the
+    /// largest von Mises stress, which is at the same point.
     #[test]
     fn extremes_are_those_of_a_plain_search() {
         let section = coupled_rectangle(CellKind::Quadrilateral8);

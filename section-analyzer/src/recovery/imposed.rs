@@ -1,5 +1,5 @@
-//! Strain of imposed states: of the section as it moves, less what the material would
-//! take by itself.
+//! Strain of imposed states: the strain of the section minus the free strain of the
+//! material.
 //!
 //! ```text
 //! eps - eps_p = B0 x + Bpsi psi_T - eps_p                       sigma = D (eps - eps_p)   (S-95)
@@ -14,12 +14,12 @@ use crate::material::section_strain;
 use crate::section::{FreeStrain, Section};
 use crate::solution::ImposedSolution;
 
-/// The imposed states of a load, added up.
+/// The sum of the imposed states of a load.
 #[derive(Debug, Clone)]
 pub(super) struct Imposed {
-    /// x: rows ux, uy, uz of each node of the mesh \[m\].
+    /// x: warping, rows ux, uy, uz of each node of the mesh \[m\].
     warping: DVector<f64>,
-    /// At each node of the mesh \[V\].
+    /// Potential at each node of the mesh \[V\].
     pub potential: DVector<f64>,
     /// psi_T, about the reference point \[-, 1/m\].
     pub strain: Vector6<f64>,
@@ -28,10 +28,10 @@ pub(super) struct Imposed {
 }
 
 impl Imposed {
-    /// The states that `load` names, of those known; `None` for a load without any.
+    /// The states named by `load`, out of the known states; `None` for a load without any.
     ///
     /// # Errors
-    /// [`Failure::UnknownState`] for one that is not known.
+    /// [`Failure::UnknownState`] for an unknown state.
     pub fn of_load(
         section: &Section,
         known: &[ImposedSolution],
@@ -66,9 +66,9 @@ impl Imposed {
         Ok(Some(sum))
     }
 
-    /// The strain that stresses cell number `cell` at its `point`, which is at `place` in
-    /// the mesh \[m\]; the point and psi_T, `strain`, are about the center of `line`. Order
-    /// yz yy zz xx xy xz.
+    /// The strain that causes stress in cell number `cell` at its `point`, which is at
+    /// `place` in the mesh \[m\]; the point and psi_T, `strain`, are about the center of
+    /// `line`. Order yz yy zz xx xy xz.
     pub fn strain_at(
         &self,
         section: &Section,
@@ -87,8 +87,8 @@ impl Imposed {
         total.column(0) - self.free_strain(section, cell, place)
     }
 
-    /// The free strain of a cell at a place in the mesh \[m\], section axes, order
-    /// yz yy zz xx xy xz.
+    /// The free strain of a cell at a point of the mesh \[m\], section axes, order yz yy zz
+    /// xx xy xz.
     pub fn free_strain(&self, section: &Section, cell: usize, place: [f64; 2]) -> Vector6<f64> {
         let made_of = &section.cells[cell];
         let free = self.cells[cell].at(place);

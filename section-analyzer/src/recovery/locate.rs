@@ -1,20 +1,20 @@
-//! The cell that holds a place.
+//! Search for the cell that contains a point.
 
 use crate::element::CellPoint;
 use crate::mesh::SectionMesh;
 use shared_geom::mesh::CellKind;
 
-/// How far outside the reference cell a place still counts as inside: round-off of
-/// places on a side.
+/// Distance outside the reference cell up to which a point is treated as inside: round-off
+/// of points on a side.
 const MARGIN: f64 = 1e-9;
 
-/// Newton steps of the inverse map; three to five are taken in sound cells.
+/// Maximum number of Newton steps of the inverse map; valid cells need three to five.
 const STEPS: usize = 30;
 
-/// Part of a cell's box by which curved sides may reach beyond its nodes.
+/// Part of a cell's bounding box by which curved sides may extend beyond its nodes.
 const BULGE: f64 = 0.3;
 
-/// A place within a cell.
+/// A point within a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Located {
     /// Cell: index in the mesh.
@@ -25,7 +25,7 @@ pub(super) struct Located {
     pub s: f64,
 }
 
-/// The cell that holds `place` (y, z); of several, on a common side, the first.
+/// The cell that contains `place` (y, z); the first of several on a common side.
 pub(super) fn locate(mesh: &SectionMesh, place: [f64; 2]) -> Option<Located> {
     mesh.cells.iter().enumerate().find_map(|(index, cell)| {
         let nodes: Vec<_> = mesh.places(cell).collect();
@@ -64,7 +64,7 @@ fn inverted(kind: CellKind, nodes: &[[f64; 2]], place: [f64; 2]) -> Option<(f64,
     for _ in 0..STEPS {
         let at = CellPoint::at(kind, nodes, r, s, 1.0);
         let (dy, dz) = (place[0] - at.y, place[1] - at.z);
-        // r as a function of the place has the gradient of its own interpolation
+        // r as a function of the position has the gradient of its own interpolation
         let (mut step_r, mut step_s) = (0.0, 0.0);
         for (i, [node_r, node_s]) in kind.reference_nodes().iter().enumerate() {
             let slope = at.dy[i] * dy + at.dz[i] * dz;
@@ -83,7 +83,7 @@ fn inverted(kind: CellKind, nodes: &[[f64; 2]], place: [f64; 2]) -> Option<(f64,
     None
 }
 
-/// How far (r, s) is outside the reference cell; negative inside.
+/// Distance of (r, s) outside the reference cell; negative inside.
 fn outside(kind: CellKind, r: f64, s: f64) -> f64 {
     match kind.corner_count() {
         3 => (-r).max(-s).max(r + s - 1.0),
@@ -96,8 +96,8 @@ mod tests {
     use super::*;
     use crate::section::samples::coupled_rectangle;
 
-    /// The integration points of curved cells are found again, to round-off over the
-    /// size of a cell (1e-15 / 0.5) and Newton's last step.
+    /// The integration points of curved cells are located, to round-off over the size of a
+    /// cell (1e-15 / 0.5) and Newton's last step.
     #[test]
     fn points_of_curved_cells_are_found() {
         for kind in CellKind::ALL {

@@ -14,9 +14,9 @@
 //! G = B1 X T' + B0 X + Bpsi Y      eps = G theta      sigma = D eps                (S-33)
 //! ```
 //!
-//! G is kept, so that a load case costs a product at each point. It is taken about the
-//! area centroid, `theta_c = U theta`: far from it the six forces cancel each other and
-//! digits are lost.
+//! G is stored, so that a load case needs one product at each point. It is about the area
+//! centroid, `theta_c = U theta`: about a distant point the six forces cancel each other
+//! and digits are lost.
 //!
 //! # References
 //! - \[Giavotto1983\]: stresses of the central solutions.
@@ -44,12 +44,12 @@ use crate::solution::{DistributedState, ImposedSolution, SectionSolution};
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, Vector3, Vector6};
 use shared_geom::wrench;
 
-/// Largest error of the resultants of the recovered stress. It is that of the analysis
-/// for the internal force of its solutions: sound sections reach 1e-12 and below;
-/// above 1e-6 a stress would have fewer digits than a strength is known to.
+/// Largest error of the resultants of the recovered stress, equal to the limit of the
+/// analysis for the internal force of its solutions: valid sections have 1e-12 and less;
+/// above 1e-6 a stress would be less accurate than a strength.
 const RESULTANT_LIMIT: f64 = 1e-6;
 
-/// What the recoveries of a section share.
+/// The common data of the recoveries of a section.
 #[derive(Debug, Clone)]
 pub struct Recoverer<'a> {
     section: &'a Section,
@@ -64,22 +64,22 @@ pub struct Recoverer<'a> {
     line: Line,
     /// T' of that line.
     equilibrium: Matrix6<f64>,
-    /// U from the centroid to the reference.
+    /// U from the centroid to the reference point.
     back: Matrix6<f64>,
     /// Generalized strain about the centroid per unit force there: `U' Y U`.
     generalized: Matrix6<f64>,
-    /// Cells that follow each other share them.
+    /// Consecutive cells share them.
     laws: Vec<OrientedLaw>,
     law_of_cell: Vec<usize>,
     cells: Vec<CellGrid>,
-    /// What electrodes do; `None` without any.
+    /// Effects of electrodes; `None` without any.
     electric: Option<ElectricSide<'a>>,
     /// Pairs of region and node, ascending.
     nodes: Vec<(usize, usize)>,
     cell_nodes: Vec<Vec<u32>>,
 }
 
-/// A law and where its axes point.
+/// A law and the directions of its axes.
 #[derive(Debug, Clone)]
 struct OrientedLaw {
     /// Stiffness in section axes, order yz yy zz xx xy xz \[Pa\].
@@ -88,10 +88,10 @@ struct OrientedLaw {
     axes: Matrix3<f64>,
 }
 
-/// A cell: its integration points and how they make its nodes.
+/// A cell: its integration points and their extrapolation to its nodes.
 #[derive(Debug, Clone)]
 struct CellGrid {
-    /// G of each point with its place from the centroid \[m\] and area \[m^2\].
+    /// G of each point with its position from the centroid \[m\] and area \[m^2\].
     points: Vec<(Matrix6<f64>, [f64; 2], f64)>,
     /// Electric field of each point per unit force about the centroid, rows x y z \[V/m/N,
     /// V/m/(N m)\]; empty in cells without field.
@@ -143,24 +143,23 @@ impl<'a> Recoverer<'a> {
         recoverer
     }
 
-    /// The same for loads under imposed states, whose solutions are given: the section's
-    /// own.
+    /// The same for loads with imposed states, given the solutions of the section for these
+    /// states.
     pub fn with_imposed(self, imposed: &'a [ImposedSolution]) -> Self {
         Self { imposed, ..self }
     }
 
-    /// Strain and stress under `load`. The strain is what stresses the material: without
+    /// Strain and stress under `load`. The strain is the one that causes stress: without
     /// the free strain of imposed states.
     ///
     /// # Errors
-    /// [`Failure::Resultant`] when the recovered stress does not add up to the load;
-    /// [`Failure::UnknownState`] for an imposed state whose solution was not given.
+    /// [`Failure::Resultant`] when the resultant of the recovered stress differs from the
+    /// load; [`Failure::UnknownState`] for an imposed state whose solution was not given.
     pub fn recover(&self, load: &LoadCase) -> Result<Recovery, Failure> {
         self.recovered(load, None)
     }
 
-    /// Strain and stress under `load` where a load distributed along the beam, which
-    /// adds the state `added`, acts as well.
+    /// Strain and stress under `load` and a distributed load, which adds the state `added`.
     ///
     /// # Errors
     /// As [`Recoverer::recover`].
@@ -231,7 +230,7 @@ impl<'a> Recoverer<'a> {
         })
     }
 
-    /// Adds what imposed states strain and stress at the points of a cell.
+    /// Adds strain and stress of imposed states at the points of a cell.
     fn add_imposed(&self, imposed: &Imposed, cell: usize, points: &mut [PointState]) {
         let kind = self.section.mesh.cells[cell].kind;
         let places = self.places(cell);
@@ -241,7 +240,7 @@ impl<'a> Recoverer<'a> {
         }
     }
 
-    /// What imposed states strain at a point of a cell, about the centroid.
+    /// The strain of imposed states at a point of a cell, about the centroid.
     fn imposed_strain(&self, imposed: &Imposed, cell: usize, point: &CellPoint) -> Vector6<f64> {
         let strain = self.back.transpose() * imposed.strain;
         let place = [point.y + self.center[0], point.z + self.center[1]];
@@ -277,7 +276,7 @@ impl<'a> Recoverer<'a> {
         })
     }
 
-    /// From the reference point to the centroid.
+    /// Vector from the reference point to the centroid.
     pub(super) fn offset(&self) -> Vector3<f64> {
         Vector3::new(0.0, self.center[0], self.center[1])
     }
@@ -287,7 +286,7 @@ impl<'a> Recoverer<'a> {
         wrench::shift_matrix(&self.offset()) * load.force
     }
 
-    /// Places of the nodes of a cell from the centroid.
+    /// Positions of the nodes of a cell from the centroid.
     pub(super) fn places(&self, cell: usize) -> Vec<[f64; 2]> {
         let mesh = &self.section.mesh;
         let places = mesh.places(&mesh.cells[cell]);
@@ -333,7 +332,8 @@ impl<'a> Recoverer<'a> {
         )
     }
 
-    /// `X U` and `X U T'` at the nodes of a cell, U from the centroid to the reference.
+    /// `X U` and `X U T'` at the nodes of a cell, U from the centroid to the reference
+    /// point.
     fn columns(&self, cell: usize) -> (NodalColumns, NodalColumns) {
         let (mut rate, mut warping) = (NO_COLUMNS, NO_COLUMNS);
         let nodes = self.section.mesh.cells[cell].nodes();
@@ -366,7 +366,7 @@ impl<'a> Recoverer<'a> {
         }
     }
 
-    /// The mean of a cell, whose points add to the nodes.
+    /// The mean of a cell; adds the values of its points to the nodes.
     fn smoothed(
         &self,
         cell: usize,
@@ -417,7 +417,7 @@ fn mean_of(points: &[PointState]) -> (CellState, f64) {
     (mean, area)
 }
 
-/// Law and axes of each cell; neighbors in the list that are alike share them.
+/// Law and axes of each cell; equal neighbors in the list share them.
 fn laws(section: &Section) -> (Vec<OrientedLaw>, Vec<usize>) {
     let mut laws = Vec::new();
     let mut law_of_cell = Vec::with_capacity(section.cells.len());
@@ -437,8 +437,8 @@ fn laws(section: &Section) -> (Vec<OrientedLaw>, Vec<usize>) {
     (laws, law_of_cell)
 }
 
-/// All pairs of region and node, ascending, and for each cell the places of its nodes
-/// in that list.
+/// All pairs of region and node, ascending, and for each cell the indices of its nodes in
+/// that list.
 fn nodes_by_region(section: &Section) -> (Vec<(usize, usize)>, Vec<Vec<u32>>) {
     let cells = &section.mesh.cells;
     let mut pairs: Vec<(usize, usize)> = cells

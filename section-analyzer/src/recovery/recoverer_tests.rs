@@ -28,8 +28,8 @@ fn resultants_are_the_load() {
     }
 }
 
-/// Many forces at once: the stresses of each are those of its own recovery, point by
-/// point, on more points than one block holds.
+/// Many forces at once: the stresses of each force equal those of its own recovery, point
+/// by point, with more points than one block contains.
 #[test]
 fn stresses_of_many_forces_are_those_of_each() {
     let section = coupled_rectangle(CellKind::Quadrilateral9);
@@ -57,8 +57,8 @@ fn stresses_of_many_forces_are_those_of_each() {
     assert!(seen > 0);
 }
 
-/// A section moved by 100 times its size, under the same force at the same place of
-/// it, has the same stresses: three digits of the sixteen are lost by the coordinates,
+/// A section moved by 100 times its size, under the same force at the same point of the
+/// section, has the same stresses: three digits of the sixteen are lost by the coordinates,
 /// and another two by the force about the reference point.
 #[test]
 fn stresses_do_not_depend_on_the_place_of_the_reference_point() {
@@ -79,8 +79,8 @@ fn stresses_do_not_depend_on_the_place_of_the_reference_point() {
     }
 }
 
-/// Stress in material axes is the material's own law on the strain there: the
-/// rotation of the law and those of the tensors are independent pieces of code.
+/// Stress in material axes is the law of the material applied to the strain in these axes:
+/// the rotations of the law and of the tensors are independent code.
 #[test]
 fn law_holds_in_material_axes() {
     let section = coupled_rectangle(CellKind::Triangle6);
@@ -114,7 +114,8 @@ fn any_place_can_be_asked() {
     assert_eq!(recoverer.at(&load, [10.0, 10.0]), None);
 }
 
-/// Each region sees the nodes of its own cells, in order; cells find them again.
+/// Each region has the nodes of its own cells, in order; the indices of the cells refer to
+/// them.
 #[test]
 fn nodes_are_listed_by_region() {
     let mut section = coupled_rectangle(CellKind::Triangle3);
@@ -135,7 +136,7 @@ fn nodes_are_listed_by_region() {
     }
 }
 
-/// A solution that is not the section's does not add up, and is refused.
+/// The solution of another section has a wrong resultant, and is refused.
 #[test]
 fn stresses_that_do_not_add_up_are_refused() {
     let section = coupled_rectangle(CellKind::Quadrilateral4);

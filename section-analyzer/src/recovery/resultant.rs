@@ -1,13 +1,13 @@
-//! The internal force of recovered stresses, and how far it is from the load.
+//! The internal force of recovered stresses, and its difference from the load.
 //!
 //! ```text
 //! theta = int [I, -t x]' (sigma_xx, sigma_xy, sigma_xz) dA
 //! error = max(|dF|, |dM| / l) / max(|F|, |M| / l)                                (S-52)
 //! ```
 //!
-//! Moments are about the area centroid, and l is the largest distance of a node from
-//! it: a force at that distance makes a moment as large as itself times l. The error
-//! does not depend on the axes nor on where the reference point lies.
+//! Moments are about the area centroid, and l is the largest distance of a node from it: a
+//! force at that distance has a moment equal to the force times l. The error depends
+//! neither on the axes nor on the reference point.
 
 use super::state::PointState;
 use crate::assembly::largest;
@@ -43,9 +43,10 @@ pub(super) fn face_stress(points: &[PointState]) -> f64 {
     sizes.sum()
 }
 
-/// Error of the internal force `found` beside `expected`, both about the centroid;
-/// `size` is l \[m\]. It is relative to what is expected, or to the force `least` \[N\]
-/// where that is larger: what imposed states and loads along the beam hold in balance.
+/// Error of the internal force `found` relative to `expected`, both about the centroid;
+/// `size` is l \[m\]. If the force `least` \[N\] is larger, the error is relative to
+/// `least`: the size of the self-equilibrated forces of imposed states and distributed
+/// loads.
 pub(super) fn resultant_error(
     found: &Vector6<f64>,
     expected: &Vector6<f64>,
@@ -67,7 +68,7 @@ pub(super) fn centroid_and_size(section: &Section) -> ([f64; 2], f64) {
     let Some(first) = mesh.cells.first() else {
         return ([0.0; 2], 0.0);
     };
-    // the first node as origin keeps the digits of a far away mesh
+    // the first node as origin keeps the digits of a mesh far from its origin
     let base = mesh.nodes[first.nodes()[0] as usize];
     let mut sum = AreaMoments::default();
     for cell in &mesh.cells {
@@ -87,8 +88,8 @@ pub(super) fn centroid_and_size(section: &Section) -> ([f64; 2], f64) {
 mod tests {
     use super::*;
 
-    /// A moment of 2 N m beside a force of 10 N counts as 2 N at l = 1 m and as 20 N
-    /// at l = 0.1 m, where it is the larger one.
+    /// A moment of 2 N m, compared with a force of 10 N, counts as 2 N at l = 1 m and as
+    /// 20 N at l = 0.1 m, where it is larger than the force.
     #[test]
     fn moments_are_made_comparable_by_the_size() {
         let expected = Vector6::new(10.0, 0.0, 0.0, 2.0, 0.0, 0.0);

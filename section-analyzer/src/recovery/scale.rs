@@ -1,5 +1,5 @@
-//! What round-off of recovered stresses and strains is measured beside: where heat strains
-//! a body freely, or loads cancel, it is all there is of them.
+//! Reference sizes for round-off of recovered stresses and strains, which may be zero (free
+//! expansion, loads that cancel).
 
 use super::imposed::Imposed;
 use super::recoverer::Recoverer;
@@ -10,15 +10,16 @@ use crate::solution::DistributedState;
 /// Sizes of stress and strain under a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scales {
-    /// The largest stress, or that of what acts if nothing gave way \[Pa\].
+    /// The largest stress, or the largest stress of the actions on a restrained section
+    /// \[Pa\].
     pub stress: f64,
-    /// The largest strain, or that of such a stress \[-\].
+    /// The largest strain, or the strain of that stress \[-\].
     pub strain: f64,
 }
 
 impl Recoverer<'_> {
-    /// The sizes where the stresses at the `points` are those of imposed states and of a
-    /// load along the beam too.
+    /// The sizes for stresses at the `points` that include imposed states and a distributed
+    /// load.
     pub(super) fn scales(
         &self,
         imposed: Option<&Imposed>,
@@ -46,7 +47,7 @@ impl Recoverer<'_> {
         }
     }
 
-    /// The largest stress \[Pa\] and strain \[-\] of imposed states, were they held.
+    /// The largest stress \[Pa\] and strain \[-\] of fully restrained imposed states.
     fn largest_held(&self, imposed: &Imposed, points: &[PointState]) -> [f64; 2] {
         points.iter().fold([0.0, 0.0], |[stress, strain], point| {
             let free = imposed.free_strain(self.section(), point.cell, point.place);
@@ -55,8 +56,8 @@ impl Recoverer<'_> {
         })
     }
 
-    /// The force that the imposed stresses would have if all of them pulled the same way
-    /// \[N\]: what their resultant is measured beside.
+    /// The force of the imposed stresses, all taken in the same direction \[N\]: the
+    /// reference for their resultant.
     pub(super) fn held(&self, imposed: &Imposed, points: &[PointState]) -> f64 {
         let of_point = |point: &PointState| {
             let strain = imposed.free_strain(self.section(), point.cell, point.place);

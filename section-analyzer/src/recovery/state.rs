@@ -3,17 +3,17 @@
 use nalgebra::{DVector, Vector3, Vector6};
 use shared_geom::wrench;
 
-/// A named internal force, alone or together with imposed states and voltages.
+/// A named internal force, with or without imposed states and voltages.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCase {
-    /// Name, as the input gives it.
+    /// Name, as given in the input.
     pub name: String,
     /// Internal force about the reference point, the origin of the mesh, order of
     /// [`shared_geom::wrench::COMPONENTS`] \[N, N m\].
     pub force: Vector6<f64>,
     /// Names of the imposed states that act with it.
     pub imposed: Vec<String>,
-    /// Voltages of driven electrodes by their names, those of the others zero \[V\].
+    /// Voltages of driven electrodes by name; zero for the others \[V\].
     pub voltages: Vec<(String, f64)>,
 }
 
@@ -30,9 +30,9 @@ impl LoadCase {
     }
 }
 
-/// Strain and stress at one place, in both systems of axes. The strain is that of the
-/// stress: free strains of imposed states are not part of it; what voltages strain is, and
-/// the stress is that of strain and electric field together.
+/// Strain and stress at one point, in both systems of axes. The strain is the one that
+/// causes stress: it excludes the free strains of imposed states and includes the strains
+/// of voltages. The stress is due to strain and electric field together.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tensors {
     /// Strain in section axes, order xx yy zz yz xz xy \[-\].
@@ -72,9 +72,9 @@ impl Tensors {
 pub struct PointState {
     /// Cell: index in the mesh of the section.
     pub cell: usize,
-    /// Place (y, z) \[m\].
+    /// Position (y, z) \[m\].
     pub place: [f64; 2],
-    /// Area that the point stands for \[m^2\].
+    /// Area that the point represents \[m^2\].
     pub area: f64,
     /// Strain and stress.
     pub tensors: Tensors,
@@ -89,8 +89,8 @@ pub struct CellState {
     pub tensors: Tensors,
 }
 
-/// Smoothed strain and stress at a node, as one region sees it: stresses jump
-/// between materials, so nodes on a border have a state for each region.
+/// Smoothed strain and stress at a node in one region: stresses jump between materials, so
+/// nodes on a border have a state for each region.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodalState {
     /// Node: index in the mesh of the section.
@@ -101,8 +101,8 @@ pub struct NodalState {
     pub tensors: Tensors,
 }
 
-/// Electric field and displacement at one place of a dielectric or between fingers, in
-/// both systems of axes.
+/// Electric field and displacement at one point of a dielectric or between fingers, in both
+/// systems of axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ElectricState {
     /// Electric field in section axes x y z \[V/m\].
@@ -125,33 +125,33 @@ impl ElectricState {
     }
 }
 
-/// The electric side of a recovery.
+/// The electric part of a recovery.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ElectricRecovery {
-    /// Voltages of the electrodes of the section, in its order: those of the load, and
-    /// those that floating electrodes take \[V\].
+    /// Voltages of the electrodes of the section, in its order: given by the load, or
+    /// resulting for floating electrodes \[V\].
     pub voltages: Vec<f64>,
-    /// Charge per length on each electrode; `None` where imposed states or loads along the
-    /// beam act too \[C/m\].
+    /// Charge per length on each electrode; `None` with imposed states or distributed loads
+    /// \[C/m\].
     pub charges: Option<Vec<f64>>,
-    /// The largest part of a charge, by the strain or by a voltage: what is nothing beside it
-    /// is round-off \[C/m\].
+    /// The largest part of a charge, due to the strain or to a voltage: the reference for
+    /// round-off \[C/m\].
     pub charge_scale: f64,
     /// Potential at the nodes of the mesh, zero at nodes without one \[V\].
     pub potential: DVector<f64>,
-    /// Whether each cell of the mesh has an electric field: dielectrics, and what is between
+    /// Whether each cell of the mesh has an electric field: dielectrics, and cells between
     /// fingers.
     pub has_field: Vec<bool>,
-    /// At the integration points, parallel to those of the recovery; zero in cells without
-    /// field.
+    /// At the integration points, parallel to the points of the recovery; zero in cells
+    /// without field.
     pub points: Vec<ElectricState>,
     /// Means of the cells; zero in cells without field.
     pub cells: Vec<ElectricState>,
-    /// At the smoothed nodes, parallel to those of the recovery; zero where no cell of the
-    /// region has a field.
+    /// At the smoothed nodes, parallel to the nodes of the recovery; zero where no cell of
+    /// the region has a field.
     pub nodes: Vec<ElectricState>,
-    /// The largest field, or that of the voltages over the size of the section: what is
-    /// nothing beside it is round-off \[V/m\].
+    /// The largest field, or the largest voltage over the size of the section: the
+    /// reference for round-off \[V/m\].
     pub field_scale: f64,
 }
 
@@ -162,12 +162,12 @@ pub struct Recovery {
     pub load: LoadCase,
     /// Generalized strain, order of [`shared_geom::wrench::COMPONENTS`] \[-, 1/m\].
     pub generalized_strain: Vector6<f64>,
-    /// Whether a load along the beam acts too.
+    /// Whether a distributed load acts too.
     pub is_distributed: bool,
-    /// The largest stress, or that of what acts if nothing gave way: what is nothing beside
-    /// it is round-off \[Pa\].
+    /// The largest stress, or the largest stress of the actions on a restrained section:
+    /// the reference for round-off \[Pa\].
     pub stress_scale: f64,
-    /// The largest strain, or that of such a stress \[-\].
+    /// The largest strain, or the strain of that stress \[-\].
     pub strain_scale: f64,
     /// Integration points, cell by cell.
     pub points: Vec<PointState>,
@@ -179,8 +179,8 @@ pub struct Recovery {
     pub cell_nodes: Vec<Vec<u32>>,
     /// Internal force of the recovered stress, integrated over the section \[N, N m\].
     pub resultant: Vector6<f64>,
-    /// Largest difference of `resultant` from the load, relative to the load: moments
-    /// and forces made comparable by the size of the section \[-\].
+    /// Largest difference of `resultant` from the load, relative to the load; moments are
+    /// divided by the size of the section \[-\].
     pub resultant_error: f64,
     /// Electric fields; `None` for a section without electrodes.
     pub electric: Option<ElectricRecovery>,

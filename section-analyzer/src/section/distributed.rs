@@ -1,5 +1,5 @@
-//! Loads distributed along the beam: tractions on curves and forces in volumes, each a
-//! distribution over the section times a polynomial along the beam.
+//! Distributed loads: tractions on curves and forces in volumes, each a distribution over
+//! the section times a polynomial along the beam.
 //!
 //! ```text
 //! q(x) = c0 + c1 x + c2 x^2 + ...      x from the section, along the beam          (S-100)
@@ -8,17 +8,17 @@
 use crate::mesh::CurveSide;
 use nalgebra::Vector3;
 
-/// All that is distributed along the beam under one load.
+/// All distributed loads of one load case.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DistributedLoad {
-    /// Its parts, which add up.
+    /// Its parts, which are added.
     pub parts: Vec<DistributedForce>,
 }
 
-/// A distribution over the section, and how it varies along the beam.
+/// A distribution over the section, and its variation along the beam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DistributedForce {
-    /// Where it acts and how strong it is where q = 1.
+    /// Its location, and its magnitude at q = 1.
     pub action: Action,
     /// c0, c1, ...: coefficients of q(x) \[-, 1/m, 1/m^2, ...\].
     pub along: Vec<f64>,
@@ -29,22 +29,22 @@ pub struct DistributedForce {
 pub enum Action {
     /// Force per area of the surface that the sides make along the beam.
     Traction {
-        /// The sides it acts on.
+        /// The loaded sides.
         sides: Vec<CurveSide>,
         /// The force.
         traction: Traction,
     },
     /// Force per volume.
     Volume {
-        /// Physical surface it acts in, an index in [`crate::mesh::SectionMesh::groups`];
-        /// everywhere if `None`.
+        /// Loaded physical surface, an index in [`crate::mesh::SectionMesh::groups`]; the
+        /// whole section if `None`.
         group: Option<usize>,
         /// The force.
         force: VolumeForce,
     },
 }
 
-/// Force per area, the same all along a curve.
+/// Force per area, constant along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Traction {
     /// Components in section axes \[Pa\].
@@ -60,14 +60,14 @@ pub enum Traction {
 pub enum VolumeForce {
     /// Components in section axes \[N/m^3\].
     Force(Vector3<f64>),
-    /// The density of each material times this acceleration, in section axes
-    /// \[m/s^2\]: for weight that of gravity, for a turning blade that of the
-    /// centrifugal force, outward.
+    /// The density of each material times this acceleration, in section axes \[m/s^2\]:
+    /// for weight the acceleration of gravity, for a rotating blade the centrifugal
+    /// acceleration, outward.
     Acceleration(Vector3<f64>),
 }
 
 impl Traction {
-    /// Its size \[Pa\].
+    /// Its magnitude \[Pa\].
     pub fn size(&self) -> f64 {
         match self {
             Self::Force(force) => force.norm(),
@@ -77,7 +77,7 @@ impl Traction {
 }
 
 impl VolumeForce {
-    /// Its size in a material of the given density [kg/m^3] \[N/m^3\].
+    /// Its magnitude in a material of the given density \[kg/m^3\] \[N/m^3\].
     pub fn size(&self, density: f64) -> f64 {
         match self {
             Self::Force(force) => force.norm(),
@@ -87,8 +87,9 @@ impl VolumeForce {
 }
 
 impl DistributedForce {
-    /// Size of its force per area, or of that of a volume of the given density [kg/m^3] as
-    /// deep as `length` [m], at the section and over such a length beside it \[Pa\].
+    /// Magnitude of its force per area, at the section and within `length` \[m\] of it; a
+    /// volume force acts in a material of the given density \[kg/m^3\] with this depth
+    /// \[Pa\].
     pub fn pressure(&self, density: f64, length: f64) -> f64 {
         let size = match &self.action {
             Action::Traction { traction, .. } => traction.size(),
@@ -101,7 +102,7 @@ impl DistributedForce {
 }
 
 impl DistributedLoad {
-    /// Whether there is nothing.
+    /// Whether no load is distributed.
     pub fn is_empty(&self) -> bool {
         self.parts.is_empty()
     }

@@ -1,19 +1,19 @@
-//! Electrodes: what has one voltage, and where.
+//! Electrodes: parts with one voltage, and their location.
 
 use nalgebra::Vector3;
 
 /// An electrode of the section.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Electrode {
-    /// Name, unlike those of the others.
+    /// Name, different from all others.
     pub name: String,
-    /// Where it is.
+    /// Its location.
     pub shape: ElectrodeShape,
-    /// What it is joined to.
+    /// Its connection.
     pub circuit: Circuit,
 }
 
-/// Where an electrode is.
+/// Location of an electrode.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ElectrodeShape {
     /// A conductor: all its nodes have its voltage.
@@ -21,7 +21,8 @@ pub enum ElectrodeShape {
         /// Indices into the nodes of the mesh.
         nodes: Vec<u32>,
     },
-    /// Fingers across the beam, of alternate sign: its voltage is a field inside of cells.
+    /// Fingers across the beam, of alternate sign: its voltage gives a field inside of
+    /// cells.
     Interdigitated {
         /// The cells, each once.
         cells: Vec<FingeredCell>,
@@ -38,13 +39,13 @@ pub struct FingeredCell {
     pub field: Vector3<f64>,
 }
 
-/// What an electrode is joined to.
+/// Connection of an electrode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Circuit {
-    /// A voltage of its own, which the beam may drive.
+    /// A prescribed voltage, which the beam may drive.
     Driven,
-    /// The voltage zero.
+    /// Zero voltage.
     Ground,
-    /// Nothing: its charge per length stays zero.
+    /// None: its charge per length stays zero.
     Floating,
 }

@@ -1,11 +1,12 @@
-//! Strains that the material would take if nothing held it: heat, cure, swelling.
+//! Strains that the material would have without any constraint: temperature, cure,
+//! swelling.
 //!
 //! ```text
 //! eps_p(y, z) = e + y e_y + z e_z                          in material axes
 //! of a rise of temperature T = T0 + y T_y + z T_z:   e = alpha T0,  e_y = alpha T_y,  e_z = alpha T_z
 //! ```
 //!
-//! The stress is that of the rest of the strain (S-90).
+//! The stress follows from the rest of the strain (S-90).
 
 use nalgebra::Vector6;
 
@@ -25,7 +26,7 @@ pub struct FreeStrain {
 }
 
 impl FreeStrain {
-    /// The same strain all over the cell \[-\].
+    /// A constant strain in the cell \[-\].
     pub fn constant(strain: Vector6<f64>) -> Self {
         Self {
             at_origin: strain,
@@ -33,13 +34,13 @@ impl FreeStrain {
         }
     }
 
-    /// The strain at the place (y, z) \[m\], material axes \[-\].
+    /// The strain at the point (y, z) \[m\], material axes \[-\].
     pub fn at(&self, [y, z]: [f64; 2]) -> Vector6<f64> {
         self.at_origin + self.by_y * y + self.by_z * z
     }
 }
 
-/// A rise of temperature that is linear in the section.
+/// A temperature rise that is linear in the section.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TemperatureField {
     /// Rise at the reference point, the origin of the mesh \[K\].
@@ -64,14 +65,14 @@ impl TemperatureField {
 /// A named state of imposed strain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImposedStrain {
-    /// Name, as the input gives it.
+    /// Name, as given in the input.
     pub name: String,
     /// Free strain of each cell, parallel to the cells of the mesh.
     pub cells: Vec<FreeStrain>,
 }
 
 impl ImposedStrain {
-    /// What `temperature` makes of `section`.
+    /// The state of `section` under `temperature`.
     pub fn of_temperature(
         name: impl Into<String>,
         section: &Section,
@@ -84,8 +85,8 @@ impl ImposedStrain {
         }
     }
 
-    /// What the given rises make of `section`, one for each cell in the order of the
-    /// mesh \[K\].
+    /// The state of `section` under the given temperature rises, one for each cell in the
+    /// order of the mesh \[K\].
     pub fn of_rises(name: impl Into<String>, section: &Section, rises: &[f64]) -> Self {
         let strain = |(cell, &rise): (&CellMaterial, &f64)| {
             let temperature = TemperatureField {

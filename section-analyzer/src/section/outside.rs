@@ -15,16 +15,16 @@ pub struct OutsideSection {
     pub name: String,
     /// Numbers of the nodes in the program that made the matrices.
     pub tags: Vec<u64>,
-    /// Places (y, z) of the nodes in section axes \[m\].
+    /// Positions (y, z) of the nodes in section axes \[m\].
     pub nodes: Vec<[f64; 2]>,
     /// M, C, E.
     pub blocks: Blocks,
-    /// The slice that they come from.
+    /// The slice from which they were computed.
     pub slice: Option<Slice>,
-    /// L, R, A, where they are given too.
+    /// L, R, A, if given too.
     pub reduced: Reduced,
     /// Mass per length about the reference point, order of
-    /// [`shared_geom::wrench::COMPONENTS`]; zeros where it is not known \[kg/m, kg, kg m\].
+    /// [`shared_geom::wrench::COMPONENTS`]; zeros if not known \[kg/m, kg, kg m\].
     pub mass: Matrix6<f64>,
     /// The line of the beam for which the matrices were made.
     pub initial_curvature: InitialCurvature,
@@ -37,7 +37,7 @@ pub struct OutsideSection {
 pub struct Slice {
     /// Its thickness h \[m\].
     pub thickness: f64,
-    /// How displacements vary through it.
+    /// Variation of displacements through it.
     pub through: Through,
 }
 
@@ -52,7 +52,7 @@ pub struct Blocks {
     pub e: CsMat<f64>,
 }
 
-/// L, R, A as another program gives them; they follow from M, C, E, and are compared.
+/// L, R, A as given by another program; they follow from M, C, E, and are compared.
 #[derive(Debug, Clone, Default)]
 pub struct Reduced {
     /// `int B1' D Bpsi`, n x 6 \[N, N m\].
@@ -63,14 +63,14 @@ pub struct Reduced {
     pub a: Option<Matrix6<f64>>,
 }
 
-/// How displacements vary through the thickness of a slice.
+/// Variation of displacements through the thickness of a slice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Through {
-    /// Linearly between the two faces, all strains integrated: the slice is one layer of
-    /// linear elements thick. M of the slice then holds `h^2/12 E` too, which is taken
-    /// out.
+    /// Linear between the two faces, all strains integrated: the slice is one layer of
+    /// linear elements. M of the slice then also contains `h^2/12 E`, which is
+    /// subtracted.
     Linear,
-    /// As the mean of the two faces: strains are taken in the middle of the slice.
+    /// The mean of the two faces: strains are evaluated in the middle of the slice.
     Middle,
 }
 
@@ -85,7 +85,7 @@ impl Blocks {
     /// M = (K11 - K12 - K21 + K22) h/4  - h^2/12 E                         (S-132)
     /// ```
     ///
-    /// the last term where displacements are linear through the slice.
+    /// the last term if displacements are linear through the slice.
     pub fn of_slice(stiffness: &CsMat<f64>, slice: Slice) -> Self {
         let Slice { thickness, through } = slice;
         let n = stiffness.rows() / 2;

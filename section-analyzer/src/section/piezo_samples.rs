@@ -14,7 +14,7 @@ const S11: f64 = 16.5e-12;
 const D31: f64 = -274e-12;
 const EPS33: f64 = 3400.0 * VACUUM_PERMITTIVITY;
 
-/// Height of the layer, and of each of the two of the bimorph \[m\].
+/// Height of the layer, and of each layer of the bimorph \[m\].
 pub(crate) const LAYER: f64 = 0.001;
 
 /// Square of the coupling factor of a bar, `d31^2 / (s11 epsT33)` \[-\].
@@ -22,7 +22,7 @@ pub(crate) fn k31() -> f64 {
     D31 * D31 / (S11 * EPS33)
 }
 
-/// PZT-5H, poled along its axis 3 if `sign` is one, against it if it is minus one.
+/// PZT-5H, poled along its axis 3 if `sign` is one, opposite if it is minus one.
 fn pzt(sign: f64) -> Material {
     let (s12, s13, s33, s44, s66) = (-4.78e-12, -8.45e-12, 20.7e-12, 43.5e-12, 42.6e-12);
     let mut s = Matrix6::zeros();
@@ -103,7 +103,7 @@ fn add_conductor(section: &mut Section, name: &str, circuit: Circuit, z: f64) {
     });
 }
 
-/// A layer of 2 mm by 1 mm between the electrodes `bottom`, ground, and `top`, driven.
+/// A layer of 2 mm by 1 mm between the electrodes `bottom`, grounded, and `top`, driven.
 pub(crate) fn layer() -> Section {
     let mut section = rectangle(LAYER, 2);
     add_conductor(&mut section, "bottom", Circuit::Ground, -0.5 * LAYER);
@@ -111,7 +111,8 @@ pub(crate) fn layer() -> Section {
     section
 }
 
-/// Two such layers, poled against each other: `middle`, ground, `top` and `bottom`, driven.
+/// Two of these layers, poled in opposite directions: `middle`, grounded, `top` and
+/// `bottom`, driven.
 pub(crate) fn bimorph() -> Section {
     let mut section = rectangle(2.0 * LAYER, 4);
     section.materials.push(pzt(-1.0));

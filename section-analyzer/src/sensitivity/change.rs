@@ -1,5 +1,5 @@
-//! What a unit of a parameter changes: laws, densities and places of nodes, in the units
-//! of the domain.
+//! Changes of laws, densities and node positions per unit of a parameter, in the units of
+//! the domain.
 
 use std::collections::HashMap;
 
@@ -9,14 +9,14 @@ use crate::material::{Constant, fiber_angle_rate, plane_angle_rate, section_stif
 use crate::section::{CellMaterial, Section};
 use nalgebra::Matrix6;
 
-/// What a parameter changes, per unit.
+/// The changes per unit of a parameter.
 #[derive(Debug, Clone)]
 pub(super) struct Change {
     /// The cells of the domain that it changes, ascending.
     pub cells: Vec<u32>,
     /// dD of the laws of these cells.
     laws: HashMap<u32, Matrix6<f64>>,
-    /// dD of cells of the mesh that change each by itself.
+    /// dD of cells of the mesh with individual changes.
     of_cells: HashMap<u32, Matrix6<f64>>,
     /// Rate of the density of these cells \[kg/m^3 per unit of the parameter\].
     pub density: f64,
@@ -25,7 +25,7 @@ pub(super) struct Change {
 }
 
 impl Change {
-    /// What `parameters` change.
+    /// The changes of `parameters`.
     ///
     /// # Errors
     /// [`SensitivityProblem`] for the first parameter that the section does not have.
@@ -69,7 +69,7 @@ impl Change {
         of_law.or_else(|| self.of_cells.get(&cell.mesh_cell))
     }
 
-    /// Velocities of the nodes of a cell of the domain, where any node moves.
+    /// Velocities of the nodes of a cell of the domain, if any node of the domain moves.
     pub fn velocities(&self, cell: &DomainCell) -> Option<[[f64; 2]; 9]> {
         if self.nodes.is_empty() {
             return None;
@@ -99,7 +99,7 @@ impl Change {
         })
     }
 
-    /// The change of the laws of `cells`, one a law.
+    /// The changes of the laws of `cells`, one per law.
     fn of_laws(
         (section, domain, _): (&Section, &Domain, &Places),
         cells: &[u32],
@@ -157,15 +157,15 @@ impl Change {
     }
 }
 
-/// Where the cells and nodes of the mesh are in the domain.
+/// Indices of the cells and nodes of the mesh in the domain.
 struct Places {
     of_material: Vec<Vec<u32>>,
     of_region: Vec<Vec<u32>>,
     /// Cells of the domain, by their index in the mesh.
     of_mesh_cell: Vec<u32>,
-    /// Nodes of the domain, by their index in the mesh, once they are looked for.
+    /// Nodes of the domain, by their index in the mesh; empty until required.
     nodes: HashMap<u32, u32>,
-    /// Cells around each node of the domain: pairs, ascending; once they are looked for.
+    /// Cells around each node of the domain: pairs, ascending; empty until required.
     around: Vec<(u32, u32)>,
 }
 

@@ -1,5 +1,5 @@
-//! All parameters at once: the integrals (S-120) of the central and the dual states over
-//! the cells that each parameter changes.
+//! Derivatives for all parameters at once: the integrals (S-120) of the central and the
+//! dual states over the cells changed by each parameter.
 
 use super::Solved;
 use super::change::Change;
@@ -14,13 +14,13 @@ use crate::element::{
 use crate::solve::DualStates;
 use nalgebra::Matrix6;
 
-/// Derivatives with respect to `parameters`, by the dual states of the section: a number
-/// of solutions that does not depend on theirs, and an integral over its own cells for
-/// each.
+/// Derivatives with respect to `parameters`, by the dual states of the section: the number
+/// of solutions does not depend on the number of parameters, and each parameter needs an
+/// integral over its own cells.
 ///
 /// # Errors
-/// [`SensitivityProblem`] for the first parameter that the section does not have, or
-/// without memory.
+/// [`SensitivityProblem`] for the first parameter that the section does not have, or if
+/// memory is insufficient.
 pub fn all_at_once(
     solved: Solved<'_>,
     parameters: &[Parameter],
@@ -35,7 +35,7 @@ pub fn all_at_once(
     Ok(derivatives.collect())
 }
 
-/// The states that the changes work on, and the integrals of each change.
+/// The central and dual states, and the integrals of each change.
 pub(super) fn integrals(
     solved: Solved<'_>,
     changes: &[Change],
@@ -106,7 +106,7 @@ fn by_cell(domain: &Domain, changes: &[Change]) -> Vec<Vec<u32>> {
     of_cell
 }
 
-/// What the cells add up to for a parameter.
+/// The sums over the cells for a parameter.
 #[derive(Clone)]
 pub(super) struct Sums {
     /// `e' dG w` of each field: a row for each of its cases.
@@ -153,7 +153,7 @@ impl Sums {
         }
     }
 
-    /// (S-120), of the places of the nodes.
+    /// (S-120), of the node positions.
     fn add_motion(
         &mut self,
         domain: &Domain,
@@ -187,7 +187,7 @@ impl Sums {
         }
     }
 
-    /// The rate of `rho (1, y, z, y y, y z, z z) J dA`, of density and place.
+    /// The rate of `rho (1, y, z, y y, y z, z z) J dA`, from density and position.
     pub fn add_mass(&mut self, domain: &Domain, cell: &DomainCell, change: &Change) {
         let velocities = change.velocities(cell);
         if change.density == 0.0 && velocities.is_none() {

@@ -1,5 +1,4 @@
-//! Derivatives of what a beam model needs of a section, in SI about the origin of the
-//! mesh.
+//! Derivatives of the properties of a section, in SI about the origin of the mesh.
 
 use super::Solved;
 use crate::assembly::{mass_of_moments, mass_per_length};
@@ -7,8 +6,8 @@ use crate::properties::invert_symmetric;
 use nalgebra::{Matrix2, Matrix6, Vector2, Vector3};
 use shared_geom::wrench;
 
-/// Derivatives of the properties of a section with respect to a parameter, whose unit is
-/// that of SI: Pa, kg/m^3, rad, m.
+/// Derivatives of the properties of a section with respect to a parameter in its SI unit:
+/// Pa, kg/m^3, rad, m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Derivative {
     /// dK: of the stiffness \[N, N m, N m^2 per unit of the parameter\].
@@ -26,18 +25,18 @@ pub struct Derivative {
     pub mass_center: Option<[f64; 2]>,
 }
 
-/// Takes derivatives from the units of the domain to SI, and from its origin to that of
-/// the mesh.
+/// Converts derivatives from the units of the domain to SI, and from its origin to the
+/// origin of the mesh.
 pub(super) struct Conversion<'a> {
     solved: Solved<'a>,
-    /// K in the units of the domain; zero for one that has no inverse, which no sound
+    /// K in the units of the domain; zero for a compliance without inverse, which no valid
     /// section has.
     stiffness: Matrix6<f64>,
     /// F in SI about the origin of the domain.
     compliance: Matrix6<f64>,
     /// M about the origin of the domain.
     mass: Matrix6<f64>,
-    /// Place of the domain's origin.
+    /// Position of the domain's origin.
     origin: Vector3<f64>,
     compliance_unit: Matrix6<f64>,
     stiffness_unit: Matrix6<f64>,

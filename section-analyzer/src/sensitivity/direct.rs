@@ -1,4 +1,4 @@
-//! One parameter after the other: each by the solution of its own change.
+//! Derivatives for one parameter after the other, each by the solution of its own change.
 
 use super::Solved;
 use super::change::Change;
@@ -11,12 +11,12 @@ use crate::element::{MovedPoint, NO_COLUMNS, NodalColumns, NodalForces, NodalSta
 use crate::solve::Variation;
 use nalgebra::{DMatrix, Matrix6};
 
-/// Derivatives with respect to `parameters`, six columns of a solution each: for few
+/// Derivatives with respect to `parameters`, with a solution of six columns each: for few
 /// parameters, and independent of the dual states.
 ///
 /// # Errors
-/// [`SensitivityProblem`] for the first parameter that the section does not have, or
-/// without memory.
+/// [`SensitivityProblem`] for the first parameter that the section does not have, or if
+/// memory is insufficient.
 pub fn direct(
     solved: Solved<'_>,
     parameters: &[Parameter],
@@ -55,8 +55,7 @@ fn correction(along: &Matrix6<f64>, z: &Matrix6<f64>) -> Matrix6<f64> {
     along.transpose() * s + s * along
 }
 
-/// The forces that a change puts on the central state, (S-114), and their work on it,
-/// `W' dG W`.
+/// The forces of a change on the central state, (S-114), and their work on it, `W' dG W`.
 fn given_forces(solved: Solved<'_>, rate: &DMatrix<f64>, change: &Change) -> SectionForces {
     let (domain, central) = (solved.domain, solved.central);
     let mut forces = SectionForces::none(domain);

@@ -1,4 +1,4 @@
-//! The states that changes of a section work on, and what they do in a cell.
+//! The central and dual states of a section, and their strains in a cell.
 
 use super::Solved;
 use crate::assembly::{Domain, DomainCell, take_columns};
@@ -9,7 +9,7 @@ use crate::element::{
 use crate::solve::{DualState, DualStates};
 use nalgebra::{DMatrix, Matrix6};
 
-/// Cases of states of the whole section, up to [`CASES`] side by side.
+/// Up to [`CASES`] cases of states of the whole section.
 struct Field {
     rate: DMatrix<f64>,
     warping: DMatrix<f64>,
@@ -34,14 +34,14 @@ impl Field {
     }
 }
 
-/// Where a case stands: its field and its place there.
+/// Location of a case: its field and its index there.
 pub(super) type Lane = (usize, usize);
 
 /// The central state w, then the dual states e.
 pub(super) struct Fields {
-    /// The central state, then the cases of the dual states in whole registers.
+    /// The central state, then the cases of the dual states, packed to fill registers.
     fields: Vec<Field>,
-    /// c of each dual state, and where its cases stand that were solved for.
+    /// c of each dual state, and the locations of its solved cases.
     duals: Vec<(Matrix6<f64>, [Option<Lane>; 6])>,
     /// T'.
     pub along: Matrix6<f64>,
@@ -77,12 +77,12 @@ impl Fields {
         fields
     }
 
-    /// How many fields there are.
+    /// Number of fields.
     pub fn count(&self) -> usize {
         self.fields.len()
     }
 
-    /// c of each dual state with where its cases stand.
+    /// c of each dual state with the locations of its cases.
     pub fn duals(&self) -> &[(Matrix6<f64>, [Option<Lane>; 6])] {
         &self.duals
     }
@@ -96,7 +96,7 @@ impl Fields {
     }
 }
 
-/// Where the cases of the central state stand.
+/// Locations of the cases of the central state.
 const CENTRAL: [Option<Lane>; 6] = [
     Some((0, 0)),
     Some((0, 1)),
@@ -124,7 +124,7 @@ pub(super) fn at_nodes(cell: &DomainCell, field: &DMatrix<f64>) -> NodalColumns 
 
 /// A state at the nodes of a cell.
 pub(super) struct AtNodes {
-    /// Where its cases stand.
+    /// Locations of its cases.
     pub lanes: [Option<Lane>; 6],
     rate: NodalColumns,
     warping: NodalColumns,
@@ -164,7 +164,7 @@ impl AtNodes {
     }
 }
 
-/// The strains of all fields at the points of a cell; goes from cell to cell.
+/// The strains of all fields at the points of a cell; reused for each cell.
 pub(super) struct Strains<'a> {
     domain: &'a Domain,
     fields: &'a Fields,
@@ -185,7 +185,7 @@ impl<'a> Strains<'a> {
         }
     }
 
-    /// Goes to `cell`.
+    /// Moves to `cell`.
     #[inline(always)]
     pub fn go_to<P: Product>(&mut self, cell: &DomainCell) {
         let count = self.fields.count();

@@ -1,4 +1,4 @@
-//! What derivatives are taken with respect to.
+//! Parameters of derivatives.
 
 use thiserror::Error;
 
@@ -6,14 +6,14 @@ use crate::material::{Constant, ElasticLaw};
 use crate::section::Section;
 use shared_geom::error::Explain;
 
-/// What a derivative is taken with respect to.
+/// A parameter of a derivative.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Parameter {
     /// A constant of a material.
     Constant {
         /// Index into [`Section::materials`].
         material: usize,
-        /// Which of its constants.
+        /// The constant of the material.
         constant: Constant,
     },
     /// The fiber angles of cells, all by the same amount; a unit is a radian.
@@ -24,48 +24,48 @@ pub enum Parameter {
     Node {
         /// Index of the node in the mesh.
         node: usize,
-        /// Which coordinate.
+        /// The coordinate.
         axis: Axis,
     },
-    /// A coordinate of a node of the mesh file, with all that is made from it; a unit is
-    /// a meter.
+    /// A coordinate of a node of the mesh file, with all nodes and angles that depend on
+    /// it; a unit is a meter.
     MeshNode(MeshNode),
     /// A change of shape.
     Motion(Motion),
 }
 
-/// A coordinate of a node of the mesh file, and what its motion takes along.
+/// A coordinate of a node of the mesh file, and the motion that depends on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshNode {
     /// Tag of the node in the mesh file.
     pub tag: u64,
-    /// Which coordinate.
+    /// The coordinate.
     pub axis: Axis,
     /// Its value \[m\].
     pub value: f64,
-    /// The node, where cells have it, the nodes that laminates make from it, and the plane
-    /// angles that follow it.
+    /// The motion of the node, if cells have it, of the nodes that laminates generate from
+    /// it, and of the plane angles that follow it.
     pub motion: Motion,
 }
 
 /// A change of shape.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Motion {
-    /// The nodes that move: all others stand still.
+    /// The nodes that move; all others are fixed.
     pub nodes: Vec<NodeVelocity>,
-    /// The cells whose plane angles change: those of all others stay.
+    /// The cells whose plane angles change; all other angles are constant.
     pub turns: Vec<CellTurn>,
 }
 
 impl Motion {
-    /// Nodes move, and all angles stay.
+    /// A motion of nodes with constant angles.
     pub fn of_nodes(nodes: Vec<NodeVelocity>) -> Self {
         let turns = Vec::new();
         Self { nodes, turns }
     }
 }
 
-/// How the plane angle of a cell changes.
+/// The change of the plane angle of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CellTurn {
     /// Index of the cell in the mesh.
@@ -77,9 +77,9 @@ pub struct CellTurn {
 /// Some cells of a section.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Cells {
-    /// Those of a physical group, by its index in the mesh.
+    /// The cells of a physical group, by its index in the mesh.
     Region(usize),
-    /// Those of a list of indices in the mesh.
+    /// A list of indices in the mesh.
     List(Vec<usize>),
 }
 
@@ -92,7 +92,7 @@ pub enum Axis {
     Z,
 }
 
-/// How a node moves.
+/// The motion of a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodeVelocity {
     /// Index of the node in the mesh.
@@ -103,13 +103,13 @@ pub struct NodeVelocity {
     pub z: f64,
 }
 
-/// Why there are no derivatives.
+/// Reason why there are no derivatives.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum SensitivityProblem {
     /// A material that the section does not have.
     #[error("material number {found}: the section has {count}")]
     NoMaterial {
-        /// The index asked for, from zero.
+        /// The requested index, from zero.
         found: usize,
         /// Number of materials.
         count: usize,
@@ -117,7 +117,7 @@ pub enum SensitivityProblem {
     /// A constant that the law of the material does not have.
     #[error("constant \"{constant}\": material \"{material}\" has {known}")]
     NoConstant {
-        /// Name of the constant asked for.
+        /// Name of the requested constant.
         constant: String,
         /// Name of the material.
         material: String,
@@ -127,7 +127,7 @@ pub enum SensitivityProblem {
     /// A region that the mesh does not have.
     #[error("region number {found}: the mesh has {count}")]
     NoRegion {
-        /// The index asked for, from zero.
+        /// The requested index, from zero.
         found: usize,
         /// Number of regions.
         count: usize,
@@ -135,7 +135,7 @@ pub enum SensitivityProblem {
     /// A cell that the mesh does not have.
     #[error("cell number {found}: the mesh has {count}")]
     NoCell {
-        /// The index asked for, from zero.
+        /// The requested index, from zero.
         found: usize,
         /// Number of cells.
         count: usize,
@@ -143,7 +143,7 @@ pub enum SensitivityProblem {
     /// A node that the mesh does not have, or that belongs to no cell.
     #[error("node number {found}: no cell of the section has it")]
     NoNode {
-        /// The index asked for, from zero.
+        /// The requested index, from zero.
         found: usize,
     },
     /// A motion that is not a number.
@@ -158,7 +158,7 @@ pub enum SensitivityProblem {
         /// Index of the cell.
         cell: usize,
     },
-    /// No memory.
+    /// Insufficient memory.
     #[error("out of memory with {unknowns} unknowns")]
     OutOfMemory {
         /// Number of warping unknowns.
@@ -200,7 +200,7 @@ impl Parameter {
         constants.chain(angles).collect()
     }
 
-    /// A few words: `e1 of graphite`, `fiber angle of skin`, `y of node 12`.
+    /// Short text: `e1 of graphite`, `fiber angle of skin`, `y of node 12`.
     pub fn name(&self, section: &Section) -> String {
         let of_cells = |cells: &Cells| match cells {
             Cells::Region(group) => section.mesh.groups.get(*group).cloned().unwrap_or_default(),
@@ -223,7 +223,7 @@ impl Parameter {
         }
     }
 
-    /// Whether the section has what the parameter speaks of.
+    /// Checks that the section has the object of the parameter.
     pub(super) fn check(&self, section: &Section) -> Result<(), SensitivityProblem> {
         match self {
             Self::Constant { material, constant } => check_constant(section, *material, *constant),
@@ -234,7 +234,7 @@ impl Parameter {
         }
     }
 
-    /// The change of shape, where the parameter is one.
+    /// The change of shape, if the parameter is one.
     pub(super) fn motion(&self) -> Option<Motion> {
         match self {
             Self::Node { node, axis } => {

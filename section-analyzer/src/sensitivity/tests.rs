@@ -1,4 +1,5 @@
-//! The two ways to the derivatives against each other, on sections without any symmetry.
+//! The two methods for the derivatives against each other, on sections without any
+//! symmetry.
 
 use super::*;
 use crate::analysis::Analysis;
@@ -70,8 +71,8 @@ fn worst(a: &Matrix6<f64>, b: &Matrix6<f64>, scale: &Matrix6<f64>) -> f64 {
     (a - b).component_mul(&(d * d.transpose())).amax()
 }
 
-/// Both solve the same equations with the same factors, so that they differ by round-off
-/// alone, a few hundred units of it: 1e-12 relative to `sqrt(Kii Kjj)`.
+/// Both solve the same equations with the same factors, so that they differ only by
+/// round-off, a few hundred units of it: 1e-12 relative to `sqrt(Kii Kjj)`.
 #[test]
 fn both_ways_agree() {
     for line in lines() {

@@ -1,4 +1,4 @@
-//! A section as a beam sees it that knows nothing of its floating electrodes.
+//! Properties of a section for a beam model without its floating electrodes.
 
 use super::{ElectrodeSolution, SectionSolution};
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use shared_geom::wrench;
 
 impl ElectrodeSolution {
-    /// Whether its charge per length stays zero, so that it takes a voltage.
+    /// Whether its charge per length stays zero and its voltage results from it.
     pub fn is_open(&self) -> bool {
         self.circuit == Circuit::Floating
     }
@@ -21,12 +21,12 @@ impl SectionSolution {
         piezo.is_some_and(|piezo| piezo.electrodes.iter().any(ElectrodeSolution::is_open))
     }
 
-    /// The section as the beam sees it: stiffness, compliance, tension and shear center, and
-    /// the principal axes of bending with floating electrodes at no charge, (S-169). Warping
-    /// and the generalized strain of the central solutions stay those at constant voltage.
+    /// The section in its circuit: stiffness, compliance, tension and shear center, and the
+    /// principal axes of bending with floating electrodes at zero charge, (S-169). Warping
+    /// and the generalized strain of the central solutions remain those at constant voltage.
     ///
     /// # Errors
-    /// [`Failure::Undetermined`] where floating electrodes leave a voltage undetermined;
+    /// [`Failure::Undetermined`] if floating electrodes leave a voltage undetermined;
     /// [`Failure::ComplianceNotPositive`].
     pub fn in_circuit(&self) -> Result<Self, Failure> {
         let mut seen = self.clone();
@@ -61,9 +61,9 @@ mod tests {
     use crate::section::piezo_samples::{bimorph, k31, layer};
     use crate::solution::SectionSolution;
 
-    /// A layer with its upper face open: `s11D = s11 (1 - k31^2)` makes EA that of constant
-    /// displacement; EIy, with a field that is linear already, stays; the compliance is the
-    /// inverse, and the centers stay in the middle. Round-off.
+    /// A layer with its upper face open: `s11D = s11 (1 - k31^2)` gives EA at constant
+    /// electric displacement; EIy, whose field is already linear, does not change; the
+    /// compliance is the inverse, and the centers remain in the middle. Round-off.
     #[test]
     fn an_open_layer_has_the_stiffness_of_constant_displacement() {
         let mut section = layer();
@@ -86,8 +86,8 @@ mod tests {
         assert!((bending(&open) / bending(&held) - 1.0).abs() < 1e-11);
     }
 
-    /// The bimorph bends with its outer faces open: each layer that is sheared in voltage
-    /// stores more; without an electrode that is held nothing is determined.
+    /// The bimorph bends with its outer faces open: each layer then stores more energy;
+    /// without an electrode at a given voltage the voltages are undetermined.
     #[test]
     fn open_electrodes_stiffen_and_need_one_that_is_held() {
         let mut section = bimorph();

@@ -1,41 +1,41 @@
-//! How far the ends of a beam are felt in it.
+//! Decay of end effects along a beam.
 
-/// A solution that decays along the beam: what it adds to the stress of the internal
-/// force falls as `exp(-rate x) cos(wave_number x)` with the distance from an end, a
-/// joint or a jump of the load.
+/// A solution that decays along the beam: its stress decreases as
+/// `exp(-rate x) cos(wave_number x)` with the distance from an end, a joint or a jump of
+/// the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DecayingMode {
-    /// Real part of lambda: its inverse is the distance in which it falls by the factor
-    /// e \[1/m\].
+    /// Real part of lambda: its inverse is the distance of a decrease by the factor e
+    /// \[1/m\].
     pub rate: f64,
-    /// Imaginary part of lambda; zero where nothing oscillates \[1/m\].
+    /// Imaginary part of lambda; zero without oscillation \[1/m\].
     pub wave_number: f64,
 }
 
-/// The slowest decaying solutions of a section, or as many as were found.
+/// The slowest decaying solutions of a section, as far as found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EndEffects {
-    /// Those of equal rates once, the slowest first.
+    /// The modes, each rate once, the slowest first.
     pub modes: Vec<DecayingMode>,
-    /// Number of modes that were asked for.
+    /// Number of requested modes.
     pub wanted: usize,
-    /// Change by the last vectors of the search of their rates and of those that may be
-    /// as slow, relative \[-\].
+    /// Relative change of their rates, and of other rates that may be as slow, by the last
+    /// vectors of the search \[-\].
     pub change: f64,
-    /// Whether that is small enough.
+    /// Whether the change is small enough.
     pub is_converged: bool,
-    /// Vectors that the search took.
+    /// Number of vectors of the search.
     pub vectors: usize,
 }
 
 impl DecayingMode {
-    /// Distance from which on the mode is less than `part` of its value at the end,
+    /// Distance beyond which the mode is less than `part` of its value at the end,
     /// `0 < part < 1` \[m\].
     pub fn distance(&self, part: f64) -> f64 {
         -part.ln() / self.rate
     }
 
-    /// Length of its waves \[m\]; `None` where nothing oscillates.
+    /// Wavelength \[m\]; `None` without oscillation.
     pub fn wave_length(&self) -> Option<f64> {
         (self.wave_number > 0.0).then(|| std::f64::consts::TAU / self.wave_number)
     }

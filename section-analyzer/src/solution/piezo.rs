@@ -1,4 +1,4 @@
-//! What voltages on electrodes do to a section.
+//! Effects of voltages on electrodes of a section.
 
 use crate::failure::Failure;
 use crate::section::Circuit;
@@ -13,17 +13,17 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix6, Vector6};
 pub struct PiezoSolution {
     /// The electrodes.
     pub electrodes: Vec<ElectrodeSolution>,
-    /// Charge per length and volt at no generalized strain, a row and a column for each
+    /// Charge per length and volt at zero generalized strain, a row and a column for each
     /// electrode, symmetric \[F/m\].
     pub capacitance: DMatrix<f64>,
-    /// As `capacitance`, at no internal force \[F/m\].
+    /// As `capacitance`, at zero internal force \[F/m\].
     pub free_capacitance: DMatrix<f64>,
     /// Potential at the nodes of the mesh per unit internal force with all voltages zero,
     /// nodes x 6; zero at nodes without potential \[V/N, V/(N m)\].
     pub potential: DMatrix<f64>,
     /// Whether each node of the mesh has a potential.
     pub has_potential: Vec<bool>,
-    /// What vouches for the numbers.
+    /// Checks of the solution.
     pub checks: PiezoChecks,
 }
 
@@ -32,7 +32,7 @@ pub struct PiezoSolution {
 pub struct ElectrodeSolution {
     /// Name.
     pub name: String,
-    /// What it is joined to.
+    /// Its connection to the circuit.
     pub circuit: Circuit,
     /// Whether it is a conductor; an interdigitated electrode otherwise.
     pub is_conductor: bool,
@@ -43,42 +43,43 @@ pub struct ElectrodeSolution {
     pub potential: DVector<f64>,
     /// Y_v: generalized strain without internal force \[1/V, 1/(V m)\].
     pub free_strain: Vector6<f64>,
-    /// Theta: internal force where the generalized strain is held at zero \[N/V, N m/V\].
+    /// Theta: internal force at zero generalized strain \[N/V, N m/V\].
     pub coupling: Vector6<f64>,
 }
 
-/// Errors that the solution measures on itself, all relative.
+/// Self-checks of the solution; all errors are relative.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PiezoChecks {
-    /// Difference of the free strains from those of the work on the central solutions
-    /// (S-168), beside `sqrt(C_ii cap_ee)`: strains of the energy of one volt \[-\].
+    /// Difference of the free strains from the strains by the work on the central solutions
+    /// (S-168), relative to `sqrt(C_ii cap_ee)`: strains of the energy of one volt \[-\].
     pub work: f64,
-    /// Asymmetry of the capacitance, beside its largest entry \[-\].
+    /// Asymmetry of the capacitance, relative to its largest entry \[-\].
     pub asymmetry: f64,
-    /// Sum of the free strains over all conductors, beside the same, and of the charges,
-    /// beside the largest: a common voltage does nothing \[-\].
+    /// Sum of the free strains over all conductors, relative to the same strains, and of
+    /// the charges, relative to the largest: a common voltage has no effect \[-\].
     pub common: f64,
 }
 
-/// A section as a beam sees it, with the electrodes that a circuit leaves.
+/// A section for a beam model, with the electrodes that remain in a circuit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InCircuit {
-    /// Internal force per generalized strain at no voltage of the electrodes that are left,
+    /// Internal force per generalized strain at zero voltage of the remaining electrodes,
     /// 6x6 \[N, N m, N m^2\].
     pub stiffness: Matrix6<f64>,
-    /// Indices of the electrodes that are left.
+    /// Indices of the remaining electrodes.
     pub electrodes: Vec<usize>,
-    /// Internal force per volt of each, 6 x left \[N/V, N m/V\].
+    /// Internal force per volt of each, 6 x remaining \[N/V, N m/V\].
     pub coupling: DMatrix<f64>,
-    /// Charge per length and volt at no generalized strain, left x left \[F/m\].
+    /// Charge per length and volt at zero generalized strain, remaining x remaining
+    /// \[F/m\].
     pub capacitance: DMatrix<f64>,
 }
 
-/// A capacitance whose pivots are less than this part of their entries is that of
-/// electrodes that nothing holds: they may all have any common voltage.
+/// Ratio of pivots to their entries below which a capacitance is singular: its electrodes
+/// may have any common voltage.
 const UNHELD: f64 = 1e-9;
 
-/// The factors of a capacitance; `None` where it does not determine voltages.
+/// The factors of a capacitance; `None` if it does not determine the voltages.
 fn factored(capacitance: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
     let diagonal = capacitance.diagonal();
     let factors = capacitance.cholesky()?;
@@ -89,9 +90,9 @@ fn factored(capacitance: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
 }
 
 impl PiezoSolution {
-    /// The section of the stiffness `k` at no voltages, with each electrode as `circuit`
-    /// says of it: grounded ones at zero, floating ones with their charge per length at zero.
-    /// `None` where floating electrodes leave a voltage undetermined.
+    /// The section of the stiffness `k` at zero voltages, with each electrode as in
+    /// `circuit`: grounded ones at zero voltage, floating ones at zero charge per length.
+    /// `None` if floating electrodes leave a voltage undetermined.
     ///
     /// ```text
     /// q_f = 0:  V_f = cap_ff^-1 (Theta_f' psi - cap_fd V_d)
@@ -143,9 +144,9 @@ impl PiezoSolution {
         })
     }
 
-    /// Voltages of all electrodes under an internal force and given voltages of the driven
-    /// ones, one of each electrode of which the others are not read \[V\]: floating ones take
-    /// the voltage at which their charge per length is zero. `None` as in
+    /// Voltages of all electrodes under an internal force and given voltages, one for each
+    /// electrode, of which only the voltages of driven electrodes are used \[V\]: floating
+    /// ones have the voltage of zero charge per length. `None` as in
     /// [`PiezoSolution::in_circuit`].
     ///
     /// ```text
@@ -213,7 +214,7 @@ impl PiezoSolution {
         (0..self.electrodes.len()).map(charge).collect()
     }
 
-    /// The largest of the parts that [`PiezoSolution::charges`] adds up \[C/m\].
+    /// The largest of the parts of the sum in [`PiezoSolution::charges`] \[C/m\].
     pub fn largest_charge(
         &self,
         compliance: &Matrix6<f64>,
@@ -231,7 +232,7 @@ impl PiezoSolution {
         parts.fold(0.0, |most: f64, part| most.max(part.abs()))
     }
 
-    /// That the voltages of its floating electrodes are not determined.
+    /// The error that the voltages of its floating electrodes are undetermined.
     pub fn undetermined(&self) -> Failure {
         let floating = self.electrodes.iter();
         let floating = floating.filter(|known| known.circuit == Circuit::Floating);

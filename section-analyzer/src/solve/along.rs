@@ -1,6 +1,6 @@
 //! The systems of all six central solutions, along any line of constant curvature.
 //!
-//! With `theta' = T' theta` the solutions `u = X theta`, `psi = Y theta` meet
+//! With `theta' = T' theta` the solutions `u = X theta`, `psi = Y theta` satisfy
 //!
 //! ```text
 //! M X T'^2 + (C - C') X T' + L Y T' - E X - R Y = 0       L' X T' + R' X + A Y = I   (S-75)
@@ -13,11 +13,11 @@
 //! (0, v0)  (0, v)  (0, v*)  (v0, 0)  (v, 0)  (v*, 0)
 //! ```
 //!
-//! make S upper triangular exactly, however small k is (S-74): the moments stand for
-//! themselves, and the forces ask for the moments. The matrix of a column is that of
-//! solutions `exp(lambda x)` with its eigenvalue (S-73), so that two factorizations do:
-//! a real one for 0, a Hermitian one for i w; the columns of v* are the conjugates of
-//! those of v. With k = 0 all columns are those of lambda = 0.
+//! make S upper triangular exactly, for any small k (S-74): the moments are independent of
+//! the forces, and the forces depend on the moments. The matrix of a column is the matrix
+//! of solutions `exp(lambda x)` with its eigenvalue (S-73), so that two factorizations
+//! suffice: a real one for 0, a Hermitian one for i w; the columns of v* are the conjugates
+//! of the columns of v. With k = 0 all columns have lambda = 0.
 //!
 //! # References
 //! - [Borri1992]: central solutions of beams with initial curvature.
@@ -29,15 +29,15 @@ use crate::assembly::{Model, Pattern, SectionMatrices};
 use crate::failure::Failure;
 use nalgebra::{Complex, DMatrix, DMatrixView, Matrix6, Matrix6xX, Vector3};
 
-/// The factored systems of a section: of states that are steady along the beam, and,
-/// if it is curved, of those that turn with it once a turn.
+/// The factored systems of a section: of states that are steady along the beam, and, if it
+/// is curved, of states that vary as exp(i w x).
 #[derive(Debug)]
 pub struct CentralSystems {
     steady: CentralSystem<f64>,
     pub(super) wave: Option<Wave>,
 }
 
-/// The system of lambda = i w, and the basis that goes with it.
+/// The system of lambda = i w, and its basis.
 #[derive(Debug)]
 pub(super) struct Wave {
     pub system: CentralSystem<Complex<f64>>,
@@ -47,7 +47,7 @@ pub(super) struct Wave {
     pub turning: Vector3<Complex<f64>>,
 }
 
-/// Why there are no systems.
+/// Reason why there are no systems.
 #[derive(Debug)]
 pub enum SystemError {
     /// A matrix could not be assembled.
@@ -69,7 +69,7 @@ struct InBasis {
 }
 
 impl CentralSystems {
-    /// Factors the systems of `model`; `matrices` are those of the steady states.
+    /// Factors the systems of `model`; `matrices` are the matrices of the steady states.
     ///
     /// # Errors
     /// [`SystemError`] when a matrix is not positive definite with the pins held, or
@@ -112,9 +112,9 @@ impl CentralSystems {
         })
     }
 
-    /// The states that balance internal forces `theta` whose solutions are those of
-    /// their own column of T' alone: the moments, on any line; on a straight one also
-    /// the axial force.
+    /// The states that balance internal forces `theta` whose solutions do not depend on
+    /// other internal forces: the moments, on any line; on a straight line also the axial
+    /// force.
     pub fn balance_of(&self, theta: &Matrix6<f64>) -> (DMatrix<f64>, Matrix6<f64>) {
         let theta: Matrix6xX<f64> = theta.columns(0, 6).into_owned();
         let (x, y) = match &self.wave {
@@ -131,10 +131,10 @@ impl CentralSystems {
         (x, y.fixed_view::<6, 6>(0, 0).into_owned())
     }
 
-    /// Replaces missing forces `dq` (n x k, column by column) and `dtheta` (6 x k) of
-    /// the central solutions by the changes of state that they ask for; `None` when
-    /// there is no memory for it. On a curved beam the columns are those of all forces,
-    /// of all moments, or both.
+    /// Replaces missing forces `dq` (n x k, column by column) and `dtheta` (6 x k) of the
+    /// central solutions by the changes of state that balance them; `None` if memory is
+    /// insufficient. On a curved beam the columns belong to all forces, to all moments, or
+    /// both.
     pub fn correct(&self, dq: &mut [f64], dtheta: &mut Matrix6xX<f64>) -> Option<()> {
         let Some(wave) = &self.wave else {
             return self.steady.correct(dq, dtheta);
@@ -172,7 +172,7 @@ impl Wave {
         }))
     }
 
-    /// Columns of forces or moments, three by three, times v0 and v.
+    /// Columns of forces or moments, in groups of three, times v0 and v.
     fn split(&self, q: DMatrixView<'_, f64>, theta: &Matrix6xX<f64>) -> InBasis {
         let groups = theta.ncols() / 3;
         let (mut real_q, mut wave_q) = (
@@ -200,7 +200,7 @@ impl Wave {
         }
     }
 
-    /// Back: `d0 v0' + 2 Re(d v^H)`.
+    /// The inverse of the projection: `d0 v0' + 2 Re(d v^H)`.
     fn joined(&self, parts: &InBasis) -> (DMatrix<f64>, Matrix6xX<f64>) {
         let ((x0, y0), (x, y)) = (&parts.steady, &parts.wave);
         let groups = y0.ncols();

@@ -1,9 +1,9 @@
 //! The two nested central solutions (de Saint-Venant).
 //!
-//! An unloaded beam carries `theta' = T' theta`: shears constant, bendings
-//! linear. With `u = X theta`, `psi = Y theta` (S-17) and T' nilpotent (its square is
-//! zero) the equilibrium of the section (S-12), which is then (S-18), splits in two
-//! steps, (S-19) and (S-20):
+//! An unloaded beam carries `theta' = T' theta`: shears constant, bendings linear. With
+//! `u = X theta`, `psi = Y theta` (S-17) and T' nilpotent (its square is zero) the
+//! equilibrium of the section (S-12), which is then (S-18), splits into two steps, (S-19)
+//! and (S-20):
 //!
 //! ```text
 //! linear    (F1, M1, M2, M3)   E x + R y = 0,                        R' x + A y = e_j
@@ -12,14 +12,14 @@
 //!                              T' e_F2 = -e_M3,  T' e_F3 = e_M2
 //! ```
 //!
-//! What a state lacks of balance is found from its stresses ([`SectionForces`]),
-//! exact to the round-off of the strains, and the factored matrix finds the
-//! correction; so the solution is accurate even where the matrix is so badly
-//! conditioned that one solution keeps half of the digits only. Both steps are
-//! corrected together: one integration of the stresses serves all six columns.
+//! The imbalance of a state is computed from its stresses ([`SectionForces`]), exact to the
+//! round-off of the strains, and the factored matrix gives the correction; the solution is
+//! therefore accurate even if the matrix is so badly conditioned that one solution keeps
+//! only half of the digits. Both steps are corrected together: one integration of the
+//! stresses serves all six columns.
 //!
-//! On a curved beam the moments are the linear step and the forces the constant one:
-//! the moments stand for themselves, and the forces ask for them ([`CentralSystems`]).
+//! On a curved beam the moments are the linear step and the forces the constant one: the
+//! moments are independent, and the forces depend on them ([`CentralSystems`]).
 //!
 //! # References
 //! - Giavotto et al. 1983: central solutions.
@@ -32,12 +32,13 @@ use crate::assembly::{Model, Rate, SectionForces, State, largest};
 use crate::element::Line;
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 
-/// Which internal forces belong to which of the two steps.
+/// The internal forces of the two steps.
 #[derive(Debug, Clone)]
 struct Steps {
-    /// Those whose solution asks for no other: it is constant along a straight beam.
+    /// Internal forces whose solution does not depend on others: it is constant along a
+    /// straight beam.
     linear: &'static [usize],
-    /// Those whose solution asks for those of the linear step: shears.
+    /// Internal forces whose solution depends on the linear step: shears.
     constant: Range<usize>,
 }
 
@@ -56,16 +57,16 @@ impl Steps {
     }
 }
 
-/// Corrections at most. Two are the rule, more of them the mark of a section near
-/// the limit.
+/// Maximum number of corrections. Two are usual; more indicate a section near the limit of
+/// accuracy.
 const CORRECTIONS: usize = 12;
 
-/// Largest ratio of a correction to the one before: beyond it corrections do not
-/// lead anywhere, and the checks of the solution decide.
+/// Largest ratio of a correction to the previous one: above it further corrections have no
+/// use, and the checks of the solution decide.
 const SLOW: f64 = 0.5;
 
-/// Size of a correction, relative to the state, after which no other is worth its
-/// price: the next would be smaller by as much again, which is below round-off.
+/// Size of a correction, relative to the state, after which the iteration stops: the next
+/// correction would be smaller by the same ratio, below round-off.
 const SMALL_CORRECTION: f64 = 1e-8;
 
 /// Warping and generalized strain per unit internal force, of some choice of
@@ -86,13 +87,13 @@ pub struct CentralSolution {
     /// Largest of the last corrections of the two steps, relative to the
     /// solution \[-\].
     pub correction: f64,
-    /// Largest of the first corrections of the two steps, relative to the solution: how
-    /// far off a single solution with the factored systems is \[-\].
+    /// Largest of the first corrections of the two steps, relative to the solution: the
+    /// error of a single solution with the factored systems \[-\].
     pub first_correction: f64,
 }
 
 impl CentralSolution {
-    /// Solves both steps; `None` when there is no memory for it.
+    /// Solves both steps; `None` if memory is insufficient.
     pub fn solve(model: &impl Model, systems: &CentralSystems) -> Option<Self> {
         let mut iteration = Iteration::start(model, systems);
         for round in 0..CORRECTIONS {
@@ -119,19 +120,19 @@ impl CentralSolution {
     }
 }
 
-/// The solution under way. Sizes of corrections are those of the linear and of the
-/// constant step.
+/// The current iterate. Sizes of corrections are given for the linear and for the constant
+/// step.
 #[derive(Debug)]
 struct Iteration {
     steps: Steps,
-    /// T', of a line that is not that of a straight beam.
+    /// T', of a line other than a straight beam's.
     along: Option<Matrix6<f64>>,
     x: DMatrix<f64>,
     y: Matrix6<f64>,
     forces: SectionForces,
     last: [f64; 2],
     before: [f64; 2],
-    /// The largest of the first ones.
+    /// The largest of the first corrections.
     first: f64,
 }
 
@@ -157,7 +158,7 @@ impl Iteration {
         }
     }
 
-    /// Finds the forces of the present state.
+    /// Computes the forces of the present state.
     fn measure(&mut self, model: &impl Model) {
         let state = State {
             rate: Rate::Central,
@@ -167,8 +168,8 @@ impl Iteration {
         model.measure(state, &mut self.forces);
     }
 
-    /// Corrects the columns that are worth it by what the forces lack of balance. The
-    /// forces within the section are used up: the corrections take their place.
+    /// Corrects the columns that are not yet accurate by the imbalance of the forces. The
+    /// corrections overwrite the forces within the section.
     fn correct(&mut self, systems: &CentralSystems) -> Option<()> {
         let only_constant = self.last[0] <= SMALL_CORRECTION;
         let columns = match only_constant {
@@ -198,11 +199,11 @@ impl Iteration {
         Some(())
     }
 
-    /// What the stresses lack of balance in some of the six solutions: of the internal
-    /// force, and of Q in its own place.
+    /// The imbalance of the stresses in some of the six solutions: returns the imbalance of
+    /// the internal force, and overwrites Q by its imbalance.
     ///
     /// ```text
-    /// dQ = P' - Q      P' = Ph T': of a straight beam minus that of M3 for F2, of M2 for F3
+    /// dQ = P' - Q      P' = Ph T': of a straight beam -Ph of M3 for F2, Ph of M2 for F3
     /// ```
     fn imbalance(&mut self, columns: Range<usize>) -> Matrix6xX<f64> {
         let mut dtheta = Matrix6xX::zeros(columns.len());
@@ -225,8 +226,8 @@ impl Iteration {
     /// Size of the correction of one column, the `k`-th corrected, relative to the
     /// state.
     ///
-    /// In the units of the domain a warping of 1 and a generalized strain of 1 move
-    /// the section alike, so the larger of the two is the size.
+    /// In the units of the domain a warping of 1 and a generalized strain of 1 are
+    /// displacements of the same size, so the larger of the two is the size.
     fn relative_size(&self, column: usize, dy: &Matrix6xX<f64>, k: usize) -> f64 {
         let dx = self.forces.within.column(column).amax();
         let change = largest(dx, dy.column(k).amax());
@@ -234,9 +235,9 @@ impl Iteration {
         change / state.max(self.y.column(column).amax())
     }
 
-    /// Whether both steps are as good as they get, after the correction of `round`.
+    /// Whether the corrections of both steps are finished, after `round`.
     fn is_done(&self, round: usize) -> bool {
-        // written so that not a number ends it too
+        // written such that NaN also ends the iteration
         let is_open = |step: usize| {
             self.last[step] > SMALL_CORRECTION && self.last[step] < SLOW * self.before[step]
         };

@@ -1,27 +1,27 @@
-//! Solutions that decay along the beam: what ends and jumps of the load add to the
-//! central solutions.
+//! Solutions that decay along the beam, which ends and jumps of the load add to the central
+//! solutions.
 //!
-//! Solutions `exp(lambda x)` of the section without load and without internal force,
-//! with P the forces on the face, meet
+//! Solutions `exp(lambda x)` of the section without load and without internal force, with P
+//! the forces on the face, satisfy
 //!
 //! ```text
 //! [E - lambda (C - C') - lambda^2 M] u + (R - lambda L) psi = 0
 //! (R' + lambda L') u + A psi = 0                                                  (S-109)
 //! ```
 //!
-//! They come as lambda and -lambda: one decays from each end. The operator that takes
+//! They occur in pairs lambda and -lambda: one decays from each end. The operator that maps
 //! (u', P') of a state to (u, P) has the eigenvalues 1/lambda on the states without
-//! internal force and without rigid motion; it is one solution with the factored system
-//! of steady states,
+//! internal force and without rigid motion; it is one solution with the factored system of
+//! steady states,
 //!
 //! ```text
 //! C' u' + E u + R psi = P'      L' u' + R' u + A psi = 0      Ph' u = 0
 //! P = M u' + C u + L psi                                                          (S-110)
 //! ```
 //!
-//! which leaves out the rigid motions and the central solutions: on a straight beam the
-//! twelve zeros of the pencil, on a curved one those at 0 and +-i |k|. Its square has
-//! 1/lambda^2 twice, and the eigenvalues of largest magnitude, which are those nearest
+//! which excludes the rigid motions and the central solutions: on a straight beam the
+//! twelve zeros of the pencil, on a curved beam the eigenvalues at 0 and +-i |k|. Its
+//! square has each 1/lambda^2 twice. Its eigenvalues of largest magnitude, the ones nearest
 //! to zero of the pencil, are found in a block [`krylov`] space.
 //!
 //! # References
@@ -39,60 +39,63 @@ use crate::assembly::{Model, Rate, SectionForces, State};
 use krylov::Space;
 use nalgebra::{Complex, DMatrix, Matrix6};
 
-/// Vectors of a block: as many as are solved side by side.
+/// Vectors of a block: the number that is solved at once.
 const BLOCK: usize = 6;
 
-/// Blocks of the space at most.
+/// Maximum number of blocks of the space.
 const MOST_BLOCKS: usize = 64;
 
-/// Rates are found nearest to zero first, and those that oscillate decay slower than
-/// their distance from zero tells: all are found with `|lambda|` up to this many times
-/// the real part of the last that is wanted. A rate is missed if its imaginary part is
-/// more than twice its real part; those of sections of admissible orthotropic materials
-/// have been seen up to 1.8.
+/// Rates are found nearest to zero first, but the real part of an oscillating rate is less
+/// than its distance from zero: all rates are computed with `|lambda|` up to this factor
+/// times the real part of the last requested rate. A rate is missed if its imaginary part
+/// is more than twice its real part; the largest ratio observed in sections of admissible
+/// orthotropic materials is 1.8.
 const REACH: f64 = 2.2;
 
-/// The same once [`MANY`] are found, which show how much those of the section oscillate.
+/// The same once [`MANY`] rates are found, which show the degree of oscillation of the
+/// section.
 const REACH_OF_MANY: f64 = 1.5;
 
-/// Number of rates that are many.
+/// Number of rates that show the degree of oscillation.
 const MANY: usize = 12;
 
-/// The same where some oscillate more: times the largest `|lambda|` over real part of
-/// those found.
+/// The same if some rates oscillate more: times the largest `|lambda|` over real part among
+/// the rates found.
 const MARGIN: f64 = 1.25;
 
 /// Eigenvalues below this part of the largest are round-off.
 const NEGLIGIBLE: f64 = 1e-13;
 
-/// Vectors up to which the rates are looked at after every block; later each time there
-/// are a tenth more.
+/// Number of vectors up to which the rates are evaluated after every block; later after
+/// every tenth more.
 const FEW: usize = 60;
 
-/// Change of the rates since they were looked at last, by a block or more, at which they
-/// count as found, relative. It is the error before, and further blocks gain digits
-/// quickly.
+/// Relative change of the rates since their last evaluation, a block or more before, at
+/// which they are converged. It is the error of the previous rates, and further blocks gain
+/// digits quickly.
 const FOUND: f64 = 1e-9;
 
-/// The same of rates that are not wanted: known well enough to say that they decay faster.
+/// The same of rates that are not requested: accurate enough to show that they decay
+/// faster.
 const KNOWN: f64 = 5e-3;
 
-/// Rates that differ by less, relative, are one: copies of it, by symmetry of the
-/// section and by the square of the operator.
+/// Relative difference below which rates are one: copies of it, due to symmetry of the
+/// section and to the square of the operator.
 const COPIES: f64 = 1e-6;
 
 /// The slowest of the decaying solutions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DecayRates {
-    /// lambda, per unit of length of the domain, real part positive and rising,
+    /// lambda, per unit of length of the domain, real part positive and ascending,
     /// imaginary part not negative; equal ones once \[-\].
     pub rates: Vec<Complex<f64>>,
-    /// Change by the last vectors of the space, relative to each, the largest; where these
-    /// stand still and others that may be as slow do not, the change of those \[-\].
+    /// Largest relative change by the last vectors of the space; if the requested rates
+    /// have converged but others that may be as slow have not, the change of the others
+    /// \[-\].
     pub change: f64,
     /// Whether the change is small enough.
     pub is_converged: bool,
-    /// Vectors of the space.
+    /// Number of vectors of the space.
     pub vectors: usize,
 }
 
@@ -112,7 +115,7 @@ struct States {
 }
 
 impl<M: Model> Shifted<'_, M> {
-    /// Replaces the states by those whose rate along the beam they are.
+    /// Replaces the states by the states whose rates along the beam they are.
     fn multiply(&mut self, states: &mut States) -> Option<()> {
         let load = Load {
             within: &states.p,
@@ -135,7 +138,7 @@ impl<M: Model> Shifted<'_, M> {
 impl DecayRates {
     /// The `wanted` slowest of the decaying solutions of `model`, with its factored
     /// `system` of steady states; `face` (Ph, n x 6) are the forces on the face of the
-    /// central solutions. `None` when there is no memory for it.
+    /// central solutions. `None` if memory is insufficient.
     pub fn find(
         model: &impl Model,
         system: &CentralSystem<f64>,
@@ -153,11 +156,11 @@ impl DecayRates {
             u: DMatrix::from_fn(n, BLOCK, |i, j| krylov::start_value(i + j * n)),
             p: DMatrix::zeros(n, BLOCK),
         };
-        // what has a resultant or moves rigidly goes with the first product
+        // the first product removes resultants and rigid motions
         operator.multiply(&mut states)?;
         // forces are integrals over the cells around a node: made comparable
         let weight = states.u.norm() / states.p.norm();
-        // the twelve rigid motions and central solutions are no part of the space
+        // the twelve rigid motions and central solutions are not in the space
         let all = (2 * n).saturating_sub(12);
         let most = (MOST_BLOCKS * BLOCK).min(all);
         let mut space = Space::new(&stacked(&states, weight), most);
@@ -181,16 +184,17 @@ impl DecayRates {
     }
 }
 
-/// The rates as they were found last.
+/// The latest rates.
 struct Search {
     wanted: usize,
     /// Nearest to zero first.
     rates: Vec<Complex<f64>>,
-    /// How many of them matter, the nearest to zero.
+    /// Number of them, nearest to zero, that are evaluated.
     looked_at: usize,
-    /// Largest relative change of the slowest of them; of all, if those stand still.
+    /// Largest relative change of the slowest of them; of all, if the slowest have
+    /// converged.
     change: f64,
-    /// Whether these are enough and stand still.
+    /// Whether these are sufficient and converged.
     is_found: bool,
     vectors: usize,
 }
@@ -207,7 +211,7 @@ impl Search {
         }
     }
 
-    /// Takes the rates of a space of so many vectors.
+    /// Evaluates the rates of a space of `vectors` vectors.
     fn look(&mut self, rates: Vec<Complex<f64>>, vectors: usize) {
         let needed = needed(&rates, self.wanted);
         self.looked_at = needed.unwrap_or(rates.len());
@@ -223,7 +227,7 @@ impl Search {
         (self.rates, self.vectors) = (rates, vectors);
     }
 
-    /// The slowest; the space may hold all there are.
+    /// The slowest rates; a whole space has them all.
     fn into_rates(mut self, is_whole: bool) -> DecayRates {
         self.rates.truncate(self.looked_at);
         self.rates.sort_by(|a, b| a.re.total_cmp(&b.re));
@@ -237,8 +241,8 @@ impl Search {
     }
 }
 
-/// How many of `rates`, nearest to zero first, must be known for the `wanted` slowest:
-/// all that may be as slow. `None` if they are too few.
+/// Number of `rates`, nearest to zero first, that must be known for the `wanted` slowest:
+/// all that may be as slow. `None` if there are too few.
 fn needed(rates: &[Complex<f64>], wanted: usize) -> Option<usize> {
     let mut slowest: Vec<f64> = Vec::new();
     let mut seen: f64 = 0.0;
@@ -278,7 +282,7 @@ fn distinct(mut squares: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
     let mut rates: Vec<Complex<f64>> = Vec::new();
     for square in squares {
         let root = (Complex::new(1.0, 0.0) / square).sqrt();
-        // copies of a real one come as pairs next to the axis
+        // copies of a real rate appear as pairs next to the axis
         let is_real = root.im.abs() <= COPIES * root.norm();
         let rate = Complex::new(root.re, if is_real { 0.0 } else { root.im.abs() });
         let is_known = |known: &Complex<f64>| (known - rate).norm() <= COPIES * rate.norm();
@@ -289,8 +293,8 @@ fn distinct(mut squares: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
     rates
 }
 
-/// Largest relative distance of one of `rates` from the nearest of those before;
-/// infinite where there were none.
+/// Largest relative distance of one of `rates` from the nearest of the previous rates;
+/// infinite without previous rates.
 fn change(before: &[Complex<f64>], rates: &[Complex<f64>]) -> f64 {
     let nearest = |rate: &Complex<f64>| {
         let distances = before.iter().map(|old| (old - rate).norm() / rate.norm());

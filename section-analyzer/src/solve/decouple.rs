@@ -1,9 +1,9 @@
 //! Central solutions with the rigid part of the warping removed.
 //!
-//! `(u, psi) -> (u + H r, psi - r' - T r)` leaves all strains as they are (S-16), so the
-//! split between warping and generalized strain is a choice. The choice that
-//! makes the generalized strain work with the internal force alone is the
-//! warping on which the nodal forces of the section do no work (S-25):
+//! `(u, psi) -> (u + H r, psi - r' - T r)` does not change the strains (S-16), so the split
+//! between warping and generalized strain is a choice. The generalized strain is
+//! work-conjugate to the internal force alone if the nodal forces of the section do no work
+//! on the warping (S-25):
 //!
 //! ```text
 //! Ph = M X T' + C X + L Y        nodal forces of the face, H' Ph = I
@@ -12,8 +12,8 @@
 //! ```
 //!
 //! On piezoelectric sections the forces do no work on the warping; the charges on the face
-//! may do some on the potentials, as a common shift of all potentials must not change the
-//! generalized strain. What they do is an end effect, and the compliance is without it.
+//! may do work on the potentials, as a common shift of all potentials must not change the
+//! generalized strain. This work is an end effect, and the compliance excludes it.
 //!
 //! # References
 //! - Masarati, *Multibody dynamics of rotorcraft*, section 5.3.6: decoupling of
@@ -34,14 +34,14 @@ pub struct Decoupled {
     pub y: Matrix6<f64>,
     /// Ph: forces on the face per unit internal force, n x 6 \[-\].
     pub face: DMatrix<f64>,
-    /// Generalized strain as it is where charges on the face do no work on the potentials
-    /// either: the compliance, symmetric; without potentials `y` again \[-\].
+    /// Generalized strain if charges on the face also do no work on the potentials: the
+    /// compliance, symmetric; without potentials equal to `y` \[-\].
     pub of_work: Matrix6<f64>,
     /// `H' Ph`: internal force of the solutions, the unit matrix up to round-off
     /// \[-\].
     pub internal_force: Matrix6<f64>,
-    /// How far off a single solution with the factored systems is, relative to it, as
-    /// the corrections of the central solutions found \[-\].
+    /// Relative error of a single solution with the factored systems, from the corrections
+    /// of the central solutions \[-\].
     pub first_correction: f64,
 }
 
@@ -71,7 +71,7 @@ impl Decoupled {
     }
 }
 
-/// `P' x`: work of forces on the face on displacements, without that of charges on
+/// `P' x`: work of forces on the face on displacements, without the work of charges on
 /// potentials (each n x 6).
 pub fn work(model: &impl Model, face: &DMatrix<f64>, x: &DMatrix<f64>) -> Matrix6<f64> {
     let displacements = 3 * model.nodes().len();

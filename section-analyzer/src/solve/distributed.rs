@@ -1,6 +1,6 @@
-//! What loads distributed along the beam do to the section, beside its internal force.
+//! Effects of distributed loads on the section, in addition to its internal force.
 //!
-//! A load of f(x) at the nodes, with derivatives f_j at the section, makes
+//! A load of f(x) at the nodes, with derivatives f_j at the section, gives
 //!
 //! ```text
 //! theta' = T' theta - H' f      Q = P' + f                                        (S-103)
@@ -20,7 +20,7 @@
 //! L' w_j' + R' w_j + A y_j = 0                                                    (S-106)
 //! ```
 //!
-//! since the central solutions carry the internal force that the load leaves along the
+//! since the central solutions carry the internal force that the load causes along the
 //! beam. Each w_j is decoupled, as X is, and so are the rates.
 //!
 //! # References
@@ -32,13 +32,13 @@ use super::system::CentralSystem;
 use crate::assembly::{Model, Rate, SectionForces, State, resultant};
 use nalgebra::{DMatrix, Matrix6};
 
-/// What up to six loads add at the section to the central solutions, decoupled.
+/// States that up to six loads add to the central solutions at the section, decoupled.
 #[derive(Debug, Clone)]
 pub struct DistributedSolution {
     /// w: warping of the unknowns, n x 6, in the units of the domain \[-\].
     pub x: DMatrix<f64>,
-    /// w': its rate along the beam, n x 6, where the internal force is zero at the
-    /// section, in the units of the domain \[-\].
+    /// w': its rate along the beam, n x 6, for zero internal force at the section, in the
+    /// units of the domain \[-\].
     pub rate: DMatrix<f64>,
     /// y: generalized strain, a column for each load, in the units of the domain \[-\].
     pub y: Matrix6<f64>,
@@ -49,7 +49,7 @@ pub struct DistributedSolution {
 
 impl DistributedSolution {
     /// The state under `loads`, f_0, f_1, ..., n x 6 each; `central` are the central
-    /// solutions of the section. `None` when there is no memory for it.
+    /// solutions of the section. `None` if memory is insufficient.
     pub fn solve(
         model: &impl Model,
         system: &CentralSystem<f64>,

@@ -35,7 +35,7 @@ fn forces_of(p: &Problem, solution: &DistributedSolution) -> SectionForces {
     section_forces(&p.domain, state)
 }
 
-/// Pins are a choice without consequence, on straight, oblique and curved lines.
+/// The choice of pins has no influence, on straight, oblique and curved lines.
 #[test]
 fn loads_do_not_depend_on_the_pins() {
     for p in problems() {
@@ -44,7 +44,7 @@ fn loads_do_not_depend_on_the_pins() {
         let (_, one) = solution(&p, Pins::choose(nodes).expect("wide"), &loads);
         for triangle in random_triangles(nodes) {
             let (_, other) = solution(&p, Pins::at(nodes, triangle), &loads);
-            // round-off times a condition of some 1e4, times that of narrow pins
+            // round-off times a condition of about 1e4, times the condition of narrow pins
             let close = |error: f64, scale: f64| {
                 assert!(error < 1e-10 * scale, "{:?} {error:e}", p.domain.line);
             };
@@ -55,9 +55,9 @@ fn loads_do_not_depend_on_the_pins() {
     }
 }
 
-/// Along the beam `Q = P' + f` (S-103): with the state a little further, found from
-/// scratch with the load and the internal force that are there, the forces on the face
-/// have the rate that balances the load.
+/// Along the beam `Q = P' + f` (S-103): with the state a small distance further, solved
+/// independently with the load and the internal force there, the rate of the forces on the
+/// face balances the load.
 #[test]
 fn forces_are_in_balance_along_the_beam() {
     for p in problems() {
@@ -88,7 +88,7 @@ fn forces_are_in_balance_along_the_beam() {
         let h = 1e-4;
         let rate = (face_at(h) - face_at(-h)) / (2.0 * h);
         let balance = &forces.within - (rate + &loads[0]);
-        // the third order of theta that is left out, h^2 = 1e-8, and round-off over h
+        // the neglected third order of theta, h^2 = 1e-8, and round-off over h
         assert!(balance.amax() < 1e-6 * scale, "{:e}", balance.amax());
     }
 }
@@ -97,8 +97,8 @@ fn forces_are_in_balance_along_the_beam() {
 type Field = (DMatrix<f64>, Matrix6<f64>);
 
 /// The state under `forces` and internal forces `theta`, by order of the derivative, and
-/// that of the first derivative: the recursion from the highest degree down, with pinned
-/// solutions that are neither corrected nor decoupled.
+/// the state of the first derivative: the recursion from the highest degree down, with
+/// pinned solutions that are neither corrected nor decoupled.
 fn by_recursion(
     p: &Problem,
     pins: Pins,
@@ -164,7 +164,7 @@ fn generalized_strain_is_the_work_on_the_central_solutions() {
             product.fixed_view::<6, 6>(0, 0).into_owned()
         };
         let work = product(&stresses.within) + tt.transpose() * product(&stresses.face);
-        // solutions without corrections: round-off times a condition of some 1e4, and
+        // solutions without corrections: round-off times a condition of about 1e4, and
         // polynomials that grow with the load
         assert_relative_eq!(work, found.y, epsilon = 1e-10 * found.x.amax());
         let again = forces_of(&p, &found);
@@ -173,14 +173,14 @@ fn generalized_strain_is_the_work_on_the_central_solutions() {
             stresses.face,
             epsilon = 1e-10 * stresses.face.amax()
         );
-        // not decoupled, the generalized strain is another one
+        // not decoupled, the generalized strain differs
         assert!((next.1 - found.y).amax() > 1e-3 * found.y.amax());
     }
 }
 
-/// For loads that are constant along a straight beam the axial, torsion and bending
-/// strains are the work of the load on the warping of the central solutions:
-/// `y = X' f + T X' P`, where T fills the rows of the shears alone.
+/// For loads that are constant along a straight beam the axial, torsion and bending strains
+/// are the work of the load on the warping of the central solutions: `y = X' f + T X' P`,
+/// where T contributes only to the rows of the shears.
 #[test]
 fn strain_under_a_constant_load_is_work_on_the_warping() {
     let p = problem();

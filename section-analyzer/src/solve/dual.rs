@@ -1,27 +1,28 @@
-//! Dual states: how the central solutions answer to all changes of the section at once.
+//! Dual states, which give the changes of the central solutions for all changes of the
+//! section at once.
 //!
-//! What a change of the section makes of the forces on the face is wanted as work on
-//! the warping, `Z = X' dPh`. For any state e = (V; x; y), of rate V, warping x and
-//! generalized strain y, with the forces P on the face, Q within, theta as resultant, and
-//! a change dG of the matrices that takes the central state w = (X T'; X; Y) along
+//! The change of the forces on the face due to a change of the section is required as work
+//! on the warping, `Z = X' dPh`. For any state e = (V; x; y), of rate V, warping x and
+//! generalized strain y, with the forces P on the face, Q within, theta as resultant, and a
+//! change dG of the matrices that changes the central state w = (X T'; X; Y),
 //!
 //! ```text
 //! V' dPh + x' dPh T' = e' dG w + P' dX T' + Q' dX + theta' dY                     (S-115)
 //! ```
 //!
-//! States without resultant whose forces cancel the other terms make Z an integral of
-//! known fields, `Z = sum e_m' dG w c_m`, the same for every change. With k = 0 they are
-//! two, as T' T' = 0:
+//! States without resultant whose forces cancel the other terms make Z an integral of known
+//! fields, `Z = sum e_m' dG w c_m`, the same for every change. With k = 0 there are two, as
+//! T' T' = 0:
 //!
 //! ```text
 //! e1:  V = X        Q = 0       c = I
 //! e2:  V = x1       Q = P1      c = -T'                                           (S-116)
 //! ```
 //!
-//! With curvature, `T' = k' + N`: k' turns forces and moments, N makes moments of forces.
-//! Let `p_0`, `p_+`, `p_-` project on v0, v, v* (S-74), with the eigenvalues 0, i w, -i w.
-//! The states of an eigenvalue -i w are solved by the system of waves `exp(i w x)`, those
-//! of i w are their conjugates:
+//! With curvature, `T' = k' + N`: k' turns forces and moments, N gives the moments of
+//! forces. Let `p_0`, `p_+`, `p_-` project on v0, v, v* (S-74), with the eigenvalues 0, i
+//! w, -i w. The states of an eigenvalue -i w are solved by the system of waves
+//! `exp(i w x)`, the states of i w are their conjugates:
 //!
 //! ```text
 //! e1(0):   V = X             Q = 0                 c = p_0
@@ -31,12 +32,11 @@
 //! ```
 //!
 //! e2 of a pair of eigenvalues is the divided difference of e1, hence the same for both
-//! orders of the pair, but solved for, as differences lose their digits when w is small.
-//! `p_0 N p_0` and `p_+ N p_-` are zero.
+//! orders of the pair, but solved directly, as differences lose their digits when w is
+//! small. `p_0 N p_0` and `p_+ N p_-` are zero.
 //!
 //! # References
-//! - [Borri1992]: central solutions of beams with initial curvature, which these are the
-//!   duals of.
+//! - [Borri1992]: central solutions of beams with initial curvature, whose duals these are.
 
 use std::ops::Range;
 
@@ -46,23 +46,23 @@ use super::system::CentralSystem;
 use crate::assembly::{Domain, Rate, SectionForces, State, largest};
 use nalgebra::{Complex, DMatrix, Matrix3, Matrix6, Matrix6xX, Vector3};
 
-/// Corrections at most; the first finds the state.
+/// Maximum number of corrections; the first gives the state.
 const CORRECTIONS: usize = 6;
 
 /// Size of a correction, relative to the state, after which the next would be below
 /// round-off.
 const SMALL_CORRECTION: f64 = 1e-8;
 
-/// Size of a correction, relative to the state, that the forces need not follow.
+/// Size of a correction, relative to the state, below which the forces are not updated.
 const NO_CORRECTION: f64 = 1e-11;
 
-/// Error of a solution, relative to it, that no derivative shows.
+/// Relative error of a solution that does not affect the derivatives.
 const GOOD_SOLUTION: f64 = 1e-11;
 
-/// A dual state, and how its work enters Z.
+/// A dual state, and its weight in Z.
 #[derive(Debug, Clone)]
 pub struct DualState {
-    /// The cases whose rows of Z are wanted; the others are not solved for.
+    /// The cases whose rows of Z are required; the others are not solved.
     pub columns: Range<usize>,
     /// V: rate, n x 6, in the units of the domain \[-\].
     pub rate: DMatrix<f64>,
@@ -82,8 +82,8 @@ pub struct DualStates {
 }
 
 impl DualStates {
-    /// Finds the dual states of the central solutions with their own factored systems;
-    /// `None` when there is no memory for it.
+    /// Finds the dual states of the central solutions with their factored systems; `None`
+    /// if memory is insufficient.
     pub fn solve(domain: &Domain, systems: &CentralSystems, central: &Decoupled) -> Option<Self> {
         let states = match &systems.wave {
             None => straight(domain, systems, central)?,
@@ -102,8 +102,8 @@ fn straight(
     let system = systems.steady();
     let goal = Goal::with_face(central);
     let first = Steady::find(domain, system, (&central.x, None), 0..6, goal)?;
-    // of `e2' dG w T'` the rows that T Z and Z T' have: T' T' = 0, and T' makes moments of
-    // forces, no torsion where the line is normal to the section
+    // of `e2' dG w T'` the rows that T Z and Z T' have: T' T' = 0, and T' gives moments of
+    // forces, no torsion if the line is normal to the section
     let along = domain.line.equilibrium();
     let moments = if along.row(3).amax() == 0.0 { 4 } else { 3 };
     let source = (&first.x, Some(&first.face));
@@ -126,7 +126,7 @@ fn straight(
     ])
 }
 
-/// (S-117); of the conjugates twice the real part.
+/// (S-117); the conjugates are included as twice the real part.
 fn curved(
     domain: &Domain,
     systems: &CentralSystems,
@@ -200,7 +200,7 @@ struct Steady {
 }
 
 impl Steady {
-    /// The state of given rate, with given forces Q within; in the columns asked for.
+    /// The state of given rate, with given forces Q within, in the columns `columns`.
     fn find(
         domain: &Domain,
         system: &CentralSystem<f64>,
@@ -317,7 +317,7 @@ impl Turning {
         })
     }
 
-    /// Twice the real part of the work on `weight`, as that of two real states.
+    /// Twice the real part of the work on `weight`, as the work of two real states.
     fn parts(self, weight: &Matrix6<Complex<f64>>) -> [DualState; 2] {
         let [re, im] = [weight.map(|c| 2.0 * c.re), weight.map(|c| -2.0 * c.im)];
         let [rate, im_rate] = self.rate;
@@ -334,12 +334,12 @@ impl Turning {
     }
 }
 
-/// What a state is found for, and how well.
+/// Required accuracy and results of a state.
 #[derive(Debug, Clone, Copy)]
 struct Goal {
-    /// Whether a first solution is off by too much to be the state.
+    /// Whether a first solution is too inaccurate to be the state.
     is_refined: bool,
-    /// Whether its forces on the face are wanted.
+    /// Whether its forces on the face are required.
     wants_face: bool,
 }
 
@@ -359,7 +359,7 @@ impl Goal {
     }
 }
 
-/// When to stop correcting.
+/// Control of the corrections.
 struct Refinement {
     goal: Goal,
     rounds: usize,
@@ -377,12 +377,12 @@ impl Refinement {
         }
     }
 
-    /// Whether no correction is left to be made: the forces are those of the state.
+    /// Whether no further correction is required: the forces belong to the state.
     fn is_done(&self) -> bool {
         !self.is_open || self.rounds == CORRECTIONS
     }
 
-    /// Notes a correction; whether state and forces are as good as they get.
+    /// Records a correction; returns whether state and forces are final.
     fn is_exact(&mut self, change: f64, state: f64) -> bool {
         let size = if change == 0.0 { 0.0 } else { change / state };
         self.is_open = self.goal.is_refined && size > SMALL_CORRECTION && size <= self.last;

@@ -1,7 +1,7 @@
 //! Sparse Cholesky factorization of E with pinned unknowns.
 //!
-//! Pinned rows and columns keep their diagonal entry only: the structure stays
-//! that of E, and the solution is zero there when the right-hand side is.
+//! Pinned rows and columns keep only their diagonal entry: the structure is the structure
+//! of E, and the solution is zero there if the right-hand side is.
 //!
 //! Without potentials E is positive definite, `E = L L^H`. With them it is quasi-definite,
 //! positive for displacements and negative for potentials, so that `E = L D L^H` exists in
@@ -10,9 +10,9 @@
 //! # References
 //! - [Vanderbei1995]: quasi-definite matrices are strongly factorizable.
 //!
-//! The unknowns are eliminated in their order: [`elimination_order`] finds one that
-//! keeps the factor small, and the domain is numbered in it from the start, so that
-//! neither matrix nor solutions need a second copy in another order.
+//! The unknowns are eliminated in their order: [`elimination_order`] finds an order that
+//! keeps the factor small, and the domain is numbered in this order, so that neither matrix
+//! nor solutions need a second copy.
 
 use super::pins::Pins;
 use crate::assembly::{Domain, Pattern, Scalar, largest};
@@ -39,26 +39,26 @@ pub trait Entry: Scalar + FactorScalar {}
 
 impl<T: Scalar + FactorScalar> Entry for T {}
 
-/// One thread: the result is the same on every machine and every run.
+/// One thread: the result is the same on every machine and in every run.
 const SEQUENTIAL: Par = Par::Seq;
 
 /// The smallest pivot of a factorization.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pivot {
-    /// Node of the domain that the unknown belongs to.
+    /// Node of the domain of the unknown.
     pub node: usize,
     /// Pivot relative to the diagonal entry of the matrix \[-\].
     pub ratio: f64,
 }
 
-/// Why a factorization failed.
+/// Reason why a factorization failed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FactorError {
-    /// The matrix is not positive definite: at this pivot.
+    /// The matrix is not positive definite, at this pivot.
     NotPositive(Pivot),
     /// The section has no stiffness against some generalized strain.
     NoStiffness,
-    /// No memory.
+    /// Insufficient memory.
     OutOfMemory,
 }
 
@@ -67,7 +67,7 @@ pub enum FactorError {
 pub struct Factor<T> {
     symbolic: SymbolicSupernodalCholesky<u32>,
     values: Vec<T>,
-    /// For each row the unknown, where potentials make them differ.
+    /// For each row its unknown, if potentials make the orders differ.
     order: Option<Vec<u32>>,
     pins: Pins,
     norm: f64,
@@ -75,12 +75,12 @@ pub struct Factor<T> {
 }
 
 impl<T: Entry> Factor<T> {
-    /// Factors the Hermitian matrix with lower triangle `e`, of the structure of
-    /// `pattern`, after pinning. The matrix is given away: next to its factor it would
-    /// take the largest part of the memory.
+    /// Factors the Hermitian matrix with lower triangle `e`, of the structure of `pattern`,
+    /// after pinning. The matrix is consumed: after its factor it is the largest part of
+    /// the memory.
     ///
     /// # Errors
-    /// [`FactorError`], also when a pivot is not a number.
+    /// [`FactorError`], also when a pivot is NaN.
     pub fn new(mut e: CsMatI<T, u32>, pattern: &Pattern, pins: Pins) -> Result<Self, FactorError> {
         pin(&mut e, pattern, &pins);
         let norm = one_norm(&e);
@@ -101,7 +101,7 @@ impl<T: Entry> Factor<T> {
     }
 
     /// Replaces the columns of `x` (n x k, column by column) by the solutions of
-    /// `E_ff x = b`, pinned unknowns zero; `None` when there is no memory for it.
+    /// `E_ff x = b`, pinned unknowns zero; `None` if memory is insufficient.
     pub fn solve(&self, x: &mut [T]) -> Option<()> {
         let rows = self.symbolic.nrows();
         let columns = x.len() / rows;
@@ -148,7 +148,7 @@ impl<T: Entry> Factor<T> {
         }
     }
 
-    /// Number of entries of L, the zeros that its blocks hold included.
+    /// Number of entries of L, including the zeros in its blocks.
     pub fn entries(&self) -> usize {
         self.values.len()
     }
@@ -158,7 +158,7 @@ impl<T: Entry> Factor<T> {
         self.norm
     }
 
-    /// The smallest pivot: how close the matrix is to being singular.
+    /// The smallest pivot, a measure of the distance to a singular matrix.
     pub fn smallest_pivot(&self) -> Pivot {
         self.smallest_pivot
     }
@@ -229,7 +229,7 @@ fn factored<T: Entry>(e: &CsMatI<T, u32>, pattern: &Pattern) -> Result<Factored<
     Ok((symbolic, values))
 }
 
-/// Zeros in the rows and columns of pins, off the diagonal, which is never zero.
+/// Sets the rows and columns of pins to zero, except the diagonal, which is never zero.
 fn pin<T: Scalar>(e: &mut CsMatI<T, u32>, pattern: &Pattern, pins: &Pins) {
     let rows = pattern.order().map(|order| {
         let mut rows = vec![0; order.len()];
@@ -282,7 +282,7 @@ fn one_norm<T: Scalar>(lower: &CsMatI<T, u32>) -> f64 {
     sums.into_iter().fold(0.0, largest)
 }
 
-/// Structure of the factor; `None` without memory.
+/// Structure of the factor; `None` if memory is insufficient.
 fn analyze(pattern: &Pattern) -> Option<SymbolicSupernodalCholesky<u32>> {
     let (starts, rows) = pattern.upper_structure()?;
     let n = pattern.rows();
@@ -298,18 +298,18 @@ fn analyze(pattern: &Pattern) -> Option<SymbolicSupernodalCholesky<u32>> {
     factorize_supernodal_symbolic_cholesky(upper, tree, &counts, stack, parameters).ok()
 }
 
-/// `domain` with its nodes numbered as they are best eliminated, and its pattern;
-/// `pattern` is that of the present numbers. `None` without memory.
+/// `domain` with its nodes numbered in the elimination order, and its pattern; `pattern`
+/// belongs to the present numbers. `None` if memory is insufficient.
 pub fn in_elimination_order(domain: Domain, pattern: &Pattern) -> Option<(Domain, Pattern)> {
     let domain = domain.renumbered(&elimination_order(pattern)?);
     let pattern = Pattern::new(&domain);
     Some((domain, pattern))
 }
 
-/// An order of the nodes that keeps the factor small (approximate minimum degree), as
-/// the list of nodes by place; `None` without memory.
+/// An order of the nodes that keeps the factor small (approximate minimum degree), as the
+/// list of nodes by position; `None` if memory is insufficient.
 ///
-/// It is found on the graph of nodes, nine times smaller than that of the unknowns and
+/// It is computed on the graph of nodes, nine times smaller than the graph of unknowns and
 /// with the same fill: the three unknowns of a node have the same neighbors.
 pub fn elimination_order(pattern: &Pattern) -> Option<Vec<u32>> {
     let (starts, neighbors) = pattern.adjacency();
@@ -331,8 +331,8 @@ pub fn elimination_order(pattern: &Pattern) -> Option<Vec<u32>> {
     Some(forward)
 }
 
-/// The smallest ratio of a pivot, a diagonal entry of D or a squared one of L, to the
-/// diagonal entry of the matrix; a ratio that is not a number counts as smallest.
+/// The smallest ratio of a pivot, a diagonal entry of D or a squared diagonal entry of L,
+/// to the diagonal entry of the matrix; NaN is treated as smallest.
 fn smallest_pivot<T: Scalar>(
     blocks: &SymbolicSupernodalCholesky<u32>,
     factor: &[T],

@@ -1,15 +1,15 @@
-//! Particular solutions: what forces within the section do to it, beside or instead of
-//! internal forces, in states that are steady along the beam.
+//! Particular solutions: effects of forces within the section, with or without internal
+//! forces, in states that are steady along the beam.
 //!
 //! ```text
 //! C' u' + E x + R y = q      L' u' + R' x + A y = theta       u' given            (S-76)
 //! ```
 //!
-//! The factored steady system finds the state, the imbalance of its stresses corrects
-//! it. As (u, psi) and (u + H r, psi - r' - T r) strain the section alike (S-16), the
-//! split between warping and generalized strain is a choice here too; as with the
-//! central solutions it is made such that the stresses on the face do no work on the
-//! warping (S-25): without it the shears of psi depend on which unknowns are pinned.
+//! The factored steady system gives the state, the imbalance of its stresses the
+//! corrections. As (u, psi) and (u + H r, psi - r' - T r) have the same strains (S-16), the
+//! split between warping and generalized strain is a choice here too; as with the central
+//! solutions it is made such that the stresses on the face do no work on the warping
+//! (S-25): otherwise the shears of psi would depend on the pinned unknowns.
 //!
 //! ```text
 //! r = -Ph' x      x <- x + H r      y <- y - T r                                  (S-77)
@@ -23,7 +23,7 @@ use super::system::CentralSystem;
 use crate::assembly::{Model, Rate, SectionForces, State, add_rigid_motions, largest};
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 
-/// Corrections at most; the first finds the state.
+/// Maximum number of corrections; the first gives the state.
 const CORRECTIONS: usize = 6;
 
 /// Size of a correction, relative to the state, after which the next would be below
@@ -42,7 +42,7 @@ pub struct Load<'a> {
 }
 
 impl Load<'_> {
-    /// Number of cases up to the last that is not nothing.
+    /// Number of cases up to the last one that is not zero.
     fn cases(&self) -> usize {
         let is_something = |&case: &usize| {
             self.resultant.column(case).amax() != 0.0 || self.within.column(case).amax() != 0.0
@@ -68,9 +68,9 @@ pub struct ParticularSolution {
 }
 
 impl ParticularSolution {
-    /// Finds the state of `load` with the factored `system` of steady states; `face`
-    /// (Ph, n x 6) are the forces on the face of the central solutions. `None` when
-    /// there is no memory for it.
+    /// Finds the state of `load` with the factored `system` of steady states; `face` (Ph, n
+    /// x 6) are the forces on the face of the central solutions. `None` if memory is
+    /// insufficient.
     pub fn solve(
         model: &impl Model,
         system: &CentralSystem<f64>,
@@ -90,7 +90,7 @@ impl ParticularSolution {
                 warping: Some(&solution.x),
                 strain: &solution.y,
             };
-            // there is nothing to measure in the state to start from
+            // the start state has no forces
             if round > 0 || !matches!(load.rate, Rate::Zero) {
                 model.measure(state, &mut forces);
             }
@@ -106,7 +106,7 @@ impl ParticularSolution {
         Some(solution)
     }
 
-    /// Adds the changes of state that the lack of balance asks for.
+    /// Adds the changes of state that correct the imbalance.
     fn correct(
         &mut self,
         system: &CentralSystem<f64>,

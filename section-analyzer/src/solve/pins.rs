@@ -1,33 +1,34 @@
-//! The six unknowns that are held to take the rigid motions out (S-21).
+//! The six unknowns that are held to remove the rigid motions (S-21).
 //!
 //! ```text
 //!      c (ux)
 //!      o-----------o         a: ux, uy, uz
-//!      |           |         b: ux, and of uy, uz the one most normal to ab
+//!      |           |         b: ux, and uy or uz, the one most normal to ab
 //!      |  section  |         c: ux
 //!      o-----------o
 //!      a           b
 //! ```
 //!
-//! Strains, and with them all results, do not depend on the choice; a wide
-//! triangle keeps the displacements small, and so their round-off.
+//! Strains, and with them all results, do not depend on the choice; a wide triangle keeps
+//! the displacements and their round-off small.
 
 use crate::assembly::Model;
 use crate::failure::Failure;
 
-/// Least distance of the third node from the line of the first two, relative to
-/// their distance. Below it the nodes are on one line to the digits of a mesh file.
+/// Least distance of the third node from the line of the first two, relative to their
+/// distance. Below it the nodes are on one line, to the accuracy of a mesh file.
 const LEAST_WIDTH: f64 = 1e-9;
 
-/// Held unknowns, in rising order: six (numbered 3 node + axis) that take the rigid motions
-/// out, and those that the model holds besides.
+/// Held unknowns, in ascending order: six (numbered 3 node + axis) that remove the rigid
+/// motions, and those held by the model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pins {
     unknowns: Vec<usize>,
 }
 
 impl Pins {
-    /// Chooses pins among the nodes of `model` that have stiffness, and holds what it holds.
+    /// Chooses pins among the nodes of `model` that have stiffness, and adds the unknowns
+    /// held by the model.
     ///
     /// # Errors
     /// [`Failure::NodesOnOneLine`].
@@ -41,7 +42,7 @@ impl Pins {
         Ok(Self::at(nodes, chosen.map(|node| structural[node])).with(model.held()))
     }
 
-    /// These, and `unknowns` besides.
+    /// These pins and `unknowns`.
     pub fn with(mut self, unknowns: Vec<usize>) -> Self {
         self.unknowns.extend(unknowns);
         self.unknowns.sort_unstable();
@@ -49,7 +50,7 @@ impl Pins {
         self
     }
 
-    /// Chooses pins among `nodes`, places (y, z) from their centroid.
+    /// Chooses pins among `nodes`, positions (y, z) from their centroid.
     ///
     /// Node a is the farthest from the centroid, b the farthest from a, c the
     /// farthest from the line ab; the first of equals.
@@ -71,13 +72,13 @@ impl Pins {
         Self { unknowns }
     }
 
-    /// The held unknowns, in rising order.
+    /// The held unknowns, in ascending order.
     pub fn unknowns(&self) -> &[usize] {
         &self.unknowns
     }
 }
 
-/// The nodes a, b, c of the widest triangle; `None` where all nodes are on one line.
+/// The nodes a, b, c of the widest triangle; `None` if all nodes are on one line.
 fn triangle(nodes: &[[f64; 2]]) -> Option<[usize; 3]> {
     let a = farthest(nodes, |p| p[0].hypot(p[1]));
     let corner = nodes.get(a)?;
@@ -92,7 +93,7 @@ fn triangle(nodes: &[[f64; 2]]) -> Option<[usize; 3]> {
         (ab[0] * z - ab[1] * y).abs()
     };
     let c = farthest(nodes, cross);
-    // written so that not a number is refused too
+    // written such that NaN is refused too
     let is_wide = cross(&nodes[c]) > LEAST_WIDTH * (ab[0] * ab[0] + ab[1] * ab[1]);
     is_wide.then_some([a, b, c])
 }

@@ -1,7 +1,7 @@
 //! The equilibrium of a section, factored once (S-22).
 //!
-//! Sought are warping x and generalized strain y that balance given forces P'
-//! and theta when the warping has the given rate u' along the beam:
+//! The unknowns are warping x and generalized strain y that balance given forces P' and
+//! theta when the warping has the given rate u' along the beam:
 //!
 //! ```text
 //! C' u' + E x + R y = P'         S = A - R^H E_ff^-1 R      (6x6)
@@ -9,18 +9,18 @@
 //!                                dx = E_ff^-1 (dQ - R dy)
 //! ```
 //!
-//! For solutions that vary along the beam as `exp(lambda x)`, lambda imaginary, E and R
-//! are those of `B0 + lambda B1` (S-73), Hermitian in place of symmetric.
+//! For solutions that vary along the beam as `exp(lambda x)`, lambda imaginary, E and R are
+//! formed with `B0 + lambda B1` (S-73), Hermitian instead of symmetric.
 //!
 //! | symbol | meaning | shape |
 //! | --- | --- | --- |
 //! | `x` | warping of the unknowns | n x k |
 //! | `y` | generalized strain | 6 x k |
-//! | `dq`, `dtheta` | what the state lacks of balance | n x k, 6 x k |
+//! | `dq`, `dtheta` | imbalance of the state | n x k, 6 x k |
 //! | `z` | `E_ff^-1 [R, b]`, b a uniform load | n x 7 |
 //!
-//! The six rows of pinned unknowns are dropped: consistent forces meet them all
-//! the same, up to the sum of the round-off of all other rows.
+//! The six rows of pinned unknowns are dropped: consistent forces satisfy them
+//! nevertheless, up to the sum of the round-off of all other rows.
 //!
 //! # References
 //! - W. W. Hager, *Condition estimates*, SIAM J. Sci. Stat. Comput. 5 (1984) 311-316.
@@ -53,7 +53,7 @@ impl<T: Entry> CentralSystem<T> {
     ) -> Result<Self, FactorError> {
         let SectionMatrices { e, r, a, .. } = matrices;
         let factor = Factor::new(e, pattern, pins)?;
-        // R, and a uniform load that measures the condition in the same pass
+        // R, and a uniform load for the condition number in the same pass
         let n = r.nrows();
         let mut z = DMatrix::from_element(n, 7, T::from_real(1.0 / n as f64));
         z.columns_mut(0, 6).copy_from(&r);
@@ -73,8 +73,8 @@ impl<T: Entry> CentralSystem<T> {
         })
     }
 
-    /// The states (x, y) that balance the internal forces `theta` (6 x k) alone: no rate
-    /// and no P', so that `x = -Z y` needs no solution with E.
+    /// The states (x, y) that balance only the internal forces `theta` (6 x k): no rate and
+    /// no P', so that `x = -Z y` needs no solution with E.
     pub fn balance_of(&self, theta: &Matrix6xX<T>) -> (DMatrix<T>, Matrix6xX<T>) {
         let y = self.schur.solve(theta);
         let mut x = DMatrix::zeros(self.r.nrows(), theta.ncols());
@@ -82,8 +82,8 @@ impl<T: Entry> CentralSystem<T> {
         (x, y)
     }
 
-    /// Replaces missing forces `dq` (n x k, column by column) and `dtheta` (6 x k) by
-    /// the changes of state that they ask for; `None` when there is no memory for it.
+    /// Replaces missing forces `dq` (n x k, column by column) and `dtheta` (6 x k) by the
+    /// changes of state that balance them; `None` if memory is insufficient.
     ///
     /// `S dy = dtheta - R^H E_ff^-1 dQ`, `dx = E_ff^-1 dQ - Z dy`.
     pub fn correct(&self, dq: &mut [T], dtheta: &mut Matrix6xX<T>) -> Option<()> {
@@ -101,9 +101,9 @@ impl<T: Entry> CentralSystem<T> {
     }
 
     /// Estimate, from below, of the condition number of E in the 1-norm \[-\]:
-    /// `|E| |E^-1 b|` for the uniform load b of unit norm, the start of Hager's
-    /// iteration. The load has a resultant, which the pins take up: it moves the section
-    /// as far as loads do.
+    /// `|E| |E^-1 b|` for the uniform load b of unit norm, the start of Hager's iteration.
+    /// The load has a resultant, which the pins carry: it moves the section as far as real
+    /// loads.
     pub fn condition(&self) -> f64 {
         self.condition
     }

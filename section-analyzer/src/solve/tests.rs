@@ -61,8 +61,8 @@ fn factor_solves_the_pinned_matrix() {
         epsilon = 1e-11 * expected.amax()
     );
 
-    // the smallest pivot is that of a Cholesky factor in some order: between the
-    // smallest eigenvalue of the scaled matrix and one
+    // the smallest pivot of a Cholesky factor in any order is between the smallest
+    // eigenvalue of the scaled matrix and one
     let d = e.diagonal().map(|value| 1.0 / value.sqrt());
     let scaled = DMatrix::from_diagonal(&d) * &e * DMatrix::from_diagonal(&d);
     let smallest = scaled.symmetric_eigenvalues().min();
@@ -73,8 +73,8 @@ fn factor_solves_the_pinned_matrix() {
     );
 }
 
-/// The order of elimination is a permutation that makes the factor smaller than the
-/// order of a mesh does; and the domain in that order has the same cells.
+/// The order of elimination is a permutation with a smaller factor than the order of a
+/// mesh; the domain in that order has the same cells.
 #[test]
 fn elimination_order_keeps_the_factor_small() {
     let p = problem();
@@ -103,8 +103,8 @@ fn elimination_order_keeps_the_factor_small() {
     }
 }
 
-/// Two squares that share no node: the pins hold one of them, the other is free, and
-/// the factorization says so.
+/// Two squares that share no node: the pins hold one of them, the other is free, and the
+/// factorization reports it.
 #[test]
 fn factor_refuses_a_singular_matrix() {
     let square = |y: f64| [[y, 0.0], [y + 1.0, 0.0], [y + 1.0, 1.0], [y, 1.0]];
@@ -126,7 +126,7 @@ fn system(p: &Problem, pins: Pins) -> CentralSystem<f64> {
     CentralSystem::new(&p.pattern, p.matrices.clone(), pins.clone()).expect("definite")
 }
 
-/// A balanced state has the forces that were asked for, in pinned rows too.
+/// A balanced state has the required forces, in pinned rows too.
 #[test]
 fn balanced_states_are_in_balance() {
     let p = problem();
@@ -142,7 +142,7 @@ fn balanced_states_are_in_balance() {
         strain: &y,
     };
     let forces = section_forces(&p.domain, state);
-    // one solution without corrections: round-off times a condition of some 1e4
+    // one solution without corrections: round-off times a condition of about 1e4
     assert!(forces.within.amax() < 1e-11);
     assert_relative_eq!(forces.resultant, theta, epsilon = 1e-11);
     for &pin in pins.unknowns() {
@@ -150,8 +150,8 @@ fn balanced_states_are_in_balance() {
     }
 }
 
-/// A correction takes up the forces that are missing: any warping with its own
-/// forces is given back, up to rigid motions, which the pins remove.
+/// A correction balances the missing forces: any warping is recovered from its own forces,
+/// up to rigid motions, which the pins remove.
 #[test]
 fn corrections_find_the_state_of_given_forces() {
     let p = problem();
@@ -175,13 +175,13 @@ fn corrections_find_the_state_of_given_forces() {
     let mut dy = Matrix6xX::from_columns(&theta);
     let system = system(&p, pins.clone());
     system.correct(dx.as_mut_slice(), &mut dy).expect("memory");
-    // the Schur complement and E of this section have a condition of some 1e4
+    // the Schur complement and E of this section have a condition of about 1e4
     assert_relative_eq!(dx, warping, epsilon = 1e-10);
     assert_relative_eq!(dy.column(0), strain.column(0), epsilon = 1e-10);
     assert_relative_eq!(dy.column(1), strain.column(1), epsilon = 1e-10);
 }
 
-/// The bound of the condition number lies below the number itself, and not far: the
+/// The bound of the condition number is below the condition number, and close to it: the
 /// soft warping is found.
 #[test]
 fn condition_is_bounded_from_below() {
@@ -225,7 +225,7 @@ pub(super) fn problem_along(curvature: [f64; 3], slope: [f64; 3]) -> Problem {
     p
 }
 
-/// A straight beam, one with an oblique line, and curved ones: strongly, and hardly.
+/// A straight beam, a beam with an oblique line, and strongly and slightly curved beams.
 pub(super) fn problems() -> [Problem; 4] {
     [
         problem(),
@@ -236,8 +236,8 @@ pub(super) fn problems() -> [Problem; 4] {
 }
 
 /// The stresses on the face carry the unit force and do no work on the warping:
-/// `H' Ph = I`, `Ph' Xd = 0`; Yd is symmetric; and the forces within the section are in
-/// balance, `Q = Ph T'` (S-75).
+/// `H' Ph = I`, `Ph' Xd = 0`; Yd is symmetric; and the forces within the section balance,
+/// `Q = Ph T'` (S-75).
 #[test]
 fn decoupled_warping_is_free_of_the_face_stresses() {
     for p in problems() {
@@ -268,9 +268,9 @@ fn decoupled_warping_is_free_of_the_face_stresses() {
     }
 }
 
-/// Forces within the section that are in balance with nothing but stresses: those of an
-/// imposed stress of a warping `w`, of a rate and a strain, all without any symmetry,
-/// as f0, f1, fp would be of imposed strains.
+/// Forces within the section that balance only stresses: the forces of an imposed stress of
+/// a warping `w`, of a rate and a strain, all without any symmetry, as f0, f1, fp of
+/// imposed strains.
 fn imposed(p: &Problem) -> (DMatrix<f64>, Matrix6<f64>) {
     let n = p.domain.unknowns();
     let field = |seed: usize| {
@@ -288,8 +288,8 @@ fn imposed(p: &Problem) -> (DMatrix<f64>, Matrix6<f64>) {
     (forces.within, forces.resultant)
 }
 
-/// Pins are a choice without consequence: held at random nodes, the decoupled central
-/// solutions and the particular ones, which have no internal force, are the same.
+/// The choice of pins has no influence: for random nodes the decoupled central solutions
+/// and the particular ones, which have no internal force, are the same.
 #[test]
 fn solutions_do_not_depend_on_the_pins() {
     for p in problems() {
@@ -312,14 +312,14 @@ fn solutions_do_not_depend_on_the_pins() {
         let nodes = &p.domain.nodes;
         for [a, b, c] in random_triangles(nodes) {
             let (other, with, before) = of_pins(Pins::at(nodes, [a, b, c]));
-            // round-off times a condition of some 1e4, times that of narrow pins
+            // round-off times a condition of about 1e4, times the condition of narrow pins
             let line = &p.domain.line;
             let close = |one: f64, scale: f64| assert!(one < 1e-10 * scale, "{line:?} {one:e}");
             close((&central.x - other.x).amax(), central.x.amax());
             close((central.y - other.y).amax(), central.y.amax());
             close((&particular.x - with.x).amax(), particular.x.amax());
             close((particular.y - with.y).amax(), particular.y.amax());
-            // what was decoupled: the shears of these strains are those of the pins
+            // without decoupling the shears of these strains depend on the pins
             let difference = (coupled - before).amax() / coupled.amax();
             assert!(difference > 1e-3, "{line:?} {difference:e}");
         }
@@ -347,15 +347,15 @@ pub(super) fn random_triangles(nodes: &[[f64; 2]]) -> Vec<[usize; 3]> {
     found
 }
 
-/// A particular solution is in balance with the forces it was asked for, in pinned rows
-/// too where these forces are those of stresses.
+/// A particular solution balances the given forces, in pinned rows too if these are forces
+/// of stresses.
 #[test]
 fn particular_solutions_are_in_balance() {
     for p in problems() {
         let systems = systems(&p, Pins::choose(&p.domain.nodes).expect("wide"));
         let central = CentralSolution::solve(&p.domain, &systems).expect("memory");
         let central = Decoupled::new(&p.domain, central);
-        // a strain without warping: E x + R y = R y0 is met by x = 0, y = y0 up to a
+        // a strain without warping: E x + R y = R y0 has the solution x = 0, y = y0 up to a
         // rigid motion
         let strain = Matrix6::from_fn(|i, j| ((i * 5 + j * 3) % 7) as f64 - 3.0);
         let state = State {

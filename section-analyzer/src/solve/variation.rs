@@ -1,6 +1,6 @@
-//! How the central solutions change with the section: one solution a change.
+//! Changes of the central solutions with the section: one solution per change.
 //!
-//! A change dM .. dA of the section matrices puts forces on the central state,
+//! A change dM .. dA of the section matrices causes forces on the central state,
 //!
 //! ```text
 //! q = dC' X T' + dE X + dR Y      t = dL' X T' + dR' X + dA Y      p = dM X T' + dC X + dL Y
@@ -20,7 +20,7 @@ use super::along::CentralSystems;
 use crate::assembly::{Domain, Rate, SectionForces, State, largest};
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 
-/// Corrections at most; the first two find the state.
+/// Maximum number of corrections; the first two give the state.
 const CORRECTIONS: usize = 12;
 
 /// Size of a correction, relative to the state, after which the next would be below
@@ -39,9 +39,8 @@ pub struct Variation {
 }
 
 impl Variation {
-    /// Finds the change of the solutions whose forces change by `given` (q within, p on
-    /// the face, t as resultant) while the state stands still. `None` when there is no
-    /// memory for it.
+    /// Finds the change of the solutions whose forces change by `given` (q within, p on the
+    /// face, t as resultant) at constant state. `None` if memory is insufficient.
     pub fn solve(domain: &Domain, systems: &CentralSystems, given: &SectionForces) -> Option<Self> {
         let along = domain.line.equilibrium();
         let mut x = DMatrix::zeros(domain.unknowns(), 6);

@@ -61,8 +61,8 @@ fn all_files_are_written_and_listed() {
 }
 
 /// EA = E A, EI = E I of the strip in SI: 1 in = 0.0254 m, 1 psi = 6894.757293168 Pa.
-/// Biquadratic cells hold the linear strains of extension and bending exactly, so
-/// that only round-off is left: 1e-11.
+/// Biquadratic cells represent the linear strains of extension and bending exactly, so
+/// that only round-off remains: 1e-11.
 #[test]
 fn property_file_holds_the_properties() {
     let place = strip();
@@ -92,9 +92,9 @@ fn property_file_holds_the_properties() {
     );
 }
 
-/// A row a region and one of the sum: A = b h, Izz = h b^3/12 and so on of the strip in
-/// SI, to round-off; every number with all its digits. Gamma of a strip is `b^3 h^3/144`
-/// but for its ends, 4.8 (h/b)^2 = 2 % of it.
+/// One row per region and one for the sum: A = b h, Izz = h b^3/12 and so on of the strip
+/// in SI, to round-off; every number with all its digits. Gamma of a strip is
+/// `b^3 h^3/144` except for its ends, 4.8 (h/b)^2 = 2 % of it.
 #[test]
 fn tables_hold_areas_and_constants() {
     let place = strip();
@@ -139,8 +139,8 @@ fn tables_hold_areas_and_constants() {
     assert!((ends / (4.8 * (h / b).powi(2)) - 1.0).abs() < 0.1, "{ends}");
 }
 
-/// A ply has no constants of restrained warping: the report says why, and the table of
-/// an earlier run goes.
+/// A ply has no constants of restrained warping: the report states the reason, and the
+/// table of an earlier run is removed.
 #[test]
 fn anisotropic_sections_have_no_constants() {
     let place = strip();
@@ -273,21 +273,21 @@ fn every_shape_and_kind_of_cell_gives_a_section() {
     }
 }
 
-/// A folder in whose place a file stands is told before anything is solved.
+/// A file instead of the results folder is reported before anything is solved.
 #[test]
 fn results_need_a_folder() {
     let place = strip();
     let run = place.run(&["analyze", "strip.section.toml", "--out", "strip.msh"]);
     assert_eq!(
         run.err,
-        "error: folder \"strip.msh\" cannot be made: a file of this name is in the way\n  \
+        "error: folder \"strip.msh\" cannot be made: a file of this name exists\n  \
          help: name another folder with --out\n"
     );
     assert_eq!((run.code, run.out.as_str()), (2, ""));
     assert!(Path::new(&place.path("strip.msh")).is_file());
 }
 
-/// Where a file should go, a folder stands: told in words, for texts and figures.
+/// A folder at the path of a result file is reported as text, for texts and figures.
 #[test]
 fn files_that_cannot_be_written_end_with_one() {
     for (file, what) in [
@@ -304,8 +304,9 @@ fn files_that_cannot_be_written_end_with_one() {
     }
 }
 
-/// A wall of a hundred thousandth of the radius in 48 cells: more than the digits
-/// give. The place is told in few digits, and the remedy speaks of thin walls.
+/// A wall thickness of one hundred-thousandth of the radius in 48 cells exceeds the
+/// accuracy. The position is reported with few digits, and the remedy mentions thin
+/// walls.
 #[test]
 fn a_wall_too_thin_to_solve_is_told_with_its_remedy() {
     let place = Workplace::with(
@@ -332,8 +333,9 @@ fn a_wall_too_thin_to_solve_is_told_with_its_remedy() {
     assert!(run.err.lines().all(|line| line.len() < 200), "{}", run.err);
 }
 
-/// A part without any stiffness to speak of hangs on the rest: no input error, but
-/// no solution. What there is gets written, and results of an earlier run go.
+/// A part with negligible stiffness attached to the rest: not an input error, but without
+/// a solution. The available files are written, and results of an earlier run are
+/// removed.
 #[test]
 fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
     let place = Workplace::with(&[], &[]);
@@ -375,7 +377,8 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
     }
 }
 
-/// Electrodes to open are those of the section; all wrong names are told at once.
+/// Electrodes to open must be electrodes of the section; all wrong names are reported
+/// together.
 #[test]
 fn open_electrodes_are_electrodes_of_the_section() {
     let place = Workplace::with(&[], &[]);

@@ -1,4 +1,4 @@
-//! What can be wrong with the files that a section names.
+//! Problems of the files that a section names.
 
 use crate::workplace::Workplace;
 
@@ -40,13 +40,13 @@ fn cells_without_surface_are_counted() {
         "error: a.section.toml:1: mesh \"two.msh\" has 1 cell in no physical surface (cell 12 \
          for example), expected every cell in one",
         "  help: in gmsh, put every surface of the section in a physical surface, and set \
-         Mesh.SaveAll = 0 (with 1, files of version 2.2 name no groups at all)",
+         Mesh.SaveAll = 0 (with 1, files of version 2.2 contain no groups)",
         "error: a.section.toml:17: physical surface \"web\" has no cells in the mesh, expected \
          at least one",
     ]);
 }
 
-/// The second cell moved away by one: the parts are named by their place.
+/// The second cell moved away by one: the parts are reported with their positions.
 #[test]
 fn parts_of_a_section_are_named_by_their_place() {
     let changes = [
@@ -57,7 +57,7 @@ fn parts_of_a_section_are_named_by_their_place() {
         "error: two.msh: the section falls into 2 parts that share no side, expected one",
         "    part 1: 1 cell at (0.5, 0.5), between (0, 0) and (1, 1), in \"skin\"",
         "    part 2: 1 cell at (2.5, 0.5), between (2, 0) and (3, 1), in \"web\"",
-        "  help: parts must share whole sides of cells: join them, or analyze each by itself",
+        "  help: parts must share whole sides of cells: join them, or analyze each alone",
     ]);
 }
 
@@ -68,8 +68,8 @@ fn inverted_cell_is_named_with_its_place_and_node() {
     Workplace::with(&[], &[("5 1 1 0", "5 1.6 0.3 0")]).is_refused(&[
         "error: two.msh: cell 12 at (1.65, 0.325) is inverted: the corner at node 5 is not \
          less than 180 degrees, or its sides cross",
-        "  help: mesh this place again; in a structured mesh, check the order of the points \
-         and the numbers of cells on facing curves",
+        "  help: mesh this part again; in a structured mesh, check the order of the points and \
+         the numbers of cells on facing curves",
     ]);
 }
 

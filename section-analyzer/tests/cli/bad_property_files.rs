@@ -1,4 +1,4 @@
-//! Property files that cannot be read, and commands that cannot be done with them.
+//! Property files that cannot be read, and commands that do not apply to them.
 
 use shared_geom::section;
 
@@ -12,7 +12,8 @@ fn steel() -> Workplace {
     place
 }
 
-/// Every command tells the same of a file that it cannot read, and writes nothing.
+/// Every command reports the same problem of a file that it cannot read, and writes
+/// nothing.
 #[test]
 fn files_that_are_no_property_files_are_refused_by_all_commands() {
     let place = steel();
@@ -188,7 +189,7 @@ fn centers_of_mass_need_mass() {
     assert_eq!(run.code, 0);
 }
 
-/// So far away that the section's own stiffness is lost beside Steiner's terms.
+/// So far away that the section's own stiffness is lost in round-off of Steiner's terms.
 #[test]
 fn a_point_out_of_reach_is_refused() {
     let place = steel();

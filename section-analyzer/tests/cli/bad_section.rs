@@ -1,4 +1,4 @@
-//! What can be wrong in the section file itself.
+//! Problems of the section file itself.
 
 use crate::workplace::Workplace;
 
@@ -47,7 +47,7 @@ fn materials_that_cannot_exist_are_told_with_the_bound() {
     Workplace::with(&[("poisson = 0.3", "poisson = 0.5")], &[]).is_refused(&[
         "error: a.section.toml:9: material \"steel\": nu is 0.5, expected more than -1 and \
          less than 0.5",
-        "  help: nearly incompressible materials such as rubber take 0.49 to 0.4999",
+        "  help: nearly incompressible materials such as rubber have 0.49 to 0.4999",
     ]);
     let orthotropic = "e1 = 142\ne2 = 9.8\ne3 = 9.8\ng12 = 6\ng13 = 6\ng23 = 4.8\n\
         nu12 = 0.3\nnu13 = 4\nnu23 = 0.34";
@@ -55,15 +55,15 @@ fn materials_that_cannot_exist_are_told_with_the_bound() {
     Workplace::with(&[("young = 210\npoisson = 0.3", orthotropic)], &[]).is_refused(&[
         "error: a.section.toml:15: material \"steel\": |nu13| is 4.000000, expected less than \
          sqrt(E1/E3) = 3.806546",
-        "  help: nu_ij is -strain_j / strain_i under a stress along i alone; \
-         nu_ji = nu_ij E_j / E_i may have been given in its place",
+        "  help: nu_ij is -strain_j / strain_i under a stress along i alone; nu_ji = nu_ij E_j / \
+         E_i may have been given instead",
     ]);
     let rows = "stiffness = [\n[1, 2, 0, 0, 0, 0],\n[2, 1, 0, 0, 0, 0],\n[0, 0, 1, 0, 0, 0],\n\
         [0, 0, 0, 1, 0, 0],\n[0, 0, 0, 0, 1, 0],\n[0, 0, 0, 0, 0, 1]]";
     // The block [1 2; 2 1] has the eigenvalues 3 and -1.
     Workplace::with(&[("young = 210\npoisson = 0.3", rows)], &[]).is_refused(&[
         "error: a.section.toml:8: material \"steel\": smallest eigenvalue of the stiffness is \
-         -1e9 Pa beside a largest of 3e9 Pa, expected more than 0",
+         -1e9 Pa, the largest 3e9 Pa, expected more than 0",
         "  help: rows and columns are ordered 11 22 33 23 13 12, with engineering shear strains",
     ]);
 }
@@ -178,7 +178,7 @@ fn several_problems_come_together() {
         "  help: add [[region]] with group = \"skin\" and its material",
         "error: a.section.toml:9: material \"steel\": nu is 0.7, expected more than -1 and \
          less than 0.5",
-        "  help: nearly incompressible materials such as rubber take 0.49 to 0.4999",
+        "  help: nearly incompressible materials such as rubber have 0.49 to 0.4999",
         "error: a.section.toml:13: the mesh has no physical surface \"skim\"",
         "  help: did you mean \"skin\"? physical surfaces of the mesh: \"skin\", \"web\"",
         "error: a.section.toml:19: unknown key \"fiber_angel\" in [[region]] number 2",
@@ -209,7 +209,7 @@ fn a_name_of_several_lines_is_refused() {
     ]);
 }
 
-/// What is left of such an angle after whole revolutions is round-off.
+/// The remainder of such an angle after whole revolutions is round-off.
 #[test]
 fn angles_of_many_revolutions_are_refused() {
     Workplace::with(&[("fiber_angle = 0", "fiber_angle = 1e20")], &[]).is_refused(&[
@@ -218,8 +218,8 @@ fn angles_of_many_revolutions_are_refused() {
     ]);
 }
 
-/// About an origin at 1e9 sizes the torsional stiffness is the difference of numbers
-/// 1e18 times as large.
+/// At a distance of 1e9 sizes from the origin the torsional stiffness is the difference
+/// of numbers 1e18 times as large.
 #[test]
 fn a_mesh_far_from_its_origin_is_refused() {
     let moved: Vec<_> = [
@@ -243,12 +243,12 @@ fn a_mesh_far_from_its_origin_is_refused() {
     place.is_refused(&[
         "error: a.section.toml:1: the section lies 1.000e6 m from the origin of the mesh, 4.5e8 \
          times its size, expected at most 1e5 times: torsion about the origin would have no \
-         digits left",
+         accurate digits",
         "  help: move the mesh to its origin (in gmsh, Translate): results are about the origin",
     ]);
 }
 
-/// Its stiffness would be no number.
+/// Its stiffness would not be finite.
 #[test]
 fn a_section_beyond_all_structures_is_refused() {
     let place = Workplace::with(&[], &[]);

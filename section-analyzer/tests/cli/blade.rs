@@ -1,5 +1,4 @@
-//! `section-analyzer mesh blade`: files that are right, and what is told of those that are
-//! not.
+//! `section-analyzer mesh blade`: correct files, and messages about wrong ones.
 
 use crate::workplace::{Run, Workplace};
 
@@ -57,7 +56,7 @@ fn run(changes: &[(&str, &str)]) -> (Workplace, i32, String, String) {
     (place, run.code, run.out, run.err)
 }
 
-/// Checks what is told: the beginnings of lines, all of them.
+/// Checks the reported lines: the beginnings of all of them.
 fn is_refused(changes: &[(&str, &str)], expected: &[&str]) {
     let (place, code, out, err) = run(changes);
     let lines: Vec<&str> = err.lines().collect();
@@ -93,7 +92,7 @@ fn a_blade_and_its_section_file_are_written() {
     ] {
         assert!(section.contains(part), "{part}\n{section}");
     }
-    // what is missing are the constants of the four materials
+    // only the constants of the four materials are missing
     let check = place.run(&["check", "a.section.toml"]);
     assert_eq!(check.err.matches("has no elastic constants").count(), 4);
     assert_eq!(check.err.matches("error:").count(), 8, "{}", check.err);
@@ -113,7 +112,7 @@ fn a_section_file_is_not_written_over() {
     let all = ["mesh", "blade", "a.blade.toml", "--out", "a.msh"];
     let run = place.run(&[&all[..], &["--section", "a.section.toml"]].concat());
     assert_eq!(run.code, 2);
-    assert!(run.err.contains("is there already"), "{}", run.err);
+    assert!(run.err.contains("exists already"), "{}", run.err);
     assert_eq!(place.read("a.section.toml"), "mine");
     assert_eq!(place.run(&all).code, 0);
 }
@@ -130,11 +129,11 @@ fn all_that_is_wrong_is_told_at_once() {
             ("size = 6", "size = 0\nturn = 90"),
         ],
         &[
-            "error: a.blade.toml:5: \"4a15\" is no airfoil of NACA: expected four digits",
+            "error: a.blade.toml:5: \"4a15\" is not a NACA airfoil: expected four digits",
             "error: a.blade.toml:13: unknown key \"fornt_web\" in [spar]",
             "  help: did you mean \"front_web\"?",
             "error: a.blade.toml:16: \"thickness\" is -1.5, expected a length greater than zero",
-            "error: a.blade.toml:17: unknown place \"uper\", expected \"upper\", \"lower\", \"web\", \"rear_web\"",
+            "error: a.blade.toml:17: unknown position \"uper\", expected \"upper\", \"lower\", \"web\", \"rear_web\"",
             "  help: did you mean \"upper\"?",
             "error: a.blade.toml:26: \"to\" is 3, expected a part of the chord",
             "error: a.blade.toml:29: \"size\" is 0, expected a length greater than zero",
@@ -161,7 +160,7 @@ fn what_does_not_fit_is_told_where_it_is_written() {
         &[(skin, "thickness = 0.5"), ("\"sharp\"", "\"blunt\"")],
         &[
             "error: a.blade.toml:10: the skin, 0.5 thick, cannot be closed at a trailing edge 0.945 thick",
-            "  help: there is room for them ahead of x/c = 0.99",
+            "  help: there is enough space ahead of x/c = 0.99",
         ],
     );
     is_refused(
@@ -174,26 +173,26 @@ fn what_does_not_fit_is_told_where_it_is_written() {
     is_refused(
         &[("thickness = 1.5", "thickness = 22")],
         &[
-            "error: a.blade.toml:15: the plies of both surfaces run into each other at x/c = ",
-            "  help: thinner plies, or plies that end before",
+            "error: a.blade.toml:15: the plies of both surfaces intersect at x/c = ",
+            "  help: thinner plies, or plies that end ahead of it",
         ],
     );
     is_refused(
         &[("count = 3", "count = 3, on = \"rear_web\"")],
         &[
-            "error: a.blade.toml:13: no ply goes from the front web into the upper surface",
-            "  help: let a ply of the web go on along the surface",
-            "error: a.blade.toml:13: no ply goes from the front web into the lower surface",
-            "  help: let a ply of the web go on along the surface",
-            "error: a.blade.toml:14: no ply goes from the rear web into the upper surface",
-            "  help: let a ply of the web go on along the surface",
-            "error: a.blade.toml:14: no ply goes from the rear web into the lower surface",
-            "  help: let a ply of the web go on along the surface",
+            "error: a.blade.toml:13: no ply continues from the front web into the upper surface",
+            "  help: let a ply of the web continue along the surface",
+            "error: a.blade.toml:13: no ply continues from the front web into the lower surface",
+            "  help: let a ply of the web continue along the surface",
+            "error: a.blade.toml:14: no ply continues from the rear web into the upper surface",
+            "  help: let a ply of the web continue along the surface",
+            "error: a.blade.toml:14: no ply continues from the rear web into the lower surface",
+            "  help: let a ply of the web continue along the surface",
         ],
     );
     let web = |line: usize, which: &str| {
         [
-            format!("error: a.blade.toml:{line}: the plies of the {which} take "),
+            format!("error: a.blade.toml:{line}: the plies of the {which} need "),
             "  help: thinner plies in the web, or a longer spar".to_owned(),
         ]
     };
@@ -212,7 +211,7 @@ fn fractions_out_of_order_are_told() {
         &[("front_web = 0.12", "front_web = 0.62")],
         &[
             "error: a.blade.toml:13: the front web at x/c = 0.62 is not ahead of the rear one at x/c = 0.45",
-            "error: a.blade.toml:17: ply \"pad\" runs from x/c = 0.2 to 0.35, expected a part from front to rear of the spar",
+            "error: a.blade.toml:17: ply \"pad\" runs from x/c = 0.2 to 0.35, expected a range within the spar",
         ],
     );
     is_refused(
@@ -227,7 +226,7 @@ fn fractions_out_of_order_are_told() {
     );
     is_refused(
         &[("rear_web = 0.45", "rear_web = 0.9999")],
-        &["error: a.blade.toml:14: there is no room for a web at x/c = 0.9999 inside of the skin"],
+        &["error: a.blade.toml:14: there is no space for a web at x/c = 0.9999 inside of the skin"],
     );
 }
 
@@ -239,9 +238,9 @@ fn names_mean_one_thing_and_cores_need_their_room() {
             ("[core.aft]", "[core.aft]\nname = \"web\"\n[core.nose]"),
         ],
         &[
-            "error: a.blade.toml:18: \"web\" has another material, angle or place on line 17",
+            "error: a.blade.toml:18: \"web\" has another material, angle or position on line 17",
             "  help: give it a name of its own",
-            "error: a.blade.toml:22: \"web\" has another material, angle or place on line 17",
+            "error: a.blade.toml:22: \"web\" has another material, angle or position on line 17",
             "  help: give it a name of its own",
         ],
     );
@@ -304,9 +303,9 @@ fn airfoil_files_are_read_in_all_their_forms() {
         ),
         (
             "t\n1 0\n0.5 0.1 3\nx\n",
-            "foil.dat:3: \"0.5 0.1 3\" is no point, expected x/c and z/c",
+            "foil.dat:3: \"0.5 0.1 3\" is not a point, expected x/c and z/c",
         ),
-        ("t\n1 0\n0.5 0.1 3\nx\n", "foil.dat:4: \"x\" is no point"),
+        ("t\n1 0\n0.5 0.1 3\nx\n", "foil.dat:4: \"x\" is not a point"),
         (
             "x,w\n1,0\n",
             "foil.dat:1: the columns are \"x,w\", expected one called \"x\" and one called \"z\" or \"y\"",
@@ -330,7 +329,7 @@ fn airfoil_files_are_read_in_all_their_forms() {
     }
 }
 
-/// The example of the help text, as a new user would type it.
+/// The example of the help text, as typed by a new user.
 #[test]
 fn the_example_of_the_help_text_runs() {
     let place = Workplace::new();

@@ -1,4 +1,4 @@
-//! `compare`: what is equal, what is different, and exit codes.
+//! `compare`: equal and different sections, and exit codes.
 
 use nalgebra::Matrix6;
 use shared_geom::section;
@@ -21,8 +21,8 @@ fn changed(place: &Workplace, change: impl Fn(&mut section::SectionProperties)) 
     place.write("b.json", &section::write(&properties));
 }
 
-/// The same section about another point, in other axes, and both: equal to round-off,
-/// and the output says what was done. As given they differ.
+/// The same section about another point, in other axes, and both: equal to round-off, and
+/// the output states the changes. As given they differ.
 #[test]
 fn a_moved_section_is_the_same() {
     let place = squares();
@@ -51,7 +51,7 @@ fn a_moved_section_is_the_same() {
     }
 }
 
-/// A coupling of a thousandth of sqrt(Kii Kjj) put in by hand.
+/// A coupling of a thousandth of sqrt(Kii Kjj), inserted by hand.
 #[test]
 fn the_worst_entries_are_named_and_the_exit_code_tells() {
     let place = squares();

@@ -1,4 +1,4 @@
-//! Sections of curved and twisted beams: what the input says, and what is told of it.
+//! Sections of curved and twisted beams: their input, and the messages and reports.
 
 use shared_geom::section;
 
@@ -40,8 +40,8 @@ fn wrong_tables_are_told() {
         "error: a.section.toml:24: unknown key \"slop\" in [initial_curvature]",
         "  help: did you mean \"slope\"?",
     ]);
-    let slope = "expected a direction [x, y, z] whose first number is greater than zero: \
-                 [1, 0, 0] where the line is normal to the section";
+    let slope = "expected a direction [x, y, z] whose first number is greater than zero: [1, 0, \
+                 0] if the line is normal to the section";
     for wrong in ["[0, 1, 0]", "[-1, 0, 0]", "[0, 0, 0]"] {
         let text = format!("curvature = [0, 0, 0]\nslope = {wrong}");
         let place = with(&text);
@@ -58,20 +58,20 @@ fn wrong_tables_are_told() {
 }
 
 // The section is 2 mm by 1 mm with its origin at the lower left corner: with k3 the least
-// J is 1 - 0.002 k3, that of a plain number of 0.6 rad/mm is -0.2. 1/0.002 rad/m are
+// J is 1 - 0.002 k3; for 0.6 rad/mm, a plain number, it is -0.2. 1/0.002 rad/m are
 // 28647.9 deg/m.
 #[test]
 fn a_section_that_reaches_its_center_of_curvature_is_refused() {
     with("curvature = [0, 0, \"600 rad/m\"]").is_refused(&[
         "error: a.section.toml:23: the beam is curved by 34377.5 deg/m, and the section reaches \
          its center of curvature: at node 3 of cell 12, (2, 0) in the mesh, J = l1 + k2 z - k3 y \
-         is -0.2, expected more than 0 everywhere; less than 28647.9 deg/m would do",
-        "  help: a plain number counts 1000 deg/m here: check the unit (as in \"5 deg/m\"; 1/R \
-         in 1/m is in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 toward -z), \
-         and that the origin of the mesh is on the reference line (the farthest node is 2.23607 \
-         away)",
+         is -0.2, expected more than 0 everywhere, which requires less than 28647.9 deg/m",
+        "  help: a plain number is in units of 1000 deg/m here: check the unit (as in \"5 \
+         deg/m\"; 1/R in 1/m is in \"rad/m\"), the signs (k3 > 0 bends the beam toward +y, k2 > 0 \
+         toward -z), and that the origin of the mesh is on the reference line (the farthest node \
+         is 2.23607 away)",
     ]);
-    // Bent the other way the fibers are longer everywhere.
+    // Bent in the opposite direction the fibers are longer everywhere.
     let place = with("curvature = [0, 0, \"-600 rad/m\"]");
     let run = place.run(&["check", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
@@ -107,8 +107,8 @@ fn the_beam_is_told_and_written() {
     assert_eq!((found.curvature.y, found.curvature.z), (0.0, 0.02));
     assert!((found.slope.norm() - 1.0).abs() < 1e-15);
     assert!((found.slope.y / found.slope.x - 0.1).abs() < 1e-15);
-    // From another point the line has another length: the report says what the matrices
-    // are per unit of.
+    // From another point the line has another length: the report states the unit of
+    // length of the matrices.
     let shift = [
         "shift",
         "results/a.properties.json",
@@ -129,7 +129,8 @@ fn the_beam_is_told_and_written() {
     assert!(report.contains(per), "{report}");
 }
 
-// A straight beam by its table is a straight beam: the same results, and no word of it.
+// A straight beam given by its table is a straight beam: the same results, and it is not
+// mentioned.
 #[test]
 fn no_curvature_is_a_straight_beam() {
     let (straight, plain) = (with("curvature = [0, 0, 0]\nslope = [3, 0, 0]"), with(""));
@@ -145,9 +146,9 @@ fn no_curvature_is_a_straight_beam() {
     assert_eq!(a.initial_curvature, None);
 }
 
-// A section that was solved from another point is the same section: the line there has the
-// slope l + k x d, and both are divided by its length to be by arc length. Round-off of a
-// solution in which the section is a few of its sizes off the origin: 1e-10.
+// A section that was solved from another point is the same section: the line there has
+// the slope l + k x d, and both are divided by its length, to be per arc length.
+// Tolerance: round-off of a solution with the section a few sizes off the origin, 1e-10.
 #[test]
 fn the_line_may_be_given_at_another_point() {
     let place = with("curvature = [0.5, 0, 1]");

@@ -1,8 +1,8 @@
-//! Loads along the beam and end effects in the section file.
+//! Distributed loads and end effects in the section file.
 
 use crate::workplace::{Run, SECTION, Workplace};
 
-/// The section with more at its end, from line 21 on, and changes of its mesh.
+/// The section with more text at its end, from line 21 on, and changes of its mesh.
 fn with(more: &str, mesh_changes: &[(&str, &str)]) -> Workplace {
     let place = Workplace::with(&[], mesh_changes);
     place.write("a.section.toml", &format!("{SECTION}{more}"));
@@ -68,7 +68,7 @@ fn loads_along_the_beam_are_recovered() {
     }
 }
 
-/// A load of the command line takes the place of all that the file has.
+/// A load of the command line replaces all loads of the file.
 #[test]
 fn a_load_of_the_command_line_has_no_distributed_part() {
     let place = with(GUST, &[]);
@@ -77,7 +77,7 @@ fn a_load_of_the_command_line_has_no_distributed_part() {
     assert!(!run.out.contains("Distributed load"), "{}", run.out);
 }
 
-/// Loads with about every mistake there is.
+/// Loads with about every possible mistake.
 const WRONG: &str = "\
 [load.none]
 [[load.gust.traction]]
@@ -147,7 +147,8 @@ fn everything_wrong_with_loads_along_the_beam_is_told_at_once() {
     assert!(run.err.contains("did you mean \"web\"?"), "{}", run.err);
 }
 
-/// Loads that do nothing, numbers beyond all structures, and names beside wrong values.
+/// Loads that are zero, numbers beyond all structures, and wrong names together with
+/// wrong values.
 const EMPTY: &str = "\
 [load.gust]
 point = [1, 0]
@@ -182,15 +183,9 @@ fn loads_without_effect_and_names_beside_wrong_values_are_told() {
     println!("{}", run.err);
     assert_eq!(run.code, 2);
     for (line, told) in [
-        (
-            22,
-            "load \"gust\" has a \"point\", but no force or moment that acts there",
-        ),
-        (23, "the traction is zero, expected a number that is not"),
-        (
-            26,
-            "the volume force is zero, expected a number that is not",
-        ),
+        (22, "load \"gust\" has a \"point\", but no force or moment"),
+        (23, "the traction is zero, expected a nonzero number"),
+        (26, "the volume force is zero, expected a nonzero number"),
         (
             31,
             "number 2 of \"along\" is 1e303 in SI units, expected at most 1e20",
@@ -202,7 +197,7 @@ fn loads_without_effect_and_names_beside_wrong_values_are_told() {
         (43, "\"force\" is an array of 2, expected an array of 3"),
         (
             44,
-            "load \"Gust\" differs from load \"gust\" on line 21 in upper and lower case only",
+            "load \"Gust\" differs from load \"gust\" on line 21 only in upper and lower case",
         ),
     ] {
         let start = format!("error: a.section.toml:{line}: ");
@@ -218,14 +213,14 @@ fn loads_without_effect_and_names_beside_wrong_values_are_told() {
 fn curves_inside_and_curves_of_no_cell_are_told() {
     let pressed = "[[load.a.traction]]\ncurve = \"edge\"\npressure = 1\n";
     with(pressed, &[("13 1 2 3 1 1 2", "13 1 2 3 1 2 5")]).is_refused(&[
-        "error: a.section.toml:22: physical curve \"edge\" has cells at both sides of line 13, \
+        "error: a.section.toml:22: physical curve \"edge\" has cells on both sides of line 13, \
          expected a pressure on a surface",
-        "  help: which way would it push? Give \"force\" in section axes, or name a curve on the \
-         outline or around a hole",
+        "  help: the direction of the pressure is undetermined: give \"force\" in section axes, \
+         or name a curve on the outline or around a hole",
     ]);
     with(pressed, &[("13 1 2 3 1 1 2", "13 1 2 3 1 1 5")]).is_refused(&[
         "error: a.section.toml:22: line 13 of physical curve \"edge\", at (0.0005, 0.0005) m, is \
-         no side of a cell, expected a curve along sides of cells",
+         not a side of a cell, expected a curve along sides of cells",
         "  help: in gmsh, make the physical curve of curves that bound surfaces of the section",
     ]);
     with("[[load.a.traction]]\ncurve = \"bare\"\npressure = 1\n", &[]).is_refused(&[
@@ -238,7 +233,7 @@ fn curves_inside_and_curves_of_no_cell_are_told() {
     assert_eq!(place.run(&["stress", "a.section.toml"]).code, 0);
 }
 
-/// Two linear cells: some number, but one for each that was asked for, and the words.
+/// Two linear cells: plausible numbers, one for each requested end effect, and the text.
 #[test]
 fn end_effects_are_reported() {
     let place = Workplace::with(&[], &[]);

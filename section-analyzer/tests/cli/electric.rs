@@ -7,7 +7,7 @@ const MATERIAL: (&str, &str) = (
     "poisson = 0.3\ndensity = 7\n",
 );
 
-/// The section of steel with this table behind its material, from line 11 on.
+/// The section of steel with this table after its material, from line 11 on.
 fn with(table: &str) -> Workplace {
     let material = format!("{}[material.steel.electric]\n{table}\n", MATERIAL.1);
     Workplace::with(&[(MATERIAL.0, &material)], &[])
@@ -17,8 +17,8 @@ fn refused(table: &str, expected: &[&str]) {
     with(table).is_refused(expected);
 }
 
-/// The same ceramic in both forms, and in units of pounds and inches, is one: 1 psi in/V is
-/// 175.126835 C/m^2, 1 lbf/V^2 is 4.4482216 F/m, which these numbers are made with.
+/// The same ceramic in both forms, and in units of pounds and inches: 1 psi in/V is
+/// 175.126835 C/m^2, 1 lbf/V^2 is 4.4482216 F/m, from which these numbers are computed.
 #[test]
 fn both_forms_and_other_units_give_one_law() {
     let shown = |table: &str| {
@@ -54,7 +54,7 @@ fn both_forms_and_other_units_give_one_law() {
 fn poling_must_be_at_a_right_angle() {
     let dielectric = |rest: &str| format!("relative_permittivity = 3000\n{rest}");
     let across = "  help: \"poling\" is the axis 3 of the constants and \"across\" their axis 1: \
-                  give a direction in the plane across the poling";
+                  give a direction normal to the poling";
     refused(
         &dielectric("poling = [1, 0, 1]\nacross = 1"),
         &[
@@ -82,17 +82,18 @@ fn poling_must_be_at_a_right_angle() {
     refused(
         &dielectric("poling = [1, 1, 0]"),
         &[
-            "error: a.section.toml:13: material \"steel\": \"poling\" is along none of the material \
-         axes and has no \"across\", expected both",
+            "error: a.section.toml:13: material \"steel\": \"poling\" is along none of the \
+             material axes and without \"across\", expected both",
             "  help: \"across\" is the direction of axis 1 of the constants, at a right angle to \
-         \"poling\"; of a ceramic, alike in all directions across, any one will do",
+             \"poling\"; for a ceramic, isotropic across the poling, any direction works",
         ],
     );
     refused(
         &dielectric("poling = 4"),
         &[
-            "error: a.section.toml:13: \"poling\" is 4, expected 1, 2 or 3 for a material axis, with \
-         a minus for the other way, or an array of 3, its components along them",
+            "error: a.section.toml:13: \"poling\" is 4, expected 1, 2 or 3 for a material axis, \
+             with a minus for the opposite direction, or an array of 3, its components along \
+             them",
         ],
     );
     for sound in [
@@ -108,19 +109,19 @@ fn poling_must_be_at_a_right_angle() {
     }
 }
 
-/// e31 = -1e-10 * 282.692e9 + 2e-10 * 121.154e9 = -4.0385, e33 = 44.4231 likewise: they take
-/// 1e-10 * 4.0385 + 2e-10 * 44.4231 = 9.2885e-9 off 300 times 8.8542e-12 F/m.
+/// e31 = -1e-10 * 282.692e9 + 2e-10 * 121.154e9 = -4.0385, e33 = 44.4231 likewise: they
+/// subtract 1e-10 * 4.0385 + 2e-10 * 44.4231 = 9.2885e-9 from 300 times 8.8542e-12 F/m.
 #[test]
 fn laws_that_cannot_exist_are_told_with_the_part() {
     refused(
         "relative_permittivity = 300\nd = { d31 = \"-100 pC/N\", d32 = 0, d33 = \"200 pC/N\" }",
         &[
             "error: a.section.toml:13: material \"steel\": the coupled law is indefinite: the \
-         permittivity at constant strain, epsT - d c d', has the eigenvalue -6.6322e-9 F/m \
-         (that at constant stress 2.6563e-9 to 2.6563e-9 F/m), expected all of them more than 0",
-            "  help: d, the stiffness and the permittivity do not belong together: the stiffness is \
-         that at constant field, and with d the permittivity is taken as that at constant stress \
-         unless at = \"strain\"; check the unit of d too",
+             permittivity at constant strain, epsT - d c d', has the eigenvalue -6.6322e-9 F/m \
+             (at constant stress 2.6563e-9 to 2.6563e-9 F/m), expected all of them more than 0",
+            "  help: d, the stiffness and the permittivity are inconsistent: the stiffness is at \
+             constant field, and with d the permittivity is at constant stress unless at = \
+             \"strain\"; check the unit of d too",
         ],
     );
     refused(
@@ -128,8 +129,8 @@ fn laws_that_cannot_exist_are_told_with_the_part() {
         &[
             "error: a.section.toml:12: material \"steel\": the permittivity has the eigenvalue \
          -1e-9 F/m, expected all of them more than 0",
-            "  help: a field must take energy, whatever its direction: rows and columns are those \
-         of axes 1 2 3",
+            "  help: the energy of a field must be positive in all directions: rows and columns \
+             are in the order of axes 1 2 3",
         ],
     );
     refused(
@@ -137,7 +138,8 @@ fn laws_that_cannot_exist_are_told_with_the_part() {
         &[
             "error: a.section.toml:12: material \"steel\": the permittivity has the eigenvalue \
          3e3 F/m, expected 1e-15 to 1e-4 F/m",
-            "  help: that of vacuum is 8.854e-12 F/m; \"relative_permittivity\" is in units of it",
+            "  help: the vacuum permittivity is 8.854e-12 F/m; \"relative_permittivity\" is in \
+             units of it",
         ],
     );
     // millimeters and newtons
@@ -147,8 +149,8 @@ fn laws_that_cannot_exist_are_told_with_the_part() {
         &[
             "error: a.section.toml:13: material \"steel\": e33 is 1.7e4 C/m^2, expected at most \
              1e3 C/m^2",
-            "  help: plain numbers count in the declared force, length and voltage: give the unit \
-             with the number, as in \"17 C/m^2\" or \"741 pC/N\"",
+            "  help: plain numbers are in units of the declared force, length and voltage: give \
+             the unit with the number, as in \"17 C/m^2\" or \"741 pC/N\"",
         ],
     );
 }
@@ -188,9 +190,9 @@ fn forms_exclude_each_other() {
          number, an array of 3, one for each axis, or 3 rows of 3",
             "error: a.section.toml:13: unknown key \"d3\" in [d]",
             "  help: did you mean \"d13\"?",
-            "error: a.section.toml:13: [material.steel.electric]: \"d\" is zero, expected a constant \
-         that is not",
-            "  help: leave it out for a dielectric that is not piezoelectric",
+            "error: a.section.toml:13: [material.steel.electric]: \"d\" is zero, expected a \
+             nonzero constant",
+            "  help: remove it for a dielectric that is not piezoelectric",
         ],
     );
     refused(
@@ -215,12 +217,12 @@ fn poling_turns_no_strengths_and_only_plain_expansions() {
         Workplace::with(&[(law, &format!("{ply}{poling}\n"))], &[])
     };
     place("poling = [1, 0, 1]\nacross = 2").is_refused(&[
-        "error: a.section.toml:18: material \"steel\": turned by \"poling\", the expansion has a \
-         shear 5.000e-7 1/K in material axes, expected axes along which there is none",
-        "  help: turn the material by the angles of its regions, or make the expansion one \
+        "error: a.section.toml:18: material \"steel\": rotated by \"poling\", the expansion has a \
+         shear 5.000e-7 1/K in material axes, expected axes without shear",
+        "  help: rotate the material by the angles of its regions, or make the expansion one \
          number",
         "error: a.section.toml:19: [material.steel.strength] is along the material axes, and \
-         \"poling\" turns the other constants, expected no poling but 3 beside strengths",
+         \"poling\" rotates the other constants, expected no poling but 3 with strengths",
         "  help: give all constants along the material axes, with \"d\" or \"e\" as 3 rows of 6, \
          and no \"poling\"",
     ]);
@@ -262,15 +264,15 @@ fn materials_without_stiffness_are_dielectrics() {
     .is_refused(&[
         "error: a.section.toml:8: material \"air\" has neither stiffness nor electric law, \
          expected [material.air.electric]",
-        "  help: leave its cells out of the mesh, or give a filler a small modulus",
+        "  help: remove its cells from the mesh, or give a filler a small modulus",
         "error: a.section.toml:9: material \"air\" has no stiffness, and \"expansion\"",
-        "  help: leave it out: it would do nothing",
+        "  help: remove it: it has no effect",
     ]);
     let coupled = air.replace("= 1 }", "= 1, e = { e33 = 1 } }");
     potted(&coupled, "air").is_refused(&[
         "error: a.section.toml:9: material \"air\" has no stiffness, and \"e\" of \
          [material.air.electric]",
-        "  help: a field strains what has a stiffness: give one, or leave the coupling out",
+        "  help: the coupling needs a stiffness: give one, or remove the coupling",
     ]);
     potted(&air.replace("none", "non"), "air").is_refused(&[
         "error: a.section.toml:7: material \"air\" has no \"density\", expected a density",
@@ -279,7 +281,7 @@ fn materials_without_stiffness_are_dielectrics() {
     ]);
 }
 
-/// A section of air only, and three cells of which the middle one is air.
+/// A section of air only, and three cells, the middle one of air.
 #[test]
 fn what_has_a_stiffness_must_hold_together() {
     let air = "stiffness = \"none\"\nelectric = { relative_permittivity = 1 }\n";
@@ -295,10 +297,10 @@ fn what_has_a_stiffness_must_hold_together() {
         .replace("$Elements\n3\n", "$Elements\n4\n14 3 2 1 1 3 7 8 6\n");
     place.write("two.msh", &mesh);
     place.is_refused(&[
-        "error: a.section.toml:1: cells without stiffness are all that joins the section: the \
-         others are in 2 parts, 1 cell with cell 14 in \"skin\" at (0.0025, 0.0005) m, 1 cell \
-         with cell 11 in \"skin\" at (0.0005, 0.0005) m, expected one part, connected through \
-         whole sides",
-        "  help: give the filler between them a small modulus, such as 1e-6 of that of the others",
+        "error: a.section.toml:1: only cells without stiffness connect the section: the others \
+         are in 2 parts, 1 cell with cell 14 in \"skin\" at (0.0025, 0.0005) m, 1 cell with cell \
+         11 in \"skin\" at (0.0005, 0.0005) m, expected one part, connected through whole sides",
+        "  help: give the filler between them a small modulus, such as 1e-6 of the modulus of the \
+         others",
     ]);
 }

@@ -68,7 +68,7 @@ $Elements
 $EndElements
 ";
 
-/// A bimorph on steel; electrodes stand behind, from line 36 on.
+/// A bimorph on steel; electrodes follow, from line 36 on.
 const SECTION: &str = "\
 mesh = \"layers.msh\"
 
@@ -110,7 +110,7 @@ material = \"pzt\"
 const TOP: &str = "[[electrode]]\nname = \"top\"\ncurve = \"top\"\n";
 const MIDDLE: &str = "[[electrode]]\nname = \"middle\"\ncurve = \"middle\"\ncircuit = \"ground\"\n";
 
-/// The section with more behind it, in which each pair of texts has been replaced.
+/// The section with more text at its end, in which each pair of texts has been replaced.
 fn with(more: &str, changes: &[(&str, &str)]) -> Workplace {
     let place = Workplace::new();
     let mut text = format!("{SECTION}{more}");
@@ -127,7 +127,7 @@ fn refused(more: &str, changes: &[(&str, &str)], expected: &[&str]) {
     with(more, changes).is_refused(expected);
 }
 
-/// What `check` prints, with single spaces.
+/// Output of `check`, with single spaces.
 fn checked(more: &str, changes: &[(&str, &str)]) -> String {
     let run = with(more, changes).run(&["check", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
@@ -137,7 +137,7 @@ fn checked(more: &str, changes: &[(&str, &str)]) -> String {
 /// c33 = 0.7 / 0.52 * 60e9 = 80.769e9, c13 = 0.3 / 0.52 * 60e9 = 34.615e9 Pa:
 /// e31 = -274e-12 * 115.385e9 + 593e-12 * 34.615e9 = -11.0885,
 /// e33 = -548e-12 * 34.615e9 + 593e-12 * 80.769e9 = 28.9269, and
-/// epsT33 - 548e-12 * 11.0885 - 593e-12 * 28.9269 = 6.8741e-9 F/m = 776.37 of vacuum.
+/// epsT33 - 548e-12 * 11.0885 - 593e-12 * 28.9269 = 6.8741e-9 F/m = 776.37 eps0.
 #[test]
 fn electric_laws_and_electrodes_are_shown() {
     let floating = "[[electrode]]\nname = \"sensor\"\npoint = \"wire\"\ncircuit = \"floating\"\n";
@@ -151,7 +151,7 @@ fn electric_laws_and_electrodes_are_shown() {
     ] {
         assert!(report.contains(expected), "{expected}: {report}");
     }
-    // cells of steel do not count, and a body is no loose electrode
+    // cells of steel are ignored, and a body is not a loose electrode
     assert!(!report.contains("Warnings"), "{report}");
     let report = checked(&format!("{floating}{MIDDLE}"), &[]);
     assert!(
@@ -252,11 +252,11 @@ fn conductors_must_be_apart_and_grounded() {
         &[],
         &[
             "error: a.section.toml:43: electrodes \"top\" (line 36) and \"side\" touch: both have \
-         node 12, at (0.002, 0.003) m, expected conductors apart",
+             node 12, at (0.002, 0.003) m, expected separate conductors",
             "  help: shorten one of the curves so that dielectric is between them, or make both one \
          electrode by a list of curves",
-            "error: a.section.toml:43: electrodes \"middle\" (line 39) and \"side\" touch: both have \
-         node 9, at (0.002, 0.002) m, expected conductors apart",
+            "error: a.section.toml:43: electrodes \"middle\" (line 39) and \"side\" touch: both \
+             have node 9, at (0.002, 0.002) m, expected separate conductors",
             "  help: shorten one of the curves so that dielectric is between them, or make both one \
          electrode by a list of curves",
         ],
@@ -275,8 +275,8 @@ fn conductors_must_be_apart_and_grounded() {
     );
 }
 
-/// The two dielectrics at both sides of steel are two pieces, which a conductor through both
-/// makes one.
+/// The two dielectrics on both sides of steel are two pieces, which a conductor through
+/// both connects.
 #[test]
 fn each_piece_of_dielectric_needs_a_ground() {
     let changes = [
@@ -296,13 +296,14 @@ fn each_piece_of_dielectric_needs_a_ground() {
             "error: a.section.toml:17: the dielectric of 2 cells in \"base\" (cell 21 for example, \
          at (0.0005, 0.0005) m) has no ground: no electrode is on it, expected one with circuit \
          = \"ground\"",
-            "  help: add a grounded electrode, put its regions between fingers, or give them a \
-         material without [material.NAME.electric]",
+            "  help: add a grounded electrode, put its regions between fingers, or use a material \
+             without [material.NAME.electric]",
         ],
     );
     let both = MIDDLE.replace("\"middle\"\ncirc", "[\"middle\", \"bottom\"]\ncirc");
     checked(&format!("{TOP}{both}"), &changes);
-    // fingers have no potentials, and without a conductor nothing has: no reference is needed
+    // fingers have no potentials, and without a conductor no potentials exist: no
+    // reference is needed
     let fingers = "[[electrode]]\nname = \"f\"\ninterdigitated = { regions = [\"base\", \
                    \"upper\"], spacing = 1, axis = 3 }\n";
     checked(fingers, &changes);
@@ -352,7 +353,8 @@ fn fingers_must_be_felt() {
         &[],
         &[
             "error: a.section.toml:38: \"axis\" is 4, expected 1, 2 or 3, an axis of the material",
-            "error: a.section.toml:38: reversed region \"lower\" is none of the regions \"upper\"",
+            "error: a.section.toml:38: reversed region \"lower\" is not one of the regions \
+             \"upper\"",
             "  help: \"reversed\" names some of the \"regions\"",
         ],
     );
@@ -387,13 +389,13 @@ name = \"b\"
          \"bottom\", \"under\", \"side\"",
             "error: a.section.toml:39: unknown key \"circut\" in [[electrode]] number 1",
             "  help: did you mean \"circuit\"?",
-            "error: a.section.toml:41: electrode \"top\" has the name of that on line 36, expected \
-         one of its own",
-            "  help: capitals make no difference: names are parts of file names",
+            "error: a.section.toml:41: electrode \"top\" has the same name as the electrode on \
+             line 36, expected different names",
+            "  help: upper and lower case are not distinguished: names are parts of file names",
             "error: a.section.toml:43: the electrode has \"curve\" and \"region\", expected one of \
          them",
-            "  help: a conductor is on curves, fills regions or is in points of the mesh; fingers \
-         across the beam are \"interdigitated\" and in regions",
+            "  help: a conductor is on curves, fills regions or is at points of the mesh; fingers \
+             across the beam are \"interdigitated\" and in regions",
             "error: a.section.toml:44: [[electrode]] number 3 has no \"name\", expected a name of \
          its own",
             "error: a.section.toml:45: the mesh has no physical curve \"upper\"",
@@ -403,10 +405,10 @@ name = \"b\"
             "  help: did you mean \"ground\"?",
             "error: a.section.toml:49: the mesh has no physical point \"wore\"",
             "  help: did you mean \"wire\"? physical points of the mesh: \"wire\"",
-            "error: a.section.toml:50: the electrode has no place, expected \"curve\", \"region\", \
-         \"point\" or \"interdigitated\"",
-            "  help: a conductor is on curves, fills regions or is in points of the mesh; fingers \
-         across the beam are \"interdigitated\" and in regions",
+            "error: a.section.toml:50: the electrode has no location, expected \"curve\", \
+             \"region\", \"point\" or \"interdigitated\"",
+            "  help: a conductor is on curves, fills regions or is at points of the mesh; fingers \
+             across the beam are \"interdigitated\" and in regions",
         ],
     );
 }
@@ -422,8 +424,8 @@ fn voltages_belong_to_driven_electrodes() {
             "  help: did you mean \"top\"?",
             "error: a.section.toml:44: load \"on\" has a voltage for electrode \"middle\", whose \
          circuit is \"ground\", expected a driven one",
-            "  help: a voltage belongs to circuit = \"driven\"; \"ground\" is at 0 V, and that of a \
-         floating electrode follows",
+            "  help: a voltage belongs to circuit = \"driven\"; \"ground\" is at 0 V, and the \
+             voltage of a floating electrode follows",
             "error: a.section.toml:45: load \"off\" is zero, expected at least one of \"axial\", \
          \"shear_y\", \"shear_z\", \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \
          \"initial_strain\", \"traction\", \"volume\", \"voltages\"",
@@ -474,7 +476,7 @@ fn what_does_not_work_with_electrodes_is_refused() {
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
-        "error: a.section.toml: --sensitivity is not known for sections with electrodes\n  \
-         help: leave --sensitivity out, or remove the electrodes from the file\n"
+        "error: a.section.toml: --sensitivity is not known for sections with electrodes\n  help: \
+         remove --sensitivity, or the electrodes from the file\n"
     );
 }

@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use crate::workplace::Workplace;
 
-/// Command lines that ask for help, and an example that the help gives.
+/// Command lines that request help, and an example in the help.
 const EXAMPLES: &[(&[&str], &str)] = &[
     (&["--help"], "section-analyzer analyze strip.section.toml"),
     (
@@ -78,12 +78,12 @@ fn help_teaches_with_an_example() {
     }
 }
 
-/// The example of the help text, as a new user would type it.
+/// The example of the help text, as typed by a new user.
 #[test]
 fn example_of_the_help_text_runs() {
     let place = Workplace::new();
     let help = place.run(&["--help"]).out;
-    let (_, example) = help.split_once("from nothing:\n").unwrap();
+    let (_, example) = help.split_once("strip of aluminum:\n").unwrap();
     let (_, section) = example.split_once("<<'END'\n").unwrap();
     let (section, _) = section.split_once("  END\n").unwrap();
     place.write("strip.section.toml", &section.replace("\n  ", "\n"));
@@ -178,7 +178,7 @@ fn names_that_no_mesh_file_can_hold_and_negative_counts_are_refused() {
     );
 }
 
-/// As in `section-analyzer check ... | head -0`: the reader of the output is gone.
+/// As in `section-analyzer check ... | head -0`: the reader of the output has ended.
 #[test]
 fn a_closed_pipe_is_no_error() {
     let place = Workplace::with(&[], &[]);
@@ -214,7 +214,8 @@ fn a_mesh_that_cannot_be_written_is_wrong_usage() {
     assert_eq!(run.code, 2);
 }
 
-/// A page for each command, named as `man` looks for it, with the words of the help.
+/// A page for each command, with the file name that `man` expects and the text of the
+/// help.
 #[test]
 fn manual_has_a_page_for_each_command() {
     let place = Workplace::new();

@@ -1,4 +1,4 @@
-//! Temperatures and initial strains of the section file: what is told, and what is written.
+//! Temperatures and initial strains of the section file: messages, and written files.
 
 use crate::workplace::Workplace;
 
@@ -28,8 +28,8 @@ fn wrong_temperatures_are_told_together() {
          \"gradient\" with or without \"rise\", or \"table\"",
         "error: a.section.toml:23: temperature \"both\" has \"rise\" and \"table\", expected \"rise\", \
          \"gradient\" with or without \"rise\", or \"table\"",
-        "error: a.section.toml:26: temperature \"zero\" is zero everywhere, expected a number that \
-         is not",
+        "error: a.section.toml:26: temperature \"zero\" is zero everywhere, expected a nonzero \
+         number",
         "error: a.section.toml:29: \"gradient\" is an array of 3, expected an array of 2, the \
          gradients along y and z",
         "error: a.section.toml:31: \"rise\": \"mm\" measures a length, expected a rise of temperature",
@@ -65,8 +65,8 @@ fn wrong_initial_strains_are_told_together() {
         ":36: \"strain\" is an array of 2, expected an array of 6 strains in material axes, order \
          11 22 33 23 13 12",
         ":40: strain 11 is 2, expected at most 1",
-        ":43: [initial_strain.hot] has the name of [temperature.hot] on line 41, expected a name \
-         of its own",
+        ":43: [initial_strain.hot] has the name of [temperature.hot] on line 41, expected \
+         different names",
     ] {
         assert!(
             run.err.contains(expected),
@@ -97,12 +97,12 @@ fn heat_needs_something_that_expands() {
     let last = "fiber_angle = 0\nplane_angle = 0\n";
     let heated = format!("{last}[temperature.hot]\nrise = 5\n");
     Workplace::with(&[(last, &heated)], &[]).is_refused(&[
-        "error: a.section.toml:21: temperature \"hot\" has no effect: no region has a material with \
-         an \"expansion\" that is not zero",
-        "  help: add \"expansion\" to [material.NAME] of what is heated: strain per declared unit of \
-         temperature, or a text with its own unit, \"12e-6 1/K\"",
+        "error: a.section.toml:21: temperature \"hot\" has no effect: no region has a material \
+         with a nonzero \"expansion\"",
+        "  help: add \"expansion\" to [material.NAME] of the heated regions: strain per declared \
+         unit of temperature, or a text with its own unit, \"12e-6 1/K\"",
     ]);
-    // an expansion of zero is none
+    // an expansion of zero is treated as none
     let zero = (
         "density = \"7850 kg/m^3\"\n",
         "density = \"7850 kg/m^3\"\nexpansion = 0\n",
@@ -123,8 +123,7 @@ fn heat_needs_something_that_expands() {
     ];
     let run = Workplace::with(&changes, &[]).run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 0);
-    let warning =
-        "material \"foam\" has no \"expansion\", and others have: heat does not strain it";
+    let warning = "material \"foam\" has no \"expansion\", and others have: it does not expand";
     assert!(run.out.contains(warning), "{}", run.out);
 
     let expansion = ("expansion = 12e-6", "expansion = [1e-6, 2e-6]");
@@ -138,8 +137,8 @@ fn heat_needs_something_that_expands() {
     ]);
 }
 
-/// A name that is not known is told beside a wrong value of the same table, and the key of
-/// another table with the one that is meant.
+/// An unknown name is reported together with a wrong value of the same table, and a key
+/// of another table with the intended key.
 #[test]
 fn names_are_looked_for_even_if_values_are_wrong() {
     let text = "[initial_strain.cure]\n\
@@ -161,8 +160,8 @@ fn names_are_looked_for_even_if_values_are_wrong() {
     }
 }
 
-/// Steel heated evenly without any stress: round-off is shown as zero, in the report and
-/// in the figures, beside what the steel would bear if it were held.
+/// Steel heated uniformly without any stress: round-off is shown as zero, in the report
+/// and in the figures, compared with the stress of the restrained section.
 #[test]
 fn free_heat_is_shown_without_stress() {
     let strong = (
@@ -178,12 +177,12 @@ fn free_heat_is_shown_without_stress() {
     let (_, stresses) = report.split_once("Extreme stresses").unwrap();
     assert!(!stresses.contains("e-"), "{report}");
     assert!(report.contains("smallest reserve factor: none"), "{report}");
-    // what it strains by stays
+    // its strain is not zero
     assert!(report.contains("6.00000e-4"), "{report}");
 }
 
 /// Property file, report and stresses: two cells of one steel, 2 mm wide and 1 mm high,
-/// heated by 50 K, push with E alpha A T when held and bear no stress when free.
+/// heated by 50 K, have the force E alpha A T if restrained and no stress if free.
 #[test]
 fn heat_is_in_all_results() {
     let place = with("[temperature.hot]\nrise = 50\n[load.heat]\ntemperature = \"hot\"\n");

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::workplace::{SECTION, TWO_CELLS, Workplace};
 
-/// Sections that differ, in two folders; their names alone would not tell them apart.
+/// Different sections, in two folders; their names alone would not distinguish them.
 const FILES: [&str; 4] = [
     "one/a.section.toml",
     "one/b.section.toml",
@@ -12,7 +12,7 @@ const FILES: [&str; 4] = [
     "c.section.toml",
 ];
 
-/// Four sections of [`TWO_CELLS`] with other moduli of elasticity each.
+/// Four sections of [`TWO_CELLS`], each with another modulus of elasticity.
 fn four() -> Workplace {
     let place = Workplace::new();
     for folder in ["one", "two", ""] {
@@ -42,7 +42,7 @@ fn results(place: &Workplace) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-/// EA of the two squares of 1 mm: 2e-6 m^2 times 100, 101, ... GPa; both cells hold
+/// EA of the two squares of 1 mm: 2e-6 m^2 times 100, 101, ... GPa; both cells represent
 /// the linear field of extension exactly.
 #[test]
 fn each_section_has_a_line_in_the_order_given() {
@@ -83,7 +83,7 @@ fn results_do_not_depend_on_the_number_of_threads() {
     assert_eq!(one.1.len(), two.1.len());
 }
 
-/// A section alone gives the same files as among others.
+/// The files of a section are the same alone and among others.
 #[test]
 fn results_do_not_depend_on_the_company() {
     let (place, alone) = (four(), four());
@@ -94,8 +94,8 @@ fn results_do_not_depend_on_the_company() {
     assert!(results(&place) == results(&alone));
 }
 
-/// One file that is missing, one that is wrong in two places, one that cannot be
-/// solved: all is told in the order of the sections, and the good one is written.
+/// One file is missing, one has two mistakes, one cannot be solved: all is reported in
+/// the order of the sections, and the good one is written.
 #[test]
 fn problems_of_all_sections_are_told_and_the_others_are_written() {
     let place = four();
@@ -147,8 +147,8 @@ fn sections_with_the_same_results_are_refused_before_anything_runs() {
     assert_eq!(
         run.err,
         "error: \"one/a.section.toml\" and \"two/a.section.toml\" would both write \
-         \"all/a.properties.json\", expected other result files for each section\n  \
-         help: give one of the section files another name, or leave out --out\n"
+         \"all/a.properties.json\", expected other result files for each section\n  help: give \
+         one of the section files another name, or remove --out\n"
     );
     assert_eq!((run.code, run.out.as_str()), (2, ""));
     assert!(!place.path("all").exists());

@@ -1,4 +1,4 @@
-//! `matrices`: sections given by matrices, from files that are right and wrong.
+//! `matrices`: sections given by matrices, from correct and wrong files.
 
 use crate::workplace::Workplace;
 
@@ -30,7 +30,7 @@ fn refused(place: &Workplace, text: &str) -> String {
     run.err
 }
 
-/// All that is wrong with the files is told at once, with file and line.
+/// All problems of the files are reported together, with file and line.
 #[test]
 fn wrong_files_are_all_told() {
     let place = place();
@@ -72,12 +72,12 @@ fn wrong_files_are_all_told() {
     assert!(told.contains("\"k\""), "{told}");
 }
 
-/// Which identities the matrices break, and by how much.
+/// Reports the identities that the matrices violate, with their errors.
 #[test]
 fn broken_identities_are_told() {
     let told = refused(&place(), BLOCKS);
     for words in [
-        "C H = L T is broken by",
+        "C H = L T is violated by",
         "expected less than 1e-6",
         "rows of C belong to u'",
         "[initial_curvature]",
@@ -102,8 +102,8 @@ fn slice(place: &Workplace, file: &str, symmetry: &str, more: &str) {
     place.write(file, &format!("{head} 25\n{diagonal}{more}\n"));
 }
 
-/// What a slice cannot be: unsymmetric, of a curved beam, with two masses, or with a mass
-/// that is none. Each is told at its line.
+/// Invalid slices: unsymmetric, of a curved beam, with two masses, or with an invalid
+/// mass. Each is reported with its line.
 #[test]
 fn wrong_slices_are_told_with_their_lines() {
     let place = place();
@@ -120,10 +120,7 @@ fn wrong_slices_are_told_with_their_lines() {
         &place,
         &format!("{SLICE}[initial_curvature]\ncurvature = [0.1, 0, 0]\n"),
     );
-    assert!(
-        told.contains("a slice gives the section of a straight beam"),
-        "{told}"
-    );
+    assert!(told.contains("a slice is from a straight beam"), "{told}");
 
     let rows = |first: f64| {
         let row = |i: usize| {

@@ -1,10 +1,10 @@
-//! What is said about meshes whose cells overlap, touch without being joined, or
-//! have a poor shape; and the figures of a check.
+//! Messages about meshes whose cells overlap, touch without being joined, or have a poor
+//! shape; and the figures of a check.
 
 use super::workplace::Workplace;
 
-/// The mesh of the workplace in which "web" has nodes of its own on the side that
-/// it has in common with "skin", 7 and 8, at `seam`.
+/// The mesh of the workplace; at `seam` "web" has its own nodes, 7 and 8, on its common
+/// side with "skin".
 fn unjoined(seam: &str) -> Workplace {
     let nodes = ("6\n1 0 0 0", "8\n1 0 0 0");
     let own = (
@@ -21,10 +21,10 @@ fn doubled_nodes_come_with_places_and_remedy() {
         "error: two.msh: \"skin\" and \"web\" touch along 1 side between (1, 0) and (1, 1) but \
          share no nodes there: 2 nodes are doubled, as 2 and 7 at (1, 0), 5 and 8 at (1, 1); so \
          the section falls into 2 parts",
-        "  help: let the surfaces share their common curve and mesh again: in gmsh \
-         \"Coherence;\" (built-in geometry) or BooleanFragments (OpenCASCADE) before meshing, \
-         with a larger Geometry.Tolerance if points nearly meet; or, if a slit is meant, write \
-         doubled_nodes = \"allow\" at the head of the section file",
+        "  help: let the surfaces share their common curve and mesh again: in gmsh \"Coherence;\" \
+         (built-in geometry) or BooleanFragments (OpenCASCADE) before meshing, with a larger \
+         Geometry.Tolerance if points nearly meet; or, if a slit is intended, write doubled_nodes \
+         = \"allow\" at the head of the section file",
     ]);
 }
 
@@ -35,7 +35,7 @@ fn a_gap_that_takes_the_section_apart_is_told_with_its_width() {
         "    part 1: 1 cell at (0.5, 0.5), between (0, 0) and (1, 1), in \"skin\"",
         "    part 2: 1 cell at (1.5005, 0.5), between (1.001, 0) and (2, 1), in \"web\"",
         "    \"skin\" and \"web\" run within 0.001 of each other along 1 side between (1, 0.25) \
-         and (1.001, 0.75) without touching: nothing joins them across this gap",
+         and (1.001, 0.75) without touching: they are not connected across this gap",
         "  help: close the gap: move the points of one side onto the other, or in gmsh raise \
          Geometry.Tolerance before \"Coherence;\" or BooleanFragments",
     ]);
@@ -44,16 +44,16 @@ fn a_gap_that_takes_the_section_apart_is_told_with_its_width() {
 #[test]
 fn an_overlap_is_told_with_cells_and_place() {
     unjoined("0.9").is_refused(&[
-        "error: two.msh: cells of \"skin\" overlap those of \"web\": 11 and 12 at (1, 0.5); the \
-         area there would count twice",
+        "error: two.msh: cells of \"skin\" overlap cells of \"web\": 11 and 12 at (1, 0.5); the \
+         area there would be counted twice",
         "  help: a surface meshed twice, or surfaces that reach into each other: in gmsh, \
          \"Coherence;\" (built-in geometry) or BooleanFragments (OpenCASCADE) before meshing, \
          and delete copies",
     ]);
 }
 
-/// A ring of four squares around a hole, "skin" above and "web" below. They share
-/// nodes on the left; on the right lie 9 on 1 and 10 on 2.
+/// A ring of four squares around a hole, "skin" above and "web" below. They share nodes
+/// on the left; on the right 9 coincides with 1, and 10 with 2.
 ///
 /// ```text
 ///             4
@@ -136,7 +136,7 @@ fn a_slit_between_regions_is_allowed_in_the_section_file() {
 
 #[test]
 fn poor_cells_are_a_warning_with_places() {
-    // "web" is 300 long: a strip beside a square
+    // "web" is 300 long: a strip next to a square
     let long = [("3 2 0 0", "3 301 0 0"), ("6 2 1 0", "6 301 1 0")];
     let place = Workplace::with(&[], &long);
     let run = place.run(&["check", "a.section.toml"]);
@@ -152,7 +152,7 @@ Cell quality by region, the worst value (and the mean)
   web     1.000 (1.000)  300.0 (300.0)   90.0 (90.0)  90.0 (90.0)      1 of 1
 ";
     assert!(run.out.contains(table), "{}", run.out);
-    // the square beside the strip is good, and none of the worst
+    // the square next to the strip is good, and not one of the worst
     let worst = "Worst cells, at their centers in the unit of the mesh\n  \
                  cell  region  y [mm]  z [mm]\n  \
                  12    web        151     0.5  aspect ratio 300.0, poor above 100\n\n";

@@ -4,7 +4,7 @@ use shared_geom::section::{self, StrainMeasure};
 
 use crate::workplace::Workplace;
 
-/// Asks for the table, with a load.
+/// Requests the table, with a load.
 fn prestressed(measure: &str) -> Workplace {
     let load =
         format!("mesh = \"two.msh\"\nprestress = \"{measure}\"\n\n[load.pull]\naxial = \"4 kN\"\n");
@@ -100,8 +100,8 @@ fn oblique_lines_are_refused_by_their_name() {
     );
 }
 
-/// Moved, turned and brought back: equal but for round-off; by another measure it is
-/// not compared.
+/// Moved, rotated and moved back: equal to round-off; another measure of strain is not
+/// compared.
 #[test]
 fn the_table_is_moved_and_compared() {
     let place = prestressed("biot");
@@ -122,12 +122,13 @@ fn the_table_is_moved_and_compared() {
     green.prestress = Some(prestress);
     place.write("d.json", &section::write(&green));
     let run = place.run(&["compare", "b.json", "d.json"]);
-    let words = "the prestress of A is by the strain of biot, that of B by green";
+    let words =
+        "the prestress of A uses the strain of biot, the prestress of B the strain of green";
     assert!(run.code == 1 && run.out.contains(words), "{}", run.out);
 }
 
-/// A load with an initial strain has the stiffness of its stresses; one along the beam
-/// says what is left out.
+/// A load with an initial strain has the stiffness of its stresses; for a distributed
+/// load the report states the neglected part.
 #[test]
 fn what_a_load_imposes_is_in_its_stiffness() {
     let place = prestressed("biot");

@@ -5,8 +5,8 @@ use shared_geom::section::{self, Change, SectionProperties};
 
 use crate::workplace::{Run, Workplace};
 
-/// A strip of carbon at 30 degrees beside one of steel, off the origin: all internal
-/// forces but the shear along z are coupled with each other, and no center is another.
+/// A strip of carbon at 30 degrees next to one of steel, off the origin: all internal
+/// forces except the shear along z are coupled, and all centers are different.
 const COUPLED: [(&str, &str); 2] = [
     (
         "[[region]]\ngroup = \"skin\"\nmaterial = \"steel\"",
@@ -54,8 +54,9 @@ fn relative(a: &Matrix6<f64>, b: &Matrix6<f64>) -> f64 {
     (b - a).component_div(&(root * root.transpose())).amax()
 }
 
-/// Checks that two files hold the same section to `tolerance`, in what the transforms
-/// change: matrices relative to sqrt(Aii Ajj), places to the size of 1 mm, angles.
+/// Checks that two files contain the same section to `tolerance`, in all transformed
+/// data: matrices relative to sqrt(Aii Ajj), positions relative to the size of 1 mm,
+/// angles.
 fn same(place: &Workplace, a: &str, b: &str, tolerance: f64) {
     let (a, b) = (properties(place, a), properties(place, b));
     assert!(relative(&a.stiffness, &b.stiffness) < tolerance);
@@ -78,7 +79,7 @@ fn same(place: &Workplace, a: &str, b: &str, tolerance: f64) {
     );
 }
 
-/// There and back: a few products of round-off 1e-16 each, with a shift of the size of
+/// There and back: a few products with round-off 1e-16 each, with a shift of the size of
 /// the section.
 #[test]
 fn shift_and_back_is_where_it_began() {
@@ -103,9 +104,9 @@ fn rotate_and_back_is_where_it_began() {
     assert!((turned + 40.0_f64.to_radians()).abs() < 1e-14);
 }
 
-/// The mesh moved by (0.7, -0.4) mm has its section at another place: the reference
-/// point of the first, moved by the opposite, is that of the second. The two solutions
-/// agree to their own round-off, 1e-11 after the shift.
+/// The mesh moved by (0.7, -0.4) mm has its section at another position: the reference
+/// point of the first, moved by the opposite, is the reference point of the second. The
+/// two solutions agree to their own round-off, 1e-11 after the shift.
 #[test]
 fn a_shifted_file_is_that_of_the_moved_mesh() {
     let place = coupled();
@@ -181,7 +182,7 @@ fn provenance_keeps_the_source_and_says_what_was_done() {
     }
 }
 
-/// A center that the reference point moves to has the coordinates zero.
+/// A center to which the reference point moves has zero coordinates.
 #[test]
 fn the_reference_point_moves_to_a_center() {
     let place = coupled();
@@ -199,8 +200,8 @@ fn the_reference_point_moves_to_a_center() {
     assert!(properties(&place, "b.json").mass[(0, 4)].abs() < 1e-20);
 }
 
-/// In principal axes of inertia about the mass center, the product of inertia is zero;
-/// in those of bending, the compliance couples no two bendings.
+/// In principal axes of inertia about the mass center, the product of inertia is zero; in
+/// principal axes of bending, the compliance does not couple the two bendings.
 #[test]
 fn the_axes_turn_to_principal_ones() {
     let place = coupled();

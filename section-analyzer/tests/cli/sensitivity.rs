@@ -1,10 +1,10 @@
-//! `analyze --sensitivity`: the file, the table, and what is refused.
+//! `analyze --sensitivity`: the file, the table, and refused requests.
 
 use crate::workplace::Workplace;
 
 const FILE: &str = "results/a.sensitivity.json";
 
-/// Of the two cells one is of a ply, so that there are angles.
+/// One of the two cells is a ply, so that there are angles.
 fn place() -> Workplace {
     let ply = "[material.ply]\ne1 = 140\ne2 = 9\ne3 = 9\ng12 = 5\ng13 = 5\ng23 = 3\n\
                nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.4\ndensity = \"1600 kg/m^3\"\n\n[[region]]\n\
@@ -56,7 +56,7 @@ fn the_file_has_all_constants_and_angles() {
     let angle = of("fiber angle of skin");
     let value = angle["value"].as_f64().unwrap();
     assert!((value - 20f64.to_radians()).abs() < 1e-15);
-    // moduli of all materials together scale the stiffness: K = sum p dK/dp
+    // all moduli together scale the stiffness: K = sum p dK/dp
     let sum: f64 = parameters
         .iter()
         .filter(|parameter| parameter["unit"] == "Pa")
@@ -84,7 +84,7 @@ fn the_table_is_in_the_report() {
             .unwrap_or_else(|| panic!("{name}: {report}"))
             .to_owned()
     };
-    // densities change no stiffness
+    // densities do not change the stiffness
     let words: Vec<_> = line("density of steel")
         .split_whitespace()
         .map(str::to_owned)
@@ -114,7 +114,7 @@ fn nodes_are_parameters_where_asked_for() {
         last,
         ["y of node 3", "z of node 3", "y of node 6", "z of node 6"]
     );
-    // the right side moved out by 1 m adds 1 m times its height of steel
+    // moving the right side out by 1 m adds 1 m times its height of steel
     let mass: f64 = [0, 2]
         .map(|i| {
             parameters[parameters.len() - 4 + i]["mass"][0][0]
@@ -126,8 +126,8 @@ fn nodes_are_parameters_where_asked_for() {
     assert!((mass / (7850.0 * 1e-3) - 1.0).abs() < 1e-10, "{mass}");
 }
 
-/// A constant of zero has a row of its own; torsion and bending do not depend on where the
-/// origin is; a section without mass has no mass center.
+/// A constant of zero has its own row; torsion and bending do not depend on the position
+/// of the origin; a section without mass has no mass center.
 #[test]
 fn the_table_is_about_the_centers() {
     let zero = (
@@ -168,7 +168,7 @@ fn the_table_is_about_the_centers() {
     }
 }
 
-/// The file belongs to the run that was asked for it.
+/// The file belongs to the run that requested it.
 #[test]
 fn a_run_without_the_option_removes_the_file() {
     let place = place();
@@ -218,7 +218,7 @@ error: a.section.toml: --sensitivity-nodes 77: the mesh \"two.msh\" has no node 
         let rest = ["--sensitivity", "--sensitivity-nodes", wrong];
         let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
         assert_eq!(run.code, 2);
-        assert!(run.err.contains("with commas between them"), "{}", run.err);
+        assert!(run.err.contains("separated by commas"), "{}", run.err);
     }
     let rest = ["--sensitivity", "--sensitivity-nodes", "1, 3"];
     let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());

@@ -13,7 +13,7 @@ const FILES: [&str; 8] = [
     "von_mises.png",
 ];
 
-/// A section of 2 x 1 mm under loads of the file; lines are counted from 21 on.
+/// A section of 2 x 1 mm under loads of the file; line numbers start at 21.
 fn with(more: &str) -> Workplace {
     let place = Workplace::with(&[], &[]);
     place.write("a.section.toml", &format!("{SECTION}{more}"));
@@ -62,7 +62,7 @@ fn analyze_recovers_every_load_of_the_file() {
     assert_eq!(column(&table, "cell")[7], "12");
 }
 
-/// Another load than that of the file, with units, at another place: 1 kN at the
+/// A load other than the load of the file, with units, at another point: 1 kN at the
 /// corner (2, 1) mm bends by 1 N m about y and by -2 N m about z.
 #[test]
 fn command_line_gives_a_load() {
@@ -115,8 +115,8 @@ fn command_line_takes_negative_loads_with_units() {
     }
 }
 
-/// Isotropic materials have no axes of their own: no rows of stresses in them. Tension
-/// bends nothing: the curvatures are round-off, and shown as zero.
+/// Isotropic materials have no material axes: no rows of stresses in them. Tension causes
+/// no bending: the curvatures are round-off, and shown as zero.
 #[test]
 fn report_leaves_out_what_means_nothing() {
     let place = with("[load.pull]\naxial = 400\npoint = [1, 0.5]\n");
@@ -199,9 +199,9 @@ fn wrong_loads_are_told() {
     let run = place.run(&["stress", "a.section.toml"]);
     assert_eq!(
         run.err,
-        "error: a.section.toml: the section file has no load case, and the command line gives \
-         no load\n  help: add [load.NAME] to the section file, or give some of --axial, \
-         --shear-y, --shear-z, --torsion, --bending-y, --bending-z\n"
+        "error: a.section.toml: the section file has no load case, and the command line has no \
+         load\n  help: add [load.NAME] to the section file, or give some of --axial, --shear-y, \
+         --shear-z, --torsion, --bending-y, --bending-z\n"
     );
     assert_eq!(run.code, 2);
     assert!(!place.path("results").exists());
@@ -218,7 +218,7 @@ fn wrong_loads_are_told() {
     }
 }
 
-/// The squares of their stresses would have no value. The force of 1 N at 1e30 m has a
+/// The squares of their stresses would not be finite. The force of 1 N at 1e30 m has a
 /// moment of 1e30 N m about the origin.
 #[test]
 fn loads_beyond_all_structures_are_told() {
@@ -271,8 +271,7 @@ fn wrong_strengths_are_told() {
         "[material.steel.strength]\ntension = 1\nshear = 1\ncompression = \"-5 Pa\"\n",
         &[
             "error: a.section.toml:24: material \"steel\": compression is -5, expected more than 0",
-            "  help: strengths are positive numbers, those in compression too; leave out what is \
-             not known",
+            "  help: strengths are positive numbers, also in compression; omit unknown ones",
         ],
     );
 }
@@ -287,8 +286,7 @@ fn wrong_strengths_of_plies_are_told() {
     place.write("a.section.toml", &format!("{section}{strength}"));
     place.is_refused(&[
         "error: a.section.toml:31: material \"steel\": yt is -1000000000, expected more than 0",
-        "  help: strengths are positive numbers, those in compression too; leave out what is not \
-         known",
+        "  help: strengths are positive numbers, also in compression; omit unknown ones",
         "error: a.section.toml:34: material \"steel\": f12 is 2, expected more than -1 and less \
          than 1",
         "  help: it is F12 / sqrt(F11 F22), without a unit; -0.5 is the usual choice",
@@ -302,7 +300,7 @@ fn wrong_strengths_of_plies_are_told() {
     ]);
 }
 
-/// A section that cannot be solved leaves no stresses of an earlier run behind.
+/// A section that cannot be solved leaves no stresses of an earlier run.
 #[test]
 fn stale_stresses_are_removed() {
     let place = with("[load.pull]\naxial = 400\n");

@@ -1,4 +1,4 @@
-//! Sections that are not solved again, and what makes them be.
+//! Sections that are not solved again, and changes after which they are.
 
 use crate::workplace::Workplace;
 
@@ -14,7 +14,7 @@ fn is_unchanged(place: &Workplace) -> bool {
     analyze(place, &[]).contains(UNCHANGED)
 }
 
-/// Sets the time of a file back, so that a later look tells whether it was written.
+/// Sets the time of a file back, to detect whether it is written later.
 fn age(place: &Workplace, file: &str) {
     let file = std::fs::File::options()
         .append(true)
@@ -103,7 +103,7 @@ fn results_that_are_missing_or_changed_are_made_again() {
     assert!(is_unchanged(&place));
 }
 
-/// A record that says nothing, or something else, is no record.
+/// A record with other or no content is ignored.
 #[test]
 fn a_damaged_record_is_made_again() {
     let place = Workplace::with(&[], &[]);
@@ -118,8 +118,8 @@ fn a_damaged_record_is_made_again() {
     assert!(is_unchanged(&place));
 }
 
-/// Other folders have their own records; a section whose file is wrong is told so,
-/// whatever lies in its results.
+/// Other folders have their own records; a section with a wrong file is reported as
+/// wrong, regardless of its results.
 #[test]
 fn records_belong_to_folders_and_do_not_hide_problems() {
     let place = Workplace::with(&[], &[]);
@@ -135,7 +135,7 @@ fn records_belong_to_folders_and_do_not_hide_problems() {
     assert_eq!((run.code, run.out.as_str()), (2, ""));
 }
 
-/// A file of an earlier run that this run no longer writes goes; others stay.
+/// A file of an earlier run that this run no longer writes is removed; other files stay.
 #[test]
 fn files_that_are_no_longer_written_go() {
     let place = Workplace::with(&[], &[]);
@@ -152,8 +152,8 @@ fn files_that_are_no_longer_written_go() {
     assert!(place.path("results/a.notes.csv").exists());
 }
 
-/// Without the record of the run before, as after one that broke off, nothing tells
-/// which files it wrote.
+/// Without the record of the previous run, for example after an interruption, its files
+/// are not known.
 #[test]
 fn constants_go_with_the_isotropic_material_also_without_a_record() {
     let place = Workplace::with(&[], &[]);
@@ -179,8 +179,8 @@ fn results(place: &Workplace) -> Vec<String> {
     names
 }
 
-/// A run without figures is another run than one with them: each makes its own files
-/// and removes those of the other; all that is no figure is the same to the last bit.
+/// A run without figures differs from a run with figures: each makes its own files and
+/// removes the files of the other; all files except figures are equal to the last bit.
 #[test]
 fn a_run_without_figures_is_another_run() {
     const BARE: &[&str] = &["--no-figures"];
@@ -212,7 +212,7 @@ fn a_run_without_figures_is_another_run() {
     assert_eq!(results(&place), drawn);
 }
 
-/// Without the record of the run before nothing tells which figures it drew.
+/// Without the record of the previous run its figures are not known.
 #[test]
 fn figures_go_without_a_record_too() {
     let loads = (

@@ -1,11 +1,11 @@
-//! A folder of its own for each test, and the program run in it.
+//! A separate folder for each test, and runs of the program in it.
 
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
 use tempfile::TempDir;
 
-/// Two square cells beside each other, each in a surface of its own, and a line.
+/// Two adjacent square cells, each in its own surface, and a line.
 ///
 /// ```text
 ///   4 ---- 5 ---- 6      cell 11 (nodes 1 2 5 4) in "skin"
@@ -40,8 +40,8 @@ $Elements
 $EndElements
 ";
 
-/// A section of [`TWO_CELLS`] in which nothing is wrong. Lines are counted in the
-/// tests: keep them.
+/// A section of [`TWO_CELLS`] without any problem. Lines are counted in the tests: keep
+/// them.
 pub const SECTION: &str = "\
 mesh = \"two.msh\"
 
@@ -70,7 +70,7 @@ pub struct Workplace {
     folder: TempDir,
 }
 
-/// What a run of the program gave.
+/// Results of a run of the program.
 pub struct Run {
     pub code: i32,
     pub out: String,
@@ -83,8 +83,8 @@ impl Workplace {
         Self { folder }
     }
 
-    /// A folder with [`TWO_CELLS`] and [`SECTION`], in which each pair of texts has
-    /// been replaced, `a.section.toml` and `two.msh`.
+    /// A folder with [`TWO_CELLS`] and [`SECTION`] as `two.msh` and `a.section.toml`, in
+    /// which each pair of texts has been replaced.
     pub fn with(section_changes: &[(&str, &str)], mesh_changes: &[(&str, &str)]) -> Self {
         let place = Self::new();
         place.write("a.section.toml", &changed(SECTION, section_changes));

@@ -1,5 +1,5 @@
-//! Electrodes of the examples in the book, on the meshes that their commands make, and
-//! what they become.
+//! Electrodes of the examples in the book, on the meshes of their commands, and the
+//! resulting sections.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -101,8 +101,8 @@ fn three_electrodes_of_a_bimorph() {
     assert_eq!(middle.circuit, Circuit::Ground);
 }
 
-/// Fibers at +45 and -45 degrees with opposite fields: 2000 per meter along axis 1, where
-/// the coupling of the poled axis is.
+/// Fibers at +45 and -45 degrees with opposite fields: 2000 per meter along axis 1, the
+/// poled axis.
 #[test]
 fn fields_of_fingers_are_along_the_fibers() {
     let input = example(2);
@@ -126,7 +126,7 @@ fn fields_of_fingers_are_along_the_fibers() {
         .find(|known| known.name == "afc")
         .unwrap();
     let e = law.electric.unwrap().coupling;
-    // along the fiber pulls, across presses
+    // extension along the fiber, contraction across
     assert!(e[(0, 0)] > 0.0 && e[(0, 1)] < 0.0);
     assert_relative_eq!(e[(0, 1)], e[(0, 2)], max_relative = 1e-12);
     assert!(e[(2, 2)].abs() < 1e-12 * e[(0, 0)]);
@@ -144,14 +144,14 @@ fn reference(name: &str, matrix: &str) -> Vec<Vec<f64>> {
     serde_json::from_value(case.unwrap()[matrix].clone()).unwrap()
 }
 
-/// The bimorph of the book is that of the reference, 0.25 mm higher: an axial force F1 at
+/// The bimorph of the book is the reference bimorph, 0.25 mm higher: an axial force F1 at
 /// this height has the moment z F1.
 ///
-/// Forces are exact but for the digits of the constants, wrong by up to 4e-5 in the book and
-/// used in a difference of numbers a few times as large. The moment has a part, a tenth of
-/// it, by which the layers restrain each other across the width; the book has one cell
-/// through the upper layer, which may miss a tenth of this part. A slip of sign, place or
-/// unit is a hundred times more.
+/// Forces are exact except for the digits of the constants, wrong by up to 4e-5 in the
+/// book and used in a difference of numbers a few times as large. A tenth of the moment
+/// is due to the restraint of the layers across the width; the book has one cell through
+/// the upper layer, whose error may be a tenth of this part. A mistake of sign, position
+/// or unit is a hundred times larger.
 #[test]
 fn the_bimorph_of_the_book_is_that_of_the_reference() {
     let input = example(1);
@@ -213,7 +213,7 @@ circuit = \"ground\"
     let input = input::read(&file).unwrap_or_else(|problems| panic!("{problems}"));
     let piezo = analyze(&input.section).unwrap().piezo.unwrap();
     let strain = piezo.electrodes[0].free_strain;
-    // the exact solution is linear, which the cells hold
+    // the exact solution is linear, which the cells represent
     assert_relative_eq!(strain[2], -700e-9, max_relative = 1e-10);
     assert!(strain[0].abs() + strain[1].abs() < 1e-10 * 700e-9);
 }

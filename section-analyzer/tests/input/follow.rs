@@ -30,9 +30,8 @@ fn section(plane_angle: &str) -> String {
     )
 }
 
-/// The angle of the wall in the middle of each cell's sector, in degrees, as a
-/// table. The boundaries run clockwise: the wall direction at the polar angle phi
-/// is phi - 90 deg.
+/// The angle of the wall at the middle of each cell's sector, in degrees, as a table. The
+/// boundaries run clockwise: the wall direction at the polar angle phi is phi - 90 deg.
 fn table(mesh: &Mesh, turn: f64) -> String {
     let mut text = "cell,angle\n".to_owned();
     for cell in &mesh.cells {
@@ -94,7 +93,7 @@ fn is_same(kind: CellKind, curved: bool) {
         }
     }
     // A wound tube couples extension and torsion, strongly and with the sign of its
-    // direction: else the comparison would say little.
+    // direction: otherwise the comparison would not be significant.
     let coupling = by_table[(0, 3)] / (by_table[(0, 0)] * by_table[(3, 3)]).sqrt();
     assert!(coupling.abs() > 0.3, "{coupling}");
     assert!((reverse[(0, 3)] / by_table[(0, 3)] + 1.0).abs() < 1e-9);

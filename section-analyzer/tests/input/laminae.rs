@@ -82,13 +82,13 @@ fn plies_become_regions_of_their_own() {
         assert!((found / expected - 1.0).abs() < 1e-12, "{found}");
     }
     assert_eq!(input.summary.warnings, []);
-    // the bottom runs against y: its wall direction is pi, its normal is down
+    // the bottom has the direction -y: its wall direction is pi, its normal is down
     let last = input.section.cells.last().unwrap();
     assert!((last.plane_angle.abs() - std::f64::consts::PI).abs() < 1e-12);
     analyze(&input.section).unwrap();
 }
 
-/// The name of a laminate stands for all its plies, in initial strains and in loads.
+/// The name of a laminate represents all its plies, in initial strains and in loads.
 #[test]
 fn the_name_of_a_laminate_is_that_of_its_plies() {
     let strain = "strain = [1e-3, 0, 0, 0, 0, 0]\n";
@@ -149,8 +149,8 @@ fn square(is_quadratic: bool) -> Mesh {
     mesh
 }
 
-/// A mesh of lines only; its area is the length times the thickness, and no word is lost
-/// about nodes in the middle of the wall.
+/// A mesh of lines only; its area is the length times the thickness, and nodes in the
+/// middle of the wall are not reported.
 #[test]
 fn a_section_of_lines_only_is_read() {
     let folder = tempfile::tempdir().unwrap();
@@ -178,7 +178,7 @@ fn a_section_of_lines_only_is_read() {
     );
 }
 
-/// What is changed in the sound file, to what, and what is told.
+/// Changed text of the sound file, its replacement, and the message.
 const WRONG: &[[&str; 3]] = &[
     [
         "curve = \"top\"",
@@ -219,19 +219,18 @@ const WRONG: &[[&str; 3]] = &[
     [
         "name = \"lower\"",
         "side = \"right\"",
-        "error: a.section.toml:30: side = \"right\" puts the laminate of curve \"bottom\" \
-         into the cells beside line 1 at (45, -10)\n  help: give side = \"left\", the one \
-         without cells",
+        "error: a.section.toml:30: side = \"right\" puts the laminate of curve \"bottom\" into \
+         the cells next to line 1 at (45, -10)\n  help: give side = \"left\", the one without \
+         cells",
     ],
     [
         "name = \"lower\"",
         "name = \"core\"",
-        "error: a.section.toml:31: the name \"core\" of a lamina is taken by a surface or \
-         another lamina\n  help: tables and reports go by it: give the lamina a \"name\" of \
-         its own",
+        "error: a.section.toml:31: the name \"core\" of a lamina is already the name of a surface \
+         or another lamina\n  help: tables and reports use it: give the lamina its own \"name\"",
     ],
     [
-        // neither has a curve: they have no names that could be the same
+        // neither has a curve: they have no names that could be equal
         "curve = \"top\"\nplies",
         "plies",
         "error: a.section.toml:23: [[lamina]] number 1 has no \"curve\", expected the name of a \
@@ -294,7 +293,7 @@ fn wrong_laminae_are_told_with_line_and_remedy() {
     }
 }
 
-/// Sides and cells of a traction of the first load, as far as they lie on the surface.
+/// Sides and cells of a traction of the first load, if they lie on the surface.
 fn free_sides(input: &Input) -> usize {
     let Action::Traction { sides, .. } = &input.distributed[0].parts[0].action else {
         panic!("a traction")
@@ -303,8 +302,8 @@ fn free_sides(input: &Input) -> usize {
     sides.len()
 }
 
-/// The outer face of facings and both faces of a wall in the middle of its line take a
-/// pressure; the force of a pressure on one face is that on its length.
+/// The outer face of facings and both faces of a centered wall accept a pressure; the
+/// force of a pressure on one face is the pressure times its length.
 #[test]
 fn faces_of_laminae_take_a_pressure() {
     let folder = tempfile::tempdir().unwrap();
@@ -324,7 +323,7 @@ fn faces_of_laminae_take_a_pressure() {
     }
     let (head, _) = SOUND.split_once("[[region]]").unwrap();
     let wall = format!("{head}[[lamina]]\ncurve = 7\nname = \"w\"\nmaterial = \"glass\"\n");
-    // clockwise: the left is outside; a pressure there and within holds itself in balance
+    // clockwise: the left is outside; pressures on it are in equilibrium
     for (side, names) in [
         ("center", ["w/left", "w/right"]),
         ("left", ["w/outer", "7"]),
@@ -335,7 +334,7 @@ fn faces_of_laminae_take_a_pressure() {
             assert_eq!(free_sides(&input), 16);
         }
     }
-    // the line itself is inside, or no side at all
+    // the line itself is inside, or not a side at all
     let told = read(
         folder.path(),
         &core(),
@@ -344,7 +343,7 @@ fn faces_of_laminae_take_a_pressure() {
     .unwrap_err();
     assert_eq!(
         told,
-        "error: a.section.toml:36: physical curve \"top\" has cells at both sides of line 13, \
+        "error: a.section.toml:36: physical curve \"top\" has cells on both sides of line 13, \
          expected a pressure on a surface\n  help: the curve has a laminate: give its face, \
          \"top/outer\""
     );
@@ -356,8 +355,9 @@ fn faces_of_laminae_take_a_pressure() {
     );
 }
 
-/// A lamina that cannot be made hides nothing else: an unknown curve and an unknown region
-/// are told; faces and plies of the laminae are not called unknown.
+/// A lamina that cannot be made does not hide other problems: an unknown curve and an
+/// unknown region are reported; faces and plies of the laminae are not reported as
+/// unknown.
 #[test]
 fn wrong_laminae_hide_no_other_error() {
     let folder = tempfile::tempdir().unwrap();
@@ -415,8 +415,8 @@ fn wrong_laminae_hide_no_other_error() {
     assert_eq!(errors.count(), 1, "{told}");
 }
 
-/// The rows of a table of rises: the tags of the cells of the mesh, and for plies that of
-/// their line, or their own.
+/// The rows of a table of temperature rises: the tags of the cells of the mesh, and for
+/// plies the tag of their line, or their own.
 #[test]
 fn a_line_stands_for_its_plies_in_tables_of_rises() {
     let folder = tempfile::tempdir().unwrap();
@@ -453,7 +453,7 @@ fn a_line_stands_for_its_plies_in_tables_of_rises() {
         plies += 1;
     }
     assert_eq!(plies, 30);
-    // the row of a ply cell goes before that of its line, which may stand there too
+    // the row of a ply cell has priority over the row of its line, which is also allowed
     let cells = input.section.mesh.cells.iter().skip(mesh.cells.len());
     let own: String = cells.map(|cell| format!("{},7\n", cell.tag)).collect();
     std::fs::write(folder.path().join("rises.csv"), format!("{rows}{own}")).unwrap();
@@ -461,7 +461,7 @@ fn a_line_stands_for_its_plies_in_tables_of_rises() {
     for strain in &input.imposed[0].cells[mesh.cells.len()..] {
         assert!((strain.at_origin[0] / 7e-5 - 1.0).abs() < 1e-12);
     }
-    // one line is left out, one is none of the walls
+    // one line is missing, one is not in the walls
     let rows = format!("{without_lines}1,5\n");
     std::fs::write(folder.path().join("rises.csv"), rows).unwrap();
     let told = read(folder.path(), &mesh, &text).unwrap_err();
@@ -474,13 +474,13 @@ fn a_line_stands_for_its_plies_in_tables_of_rises() {
     );
 }
 
-/// Laminates that have no room are told by their curves and lines: tags of their cells are
-/// in no file.
+/// Laminates without enough space are reported by their curves and lines: the tags of
+/// their cells are in no file.
 #[test]
 fn cells_of_plies_are_told_by_their_lines() {
     let folder = tempfile::tempdir().unwrap();
     let (head, _) = SOUND.split_once("[[region]]").unwrap();
-    // two walls, nearer to each other than they are thick, joined by a third
+    // two walls, closer than their thickness, joined by a third
     let mut mesh = Mesh::default();
     for (x, y) in [
         (0.0, 0.0),

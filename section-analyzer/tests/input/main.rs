@@ -1,4 +1,4 @@
-//! Sections from files: against sections whose cells are known in closed form, and
+//! Sections from files: compared with sections whose cells are known in closed form, and
 //! files of any content.
 
 // A failed unwrap fails the test, with its line.

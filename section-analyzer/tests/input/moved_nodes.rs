@@ -1,6 +1,6 @@
-//! Derivatives with respect to nodes of the mesh file, with all that is made from them:
-//! laminates, and plane angles that follow a curve. Against differences of whole
-//! analyses of moved files.
+//! Derivatives with respect to nodes of the mesh file, including laminates and plane
+//! angles that follow a curve, compared with differences of complete analyses of moved
+//! files.
 
 use std::path::Path;
 
@@ -83,8 +83,9 @@ fn centers(solution: &SectionSolution) -> [f64; 6] {
 }
 
 /// K, M and the centers, relative to the largest of their derivatives. Differences of
-/// four analyses with steps of 2e-3 of a line err by 1e-11 times a fifth derivative, and
-/// by round-off, 1e-13 over what a step changes (1e-5): 1e-6 leaves room.
+/// four analyses with steps of 2e-3 of a line have errors of 1e-11 times a fifth
+/// derivative, and of round-off, 1e-13 over the change of a step (1e-5): 1e-6 leaves a
+/// margin.
 fn moves(mesh: &Mesh, text: &str, tags: &[u64], line: f64) {
     let folder = tempfile::tempdir().unwrap();
     let input = written(folder.path(), mesh, text);
@@ -144,7 +145,7 @@ fn tube(kind: CellKind) -> Mesh {
         curved: true,
     };
     let mut mesh = tube.generate().unwrap();
-    // off its center and out of round, so that nothing is zero by symmetry
+    // off its center and not circular, so that nothing is zero by symmetry
     for node in &mut mesh.nodes {
         let [y, z] = [node.position.x, node.position.y];
         (node.position.x, node.position.y) = (1.3 * y + 20.0, 0.8 * z + 0.1 * y - 7.0);
@@ -152,8 +153,8 @@ fn tube(kind: CellKind) -> Mesh {
     mesh
 }
 
-/// Tags of a node of the first line of "outer", of one inside, and of its middle, if it
-/// has one.
+/// Tags of a node of the first line of "outer", of an inner one, and of its middle node,
+/// if it has one.
 fn of_tube(mesh: &Mesh) -> Vec<u64> {
     let of = |name: &str| {
         let group = mesh.group(1, name).unwrap();
@@ -255,8 +256,8 @@ fn nodes_that_are_no_parameters() {
     }
 }
 
-/// The middle of a square cell is as near to its right side as to its bottom: which of
-/// them its plane angle follows is open as soon as a corner moves.
+/// The center of a square cell is equally near to its right side and to its bottom: the
+/// side that its plane angle follows is undetermined as soon as a corner moves.
 #[test]
 fn angles_that_jump() {
     let mut mesh = Mesh::default();

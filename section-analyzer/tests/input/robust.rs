@@ -1,6 +1,6 @@
-//! Section files of any content are read, or told what is wrong with them.
+//! Section files of any content are read, or their problems reported.
 //!
-//! The seeds are those of the fuzz target, `fuzz/corpus/section_file`, with the mesh
+//! The seeds are the corpus of the fuzz target, `fuzz/corpus/section_file`, with the mesh
 //! and the table of `fuzz/support`; mutations come from a fixed seed.
 
 use std::path::{Path, PathBuf};
@@ -62,14 +62,15 @@ fn changed_section_files_are_read_or_refused() {
         }
     }
     println!("{good} read, {bad} refused");
-    // neither all nor none: most changes break a file, some do not
+    // neither all nor none: most changes make a file invalid, some do not
     assert!(good > 10 && bad > good);
 }
 
 /// The files of a section given by its matrices: matrices file, node table, matrix.
 const GIVEN: [&str; 3] = ["a.matrices.toml", "nodes.csv", "k.mtx"];
 
-/// Each of the three files of `support`, changed a thousand times while the others stay.
+/// Each of the three files of `support`, changed a thousand times with the others
+/// unchanged.
 #[test]
 fn changed_files_of_matrices_are_read_or_refused() {
     let support = Path::new(FUZZ).join("support");

@@ -1,5 +1,5 @@
-//! The description of the section file against its reader, the files of the
-//! repository, and its page in the book.
+//! Compares the description of the section file with its reader, with the files of the
+//! repository, and with its page in the book.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use section_analyzer::input::schema::{
 use shared_geom::units::DECLARABLE;
 use toml::{Table, Value};
 
-/// A key that is like no other.
+/// A key that is unlike all others.
 const STRANGE: &str = "qqqqqqqqqqqq";
 
 /// The top folder of the repository.
@@ -24,7 +24,7 @@ fn validator() -> Validator {
     jsonschema::draft202012::new(&json_schema()).expect("a valid schema")
 }
 
-/// Whether the text of a section file fits the schema, and why not.
+/// Whether the text of a section file fits the schema, with the reason if not.
 fn fits(validator: &Validator, text: &str) -> Result<(), String> {
     let table: Table = toml::from_str(text).expect("a file in TOML");
     let value = serde_json::to_value(table).expect("TOML without dates");
@@ -70,8 +70,8 @@ fn complete(table: &'static TableSchema, form: Option<&'static Family>) -> Table
         .collect()
 }
 
-/// A table as the value of a key of this kind; tables with names have those by which the
-/// examples call them.
+/// A table as the value of a key of this kind; named tables use the names of the
+/// examples.
 fn embedded(key: &str, kind: &ValueKind, table: Table) -> Value {
     let name = match key {
         "temperature" => "hot",
@@ -115,7 +115,8 @@ impl Sample {
     }
 }
 
-/// Shows `look` every table in every form, and how to make a whole file of it.
+/// Calls `look` with every table in every form, and with a function that makes a whole
+/// file of it.
 fn visit(path: &[&'static str], table: &'static TableSchema, embed: Embed<'_>, look: Look<'_>) {
     for form in forms(table) {
         let sample = Sample {
@@ -139,13 +140,13 @@ fn visit(path: &[&'static str], table: &'static TableSchema, embed: Embed<'_>, l
     }
 }
 
-/// Shows `look` every table of the section file.
+/// Calls `look` with every table of the section file.
 fn visit_all(look: Look<'_>) {
     visit(&[], &SECTION_FILE, &|file| file, look);
 }
 
-/// The messages of the reader, each with its help, but for that of the mesh, which is
-/// not there.
+/// The messages of the reader, each with its help, except for the mesh file, which does
+/// not exist.
 fn problems(text: &str) -> Vec<String> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("a.section.toml");
@@ -163,7 +164,7 @@ fn problems(text: &str) -> Vec<String> {
 }
 
 /// The keys that the reader knows in the table with the strange key, which is the only
-/// thing wrong.
+/// problem.
 fn known_to_the_reader(text: &str) -> BTreeSet<String> {
     let problems = problems(text);
     let list = match &problems[..] {
@@ -174,11 +175,11 @@ fn known_to_the_reader(text: &str) -> BTreeSet<String> {
     list.split(", ").map(str::to_owned).collect()
 }
 
-/// What the reader knows in each table, the description has, and the other way round:
-/// an unknown key makes the reader list the keys that it asks for.
+/// All keys of the reader are in the description of each table, and vice versa: an
+/// unknown key makes the reader list the keys that it reads.
 #[test]
 fn reader_and_description_know_the_same_keys() {
-    // The reader asks for the keys of all forms, to tell them apart.
+    // The reader reads the keys of all forms, to distinguish them.
     let mut all_forms: BTreeMap<Vec<&str>, BTreeSet<String>> = BTreeMap::new();
     visit_all(&mut |sample, _| {
         let names = all_forms.entry(sample.path.clone()).or_default();
@@ -209,7 +210,7 @@ fn reader_and_description_know_the_same_keys() {
         );
         seen += 1;
     });
-    // the file, units, three laws, region, both angles, of which one in two forms
+    // the file, units, three laws, region, both angles, one of them in two forms
     assert!(seen >= 9, "{seen}");
 }
 
@@ -221,7 +222,7 @@ fn is_other_form(sample: &Sample, without: &Table) -> bool {
             .iter()
             .copied()
             .filter(|key| key.need == input::schema::Need::Required);
-        // of the type of the example: stiffnesses are rows or a word
+        // with the type of the example: stiffnesses are rows or a word
         let has = |key: &'static KeySchema| {
             let example = complete(sample.table, Some(family))[key.name].clone();
             let found = without.get(key.name);
@@ -234,8 +235,8 @@ fn is_other_form(sample: &Sample, without: &Table) -> bool {
     })
 }
 
-/// A key that is described as required is one whose absence both refuse. (That a file
-/// without regions is wrong shows the reader only when it has read the mesh.)
+/// The absence of a key described as required is refused by both. (A file without regions
+/// is refused by the reader only after it has read the mesh.)
 #[test]
 fn required_keys_are_required_by_both() {
     let validator = validator();
@@ -249,7 +250,8 @@ fn required_keys_are_required_by_both() {
             let place = format!("{} without {}", sample.place(), key.name);
             assert_eq!(fits(&validator, &text).is_err(), is_required, "{place}");
             let problems = problems(&text);
-            // Without them, the examples of loads and initial strains refer to nothing.
+            // Without them, the references in the examples of loads and initial strains
+            // have no target.
             let named = ["region", "temperature", "initial_strain", "electrode"];
             if !(sample.path.is_empty() && named.contains(&key.name)) {
                 assert_eq!(!problems.is_empty(), is_required, "{place}: {problems:?}");
@@ -350,15 +352,14 @@ fn wrong_files_do_not_fit() {
     }
 }
 
-/// The page of the book is what the program prints.
+/// The page of the book equals the output of the program.
 #[test]
 fn the_reference_page_is_that_of_the_description() {
     let page = root().join("docs/src/section-input-reference.md");
     let found = std::fs::read_to_string(page).unwrap_or_default();
     assert!(
         found == reference(),
-        "docs/src/section-input-reference.md is not that of the description: run\n  \
-         cargo run -p section-analyzer -- schema --format markdown \
-         --out docs/src/section-input-reference.md"
+        "docs/src/section-input-reference.md does not match the description: run\n  cargo run -p \
+         section-analyzer -- schema --format markdown --out docs/src/section-input-reference.md"
     );
 }

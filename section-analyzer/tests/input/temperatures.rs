@@ -28,10 +28,10 @@ gradient = [0, 1.8]
 table = "rises.csv"
 "#;
 
-/// Rises that are those of a gradient in the middle of each cell: 20 K and 1000 K/m, and
-/// 1.8e-5 1/K. The axial strain is that of the gradient; the bending of a rectangle of n
-/// cells that are each evenly heated is `1 - 1/n^2` of it, as the moments of inertia of
-/// the cells about their own middles are missing.
+/// Temperature rises that equal a gradient in the middle of each cell: 20 K and 1000 K/m,
+/// and 1.8e-5 1/K. The axial strain equals the strain of the gradient; the bending of a
+/// rectangle of n uniformly heated cells is `1 - 1/n^2` of its bending, as the moments of
+/// inertia of the cells about their own centers are missing.
 #[test]
 fn a_table_of_the_rises_of_a_gradient_strains_as_it() {
     let (cells_y, cells_z) = (3, 4);
@@ -45,7 +45,7 @@ fn a_table_of_the_rises_of_a_gradient_strains_as_it() {
     };
     let mesh = mesh.generate().unwrap();
     let mut rises = "cell,rise\n".to_owned();
-    // in another order than that of the mesh
+    // in another order than in the mesh
     for cell in mesh.cells.iter().rev() {
         let corners = &cell.nodes()[..4];
         let heights = corners
@@ -67,7 +67,7 @@ fn a_table_of_the_rises_of_a_gradient_strains_as_it() {
     for (state, bending) in found.iter().zip([1.8e-2, 1.8e-2 * (1.0 - 1.0 / shown)]) {
         let strain = &state.free_strain;
         let name = &state.state.name;
-        // round-off, beside curvatures of 1e-2 1/m
+        // round-off, compared with curvatures of 1e-2 1/m
         assert!((strain[0] / 3.6e-4 - 1.0).abs() < 1e-11, "{name} {strain}");
         assert!((strain[4] / bending - 1.0).abs() < 1e-11, "{name} {strain}");
         for other in [1, 2, 3, 5] {

@@ -3,35 +3,35 @@
 use super::{Blade, BladeDamping, BladeProblem, Interpolation, Side};
 use crate::section::{self, PropertyProblem};
 
-/// A station may lie beyond the end of the line by this part of its length: digits that
-/// a file left out.
+/// Part of the length of the line by which a station may lie beyond its end:
+/// round-off of a file.
 const BEYOND: f64 = 1e-6;
 
-/// Eigenvalues of a stiffness scaled to a unit diagonal below this are not positive: a
-/// few roundings of a sum of six.
+/// Smallest eigenvalue of a stiffness scaled to a unit diagonal treated as positive:
+/// a few roundings of a sum of six.
 const POSITIVE: f64 = 1e-14;
-/// Halvings of the distance between two stations: six digits for a message.
+/// Bisections of the distance between two stations: six digits for a message.
 const BISECTIONS: usize = 20;
 
 impl Blade {
-    /// Everything that is wrong with the blade; empty when it is sound: a line that can
-    /// be followed, stations in order on it, and at each of them a stiffness that is
-    /// positive definite and a mass that is positive semidefinite.
+    /// All problems of the blade; empty if it is valid. A valid blade has a valid line,
+    /// stations in order on it, and at each station a positive definite stiffness and a
+    /// positive semidefinite mass.
     ///
-    /// Between sound stations all is sound: a mean of positive definite matrices is
+    /// Between valid stations all is valid: a mean of positive definite matrices is
     /// positive definite. See [`Blade::problems_at`] for a blade that was not checked.
     pub fn problems(&self) -> Vec<BladeProblem> {
         self.placed_problems().into_iter().map(|p| p.1).collect()
     }
 
-    /// What is wrong with the stiffness at the arc lengths `places` [m], for places where
-    /// it is evaluated.
+    /// Problems of the stiffness at the arc lengths `places` [m] at which it is
+    /// evaluated.
     pub fn problems_at(&self, places: &[f64]) -> Vec<BladeProblem> {
         let known = self.places();
         let problem = |&place: &f64| {
             let sides = [Side::Inner, Side::Outer].map(|side| self.at(place, side).0);
             let [inner, outer] = sides.map(|k| section::least_eigenvalue(&k));
-            // Not a number is no good either, and counts as the least.
+            // NaN is treated as the smallest.
             let value = match inner <= outer || inner.is_nan() {
                 true => inner,
                 false => outer,
@@ -114,8 +114,8 @@ impl Blade {
             .collect()
     }
 
-    /// Problems of the matrices of each station. A polar moment that is not the sum of
-    /// the other two is told by [`Blade::remarks`]: tables round it.
+    /// Problems of the matrices of each station. A polar moment that differs from the sum
+    /// of the other two is reported by [`Blade::remarks`]: tables round it.
     fn unsound(&self) -> impl Iterator<Item = (Option<usize>, BladeProblem)> {
         let stations = self.stations.iter().enumerate();
         stations.flat_map(move |(k, at)| {
@@ -147,8 +147,8 @@ impl Blade {
         })
     }
 
-    /// How far from station `k`, whose stiffness is not positive definite, that reaches
-    /// toward the station `next`: to the arc length where the mean of both becomes so.
+    /// Arc length to which the indefinite stiffness of station `k` reaches toward the
+    /// station `next`: the mean of both becomes positive definite there.
     fn reach(&self, k: usize, next: Option<usize>) -> f64 {
         let at = &self.stations[k];
         let Some(next) = next.and_then(|next| self.stations.get(next)) else {

@@ -1,7 +1,7 @@
 //! Stations with sections that were solved for a curved and twisted beam.
 //!
-//! The line of the blade carries the curvature in kinematics and equilibrium, the matrices
-//! of the section what it does inside of the section: nothing is added anywhere, and the
+//! The line of the blade carries the curvature in kinematics and equilibrium, the
+//! matrices of the section its effect inside of the section. Nothing is added, and the
 //! line must have the curvature for which the section was solved (D-230), (D-232).
 
 use nalgebra::{Matrix6, Vector2};
@@ -16,8 +16,8 @@ use crate::section::{Agreement, CurvatureMismatch, InitialCurvature, SectionProp
 pub(crate) struct CurvedStation {
     /// The property file, as it is named.
     pub file: String,
-    /// What it was solved for, by the parameter of its matrices, in its own axes and
-    /// about its own reference point.
+    /// Curvature for which it was solved, by the parameter of its matrices, in its own
+    /// axes and about its own reference point.
     initial: InitialCurvature,
     /// Its 6x6 stiffness.
     stiffness: Matrix6<f64>,
@@ -27,7 +27,7 @@ pub(crate) struct CurvedStation {
     angle: f64,
 }
 
-/// Properties between two places along the line.
+/// Properties between two arc lengths of the line.
 struct Span {
     from: f64,
     to: f64,
@@ -36,8 +36,8 @@ struct Span {
 }
 
 impl CurvedStation {
-    /// The section called `file`, its reference point at `point` [m] from the line and its
-    /// axes turned by `angle` [rad]; `None` for that of a straight beam.
+    /// The section called `file`, its reference point at `point` [m] from the line and
+    /// its axes turned by `angle` [rad]; `None` for the section of a straight beam.
     pub fn of(
         file: &str,
         section: &SectionProperties,
@@ -55,7 +55,7 @@ impl CurvedStation {
         })
     }
 
-    /// What the section was solved for, about the line and in its axes.
+    /// Curvature for which the section was solved, about the line and in its axes.
     fn on_line(&self) -> InitialCurvature {
         self.initial.rotated(-self.angle).shifted(-self.point)
     }
@@ -65,8 +65,8 @@ impl CurvedStation {
         self.on_line().slope.norm()
     }
 
-    /// How it agrees with a line on both sides of the station, in its own axes and about
-    /// its own reference point.
+    /// Agreement with the line on both sides of the station, in the axes of the section
+    /// and about its reference point.
     fn agreement(&self, line: [InitialCurvature; 2]) -> Agreement {
         let own = |line: InitialCurvature| {
             let there = line.shifted(self.point).rotated(self.angle);
@@ -79,8 +79,8 @@ impl CurvedStation {
 
 impl Blade {
     /// Compares the sections of stations that were solved for a curved beam, parallel to
-    /// the stations, with the line: problems with the index of their station, and what is
-    /// to be told.
+    /// the stations, with the line: problems with the index of their station, and
+    /// remarks.
     pub(crate) fn compare_curved(
         &self,
         curved: &[Option<CurvedStation>],
@@ -98,7 +98,7 @@ impl Blade {
             match section.agreement(self.sides(&curve, station)) {
                 Agreement::Same => {}
                 Agreement::Near(mismatch) => remarks.push(format!(
-                    "station {} at {} m, {}: {mismatch}; {}, and it is used as it is",
+                    "station {} at {} m, {}: {mismatch}; {}; the matrices are used as given",
                     station + 1,
                     tick_label(place, 0.0),
                     section.file,
@@ -141,7 +141,7 @@ impl Blade {
         sides.map(|side| curve.initial_curvature(place, side))
     }
 
-    /// The largest difference between the stations, of those that are to be told.
+    /// The largest difference between the stations that is reported.
     fn between_stations(&self, curve: &Curve, curved: &[Option<CurvedStation>]) -> Option<String> {
         let mut worst: Option<(f64, CurvatureMismatch)> = None;
         for span in self.spans(curve.length()) {
@@ -177,7 +177,7 @@ impl Blade {
         }
         let (place, mismatch) = worst?;
         Some(format!(
-            "between stations, most at {} m: {mismatch}; {}: stations there would have the \
+            "between stations, most at {} m: {mismatch}; {}: add stations there for the \
              curvature of the line",
             tick_label(place, 0.0),
             mismatch.size()

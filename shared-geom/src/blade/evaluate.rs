@@ -1,4 +1,4 @@
-//! Properties of a blade at a place.
+//! Properties of a blade at an arc length.
 //!
 //! Between two stations at `s_a` and `s_b`, entry by entry,
 //!
@@ -6,15 +6,15 @@
 //! K(s) = (1 - v) K_a + v K_b        v = (s - s_a)/(s_b - s_a)
 //! ```
 //!
-//! or `K(s) = K_a` where they are constant; M and D likewise. Inside the first and
-//! outside the last station the properties are theirs.
+//! or `K(s) = K_a` with constant interpolation; M and D likewise. Inside the first and
+//! outside the last station, the properties of that station apply.
 
 use nalgebra::{Matrix6, Vector3};
 
 use super::{Blade, BladeDamping, Interpolation, Side};
 use crate::wrench;
 
-/// Two stations and the part of the second.
+/// Two stations and the weight of the second.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Between {
     inner: usize,
@@ -44,23 +44,23 @@ impl Blade {
         places.windows(2).map(of_piece).sum()
     }
 
-    /// Stiffness and mass per length about the line at arc length `s` [m]; at a jump,
-    /// those on `side`. Units as of a [`super::Station`]; zero without stations.
+    /// Stiffness and mass per length about the line at arc length `s` [m], at a jump on
+    /// `side`. Units as of a [`super::Station`]; zero without stations.
     pub fn at(&self, s: f64, side: Side) -> (Matrix6<f64>, Matrix6<f64>) {
         let stiffness = self.mix(s, side, |station| self.stations[station].stiffness);
         let mass = self.mix(s, side, |station| self.stations[station].mass);
         (self.about_line(&stiffness), self.about_line(&mass))
     }
 
-    /// Damping about the line at arc length `s` [m]; at a jump, that on `side`
-    /// [N s, N m s, N m^2 s]. `None` for a blade without.
+    /// Damping about the line at arc length `s` [m], at a jump on `side`
+    /// [N s, N m s, N m^2 s]. `None` for a blade without damping.
     pub fn damping_at(&self, s: f64, side: Side) -> Option<Matrix6<f64>> {
         let damping = self.damping.as_ref()?;
         let of_station = |station| self.station_damping(damping, station);
         Some(self.about_line(&self.mix(s, side, of_station)))
     }
 
-    /// Damping of a station at the reference point; zero where none is given.
+    /// Damping of a station at the reference point; zero if none is given.
     pub(super) fn station_damping(&self, damping: &BladeDamping, station: usize) -> Matrix6<f64> {
         let stiffness = &self.stations[station].stiffness;
         match damping {
@@ -70,15 +70,15 @@ impl Blade {
         }
     }
 
-    /// Arc lengths of the stations, each place once [m].
+    /// Arc lengths of the stations, each once [m].
     pub fn places(&self) -> Vec<f64> {
         let mut places: Vec<_> = self.stations.iter().map(|s| s.arc_length).collect();
         places.dedup();
         places
     }
 
-    /// Arc lengths at which the properties jump: those of two stations at one place; of
-    /// constant properties, those of all stations between the ends [m].
+    /// Arc lengths at which the properties jump: of two stations at one arc length; with
+    /// constant interpolation, of all stations between the ends [m].
     pub fn jumps(&self) -> Vec<f64> {
         let mut jumps: Vec<_> = match self.interpolation {
             Interpolation::Constant => self.places().into_iter().skip(1).collect(),

@@ -82,7 +82,7 @@ struct FileStation {
     mass: [[f64; 6]; 6],
 }
 
-/// Enough of a file to know whether the rest can be understood.
+/// The part of a file that shows whether the rest can be read.
 #[derive(Debug, Deserialize)]
 struct Head {
     format: String,
@@ -99,16 +99,16 @@ pub fn write(blade: &Blade) -> String {
     }
 }
 
-/// Reads and checks the blade file at `path`, one that programs or one that people write.
+/// Reads and checks the blade file at `path`, written by a program or a person.
 ///
 /// # Errors
-/// A file that cannot be read, and everything that [`parse`] finds.
+/// A file that cannot be read, and all errors of [`parse`].
 pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
     parse(&read_text(path)?, &path.display().to_string())
 }
 
 /// Reads and checks the text of a blade file, in JSON or else in TOML, shown as `file` in
-/// messages; files that it names lie beside it.
+/// messages; the files that it names lie in its folder.
 ///
 /// # Errors
 /// Every problem of a file in TOML, of the tables that it names, and of the blade. In JSON:
@@ -160,7 +160,7 @@ fn check_head(head: &Head, text: &str, file: &str) -> Result<(), Diagnostics> {
     Err(Diagnostics::one(place, &problem.1))
 }
 
-/// The line of a field: the first on which its name stands as a key.
+/// The line of a field: the first on which its name is a key.
 fn place_of(field: &str, text: &str, file: &str) -> Place {
     match lines_of(field, text)[..] {
         [line, ..] => Place::line(file, line),
@@ -168,7 +168,7 @@ fn place_of(field: &str, text: &str, file: &str) -> Place {
     }
 }
 
-/// The lines, from one, on which the name of a field stands as a key.
+/// The lines, from one, on which the name of a field is a key.
 fn lines_of(field: &str, text: &str) -> Vec<usize> {
     let key = format!("\"{field}\":");
     let lines = text.lines().enumerate();
@@ -224,7 +224,7 @@ impl From<&ReferenceLine> for FileLine {
 }
 
 impl FileLine {
-    /// The content; `None` with another number of twists than points.
+    /// The content; `None` if the numbers of twists and points differ.
     fn line(self) -> Option<ReferenceLine> {
         if self.twist.len() != self.points.len() {
             return None;
@@ -248,7 +248,7 @@ impl FileLine {
 }
 
 impl File {
-    /// The content; notes what does not fit together.
+    /// The content; notes inconsistent fields.
     fn blade(self, text: &str, file: &str, problems: &mut Diagnostics) -> Option<Blade> {
         let mut malformed = |field, reason: &str| {
             let reason = reason.to_owned();
@@ -257,10 +257,7 @@ impl File {
         };
         let line = self.line.line();
         if line.is_none() {
-            malformed(
-                "line",
-                "\"line\" has as many entries of \"twist\" as points",
-            );
+            malformed("line", "\"line\" needs one entry of \"twist\" per point");
         }
         let provenance = self.provenance.provenance();
         if provenance.is_none() {

@@ -1,7 +1,7 @@
-//! The blade file that people write: TOML, with tables beside it.
+//! The blade file that people write: TOML, with tables in separate files.
 //!
 //! [`frame`](self::frame) reads the declared axes, [`line`](self::line) the reference
-//! line, [`stations`](self::stations) the properties; what they mean is in the book, on
+//! line, [`stations`](self::stations) the properties; the book describes their meaning on
 //! the page of the blade file.
 
 use std::cell::RefCell;
@@ -31,7 +31,7 @@ pub use problem::InputProblem;
 /// The ending of the files that people write.
 const ENDING: &str = ".blade.toml";
 
-/// What is read beside the file, and what is to be told.
+/// Files that were read with the file, and remarks.
 #[derive(Debug, Default)]
 struct Sources {
     texts: RefCell<Vec<String>>,
@@ -39,7 +39,7 @@ struct Sources {
 }
 
 impl Sources {
-    /// The text of a file, which then counts as an input.
+    /// The text of a file, which is then an input.
     fn read(&self, path: &Path) -> Result<String, Diagnostics> {
         let text = read_text(path)?;
         self.texts.borrow_mut().push(text.clone());
@@ -51,18 +51,18 @@ impl Sources {
     }
 }
 
-/// A station, where it is written, and its own damping.
+/// A station, its location in the file, and its own damping.
 #[derive(Debug)]
 struct Placed {
     place: Place,
     station: Station,
     damping: Option<crate::section::Damping>,
-    /// Its section, where that was solved for a curved beam.
+    /// Its section if that was solved for a curved beam.
     curved: Option<CurvedStation>,
 }
 
-/// Reads and checks the text of a blade file in TOML, shown as `file` in messages; what
-/// it names lies beside it.
+/// Reads and checks the text of a blade file in TOML, shown as `file` in messages; the
+/// files that it names lie in its folder.
 ///
 /// # Errors
 /// Every problem of the file, of the tables that it names, and of the blade.
@@ -94,7 +94,8 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     })
 }
 
-/// A blade, where its stations are written, and those of curved beams among them.
+/// A blade, the locations of its stations in the file, and those stations of curved
+/// beams.
 type Written = (Blade, Vec<Place>, Vec<Option<CurvedStation>>);
 
 /// The blade as written.
@@ -115,7 +116,7 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
         false => Some(Interpolation::Linear),
     };
     let line = line::read(root, frame.as_ref(), sources);
-    // The length of a line that cannot be followed would be no number to count with.
+    // The length of an invalid line may be no number.
     let length = line.as_ref().filter(|line| line.problems().is_empty());
     let length = length.map(|line| line.length());
     let given = seat::Given {
@@ -202,7 +203,7 @@ fn times(table: &Table<'_>, frame: Option<&Frame>) -> Option<BladeDamping> {
     }
 }
 
-/// The damping of the blade, which is that of `[damping]` or that of its property files.
+/// The damping of the blade, from `[damping]` or from its property files.
 fn of_stations(
     root: &Table<'_>,
     damping: Option<BladeDamping>,
@@ -231,7 +232,7 @@ fn of_stations(
     Some(Some(BladeDamping::Viscous(matrices)))
 }
 
-/// The problems of the blade, those of a station where it is written.
+/// The problems of the blade, with the location of their station.
 fn check(blade: &Blade, places: &[Place], file: &str) -> Result<(), Diagnostics> {
     let mut problems = Diagnostics::new();
     for (station, problem) in blade.placed_problems() {
@@ -241,7 +242,7 @@ fn check(blade: &Blade, places: &[Place], file: &str) -> Result<(), Diagnostics>
     problems.into_result(())
 }
 
-/// Sections of curved beams on a line of another curvature, where they are written.
+/// Sections of curved beams on a line of another curvature, with their location.
 fn check_curved(
     blade: &Blade,
     places: &[Place],

@@ -6,8 +6,8 @@ use super::{Blade, Side};
 use crate::quadrature;
 use crate::rotation::skew;
 
-/// Points of the rule for a piece between stations, of the line as of the blade: the
-/// integrand is cubic on straight pieces.
+/// Gauss points of a piece between stations of the line and of the blade: the integrand
+/// is cubic on straight pieces.
 const POINTS: usize = 4;
 
 /// Mass moments about the origin of the root axes.
@@ -22,13 +22,13 @@ pub struct MassMoments {
 }
 
 impl Blade {
-    /// Mass, center and moment of inertia, from the masses at and beside the line:
+    /// Mass, center and moment of inertia, from the masses on and off the line:
     ///
     /// ```text
     /// int m ds,   int (m p + Q m c) ds,   int (-m [p]x[p]x - [p]x [Q m c]x - [Q m c]x [p]x + Q J Q^T) ds
     /// ```
     ///
-    /// with p and Q place and axes of the section, m c its static moment and J its
+    /// with p and Q the position and axes of the section, m c its static moment and J its
     /// moment of inertia about the line; by Gauss points between all stations and points.
     pub fn mass_moments(&self) -> MassMoments {
         let curve = self.line.curve();

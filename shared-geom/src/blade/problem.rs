@@ -1,17 +1,17 @@
-//! What a blade must satisfy before anyone computes with it.
+//! Conditions that a blade must satisfy before a computation.
 
 use crate::error::Explain;
 use crate::figure::tick_label;
 use crate::line::LineProblem;
 use crate::section::{CurvatureMismatch, PropertyProblem};
 
-/// Why a blade is refused.
+/// Errors of a blade.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BladeProblem {
     /// The text is not the JSON of a blade file.
     #[error("not a blade file: {reason}")]
     Malformed {
-        /// The parser's words.
+        /// The parser's message.
         reason: String,
     },
     /// The file is of a later version of the format.
@@ -28,7 +28,7 @@ pub enum BladeProblem {
         /// The word found.
         found: String,
     },
-    /// The line cannot be followed.
+    /// The line is invalid.
     #[error(transparent)]
     Line(#[from] LineProblem),
     /// A blade without properties.
@@ -40,7 +40,7 @@ pub enum BladeProblem {
         /// The field.
         field: &'static str,
     },
-    /// Stations that do not lead outward.
+    /// Stations that are not in order of arc length.
     #[error(
         "station {station} lies at {found} m, and the station before at {before} m: stations lead from the root to the tip"
     )]
@@ -52,7 +52,7 @@ pub enum BladeProblem {
         /// The arc length before [m].
         before: f64,
     },
-    /// Three stations at one place.
+    /// Three stations at one arc length.
     #[error("station {station} is the third at {place} m: a jump has two")]
     Third {
         /// Number of the station, from one.
@@ -60,7 +60,7 @@ pub enum BladeProblem {
         /// Its arc length [m].
         place: f64,
     },
-    /// Two stations at one place, of constant properties.
+    /// Two stations at one arc length, with constant interpolation.
     #[error(
         "station {station} lies at {place} m as the one before, and with constant interpolation every station is a jump"
     )]
@@ -80,17 +80,17 @@ pub enum BladeProblem {
         /// Length of the line [m].
         length: f64,
     },
-    /// Properties of a station that cannot be.
+    /// Invalid properties of a station.
     #[error("station {station} at {place} m: {problem}")]
     Station {
         /// Number of the station, from one.
         station: usize,
         /// Its arc length [m].
         place: f64,
-        /// What is wrong.
+        /// The problem.
         problem: PropertyProblem,
     },
-    /// A station with a stiffness that is not positive definite, and how far it reaches.
+    /// A station with a stiffness that is not positive definite, and its range.
     #[error(
         "stiffness is not positive definite from {from} m to {to} m, about station {station} at {place} m: there its smallest scaled eigenvalue is {value:.3e}"
     )]
@@ -99,19 +99,19 @@ pub enum BladeProblem {
         station: usize,
         /// Its arc length [m].
         place: f64,
-        /// Where it begins, between this station and the one before [m].
+        /// Its beginning, between this station and the previous one [m].
         from: f64,
-        /// Where it ends, between this station and the next [m].
+        /// Its end, between this station and the next [m].
         to: f64,
         /// Smallest eigenvalue of the matrix scaled to a unit diagonal [-].
         value: f64,
     },
-    /// Stiffness that is not positive definite at a place where it is evaluated.
+    /// Stiffness that is not positive definite at an arc length at which it is evaluated.
     #[error(
         "stiffness is not positive definite at {place} m, between the stations at {inner} m and {outer} m: its smallest scaled eigenvalue is {value:.3e}"
     )]
     Indefinite {
-        /// Arc length of the place [m].
+        /// Arc length [m].
         place: f64,
         /// Arc length of the station on the inner side [m].
         inner: f64,
@@ -120,7 +120,7 @@ pub enum BladeProblem {
         /// Smallest eigenvalue of the matrix scaled to a unit diagonal [-].
         value: f64,
     },
-    /// A section that was solved for a beam of another curvature than that of the line.
+    /// A section that was solved for another curvature than the line's.
     #[error(
         "station {station} at {} m, \"{file}\": {mismatch}; {}",
         tick_label(*.place, 0.0), .mismatch.size()
@@ -160,16 +160,16 @@ impl Explain for BladeProblem {
             Self::Station { problem, .. } => problem.help(),
             Self::Curvature { mismatch, .. } => mismatch.help(),
             Self::Order { .. } => Some(
-                "put the stations in the order of their arc length; two at one place are a jump"
+                "put the stations in order of arc length; two at one arc length are a jump"
                     .to_owned(),
             ),
             Self::IndefiniteStation { .. } | Self::Indefinite { .. } => Some(
-                "check the signs of the couplings, and that frame and order are those of the \
+                "check the signs of the couplings, and that frame and order agree with the \
                  matrices"
                     .to_owned(),
             ),
             Self::Third { .. } => Some(
-                "of stations at one place the first is the inner, the second the outer side of a jump"
+                "at one arc length the first station is the inner, the second the outer side of a jump"
                     .to_owned(),
             ),
             Self::OffLine { .. } => {

@@ -1,23 +1,23 @@
-//! A blade as a file gives it.
+//! A blade as read from a file.
 
 use super::Blade;
 use crate::error::Place;
 
-/// A blade as read, and what its file left open.
+/// A blade as read, and remarks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
     /// The blade.
     pub blade: Blade,
-    /// What the reader must know: defaults that were taken, plausibility.
+    /// Remarks for the user: defaults that were used, plausibility.
     pub remarks: Vec<String>,
-    /// Where each station is written; empty where the reader does not tell.
+    /// Location of each station in the file; empty if the reader does not record it.
     pub places: Vec<Place>,
-    /// The frame that the file declares, in words; `None` for that of its format.
+    /// The frame that the file declares, as text; `None` for the frame of its format.
     pub frame: Option<String>,
 }
 
 impl Reading {
-    /// A blade whose file tells no more.
+    /// A blade without remarks.
     pub(crate) fn new(blade: Blade, remarks: Vec<String>) -> Self {
         Self {
             blade,

@@ -1,55 +1,56 @@
-//! What is allowed in a blade, and yet looks like a mistake.
+//! Blades that are valid but suspicious.
 //!
-//! Stiffness over mass is the square of a speed of sound, which materials have between
-//! some 3 and 12 km/s and blades, with the mass that carries nothing, not much below:
+//! Stiffness over mass is the square of a speed of sound. Materials have some 3 to 12
+//! km/s; blades, which include mass without stiffness, have not much less:
 //!
 //! ```text
 //! c^2 = EA / m        c^2 = (EIy + EIz) / (Iy + Iz)
 //! ```
 //!
-//! A table in weight instead of mass has it too small by the acceleration of gravity.
+//! With a table of weight instead of mass it is too small by the acceleration of gravity.
 
 use nalgebra::Matrix6;
 
 use super::{Blade, Interpolation, Station};
 
-/// Speed of sound below which the mass is suspect: blades have 3700 at least, and those
-/// with spars of carbon, of 7000, have 2240 from their weight in N/m [m/s].
+/// Speed of sound below which the mass is suspect: blades have 3700 at least, and blades
+/// with carbon spars, of 7000, have 2240 from their weight in N/m [m/s].
 const SLOW: f64 = 2500.0;
-/// Speed of sound above which it is: no fiber reaches it [m/s].
+/// Speed of sound above which the mass is suspect: no fiber reaches it [m/s].
 const FAST: f64 = 20_000.0;
-/// A usual speed of sound of a blade: the factor that leads nearest to it is named [m/s].
+/// Usual speed of sound of a blade: the factor that leads nearest to it is reported
+/// [m/s].
 const USUAL: f64 = 4000.0;
-/// Gravity in the units in which tables are written, the unit of length [m] where it is
-/// the only one, and the weights they hold.
+/// Gravity in the units of tables, the unit of length [m] if only that one fits, and the
+/// unit of the weights.
 const GRAVITY: [(f64, Option<f64>, &str); 3] = [
     (9.80665, None, "N/m"),
-    (32.174_048_556_430_45, None, "lbf/ft beside slugs"),
-    (386.088_582_677_165_4, Some(0.0254), "lbf/in beside inches"),
+    (32.174_048_556_430_45, None, "lbf/ft with slugs"),
+    (386.088_582_677_165_4, Some(0.0254), "lbf/in with inches"),
 ];
-/// A weight is named where gravity and the factor that leads to the usual speed of sound
-/// differ by no more than this factor.
+/// A weight is reported if gravity and the factor to the usual speed of sound differ by at
+/// most this factor.
 const NEAR: f64 = 3.0;
-/// A table that ends before this part of the line may have been cut short.
+/// A table that ends before this part of the line may be cut short.
 const CUT: f64 = 0.9;
-/// Modulus of a usual material, to speak of a density [Pa].
+/// Modulus of a usual material, to report a density [Pa].
 const MODULUS: f64 = 70e9;
-/// A polar moment of inertia that differs by more from the sum of the two others, as
-/// part of it, is more than the rounding of a table.
+/// Relative difference of a polar moment of inertia from the sum of the two others that
+/// exceeds the rounding of a table.
 const POLAR: f64 = 1e-6;
-/// A blade so much stiffer in flap than in the chord plane has its axes exchanged,
-/// likely.
+/// Ratio of flap to chordwise stiffness above which the axes of a blade are likely
+/// exchanged.
 const EXCHANGED: f64 = 2.0;
-/// Part of the length that may lie beyond the stations: digits that a file left out.
+/// Part of the length that may lie beyond the stations: round-off of a file.
 const BEYOND: f64 = 1e-6;
 
 impl Blade {
-    /// What looks like a mistake, in words; empty when nothing does.
+    /// Likely mistakes, as text; empty if there are none.
     pub fn remarks(&self) -> Vec<String> {
         self.remarks_of_units(None)
     }
 
-    /// As [`Blade::remarks`], of a file that declares the unit of length `unit` [m].
+    /// As [`Blade::remarks`], for a file that declares the unit of length `unit` [m].
     pub(super) fn remarks_of_units(&self, unit: Option<f64>) -> Vec<String> {
         let on_line = self.on_line();
         let found = [
@@ -61,11 +62,11 @@ impl Blade {
         found.into_iter().flatten().collect()
     }
 
-    /// A weight for a mass, or other units that do not fit each other.
+    /// A weight given as a mass, or other inconsistent units.
     fn mass_remark(&self, unit: Option<f64>) -> Option<String> {
         let axial = self.median(|at| axial_square(&at.stiffness, &at.mass));
         let bending = self.median(|at| bending_square(&at.stiffness, &at.mass));
-        // Mass that carries nothing makes each of them smaller: the larger one tells.
+        // Mass without stiffness makes each of them smaller: the larger one is used.
         let square = axial.into_iter().chain(bending).reduce(f64::max)?;
         let of = "median of the stations, the larger of EA / m and EI / I";
         square_remark(square, of, unit)
@@ -137,27 +138,27 @@ impl Blade {
     }
 }
 
-/// What looks like a mistake in the stiffness and the mass of one section about one
-/// point, in words: units that do not fit each other.
+/// Likely mistake in the stiffness and the mass of one section about one point, as text:
+/// inconsistent units.
 pub fn section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
     square_remark(section_square(stiffness, mass)?, SECTION, None)
 }
 
-/// As [`section_remark`], of numbers that were written for the model itself and in units
-/// that fit each other: soft ones may be meant, which the line says.
+/// As [`section_remark`], for numbers that were written for the model itself and in
+/// consistent units: soft ones may be intended, which the remark mentions.
 pub fn written_section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
     let square = section_square(stiffness, mass)?;
     if square.sqrt() >= SLOW {
         return square_remark(square, SECTION, None);
     }
     Some(format!(
-        "stiffness over mass is {square:.3e} m^2/s^2 ({SECTION}), of blades more than {:.1e}: \
-         leave it so in a model that is meant to be soft",
+        "stiffness over mass is {square:.3e} m^2/s^2 ({SECTION}), for blades above {:.1e}: \
+         ignore this if the model is meant to be soft",
         SLOW * SLOW
     ))
 }
 
-/// What the number of a section is, in words.
+/// Name of the number of a section.
 const SECTION: &str = "the larger of EA / m and EI / I";
 
 /// The larger square of a speed of sound of a section [m^2/s^2].
@@ -181,8 +182,8 @@ fn bending_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> f64 {
     sum(stiffness) / sum(mass)
 }
 
-/// What is told of the square of a speed of sound [m^2/s^2], `of` in words, in a file that
-/// declares the unit of length `unit` [m].
+/// Remark on the square of a speed of sound [m^2/s^2], which `of` describes, in a file
+/// that declares the unit of length `unit` [m].
 fn square_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
     let (speed, density) = (square.sqrt(), MODULUS / square);
     let implied = format!(
@@ -191,7 +192,7 @@ fn square_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
     );
     if speed > FAST {
         return Some(format!(
-            "{implied}, lighter than any: check the units of mass and stiffness"
+            "{implied}, lighter than any material: check the units of mass and stiffness"
         ));
     }
     if speed >= SLOW {
@@ -201,7 +202,7 @@ fn square_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
         (Some(unit), Some(other)) => (unit / other - 1.0).abs() < 1e-9,
         _ => true,
     };
-    // By so much the mass is too large.
+    // Factor by which the mass is too large.
     let excess = USUAL * USUAL / square;
     let distance = |factor: f64| (excess / factor).ln().abs();
     let known = GRAVITY.iter().filter(|known| fits(known.1));

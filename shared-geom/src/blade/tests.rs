@@ -63,7 +63,7 @@ fn blade() -> Blade {
 const PLACES: [f64; 6] = [0.0, 1.7, 3.0, 4.4, 9.9, 10.1];
 
 // Trapezoids: 3 (8 + 6)/2 + 4 (4 + 2)/2 + 3 (2 + 1)/2, and 1 kg/m from 10 m to the end.
-// Constant: 3 x 8 + 4 x 4 + 3 x 2 (the jump left out), and the last to the end.
+// Constant: 3 x 8 + 4 x 4 + 3 x 2 (the jump omitted), and the last to the end.
 #[test]
 fn mass_is_the_exact_integral() {
     let mut blade = blade();
@@ -90,7 +90,7 @@ fn properties_lie_between_their_stations_and_jump_where_two_are() {
     assert_eq!(at(&blade, 3.0, Side::Outer), k[2]);
     assert_eq!(at(&blade, 0.0, Side::Inner), k[0]);
     assert_eq!(at(&blade, 10.1, Side::Outer), k[4]);
-    // A quarter of the way; entries up to 40, a few roundings.
+    // A quarter of the interval; entries up to 40, a few roundings.
     let quarter = k[2] * 0.75 + k[3] * 0.25;
     assert!((at(&blade, 4.0, Side::Outer) - quarter).amax() < 1e-13);
 
@@ -100,8 +100,8 @@ fn properties_lie_between_their_stations_and_jump_where_two_are() {
     assert_eq!(at(&blade, 7.0, Side::Outer), k[3]);
 }
 
-// What a beam sees of a blade does not depend on the point about which the stations are
-// given, at any place.
+// The matrices seen by a beam do not depend on the point about which the stations are
+// given, at any arc length.
 #[test]
 fn a_moved_reference_point_changes_nothing_about_the_line() {
     let mut blade = blade();
@@ -115,7 +115,7 @@ fn a_moved_reference_point_changes_nothing_about_the_line() {
         for s in PLACES {
             for side in [Side::Inner, Side::Outer] {
                 let (a, b) = (blade.at(s, side), other.at(s, side));
-                // Entries up to 100 on the way; a few roundings.
+                // Intermediate entries up to 100; a few roundings.
                 assert!((a.0 - b.0).amax() < 1e-12 && (a.1 - b.1).amax() < 1e-12);
                 let damping = [&blade, other].map(|blade| blade.damping_at(s, side).unwrap());
                 assert!((damping[0] - damping[1]).amax() < 1e-12);
@@ -166,7 +166,7 @@ fn damping_is_as_its_kind_says() {
     assert_eq!((twisting.row(0).amax(), twisting.row(5).amax()), (0.0, 0.0));
 }
 
-// Every bit comes back, of all kinds of lines and damping.
+// Every bit is recovered, for all kinds of lines and damping.
 #[test]
 fn a_file_keeps_every_digit() {
     let mut blades = vec![blade()];
@@ -229,7 +229,7 @@ fn what_is_wrong_with_a_file_is_told_with_its_line() {
         ),
         (
             text.replace("\"twist\": [0.3, ", "\"twist\": ["),
-            "a.blade.json:8: not a blade file: \"line\" has as many entries of \"twist\" as points",
+            "a.blade.json:8: not a blade file: \"line\" needs one entry of \"twist\" per point",
         ),
         (
             text[..text.len() / 2].to_owned(),
@@ -307,8 +307,8 @@ fn what_cannot_be_a_blade_is_told() {
     }
 }
 
-// K45 of 1.5 beside a unit diagonal at the station at 7 m, none at its neighbors: with
-// the part v of the neighbor, 1.5 (1 - v) > 1 up to v = 1/3.
+// K45 of 1.5 with a unit diagonal at the station at 7 m, zero at its neighbors: with the
+// part v of the neighbor, 1.5 (1 - v) > 1 up to v = 1/3.
 #[test]
 fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
     let change = |blade: &mut Blade| {
@@ -331,7 +331,7 @@ fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
     );
     assert!(shown.contains("about station 4 at 7 m: there its smallest scaled eigenvalue is -5.0"));
 
-    // The same where it is evaluated: not at 5.6 m, at 5.7 m, at 7.9 m, not at 8.1 m.
+    // The same at evaluation points: not at 5.6 m, at 5.7 m, at 7.9 m, not at 8.1 m.
     let mut blade = blade();
     change(&mut blade);
     let found = blade.problems_at(&[5.6, 5.7, 7.9, 8.1]);
@@ -377,7 +377,7 @@ fn strip() -> Blade {
     }
 }
 
-// The density of the message is that of the strip times the factor: c^2 = E / rho.
+// The density of the message is the strip's density times the factor: c^2 = E / rho.
 #[test]
 fn a_weight_in_place_of_a_mass_is_remarked() {
     assert_eq!(strip().remarks(), Vec::<String>::new());
@@ -391,7 +391,7 @@ fn a_weight_in_place_of_a_mass_is_remarked() {
         let is_told = |words: &str| remarks.iter().any(|remark| remark.contains(words));
         assert!(is_told(&density) && is_told("looks like a weight") && is_told(weight));
     }
-    // A thousand times a thousand is no weight.
+    // A factor of a thousand squared is no weight.
     let mut other = strip();
     for station in &mut other.stations {
         station.mass *= 1e6;
@@ -401,11 +401,11 @@ fn a_weight_in_place_of_a_mass_is_remarked() {
     for station in &mut light.stations {
         station.mass /= 386.09;
     }
-    assert!(light.remarks()[0].contains("lighter than any: check the units"));
+    assert!(light.remarks()[0].contains("lighter than any material: check the units"));
 }
 
-// Numbers that were written for the model may be soft, and are told so without a guess; what
-// no material has stays told.
+// Numbers that were written for the model may be soft: they are reported without a guess;
+// values that no material has are reported as before.
 #[test]
 fn a_soft_section_in_place_is_told_in_a_line() {
     let (stiffness, mass) = {
@@ -420,7 +420,7 @@ fn a_soft_section_in_place_is_told_in_a_line() {
         "{soft}"
     );
     assert!(
-        soft.ends_with("leave it so in a model that is meant to be soft"),
+        soft.ends_with("ignore this if the model is meant to be soft"),
         "{soft}"
     );
     assert!(!soft.contains("weigh"), "{soft}");

@@ -11,8 +11,8 @@ impl Blade {
     /// (y, z), in section axes [m].
     ///
     /// Exact, and everywhere: `K' = U K U^T` with [`wrench::shift_matrix`] `U` is the
-    /// same for all stations, hence for what lies between them. The line stays; the
-    /// reference axis, [`Blade::reference_point`] off the line, is moved.
+    /// same for all stations, hence between them. The line stays; the reference axis,
+    /// [`Blade::reference_point`] off the line, is moved.
     pub fn shift(&self, by: Vector2<f64>) -> Self {
         let d = Vector3::new(0.0, by.x, by.y);
         let mut moved = self.transform(|matrix| wrench::shift(matrix, &d));
@@ -28,7 +28,7 @@ impl Blade {
     }
 
     /// The same blade in section axes turned by `angle` about the line, nose up [rad]:
-    /// its twist is larger by `angle`, and the properties are those in the new axes.
+    /// its twist is larger by `angle`, and the properties are in the new axes.
     ///
     /// Exact, and everywhere, as [`Blade::shift`].
     pub fn rotate(&self, angle: f64) -> Self {
@@ -47,7 +47,8 @@ impl Blade {
             station.stiffness = congruence(&station.stiffness);
             station.mass = congruence(&station.mass);
         }
-        // Times for each component belong to point and axes: what they mean is moved.
+        // Times for each component belong to point and axes: the resulting damping is
+        // moved.
         result.damping = match &self.damping {
             Some(BladeDamping::Times(_) | BladeDamping::Viscous(_)) => {
                 let damping = self.damping.as_ref();

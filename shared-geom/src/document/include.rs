@@ -1,8 +1,8 @@
-//! Files that take in the cards of others: `include = ["blade.toml"]`.
+//! Files that include the cards of others: `include = ["blade.toml"]`.
 //!
-//! Lists of tables are joined, those of the including file first, and so are the keys of
-//! tables. A line keeps its file: lines of included files count from a multiple of
-//! [`LINES`] on.
+//! Lists of tables are joined, the tables of the including file first, and so are the
+//! keys of tables. A line keeps its file: line numbers of included files start at a
+//! multiple of [`LINES`].
 
 use std::path::{Path, PathBuf};
 
@@ -13,26 +13,26 @@ use crate::error::{Diagnostics, Place};
 use crate::files::names_beside;
 use toml::de::DeTable;
 
-/// Lines that a file may have.
+/// Most lines of a file.
 const LINES: usize = 1 << 24;
 /// The key of the files to include.
 const KEY: &str = "include";
 
-/// Number of the file and line in it, both as they are counted inside.
+/// Number of the file and line in it, from an internal line number.
 pub(super) fn split(line: usize) -> (usize, usize) {
     (line / LINES, line % LINES)
 }
 
-/// What has been read so far.
+/// Content read so far.
 #[derive(Default)]
 struct Reader {
     files: Vec<String>,
-    /// Files that are being read, each included by the one before.
+    /// Files that are being read, each included by the previous one.
     open: Vec<PathBuf>,
     /// Files that were read.
     read: Vec<PathBuf>,
     problems: Diagnostics,
-    /// Files that do not exist: what else is wrong is looked for all the same.
+    /// Files that do not exist: other errors are still searched.
     absent: Diagnostics,
 }
 
@@ -41,8 +41,8 @@ impl Document {
     ///
     /// # Errors
     /// Every error of syntax in any of the files, files that cannot be read, and files
-    /// that include themselves. Files that do not exist are noted in the document, so that
-    /// [`Document::finish`] tells them with all else.
+    /// that include themselves. Files that do not exist are noted in the document, so
+    /// that [`Document::finish`] reports them with all other problems.
     pub fn parse_with_includes(text: &str, file: &str) -> Result<Self, Diagnostics> {
         let mut reader = Reader::default();
         reader.open.push(known_as(Path::new(file)));
@@ -58,13 +58,13 @@ impl Document {
     }
 }
 
-/// The path by which a file is known again.
+/// The canonical path that identifies a file.
 fn known_as(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| path.to_owned())
 }
 
 impl Reader {
-    /// The entries of a text and of what it includes.
+    /// The entries of a text and of its included files.
     fn entries(&mut self, text: &str, file: &str) -> Vec<Entry> {
         let base = LINES * self.files.len();
         self.files.push(file.to_owned());
@@ -133,7 +133,7 @@ impl Reader {
         }
     }
 
-    /// Joins the entries of an included file to those of the file that includes it.
+    /// Joins the entries of an included file to the entries of the including file.
     fn join(&mut self, entries: &mut Vec<Entry>, own: Vec<Entry>, at_top: bool) {
         for entry in own {
             if at_top && entry.key == "units" {

@@ -1,4 +1,4 @@
-//! One value of an input file, wherever it stands.
+//! One value of an input file, at any location.
 
 use super::tree::{Kind, Value};
 use super::{Document, DocumentProblem};
@@ -29,17 +29,17 @@ impl<'a> Item<'a> {
         self.document
     }
 
-    /// The key under which it stands.
+    /// The key of the value.
     pub fn key(&self) -> &str {
         &self.key
     }
 
-    /// The value as the file has it.
+    /// The value as in the file.
     pub(super) fn value(&self) -> &'a Value {
         self.value
     }
 
-    /// The line on which it begins.
+    /// The line of its first character.
     pub fn line(&self) -> usize {
         self.value.line
     }
@@ -49,7 +49,7 @@ impl<'a> Item<'a> {
         self.document.note(self.value.line, problem);
     }
 
-    /// Notes that it is not what was expected.
+    /// Notes that the value differs from the expected one.
     pub fn wrong<T>(&self, expected: &str) -> Option<T> {
         self.note(&DocumentProblem::WrongValue {
             key: self.key.clone(),
@@ -86,8 +86,8 @@ impl<'a> Item<'a> {
         }
     }
 
-    /// The quantity in SI units: a plain number and the value of an expression count in
-    /// the declared unit, a text such as `"0.063 in"` in its own.
+    /// The quantity in SI units: a plain number and the value of an expression are in the
+    /// declared unit, a text such as `"0.063 in"` is in its own.
     pub fn quantity(&self, dimension: Dimension) -> Option<f64> {
         let plain = |number: f64| number * self.document.factor(dimension);
         let number = match &self.value.kind {

@@ -1,10 +1,10 @@
-//! Tables in the place of values.
+//! Tables as values.
 
 use super::tree::Kind;
 use super::{Item, Table};
 
 impl<'a> Item<'a> {
-    /// The table, if it is one, which messages call `title`.
+    /// The table, if it is one; messages call it `title`.
     pub fn table(&self, title: &str) -> Option<Table<'a>> {
         match &self.value().kind {
             Kind::Table(entries) => Some(Table::new(

@@ -1,5 +1,5 @@
-//! Numbers with names, `[parameters]`, and the expressions of them that may stand in the
-//! place of any number.
+//! Numbers with names, `[parameters]`, and their expressions, which may replace any
+//! number.
 
 use std::cell::Ref;
 
@@ -9,26 +9,26 @@ use super::{Document, DocumentProblem};
 use crate::expression::{Expression, Jet, Names, is_name, written};
 use crate::units::parse_any;
 
-/// Parameters in the order of their names; those that are wrong are not a number.
+/// Parameters in the order of their names; wrong ones are NaN.
 pub(super) type Parameters = Vec<(String, f64)>;
 
-/// Names of a cycle that a message lists: it may go through all of them.
+/// Names of a cycle that a message lists: it may contain all of them.
 const MOST_SHOWN: usize = 8;
 
 /// A parameter that depends on others.
 struct Open<'a> {
-    /// Its number among the parameters.
+    /// Its index among the parameters.
     index: usize,
     line: usize,
     text: &'a str,
-    /// Numbers of those that it depends on.
+    /// Indices of the parameters that it depends on.
     uses: Vec<usize>,
 }
 
 impl Document {
-    /// Reads the table `[parameters]`, if there is one: numbers, quantities such as
-    /// `"0.5 in"`, which count in the declared unit, and expressions of other parameters,
-    /// in any order.
+    /// Reads the table `[parameters]`, if it exists: numbers, quantities such as
+    /// `"0.5 in"`, which are converted to the declared unit, and expressions of other
+    /// parameters, in any order.
     pub fn declare_parameters(&self, root: &Table<'_>) {
         if !root.has("parameters") {
             return;
@@ -65,7 +65,8 @@ impl Document {
         self.note(value.line, problem);
     }
 
-    /// What stands for a parameter among those of `known`, whose numbers do not count.
+    /// Definition of a parameter among the parameters `known`, whose numbers are not
+    /// used.
     fn parameter<'a>(
         &self,
         name: &str,
@@ -103,14 +104,15 @@ impl Document {
         Some(found)
     }
 
-    /// Finds the values of parameters that depend on others, each once and after those
-    /// that it uses; notes those that depend on themselves.
+    /// Computes the values of parameters that depend on others, each once and after the
+    /// parameters that it uses; notes parameters that depend on themselves.
     fn close(&self, known: &mut Parameters, open: &[Open<'_>]) {
         let mut place = vec![None; known.len()];
         for (at, one) in open.iter().enumerate() {
             place[one.index] = Some(at);
         }
-        // For each open one: how many it waits for, and who waits for it.
+        // For each open one: the number of parameters it waits for, and those waiting for
+        // it.
         let mut waits = vec![0; open.len()];
         let mut users = vec![Vec::new(); open.len()];
         for (at, one) in open.iter().enumerate() {
@@ -129,7 +131,7 @@ impl Document {
                 }
             }
         }
-        // Of those that are left each waits for another one that is left.
+        // Each of the rest waits for another one of the rest.
         let left = |&at: &usize| waits[at] > 0;
         let next = open.iter().map(|one| {
             let others = one.uses.iter().filter_map(|&index| place[index]);
@@ -147,9 +149,9 @@ impl Document {
         }
     }
 
-    /// The value of a parameter that depends on known ones; not a number where it has none.
+    /// The value of a parameter that depends on known ones; NaN if it has none.
     fn value(&self, one: &Open<'_>, known: &Parameters) -> f64 {
-        // That it can be read is known.
+        // It was parsed before.
         let found = Expression::parse(one.text, &of(known)).ok();
         let number = found.map_or(f64::NAN, |found| found.at(|_| Jet::default()).value);
         if number.is_finite() {
@@ -166,14 +168,14 @@ impl Document {
         f64::NAN
     }
 
-    /// The parameters that have been declared, in the order of their names; those that are
-    /// wrong are not a number.
+    /// The parameters that have been declared, in the order of their names; wrong ones
+    /// are NaN.
     pub fn parameters(&self) -> Ref<'_, Vec<(String, f64)>> {
         self.parameters.borrow()
     }
 
-    /// The value of an expression of parameters under `key`; what is wrong with it is
-    /// noted, unless it was with a parameter.
+    /// The value of an expression of parameters under `key`; notes problems, unless they
+    /// were caused by a parameter.
     pub(super) fn evaluate(&self, key: &str, line: usize, text: &str) -> Option<f64> {
         let constants = self.parameters.borrow();
         let found = self.expression(key, line, written(text)?, &of(&constants))?;
@@ -182,7 +184,7 @@ impl Document {
         (!is_told).then_some(number)
     }
 
-    /// The value of an expression of parameters; `None` where it has none.
+    /// The value of an expression of parameters; `None` if it has none.
     pub(super) fn quietly(&self, text: &str) -> Option<f64> {
         let constants = self.parameters.borrow();
         let found = Expression::parse(written(text)?, &of(&constants)).ok()?;
@@ -190,7 +192,7 @@ impl Document {
         number.is_finite().then_some(number)
     }
 
-    /// The expression `text` under `key`, on `line`; notes what is wrong with it.
+    /// The expression `text` under `key`, on `line`; notes problems.
     pub fn expression(
         &self,
         key: &str,
@@ -206,7 +208,7 @@ impl Document {
     }
 }
 
-/// What stands for a parameter.
+/// Definition of a parameter.
 enum Parameter<'a> {
     Number(f64),
     /// An expression and its text.
@@ -221,7 +223,7 @@ fn of(known: &Parameters) -> Names<'_> {
     }
 }
 
-/// Numbers of the parameters that stand in an expression, each once.
+/// Indices of the parameters that an expression contains, each once.
 fn numbers(expression: &Expression, known: &Parameters) -> Vec<usize> {
     let names = expression.known().iter();
     let mut found: Vec<_> = names
@@ -232,8 +234,8 @@ fn numbers(expression: &Expression, known: &Parameters) -> Vec<usize> {
     found
 }
 
-/// The cycles of a graph in which each point leads to one other at most, in the order in
-/// which they are met; each from the first of its points on.
+/// The cycles of a graph in which each point has at most one successor, in the order in
+/// which they are found; each starts at its first point found.
 fn cycles(next: &[Option<usize>]) -> Vec<Vec<usize>> {
     const NEVER: usize = usize::MAX;
     let mut walk_of = vec![NEVER; next.len()];
@@ -244,7 +246,7 @@ fn cycles(next: &[Option<usize>]) -> Vec<Vec<usize>> {
             walk_of[here] = start;
             at = next[here];
         }
-        // This walk came back to itself, and not to an earlier one.
+        // This walk returned to its own points, not to earlier ones.
         let Some(first) = at.filter(|&here| walk_of[here] == start) else {
             continue;
         };

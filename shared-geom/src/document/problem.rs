@@ -1,59 +1,59 @@
-//! What can be wrong with an input file as such.
+//! Errors of an input file in general.
 
 use crate::error::{Explain, nearest_name, quoted};
 use crate::expression::ExpressionProblem;
 use crate::files::nearest_file;
 use crate::units::UnitProblem;
 
-/// A problem of an input file that does not depend on what the file is about.
+/// A problem of an input file, independent of its subject.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DocumentProblem {
     /// The file cannot be read.
     #[error("cannot be read: {reason}")]
     Unreadable {
-        /// The reason in words.
+        /// The reason as text.
         reason: String,
     },
-    /// A file that is named and not there.
+    /// A file that is named and does not exist.
     #[error("\"{key}\": no file \"{name}\"")]
     NoFile {
         /// The key that names it.
         key: String,
         /// Its name as written.
         name: String,
-        /// The files of the folder in which it was looked for.
+        /// The files of the folder that was searched.
         known: Vec<String>,
     },
     /// The text is no TOML.
     #[error("not valid TOML: {reason}")]
     Syntax {
-        /// The parser's words.
+        /// The parser's message.
         reason: String,
-        /// The remedy, where one is known.
+        /// The remedy, if one is known.
         help: Option<String>,
     },
     /// Further errors of syntax.
     #[error("further errors of syntax from here on: {count}")]
     MoreSyntax {
-        /// Errors that are not told one by one.
+        /// Errors that are not reported one by one.
         count: usize,
     },
     /// A file of another kind.
     #[error("the file is {what}, expected an input file in TOML")]
     OtherFormat {
-        /// What it is, in words.
+        /// Its kind, as text.
         what: &'static str,
     },
-    /// A key that no one knows.
+    /// An unknown key.
     #[error("unknown key \"{key}\" in {table}")]
     UnknownKey {
         /// The key as written.
         key: String,
-        /// The table that holds it, in words.
+        /// The table that holds it, as text.
         table: String,
         /// The keys that the table may have.
         known: Vec<String>,
-        /// Where such a key belongs, as it is written there: `[[output.column]]`.
+        /// Correct location of the key, as written there: `[[output.column]]`.
         elsewhere: Option<&'static str>,
     },
     /// A required key is absent.
@@ -61,9 +61,9 @@ pub enum DocumentProblem {
     MissingKey {
         /// The absent key.
         key: String,
-        /// The table, in words.
+        /// The table, as text.
         table: String,
-        /// What it should hold, in words.
+        /// Expected content, as text.
         expected: String,
     },
     /// A value of another type or outside its range.
@@ -71,19 +71,19 @@ pub enum DocumentProblem {
     WrongValue {
         /// The key.
         key: String,
-        /// The value found, in words.
+        /// The value found, as text.
         found: String,
-        /// What was expected, in words.
+        /// The value expected, as text.
         expected: String,
     },
-    /// A value that is none of a fixed set of words.
+    /// A value outside of a fixed set of words.
     #[error("\"{key}\" is \"{found}\", expected one of {}", quoted(.known))]
     WrongWord {
         /// The key.
         key: String,
         /// The word found.
         found: String,
-        /// The words that may stand there.
+        /// The permitted words.
         known: Vec<String>,
     },
     /// A unit that is unknown or measures something else.
@@ -91,7 +91,7 @@ pub enum DocumentProblem {
     Unit {
         /// The key.
         key: String,
-        /// What is wrong with the unit.
+        /// The problem of the unit.
         problem: UnitProblem,
     },
     /// An expression that cannot be read.
@@ -99,10 +99,10 @@ pub enum DocumentProblem {
     Expression {
         /// The key.
         key: String,
-        /// What is wrong with it.
+        /// The problem of the expression.
         problem: ExpressionProblem,
     },
-    /// A parameter whose name no expression can use.
+    /// A parameter whose name cannot be used in expressions.
     #[error("\"{name}\" is no name of a parameter, expected letters, digits and \"_\"")]
     ParameterName {
         /// The name.
@@ -113,10 +113,10 @@ pub enum DocumentProblem {
     Cycle {
         /// The parameter.
         name: String,
-        /// The way from it back to it.
+        /// The path from it back to it.
         chain: Vec<String>,
     },
-    /// A file that includes itself, at once or by others.
+    /// A file that includes itself, directly or by others.
     #[error("\"include\": the file \"{name}\" includes itself")]
     IncludesItself {
         /// Its name as written.
@@ -136,10 +136,10 @@ pub enum DocumentProblem {
     DoubledKey {
         /// The key.
         key: String,
-        /// Place of the first.
+        /// Location of the first.
         place: String,
     },
-    /// More copies than anyone means.
+    /// An excessive number of copies.
     #[error("the copies of \"{name}\" come to more than {limit} cards")]
     ManyCopies {
         /// Name of the repeat.
@@ -177,7 +177,7 @@ impl Explain for DocumentProblem {
                 Some("its numbers count in the units of the file that includes it".to_owned())
             }
             Self::ManyCopies { .. } => {
-                Some("give a smaller \"count\", or say with fewer cards what is copied".to_owned())
+                Some("give a smaller \"count\", or copy fewer cards".to_owned())
             }
             Self::OtherFormat { .. } => {
                 Some("name the file ending in .toml that leads to it".to_owned())

@@ -1,8 +1,8 @@
 //! Polar copies of cards: `[[repeat]]` with cards `[[repeat.node]]`, `[[repeat.beam]]`.
 //!
-//! Copy number i of n is made of the nested cards, with " i" behind each name that they
-//! define and behind each use of such a name, and lies in a frame of its own, turned by
-//! `(i - 1)/n` of a turn about the axis.
+//! Copy number i of n consists of the nested cards, with " i" after each name that they
+//! define and after each use of it, in a frame turned by `(i - 1)/n` of a turn about the
+//! axis.
 
 use std::collections::BTreeSet;
 
@@ -10,9 +10,9 @@ use super::tree::{Entry, Kind, Value};
 use super::{Document, DocumentProblem};
 use crate::expression::written;
 
-/// Cards that copies may come to, at most.
+/// Most cards of all copies.
 const MOST: usize = 200_000;
-/// Keys whose texts are words and no names.
+/// Keys whose texts are words, not names.
 const WORDS: [&str; 15] = [
     "kind",
     "axes",
@@ -32,14 +32,14 @@ const WORDS: [&str; 15] = [
 ];
 
 impl Document {
-    /// Makes the copies that `[[repeat]]` asks for and leaves the card with its own keys.
+    /// Makes the copies that `[[repeat]]` requests and leaves the card with its own keys.
     /// Cards of the kinds in `framed` are put into the frame of their copy by the key
-    /// `in`; a card `[[frame]]` is added for each. `false` when there would be too many:
-    /// that has been noted, and the file is not worth being read further.
+    /// `in`; a card `[[frame]]` is added for each. Returns `false` for too many copies:
+    /// the problem has been noted, and the file need not be read further.
     pub fn repeat(&mut self, framed: &[&str]) -> bool {
         let mut next = 0;
         let mut made = 0;
-        // Copies may hold repeats themselves, which come behind.
+        // Copies may hold repeats themselves, which are appended.
         while let Some(card) = take(&mut self.root, next) {
             next += 1;
             let Kind::Table(entries) = card.kind else {
@@ -83,8 +83,8 @@ impl Document {
         true
     }
 
-    /// The number of copies; one where it cannot be read, which the reader of the card
-    /// tells.
+    /// The number of copies; one if it cannot be read, which the reader of the card
+    /// reports.
     fn count(&self, own: &[Entry]) -> usize {
         let value = own.iter().find(|entry| entry.key == "count");
         let count = value.and_then(|entry| match &entry.value.kind {
@@ -98,7 +98,7 @@ impl Document {
     }
 }
 
-/// The card number `index` of the repeats, an empty one being left in its place.
+/// The card number `index` of the repeats, replaced by an empty one.
 fn take(root: &mut [Entry], index: usize) -> Option<Value> {
     let value = repeat(root, index)?;
     let kind = std::mem::replace(&mut value.kind, Kind::Table(Vec::new()));
@@ -147,8 +147,8 @@ fn names_in(cards: &Entry) -> Vec<String> {
     items.iter().filter_map(name).collect()
 }
 
-/// Puts the number of the copy behind each name that the cards define, wherever it is
-/// used. A node of a blade is called by it: `blade/tip` becomes `blade 2/tip`.
+/// Appends the number of the copy to each name that the cards define, wherever it is
+/// used. A node of a blade is named by the blade: `blade/tip` becomes `blade 2/tip`.
 fn rename(value: &mut Value, names: &BTreeSet<String>, copy: usize) {
     match &mut value.kind {
         Kind::Text(text) => {
@@ -209,7 +209,7 @@ fn frame(name: &str, own: &[Entry], turn: f64, line: usize) -> Value {
     }
 }
 
-/// Adds a card behind the others of its kind.
+/// Appends a card to the others of its kind.
 fn append(root: &mut Vec<Entry>, kind: &str, card: Value) {
     match root.iter_mut().find(|entry| entry.key == kind) {
         Some(entry) => {

@@ -1,4 +1,4 @@
-//! What is told of a text that is no TOML.
+//! Errors of a text that is not TOML.
 
 use toml::de::{DeTable, DeValue};
 
@@ -6,14 +6,14 @@ use super::DocumentProblem;
 use super::tree::Lines;
 use crate::error::{Diagnostics, Place};
 
-/// Errors of syntax that are told one by one: one slip makes a few of them, and a file
-/// of another kind has one on every line.
+/// Errors of syntax that are reported one by one: one mistake causes a few of them, and a
+/// file of another kind has one on every line.
 pub(super) const SHOWN: usize = 8;
-/// What the parser says of a key that it has met before.
+/// The parser's message on a repeated key.
 const DUPLICATE: &str = "duplicate key";
 
-/// The errors of syntax, each kind once a line; of many, the first. `root` is what the
-/// parser could read beside them.
+/// The errors of syntax, each kind once per line; of many, the first. `root` is the
+/// content that the parser could read.
 pub(super) fn syntax_problems(
     (root, errors): (&DeTable<'_>, &[toml::de::Error]),
     lines: &Lines,
@@ -50,7 +50,7 @@ pub(super) fn syntax_problems(
     problems
 }
 
-/// A key that is there twice, and the line of the first.
+/// A repeated key, and the line of the first.
 fn duplicate(root: &DeTable<'_>, lines: &Lines, text: &str, error: &toml::de::Error) -> String {
     let span = error.span().unwrap_or_default();
     let key = text.get(span.clone()).unwrap_or_default();
@@ -70,8 +70,8 @@ fn duplicate(root: &DeTable<'_>, lines: &Lines, text: &str, error: &toml::de::Er
         let same = heads.filter(|(_, other)| header(other) == header(line));
         before.extend(same.map(|(number, _)| number + 1));
     } else {
-        // Of keys of that name the one before, in a list of the same kind: on lines of their
-        // own, or within braces.
+        // Of keys of that name the previous one, in a list of the same kind: on separate
+        // lines, or within braces.
         let is_first = |at: usize| {
             text[line_of(at).0..at]
                 .trim_matches([' ', '\t', '"', '\''])
@@ -88,13 +88,13 @@ fn duplicate(root: &DeTable<'_>, lines: &Lines, text: &str, error: &toml::de::Er
     }
 }
 
-/// The head of a table without blanks and comment; what is none as it is.
+/// The head of a table without blanks and comment; other lines unchanged.
 fn header(line: &str) -> String {
     let head = line.rfind(']').map_or(line, |end| &line[..=end]);
     head.split_whitespace().collect()
 }
 
-/// Places of a key in a table and in those within it.
+/// Offsets of a key in a table and in its nested tables.
 fn places(table: &DeTable<'_>, wanted: &str, found: &mut Vec<usize>) {
     for (key, value) in table {
         if key.get_ref() == wanted {
@@ -116,7 +116,7 @@ fn within(value: &DeValue<'_>, wanted: &str, found: &mut Vec<usize>) {
     }
 }
 
-/// How a number is written that begins or ends with its point, as the one at a place does.
+/// The correct form of a number that begins or ends with its point, at an offset.
 fn number(text: &str, at: usize) -> Option<String> {
     let is_part = |letter: char| letter.is_ascii_alphanumeric() || "+-._".contains(letter);
     let begin = text.get(..at)?.trim_end_matches(is_part).len();
@@ -133,7 +133,7 @@ fn number(text: &str, at: usize) -> Option<String> {
         .then(|| format!("TOML wants a digit on both sides of the point: {meant}"))
 }
 
-/// What a text without TOML is, told from its first letter that is no space.
+/// The format of a text without TOML, from its first character that is no space.
 fn other_format(text: &str) -> Option<&'static str> {
     let text = text.trim_start();
     if text.starts_with("$MeshFormat") {

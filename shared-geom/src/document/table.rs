@@ -12,7 +12,7 @@ use crate::expression::written;
 use crate::files::names_beside;
 use crate::units::Dimension;
 
-/// Numbers of expressions below it can be counts: those that are whole without doubt.
+/// Largest number of an expression that can be a count: below it whole numbers are exact.
 const COUNTS: f64 = 9e15;
 
 /// A table of a [`Document`]. Each reading method notes its own problems.
@@ -20,7 +20,7 @@ const COUNTS: f64 = 9e15;
 pub struct Table<'a> {
     document: &'a Document,
     entries: &'a [Entry],
-    /// The table in words, for messages: `material "steel"`.
+    /// The title of the table, for messages: `material "steel"`.
     title: String,
     line: usize,
     asked: RefCell<Vec<String>>,
@@ -47,17 +47,17 @@ impl<'a> Table<'a> {
         self.document
     }
 
-    /// The table in words, for messages.
+    /// The title of the table, for messages.
     pub fn title(&self) -> &str {
         &self.title
     }
 
-    /// The line on which the table begins.
+    /// The line of the head of the table.
     pub fn line(&self) -> usize {
         self.line
     }
 
-    /// The line of `key`, or of the table when it has no such key.
+    /// The line of `key`, or of the table if it does not have the key.
     pub fn line_of(&self, key: &str) -> usize {
         self.entry(key).map_or(self.line, |entry| entry.line)
     }
@@ -67,26 +67,26 @@ impl<'a> Table<'a> {
         self.document.note(self.line_of(key), problem);
     }
 
-    /// Notes that the value of `key` is not what was expected.
+    /// Notes that the value of `key` differs from the expected one.
     pub fn wrong(&self, key: &str, expected: &str) {
         if let Some(entry) = self.entry(key) {
             let _: Option<()> = self.wrong_value(key, &entry.value, expected);
         }
     }
 
-    /// Whether the table has `key`. The key then counts as known.
+    /// Whether the table has `key`. The key is then known.
     pub fn has(&self, key: &str) -> bool {
         self.ask(key).is_some()
     }
 
-    /// Whether `key` holds a text, and not an expression that stands for a number.
+    /// Whether `key` holds a text that is not an expression of a number.
     pub fn is_text(&self, key: &str) -> bool {
         let item = self.item(key);
         let text = item.as_ref().and_then(Item::text);
         text.is_some_and(|text| written(text).is_none())
     }
 
-    /// The value under `key`, of whatever type.
+    /// The value under `key`, of any type.
     pub fn item(&self, key: &str) -> Option<Item<'a>> {
         let value = self.ask(key)?;
         Some(Item::new(self.document, key, value))
@@ -151,13 +151,13 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The path that `key` names as `written`: relative ones count from the folder of the
-    /// file that holds it.
+    /// The path that `key` names as `written`: relative ones are relative to the folder
+    /// of the file that holds it.
     pub fn path(&self, key: &str, written: &str) -> PathBuf {
         self.document.path_from(self.line_of(key), written)
     }
 
-    /// The path of the file that `key` names as `written`; notes that there is none.
+    /// The path of the file that `key` names as `written`; notes a missing file.
     pub fn existing(&self, key: &str, written: &str) -> Option<PathBuf> {
         let path = self.path(key, written);
         if path.exists() {
@@ -180,7 +180,7 @@ impl<'a> Table<'a> {
             Kind::Array(items) => items,
             _ => return self.wrong_value(key, value, "a text in quotes, or a list of texts"),
         };
-        // Every item is looked at, so that each wrong one is noted.
+        // Every item is read, so that each wrong one is noted.
         let texts: Vec<_> = items
             .iter()
             .map(|item| match &item.kind {
@@ -191,7 +191,7 @@ impl<'a> Table<'a> {
         texts.into_iter().collect()
     }
 
-    /// Required text under `key`; `expected` says what it is for.
+    /// Required text under `key`; `expected` is its purpose.
     pub fn require_text(&self, key: &str, expected: &str) -> Option<String> {
         self.require(key, expected)?;
         self.text(key)
@@ -245,8 +245,8 @@ impl<'a> Table<'a> {
         self.count(key)
     }
 
-    /// A quantity under `key` in SI units: a plain number counts in the declared
-    /// unit, a text such as `"0.063 in"` in its own.
+    /// A quantity under `key` in SI units: a plain number is in the declared unit, a text
+    /// such as `"0.063 in"` in its own.
     pub fn quantity(&self, key: &str, dimension: Dimension) -> Option<f64> {
         let value = self.ask(key)?;
         self.in_si(key, value, dimension)
@@ -274,7 +274,7 @@ impl<'a> Table<'a> {
         let Kind::Array(items) = &value.kind else {
             return self.in_si(key, value, dimension).map(|number| vec![number]);
         };
-        // Every item is looked at, so that each wrong one is noted.
+        // Every item is read, so that each wrong one is noted.
         let numbers: Vec<_> = items
             .iter()
             .map(|item| self.in_si(key, item, dimension))
@@ -339,7 +339,7 @@ impl<'a> Table<'a> {
         self.rows_of(key, [rows, columns], Dimension::NUMBER)
     }
 
-    /// As [`Table::rows`], of quantities in SI.
+    /// As [`Table::rows`], for quantities in SI.
     pub fn rows_of(&self, key: &str, size: [usize; 2], unit: Dimension) -> Option<Vec<Vec<f64>>> {
         let [rows, columns] = size;
         let expected = format!("{rows} rows of {columns} numbers");
@@ -426,13 +426,13 @@ impl<'a> Table<'a> {
             .collect()
     }
 
-    /// Notes every key that was not asked for.
+    /// Notes every key that was not requested.
     pub fn finish(&self) {
         self.finish_beside(&[]);
     }
 
-    /// Notes every key that was not asked for, where `others` are keys of other tables, and
-    /// how they are written there.
+    /// Notes every key that was not requested; `others` are keys of other tables, as they
+    /// are written there.
     pub fn finish_beside(&self, others: &[(&str, &'static str)]) {
         let asked = self.asked.borrow();
         for entry in self.entries {
@@ -487,8 +487,8 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Those of `names` that end as the name of `path` does: where a table is looked for, a
-/// figure is none. All of them where none does.
+/// The `names` with the extension of `path`: no figures if a table is searched. All names
+/// if none has it.
 fn of_its_kind(names: Vec<String>, path: &Path) -> Vec<String> {
     let is_one = |name: &&String| Path::new(name).extension() == path.extension();
     let found: Vec<_> = names.iter().filter(is_one).cloned().collect();

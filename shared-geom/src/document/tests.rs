@@ -39,7 +39,7 @@ fn values_come_in_si() {
     assert!(document.finish(Some(())).is_ok());
 }
 
-/// Problems of `text` when `read` asks for its values.
+/// Problems of `text` when `read` requests its values.
 fn problems(text: &str, read: impl Fn(&Table<'_>)) -> String {
     let document = Document::parse(text, "a.toml").unwrap();
     let root = document.root();
@@ -143,7 +143,7 @@ fn syntax_errors_carry_their_lines() {
     );
 }
 
-// Three numbers of one list make three errors of the parser.
+// Three numbers of one list cause three errors of the parser.
 #[test]
 fn slips_of_syntax_are_told_once_and_with_what_is_meant() {
     let told = |text: &str| Document::parse(text, "a.toml").unwrap_err().to_string();
@@ -186,7 +186,7 @@ fn keys_that_are_there_twice_are_named_with_the_line_of_the_first() {
     }
 }
 
-/// The number of a parameter, or what is told.
+/// The number of a parameter, or the messages.
 fn parameter(text: &str, name: &str) -> Result<f64, String> {
     let document = Document::parse(text, "a.toml").unwrap();
     document.declare_parameters(&document.root());
@@ -197,7 +197,7 @@ fn parameter(text: &str, name: &str) -> Result<f64, String> {
         .map_err(|problems| problems.to_string())
 }
 
-// Names in an order other than that in which they depend on each other.
+// Names in another order than their dependence.
 #[test]
 fn parameters_are_found_in_any_order() {
     let text =
@@ -211,11 +211,12 @@ fn parameters_are_found_in_any_order() {
     );
     let slip = slip.unwrap_err();
     assert!(slip.contains("did you mean \"length\"?"), "{slip}");
-    // What hangs on a wrong one is not told.
+    // Dependents of a wrong parameter are not reported.
     assert_eq!(slip.matches("error").count(), 1, "{slip}");
 }
 
-// Two cycles, what leads to one, and what leads to nothing: each cycle is told once.
+// Two cycles, a parameter that depends on one, and an independent one: each cycle is
+// reported once.
 #[test]
 fn cycles_of_parameters_are_named() {
     let text = "[parameters]\nq = \"= p\"\np = \"= r + q\"\nr = 1\ns = \"= s\"\nt = \"= q + r\"\n";
@@ -239,7 +240,7 @@ fn cycles_of_parameters_are_named() {
     );
 }
 
-// Time that grew with the square would be minutes here, and memory gigabytes.
+// Quadratic time would be minutes here, and quadratic memory gigabytes.
 #[test]
 fn parameters_may_be_many() {
     const COUNT: usize = 30_000;

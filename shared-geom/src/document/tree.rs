@@ -3,14 +3,14 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A value and the line on which it begins.
+/// A value and the line of its first character.
 #[derive(Debug, Clone)]
 pub(super) struct Value {
     pub line: usize,
     pub kind: Kind,
 }
 
-/// What a value is.
+/// The content of a value.
 #[derive(Debug, Clone)]
 pub(super) enum Kind {
     Text(String),
@@ -31,7 +31,7 @@ pub(super) struct Entry {
 }
 
 impl Kind {
-    /// The word for it in messages, with the value where it is short.
+    /// Its description in messages, with the value if it is short.
     pub fn describe(&self) -> String {
         match self {
             Self::Text(text) => format!("the text \"{}\"", shown(text)),
@@ -46,11 +46,10 @@ impl Kind {
     }
 }
 
-/// Letters of a text that a message shows.
+/// Most letters of a text that a message shows.
 const LETTERS_SHOWN: usize = 60;
 
-/// A text for a message of one line: control characters by their code, and not all of
-/// a long one.
+/// A text for a message of one line: control characters by their code, long texts cut.
 fn shown(text: &str) -> String {
     let mut letters = text.chars();
     let mut shown = String::new();
@@ -66,7 +65,7 @@ fn shown(text: &str) -> String {
     shown
 }
 
-/// Byte offsets of the line beginnings, and the number that lines count from.
+/// Byte offsets of the line beginnings, and the number of the first line.
 #[derive(Debug)]
 pub(super) struct Lines {
     starts: Vec<usize>,
@@ -131,8 +130,7 @@ fn kind(item: &DeValue<'_>, lines: &Lines) -> Kind {
     }
 }
 
-/// A number as TOML writes it; what cannot be read becomes NaN, which no
-/// quantity accepts.
+/// A number as TOML writes it; unreadable ones become NaN, which no quantity accepts.
 fn real(text: &str) -> Kind {
     Kind::Number(text.parse().unwrap_or(f64::NAN))
 }

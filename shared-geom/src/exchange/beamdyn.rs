@@ -1,10 +1,10 @@
 //! Blades of BeamDyn, the beam module of OpenFAST: a primary file with the key points of
 //! the reference line, which names a blade file with the matrices.
 //!
-//! Axes: see [`Convention::BeamDyn`]; `initial_twist` is positive about -z. Before
-//! twist, BeamDyn's x axis has no component along its root y, while our y axis has none
-//! along z: with a tangent `t` in our root axes, BeamDyn's axes are ours turned about
-//! `t` by
+//! Axes: see [`Convention::BeamDyn`]; `initial_twist` is positive about -z. Before twist,
+//! BeamDyn's x axis has no component along its root y, while Helicoid's y axis has none
+//! along z: with a tangent `t` in Helicoid's root axes, BeamDyn's axes are Helicoid's
+//! turned about `t` by
 //!
 //! ```text
 //! delta = -asin(t_y t_z / (sqrt(t_x^2 + t_y^2) sqrt(t_x^2 + t_z^2)))
@@ -35,10 +35,10 @@ mod primary;
 use blade_file::BladeFile;
 use primary::Primary;
 
-/// Distance of the two stations by which a jump is written, in parts of the length.
+/// Distance of the two stations of a jump, as part of the length.
 const RAMP: f64 = 1e-8;
 
-/// Which version of OpenFAST reads the files.
+/// Version of OpenFAST that reads the files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Layout {
     /// Versions 3 and 4.
@@ -56,7 +56,7 @@ pub fn recognize(text: &str) -> bool {
 /// straight blade of the length of `options`.
 ///
 /// # Errors
-/// Everything that is wrong with the files; a blade file alone without a length.
+/// All errors of the files; a blade file alone without a length.
 pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     if primary::recognize(text) {
         return read_both(text, file);
@@ -87,7 +87,7 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
     Ok(reading)
 }
 
-/// Reads both files; gives the problems of both.
+/// Reads both files; returns the problems of both.
 fn read_both(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
     let primary = primary::parse(&lines(text), &mut problems);
@@ -157,7 +157,7 @@ fn assemble(
     }
 }
 
-/// The line through the key points, in our axes.
+/// The line through the key points, in Helicoid's axes.
 fn line_of(primary: &Primary) -> ReferenceLine {
     let axes = Convention::BeamDyn.axes();
     let point = |row: &[f64; 4]| LinePoint {
@@ -174,7 +174,7 @@ fn line_of(primary: &Primary) -> ReferenceLine {
     line
 }
 
-/// The angle from our axes to those of BeamDyn about the tangent, without twist, at each
+/// The angle from Helicoid's axes to BeamDyn's about the tangent, without twist, at each
 /// point of a line [rad].
 fn offsets(line: &ReferenceLine) -> Vec<f64> {
     let curve = line.curve();
@@ -221,7 +221,7 @@ fn write_as(blade: &Blade, name: &str, layout: Layout) -> Writing {
     }
 }
 
-/// The line as BeamDyn runs it: splines through at least three points.
+/// The line as BeamDyn interpolates it: splines through at least three points.
 fn spline(line: &ReferenceLine, lost: &mut Vec<String>) -> ReferenceLine {
     let mut points = line.points.clone();
     if let [a, b] = points[..] {
@@ -236,8 +236,8 @@ fn spline(line: &ReferenceLine, lost: &mut Vec<String>) -> ReferenceLine {
         let (place, twist) = stations::apart(line, &spline);
         if place > 0.0 || twist > 0.0 {
             lost.push(format!(
-                "the line is straight between its points; BeamDyn runs splines through them: up \
-                 to {place:.2e} m and {:.2e} deg of twist apart",
+                "the line is straight between its points; BeamDyn runs splines through them: the \
+                 difference is up to {place:.2e} m and {:.2e} deg of twist",
                 twist.to_degrees()
             ));
         }
@@ -272,7 +272,7 @@ fn rows(blade: &Blade, lost: &mut Vec<String>) -> Vec<(f64, Matrix6<f64>, Matrix
             (eta, stiffness, convention.from_ours(&station.mass))
         };
         match rows.last_mut() {
-            // At the tip the ramp ends, elsewhere it begins, at the place of the jump.
+            // At the tip the ramp ends at the jump, elsewhere it begins at the jump.
             Some(last) if last.0 >= eta && eta >= 1.0 => {
                 last.0 = 1.0 - RAMP;
                 rows.push(row(1.0));

@@ -1,4 +1,4 @@
-//! Our own table of a blade: comma-separated values below a header that states units,
+//! Helicoid's table of a blade: comma-separated values below a header that states units,
 //! frame, order and reference point.
 //!
 //! ```text
@@ -19,10 +19,9 @@
 //! 0.0,...
 //! ```
 //!
-//! In the place of `stations` there may be `sections`, arc lengths and the names of
-//! section files (VABS output, property files of section-analyzer); a file of a line
-//! alone has neither. The frame may be any [`Convention`]; the line is always in our
-//! root axes.
+//! `stations` may be replaced by `sections`, arc lengths and the names of section files
+//! (VABS output, property files of section-analyzer); a file of a line alone has neither.
+//! The frame may be any [`Convention`]; the line is always in Helicoid's root axes.
 
 use std::path::Path;
 
@@ -50,7 +49,7 @@ use tables::Tables;
 /// The first line of a file.
 const MARK: &str = "helicoid blade table";
 
-/// Whether `text` is such a table.
+/// Whether `text` is a table of Helicoid.
 pub fn recognize(text: &str) -> bool {
     let mut words = text.lines().map(str::trim).filter(|line| !line.is_empty());
     let head = words.next().unwrap_or_default();
@@ -62,7 +61,7 @@ pub fn recognize(text: &str) -> bool {
 /// Reads a table, with the section files that it names.
 ///
 /// # Errors
-/// Everything that is wrong with the files.
+/// All errors of the files.
 pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
     let lines = lines(text);
@@ -99,16 +98,16 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
     })
 }
 
-/// What is to be told of sections that were solved for curved beams.
+/// Remarks on sections that were solved for curved beams.
 ///
 /// # Errors
-/// Those of another curvature than that of the line.
+/// Sections of another curvature than the line's.
 fn curved_remarks(
     blade: &Blade,
     curved: &[Option<CurvedStation>],
     places: &[Place],
 ) -> Result<Vec<String>, Diagnostics> {
-    // A line that cannot be followed is told by the check of the blade.
+    // An invalid line is reported by the check of the blade.
     if !blade.line.problems().is_empty() {
         return Ok(Vec::new());
     }
@@ -120,10 +119,10 @@ fn curved_remarks(
     problems.into_result(remarks)
 }
 
-/// Reads the line of a table that may have nothing else.
+/// Reads the line of a table that may have no other content.
 ///
 /// # Errors
-/// Everything that is wrong with it.
+/// All errors of the line.
 pub(super) fn read_line(text: &str, file: &Path) -> Result<ReferenceLine, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
     let lines = lines(text);
@@ -135,7 +134,7 @@ pub(super) fn read_line(text: &str, file: &Path) -> Result<ReferenceLine, Diagno
     problems.finish(line)
 }
 
-/// A file whose problems, if any, were not told.
+/// A file whose problems, if any, were not reported.
 fn incomplete(file: &Path) -> Diagnostics {
     let mut problems = Problems::new(&file.display().to_string());
     problems.push(
@@ -166,7 +165,7 @@ fn interpolation_name(interpolation: Interpolation) -> &'static str {
     }
 }
 
-/// The statement that all exports begin with, for tables.
+/// The statement at the beginning of all exports, for tables.
 fn statement(blade: &Blade) -> String {
     let convention = super::frame::Convention::Helicoid;
     Header::new(blade, convention, "reference line").lines("# ")

@@ -4,10 +4,10 @@
 //! m, m y, m z, m33, m23, m22        of the mass matrix: 11, 34, 15, 66, 56, 55
 //! k11, k12, k22, k13, k23, k33, ... k66    columns of the upper triangle
 //! mu                                damping time
-//! eta                               part of the length, or arc length where beyond 1
+//! eta                               part of the length, or arc length if it exceeds 1
 //! ```
 //!
-//! Axes as ours. The line is none of the table; DYMORE has it among its curves. Our
+//! Axes are Helicoid's. The table has no line; DYMORE has it among its curves. Helicoid's
 //! tables name a companion file, `# line: NAME.line.csv`, which is read with them.
 //!
 //! # References
@@ -32,12 +32,12 @@ use super::{Options, Reading, Writing, csv};
 
 /// Numbers of a station.
 const COLUMNS: usize = 29;
-/// Numbers of a line that is taken for such a table with a slip.
+/// Range of numbers per line that is read as such a table with an error.
 const NEARLY: std::ops::RangeInclusive<usize> = 24..=34;
-/// What names the companion file.
+/// Mark of the companion file.
 const LINE_FILE: &str = "line:";
 
-/// Whether `text` is such a table: lines of about 29 numbers.
+/// Whether `text` is a DYMORE table: lines of about 29 numbers.
 pub fn recognize(text: &str) -> bool {
     let mut data = text.lines().map(str::trim);
     let first = data.find(|line| !line.is_empty() && !line.starts_with('#'));
@@ -51,7 +51,7 @@ pub fn recognize(text: &str) -> bool {
 /// the length of `options`.
 ///
 /// # Errors
-/// Everything that is wrong with the files; a table without line and length.
+/// All errors of the files; a table without line and length.
 pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
     let all = lines(text);
@@ -209,7 +209,7 @@ fn assemble(rows: &[Row], line: ReferenceLine, longest: f64, remarks: &mut Vec<S
     let in_meters = longest > 1.0 + 1e-9;
     if in_meters {
         remarks.push(format!(
-            "the last column goes up to {longest}: it is taken for arc length [m], not for the \
+            "the last column goes up to {longest}: it is treated as arc length [m], not as the \
              part of the length"
         ));
     }
@@ -222,8 +222,8 @@ fn assemble(rows: &[Row], line: ReferenceLine, longest: f64, remarks: &mut Vec<S
     let time = rows.first().map_or(0.0, |row| row.time);
     if rows.iter().any(|row| row.time != time) {
         remarks.push(format!(
-            "the damping times mu differ from station to station: that of the first, {time} s, is \
-             taken for all"
+            "the damping time mu differs between stations: the first, {time} s, is used for \
+             all"
         ));
     }
     Blade {
@@ -263,8 +263,8 @@ pub fn write(blade: &Blade, name: &str) -> Writing {
     }
     if change > 1e-14 {
         lost.push(format!(
-            "the mass matrix has entries that six numbers cannot carry (it is not that of a rigid \
-             slice): up to {change:.2e} of its largest entry"
+            "the mass matrix has entries that six numbers cannot carry (it is not the matrix of a \
+             rigid slice): up to {change:.2e} of its largest entry"
         ));
     }
     Writing {
@@ -298,12 +298,13 @@ fn damping_time(damping: Option<&BladeDamping>, lost: &mut Vec<String>) -> f64 {
             let mean = times.iter().sum::<f64>() / 6.0;
             let apart = times.iter().map(|time| (time - mean).abs());
             lost.push(format!(
-                "six damping times become one, their mean {mean:.3e} s: up to {:.2e} s apart",
+                "six damping times become one, their mean {mean:.3e} s: they differ from it by up \
+                 to {:.2e} s",
                 apart.fold(0.0, f64::max)
             ));
             mean
         }
-        // Matrices have become times before.
+        // Matrices were converted to times earlier.
         None | Some(BladeDamping::Viscous(_)) => 0.0,
     }
 }

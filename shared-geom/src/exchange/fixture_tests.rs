@@ -1,4 +1,4 @@
-//! Files as other tools write them: `tests/reference/exchange`, sources in the README.
+//! Files as written by other tools: `tests/reference/exchange`, sources in the README.
 
 use std::path::{Path, PathBuf};
 
@@ -72,8 +72,8 @@ fn beamdyn_files_of_openfast_io() {
     assert_eq!(tip, Vector3::new(12.0, 0.15, 0.2));
 }
 
-// The axes at the key points as BeamDyn makes them (OpenFAST 3 and later): x before twist
-// has no component along root y, then a turn about the tangent by minus the initial
+// The axes at the key points as BeamDyn defines them (OpenFAST 3 and later): x before
+// twist has no component along root y, then a turn about the tangent by minus the initial
 // twist. A few roundings of order one.
 #[test]
 fn beamdyn_axes_at_the_key_points() {
@@ -112,7 +112,7 @@ fn beamdyn_blade_file_in_the_layout_of_older_versions() {
 }
 
 // Written by hand after the output routine of VABS. The blocks "at the Mass Center",
-// "Classical" and "Flexibility" are others.
+// "Classical" and "Flexibility" have other values.
 #[test]
 fn vabs_output() {
     let blade = read("strip.K", Some(2.0), Format::Vabs).blade;
@@ -124,7 +124,7 @@ fn vabs_output() {
     assert!((centers.mass.x - 0.03).abs() < 1e-16 && (centers.mass.y - 0.01).abs() < 1e-16);
 }
 
-// The same section as that of the VABS file at the root, half of it at the tip.
+// The section of the VABS file at the root, half of it at the tip.
 #[test]
 fn dymore_table() {
     let vabs = read("strip.K", Some(2.0), Format::Vabs).blade.stations[0];

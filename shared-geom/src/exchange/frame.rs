@@ -1,6 +1,6 @@
-//! Section axes of other tools, and their change to ours.
+//! Section axes of other tools, and their change to Helicoid's.
 //!
-//! A convention is a 3x3 matrix `Q` whose columns are its axes in ours. Forces and
+//! A convention is a 3x3 matrix `Q` whose columns are its axes in Helicoid's. Forces and
 //! moments of all tools are components along their axes 1, 2, 3, so that one matrix
 //! changes axes and order at once: with `S = diag(Q, Q)`,
 //!
@@ -15,7 +15,7 @@ use crate::wrench;
 /// The section axes of a tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Convention {
-    /// Ours: x to the tip, y to the leading edge, z to the upper (suction) side.
+    /// Helicoid's: x to the tip, y to the leading edge, z to the upper (suction) side.
     Helicoid,
     /// BeamDyn: x to the suction side, y to the trailing edge, z to the tip.
     BeamDyn,
@@ -48,7 +48,7 @@ impl Convention {
         }
     }
 
-    /// Its axes in ours, as columns.
+    /// Its axes in Helicoid's, as columns.
     pub fn axes(self) -> Matrix3<f64> {
         match self {
             Self::Helicoid | Self::Vabs => Matrix3::identity(),
@@ -57,17 +57,17 @@ impl Convention {
         }
     }
 
-    /// A 6x6 matrix of this convention in our axes and order; exact.
+    /// A 6x6 matrix of this convention in Helicoid's axes and order; exact.
     pub fn to_ours(self, matrix: &Matrix6<f64>) -> Matrix6<f64> {
         wrench::rotate(matrix, &self.axes().transpose())
     }
 
-    /// A 6x6 matrix of ours in the axes and order of this convention; exact.
+    /// A 6x6 matrix of Helicoid in the axes and order of this convention; exact.
     pub fn from_ours(self, matrix: &Matrix6<f64>) -> Matrix6<f64> {
         wrench::rotate(matrix, &self.axes())
     }
 
-    /// Six numbers, one for each component, in our order; no signs.
+    /// Six numbers, one for each component, in Helicoid's order; no signs.
     pub fn values_to_ours(self, values: &[f64; 6]) -> [f64; 6] {
         self.component_places().map(|place| values[place])
     }
@@ -81,14 +81,14 @@ impl Convention {
         theirs
     }
 
-    /// Where each of our components stands among theirs.
+    /// Index of each of Helicoid's components in this convention.
     fn component_places(self) -> [usize; 6] {
         let axes = self.axes();
         let place = |i: usize| (0..3).find(|&j| axes[(i, j)] != 0.0).unwrap_or(i);
         [0, 1, 2, 3, 4, 5].map(|i| if i < 3 { place(i) } else { place(i - 3) + 3 })
     }
 
-    /// The axes in words.
+    /// The axes as text.
     pub fn axes_in_words(self) -> &'static str {
         match self {
             Self::Helicoid => {
@@ -150,7 +150,7 @@ impl Convention {
 mod tests {
     use super::*;
 
-    /// Twenty-one different primes: six on the diagonal, fifteen beside it.
+    /// Twenty-one different primes: six on the diagonal, fifteen off it.
     fn primes() -> Matrix6<f64> {
         let primes = [
             101.0, 2.0, 3.0, 5.0, 7.0, 11.0, 103.0, 13.0, 17.0, 19.0, 23.0, 107.0, 29.0, 31.0,
@@ -176,8 +176,8 @@ mod tests {
     }
 
     // A strip wider (along the chord) than thick: the bending stiffness that moves the
-    // strip in its plane (edge) is larger. Known places (0-based): BeamDyn edge 3, flap
-    // 4; HAWC2 flap 3, edge 4; VABS flap 4, edge 5; torsion behind or before them.
+    // strip in its plane (edge) is larger. Known indices (0-based): BeamDyn edge 3, flap
+    // 4; HAWC2 flap 3, edge 4; VABS flap 4, edge 5; torsion after or before them.
     #[test]
     fn edge_flap_and_torsion_stand_where_each_tool_has_them() {
         let (axial, shear_edge, shear_flap, torsion, flap, edge) = (1e6, 4e5, 3e5, 2.0, 5.0, 90.0);

@@ -2,10 +2,11 @@
 //! populated (30), and the main body of an htc file, which has the line (`c2_def`) and
 //! names the st file.
 //!
-//! Axes: see [`Convention::Hawc2`]; twist and pitch positive about +z, nose up. Where
-//! the matrices of the rows stand, see [`section`]. The rows are linear between their
-//! distances `r`, each column by itself; a blade here is linear in the entries of the
-//! matrices about the line, which is the same at the rows and close to it between them.
+//! Axes: see [`Convention::Hawc2`]; twist and pitch positive about +z, nose up. The
+//! reference points of the matrices of the rows: see [`section`]. HAWC2 interpolates each
+//! column linearly between the distances `r` of the rows; a blade of Helicoid is linear
+//! in the entries of the matrices about the line, which is the same at the rows and close
+//! to it between them.
 //!
 //! # References
 //! - Columns and their points of reference: documentation of the `wetb` package of DTU
@@ -36,7 +37,7 @@ mod st;
 mod write;
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#[allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 mod htc_tests;
 #[cfg(test)]
 mod tests;
@@ -47,11 +48,11 @@ use st::{Row, SubSet};
 
 pub(super) use write::write;
 
-/// Rows that end nearer than this to the end of the line are stretched onto it, as part
-/// of the length: files differ so much in how they measure along a bent blade.
+/// Part of the length by which the rows may end before or beyond the line and are
+/// stretched onto it: files measure differently along a bent blade.
 const STRETCH: f64 = 0.02;
 
-/// A difference of lengths that printed digits explain, as part of the length.
+/// A difference of lengths that rounded digits explain, as part of the length.
 const DIGITS: f64 = 1e-9;
 
 /// Whether `text` is an st file or an htc file with a body.
@@ -63,7 +64,7 @@ pub(super) fn recognize(text: &str) -> bool {
 /// blade.
 ///
 /// # Errors
-/// Everything that is wrong with the files.
+/// All errors of the files.
 pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics> {
     if htc::recognize(text) {
         return read_body(text, file);
@@ -81,7 +82,7 @@ pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diag
     Ok(assemble(&rows, line, None, remarks, file, &[text]))
 }
 
-/// Reads the blade of an htc file; gives the problems of both files.
+/// Reads the blade of an htc file; returns the problems of both files.
 fn read_body(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
     let mut remarks = Vec::new();
     let mut problems = Problems::new(&file.display().to_string());
@@ -113,7 +114,7 @@ fn read_body(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
     Ok(assemble(&rows, line, Some(&body), remarks, file, &texts))
 }
 
-/// The rows that the htc file asks for, or the first of an st file alone.
+/// The rows that the htc file selects, or the first rows of an st file alone.
 fn chosen_rows(
     text: &str,
     body: Option<&Body>,
@@ -159,13 +160,13 @@ fn no_set(wanted: Option<(usize, usize, usize)>, names: &[String]) -> ExchangePr
             help: "correct the line \"set\" of timoschenko_input".to_owned(),
         },
         None => ExchangeProblem::Missing {
-            what: "a sub-set ($1 20, and 20 rows behind it)".to_owned(),
+            what: "a sub-set ($1 20, and 20 rows after it)".to_owned(),
             help: "the file may have been cut off".to_owned(),
         },
     }
 }
 
-/// The line of `c2_def`, in our axes, with the course that is stated.
+/// The line of `c2_def`, in Helicoid's axes, with the stated course.
 fn line_of(body: &Body, course: Option<Course>, remarks: &mut Vec<String>) -> ReferenceLine {
     let axes = Convention::Hawc2.axes();
     let point = |&[x, y, z, twist]: &[f64; 4]| LinePoint {
@@ -217,8 +218,9 @@ fn assemble(
     if let Some(first) = too_small.first() {
         remarks.push(format!(
             "radii of gyration at {} of {} rows, the first at r = {first} m, are smaller than the \
-             distance of the mass center from the elastic center, about which HAWC2 takes them: \
-             no moment of inertia is left about the mass center; the file may hold those about it",
+             distance of the mass center from the elastic center, their reference in HAWC2: the \
+             moment of inertia about the mass center is set to zero; the file may contain radii \
+             about the mass center",
             too_small.len(),
             rows.len()
         ));
@@ -235,7 +237,7 @@ fn assemble(
     Reading::new(blade, remarks)
 }
 
-/// What the distances of the rows are multiplied by.
+/// Factor of the distances of the rows.
 fn stretch(end: f64, length: f64, remarks: &mut Vec<String>) -> f64 {
     let off = end / length - 1.0;
     if off.abs() <= DIGITS || !off.is_finite() {
@@ -256,7 +258,7 @@ fn stretch(end: f64, length: f64, remarks: &mut Vec<String>) -> f64 {
     1.0
 }
 
-/// The stations up to the end of the line, with one there.
+/// The stations up to the end of the line, with one at the end.
 fn cut(mut stations: Vec<Station>, length: f64) -> Vec<Station> {
     let beyond = |station: &Station| station.arc_length > length * (1.0 + DIGITS);
     let Some(first) = stations.iter().position(beyond) else {
@@ -272,7 +274,8 @@ fn cut(mut stations: Vec<Station>, length: f64) -> Vec<Station> {
     stations
 }
 
-/// The station of a row, in our axes, and whether its radii of gyration are too small.
+/// The station of a row, in Helicoid's axes, and whether its radii of gyration are too
+/// small.
 fn station(row: &Row) -> (Station, bool) {
     let vector = Vector2::new;
     let (place, stiffness, inertia) = match row {
@@ -324,12 +327,12 @@ fn station(row: &Row) -> (Station, bool) {
     (station, too_small)
 }
 
-/// A product of three matrices is symmetric but for round-off.
+/// A product of three matrices is symmetric up to round-off.
 fn symmetric(matrix: &nalgebra::Matrix6<f64>) -> nalgebra::Matrix6<f64> {
     0.5 * (matrix + matrix.transpose())
 }
 
-/// Pitch, x_e and y_e stand together.
+/// Pitch, x_e and y_e are adjacent.
 fn place(columns: &[f64]) -> Place {
     let value = |i: usize| columns.get(i).copied().unwrap_or(0.0);
     Place {

@@ -1,5 +1,5 @@
-//! What the first lines of every export state: program and version, input, frame,
-//! order, reference point.
+//! First lines of every export: program and version, input, frame, order, reference
+//! point.
 
 use crate::blade::Blade;
 
@@ -12,7 +12,7 @@ pub struct Header {
 }
 
 impl Header {
-    /// Of `blade` written in the axes of `convention`, about `point` in words.
+    /// Header of `blade` written in the axes of `convention`, about `point`, a text.
     pub fn new(blade: &Blade, convention: Convention, point: &str) -> Self {
         let hash = &blade.provenance.input_hash;
         let input = if hash.is_empty() {

@@ -1,9 +1,9 @@
 //! Blades for MBDyn: a model of three-node beams with constitutive laws at their two
 //! evaluation points, and bodies that hold the mass, clamped at the root. Written only.
 //!
-//! MBDyn's sections are ours: x along the beam, components axial, shear y, shear z,
+//! MBDyn's sections are Helicoid's: x along the beam, components axial, shear y, shear z,
 //! torsion, bending y, bending z; matrices row by row, `sym` the upper triangle. The
-//! nodes have the section axes of the blade, places in the axes of the blade root.
+//! nodes have the section axes of the blade, positions in the axes of the blade root.
 //!
 //! ```text
 //! node 2 e - 1       node 2 e          node 2 e + 1   element e, xi = -1, 0, 1
@@ -11,7 +11,7 @@
 //!    [ body  ][       body        ][  body ]
 //! ```
 //!
-//! A beam of MBDyn has no mass. That of the blade goes into bodies, each with the
+//! A beam of MBDyn has no mass. The mass of the blade goes into bodies, each with the
 //! integral of the rigid slices between the evaluation points around its node: with T
 //! from the slice to the node, `sum of T M T^T ds`.
 //!
@@ -35,7 +35,7 @@ mod tests;
 
 use bodies::Body;
 
-/// Place of an evaluation point between the middle and the end of an element [-].
+/// Coordinate of an evaluation point between the middle and the end of an element [-].
 const EVALUATION: f64 = 0.577_350_269_189_625_8;
 
 /// Smaller differences are round-off [-].
@@ -56,7 +56,7 @@ struct Section {
     damping: Option<Matrix6<f64>>,
 }
 
-/// An element between two places of the blade.
+/// An element between two arc lengths of the blade.
 #[derive(Debug)]
 struct Element {
     from: f64,
@@ -135,7 +135,7 @@ fn element(blade: &Blade, curve: &Curve, from: f64, to: f64) -> Element {
     }
 }
 
-/// What the model cannot carry, with its size.
+/// Properties that the model cannot carry, with their size.
 fn lost(blade: &Blade, curve: &Curve, model: &Model) -> Vec<String> {
     let mut lost = Vec::new();
     let heaviest = model
@@ -158,8 +158,8 @@ fn lost(blade: &Blade, curve: &Curve, model: &Model) -> Vec<String> {
     let change = change.fold(0.0, f64::max);
     if change > EQUAL {
         lost.push(format!(
-            "interpolation between stations: laws at two points of each element stand for \
-             stiffnesses that change by up to {:.0} % along one",
+            "interpolation between stations: laws at two points of each element represent \
+             stiffnesses that change by up to {:.0} % along an element",
             100.0 * change
         ));
     }
@@ -196,7 +196,7 @@ fn change(a: &Matrix6<f64>, b: &Matrix6<f64>) -> f64 {
     (0..6).map(part).fold(0.0, f64::max)
 }
 
-/// How far the parabola through the nodes of an element lies from the line, at its
+/// Distance of the parabola through the nodes of an element from the line, at its
 /// evaluation points [m].
 fn off_line(curve: &Curve, model: &Model) -> f64 {
     let elements = model.elements.iter().enumerate();

@@ -1,5 +1,5 @@
-//! Our own files: blade files in JSON and TOML, and property files of section-analyzer as a
-//! uniform blade.
+//! Helicoid's files: blade files in JSON and TOML, and property files of section-analyzer
+//! as a uniform blade.
 
 use std::path::Path;
 
@@ -13,15 +13,15 @@ use crate::section::{self, Damping, InitialCurvature, SectionProperties};
 use super::problem::{ExchangeProblem, Problems};
 use super::{Options, Reading, Writing};
 
-/// A slope that is off the normal by less is that of digits.
+/// A slope that is off the normal by less is round-off.
 const NORMAL: f64 = 1e-6;
 
-/// Whether `text` is such a file.
+/// Whether `text` is one of these files.
 pub fn recognize(text: &str) -> bool {
     text.contains("\"helicoid blade\"") || is_section(text)
 }
 
-/// Whether a file has the ending of such a file.
+/// Whether a file has the ending of one of these files.
 pub(super) fn is_named(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let endings = [".blade.json", ".properties.json", ".toml"];
@@ -37,7 +37,7 @@ pub(super) fn is_section(text: &str) -> bool {
 /// `options`, straight or with the curvature for which its section was solved.
 ///
 /// # Errors
-/// Everything that is wrong with the file; a section without a length.
+/// All errors of the file; a section without a length.
 pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     let shown = file.display().to_string();
     if !is_section(text) {
@@ -60,11 +60,11 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
     uniform(&section, length, &shown)
 }
 
-/// Where in the section a line of the same beam would be normal to it: where (a, b) of
+/// Point of the section at which a line of the same beam is normal to it: (a, b) of
 /// `g1 = l + k x t` vanish, (y, z) = (-l3, l2)/k1.
 fn normal_point(initial: &InitialCurvature) -> String {
     let InitialCurvature { curvature, slope } = initial;
-    // a zero has no sign: -0 + 0 = 0
+    // zero without a sign: -0 + 0 = 0
     let [y, z] = [-slope.z, slope.y].map(|component| component / curvature.x + 0.0);
     if y.is_finite() && z.is_finite() {
         format!(
@@ -82,7 +82,7 @@ fn normal_point(initial: &InitialCurvature) -> String {
 /// solved.
 ///
 /// # Errors
-/// A line that is not normal to the section, which no blade has.
+/// A line that is not normal to the section, which is impossible in a blade.
 fn uniform(section: &SectionProperties, length: f64, file: &str) -> Result<Reading, Diagnostics> {
     let section = &section.per_arc_length();
     let initial = section.initial_curvature;
@@ -146,7 +146,7 @@ fn line_of(
     Err(Diagnostics::one(Place::file(file), &problem))
 }
 
-/// What a section has and a blade does not, in words.
+/// Properties of a section that a blade does not have, as text.
 fn left_behind(section: &SectionProperties) -> Vec<String> {
     let states = section.imposed.iter();
     let states: Vec<_> = states.map(|state| &state.name).collect();
@@ -207,8 +207,8 @@ mod tests {
         assert!(shown.contains("(y, z) = (0.0, 0.2) m"), "{shown}");
     }
 
-    /// A blade has stiffness, mass and damping: what else a section has is told, each
-    /// imposed state by its name.
+    /// A blade has stiffness, mass and damping: other properties of a section are
+    /// reported, each imposed state by its name.
     #[test]
     fn what_a_blade_does_not_have_is_told() {
         let engineering = Engineering {

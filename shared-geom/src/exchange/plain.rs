@@ -1,21 +1,21 @@
-//! A blade as the tables of other tools carry it: a line by its points, and stations of
-//! strictly growing arc length with straight interpolation between them.
+//! A blade as the tables of other tools contain it: a line by its points, and stations of
+//! strictly increasing arc length with linear interpolation between them.
 
 use crate::blade::{Blade, Interpolation, Station};
 use crate::line::{Course, LinePoint, ReferenceLine};
 
-/// Width of the ramp that stands for a jump, as part of the length: the frequencies
-/// change by about as much, and tables with 17 digits still have growing places.
+/// Width of the ramp that replaces a jump, as part of the length: the frequencies change
+/// by about as much, and tables with 17 digits still have increasing positions.
 const RAMP: f64 = 1e-9;
 
-/// Angle of an arc between two points that stand for it [rad]: inside an arc a cubic
-/// spline through them is off by some 1e-9 of their distance, next to its ends by 1e-4.
+/// Angle of an arc between two points that replace it [rad]: inside an arc a cubic spline
+/// through them is off by some 1e-9 of their distance, next to its ends by 1e-4.
 const ARC_ANGLE: f64 = 0.005;
 
-/// Fewest and most points that stand for one arc.
+/// Fewest and most points that replace one arc.
 const ARC_POINTS: [f64; 2] = [8.0, 200.0];
 
-/// What is left of a blade.
+/// A blade as converted.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plain {
     /// Points of the line.
@@ -24,13 +24,13 @@ pub(super) struct Plain {
     pub point_parts: Vec<f64>,
     /// The course of the line between its points: straight or splined.
     pub course: Course,
-    /// Stations, each behind the one before.
+    /// Stations, each after the previous one.
     pub stations: Vec<Station>,
     /// Length of the line [m].
     pub length: f64,
-    /// From our axes to those of BeamDyn, at each point: see [`turns`] [rad].
+    /// From Helicoid's axes to BeamDyn's, at each point: see [`turns`] [rad].
     pub turns: Vec<f64>,
-    /// What changed, in words.
+    /// Description of the changes.
     pub lost: Vec<String>,
 }
 
@@ -43,7 +43,7 @@ impl Plain {
         let arcs = line.arc_lengths();
         let length = line.length();
         let mut stations = growing(blade, &mut lost);
-        // Points that stand for arcs make a line that is a little shorter.
+        // Points that replace arcs make a slightly shorter line.
         let stretch = length / blade.length();
         for station in &mut stations {
             station.arc_length *= stretch;
@@ -78,8 +78,8 @@ pub(super) fn course_name(course: Course) -> &'static str {
     }
 }
 
-/// The course that a comment in the head of a file states, which a program of Helicoid
-/// wrote: other tools leave it open.
+/// The course that a comment in the head of a file states, written by Helicoid: other
+/// tools leave it open.
 pub(super) fn stated_course(text: &str) -> Option<Course> {
     const HEAD: usize = 40;
     let stated = |line: &str| {
@@ -96,9 +96,10 @@ pub(super) fn stated_course(text: &str) -> Option<Course> {
     text.lines().take(HEAD).find_map(stated)
 }
 
-/// The angle about the tangent from our axes without twist, whose y axis is level
-/// (without component along z of the root), to those of BeamDyn and windIO, whose x axis
-/// (our z) has none along y of the root, at each point of a line [rad]:
+/// The angle about the tangent from Helicoid's axes without twist, whose y axis is level
+/// (without component along z of the root), to the axes of BeamDyn and windIO, whose x
+/// axis (Helicoid's z) has no component along y of the root, at each point of a line
+/// [rad]:
 ///
 /// ```text
 /// delta = -asin(t_y t_z / (sqrt(t_x^2 + t_y^2) sqrt(t_x^2 + t_z^2)))
@@ -116,7 +117,7 @@ pub(super) fn turns(line: &ReferenceLine) -> Vec<f64> {
 fn parts(arcs: &[f64], length: f64) -> Vec<f64> {
     let last = arcs.len().saturating_sub(1);
     let part = |(i, arc): (usize, &f64)| match arc / length {
-        // The end is the end, whatever the last digit of the division.
+        // The end is exact, independent of the last digit of the division.
         part if i == last && (part - 1.0).abs() < 1e-12 => 1.0,
         part if part.is_finite() => part,
         _ => 0.0,
@@ -164,7 +165,7 @@ fn through_points(line: &ReferenceLine, lost: &mut Vec<String>) -> ReferenceLine
     plain
 }
 
-/// How far `line` lies from `other` half way between its points [m].
+/// Distance of `line` from `other` half way between its points [m].
 fn apart(line: &ReferenceLine, other: &ReferenceLine) -> f64 {
     let (line, other) = (line.curve(), other.curve());
     let middles = line
@@ -175,8 +176,8 @@ fn apart(line: &ReferenceLine, other: &ReferenceLine) -> f64 {
     off.fold(0.0, f64::max)
 }
 
-/// Stations behind each other: constant pieces get a station at both ends, and of two
-/// stations at one place the inner one moves inward by a ramp.
+/// Stations at increasing positions: constant pieces get a station at both ends, and of
+/// two stations at one position the inner one moves inward by a ramp.
 fn growing(blade: &Blade, lost: &mut Vec<String>) -> Vec<Station> {
     let length = blade.length();
     let mut stations = blade.stations.clone();
@@ -191,7 +192,7 @@ fn growing(blade: &Blade, lost: &mut Vec<String>) -> Vec<Station> {
     let inside = before.take_while(|station| station.arc_length <= 0.0);
     let inside = inside.count();
     stations.drain(..inside);
-    // Tables have two rows or more.
+    // Tables need two rows or more.
     if let [only] = stations[..] {
         stations = [0.0, length]
             .map(|arc_length| Station { arc_length, ..only })
@@ -207,14 +208,14 @@ fn growing(blade: &Blade, lost: &mut Vec<String>) -> Vec<Station> {
     }
     if count > 0 {
         lost.push(format!(
-            "jumps of the properties: {count} written as ramps of {ramp:.1e} m, since the places \
-             of the table must grow",
+            "jumps of the properties: {count} written as ramps of {ramp:.1e} m, since the \
+             positions of the table must increase",
         ));
     }
     stations
 }
 
-/// Each station twice: where its piece begins, and where it ends.
+/// Each station twice: at the beginning and at the end of its piece.
 fn held(stations: &[Station], length: f64) -> Vec<Station> {
     let ends = stations.iter().skip(1).map(|next| next.arc_length);
     let ends = ends.chain([length]);
@@ -223,7 +224,7 @@ fn held(stations: &[Station], length: f64) -> Vec<Station> {
             arc_length: end,
             ..*station
         };
-        // What begins at the tip has no length.
+        // A piece that begins at the tip has no length.
         let pieces = if end.arc_length > station.arc_length {
             2
         } else {

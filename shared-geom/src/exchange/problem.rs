@@ -1,11 +1,11 @@
-//! What can be wrong with a file of another tool.
+//! Errors of a file of another tool.
 
 use std::path::Path;
 
 use crate::error::{Diagnostics, Explain, Place};
 use crate::files::{names_beside, nearest_file};
 
-/// How many problems of one file are told; the others are counted.
+/// Number of problems of one file that are reported; the others are counted.
 const LIMIT: usize = 20;
 
 /// A problem of a blade file.
@@ -34,78 +34,78 @@ pub enum ExchangeProblem {
     /// Another number of values on a line.
     #[error("{what}: expected {expected} numbers, found {found}")]
     Count {
-        /// What stands on the line.
+        /// The content of the line.
         what: String,
-        /// How many numbers are expected.
+        /// Expected number of values.
         expected: usize,
-        /// How many there are.
+        /// Number of values found.
         found: usize,
-        /// What stands between them: `blanks` or `commas`.
+        /// Separator of the values: `blanks` or `commas`.
         separator: &'static str,
     },
-    /// A word in the place of a number.
+    /// A word instead of a number.
     #[error("{what}: expected a finite number, found \"{found}\"")]
     NotANumber {
-        /// What the number is.
+        /// The meaning of the number.
         what: String,
         /// The word.
         found: String,
     },
-    /// The end of the file before that of its content.
+    /// The end of the file within its content.
     #[error("the file ends within {what}, expected {expected}")]
     CutShort {
-        /// Where it ends.
+        /// The part within which it ends.
         what: String,
-        /// What should follow.
+        /// The expected content.
         expected: String,
     },
-    /// A file that another one names and that is not there.
+    /// A file that another one names and that does not exist.
     #[error("{what}: no file \"{name}\"")]
     NoFile {
-        /// What names it.
+        /// The name's source.
         what: String,
         /// Its name as written.
         name: String,
-        /// The files of the folder in which it was looked for.
+        /// The files of the folder that was searched.
         known: Vec<String>,
     },
-    /// A value that does not follow the one before.
-    #[error("{what} is {found}, expected at least that of the station before, {before}")]
+    /// A value smaller than the previous one.
+    #[error("{what} is {found}, expected at least the value of the previous station, {before}")]
     Order {
         /// The value.
         what: String,
-        /// As found.
+        /// The value found.
         found: f64,
-        /// That of the station before.
+        /// The value of the previous station.
         before: f64,
     },
     /// Anything else: what was found, what was expected, and the remedy.
     #[error("{what}: found {found}, expected {expected}")]
     Other {
-        /// What is wrong.
+        /// The wrong part.
         what: String,
-        /// As found.
+        /// The value found.
         found: String,
-        /// What is expected.
+        /// The value expected.
         expected: String,
         /// The remedy.
         help: String,
     },
-    /// Something that must be stated and is not.
+    /// A required statement that is missing.
     #[error("{what} is missing")]
     Missing {
-        /// What is missing.
+        /// The missing part.
         what: String,
         /// The remedy.
         help: String,
     },
-    /// More problems than are told.
+    /// More problems than are reported.
     #[error("and {0} more problems")]
     More(usize),
 }
 
 impl ExchangeProblem {
-    /// That `text` is of no known format.
+    /// The problem that `text` is of no known format.
     pub(super) fn unknown(text: &str, tried: Vec<&'static str>) -> Self {
         let first = text.lines().map(str::trim).find(|line| !line.is_empty());
         Self::Unknown {
@@ -150,7 +150,7 @@ pub(super) struct Problems {
 }
 
 impl Problems {
-    /// None so far, of `file`.
+    /// No problems, of `file`.
     pub(super) fn new(file: &str) -> Self {
         Self {
             file: file.to_owned(),
@@ -172,7 +172,7 @@ impl Problems {
         self.all.push(place, problem);
     }
 
-    /// From here on, lines are those of `file`.
+    /// From here on, lines refer to `file`.
     pub(super) fn turn_to(&mut self, file: &Path) {
         self.file = file.display().to_string();
     }
@@ -184,7 +184,7 @@ impl Problems {
     }
 
     /// Notes on a line that there is no file at `path`, which `what` names as `name`;
-    /// whether there is one.
+    /// returns whether the file exists.
     pub(super) fn finds(&mut self, path: &Path, what: &str, name: &str, line: usize) -> bool {
         if path.exists() {
             return true;
@@ -194,12 +194,12 @@ impl Problems {
         false
     }
 
-    /// Whether there is none.
+    /// Whether there are no problems.
     pub(super) fn is_empty(&self) -> bool {
         self.count == 0
     }
 
-    /// All of them, in the order of their lines.
+    /// All problems, in the order of their lines.
     pub(super) fn into_diagnostics(mut self) -> Diagnostics {
         self.all.sort_by_line();
         if self.count > LIMIT {

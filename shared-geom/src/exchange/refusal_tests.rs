@@ -1,11 +1,11 @@
-//! What the readers say about files with problems.
+//! Messages of the readers about files with problems.
 
 use std::path::Path;
 
 use super::samples::{blade, written};
 use super::{Format, Options, read_with};
 
-/// The messages for the files of the sample blade, of which that at `index` is changed.
+/// The messages for the files of the sample blade, with a changed file at `index`.
 fn refused(format: Format, index: usize, change: impl Fn(&str) -> String) -> String {
     let folder = tempfile::tempdir().unwrap();
     let first = written(&blade(), format, folder.path());
@@ -26,7 +26,7 @@ fn assert_says(messages: &str, expected: &str) {
     );
 }
 
-/// `text` with line `number` (from one) made by `change`.
+/// `text` with line `number` (from one) replaced by `change`.
 fn with_line(text: &str, number: usize, change: impl Fn(&str) -> String) -> String {
     let lines = text.lines().enumerate();
     let lines = lines.map(|(i, line)| {
@@ -43,7 +43,7 @@ fn until(text: &str, lines: usize) -> String {
     text.lines().take(lines).collect::<Vec<_>>().join("\n")
 }
 
-// The blade file has 13 lines of header, then 15 a station: eta, 6, blank, 6, blank.
+// The blade file has 13 lines of header, then 15 per station: eta, 6, blank, 6, blank.
 #[test]
 fn a_beamdyn_blade_file_cut_short_is_told_with_line_and_count() {
     let messages = refused(Format::BeamDyn, 1, |text| until(text, 13 + 15 + 3));
@@ -71,8 +71,8 @@ fn all_problems_of_a_beamdyn_blade_file_are_told_at_once() {
         "sample_blade.dat:15: stiffness of station 1, row 1: expected 6 numbers, found 7",
         "sample_blade.dat:16: stiffness of station 1, row 2: expected a finite number, found \"x\"",
         "sample_blade.dat:16: stiffness of station 1, row 2: expected a finite number, found \"nan\"",
-        "sample_blade.dat:44: place eta of station 3 is 0.01, expected at least that of the \
-         station before, 0.13",
+        "sample_blade.dat:44: position eta of station 3 is 0.01, expected at least the value of \
+         the previous station, 0.13",
         "help: put the stations in order from the root to the tip",
     ] {
         assert_says(&messages, expected);
@@ -278,7 +278,7 @@ fn a_table_cut_short_or_with_a_column_too_few_is_refused() {
         &messages,
         "station 5: expected 43 numbers, found 42\n  help: columns are separated by commas",
     );
-    // The index of section files says so too.
+    // The index of section files is checked too.
     let messages = refused(Format::Vabs, 0, |text| {
         until(text, text.lines().count() - 1)
     });
@@ -292,7 +292,7 @@ fn a_table_cut_short_or_with_a_column_too_few_is_refused() {
     );
 }
 
-// The line of the place of station 2 is the 29th: 13 lines of header, 15 of station 1.
+// The line of eta of station 2 is the 29th: 13 lines of header, 15 of station 1.
 #[test]
 fn a_stiffness_that_is_not_positive_definite_is_told_once_with_its_line() {
     let folder = tempfile::tempdir().unwrap();
@@ -330,8 +330,8 @@ fn a_length_that_is_not_used_is_remarked() {
     );
 }
 
-// One number of each file at a time, of those that are not small, past what can be squared:
-// it is refused, or, where it is none of a matrix, nothing that is not finite comes of it.
+// One number of each file at a time, except small ones, too large to be squared: it is
+// refused, or, outside of matrices, nothing infinite results.
 #[test]
 fn numbers_that_cannot_be_squared_are_refused_in_every_format() {
     let mut refused = 0;
@@ -376,7 +376,7 @@ fn numbers_that_cannot_be_squared_are_refused_in_every_format() {
     );
 }
 
-/// What is told of a stiffness in the last station of a table.
+/// Message on a stiffness in the last station of a table.
 fn refused_station(entry: f64) -> String {
     let mut wrong = blade();
     if let Some(last) = wrong.stations.last_mut() {

@@ -30,12 +30,12 @@ pub fn mass(m: f64) -> Matrix6<f64> {
     own[(5, 4)] = own[(4, 5)];
     let about = wrench::shift(&own, &Vector3::new(0.0, 0.11, -0.07));
     let mut exact = 0.5 * (about + about.transpose());
-    // As a file has it: the polar moment is the sum of the two others, to the last bit.
+    // As in a file: the polar moment is the sum of the two others, to the last bit.
     exact[(3, 3)] = exact[(4, 4)] + exact[(5, 5)];
     exact
 }
 
-/// A blade with everything: full matrices, twist, prebend, sweep, damping.
+/// A blade with all properties: full matrices, twist, prebend, sweep, damping.
 pub fn blade() -> Blade {
     let point = |x: f64| LinePoint {
         position: Vector3::new(x, -0.004 * x * x, 0.003 * x * x),
@@ -67,7 +67,7 @@ pub fn blade() -> Blade {
     }
 }
 
-/// Writes a blade into `folder`; the place of the first file.
+/// Writes a blade into `folder`; returns the path of the first file.
 pub fn written(blade: &Blade, format: Format, folder: &Path) -> PathBuf {
     let writing = write(blade, format, "sample").expect("the format is written");
     for (name, text) in &writing.files {
@@ -78,15 +78,15 @@ pub fn written(blade: &Blade, format: Format, folder: &Path) -> PathBuf {
 
 /// A blade after writing and reading.
 pub fn through(blade: &Blade, format: Format) -> Reading {
-    let folder = tempfile::tempdir().expect("there is room for a folder");
+    let folder = tempfile::tempdir().expect("a folder can be made");
     let first = written(blade, format, folder.path());
     let (_, reading) = read_with(&first, &Options::default()).expect("it is read again");
     reading
 }
 
-/// The largest relative difference of two blades: entries of K and M against themselves
-/// or, where these are roundings, against the diagonal; places and angles against the
-/// length and one radian.
+/// The largest relative difference of two blades: entries of K and M relative to
+/// themselves or, if these are round-off, to the diagonal; positions and angles relative
+/// to the length and one radian.
 pub fn difference(a: &Blade, b: &Blade) -> f64 {
     let length = a.length();
     assert_eq!(a.stations.len(), b.stations.len());

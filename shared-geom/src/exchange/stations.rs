@@ -1,4 +1,4 @@
-//! Stations, lines and matrices on their way between formats.
+//! Stations, lines and matrices converted between formats.
 
 use nalgebra::{Matrix6, Vector2};
 
@@ -9,11 +9,11 @@ use crate::section::Provenance;
 
 use super::problem::{ExchangeProblem, Problems};
 
-/// Asymmetry of a matrix, relative to the roots of its diagonal entries, that printed
-/// digits explain; beyond it the matrix is taken for wrong.
+/// Asymmetry of a matrix, relative to the roots of its diagonal entries, that rounded
+/// digits explain; beyond it the matrix is treated as wrong.
 const ROUNDED: f64 = 1e-3;
 
-/// Where a blade read from files of another tool comes from.
+/// Origin of a blade read from files of another tool.
 pub(super) fn provenance(tool: &str, texts: &[&str]) -> Provenance {
     let parts: Vec<_> = texts.iter().map(|text| text.as_bytes()).collect();
     Provenance {
@@ -39,11 +39,11 @@ pub(super) fn name_of(file: &std::path::Path) -> String {
 /// A station is at an end of the line within this part of its length.
 const END: f64 = 1e-9;
 
-/// Points by which an arc of a line is written for a format that has none.
+/// Points of an arc in a format without arcs.
 const POINTS_OF_ARC: usize = 8;
 
-/// `blade` as formats of points and times can carry it: about its line, which runs
-/// through points, with a damping time for each component at most. Adds what is lost.
+/// `blade` as formats of points and times can contain it: about its line, which is
+/// defined by points, with at most one damping time for each component. Adds the losses.
 pub(super) fn prepared(blade: &Blade, lost: &mut Vec<String>) -> Blade {
     let mut result = if blade.reference_point == Vector2::zeros() {
         blade.clone()
@@ -61,7 +61,7 @@ pub(super) fn prepared(blade: &Blade, lost: &mut Vec<String>) -> Blade {
     if result.line.course == Course::Arcs {
         let (line, place) = sampled(&result.line);
         lost.push(format!(
-            "the line of arcs is written as {} points: up to {place:.2e} m apart",
+            "the line of arcs is written as {} points: the difference is up to {place:.2e} m",
             line.points.len()
         ));
         let scale = line.length() / result.line.length();
@@ -73,8 +73,8 @@ pub(super) fn prepared(blade: &Blade, lost: &mut Vec<String>) -> Blade {
     result
 }
 
-/// Times with `D = diag(times) K` as nearly as they can, and the largest part of the
-/// damping that differs [-].
+/// Times with `D = diag(times) K` as close as possible, and the largest relative
+/// difference of the damping [-].
 fn fitted(stations: &[Station], damping: &[Matrix6<f64>]) -> ([f64; 6], f64) {
     let pairs = || stations.iter().zip(damping);
     let times = std::array::from_fn(|i| {
@@ -88,8 +88,8 @@ fn fitted(stations: &[Station], damping: &[Matrix6<f64>]) -> ([f64; 6], f64) {
     (times, pairs().map(apart).fold(0.0, f64::max))
 }
 
-/// A line of arcs as splines through points, or straight pieces where it turns back; and
-/// how far apart they are [m].
+/// A line of arcs as splines through points, or straight pieces if it turns back; and
+/// their difference [m].
 fn sampled(line: &ReferenceLine) -> (ReferenceLine, f64) {
     let curve = line.curve();
     let pieces = (line.arc_length.len() * POINTS_OF_ARC).max(1);
@@ -119,7 +119,7 @@ fn sampled(line: &ReferenceLine) -> (ReferenceLine, f64) {
 }
 
 /// The stations of `blade` for a format that is linear between stations, from end to end:
-/// those of a blade with constant pieces are doubled at the ends of the pieces.
+/// stations of a blade with constant pieces are doubled at the ends of the pieces.
 pub(super) fn linear_stations(blade: &Blade) -> Vec<Station> {
     let length = blade.length();
     let margin = END * length;
@@ -127,7 +127,7 @@ pub(super) fn linear_stations(blade: &Blade) -> Vec<Station> {
         Interpolation::Linear => blade.stations.clone(),
         Interpolation::Constant => doubled(&blade.stations, length - margin),
     };
-    // Beyond the outer stations the properties are theirs.
+    // The properties of the outer stations apply beyond them.
     if let Some(&first) = stations.first().filter(|first| first.arc_length > margin) {
         let arc_length = 0.0;
         stations.insert(
@@ -146,8 +146,8 @@ pub(super) fn linear_stations(blade: &Blade) -> Vec<Station> {
     stations
 }
 
-/// Two stations for each piece of constant properties; the last begins a piece only where
-/// it is before the `end` [m].
+/// Two stations for each piece of constant properties; the last begins a piece only if it
+/// is before the `end` [m].
 fn doubled(stations: &[Station], end: f64) -> Vec<Station> {
     let pieces = stations
         .windows(2)
@@ -178,8 +178,8 @@ pub(super) fn jumps(stations: &[Station]) -> Vec<f64> {
         .collect()
 }
 
-/// The symmetric part of a matrix that is symmetric but for printed digits; notes one
-/// that is not.
+/// The symmetric part of a matrix that is symmetric up to rounded digits; notes other
+/// matrices.
 pub(super) fn symmetric(
     matrix: &Matrix6<f64>,
     what: &str,
@@ -204,7 +204,7 @@ pub(super) fn symmetric(
                         ),
                         found: format!("{upper:e} and {lower:e}"),
                         expected: "a symmetric matrix".to_owned(),
-                        help: "a row may be missing or out of place".to_owned(),
+                        help: "a row may be missing or misplaced".to_owned(),
                     },
                 );
                 return *matrix;
@@ -215,8 +215,8 @@ pub(super) fn symmetric(
     Matrix6::from_fn(|i, j| 0.5 * matrix[(i, j)] + 0.5 * matrix[(j, i)])
 }
 
-/// How far apart the courses of two lines through the same points are, half way between
-/// points: place [m] and twist [rad].
+/// Difference of the courses of two lines through the same points, half way between
+/// points: position [m] and twist [rad].
 pub(super) fn apart(a: &ReferenceLine, b: &ReferenceLine) -> (f64, f64) {
     let (mut place, mut twist) = (0.0_f64, 0.0_f64);
     let (a, b) = (a.curve(), b.curve());

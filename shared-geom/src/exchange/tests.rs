@@ -1,4 +1,4 @@
-//! What is written is read again, in every format that is both.
+//! Written blades are read again, in every format that does both.
 
 use nalgebra::{Vector2, Vector3};
 
@@ -36,7 +36,7 @@ fn full_blades_come_back_to_round_off() {
     }
 }
 
-// The matrices of BeamDyn, DYMORE and tables need no arithmetic: bit by bit the same.
+// The matrices of BeamDyn, DYMORE and tables need no arithmetic: identical to the bit.
 #[test]
 fn matrices_come_back_bit_by_bit() {
     let blade = blade();
@@ -66,7 +66,7 @@ fn six_damping_times_come_back_where_they_fit() {
     // One time for all: the mean 3.5e-3, from which 1e-3 and 6e-3 are 2.5e-3 away.
     let lost = write(&blade, Format::Dymore, "a").unwrap().lost;
     assert!(
-        lost[0].contains("3.500e-3 s: up to 2.50e-3 s apart"),
+        lost[0].contains("3.500e-3 s: they differ from it by up to 2.50e-3 s"),
         "{lost:?}"
     );
 }
@@ -87,7 +87,7 @@ fn damping_times_stand_in_the_order_of_beamdyn() {
     assert_eq!(times, [3.0, 2.0, 1.0, 6.0, 5.0, 4.0]);
 }
 
-// The mass is that of the blade: ramps of 1e-8 of the length have at most 1e-8 of it.
+// The mass agrees with the blade's: ramps of 1e-8 of the length have at most 1e-8 of it.
 #[test]
 fn jumps_become_ramps_and_are_told() {
     let mut blade = blade();
@@ -107,7 +107,7 @@ fn jumps_become_ramps_and_are_told() {
             .windows(2)
             .all(|pair| pair[0].arc_length < pair[1].arc_length)
     );
-    // A table of our own keeps the jump.
+    // Helicoid's table keeps the jump.
     assert_eq!(through(&blade, Format::Csv).blade.jumps(), blade.jumps());
 }
 
@@ -127,8 +127,8 @@ fn constant_pieces_become_doubled_stations() {
     assert!(difference(&blade, &back) < ROUNDINGS);
 }
 
-// The last of constant pieces goes to the tip, and what lies before the first station and
-// behind the last is theirs: 17 digits of eta and the ramps of BeamDyn change 1e-7.
+// The last of constant pieces extends to the tip, and the outer stations apply beyond
+// them: 17 digits of eta and the ramps of BeamDyn change 1e-7.
 #[test]
 fn pieces_at_both_ends_are_written() {
     for interpolation in [Interpolation::Constant, Interpolation::Linear] {
@@ -150,20 +150,20 @@ fn pieces_at_both_ends_are_written() {
     }
 }
 
-// Moved reference point: what is written stands about the line, as the blade is there.
+// Moved reference point: the written matrices are about the line, as in the blade.
 #[test]
 fn a_reference_point_off_the_line_is_moved_to_it() {
     let blade = blade();
     let moved = blade.shift(Vector2::new(0.2, -0.05));
     for format in [Format::BeamDyn, Format::Dymore, Format::Csv] {
         let back = through(&moved, format).blade;
-        // There and back are two congruences of entries that cancel in part.
+        // Both ways are two congruences of entries that cancel in part.
         assert!(difference(&blade, &back) < 1e-11, "{format:?}");
     }
 }
 
 // Two arcs of 4 m, curved 0.05 1/m in the plane and twisted: the splines through the
-// points follow to 1e-5 m, and the files tell how far they do.
+// points agree to 1e-5 m, and the files state the difference.
 #[test]
 fn a_line_of_arcs_becomes_points_and_its_error_is_told() {
     let mut blade = blade();
@@ -182,7 +182,7 @@ fn a_line_of_arcs_becomes_points_and_its_error_is_told() {
     }
 }
 
-// y = sin-like points on straight pieces: BeamDyn's splines are elsewhere between them.
+// y = sin-like points on straight pieces: BeamDyn's splines differ between them.
 #[test]
 fn straight_pieces_that_become_splines_are_told() {
     let mut blade = blade();
@@ -243,7 +243,7 @@ fn files_are_recognized_by_their_content() {
     assert_eq!(recognize(""), None);
 }
 
-// A table in BeamDyn's axes holds what a BeamDyn file holds.
+// A table in BeamDyn's axes has the content of a BeamDyn file.
 #[test]
 fn a_table_may_be_in_the_axes_of_another_tool() {
     let blade = blade();

@@ -24,13 +24,13 @@ impl<'a> Line<'a> {
         self.words().next().unwrap_or_default()
     }
 
-    /// Exactly `N` numbers separated by blanks or commas; notes what is wrong.
+    /// Exactly `N` numbers separated by blanks or commas; notes problems.
     pub fn numbers<const N: usize>(&self, what: &str, problems: &mut Problems) -> Option<[f64; N]> {
         let list = self.list(what, Some(N), problems)?;
         list.try_into().ok()
     }
 
-    /// The numbers of the line, as many as `expected` if given; notes what is wrong.
+    /// The numbers of the line, `expected` of them if given; notes problems.
     pub fn list(
         &self,
         what: &str,
@@ -64,13 +64,13 @@ impl<'a> Line<'a> {
             }
             value
         });
-        // All words are looked at, so that all problems are told.
+        // All words are read, so that all problems are reported.
         let numbers: Vec<_> = numbers.collect();
         numbers.into_iter().collect()
     }
 }
 
-/// That `word` is none.
+/// The problem that `word` is not a number.
 pub(super) fn not_a_number(what: &str, word: &str) -> ExchangeProblem {
     ExchangeProblem::NotANumber {
         what: what.to_owned(),

@@ -1,7 +1,7 @@
-//! Output of VABS (`.K`): titled blocks of text, a section a file.
+//! Output of VABS (`.K`): titled blocks of text, one section per file.
 //!
 //! A blade is several files with an index, a table of arc lengths and file names (see
-//! [`super::csv`]). Axes as ours. A matrix stands below its title and a line of `=`.
+//! [`super::csv`]). Axes are Helicoid's. A matrix is below its title and a line of `=`.
 //!
 //! # References
 //! - The layout of the blocks: VABS manual for users, output files, as read by the
@@ -32,7 +32,7 @@ use blocks::{MASS, STIFFNESS, section};
 /// Reads one section, as a straight uniform blade of the length of `options`.
 ///
 /// # Errors
-/// Everything that is wrong with the file; a length that is not given.
+/// All errors of the file; a missing length.
 pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     let (stiffness, mass) = section(text, &file.display().to_string())?;
     let Some(length) = options.length else {

@@ -1,11 +1,11 @@
 //! Blades of windIO turbine files, versions 1 and 2: the 6x6 matrices along the
 //! reference axis.
 //!
-//! Both versions are numerically in the axes and order of BeamDyn, whatever the prose of
-//! the schema says of x, y and K44: the converter between the versions, the one to
-//! BeamDyn and the files of the reference turbines agree on that. Places are parts of
-//! the length of the reference axis. The twist of windIO is that of BeamDyn: positive
-//! nose down.
+//! Both versions are numerically in the axes and order of BeamDyn, although the text of
+//! the schema on x, y and K44 differs: the converter between the versions, the converter
+//! to BeamDyn and the files of the reference turbines agree on this. Positions are parts
+//! of the length of the reference axis. The twist of windIO is BeamDyn's: positive nose
+//! down.
 //!
 //! | | version 1 | version 2 |
 //! |---|---|---|
@@ -34,7 +34,7 @@ mod yaml;
 #[cfg(test)]
 mod tests;
 
-/// Where the matrices of version 1 stand.
+/// Table of the matrices of version 1.
 const VERSION_1: [&str; 3] = ["components", "blade", "elastic_properties_mb"];
 
 /// Whether `text` is a turbine file of windIO with a blade.
@@ -59,7 +59,7 @@ pub(super) fn is_version_2(text: &str) -> bool {
 /// Reads the blade of a turbine file of either version.
 ///
 /// # Errors
-/// Everything that is wrong with what is needed of the file.
+/// All errors of the required parts of the file.
 pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
     let root = match yaml::parse(text) {

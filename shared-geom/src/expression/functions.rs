@@ -15,7 +15,7 @@ pub(super) enum Operation {
     Apply(Function),
 }
 
-/// What is done with the last numbers.
+/// Operation on the last numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Function {
     Add,
@@ -107,7 +107,7 @@ impl Function {
         }
     }
 
-    /// The number whose change of sign makes a corner or a jump.
+    /// The number whose change of sign causes a corner or a jump.
     fn switch(self, args: &[Jet]) -> Option<Jet> {
         match (self, args) {
             (Self::Abs | Self::Sign | Self::Step, [a]) => Some(*a),
@@ -125,7 +125,7 @@ impl Function {
         }
     }
 
-    /// The number whose passing through a whole number makes a jump.
+    /// The number that causes a jump when it passes a whole number.
     fn stair(self, args: &[Jet]) -> Option<Jet> {
         match (self, args) {
             (Self::Floor, [a]) => Some(*a),
@@ -134,7 +134,7 @@ impl Function {
         }
     }
 
-    /// On which of its pieces it is after now, if it has some.
+    /// The smooth piece that applies just after this time, if there are pieces.
     pub fn piece(self, args: &[Jet]) -> Option<f64> {
         let side = self
             .switch(args)
@@ -142,7 +142,7 @@ impl Function {
         side.or_else(|| self.stair(args).map(|jet| jet.value.floor()))
     }
 
-    /// How far ahead the end of its piece is, where its argument is straight.
+    /// Distance to the end of its piece, if its argument is linear.
     pub fn ahead(self, args: &[Jet]) -> Option<f64> {
         let straight = |jet: &Jet| jet.second == 0.0;
         let zero = self.switch(args).filter(straight);
@@ -157,7 +157,7 @@ impl Function {
         })
     }
 
-    /// Its value; where it is not smooth that after now.
+    /// Its value; at a jump the value just after.
     pub fn at(self, args: &[Jet]) -> Jet {
         match *args {
             [a] => self.of_one(a),
@@ -234,7 +234,7 @@ impl Function {
 }
 
 impl Jet {
-    /// Functions made of straight pieces.
+    /// Piecewise linear functions.
     fn stepped(self, function: Function) -> Jet {
         let side = self.sign_after();
         match function {

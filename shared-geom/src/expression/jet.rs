@@ -22,7 +22,7 @@ pub struct Jet {
 }
 
 impl Jet {
-    /// A number that does not change.
+    /// A constant number.
     pub fn constant(value: f64) -> Self {
         Self {
             value,
@@ -40,7 +40,7 @@ impl Jet {
         }
     }
 
-    /// A number on a straight line of the slope `first`.
+    /// A linear number with the slope `first`.
     pub fn line(value: f64, first: f64) -> Self {
         Self {
             value,
@@ -61,7 +61,7 @@ impl Jet {
     /// A function of it with the value `f`, the slope `f1` and the curvature `f2`.
     pub(super) fn chain(self, f: f64, f1: f64, f2: f64) -> Self {
         if self.is_constant() {
-            // Also where the function has no slope.
+            // Even if the function has no slope.
             return Self::constant(f);
         }
         Self {
@@ -71,8 +71,7 @@ impl Jet {
         }
     }
 
-    /// How it lies to zero right after now: a number that leaves zero counts as where
-    /// it goes.
+    /// Sign just after now: a number that leaves zero has the sign of its change.
     pub(super) fn sign_after(self) -> Ordering {
         let parts = [self.value, self.first, self.second];
         let first = parts.into_iter().find(|part| *part != 0.0).unwrap_or(0.0);
@@ -88,7 +87,7 @@ impl Jet {
             };
         }
         let (a, n) = (self.value, exponent.value);
-        // A factor of zero ends a derivative, also where the power is infinite.
+        // A factor of zero makes a derivative zero, even if the power is infinite.
         let term = |factor: f64, power: f64| match factor == 0.0 {
             true => 0.0,
             false => factor * a.powf(power),

@@ -15,21 +15,21 @@ use super::run::STACK;
 use super::{Expression, ExpressionProblem, Jet};
 use crate::error::nearest_name;
 
-/// Depth of nesting that is read: more is no expression that a person wrote.
+/// Deepest nesting that is read: no expression of a person is deeper.
 const DEEPEST: usize = 48;
 /// Names that a message lists: a file may have a hundred thousand.
 const MOST_SHOWN: usize = 20;
 
-/// Names that may stand in an expression.
+/// Names that an expression may contain.
 #[derive(Debug, Clone, Copy)]
 pub struct Names<'a> {
-    /// Names of variables: the number of each is its place in the list.
+    /// Names of variables: the number of each is its index in the list.
     pub variables: &'a [&'a str],
-    /// Names of numbers that are known, with the numbers [-], in the order of the names.
+    /// Names of known numbers, with the numbers [-], in the order of the names.
     pub constants: &'a [(String, f64)],
 }
 
-/// Numbers that every expression knows: half a turn, and one degree in radians.
+/// Numbers known to every expression: half a turn, and one degree in radians.
 const KNOWN: [(&str, f64); 2] = [
     ("pi", std::f64::consts::PI),
     ("deg", std::f64::consts::PI / 180.0),
@@ -46,7 +46,7 @@ impl Names<'_> {
         value.map(Operation::Constant)
     }
 
-    /// The known number of that name, but for those that every expression knows.
+    /// The known number of that name, except those known to every expression.
     fn constant(&self, name: &str) -> Option<f64> {
         let place = self
             .constants
@@ -54,8 +54,7 @@ impl Names<'_> {
         place.ok().map(|place| self.constants[place].1)
     }
 
-    /// What may be meant by a name that stands for nothing: the nearest one, or the first
-    /// of all.
+    /// Suggestions for an unknown name: the nearest name, or the first of all.
     fn instead_of(&self, name: &str) -> Vec<String> {
         let variables = self.variables.iter().copied();
         let constants = self.constants.iter().map(|own| own.0.as_str());
@@ -73,8 +72,8 @@ impl Names<'_> {
     }
 }
 
-/// Whether a text can be a name in an expression: letters, digits and `_`, and no digit
-/// first; not one that an expression knows itself.
+/// Whether a text can be a name in an expression: letters, digits and `_`, no digit
+/// first; not a name known to every expression.
 pub fn is_name(text: &str) -> bool {
     let known = KNOWN.iter().any(|known| known.0 == text)
         || NAMED.iter().any(|function| function.0 == text);
@@ -130,7 +129,7 @@ struct Reader<'a> {
     names: &'a Names<'a>,
     program: Vec<Operation>,
     known: Vec<String>,
-    /// Numbers that the program leaves so far.
+    /// Numbers on the stack at this point of the program.
     height: usize,
     depth: usize,
 }
@@ -138,7 +137,7 @@ struct Reader<'a> {
 type Read = Result<(), ExpressionProblem>;
 
 impl Reader<'_> {
-    /// The next letter that is no space.
+    /// The next character that is no space.
     fn peek(&mut self) -> Option<char> {
         self.rest = self.rest.trim_start();
         self.rest.chars().next()
@@ -152,7 +151,7 @@ impl Reader<'_> {
         found
     }
 
-    /// Letter, from one, at which the rest begins.
+    /// Index of the first remaining letter, from one.
     fn column(&self) -> usize {
         let read = self.text.len() - self.rest.len();
         self.text[..read].chars().count() + 1
@@ -187,7 +186,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Does at once what has numbers for arguments.
+    /// Evaluates a step at once if its arguments are numbers.
     fn fold(&mut self, taken: usize) {
         let end = self.program.len();
         let Some(&Operation::Apply(function)) = self.program.last() else {
@@ -337,7 +336,7 @@ impl Reader<'_> {
                 self.push(operation)
             }
             None if NAMED.iter().any(|function| function.0 == name) => {
-                Err(self.unexpected("\"(\" behind the name of a function"))
+                Err(self.unexpected("\"(\" after the name of a function"))
             }
             None => {
                 self.rest = before;

@@ -1,33 +1,33 @@
-//! What can be wrong with an expression.
+//! Errors of an expression.
 
 use super::FUNCTIONS;
 use crate::error::{Explain, nearest_name};
 
-/// A problem of an expression, with its place in the text.
+/// A problem of an expression, with its position in the text.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ExpressionProblem {
-    /// Something that cannot stand where it stands.
+    /// Unexpected text.
     #[error("letter {column} of \"{text}\" is {found}, expected {expected}")]
     Unexpected {
         /// The expression.
         text: String,
-        /// Letter, from one, behind the equals sign.
+        /// Letter, from one, after the equals sign.
         column: usize,
-        /// What was found, in words.
+        /// The text found.
         found: String,
-        /// What was expected, in words.
+        /// The text expected.
         expected: &'static str,
     },
-    /// A name that stands for nothing.
+    /// An unknown name.
     #[error("unknown name \"{name}\" at letter {column} of \"{text}\"")]
     UnknownName {
         /// The expression.
         text: String,
-        /// Letter, from one, behind the equals sign.
+        /// Letter, from one, after the equals sign.
         column: usize,
         /// The name.
         name: String,
-        /// The nearest name that may stand there, or some that may where none is near.
+        /// The nearest permitted name, or some permitted ones if none is near.
         known: Vec<String>,
     },
     /// A function that does not exist.
@@ -35,7 +35,7 @@ pub enum ExpressionProblem {
     UnknownFunction {
         /// The expression.
         text: String,
-        /// Letter, from one, behind the equals sign.
+        /// Letter, from one, after the equals sign.
         column: usize,
         /// The name.
         name: String,
@@ -47,7 +47,7 @@ pub enum ExpressionProblem {
     Arguments {
         /// The expression.
         text: String,
-        /// Letter, from one, behind the equals sign.
+        /// Letter, from one, after the equals sign.
         column: usize,
         /// The function.
         name: String,
@@ -56,10 +56,10 @@ pub enum ExpressionProblem {
         /// Number expected.
         expected: usize,
     },
-    /// Parentheses in parentheses without end.
+    /// Too many nested parentheses.
     #[error("the expression is nested too deeply at letter {column}, expected a simpler one")]
     TooDeep {
-        /// Letter, from one, behind the equals sign.
+        /// Letter, from one, after the equals sign.
         column: usize,
     },
 }

@@ -3,27 +3,27 @@
 use super::functions::{Function, Operation};
 use super::{Expression, Jet};
 
-/// Numbers that a program holds at a time, at most.
+/// Most numbers that a program holds at a time.
 pub(super) const STACK: usize = 32;
 
-/// The round-off of a corner is found up to 2^24 of that of a number, as that of an
-/// argument is in which large numbers cancel.
+/// Doublings of the bracket of a corner: its round-off may be up to 2^24 times the round-off
+/// of a number if large numbers cancel in its argument.
 const DOUBLINGS: usize = 24;
 
-/// Enough to come from there to neighboring numbers.
+/// Enough bisections from there to neighboring numbers.
 const HALVINGS: usize = 80;
 
 impl Expression {
-    /// The value with the variables that `variable` gives by number.
+    /// The value; `variable` returns the variables by number.
     pub fn at(&self, variable: impl Fn(usize) -> Jet) -> Jet {
         self.run(variable, |_, _| {})
     }
 
-    /// The first time after `now` behind which a part that is not smooth is on another of
-    /// its pieces: there it has a corner or a jump. Infinite when there is none. The
-    /// variables are given by number and time, with derivatives by time. It is found for
-    /// parts whose argument is made of straight pieces, as in `abs(t - 2)`, and to the last
-    /// bit: at the time before it the part is on the piece before.
+    /// The first time after `now` at which a part that is not smooth changes its piece,
+    /// with a corner or a jump. Infinite if there is none. The variables are given by
+    /// number and time, with derivatives by time. It is found for parts whose argument is
+    /// piecewise linear, as in `abs(t - 2)`, and to the last bit: just before it the part
+    /// is on the previous piece.
     pub fn next_corner(&self, now: f64, variable: impl Fn(usize, f64) -> Jet) -> f64 {
         let mut next = f64::INFINITY;
         let mut number = 0;
@@ -45,7 +45,7 @@ impl Expression {
                 };
                 let place = match bracket(now, place, width, &is_behind) {
                     Some(ends) => first_behind(ends, &is_behind),
-                    // A corner at which one stands comes back within round-off.
+                    // The current corner, found again within round-off.
                     None if ahead <= 4.0 * width => return,
                     None => place,
                 };
@@ -55,7 +55,7 @@ impl Expression {
         next
     }
 
-    /// On which of its pieces the function with that number in the program is, from one.
+    /// The piece of the function with that number in the program, from one.
     fn piece(&self, number: usize, variable: impl Fn(usize) -> Jet) -> Option<f64> {
         let (mut passed, mut piece) = (0, None);
         self.run(variable, |function, args| {
@@ -89,8 +89,8 @@ impl Expression {
     }
 }
 
-/// Two times about `place`, not before `now`, of which the second alone is behind a
-/// corner; `place` is known to some times `width`.
+/// Two times about `place`, not before `now`, of which only the second is after a corner;
+/// `place` is known to some times `width`.
 fn bracket(
     now: f64,
     place: f64,
@@ -111,7 +111,7 @@ fn bracket(
     None
 }
 
-/// The first time behind a corner, by bisection.
+/// The first time after a corner, by bisection.
 fn first_behind([mut before, mut behind]: [f64; 2], is_behind: &impl Fn(f64) -> bool) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (before + behind);

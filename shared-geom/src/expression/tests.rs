@@ -1,4 +1,4 @@
-//! Tests of expressions: meaning, derivatives, and what is told of wrong ones.
+//! Tests of expressions: meaning, derivatives, and error messages.
 
 use approx::assert_relative_eq;
 
@@ -85,7 +85,7 @@ fn derivatives_are_exact() {
     }
 }
 
-// Where a term of the general rule is infinite or 0 times infinity.
+// Cases in which a term of the general rule is infinite or 0 times infinity.
 #[test]
 fn derivatives_exist_at_zero() {
     assert_eq!(
@@ -137,7 +137,7 @@ fn what_is_wrong_is_told_with_its_place() {
         ),
         (
             "sin + 1",
-            "letter 5 of \"sin + 1\" is '+', expected \"(\" behind the name of a function",
+            "letter 5 of \"sin + 1\" is '+', expected \"(\" after the name of a function",
         ),
         (
             "1..2",
@@ -157,7 +157,7 @@ fn what_is_wrong_is_told_with_its_place() {
     assert_eq!(at(&long, 0.0).value, 10_001.0);
 }
 
-// Random mutations of sound texts: each is read or refused, and what is read can be
+// Random mutations of valid texts: each is read or refused, and the read ones can be
 // evaluated.
 #[test]
 fn no_text_makes_it_panic() {

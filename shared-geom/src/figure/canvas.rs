@@ -16,17 +16,17 @@ use super::shade::{ColorTable, ValueTriangle, shade};
 use super::sheet::Sheet;
 use super::{FONT, FigureProblem, raster};
 
-/// How a backend draws.
+/// Kind of a backend.
 #[derive(Debug)]
 pub(super) enum Medium {
-    /// Pixels: shapes are filled by [`raster`], on the sheet behind the backend.
+    /// Pixels: shapes are filled by [`raster`], on the sheet below the backend.
     Bitmap(Rc<RefCell<Sheet>>),
-    /// Shapes as such.
+    /// Shapes.
     Vector,
 }
 
 impl Medium {
-    /// Where the backend puts the baseline of a text below its top, in sizes of the
+    /// Distance of the baseline of a text from its top in the backend, in sizes of the
     /// font. SVG: 0.76 em, where an em is the size over 1.24.
     fn baseline(&self) -> f64 {
         match self {
@@ -39,7 +39,7 @@ impl Medium {
 /// Height of the digits and capitals of the font, in sizes of the font.
 const CAPITAL: f64 = 0.63;
 
-/// Which part of a label stands at the given place.
+/// Part of a label that is at the given position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// The beginning of the text.
@@ -50,12 +50,12 @@ pub enum Anchor {
     End,
 }
 
-/// How a text is set.
+/// Format of a text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Label {
     /// Size of the font \[figure pixels, unit of the canvas\].
     pub size: f64,
-    /// Which part of the text stands at the given place.
+    /// Part of the text that is at the given position.
     pub anchor: Anchor,
     /// Whether the text runs upward.
     pub upward: bool,
@@ -66,7 +66,7 @@ pub struct Label {
 }
 
 impl Label {
-    /// A black text of `size` \[figure pixels\] that begins at its place.
+    /// A black text of `size` \[figure pixels\] that begins at its position.
     pub fn new(size: f64) -> Self {
         Self {
             size,
@@ -77,7 +77,7 @@ impl Label {
         }
     }
 
-    /// The same with another part of the text at the given place.
+    /// The same with another part of the text at the given position.
     pub fn anchored(self, anchor: Anchor) -> Self {
         Self { anchor, ..self }
     }
@@ -128,7 +128,7 @@ impl<B: DrawingBackend> Canvas<B> {
         }
     }
 
-    /// The area of plotters behind the canvas.
+    /// The area of plotters below the canvas.
     pub fn area(&self) -> &DrawingArea<B, Shift> {
         &self.area
     }
@@ -212,7 +212,7 @@ impl<B: DrawingBackend> Canvas<B> {
 
     /// Fills triangles with the colors of the values in them, `color(value)`; on a
     /// vector canvas each triangle has the color of its mean. Later triangles cover
-    /// earlier ones; triangles with values that are no numbers are left out.
+    /// earlier ones; triangles with values that are not finite are ignored.
     ///
     /// # Errors
     /// [`FigureProblem::Backend`].
@@ -252,7 +252,7 @@ impl<B: DrawingBackend> Canvas<B> {
         Ok(self.area.draw(&Text::new(text.to_owned(), place, style))?)
     }
 
-    /// The text, its end cut off where it is wider than `room` \[figure pixels\].
+    /// The text, its end cut off if it is wider than `room` \[figure pixels\].
     pub fn shortened(&self, text: &str, label: Label, room: f64) -> String {
         let fits = |text: &str| self.label_width(text, label) <= room;
         if fits(text) {

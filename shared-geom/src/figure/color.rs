@@ -1,4 +1,4 @@
-//! Colors that keep their meaning for color-blind readers and in gray print.
+//! Colors that remain distinguishable for color-blind readers and in gray print.
 //!
 //! # References
 //! - M. Okabe, K. Ito, "Color Universal Design: how to make figures and
@@ -10,8 +10,8 @@
 
 use plotters::style::RGBColor;
 
-/// Colors of categories, by Okabe and Ito; black, which is the ink of axes and
-/// outlines, is left out, and yellow comes last, for it is faint on white.
+/// Colors of categories, by Okabe and Ito; black, the color of axes and outlines, is
+/// omitted, and yellow comes last, since it is faint on white.
 pub const CATEGORIES: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(230, 159, 0),
@@ -22,8 +22,8 @@ pub const CATEGORIES: [RGBColor; 7] = [
     RGBColor(240, 228, 66),
 ];
 
-/// Color of the category number `index`, from zero; from the eighth on the colors
-/// come again, each time half way to white.
+/// Color of the category number `index`, from zero; from the eighth the colors repeat,
+/// each time half way to white.
 pub fn category(index: usize) -> RGBColor {
     let RGBColor(r, g, b) = CATEGORIES[index % CATEGORIES.len()];
     let fade = 0.5_f64.powi((index / CATEGORIES.len()).min(3) as i32);
@@ -78,8 +78,7 @@ pub fn diverging(value: f64) -> RGBColor {
     between(&DIVERGING, 0.5 * (value + 1.0))
 }
 
-/// Linear interpolation in an evenly spaced table over [0, 1]; not a number counts
-/// as 0.
+/// Linear interpolation in an evenly spaced table over [0, 1]; NaN is treated as 0.
 fn between(table: &[[u8; 3]], value: f64) -> RGBColor {
     let value = if value.is_nan() { 0.0 } else { value };
     let place = value.clamp(0.0, 1.0) * (table.len() - 1) as f64;

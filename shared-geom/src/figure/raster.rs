@@ -2,10 +2,10 @@
 //!
 //! The rasterizer of plotters rounds corners to whole pixels and blends the ends of
 //! spans with weights that can be negative, which leaves specks of the opposite
-//! color along edges. This one fills the pixels whose centers lie inside, so that
+//! color along edges. This one fills the pixels whose centers are inside, so that
 //! polygons with a common side neither overlap nor leave a gap.
 
-/// A run of pixels of one row: first, and first behind it.
+/// A run of pixels of one row: the first, and the first after the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Span {
     pub row: i32,
@@ -13,7 +13,7 @@ pub(super) struct Span {
     pub end: i32,
 }
 
-/// Corners of a polygon that is drawn without taking memory.
+/// Corners of a polygon that is drawn without allocating.
 const FEW: usize = 8;
 
 /// Calls `draw` with the spans of pixels (x from the left, y down; the center of pixel
@@ -77,14 +77,14 @@ fn each_row(
 struct Side {
     low: f64,
     high: f64,
-    /// Place of the upper end.
+    /// Position of the upper end.
     x: f64,
-    /// Change of place with y.
+    /// Change of position with y.
     slope: f64,
 }
 
 impl Side {
-    /// Of both directions of a side the same end comes first, so that neighbors find the
+    /// The same end comes first for both directions of a side, so that neighbors find the
     /// same crossing to the last digit.
     fn new(a: [f64; 2], b: [f64; 2]) -> Self {
         let (a, b) = if a[1] < b[1] { (a, b) } else { (b, a) };
@@ -97,7 +97,7 @@ impl Side {
     }
 }
 
-/// The first of `count` pixels whose center lies at or behind `place`.
+/// The first of `count` pixels whose center is at or after `place`.
 fn first_center(place: f64, count: u32) -> i32 {
     let place = (place - 0.5).clamp(0.0, f64::from(count));
     let whole = place as i32;
@@ -120,7 +120,7 @@ pub(super) fn stroke(a: [f64; 2], b: [f64; 2], width: f64) -> Vec<[f64; 2]> {
     ]
 }
 
-/// The corners of a disc, close enough for its size.
+/// The corners of a disc, accurate for its size.
 pub(super) fn disc(center: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
     let count = (4.0 * radius.max(1.0).sqrt()).ceil().clamp(6.0, 200.0) as u32 * 2;
     let angle = |k: u32| std::f64::consts::TAU * (f64::from(k) + 0.5) / f64::from(count);
@@ -156,7 +156,7 @@ mod tests {
         assert_eq!(pixels(&[[0.0, 0.0], [f64::NAN, 1.0], [5.0, 5.0]]), 0);
     }
 
-    /// Fans of triangles about a point part the square: every pixel once.
+    /// Fans of triangles about a point divide the square: every pixel once.
     #[test]
     fn neighbors_neither_overlap_nor_leave_a_gap() {
         let corners = [[10.0, 10.0], [90.0, 10.0], [90.0, 90.0], [10.0, 90.0]];

@@ -43,11 +43,11 @@ impl ValueTriangle {
     }
 }
 
-/// Colors of values in equal steps, small against those that can be told apart.
+/// Colors of values in equal steps, smaller than visible differences.
 #[derive(Debug)]
 pub(super) struct ColorTable {
     low: f64,
-    /// Steps in a unit of the values.
+    /// Steps per unit of the values.
     density: f64,
     colors: Vec<[u8; 3]>,
 }
@@ -83,8 +83,8 @@ impl ColorTable {
     }
 }
 
-/// Puts a triangle with the colors `color(value)` over what is on the sheet
-/// [sheet pixels]; one with values that are no numbers is left out.
+/// Draws a triangle with the colors `color(value)` over the sheet [sheet pixels]; ignores
+/// one with values that are not finite.
 pub(super) fn shade(sheet: &mut Sheet, triangle: &ValueTriangle, color: impl Fn(f64) -> [u8; 3]) {
     if !triangle.values.iter().all(|value| value.is_finite()) {
         return;
@@ -105,7 +105,7 @@ pub(super) fn shade(sheet: &mut Sheet, triangle: &ValueTriangle, color: impl Fn(
 mod tests {
     use super::*;
 
-    /// Two triangles make a square with the value x + 2 y: every pixel has that of
+    /// Two triangles make a square with the value x + 2 y: every pixel has the value of
     /// its center.
     #[test]
     fn linear_fields_are_met_at_every_pixel() {
@@ -124,7 +124,7 @@ mod tests {
         for (k, pixel) in pixels.chunks(3).enumerate() {
             let (x, y) = ((k % 10) as f64, (k / 10) as f64);
             if (1.0..4.0).contains(&x) && (1.0..4.0).contains(&y) {
-                // the mean of four values is that in the middle of them
+                // the mean of four values is the value in the middle of them
                 let expected = 10.0 * value([2.0 * x + 1.0, 2.0 * y + 1.0]);
                 assert_eq!(f64::from(pixel[0]), expected, "{x} {y}");
             }
@@ -145,7 +145,7 @@ mod tests {
         assert_eq!(pixels[pixels.len() - 3..], [255; 3]);
     }
 
-    /// The color that is a thousandth of the range is that to a step of the table.
+    /// The color of a thousandth of the range is right to a step of the table.
     #[test]
     fn tables_have_the_colors_of_their_values() {
         let of = |values| ValueTriangle {

@@ -1,7 +1,7 @@
 //! A white sheet of pixels, finer than the figure that it becomes.
 //!
-//! Most of a figure stays white: only the squares of the sheet that something was
-//! drawn in take memory and time.
+//! Most of a figure remains white: only the squares of the sheet with drawn pixels need
+//! memory and time.
 
 use std::cell::RefCell;
 use std::convert::Infallible;
@@ -26,10 +26,10 @@ type Pixel = [u8; CHANNELS];
 type Square = [[Pixel; SIDE]; SIDE];
 
 const WHITE: Pixel = [u8::MAX; CHANNELS];
-/// From here on a color hides what is below it.
+/// Opacity above which a color hides the color below it.
 const OPAQUE: f64 = 1.0 - 1.0 / 256.0;
 
-/// Pixels in squares; those that are all white are not there.
+/// Pixels in squares; all-white squares are absent.
 #[derive(Debug)]
 pub(super) struct Sheet {
     /// Width and height [sheet pixels].
@@ -63,8 +63,8 @@ impl Sheet {
         });
     }
 
-    /// Gives the pixels from `start` to before `end` of a row of the sheet the colors of
-    /// their columns.
+    /// Sets the pixels from `start` to before `end` of a row of the sheet to the colors
+    /// of their columns.
     pub fn shade(&mut self, row: i32, start: i32, end: i32, color: impl Fn(i32) -> Pixel) {
         self.each_piece(row, start, end, false, |first, pixels| {
             for (pixel, column) in pixels.iter_mut().zip(first as i32..) {
@@ -74,8 +74,7 @@ impl Sheet {
     }
 
     /// Calls `draw` with the pixels from `start` to before `end` of a row, square by
-    /// square, each with its first column; white squares are passed over where
-    /// `is_white` is drawn.
+    /// square, each with its first column; skips white squares if `is_white` is drawn.
     fn each_piece(
         &mut self,
         row: i32,
@@ -102,8 +101,7 @@ impl Sheet {
         }
     }
 
-    /// Mixes `color` into a pixel: all of it where `alpha` is one, nothing where it is
-    /// zero.
+    /// Mixes `color` into a pixel: fully if `alpha` is one, not at all if it is zero.
     fn blend(&mut self, (column, row): BackendCoord, color: Pixel, alpha: f64) {
         if alpha <= 0.0 {
             return;
@@ -140,7 +138,7 @@ impl Sheet {
         }
     }
 
-    /// The figure in memory of its own.
+    /// The figure in newly allocated memory.
     #[cfg(test)]
     pub fn averaged(&self) -> Vec<u8> {
         let mut mean = Vec::new();
@@ -164,11 +162,11 @@ fn average(mean: &mut [u8], [above, below]: [&[Pixel; SIDE]; OVERSAMPLING as usi
     }
 }
 
-/// A sheet that plotters draws texts and lines on, while the canvas fills shapes.
+/// A sheet on which plotters draws texts and lines, while the canvas fills shapes.
 #[derive(Debug, Clone)]
 pub(super) struct SheetBackend(pub Rc<RefCell<Sheet>>);
 
-/// Drawing on a sheet cannot fail but for the font.
+/// Only the font can cause errors of drawing on a sheet.
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
 impl DrawingBackend for SheetBackend {
@@ -228,7 +226,7 @@ mod tests {
         assert_eq!(sheet.averaged(), expected.as_flattened());
     }
 
-    /// Rows and columns beyond the sheet are left out, on the edge of the last square too.
+    /// Rows and columns beyond the sheet are ignored, on the edge of the last square too.
     #[test]
     fn what_lies_beyond_the_sheet_is_cut_off() {
         let (width, height) = (40, 19);

@@ -11,7 +11,7 @@ pub struct Ticks {
 
 impl Ticks {
     /// About `count` round positions (steps of 1, 2 or 5 times a power of ten)
-    /// from `low` to `high`; none when the range is empty or no number.
+    /// from `low` to `high`; none if the range is empty or not finite.
     pub fn between(low: f64, high: f64, count: usize) -> Self {
         let none = Self {
             first: 0,
@@ -35,7 +35,7 @@ impl Ticks {
             }
         };
         let step = mantissa as f64 * 10_f64.powi(power);
-        // Ends that are ticks but for round-off belong to the axis.
+        // Ends that are ticks up to round-off belong to the axis.
         let first = (low / step - 1e-9).ceil();
         let last = (high / step + 1e-9).floor();
         if first.abs().max(last.abs()) > 1e15 {
@@ -55,7 +55,7 @@ impl Ticks {
     }
 
     /// Positions with their labels, all with the same number of decimals; large and small
-    /// ones all with the same power of ten, of the engineers' 10^3, 10^6, ...
+    /// ones all with the same power of ten, the engineers' 10^3, 10^6, ...
     pub fn labeled(&self) -> impl Iterator<Item = (f64, String)> + '_ {
         let largest = (self.first.abs().max(self.last.abs()) * self.mantissa).max(1);
         let digits_before = self.power + (largest as f64).log10().floor() as i32;

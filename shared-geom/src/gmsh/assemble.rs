@@ -1,4 +1,4 @@
-//! Makes the mesh of what has been collected: tags become indices.
+//! Makes the mesh of the collected data: tags become indices.
 
 use std::collections::HashMap;
 
@@ -13,13 +13,13 @@ use crate::mesh::{Cell, GroupSet, Line, Mesh, PhysicalGroup, Point};
 #[derive(Debug, Clone, Default)]
 struct Standing {
     groups: GroupSet,
-    /// Whether these elements run against the entity in them.
+    /// Whether these elements run against the direction of the entity.
     reversed: bool,
     /// Groups in which lines run the other way than in `groups`.
     against: GroupSet,
 }
 
-/// What the elements of one entity have in common, found once.
+/// Common data of the elements of one entity, found once.
 #[derive(Debug, Default)]
 struct Standings {
     of_entity: HashMap<(u8, i32), Standing>,
@@ -27,7 +27,7 @@ struct Standings {
 }
 
 impl MeshBuilder {
-    /// Turns tags into indices: the mesh, if no problem is found here or before.
+    /// Replaces tags by indices: the mesh, if no problem is found here or earlier.
     pub(super) fn finish(mut self, problems: &mut Problems) -> Mesh {
         self.tell_unsupported(problems);
         let elements = std::mem::take(&mut self.elements);
@@ -73,7 +73,7 @@ impl MeshBuilder {
         }
     }
 
-    /// Node indices of an element; entries behind its node count are zero.
+    /// Node indices of an element; entries after its node count are zero.
     fn resolve(&self, element: &Element, problems: &mut Problems) -> Option<[u32; 9]> {
         let mut nodes = [0; 9];
         let mut known = true;
@@ -97,7 +97,7 @@ impl MeshBuilder {
         known.then_some(nodes)
     }
 
-    /// The groups of an element; a problem of an entity is told once.
+    /// The groups of an element; a problem of an entity is reported once.
     fn standing(
         &mut self,
         element: &Element,
@@ -131,8 +131,8 @@ impl MeshBuilder {
         standing
     }
 
-    /// The groups of an entity with these signed physical tags: the sign of the
-    /// first one is that of its elements.
+    /// The groups of an entity with these signed physical tags: the sign of the first one
+    /// applies to its elements.
     fn standing_of(&mut self, dimension: u8, physical: &[i32]) -> Standing {
         let reversed = physical
             .iter()
@@ -156,8 +156,8 @@ impl MeshBuilder {
         }
     }
 
-    /// Index of the group with this tag or its negative, which is made if it has
-    /// no name; `None` for tag 0.
+    /// Index of the group with this tag or its negative, which is made if it has no name;
+    /// `None` for tag 0.
     fn group(&mut self, dimension: u8, tag: i32) -> Option<usize> {
         let tag = tag.saturating_abs();
         if tag == 0 {

@@ -1,9 +1,9 @@
-//! Binary files put together by hand: what they hold, and what is said about those
-//! with problems. Files of gmsh itself are read in the suites of the workspace.
+//! Binary files made by hand: their content, and the messages on problems. Files of gmsh
+//! itself are read in the suites of the workspace.
 
 use super::*;
 
-/// Puts the parts of a file together.
+/// Joins the parts of a file.
 struct Bytes {
     bytes: Vec<u8>,
     big: bool,
@@ -51,7 +51,7 @@ impl Bytes {
 const PLACES: [f64; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
 
 /// Three nodes 7 8 9, the second at `x`, and a triangle 4 of `kind`, with a section of
-/// another kind between them that holds what looks like a section.
+/// another kind between them whose content looks like a section.
 fn v41(big: bool, x: f64, kind: i32) -> Vec<u8> {
     let mut places = PLACES;
     places[3] = x;
@@ -130,7 +130,7 @@ fn problems_are_told_with_their_byte() {
 
 #[test]
 fn elements_that_are_not_read_are_passed_over_if_their_size_is_known() {
-    // type 20, a triangle with 9 nodes, takes more than what is there
+    // type 20, a triangle with 9 nodes, takes more than the available bytes
     let known = messages(&v41(false, 1.0, 20));
     assert!(
         known.contains("1 element of type \"triangle with 9 nodes\""),
@@ -179,7 +179,7 @@ fn sections_that_hold_other_than_they_announce_are_told() {
             "{told}"
         );
     }
-    // the nodes end too early: what is behind their end is read all the same
+    // the nodes end too early: the sections after their end are read all the same
     let mut bytes = v41(false, 1.0, 2);
     let at = bytes.windows(9).position(|w| w == b"$EndNodes").unwrap();
     bytes.drain(at - 9..at - 1);

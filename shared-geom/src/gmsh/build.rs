@@ -1,4 +1,4 @@
-//! Collects what the sections of a file tell.
+//! Collects the content of the sections of a file.
 //!
 //! Elements keep the tags of their nodes and of their physical groups until the
 //! whole file has been read; only then are tags turned into indices.
@@ -10,17 +10,17 @@ use super::problem::ReadProblem;
 use super::tags::TagTable;
 use crate::mesh::{Mesh, Node, PhysicalGroup};
 
-/// How an element is given its physical groups.
+/// Assignment of physical groups to an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Membership {
-    /// By this physical tag, 0 for none (MSH 2.2); elements of reversed groups
-    /// stand reversed in the file, those of several groups repeatedly.
+    /// By this physical tag, 0 for none (MSH 2.2); elements of reversed groups are
+    /// reversed in the file, elements of several groups are repeated.
     Tag(i32),
     /// By its entity (MSH 4.1).
     Entity,
 }
 
-/// What an element is.
+/// Kind of an element.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ElementKind {
     pub(super) shape: ElementShape,
@@ -35,7 +35,7 @@ pub(super) struct Element {
     pub(super) at: usize,
     pub(super) tag: u64,
     pub(super) kind: ElementKind,
-    /// Where its node tags begin in [`MeshBuilder::references`].
+    /// Index of its first node tag in [`MeshBuilder::references`].
     pub(super) first: usize,
 }
 
@@ -47,26 +47,27 @@ pub(super) struct Unsupported {
     pub(super) at: usize,
 }
 
-/// What has been read so far.
+/// Content read so far.
 #[derive(Debug, Default)]
 pub(super) struct MeshBuilder {
     pub(super) mesh: Mesh,
     pub(super) node_index: TagTable,
-    /// Whether some node could not be read, so that references to it are no news.
+    /// Whether some node could not be read, so that missing references are not reported
+    /// again.
     pub(super) nodes_lost: bool,
     pub(super) elements: Vec<Element>,
     pub(super) references: Vec<u64>,
-    /// By number of the type.
+    /// By the number of the type.
     pub(super) unsupported: BTreeMap<u64, Unsupported>,
     pub(super) group_index: HashMap<(u8, i32), usize>,
     /// Physical tags of each entity, by (dimension, tag); 4.1 only.
     pub(super) entities: HashMap<(u8, i32), Vec<i32>>,
-    /// Whether all entities have been read, so that no others may be used.
+    /// Whether all entities have been read, so that other ones may not be used.
     pub(super) entities_known: bool,
 }
 
 impl MeshBuilder {
-    /// Makes room for as many nodes.
+    /// Reserves space for `count` nodes.
     pub(super) fn reserve_nodes(&mut self, count: usize) {
         self.mesh.nodes.reserve(count);
         self.node_index.reserve(count);
@@ -106,7 +107,8 @@ impl MeshBuilder {
         self.entities_known = true;
     }
 
-    /// Notes that some entity could not be read, so that unknown ones are no news.
+    /// Notes that some entity could not be read, so that unknown ones are not reported
+    /// again.
     pub(super) fn lose_entities(&mut self) {
         self.entities_known = false;
     }

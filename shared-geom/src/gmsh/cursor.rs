@@ -1,9 +1,9 @@
-//! Walks through the bytes of a file: its lines, and the numbers between them in
-//! binary files.
+//! Reads the bytes of a file in order: its lines, and the numbers between them in binary
+//! files.
 
 use super::problem::ReadProblem;
 
-/// How the numbers of a file are written.
+/// Encoding of the numbers of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     /// As text, a line for each record.
@@ -14,7 +14,7 @@ pub(super) enum Encoding {
     Big,
 }
 
-/// Walks over the lines that are not blank, and over bytes.
+/// Position in a file: reads lines that are not blank, and bytes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
@@ -26,7 +26,7 @@ pub(super) struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
-    /// Stands before the first line of a text.
+    /// The position before the first line of a text.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         let mark = "\u{feff}".as_bytes();
         Self {
@@ -48,8 +48,8 @@ impl<'a> Cursor<'a> {
         self.encoding != Encoding::Text
     }
 
-    /// Where that began which was taken last: in a text the line, from one; in a
-    /// binary file the byte, from zero.
+    /// Beginning of the last item read: in a text the line, from one; in a binary file the
+    /// byte, from zero.
     pub(super) fn place(&self) -> usize {
         if self.is_binary() {
             self.begin
@@ -58,12 +58,12 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Whether the line that was taken last holds bytes that are no text.
+    /// Whether the last line read contains bytes that are no text.
     pub(super) fn is_foreign(&self) -> bool {
         self.foreign
     }
 
-    /// Bytes behind what was taken last.
+    /// Bytes after the last item read.
     pub(super) fn remaining(&self) -> usize {
         self.rest().len()
     }
@@ -72,8 +72,8 @@ impl<'a> Cursor<'a> {
         self.bytes.get(self.at..).unwrap_or_default()
     }
 
-    /// Takes the next line that is not blank, without the blanks around it; of one
-    /// that is no text, the beginning that is.
+    /// Reads the next line that is not blank, without the blanks around it; of a line
+    /// that is no text, only the valid beginning.
     pub(super) fn line(&mut self) -> Option<&'a str> {
         while self.at < self.bytes.len() {
             self.begin = self.at;
@@ -95,8 +95,8 @@ impl<'a> Cursor<'a> {
         None
     }
 
-    /// Takes the next line if it belongs to the content of a section: `None`
-    /// before a line that begins with `$` and at the end of the file.
+    /// Reads the next line if it belongs to the content of a section: `None` before a
+    /// line that begins with `$` and at the end of the file.
     pub(super) fn content(&mut self) -> Option<&'a str> {
         let mut ahead = *self;
         let line = ahead.line().filter(|line| !line.starts_with('$'))?;
@@ -109,7 +109,7 @@ impl<'a> Cursor<'a> {
         self.begin = self.at;
     }
 
-    /// Takes as many bytes; `what` they belong to, for messages.
+    /// Reads `count` bytes of `what`, a name for messages.
     pub(super) fn take(
         &mut self,
         count: usize,
@@ -122,7 +122,7 @@ impl<'a> Cursor<'a> {
         Ok(taken)
     }
 
-    /// Takes the bytes of one number, turned to have the least significant one first.
+    /// Reads the bytes of one number, ordered with the least significant one first.
     pub(super) fn number<const N: usize>(
         &mut self,
         what: &'static str,
@@ -135,8 +135,8 @@ impl<'a> Cursor<'a> {
         Ok(bytes)
     }
 
-    /// Goes behind the next line, or rest of a line, that is `$End` and then the
-    /// name of `section`; gives whether there is one.
+    /// Moves to the end of the next line, or rest of a line, that is `$End` and then the
+    /// name of `section`; returns whether it exists.
     pub(super) fn pass_end(&mut self, section: &str) -> bool {
         let name = section.strip_prefix('$').unwrap_or(section);
         let end = format!("$End{name}");
@@ -152,7 +152,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Where `part`, which begins with `$`, stands first in `bytes`.
+/// Index of the first `part`, which begins with `$`, in `bytes`.
 fn position(bytes: &[u8], part: &[u8]) -> Option<usize> {
     let mut from = 0;
     while let Some(found) = bytes[from..].iter().position(|&byte| byte == b'$') {
@@ -193,7 +193,7 @@ mod tests {
             cursor.begin();
             let found = cursor.number("number").map(i32::from_le_bytes);
             assert_eq!((found, cursor.place()), (Ok(expected), 3));
-            // the end of another section is none of this one
+            // the end of another section does not belong to this one
             assert!(cursor.pass_end("$A"));
             assert_eq!((cursor.line(), cursor.place()), (Some("x"), 21));
             assert!(cursor.take(1, "number").is_err() && !cursor.pass_end("$A"));

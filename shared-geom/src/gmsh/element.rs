@@ -1,4 +1,4 @@
-//! Element types of gmsh: those that are read, and the names of the others.
+//! Element types of gmsh: the supported ones, and the names of the others.
 
 use crate::mesh::{CellKind, LineKind};
 
@@ -33,7 +33,7 @@ impl ElementShape {
         }
     }
 
-    /// Dimension of the entities that hold such elements.
+    /// Dimension of the entities that hold these elements.
     pub(super) fn dimension(self) -> u8 {
         match self {
             Self::Point => 0,
@@ -96,7 +96,7 @@ pub(super) fn other_type(number: u64) -> (String, bool) {
     }
 }
 
-/// Number of nodes of a type that is not read, where it is known.
+/// Number of nodes of a type that is not read, if known.
 pub(super) fn other_node_count(number: u64) -> Option<usize> {
     let found = OTHERS.iter().find(|(other, ..)| *other == number);
     found.map(|&(.., nodes)| nodes)

@@ -5,15 +5,15 @@ use std::str::{FromStr, SplitAsciiWhitespace};
 use super::cursor::Cursor;
 use super::problem::{ReadProblem, shortened};
 
-/// Takes the numbers of a record one after the other.
+/// Reads the numbers of a record one after the other.
 #[derive(Debug)]
 pub(super) enum Fields<'r, 'a> {
-    /// Those of a line of text.
+    /// Numbers of a line of text.
     Line(LineFields<'a>),
-    /// Those that follow as bytes.
+    /// Numbers that follow as bytes.
     Bytes {
         cursor: &'r mut Cursor<'a>,
-        /// What the record holds, for messages.
+        /// Content of the record, for messages.
         expected: &'static str,
     },
 }
@@ -49,8 +49,8 @@ impl Fields<'_, '_> {
         }
     }
 
-    /// A [`Fields::size`] that counts things of at least `least_bytes` each: never
-    /// more than the rest of the file can hold, so that room can be made for them.
+    /// A [`Fields::size`] that counts items of at least `least_bytes` each: at most the
+    /// capacity of the rest of the file, so that space can be allocated for them.
     pub(super) fn count(
         &mut self,
         what: &'static str,
@@ -65,7 +65,7 @@ impl Fields<'_, '_> {
         }
     }
 
-    /// A place: three finite numbers; all are taken even if one is none.
+    /// A position: three finite numbers; all are read even if one is wrong.
     pub(super) fn position(&mut self) -> Result<[f64; 3], ReadProblem> {
         match self {
             Self::Line(line) => {
@@ -89,7 +89,7 @@ impl Fields<'_, '_> {
         }
     }
 
-    /// Passes over `count` numbers, of `bytes` each in binary files.
+    /// Skips `count` numbers, of `bytes` each in binary files.
     pub(super) fn skip(&mut self, count: usize, bytes: usize) -> Result<(), ReadProblem> {
         match self {
             Self::Line(line) => {
@@ -122,7 +122,7 @@ fn coordinate_of(field: &str) -> Result<f64, ReadProblem> {
         .ok_or_else(|| ReadProblem::NotACoordinate(shortened(field)))
 }
 
-/// `count`, if it is not more than `most`.
+/// `count`, if it is at most `most`.
 fn fitting(what: &'static str, count: u64, most: usize) -> Result<usize, ReadProblem> {
     let fitting = usize::try_from(count).ok().filter(|&count| count <= most);
     fitting.ok_or(ReadProblem::CountTooLarge { what, count })
@@ -133,9 +133,9 @@ fn fitting(what: &'static str, count: u64, most: usize) -> Result<usize, ReadPro
 pub(super) struct LineFields<'a> {
     line: &'a str,
     rest: SplitAsciiWhitespace<'a>,
-    /// What the line should hold, for messages.
+    /// Expected content of the line, for messages.
     expected: &'static str,
-    /// Bytes of the file behind the line.
+    /// Bytes of the file after the line.
     remaining: usize,
 }
 

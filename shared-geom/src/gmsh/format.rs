@@ -11,8 +11,8 @@ pub(super) enum Version {
     V41,
 }
 
-/// Reads the format of a file and goes back to its beginning; the encoding is
-/// then that of the cursor, unless there is a problem, at the cursor.
+/// Reads the format of a file and goes back to its beginning; the cursor then has its
+/// encoding, unless there is a problem at the cursor.
 pub(super) fn format(cursor: &mut Cursor) -> Result<Version, ReadProblem> {
     let start = *cursor;
     if cursor.remaining() == 0 {
@@ -29,8 +29,8 @@ pub(super) fn format(cursor: &mut Cursor) -> Result<Version, ReadProblem> {
     Err(ReadProblem::NotGmsh)
 }
 
-/// Reads `4.1 0 8`: version, file type (0 ascii, 1 binary), bytes of a number; in
-/// binary files the integer one follows, which tells the order of its bytes.
+/// Reads `4.1 0 8`: version, file type (0 ascii, 1 binary), bytes of a number; in binary
+/// files the integer one follows, which shows the order of its bytes.
 fn read_format(cursor: &mut Cursor) -> Result<(Version, Encoding), ReadProblem> {
     let line = cursor.content().unwrap_or("");
     let mut fields = LineFields::new(
@@ -59,7 +59,7 @@ fn read_format(cursor: &mut Cursor) -> Result<(Version, Encoding), ReadProblem> 
 
 fn byte_order(cursor: &mut Cursor) -> Result<Encoding, ReadProblem> {
     let mut one = [0; 4];
-    one.copy_from_slice(cursor.take(4, "the number that tells the order of bytes")?);
+    one.copy_from_slice(cursor.take(4, "the number that shows the order of bytes")?);
     match (i32::from_le_bytes(one), i32::from_be_bytes(one)) {
         (1, _) => Ok(Encoding::Little),
         (_, 1) => Ok(Encoding::Big),

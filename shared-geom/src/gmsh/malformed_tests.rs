@@ -1,4 +1,4 @@
-//! What the readers say about files with problems, and that none makes them panic.
+//! Messages of the readers about files with problems, and absence of panics.
 
 use super::read_tests::{V22, V41, refused};
 use super::*;
@@ -101,7 +101,7 @@ fn bad_numbers_are_told_with_their_line() {
         &coordinate,
         "test.msh:13: coordinate: expected a finite number, found \"nan\"",
     );
-    // the node exists, only its place is unknown: no further messages
+    // the node exists, only its position is unknown: no further messages
     assert_eq!(coordinate.lines().count(), 1);
     let coordinate = messages(V41, "1 0.5 0 0.5 0.5", "1 inf 0 0.5 0.5");
     assert_says(
@@ -276,7 +276,7 @@ fn doubled_tags_are_told() {
 
 #[test]
 fn two_cells_on_the_same_corners_are_told() {
-    // not so if gmsh has written one cell for each of its groups (2.2)
+    // not if gmsh has written one cell for each of its groups (2.2)
     let text = V22.replace("$Elements\n4", "$Elements\n5").replace(
         "$EndElements",
         "5 10 2 1 1 10 4 3 2 8 7 6 5 900000000000\n$EndElements",
@@ -319,8 +319,8 @@ fn other_slips_of_4_1_files_are_told() {
     );
 }
 
-/// Reads every text that differs from `text` by its end or by one byte. It is
-/// the absence of panics (and of endless loops) that is tested.
+/// Reads every text that differs from `text` by its end or by one byte. The test is that
+/// there are no panics (and no endless loops).
 fn torture(text: &str) {
     let check = |bytes: &[u8]| {
         if let Ok(text) = std::str::from_utf8(bytes)

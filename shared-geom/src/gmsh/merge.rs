@@ -7,10 +7,10 @@ use std::collections::{HashMap, HashSet};
 use super::problem::{Problems, ReadProblem};
 use crate::mesh::{Cell, GroupSet, Line, Point};
 
-/// What repeated elements have in common, or nearly so.
+/// Common data of repeated elements, a necessary condition.
 type Key = [u32; 4];
 
-/// The elements that repeat another one, and what becomes of them.
+/// The elements that repeat another one, and their treatment.
 #[derive(Debug, Default)]
 struct Repeats {
     /// First element and further group.
@@ -21,7 +21,7 @@ struct Repeats {
     left: Vec<[usize; 2]>,
 }
 
-/// Finds repeated elements of keys and groups; `same` tells which of equal key are.
+/// Finds repeated elements of keys and groups; `same` decides between equal keys.
 fn repeats<'a>(
     elements: impl Iterator<Item = (Key, &'a GroupSet)> + Clone,
     same: impl Fn(usize, usize) -> bool,
@@ -95,8 +95,8 @@ pub(super) fn lines(lines: &mut Vec<Line>) {
     found.apply(lines, |line| &mut line.groups);
 }
 
-/// Merges the cells of one entity on the same nodes, if `repeated` tells that they
-/// may be; tells the others on the same corners. `places` are those in the file.
+/// Merges the cells of one entity on the same nodes, if `repeated` permits it; reports
+/// the others on the same corners. `places` are their locations in the file.
 pub(super) fn cells(
     cells: &mut Vec<Cell>,
     places: &[usize],

@@ -1,20 +1,19 @@
 //! Mesh files of gmsh: MSH 2.2 and 4.1, ascii and binary of either byte order.
 //!
-//! [`read`] goes once through the bytes of a file, keeps what a plane section
-//! mesh is made of (physical groups, nodes, points, lines, triangles,
-//! quadrilaterals) and skips the sections that it does not know. References
-//! between the parts are resolved at the end, so that all problems of a file are
-//! told together, each with its line, or in binary files its byte. [`write()`]
-//! gives MSH 4.1, ascii.
+//! [`read`] reads the bytes of a file once, keeps the parts of a plane section mesh
+//! (physical groups, nodes, points, lines, triangles, quadrilaterals) and skips unknown
+//! sections. References between the parts are resolved at the end, so that all problems
+//! of a file are reported together, each with its line, or in binary files its byte.
+//! [`write()`] writes MSH 4.1, ascii.
 //!
-//! An element of an entity that stands reversed in its physical group (negative
-//! tag) is reversed on reading, as gmsh does itself when it writes MSH 2.2:
+//! An element of an entity that is reversed in its physical group (negative tag) is
+//! reversed on reading, as gmsh does itself when it writes MSH 2.2:
 //! `Physical Curve("skin") = {-1, 2}` gives lines that run on through both curves.
 //!
-//! An element may stand in several physical groups. MSH 4.1 tells them by entity;
-//! MSH 2.2 lists the element once for each of them, with a tag of its own each
-//! time, and these become one element with the first tag. A line that runs along
-//! in one group and against it in another is two lines in the mesh.
+//! An element may be in several physical groups. MSH 4.1 lists them by entity; MSH 2.2
+//! lists the element once for each of them, with a different tag each time, and these
+//! become one element with the first tag. A line that runs along in one group and against
+//! it in another is two lines in the mesh.
 //!
 //! With `Mesh.SaveAll = 1` MSH 4.1 has elements with and without groups, while
 //! gmsh writes no group at all into MSH 2.2.
@@ -52,8 +51,7 @@ pub use write41::write;
 /// 4.1; `file` is the name for messages.
 ///
 /// # Errors
-/// Everything that is wrong with the file (about the first twenty problems),
-/// each with its line or byte.
+/// All errors of the file (about the first twenty), each with its line or byte.
 pub fn read<B>(content: &B, file: &str) -> Result<Mesh, Diagnostics>
 where
     B: AsRef<[u8]> + ?Sized,

@@ -1,8 +1,8 @@
-//! What can be wrong with a mesh file.
+//! Errors of a mesh file.
 
 use crate::error::{Diagnostics, Explain, Place, nearest_name};
 
-/// How many problems of one file are told; the others are counted.
+/// Number of problems of one file that are reported; the others are counted.
 const LIMIT: usize = 20;
 
 /// A problem of a mesh file.
@@ -56,17 +56,19 @@ pub(super) enum ReadProblem {
         found: u64,
     },
     #[error(
-        "expected the end of section \"{section}\", since all that it announces has been read, found \"{found}\""
+        "expected the end of section \"{section}\", since all announced records have been read, found \"{found}\""
     )]
     ContentLeft { section: String, found: String },
     #[error(
-        "expected the end of section \"{section}\", \"$End{}\", since all that it announces has \
+        "expected the end of section \"{section}\", \"$End{}\", since all announced records have \
          been read", &section[1..]
     )]
     EndNotFound { section: String },
     #[error("a block of {count} elements, expected 1 to {most}, as the section announces")]
     BlockSize { count: u64, most: usize },
-    #[error("the size of elements of gmsh type {0} is not known: those behind them cannot be read")]
+    #[error(
+        "the size of elements of gmsh type {0} is not known: the elements after them cannot be read"
+    )]
     UnknownType(u64),
     #[error("expected the group's name in double quotes")]
     NoName,
@@ -159,10 +161,10 @@ pub(super) const KNOWN_SECTIONS: [&str; 6] = [
     "$Elements",
 ];
 
-/// What stands in [`ReadProblem::NotClosed`] for the end of the file.
+/// Text of the end of the file in [`ReadProblem::NotClosed`].
 pub(super) const END_OF_FILE: &str = "the end of the file";
 
-/// The problems found so far, each with its line or byte where it has one.
+/// The problems found so far, each with its line or byte if it has one.
 #[derive(Debug, Default)]
 pub(super) struct Problems {
     found: Vec<(Option<usize>, ReadProblem)>,
@@ -170,7 +172,7 @@ pub(super) struct Problems {
 }
 
 impl Problems {
-    /// Adds the problem of a line, or of what begins at a byte of a binary file.
+    /// Adds the problem of a line, or of a byte offset of a binary file.
     pub(super) fn push(&mut self, at: usize, problem: ReadProblem) {
         self.add(Some(at), problem);
     }
@@ -188,8 +190,8 @@ impl Problems {
         }
     }
 
-    /// The problems in the order of their places, those of the whole file last;
-    /// places are bytes of a binary file, lines of another.
+    /// The problems in the order of their locations, problems of the whole file last;
+    /// locations are bytes of a binary file, lines of a text file.
     pub(super) fn into_diagnostics(mut self, file: &str, binary: bool) -> Diagnostics {
         self.found.sort_by_key(|(at, _)| at.unwrap_or(usize::MAX));
         if self.hidden > 0 {

@@ -36,8 +36,8 @@ fn read_count(
     Ok(count)
 }
 
-/// Reads the nodes. Those of `$ParametricNodes` carry further numbers behind
-/// the coordinates, which are passed over.
+/// Reads the nodes. Nodes of `$ParametricNodes` have further numbers after the
+/// coordinates, which are skipped.
 pub(super) fn read_nodes(reader: &mut Reader, parametric: bool) -> Outcome {
     let announced = read_count(reader, "nodes", "the number of nodes")?;
     reader.mesh.reserve_nodes(announced);
@@ -113,10 +113,10 @@ fn read_line(reader: &mut Reader, progress: Progress) -> Result<usize, ReadProbl
     Ok(1)
 }
 
-/// What an element is and its nodes.
+/// Kind of an element and its nodes.
 type Content = (ElementKind, [u64; 9]);
 
-/// Tag and type of the element of a line; what it is, if it is read.
+/// Tag and type of the element of a line; its kind, if it is read.
 fn read_line_element(mut fields: Fields) -> Result<(u64, u64, Option<Content>), ReadProblem> {
     let tag = fields.natural("element tag")?;
     let number = fields.natural("element type")?;
@@ -151,7 +151,7 @@ fn read_content(
     Ok((kind, nodes))
 }
 
-/// The next tag if the element has one, else 0 for none.
+/// The next tag if the element has one, else 0.
 fn optional_tag(
     fields: &mut Fields,
     present: bool,
@@ -160,7 +160,7 @@ fn optional_tag(
     if present { fields.int(what) } else { Ok(0) }
 }
 
-/// Reads a block of a binary file, of at most `most` elements; gives their number.
+/// Reads a block of a binary file, of at most `most` elements; returns their number.
 fn read_block(reader: &mut Reader, most: usize) -> Result<usize, ReadProblem> {
     let expected = "a block of elements: type, count, number of tags";
     let mut fields = header(&mut reader.cursor, expected)?;

@@ -17,8 +17,8 @@
 //! $EndNodes                                   $EndElements
 //! ```
 //!
-//! In binary files counts and the tags of nodes and elements are integers of eight
-//! bytes, all others of four; nothing stands between the numbers.
+//! In binary files counts and the tags of nodes and elements are integers of eight bytes,
+//! all others of four, without separators.
 
 use super::build::{ElementKind, Membership};
 use super::cursor::Cursor;
@@ -41,7 +41,7 @@ const INT: usize = 4;
 const FLOAT: usize = 8;
 const TAG: usize = 8;
 
-/// Reads the entities: which physical groups each of them stands in.
+/// Reads the entities and their physical groups.
 pub(super) fn read_entities(reader: &mut Reader) -> Outcome {
     let expected = "the numbers of points, curves, surfaces and volumes";
     let mut fields = header(&mut reader.cursor, expected)?;
@@ -72,7 +72,7 @@ pub(super) fn read_entities(reader: &mut Reader) -> Outcome {
 /// Tag of an entity and the signed tags of its physical groups.
 type Entity = (i32, Vec<i32>);
 
-/// Reads an entity; an outer problem is that there is none.
+/// Reads an entity; the outer error is a missing entity.
 fn read_entity(
     cursor: &mut Cursor,
     progress: Progress,
@@ -125,7 +125,7 @@ fn read_totals(
     Ok((blocks, count))
 }
 
-/// The total of a section must be that of its blocks.
+/// The total of a section must be the sum of its blocks.
 fn check_total(what: &'static str, announced: usize, found: usize) -> Outcome {
     if announced == found {
         return Ok(());
@@ -167,7 +167,7 @@ pub(super) fn read_nodes(reader: &mut Reader) -> Outcome {
     check_total("nodes", count, total)
 }
 
-/// Reads the tags of a block; `None` for those that are no number.
+/// Reads the tags of a block; `None` for tags that are no number.
 fn read_node_tags(reader: &mut Reader, size: usize, tags: &mut Vec<Option<u64>>) -> Outcome {
     tags.clear();
     for found in 0..size {
@@ -210,7 +210,7 @@ fn read_coordinates(reader: &mut Reader, tags: &[Option<u64>], parameters: usize
     Ok(())
 }
 
-/// Whether a line is not of the block in which it is read.
+/// Whether a line does not belong to the block that is being read.
 fn is_misplaced(problem: &ReadProblem) -> bool {
     matches!(problem, ReadProblem::FieldCount { .. })
 }
@@ -291,7 +291,7 @@ fn read_element_block(reader: &mut Reader, kind: ElementKind, size: usize) -> Ou
     Ok(())
 }
 
-/// Reads an element into `nodes`; gives its tag.
+/// Reads an element into `nodes`; returns its tag.
 fn read_element(mut fields: Fields, nodes: &mut [u64]) -> Result<u64, ReadProblem> {
     let tag = fields.size("element tag")?;
     for node in nodes {
@@ -301,7 +301,7 @@ fn read_element(mut fields: Fields, nodes: &mut [u64]) -> Result<u64, ReadProble
     Ok(tag)
 }
 
-/// Passes over a block of elements that are not read.
+/// Skips a block of elements that are not read.
 fn skip_element_block(reader: &mut Reader, number: u64, size: usize) -> Outcome {
     if size > 0 {
         let at = reader.cursor.place();

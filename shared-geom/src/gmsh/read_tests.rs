@@ -1,9 +1,9 @@
-//! What the readers make of sound files.
+//! Results of the readers for valid files.
 //!
-//! The two files below describe the same mesh, the 2 x 1 rectangle of
-//! `Plane Surface(1)` in one biquadratic cell, with `Physical Curve("the skin") =
-//! {-1, 2}`; they are output of gmsh 4.15.2 for versions 2.2 and 4.1, where the
-//! 2.2 file was given the node tags of the other by hand to make them sparse.
+//! The two files below describe the same mesh, the 2 x 1 rectangle of `Plane Surface(1)`
+//! in one biquadratic cell, with `Physical Curve("the skin") = {-1, 2}`; they are output
+//! of gmsh 4.15.2 for versions 2.2 and 4.1; the node tags of the 2.2 file were replaced
+//! by hand by those of the other to make them sparse.
 
 use super::*;
 use crate::error::Diagnostics;
@@ -199,12 +199,12 @@ fn other_sections_blank_lines_and_foreign_line_ends_are_passed_over() {
 
 #[test]
 fn parametric_nodes_of_both_versions_are_read() {
-    // 2.2 keeps them in a section of its own: tag x y z dimension entity parameters
+    // 2.2 keeps them in a separate section: tag x y z dimension entity parameters
     let text = V22
         .replace("Nodes\n", "ParametricNodes\n")
         .replace("5 1 0 0\n", "5 1 0 0 1 1 0.5\n");
     assert_eq!(parsed(&text), parsed(V22));
-    // 4.1 has parameters behind the coordinates (in V41 above), or none
+    // 4.1 has parameters after the coordinates (in V41 above), or none
     let text = V41
         .replace("1 1 1 4\n", "1 1 0 4\n")
         .replace(" 0 0.5\n", " 0\n");
@@ -218,7 +218,7 @@ fn a_4_1_file_without_entities_has_no_groups_but_is_read() {
     let mesh = parsed(&format!("{before}{after}"));
     assert_eq!(mesh.cells.len(), 1);
     assert!(mesh.cells[0].groups.is_empty());
-    // not reversed, since nothing tells it
+    // not reversed, since nothing indicates it
     assert_eq!(mesh.lines[0].nodes(), [0, 1, 4]);
 }
 
@@ -244,7 +244,7 @@ fn files_are_read_from_disk() {
 
 #[test]
 fn a_large_mesh_is_read_in_one_pass() {
-    // 400 x 375 nodes: the time of a pass that is quadratic in anything would be minutes
+    // 400 x 375 nodes: a pass of quadratic time would take minutes
     let (columns, rows) = (400, 375);
     let mut text = format!(
         "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n",
@@ -270,6 +270,6 @@ fn a_large_mesh_is_read_in_one_pass() {
     let mesh = parsed(&text);
     let elapsed = begin.elapsed();
     assert_eq!((mesh.nodes.len(), mesh.cells.len()), (150_000, cells));
-    // about 0.2 s here in a test build; the bound leaves room for slow machines
+    // about 0.2 s here in a test build; the bound leaves a margin for slow machines
     assert!(elapsed.as_secs_f64() < 10.0, "{elapsed:?}");
 }

@@ -1,11 +1,11 @@
-//! The records of a section, and the state that the readers of all sections share.
+//! The records of a section, and the common state of the readers of all sections.
 
 use super::build::MeshBuilder;
 use super::cursor::Cursor;
 use super::fields::{Fields, LineFields};
 use super::problem::{KNOWN_SECTIONS, Problems, ReadProblem};
 
-/// What the readers of the sections share.
+/// Common state of the readers of the sections.
 #[derive(Debug)]
 pub(super) struct Reader<'a> {
     pub(super) cursor: Cursor<'a>,
@@ -15,11 +15,11 @@ pub(super) struct Reader<'a> {
     seen: Vec<&'static str>,
 }
 
-/// How the reader of a section ended: an error is one after which the rest of
-/// the section cannot be understood. It belongs to what was taken last.
+/// End of the reading of a section: an error is one after which the rest of the section
+/// cannot be read. Its location is the last item read.
 pub(super) type Outcome = Result<(), ReadProblem>;
 
-/// How far the reading of a section has come, for messages.
+/// Progress of the reading of a section, for messages.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Progress {
     pub(super) what: &'static str,
@@ -38,8 +38,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether a section that is read has been read before, which is told. Without
-    /// this a binary file could have the same bytes read in each of many sections.
+    /// Whether a section has been read before, which is reported. Without this a binary
+    /// file could have the same bytes read in each of many sections.
     pub(super) fn is_repeated(&mut self, section: &str) -> bool {
         let known = KNOWN_SECTIONS.into_iter().find(|known| *known == section);
         let Some(known) = known else {
@@ -55,7 +55,7 @@ impl<'a> Reader<'a> {
         repeated
     }
 
-    /// Keeps the problem of the current record, if there is one, and goes on.
+    /// Keeps the problem of the current record, if there is one, and continues.
     pub(super) fn keep<T>(&mut self, result: Result<T, ReadProblem>) -> Option<T> {
         match result {
             Ok(value) => Some(value),
@@ -66,8 +66,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// As [`Reader::keep`], but for problems that `is_last` takes, after which the
-    /// rest of the section cannot be understood, and for the end of the file.
+    /// As [`Reader::keep`], but for problems that `is_last` accepts, after which the rest
+    /// of the section cannot be read, and for the end of the file.
     pub(super) fn keep_unless<T>(
         &mut self,
         result: Result<T, ReadProblem>,
@@ -96,7 +96,7 @@ pub(super) fn item<'r, 'a>(
     record(cursor, expected).ok_or(missing)
 }
 
-/// The record with the counts that opens a section.
+/// The record with the counts at the beginning of a section.
 pub(super) fn header<'r, 'a>(
     cursor: &'r mut Cursor<'a>,
     expected: &'static str,
@@ -105,7 +105,7 @@ pub(super) fn header<'r, 'a>(
     record(cursor, expected).ok_or(missing)
 }
 
-/// The line with a count that opens a section, in binary files too.
+/// The line with a count at the beginning of a section, in binary files too.
 pub(super) fn line_header<'a>(
     cursor: &mut Cursor<'a>,
     expected: &'static str,

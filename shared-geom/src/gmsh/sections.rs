@@ -1,9 +1,9 @@
 //! The frame of a file: its sections, from `$Name` to `$EndName`.
 //!
-//! In a binary file these names, the physical names and the counts of version 2.2
-//! are lines of text as well; the rest is numbers, whose records begin where the
-//! one before ends. Where a record cannot be understood, reading goes on behind
-//! the end of its section, which is searched for.
+//! In a binary file these names, the physical names and the counts of version 2.2 are
+//! lines of text as well; the rest is numbers, whose records follow each other without
+//! gaps. If a record cannot be read, reading continues after the end of its section,
+//! which is searched.
 
 use super::cursor::Cursor;
 use super::format::{Version, format, not_text};
@@ -67,8 +67,8 @@ fn read_sections(reader: &mut Reader, version: Version) {
     }
 }
 
-/// Reads a section, whose first line has been taken; gives whether another one
-/// may follow.
+/// Reads a section, whose first line has been read; returns whether another one may
+/// follow.
 fn read_section(reader: &mut Reader, version: Version, section: &str) -> bool {
     let opened = reader.cursor;
     if reader.is_repeated(section) {
@@ -105,7 +105,7 @@ fn read_section(reader: &mut Reader, version: Version, section: &str) -> bool {
     goes_on
 }
 
-/// What is wrong with a line that should open a section.
+/// The problem of a line that should open a section.
 fn not_a_section(line: &str) -> Option<ReadProblem> {
     if line.starts_with("$End") {
         return Some(ReadProblem::StrayEnd(shortened(line)));
@@ -113,7 +113,7 @@ fn not_a_section(line: &str) -> Option<ReadProblem> {
     (!line.starts_with('$')).then(|| ReadProblem::Outside(shortened(line)))
 }
 
-/// Goes behind the end of a section that is not read; gives whether another one may
+/// Moves to the end of a section that is not read; returns whether another one may
 /// follow.
 fn pass_section<'a>(reader: &mut Reader<'a>, section: &str, opened: Cursor<'a>) -> bool {
     if !reader.cursor.is_binary() {
@@ -132,8 +132,8 @@ fn pass_section<'a>(reader: &mut Reader<'a>, section: &str, opened: Cursor<'a>) 
     found
 }
 
-/// Expects the end of a section of a binary file, whose reader has come to an end;
-/// gives whether the section holds what it announces, and whether it ends at all.
+/// Expects the end of a section of a binary file, whose reader has finished; returns
+/// whether the section has the announced content, and whether it ends at all.
 fn close_binary<'a>(
     reader: &mut Reader<'a>,
     section: &str,
@@ -154,8 +154,8 @@ fn close_binary<'a>(
     (false, reader.cursor.pass_end(section))
 }
 
-/// Passes over a section that is not read; its content may hold anything but
-/// the beginning of a section that is read or the end of another one.
+/// Skips a section that is not read; its content may be anything except the beginning of
+/// a section that is read or the end of another one.
 fn skip_section(reader: &mut Reader, section: &str) {
     let opened = reader.cursor.place();
     let mut before = reader.cursor;
@@ -179,9 +179,9 @@ fn skip_section(reader: &mut Reader, section: &str) {
     reader.problems.push(opened, problem);
 }
 
-/// Expects the end of a section of a text, whose reader has come to an end;
-/// `complete` tells whether it has read all that the section announces. Gives
-/// whether that is all that the section holds.
+/// Expects the end of a section of a text, whose reader has finished; `complete` is
+/// whether it has read all announced records. Returns whether the section has no further
+/// content.
 fn close_section(reader: &mut Reader, section: &str, complete: bool) -> bool {
     let left = reader.cursor.content();
     let exhausted = complete && left.is_none();
@@ -209,7 +209,7 @@ fn close_section(reader: &mut Reader, section: &str, complete: bool) -> bool {
         found,
     };
     reader.problems.push(reader.cursor.place(), problem);
-    // a line that opens another section is read as such
+    // a line that opens another section is read as its beginning
     if line.is_some_and(|line| !line.starts_with("$End")) {
         reader.cursor = before;
     }

@@ -1,5 +1,5 @@
-//! Looks tags up: quickly where they are nearly consecutive, as gmsh numbers, but
-//! any others too.
+//! Index of a tag: fast for nearly consecutive tags, as numbered by gmsh, but correct for
+//! any others.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -9,22 +9,22 @@ use std::collections::hash_map::Entry;
 pub(super) struct TagTable {
     /// By tag: the index, or [`NONE`].
     dense: Vec<u32>,
-    /// Those of larger tags.
+    /// Indices of larger tags.
     sparse: HashMap<u64, u32>,
 }
 
 const NONE: u32 = u32::MAX;
 
 impl TagTable {
-    /// Makes room for as many tags; a table that is empty keeps those up to twice
-    /// their number side by side.
+    /// Reserves space for `count` tags; an empty table then has a dense array for tags up
+    /// to twice that number.
     pub(super) fn reserve(&mut self, count: usize) {
         if self.dense.is_empty() && self.sparse.is_empty() {
             self.dense.resize(2 * count + 1, NONE);
         }
     }
 
-    /// Adds a tag; gives whether it is new.
+    /// Adds a tag; returns whether it is new.
     pub(super) fn insert(&mut self, tag: u64, index: u32) -> bool {
         let place = usize::try_from(tag).ok();
         match place.and_then(|place| self.dense.get_mut(place)) {
@@ -69,7 +69,7 @@ mod tests {
             assert!(!table.insert(tag, 99));
             assert_eq!(table.get(tag), Some(index));
         }
-        // no room is made anew where tags are
+        // a table with tags is not enlarged
         table.reserve(100);
         assert_eq!((table.get(7), table.get(8)), (Some(2), None));
     }

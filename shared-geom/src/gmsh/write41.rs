@@ -1,12 +1,11 @@
 //! Writes MSH 4.1, ascii.
 //!
-//! Reading the text gives the same mesh again, to the last bit, if its groups
-//! stand in the order in which the reader makes them: the named ones, then the
-//! used ones without a name in the order of their first use by points, lines,
-//! cells. Two things cannot be kept:
-//! an entity whose elements stand in different groups is split (in MSH 4.1 the
-//! groups belong to the entity), the further parts getting new entity tags; and
-//! control characters in names become blanks.
+//! Reading the text gives the same mesh again, to the last bit, if its groups are in the
+//! order in which the reader makes them: the named ones, then the used ones without a
+//! name in the order of their first use by points, lines, cells. Two things cannot be
+//! kept: an entity whose elements are in different groups is split (in MSH 4.1 the groups
+//! belong to the entity), and the further parts get new entity tags; and control
+//! characters in names become blanks.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
@@ -25,7 +24,7 @@ struct Element<'a> {
     nodes: &'a [u32],
 }
 
-/// What makes an entity of its own in the file.
+/// Data that define a separate entity in the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct Owner<'a> {
     dimension: u8,
@@ -46,8 +45,7 @@ struct Entity {
     high: Vector3<f64>,
 }
 
-/// Text of `mesh` as an MSH 4.1 file in ascii, coordinates with as many digits
-/// as give them back exactly.
+/// Text of `mesh` as an MSH 4.1 file in ascii; the digits of the coordinates are exact.
 pub fn write(mesh: &Mesh) -> String {
     let elements = elements(mesh);
     let (entities, tags) = entities(mesh, &elements);
@@ -109,7 +107,7 @@ fn lines(mesh: &Mesh) -> impl Iterator<Item = Element<'_>> {
     })
 }
 
-/// The entities, sorted by dimension and tag, and the tag of each owner's.
+/// The entities, sorted by dimension and tag, and the tag of each owner's entity.
 fn entities<'a>(mesh: &Mesh, elements: &[Element<'a>]) -> (Vec<Entity>, HashMap<Owner<'a>, i32>) {
     let mut used: HashSet<(u8, i32)> = elements
         .iter()
@@ -198,13 +196,13 @@ fn write_entities(text: &mut String, entities: &[Entity]) -> std::fmt::Result {
         for tag in &entity.physical {
             write!(text, " {tag}")?;
         }
-        // number of bounding entities: they are not known
+        // number of bounding entities: unknown
         writeln!(text, "{}", if entity.dimension > 0 { " 0" } else { "" })?;
     }
     writeln!(text, "$EndEntities")
 }
 
-/// All nodes in one block, in the order of the mesh; it is given to the last
+/// All nodes in one block, in the order of the mesh; the block belongs to the last
 /// entity, one of the highest dimension.
 fn write_nodes(text: &mut String, mesh: &Mesh, entities: &[Entity]) -> std::fmt::Result {
     let count = mesh.nodes.len();
@@ -229,7 +227,7 @@ fn write_position(text: &mut String, p: &Vector3<f64>) -> std::fmt::Result {
     write!(text, " {:?} {:?} {:?}", p.x, p.y, p.z)
 }
 
-/// The elements in blocks of one entity and type that follow each other.
+/// The elements in blocks of consecutive ones of one entity and type.
 fn write_elements(
     text: &mut String,
     mesh: &Mesh,

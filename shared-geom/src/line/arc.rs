@@ -16,7 +16,7 @@ use super::axes::twist_of;
 use super::{LinePoint, ReferenceLine, about_x};
 use crate::rotation::vector;
 
-/// Place and section axes.
+/// Position and section axes.
 pub(super) type Frame = (Vector3<f64>, Matrix3<f64>);
 
 /// The frame at `s` along an arc that begins at `from` [m].
@@ -26,7 +26,7 @@ pub(super) fn along(from: &Frame, curvature: &Vector3<f64>, s: f64) -> Frame {
     (from.0 + from.1 * chord, from.1 * vector::to_rotation(&turn))
 }
 
-/// The frames at the ends of all arcs, that of the root first.
+/// The frames at the ends of all arcs, the root first.
 pub(super) fn frames(line: &ReferenceLine) -> Vec<Frame> {
     let Some(root) = line.points.first() else {
         return Vec::new();
@@ -40,7 +40,7 @@ pub(super) fn frames(line: &ReferenceLine) -> Vec<Frame> {
     frames
 }
 
-/// The twist of section axes: of those that differ by turns, the one nearest to
+/// The twist of section axes: of the angles that differ by turns, the one nearest to
 /// `expected` [rad].
 pub(super) fn twist_near(axes: &Matrix3<f64>, expected: f64) -> f64 {
     let found = twist_of(axes);

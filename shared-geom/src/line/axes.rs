@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Section axes before twist; along z, where the rule has no answer, with y as it is.
+/// Section axes before twist; along z, where the rule is undefined, with y unchanged.
 pub(super) fn level_axes(along: &Vector3<f64>) -> Matrix3<f64> {
     let tangent = along.try_normalize(0.0).unwrap_or(Vector3::x());
     let level = Vector3::z().cross(&tangent);

@@ -1,11 +1,11 @@
-//! Curvature of a line: how fast its section axes turn.
+//! Curvature of a line: rate of rotation of its section axes.
 //!
 //! ```text
 //! k = axial( Q^T dQ/ds )                                                      (D-230)
 //! ```
 //!
-//! by the rotation vector from a place shortly before to one shortly behind, which is
-//! exact on straight pieces and on arcs, and of second order on splines.
+//! by the rotation vector between positions shortly before and after, which is exact on
+//! straight pieces and on arcs, and of second order on splines.
 
 use super::{Curve, Side};
 use crate::rotation::vector;
@@ -18,7 +18,7 @@ const PART: f64 = 1e-4;
 impl Curve {
     /// Twist rate about x and curvature about y and z of the line at arc length `s` [m],
     /// in section axes, and its slope, which is (1, 0, 0): the first of the axes is the
-    /// tangent. Where two pieces meet, of that on `side`.
+    /// tangent. At the joint of two pieces, of the piece on `side`.
     pub fn initial_curvature(&self, s: f64, side: Side) -> InitialCurvature {
         let mut initial = InitialCurvature::STRAIGHT;
         let known = self.arc_lengths();
@@ -54,8 +54,8 @@ mod tests {
         LinePoint { position, twist }
     }
 
-    // A straight piece has its twist rate alone, on each side of a point its own; the
-    // axes are compared over 2e-4 m, which leaves 1e-16/1e-4 of a radian.
+    // A straight piece has only its twist rate, on each side of a point its own; the axes
+    // are compared over 2e-4 m, which leaves 1e-16/1e-4 of a radian.
     #[test]
     fn straight_pieces_have_their_twist_rates() {
         let points = vec![
@@ -78,7 +78,7 @@ mod tests {
         }
     }
 
-    // A line of arcs has the curvature that it is given by.
+    // A line of arcs has its given curvature.
     #[test]
     fn arcs_have_the_curvature_that_makes_them() {
         let arcs = [

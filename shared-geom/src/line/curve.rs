@@ -1,4 +1,4 @@
-//! A line prepared for questions: splines fitted, arc lengths summed.
+//! A line prepared for queries: splines fitted, arc lengths summed.
 
 use nalgebra::Vector3;
 
@@ -10,15 +10,15 @@ use crate::spline::Spline;
 
 /// Points of the Gauss rule for the length of a spline.
 const RULE: usize = 6;
-/// An interval of a spline is halved at most so often: with an error that falls by
-/// 2^12 each time, four or five suffice for a line that a blade may have.
+/// Most bisections of an interval of a spline: with an error that falls by 2^12 each
+/// time, four or five suffice for any line of a blade.
 const MOST_HALVES: u32 = 12;
-/// Two values of a length that differ by less count as one, relative: round-off.
+/// Relative difference of lengths that is treated as round-off.
 const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Steps of the search for an abscissa; bisection alone needs some 60.
 const MOST_STEPS: usize = 100;
 
-/// A reference line prepared for questions.
+/// A reference line prepared for queries.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Arc lengths of the points.
@@ -61,7 +61,8 @@ impl Curve {
                 (lengths, Shape::Spline(splines))
             }
             Course::Arcs => {
-                // As many as all lists have: see `ReferenceLine::problems`.
+                // The number of entries that all lists have: see
+                // `ReferenceLine::problems`.
                 let arcs = line.arc_length.iter().zip(&line.curvature).zip(points);
                 let lengths = arcs.clone().map(|((length, _), _)| *length).collect();
                 let shape = Shape::Arcs {
@@ -88,16 +89,17 @@ impl Curve {
         &self.arc_lengths
     }
 
-    /// The place at arc length `s` [m]; of two pieces that meet there, on the outer one.
+    /// The position at arc length `s` [m]; of two pieces that meet there, on the outer
+    /// one.
     ///
-    /// Beyond an end the line goes on as the piece that ends there. Of a line without
-    /// length it is the origin.
+    /// Beyond an end the last piece is continued. For a line without length it is the
+    /// origin.
     pub fn at(&self, s: f64) -> Placed {
         self.on(s, Side::Outer)
     }
 
-    /// As [`Curve::at`], and of two pieces that meet at `s` on the one of `side`: where
-    /// a line of straight pieces has a kink, the section axes differ.
+    /// As [`Curve::at`], and of two pieces that meet at `s` on the one of `side`: at a
+    /// kink of a line of straight pieces the section axes differ.
     pub fn on(&self, s: f64, side: Side) -> Placed {
         let known = &self.arc_lengths;
         let behind = match side {
@@ -143,7 +145,7 @@ fn on_piece(from: &LinePoint, to: &LinePoint, part: f64, length: f64) -> Placed 
     )
 }
 
-/// Place with the axes of the rule at the head of [`super`].
+/// Position with the axes of the rule at the head of [`super`].
 fn placed(position: Vector3<f64>, along: Vector3<f64>, twist: f64) -> Placed {
     let axes = level_axes(&along) * about_x(twist);
     Placed {
@@ -176,8 +178,8 @@ impl Splines {
         self.length(i, self.x[i], self.x[i + 1])
     }
 
-    /// Length between two abscissas of the interval `i`: Gauss's rule on halves of
-    /// halves, until they change nothing.
+    /// Length between two abscissas of the interval `i`: Gauss's rule on repeated
+    /// bisections, until convergence.
     fn length(&self, i: usize, from: f64, to: f64) -> f64 {
         self.refined(i, from, to, self.gauss(i, from, to), MOST_HALVES)
     }
@@ -202,8 +204,8 @@ impl Splines {
         half * quadrature::line(RULE).iter().map(term).sum::<f64>()
     }
 
-    /// The place at `part` of the length of the interval `i`: Newton's method on the
-    /// abscissa, kept between bounds that close in.
+    /// The position at `part` of the length of the interval `i`: Newton's method on the
+    /// abscissa, within bounds that are narrowed.
     fn at(&self, i: usize, part: f64) -> Placed {
         let (start, end) = (self.x[i], self.x[i + 1]);
         let mut x = start + part / self.along(i, start).norm();

@@ -1,15 +1,15 @@
-//! What a line must satisfy before anyone follows it.
+//! Conditions that a line must satisfy before its use.
 
 use super::{Course, ReferenceLine};
 use crate::error::Explain;
 
-/// Smallest part of a step of the line that leads out of the direction of z: less has
-/// no level chord [-].
+/// Smallest part of a step of the line outside of the direction of z: below it no chord
+/// is level [-].
 const LEVEL: f64 = 1e-6;
-/// Longest line: beyond lie only mistakes, and in the end lengths that overflow \[m\].
+/// Longest line: longer ones are mistakes, and very long ones overflow \[m\].
 const LONGEST: f64 = 1e9;
 
-/// Why a line is refused.
+/// Errors of a line.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LineProblem {
     /// Too few points.
@@ -24,13 +24,13 @@ pub enum LineProblem {
         /// Number of the point, from one.
         point: usize,
     },
-    /// A point at the place of the one before.
+    /// A point at the position of the previous one.
     #[error("point {point} of the line lies where point {} lies", .point - 1)]
     SamePlace {
         /// Number of the point, from one.
         point: usize,
     },
-    /// A splined line that leads back.
+    /// A splined line with decreasing x.
     #[error(
         "point {point} of the line lies at x = {found} m, and the point before at {before} m: a splined line leads outward"
     )]
@@ -56,7 +56,7 @@ pub enum LineProblem {
         /// Its length [m].
         found: f64,
     },
-    /// A line longer than any blade, or so long that its length is no number.
+    /// A line longer than any blade, or with an overflow of its length.
     #[error("the line is {found:.3e} m long, expected at most {LONGEST:.0e} m")]
     Length {
         /// Its length \[m\].
@@ -93,7 +93,7 @@ impl Explain for LineProblem {
 }
 
 impl ReferenceLine {
-    /// Everything that is wrong with the line; empty when it can be followed.
+    /// All problems of the line; empty if it is valid.
     pub fn problems(&self) -> Vec<LineProblem> {
         let mut found: Vec<_> = self.not_finite().collect();
         let points = self.points.len();

@@ -21,8 +21,8 @@ fn bent(course: Course) -> ReferenceLine {
     ReferenceLine::through(points, course)
 }
 
-// The curvature of a natural spline is zero at its ends and its points are met; through
-// points of a straight line it is the line.
+// The curvature of a natural spline is zero at its ends and it passes through its points;
+// through points of a straight line it is the line.
 #[test]
 fn a_spline_through_a_straight_line_is_the_line() {
     let points = [0.0, 1.0, 1.5, 4.0].map(|x| point(x, 2.0 * x, -2.0 * x, 0.1 * x));
@@ -114,7 +114,7 @@ fn chords_are_level_before_twist_and_twist_is_nose_up() {
     }
 }
 
-// In the piece from (4, 0.2, -0.1) to (7, 0.1, -0.8) the line leads along their
+// In the piece from (4, 0.2, -0.1) to (7, 0.1, -0.8) the line points along their
 // difference; at its ends it depends on the side.
 #[test]
 fn at_a_kink_each_side_has_its_own_axes() {
@@ -161,7 +161,7 @@ fn an_arc_with_twist_is_a_helix() {
         assert!((other.axes - whole.at(s).axes).amax() < 1e-14);
         assert!((other.position - whole.at(s).position).amax() < 1e-14);
     }
-    // Twist without curvature is counted on beyond a turn.
+    // Twist without curvature is counted beyond a turn.
     let twisted = ReferenceLine::curved(root, &[(40.0, Vector3::new(t, 0.0, 0.0)); 3]);
     let twists: Vec<_> = twisted.points.iter().map(|point| point.twist).collect();
     for (arc, twist) in twists.iter().enumerate() {
@@ -173,7 +173,7 @@ fn an_arc_with_twist_is_a_helix() {
     assert!((twisted.at(50.0).twist - 15.7).abs() < 1e-13);
 }
 
-// The sections of a turned line are those of the line, turned.
+// The sections of a turned line are the turned sections of the line.
 #[test]
 fn a_twisted_line_has_turned_sections() {
     let angle = 0.37;
@@ -248,7 +248,7 @@ fn what_cannot_be_followed_is_told() {
     );
 }
 
-// A line that was not checked gives numbers that mean nothing, and no panic.
+// A line that was not checked gives meaningless numbers, but no panic.
 #[test]
 fn no_line_panics() {
     let numbers = [0.0, 1.0, -3.0, f64::NAN, f64::INFINITY, 1e300];

@@ -1,20 +1,20 @@
-//! Physical groups, and the sets of them that elements stand in.
+//! Physical groups, and the sets of groups of elements.
 
 use std::sync::Arc;
 
-/// A physical group of gmsh: what the user calls a part of the mesh.
+/// A physical group of gmsh: a named part of the mesh.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PhysicalGroup {
     /// Dimension: 0 points, 1 curves, 2 surfaces, 3 volumes.
     pub dimension: u8,
-    /// Number of the group; counted apart for each dimension.
+    /// Number of the group, within its dimension.
     pub tag: i32,
-    /// Name, where the file gives one.
+    /// Name, if the file has one.
     pub name: Option<String>,
 }
 
 impl PhysicalGroup {
-    /// The name, or the tag where there is no name.
+    /// The name, or the tag if there is no name.
     pub fn label(&self) -> String {
         match &self.name {
             Some(name) => name.clone(),
@@ -26,7 +26,7 @@ impl PhysicalGroup {
 /// The physical groups of an element: indices in the list of groups of its mesh,
 /// ascending, each once.
 ///
-/// Elements of one entity share one list, so that a copy costs nothing.
+/// Elements of one entity share one list, so that a copy does not allocate.
 ///
 /// ```
 /// use shared_geom::mesh::GroupSet;
@@ -38,7 +38,7 @@ impl PhysicalGroup {
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
 pub struct GroupSet {
-    // none for no group, so that equality is that of the lists
+    // `None` for no group, so that equality compares the lists
     indices: Option<Arc<[usize]>>,
 }
 
@@ -53,7 +53,7 @@ impl GroupSet {
         self.as_slice().iter().copied()
     }
 
-    /// The group that comes first in the mesh.
+    /// The first group in the order of the mesh.
     pub fn first(&self) -> Option<usize> {
         self.as_slice().first().copied()
     }
@@ -63,7 +63,7 @@ impl GroupSet {
         self.as_slice().binary_search(&group).is_ok()
     }
 
-    /// Whether there is none.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         self.indices.is_none()
     }

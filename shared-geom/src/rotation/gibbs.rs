@@ -59,7 +59,7 @@ pub fn tangent_inverse(g: &Vector3<f64>) -> Matrix3<f64> {
 /// Parameters `c` of the product `R(c) = R(a) R(b)`:
 /// `c = 4/(4 - a.b) (a + b + 1/2 a x b)`.
 ///
-/// Not finite, or very large, where the product is half a turn (`a.b = 4`).
+/// Not finite, or very large, if the product is half a turn (`a.b = 4`).
 pub fn compose(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector3<f64> {
     (a + b + 0.5 * a.cross(b)) * (4.0 / (4.0 - a.dot(b)))
 }
@@ -106,10 +106,10 @@ pub struct Increment {
 
 /// Expresses `attitude` by parameters counted from the constant rotation `origin`.
 ///
-/// `g = g(R Rorigin^T)`, `dg/dt = G(g)^-1 omega`. The history of a step
-/// is taken relative to the last rotation in this way: the last attitude itself
-/// becomes `g = 0`, `dg/dt = omega`. Singular, as [`from_rotation`], where the two
-/// rotations are half a turn apart: keep the rotation of a step well below.
+/// `g = g(R Rorigin^T)`, `dg/dt = G(g)^-1 omega`. The history of a step is relative to
+/// the last rotation in this way: the last attitude itself becomes `g = 0`,
+/// `dg/dt = omega`. Singular, as [`from_rotation`], if the two rotations are half a turn
+/// apart: keep the rotation of a step well below.
 pub fn relative(attitude: &Attitude, origin: &Matrix3<f64>) -> Increment {
     let parameters = from_rotation(&(attitude.rotation * origin.transpose()));
     Increment {
@@ -118,11 +118,11 @@ pub fn relative(attitude: &Attitude, origin: &Matrix3<f64>) -> Increment {
     }
 }
 
-/// Applies `increment` to `base`, a rotation that itself turns.
+/// Applies `increment` to `base`, which may itself rotate.
 ///
-/// `R = R(g) R0`, `omega = G(g) dg/dt + R(g) w0`. With `base` the predicted
-/// attitude this is the corrected one. With `base` the last rotation, held still
-/// (`w0 = 0`), it is the prediction, and the inverse of [`relative`].
+/// `R = R(g) R0`, `omega = G(g) dg/dt + R(g) w0`. If `base` is the predicted attitude,
+/// this is the corrected one. If `base` is the last rotation, at rest (`w0 = 0`), it is
+/// the prediction, and the inverse of [`relative`].
 pub fn corrected(increment: &Increment, base: &Attitude) -> Attitude {
     let g = &increment.parameters;
     let turn = to_rotation(g);

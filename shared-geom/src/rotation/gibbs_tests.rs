@@ -2,9 +2,9 @@
 //!
 //! Tolerances: angles up to 2.5 rad give |g| < 6.1, so algebraic identities carry
 //! roundings 1e-16 times products of up to 1 + g.g/4 = 10: some 1e-14. Central
-//! differences with h = 1e-6 carry 1e-16/h = 1e-10 of rounding times a few terms
-//! of order one, and a truncation h^2/6 times third derivatives of order one,
-//! which is below 1e-12: 1e-9 holds both.
+//! differences with h = 1e-6 carry 1e-16/h = 1e-10 of rounding times a few terms of order
+//! one, and a truncation h^2/6 times third derivatives of order one, which is below
+//! 1e-12: 1e-9 covers both.
 
 use super::*;
 use crate::rotation::samples::Samples;
@@ -84,7 +84,7 @@ fn half_a_turn_is_singular_without_a_panic() {
     let half_turn = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
     let g = from_rotation(&half_turn);
     assert!(g.norm() > 1e15 || !g.norm().is_finite());
-    // Just below it the parameters are large but right: R comes back.
+    // Just below it the parameters are large but right: R is recovered.
     let r = vector::to_rotation(&(Vector3::new(0.6, 0.0, 0.8) * (PI - 1e-6)));
     assert!((to_rotation(&from_rotation(&r)) - r).amax() < 5e-15);
 }
@@ -100,7 +100,7 @@ fn tangent_gives_the_angular_velocity() {
         let r = to_rotation(&g);
         let spin = difference(to_rotation, &g, &rate) * r.transpose();
         assert!((tangent(&g) * rate - axial(&spin)).amax() < DIFFERENCE);
-        // Spin is antisymmetric: dR = [G dg]x R leaves nothing out.
+        // Spin is antisymmetric: dR = [G dg]x R is complete.
         assert!((spin + spin.transpose()).amax() < DIFFERENCE);
     }
 }
@@ -117,8 +117,8 @@ fn tangent_has_its_inverse_determinant_and_material_form() {
     }
 }
 
-// Also with products of more than half a turn: there R(c) is still right. Cases
-// within 0.1 of the singularity are left out, where c loses digits as 1/(4 - a.b).
+// Also with products of more than half a turn: R(c) is still right there. Cases within
+// 0.1 of the singularity are omitted, since c loses digits as 1/(4 - a.b).
 #[test]
 fn composition_is_the_product_of_rotations() {
     let mut samples = Samples::new(25);

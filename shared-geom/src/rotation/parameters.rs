@@ -5,7 +5,7 @@
 //! T^-1 v = i v - 1/2 psi x v + e (psi . v) psi        T^T(psi) = T(-psi)
 //! ```
 //!
-//! with `x = psi . psi`; the index 1 stands for `2 d/dx`, 2 for that twice:
+//! with `x = psi . psi`; the index 1 is `2 d/dx`, 2 is that twice:
 //!
 //! ```text
 //! rotation vector  a = sin(f)/f, b = (1 - cos f)/f^2, c = (1 - a)/f^2, f = |psi|
@@ -16,7 +16,7 @@
 //! D(T^-1.; v) = (i1 v + e1 (psi . v) psi) psi^T + 1/2 [v]x + e (psi v^T + (psi . v) I)
 //! ```
 //!
-//! and for `k = T^T psi'`, the rotation per length that a change psi' of the parameters is:
+//! and for `k = T^T psi'`, the rotation per length of a change psi' of the parameters:
 //!
 //! ```text
 //! S     = d k/d psi
@@ -89,8 +89,8 @@ struct Scale {
 /// `1/(2k + 2)!`, `1/(2k + 3)!` with alternating signs, and `|B_2k+2|/(2k + 2)!`: terms of the
 /// series of b, c and e. At x = 1 the last ones are below 1e-20 of the first.
 const SERIES: [[f64; 3]; 14] = series();
-/// Below this x so many terms do: the next one of e, the slowest, which falls by 39, is
-/// (x/39)^7, below 1e-22 even where it is differentiated twice.
+/// Below this x seven terms suffice: the next one of e, the slowest, which falls by 39,
+/// is (x/39)^7, below 1e-22 even if differentiated twice.
 const SMALL: f64 = 0.02;
 const TERMS_OF_SMALL: usize = 7;
 
@@ -142,7 +142,7 @@ impl Scale {
         }
     }
 
-    /// The closed forms divide differences by x as often as they are differentiated.
+    /// The closed forms divide differences by x once per differentiation.
     fn by_series(x: f64) -> Self {
         let terms = match x < SMALL {
             true => &SERIES[..TERMS_OF_SMALL],
@@ -292,8 +292,8 @@ mod tests {
 
     const KINDS: [Parametrization; 2] = [Parametrization::RotationVector, Parametrization::Gibbs];
 
-    // The maps of the two modules beside, which are tested by the exponential. Products
-    // of numbers below ten.
+    // The maps of the two other modules, which are tested by the exponential. Products of
+    // numbers below ten.
     #[test]
     fn the_maps_are_those_of_each_parametrization() {
         let mut samples = Samples::new(41);
@@ -360,7 +360,7 @@ mod tests {
         }
     }
 
-    // Both forms at x = 1, where the closed ones lose eps/x^2 at most a few times over.
+    // Both forms at x = 1, at which the closed ones lose a few times eps/x^2 at most.
     #[test]
     fn series_and_closed_forms_meet() {
         let (series, closed) = (Scale::by_series(1.0), Scale::in_closed_form(1.0));

@@ -71,7 +71,7 @@ pub fn tangent_inverse(phi: &Vector3<f64>) -> Matrix3<f64> {
 /// Derivative of `T^-1 v` with respect to `phi`, `v` constant:
 /// `1/2 [v]x - e ([phi x v]x + [phi]x [v]x) + e'/x (phi x (phi x v)) phi^T`.
 ///
-/// That of `T^-T v` is the same at `-phi`, with the other sign.
+/// The derivative of `T^-T v` is the same at `-phi`, with the other sign.
 pub fn tangent_inverse_derivative(phi: &Vector3<f64>, v: &Vector3<f64>) -> Matrix3<f64> {
     let half = 0.5 * phi.norm();
     let e = (cosine_ratio(half) - cubic_ratio(half)) / (4.0 * sine_ratio(half));
@@ -103,7 +103,7 @@ fn inverse_ratio_slope(x: f64) -> f64 {
     COEFFICIENTS.iter().rev().fold(0.0, add)
 }
 
-/// `a = sin x / x`. The quotient is accurate to rounding for every `x` but zero.
+/// `a = sin x / x`. The quotient is accurate to rounding for every `x` except zero.
 fn sine_ratio(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { x.sin() / x }
 }
@@ -184,7 +184,7 @@ mod tests {
         }
     }
 
-    // At half a turn the sign of the axis is free; R itself must come back.
+    // At half a turn the sign of the axis is free; R itself must be recovered.
     // sin(PI) = 1.2e-16 in double precision, hence the exact matrix 2 n n^T - I too.
     #[test]
     fn half_a_turn_gives_one_of_the_two_axes() {

@@ -11,8 +11,8 @@ use nalgebra::{Matrix6, Vector2};
 use super::Centers;
 
 impl Centers {
-    /// The centers of a section, as seen from where its matrices stand; `None` where a
-    /// matrix has none: a singular stiffness, no mass.
+    /// The centers of a section, relative to the reference point of its matrices; `None`
+    /// if a center does not exist: a singular stiffness, no mass.
     pub fn of(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<Self> {
         let compliance = stiffness.try_inverse()?;
         let bending = compliance.fixed_view::<2, 2>(4, 4).into_owned();
@@ -35,7 +35,7 @@ mod tests {
     use super::*;
     use crate::section::Engineering;
 
-    // Stiffness and mass put together about known centers give them back; entries up to
+    // Stiffness and mass assembled about known centers yield these centers; entries up to
     // 1e6 and back through an inverse: some 1e-10 of a meter.
     #[test]
     fn centers_that_were_put_in_come_back() {

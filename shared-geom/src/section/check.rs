@@ -1,4 +1,4 @@
-//! What a set of section properties must satisfy before anyone computes with it.
+//! Conditions that section properties must satisfy before a computation.
 
 use nalgebra::{DMatrix, Matrix6};
 
@@ -14,19 +14,19 @@ const SYMMETRY: f64 = 1e-6;
 /// Largest violation accepted of `M11 = M22 = M33` and `M44 = M55 + M66`, relative.
 const MASS_STRUCTURE: f64 = 1e-6;
 /// Largest magnitude of an entry: squares of larger numbers, and their sums over the
-/// components, come near to what a number can hold. No unit makes a section so stiff.
+/// components, are close to overflow. No section is so stiff in any unit.
 const LARGEST: f64 = 1e100;
-/// Smallest eigenvalue of a scaled matrix that still counts as semidefinite:
-/// round-off of a file written with seven digits.
+/// Smallest eigenvalue of a scaled matrix that is treated as semidefinite: round-off of a
+/// file written with seven digits.
 const SEMIDEFINITE: f64 = -1e-6;
 
-/// Why section properties are refused.
+/// Errors of section properties.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PropertyProblem {
     /// The text is not the JSON of a property file.
     #[error("not a property file: {reason}")]
     Malformed {
-        /// The parser's words.
+        /// The parser's message.
         reason: String,
     },
     /// The file is of a later version of the format.
@@ -49,7 +49,7 @@ pub enum PropertyProblem {
         /// The field.
         field: &'static str,
     },
-    /// A number whose square is none.
+    /// A number whose square overflows.
     #[error("{field} holds {found:e}, expected numbers of at most 1e100 in magnitude")]
     TooLarge {
         /// The field.
@@ -63,7 +63,7 @@ pub enum PropertyProblem {
         /// The name.
         name: String,
     },
-    /// A restrained force that is not that of the free strain.
+    /// A restrained force that does not agree with the free strain.
     #[error(
         "imposed state \"{name}\": \"restrained_force\" is not minus the stiffness times \
          \"free_strain\" (off by {error:.1e} of it)"
@@ -74,14 +74,14 @@ pub enum PropertyProblem {
         /// Relative difference [-].
         error: f64,
     },
-    /// Something wrong with one of the imposed states.
+    /// A problem of one of the imposed states.
     #[error("imposed state \"{name}\": {problem}")]
     OfState {
-        /// Place of the state among them, from zero.
+        /// Index of the state, from zero.
         index: usize,
         /// Name of the state.
         name: String,
-        /// What is wrong.
+        /// The problem.
         problem: Box<PropertyProblem>,
     },
     /// A list or matrix of another size.
@@ -138,7 +138,7 @@ pub enum PropertyProblem {
         /// The three entries [kg/m].
         found: [f64; 3],
     },
-    /// A polar moment of inertia that is not the sum of the two others.
+    /// A polar moment of inertia that differs from the sum of the two others.
     #[error("mass has {polar:e} at (4, 4), expected (5, 5) + (6, 6) = {sum:e}")]
     Polar {
         /// Polar moment of inertia per length [kg m].
@@ -146,7 +146,7 @@ pub enum PropertyProblem {
         /// Sum of the two others [kg m].
         sum: f64,
     },
-    /// A reference line that does not lead out of the section.
+    /// A reference line that does not point out of the section.
     #[error("initial_curvature has the slope {found:?}, expected a first component above zero")]
     Slope {
         /// The slope [-].
@@ -184,7 +184,7 @@ impl Explain for PropertyProblem {
     }
 }
 
-/// The order of the rows of a matrix, in words.
+/// The order of the rows of a matrix, as text.
 fn order(field: &str) -> Option<String> {
     let names = match field {
         "stiffness" | "mass" | "damping" => COMPONENTS.to_vec(),
@@ -196,13 +196,13 @@ fn order(field: &str) -> Option<String> {
     Some(format!("the order is {}", names.join(", ")))
 }
 
-/// Name of the field that a problem is about, and the problem.
+/// Name of the field with the problem, and the problem.
 pub(super) type FieldProblem = (&'static str, PropertyProblem);
 
 impl SectionProperties {
-    /// Everything that is wrong with the properties; empty when they are sound:
-    /// finite, symmetric, stiffness positive definite, mass positive semidefinite
-    /// with `M11 = M22 = M33` and `M44 = M55 + M66`.
+    /// All problems of the properties; empty if they are valid: finite, symmetric,
+    /// stiffness positive definite, mass positive semidefinite with `M11 = M22 = M33` and
+    /// `M44 = M55 + M66`.
     pub fn problems(&self) -> Vec<PropertyProblem> {
         self.field_problems().into_iter().map(|p| p.1).collect()
     }
@@ -220,8 +220,7 @@ impl SectionProperties {
     }
 }
 
-/// Everything that is wrong with a stiffness and a mass per length, as
-/// [`SectionProperties::problems`].
+/// All problems of a stiffness and a mass per length, as [`SectionProperties::problems`].
 pub(crate) fn matrix_problems(
     stiffness_matrix: &Matrix6<f64>,
     mass_matrix: &Matrix6<f64>,
@@ -232,8 +231,8 @@ pub(crate) fn matrix_problems(
     found.into_iter().map(|p| p.1).collect()
 }
 
-/// A number of a stiffness or a mass per length with which nobody can compute: not even
-/// what is wrong with the matrices can be told then.
+/// A number of a stiffness or a mass per length that no computation can use, not even the
+/// check of the matrices.
 pub(crate) fn unusable(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<PropertyProblem> {
     let fields = [("stiffness", stiffness), ("mass", mass)];
     fields
@@ -252,15 +251,15 @@ fn unusable_entry(field: &'static str, entries: &[f64]) -> Option<PropertyProble
     })
 }
 
-/// Everything that is wrong with a mass per length, as [`SectionProperties::problems`].
+/// All problems of a mass per length, as [`SectionProperties::problems`].
 pub fn mass_problems(matrix: &Matrix6<f64>) -> Vec<PropertyProblem> {
     let mut found = Vec::new();
     mass(matrix, &mut found);
     found.into_iter().map(|p| p.1).collect()
 }
 
-/// Smallest eigenvalue of the symmetric part scaled to a unit diagonal [-]; not a number
-/// for a matrix that holds one.
+/// Smallest eigenvalue of the symmetric part scaled to a unit diagonal [-]; NaN for a
+/// matrix that contains one.
 pub fn least_eigenvalue(matrix: &Matrix6<f64>) -> f64 {
     match matrix.iter().all(|entry| entry.is_finite()) {
         true => smallest_scaled_eigenvalue(&dynamic(matrix)),
@@ -322,7 +321,7 @@ fn mass(m: &Matrix6<f64>, found: &mut Vec<FieldProblem>) {
     }
 }
 
-/// Finiteness of everything that is neither a matrix nor optional data of its own.
+/// Finiteness of everything except matrices and optional data with their own checks.
 fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     let mut finite = |field, good: bool| {
         if !good {
@@ -372,10 +371,10 @@ fn scalars(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     }
 }
 
-/// A reference line that leads into the section, or along it.
+/// A reference line that points into the section, or along it.
 fn slope(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     let initial = section.initial_curvature.iter();
-    // What is not finite has been told as such.
+    // Values that are not finite were reported before.
     let slopes = initial.map(|initial| initial.slope);
     let slopes = slopes.filter(|slope| slope.iter().all(|x| x.is_finite()));
     for slope in slopes.filter(|slope| slope.x <= 0.0) {
@@ -467,14 +466,14 @@ fn symmetric(field: &'static str, a: &DMatrix<f64>, found: &mut Vec<FieldProblem
     true
 }
 
-/// Smallest eigenvalue of `A` scaled to a unit diagonal; a zero diagonal entry
-/// with a coupling beside it makes the matrix indefinite.
+/// Smallest eigenvalue of `A` scaled to a unit diagonal; a zero diagonal entry with a
+/// coupling in its row makes the matrix indefinite.
 fn smallest_scaled_eigenvalue(a: &DMatrix<f64>) -> f64 {
     let largest = a.diagonal().amax();
     if largest == 0.0 {
         return -a.amax();
     }
-    // A zero on the diagonal keeps its row unscaled, so that a coupling shows.
+    // A zero on the diagonal keeps its row unscaled, so that a coupling has an effect.
     let scale = a.diagonal().map(|value| {
         if value > 0.0 {
             value.sqrt()

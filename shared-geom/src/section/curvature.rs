@@ -1,10 +1,9 @@
-//! Initial curvature of a section and of the line on which it stands.
+//! Initial curvature of a section and of its line.
 //!
-//! A section that was solved for a curved and twisted beam has matrices that belong to
-//! that beam: they hold what its curvature k and the slope l of its line do inside of the
-//! section. On a line of another curvature they are those of another beam. By how much,
-//! to first order and relative to `sqrt(Kii Kjj)`, the entries of the stiffness differ
-//! then is at most
+//! A section that was solved for a curved and twisted beam has matrices of that beam:
+//! they contain the effect of its curvature k and the slope l of its line inside of the
+//! section. On a line of another curvature they belong to another beam. To first order
+//! and relative to `sqrt(Kii Kjj)`, the entries of the stiffness then differ by at most
 //!
 //! ```text
 //! delta = |dk1| (K55 + K66)/sqrt(K11 K44) + |dk2| sqrt(K55/K11) + |dk3| sqrt(K66/K11)
@@ -13,8 +12,8 @@
 //!
 //! since twist couples axial force and torque by `K14 = E k1 (Ip - J)`, of which `E Ip`
 //! is the larger part and `K55 + K66`; curvature couples axial force and bending by
-//! `K15 = E k2 Iy`, `K16 = -E k3 Iz`; and an axial force along a line that leads
-//! obliquely out of the section is a shear force too, `K12 = E A l2`.
+//! `K15 = E k2 Iy`, `K16 = -E k3 Iz`; and an axial force along a line oblique to the
+//! section is a shear force too, `K12 = E A l2`.
 
 use std::fmt;
 
@@ -24,18 +23,18 @@ use super::{Damping, InitialCurvature, Prestress, SectionProperties, rotation_ab
 use crate::error::Explain;
 use crate::figure::tick_label;
 
-/// A difference by no more than this part of what the curvature does is that of digits:
+/// Differences up to this part of the effect of the curvature are round-off of files:
 /// twist rates are found from angles to a tenth of a degree.
 const DIGITS: f64 = 0.01;
 /// A difference below this is round-off.
 const ROUND_OFF: f64 = 1e-7;
-/// A difference by no more than this part of what the curvature does leaves a correction
-/// of the right size.
+/// Differences up to this part of the effect of the curvature leave a correction of the
+/// right size.
 const NEAR: f64 = 0.1;
 /// A difference that changes no coupling by more than this part of `sqrt(Kii Kjj)` is
-/// below what is known of a blade, whatever the curvature.
+/// below the uncertainty of a blade, for any curvature.
 const SMALL: f64 = 1e-3;
-/// Numbers below this part of the largest of a vector are shown as zero.
+/// Numbers below this part of the largest entry of a vector are shown as zero.
 const SHOWN: f64 = 1e-6;
 
 impl InitialCurvature {
@@ -75,7 +74,7 @@ impl InitialCurvature {
     }
 
     /// The same beam by the arc length of its line: `k/|l|` and `l/|l|`. A slope without
-    /// length stays as it is.
+    /// length is kept.
     pub fn per_arc_length(&self) -> Self {
         match self.slope.norm() {
             0.0 => *self,
@@ -96,8 +95,8 @@ impl SectionProperties {
     /// m_s = m/c ,  k_s = k/c ,  l_s = l/c                                  (D-231)
     /// ```
     ///
-    /// Viscous damping goes with the stiffness, the capacitance of electrodes with the
-    /// mass, free strains with psi; forces per kelvin, per volt and of imposed states stay.
+    /// Viscous damping changes as the stiffness, the capacitance of electrodes as the
+    /// mass, free strains as psi; forces per kelvin, per volt and of imposed states stay.
     pub fn per_arc_length(&self) -> Self {
         let Some(initial) = &self.initial_curvature else {
             return self.clone();
@@ -135,14 +134,14 @@ impl SectionProperties {
     }
 }
 
-/// How the curvature of a section agrees with that of the line on which it stands.
+/// Agreement of the curvatures of a section and of its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Agreement {
-    /// Within the digits of both.
+    /// Equal within the digits of both.
     Same,
-    /// Not the same, but of no consequence, or near: to be told.
+    /// Different, but insignificant or near: to be reported.
     Near(CurvatureMismatch),
-    /// That of another beam.
+    /// Different: the section of another beam.
     Other(CurvatureMismatch),
 }
 
@@ -150,9 +149,9 @@ pub enum Agreement {
 /// section and about its reference point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvatureMismatch {
-    /// What the section was solved for.
+    /// Curvature for which the section was solved.
     pub section: InitialCurvature,
-    /// What the line has.
+    /// Curvature of the line.
     pub line: InitialCurvature,
     /// Largest difference of a coupling, delta of (D-232), part of `sqrt(Kii Kjj)` [-].
     pub delta: f64,
@@ -161,10 +160,10 @@ pub struct CurvatureMismatch {
 }
 
 impl Agreement {
-    /// Compares what a section with the given 6x6 stiffness [N, N m, N m^2] was solved for
-    /// with the line. Where two parts of the line meet, `line` has both, and what lies
-    /// between them is that of the line as well: a mean of twist rates at a point where
-    /// they change. All are by arc length.
+    /// Compares the curvature for which a section with the given 6x6 stiffness
+    /// [N, N m, N m^2] was solved with the line's. At the joint of two parts of the line,
+    /// `line` has both, and values between them agree as well: a mean of twist rates at a
+    /// point at which they change. All are by arc length.
     pub fn of(
         section: &InitialCurvature,
         line: [InitialCurvature; 2],
@@ -186,7 +185,7 @@ impl Agreement {
             delta,
             whole,
         };
-        // Not a number is no agreement.
+        // NaN is no agreement.
         if delta <= (DIGITS * whole).max(ROUND_OFF) {
             Self::Same
         } else if delta <= (NEAR * whole).max(SMALL) {
@@ -220,17 +219,17 @@ impl fmt::Display for CurvatureMismatch {
 }
 
 impl CurvatureMismatch {
-    /// How large the difference is, in words.
+    /// Size of the difference, as text.
     pub fn size(&self) -> String {
         format!(
-            "couplings Kij/sqrt(Kii Kjj) differ by {} at most, those of the section by \
+            "couplings Kij/sqrt(Kii Kjj) differ by at most {}; the couplings of the section by \
              curvature are up to {}",
             three_digits(self.delta),
             three_digits(self.whole)
         )
     }
 
-    /// What has likely happened.
+    /// The likely cause.
     fn cause(&self) -> Option<&'static str> {
         let (section, line) = (self.section.curvature, self.line.curvature);
         let [size, on_line] = [section.norm(), line.norm()];
@@ -261,7 +260,7 @@ impl CurvatureMismatch {
             return Some("the factor is 57.3: degrees for radians");
         }
         if along > 0.9 && [1e3, 0.0254, 0.3048, 1e2].into_iter().any(is_about) {
-            return Some("the factor is that of a unit of length");
+            return Some("the factor is the ratio of two units of length");
         }
         None
     }
@@ -273,7 +272,7 @@ impl Explain for CurvatureMismatch {
         if self.line.is_straight() {
             return Some(
                 cause
-                    .unwrap_or("a section for this line has none")
+                    .unwrap_or("a section for this line has no [initial_curvature]")
                     .to_owned(),
             );
         }
@@ -286,13 +285,13 @@ impl Explain for CurvatureMismatch {
     }
 }
 
-/// A number in three digits.
+/// A number with three digits.
 fn three_digits(value: f64) -> String {
     let rounded = format!("{value:.2e}").parse().unwrap_or(value);
     tick_label(rounded, 0.0)
 }
 
-/// A vector with zeros for what is round-off beside its largest entry.
+/// A vector with zeros for round-off relative to its largest entry.
 fn list(vector: &Vector3<f64>) -> String {
     let least = SHOWN * vector.amax();
     let shown = |x: &f64| tick_label(if x.abs() <= least { 0.0 } else { *x }, 0.0);
@@ -305,7 +304,7 @@ fn degrees(initial: &InitialCurvature) -> Vector3<f64> {
     initial.curvature.map(f64::to_degrees)
 }
 
-/// The curvature, and a slope that is not that of the normal.
+/// The curvature, and a slope that differs from the normal.
 fn words(initial: &InitialCurvature) -> String {
     let curvature = format!("curvature {} deg/m", list(&degrees(initial)));
     let off = initial.slope - InitialCurvature::STRAIGHT.slope;

@@ -41,8 +41,8 @@ fn told(section: &InitialCurvature, line: &InitialCurvature) -> String {
     }
 }
 
-// Of the twist of a strip, delta is that of K14 = E k1 (Ip - J) without J, which is
-// 4 t^2/b^2 of Ip or 4 % here.
+// For the twist of a strip, delta is K14 = E k1 (Ip - J) without J, which is 4 t^2/b^2 of
+// Ip or 4 % here.
 #[test]
 fn delta_is_the_coupling_that_the_difference_of_twist_makes() {
     let k = strip();
@@ -52,7 +52,7 @@ fn delta_is_the_coupling_that_the_difference_of_twist_makes() {
     let k14 = e * k1 * (polar - b * t.powi(3) / 3.0);
     let exact = k14 / (k[(0, 0)] * k[(3, 3)]).sqrt();
     let Agreement::Other(found) = agreement(&bent([5.0, 0.0, 0.0]), &bent([0.0; 3])) else {
-        panic!("a straight line is that of another beam");
+        panic!("a straight line is another beam's");
     };
     assert!(
         found.delta > exact && found.delta < 1.045 * exact,
@@ -62,9 +62,9 @@ fn delta_is_the_coupling_that_the_difference_of_twist_makes() {
     assert_eq!(found.delta, found.whole);
 }
 
-// A difference of 1 % is that of digits, one up to 10 % is told, and more is refused,
-// unless the couplings by curvature are small beside everything: at 0.05 deg/m they are
-// 0.0009 here.
+// A difference of 1 % is round-off of files, one up to 10 % is reported, and more is
+// refused, unless the couplings by curvature are small relative to all others: at 0.05
+// deg/m they are 0.0009 here.
 #[test]
 fn small_differences_pass_and_large_ones_do_not() {
     let section = bent([10.0, 0.0, 0.0]);
@@ -85,8 +85,8 @@ fn small_differences_pass_and_large_ones_do_not() {
     ));
 }
 
-// Where a twist rate changes from 4 to 8 deg/m the section may have either and what
-// lies between them.
+// At a change of the twist rate from 4 to 8 deg/m the section may have either and any
+// value between them.
 #[test]
 fn between_two_pieces_of_a_line_both_count() {
     let ends = [bent([4.0, 0.0, 0.0]), bent([8.0, 0.0, 0.0])];
@@ -116,7 +116,7 @@ fn likely_causes_are_told() {
     let radians = told(&section, &bent([10.0_f64.to_radians(), 0.0, 0.0]));
     assert!(radians.contains("degrees for radians"), "{radians}");
     let inches = told(&bent([10.0 / 0.0254, 0.0, 0.0]), &bent([10.0, 0.0, 0.0]));
-    assert!(inches.contains("a unit of length"), "{inches}");
+    assert!(inches.contains("units of length"), "{inches}");
     let oblique = InitialCurvature {
         slope: Vector3::new(0.9, 0.4, 0.0).normalize(),
         ..section
@@ -132,9 +132,9 @@ fn likely_causes_are_told() {
     );
 }
 
-// A section that is seen from a point off its line has that line's arc length as its
-// parameter no more: it is |l| times as long. Energy of the same motion per length of the
-// same piece: 1/2 psi K psi per unit of the parameter, psi by it.
+// For a section about a point off its line, the parameter is no longer the line's arc
+// length: it is |l| times as long. Energy of the same motion per length of the same
+// piece: 1/2 psi K psi per unit of the parameter, psi by it.
 #[test]
 fn per_arc_length_keeps_the_energy_of_a_piece() {
     let mut section = crate::section::tests::section();
@@ -152,8 +152,8 @@ fn per_arc_length_keeps_the_energy_of_a_piece() {
     assert!((by_arc.mass * c - section.mass).amax() < 1e-14);
     let initial = by_arc.initial_curvature.unwrap();
     assert!((initial.slope.norm() - 1.0).abs() < 1e-15);
-    // Viewed by its arc length it changes no more, to round-off; to and fro by points
-    // neither.
+    // By its arc length it no longer changes, to round-off; nor by moving the point there
+    // and back.
     let again = by_arc.per_arc_length();
     assert!((again.stiffness - by_arc.stiffness).amax() < 1e-15 * by_arc.stiffness.amax());
     let by = Vector2::new(0.2, -0.1);

@@ -7,10 +7,10 @@
 //! M = U(-c) R_b diag(m, m, m, Iy + Iz, Iy, Iz) R_b^T U(-c)^T
 //! ```
 //!
-//! with t, s, c the tension, shear and mass centers as seen from the reference point,
-//! U(d) the change to the point O + d, and R the turn about x by the angle of the
-//! principal axes: the sums stand at the centers, and the reference point is at -t, -s,
-//! -c from them.
+//! with t, s, c the tension, shear and mass centers relative to the reference point, U(d)
+//! the change to the point O + d, and R the turn about x by the angle of the principal
+//! axes: the sums are about the centers, and the reference point is at -t, -s, -c from
+//! them.
 
 use nalgebra::{Matrix6, Vector2, Vector3, Vector6};
 
@@ -78,12 +78,12 @@ impl Engineering {
     }
 }
 
-/// A diagonal in axes turned by `angle` at `center`, seen from the reference point.
+/// A diagonal in axes turned by `angle` at `center`, about the reference point.
 fn from_center(center: &Vector2<f64>, angle: f64, diagonal: [f64; 6]) -> Matrix6<f64> {
     let own = Matrix6::from_diagonal(&Vector6::from(diagonal));
     let turned = match angle {
         0.0 => own,
-        // The section axes, seen from the principal axes, are turned back.
+        // The section axes, relative to the principal axes, are turned back.
         _ => wrench::rotate(&own, &about_x(-angle)),
     };
     wrench::shift(&turned, &-Vector3::new(0.0, center.x, center.y))
@@ -108,7 +108,7 @@ mod tests {
         }
     }
 
-    // A quarter turn exchanges y and z of the principal axes; all else stays.
+    // A quarter turn exchanges y and z of the principal axes; the rest stays.
     #[test]
     fn a_quarter_turn_exchanges_the_axes() {
         let turned = sample(FRAC_PI_2, FRAC_PI_2);

@@ -131,7 +131,7 @@ pub(crate) struct FileProvenance {
     history: Vec<FileStep>,
 }
 
-/// One of `shift` and `rotate`.
+/// Either `shift` or `rotate`.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct FileStep {
@@ -143,7 +143,7 @@ struct FileStep {
     version: String,
 }
 
-/// Enough of a file to know whether the rest can be understood.
+/// The part of a file that shows whether the rest can be read.
 #[derive(Debug, Deserialize)]
 struct Head {
     format: String,
@@ -156,7 +156,7 @@ pub fn write(section: &SectionProperties) -> String {
     let file = File::from(section);
     match serde_json::to_value(&file) {
         Ok(value) => json::layout(&value),
-        // Plain numbers, words and lists always have a JSON form.
+        // Plain numbers, texts and lists always have a JSON form.
         Err(error) => error.to_string(),
     }
 }
@@ -164,7 +164,7 @@ pub fn write(section: &SectionProperties) -> String {
 /// Reads and checks the property file at `path`.
 ///
 /// # Errors
-/// A file that cannot be read, and everything that [`parse`] finds.
+/// A file that cannot be read, and all errors of [`parse`].
 pub fn read(path: &Path) -> Result<SectionProperties, Diagnostics> {
     parse(&read_text(path)?, &path.display().to_string())
 }
@@ -272,12 +272,12 @@ impl From<&SectionProperties> for File {
 }
 
 impl File {
-    /// The imposed states, which a file of an earlier version does not have: noted.
+    /// The imposed states, which a file of an earlier version cannot have: noted.
     fn imposed(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Vec<ImposedState> {
         if self.version <= WITHOUT_IMPOSED && !self.imposed.is_empty() {
             let version = self.version;
             let reason =
-                format!("\"imposed\" belongs to version 3, and the file says version {version}");
+                format!("\"imposed\" belongs to version 3, and the file states version {version}");
             let problem = PropertyProblem::Malformed { reason };
             problems.push(place_of("imposed", text, file), &problem);
         }
@@ -290,7 +290,7 @@ impl File {
         self.imposed.iter().map(state).collect()
     }
 
-    /// The history; one that cannot be is noted and left out.
+    /// The history; an invalid one is noted and omitted.
     fn history(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Vec<Step> {
         let steps = &self.provenance.history;
         let mut malformed = |reason: &str| {
@@ -299,7 +299,7 @@ impl File {
             problems.push(place_of("history", text, file), &problem);
         };
         if self.version <= WITHOUT_HISTORY && !steps.is_empty() {
-            malformed("\"history\" belongs to version 2, and the file says version 1");
+            malformed("\"history\" belongs to version 2, and the file states version 1");
         }
         let known: Vec<_> = steps.iter().filter_map(FileStep::step).collect();
         if known.len() < steps.len() {
@@ -308,7 +308,7 @@ impl File {
         known
     }
 
-    /// The table of prestress; what cannot be is noted and left out.
+    /// The table of prestress; invalid parts are noted and omitted.
     fn prestress(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Option<Prestress> {
         let mut malformed = |reason: String| {
             let problem = PropertyProblem::Malformed { reason };
@@ -318,7 +318,7 @@ impl File {
         if self.version <= WITHOUT_PRESTRESS {
             let version = self.version;
             malformed(format!(
-                "\"prestress\" belongs to version 3, and the file says version {version}"
+                "\"prestress\" belongs to version 3, and the file states version {version}"
             ));
         }
         Some(written.prestress(malformed))
@@ -419,7 +419,7 @@ impl FileProvenance {
         }
     }
 
-    /// The content; `None` when a step of the history is not exactly one change.
+    /// The content; `None` unless every step of the history is exactly one change.
     pub(crate) fn provenance(self) -> Option<Provenance> {
         let steps: Option<_> = self.history.iter().map(FileStep::step).collect();
         let history = steps?;
@@ -446,7 +446,7 @@ impl From<&Step> for FileStep {
 }
 
 impl FileStep {
-    /// The step; `None` when it is not exactly one change.
+    /// The step; `None` unless it is exactly one change.
     fn step(&self) -> Option<Step> {
         let change = match (self.shift, self.rotate) {
             (Some(by), None) => Change::Shift(Vector2::from(by)),

@@ -1,4 +1,4 @@
-//! What was done to section properties after they had been computed.
+//! Changes of section properties after their computation.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use crate::figure::tick_label;
 /// A change of point or axes, and the program that made it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
-    /// What was changed.
+    /// The change.
     pub change: Change,
     /// Name of the program.
     pub program: String,
@@ -21,15 +21,15 @@ pub struct Step {
 /// A change of point or axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change {
-    /// The reference point moved by (y, z), in the axes of that time \[m\].
+    /// The reference point moved by (y, z), in the axes at that step \[m\].
     Shift(Vector2<f64>),
     /// The axes turned about +x \[rad\].
     Rotate(f64),
 }
 
 impl SectionProperties {
-    /// The same section after a change, which its provenance then tells as made by
-    /// `program` of `version`.
+    /// The same section after a change, which its provenance records as made by `program`
+    /// of `version`.
     pub fn changed(&self, change: Change, program: &str, version: &str) -> Self {
         let mut changed = match change {
             Change::Shift(by) => self.shift(by),
@@ -44,7 +44,7 @@ impl SectionProperties {
     }
 }
 
-/// In words, with six digits.
+/// As text, with six digits.
 impl fmt::Display for Change {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

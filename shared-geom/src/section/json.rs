@@ -1,10 +1,10 @@
-//! JSON laid out for reading: one line a field, one line a row of a matrix.
+//! JSON laid out for reading: one line per field, one line per row of a matrix.
 
 use std::fmt::Write;
 
 use serde_json::Value;
 
-/// The text of `value`, with rows of numbers and words on one line each.
+/// The text of `value`, with rows of numbers and texts on one line each.
 pub(crate) fn layout(value: &Value) -> String {
     let mut text = String::new();
     write_value(&mut text, value, 0);

@@ -10,14 +10,14 @@
 //!
 //! T is symmetric in all its indices: twenty numbers. The strains of another point or
 //! other axes are linear in these, `p = V p'`, since the frame of the section is the
-//! same, so that the table moves exactly:
+//! same, so that the table is transformed exactly:
 //!
 //! ```text
 //! T'_abc = T_ijk V_ia V_jb V_kc                                            (S-86)
 //! ```
 //!
-//! Heat and other imposed strains add a matrix for each of their states, which moves as
-//! the stiffness does, and leave to T the strain that is not free:
+//! Heat and other imposed strains add a matrix for each of their states, which is
+//! transformed as the stiffness, and T applies to the strain that is not free:
 //!
 //! ```text
 //! q = p - sum c_i psi_i       force_j = K_jk q_k + 1/2 T_jkl q_k q_l + sum c_i T_ijk q_k  (S-150)
@@ -35,11 +35,10 @@ pub const PRESTRESS_COMPONENTS: [usize; 4] = [0, 3, 4, 5];
 /// Number of independent entries of a symmetric table over four components.
 const ENTRIES: usize = 20;
 
-/// How strain is measured to second order; it changes a table by the size of the
-/// stiffness.
+/// Second-order measure of strain; it changes a table by the size of the stiffness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StrainMeasure {
-    /// `U - I`, with U the right stretch: the change of lengths themselves.
+    /// `U - I`, with U the right stretch: the change of lengths.
     Biot,
     /// `1/2 (F'F - I)`.
     Green,
@@ -64,9 +63,9 @@ pub struct Prestress {
     pub strain_measure: StrainMeasure,
     /// Third derivatives of the energy.
     pub third: CubicTable,
-    /// Change of the stiffness of the section without internal force, when it is heated
-    /// evenly by one kelvin, over the components of the table, 4x4 symmetric
-    /// [N/K, N m/K, N m^2/K]; `None` where it was not computed.
+    /// Change of the stiffness of the section without internal force, per kelvin of an
+    /// even rise of temperature, over the components of the table, 4x4 symmetric
+    /// [N/K, N m/K, N m^2/K]; `None` if it was not computed.
     pub per_kelvin: Option<Matrix4<f64>>,
 }
 
@@ -76,7 +75,7 @@ pub struct Prestress {
 pub struct CubicTable([f64; ENTRIES]);
 
 impl CubicTable {
-    /// The table of no effect.
+    /// The table without effect.
     pub const ZERO: Self = Self([0.0; ENTRIES]);
 
     /// The indices of the independent entries, ascending.
@@ -97,7 +96,8 @@ impl CubicTable {
     pub fn at(&self, mut indices: [usize; 3]) -> f64 {
         indices.sort_unstable();
         let [i, j, k] = indices;
-        // entries whose first index is less than i, those of i whose second is less than j
+        // entries with a smaller first index, then entries of i with a smaller second
+        // index than j
         let first: [usize; 4] = [0, 10, 16, 19];
         let size = 4 - i;
         let second = (j - i) * size - (j - i) * (j - i).saturating_sub(1) / 2;
@@ -119,7 +119,7 @@ impl CubicTable {
         p.dot(&(self.along(p) * p)) / 6.0
     }
 
-    /// Entry by entry, the sum of two tables.
+    /// The sum of two tables, entry by entry.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
@@ -157,9 +157,9 @@ impl CubicTable {
         self.transformed(&strains_of_turned(angle))
     }
 
-    /// The table in axes that follow the tangent of the reference line, as literature often
-    /// has it, of a section of the 6x6 `compliance`: with the shears (nu2, nu3) of the
-    /// linear solution and the turn `r = (0, -nu3, nu2)`,
+    /// The table in axes that follow the tangent of the reference line, as often in the
+    /// literature, of a section of the 6x6 `compliance`: with the shears (nu2, nu3) of
+    /// the linear solution and the turn `r = (0, -nu3, nu2)`,
     ///
     /// ```text
     /// p' - p = [ 1/2 (nu2^2 + nu3^2) ; - r x kappa ] ,   U3' = U3 - (K4 p) . (p' - p)   (S-87)
@@ -216,7 +216,7 @@ pub(super) fn strains_of_turned(angle: f64) -> Matrix4<f64> {
     v
 }
 
-/// A 4x4 matrix over the components of a table among the six; none of the shears.
+/// A 4x4 matrix over the components of a table among the six; zero for the shears.
 pub fn among_six(four: &Matrix4<f64>) -> Matrix6<f64> {
     let mut all = Matrix6::zeros();
     for (i, row) in PRESTRESS_COMPONENTS.into_iter().enumerate() {
@@ -241,7 +241,7 @@ impl Prestress {
         self.third.along(&prestress_part(&strain))
     }
 
-    /// The change of the 6x6 stiffness at a generalized strain; none of the shears
+    /// The change of the 6x6 stiffness at a generalized strain; zero for the shears
     /// [N, N m, N m^2].
     pub fn at_strain(&self, strain: &Vector6<f64>) -> Matrix6<f64> {
         among_six(&self.third.along(&prestress_part(strain)))
@@ -263,8 +263,8 @@ impl SectionProperties {
     }
 
     /// The change of the 6x6 stiffness by the imposed states of these names at the factor
-    /// one, to first order: the sum of T_i of (S-151) [N, N m, N m^2]; `None` where the
-    /// properties do not have that of one of them.
+    /// one, to first order: the sum of T_i of (S-151) [N, N m, N m^2]; `None` if the
+    /// properties lack the change of one of them.
     pub fn change_by_imposed(&self, names: &[String]) -> Option<Matrix6<f64>> {
         let of_state = |name: &String| {
             let state = self.imposed.iter().find(|state| state.name == *name)?;
@@ -278,7 +278,7 @@ impl SectionProperties {
 mod tests {
     use super::*;
 
-    /// Distinct entries, so that an exchanged index shows.
+    /// Distinct entries, so that an exchanged index has an effect.
     fn table() -> CubicTable {
         CubicTable::from_fn(|[i, j, k]| (1 + i + 5 * j + 25 * k) as f64)
     }
@@ -302,8 +302,8 @@ mod tests {
         }
     }
 
-    /// The energy is a number: the same from the moved table and the moved strains.
-    /// Sums of 64 terms up to 100: 1e-13 of the energy leaves room for their round-off.
+    /// The energy is the same from the moved table and the moved strains. Sums of 64
+    /// terms up to 100: 1e-13 of the energy covers their round-off.
     #[test]
     fn the_energy_does_not_depend_on_point_or_axes() {
         let (table, by, angle) = (table(), Vector2::new(0.3, -0.7), 0.6_f64);
@@ -318,7 +318,8 @@ mod tests {
     }
 
     /// Slope of the energy: `1/2 T p p`; its slope: `T p`. Central differences of a cubic
-    /// are exact but for h^2 T/6 of the first: with h = 1e-4 and entries up to 100 about 1e-6.
+    /// are exact except h^2 T/6 of the first: with h = 1e-4 and entries up to 100 about
+    /// 1e-6.
     #[test]
     fn energy_force_and_stiffness_belong_together() {
         let table = table();

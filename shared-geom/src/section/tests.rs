@@ -88,7 +88,7 @@ fn a_newer_version_is_refused_with_the_remedy() {
     );
 }
 
-/// The section with one imposed state, sound.
+/// The section with one imposed state, valid.
 pub(super) fn with_imposed() -> SectionProperties {
     let mut section = section();
     let free_strain = Vector6::new(1e-3, -2e-4, 1e-4, 0.02, -0.3, 0.1);
@@ -101,7 +101,7 @@ pub(super) fn with_imposed() -> SectionProperties {
     section
 }
 
-/// A file with imposed states is of version 3, and one of an earlier version has none.
+/// A file with imposed states is of version 3, and earlier versions do not have them.
 #[test]
 fn imposed_states_are_kept_in_version_three() {
     let section = with_imposed();
@@ -110,11 +110,11 @@ fn imposed_states_are_kept_in_version_three() {
     assert_eq!(parse(&text, "a.json").unwrap(), section);
     let earlier = text.replace("\"version\": 3", "\"version\": 2");
     let told = parse(&earlier, "a.json").unwrap_err().to_string();
-    let expected = "\"imposed\" belongs to version 3, and the file says version 2";
+    let expected = "\"imposed\" belongs to version 3, and the file states version 2";
     assert!(told.contains(expected), "{told}");
 }
 
-/// Force and strain of a state are those of each other about every point and in all axes:
+/// Force and strain of a state agree with each other about every point and in all axes:
 /// `theta = -K psi` and the work `theta . psi` stay, to round-off.
 #[test]
 fn imposed_states_move_with_point_and_axes() {
@@ -130,8 +130,8 @@ fn imposed_states_move_with_point_and_axes() {
     let before = work(&section);
     let moved = section.shift(Vector2::new(0.3, -0.4)).rotate(0.7);
     assert!((work(&moved) / before - 1.0).abs() < 1e-12);
-    // a bent beam is longer where it bends away: nu_x of the point moved by d is
-    // nu_x + z kappa_y - y kappa_z
+    // a bent beam is longer on its outer side: nu_x of the point moved by d is nu_x + z
+    // kappa_y - y kappa_z
     let moved = section.shift(Vector2::new(0.3, -0.4));
     let axial = 1e-3 - 0.4 * -0.3 - 0.3 * 0.1;
     assert!((moved.imposed[0].free_strain[0] - axial).abs() < 1e-15);
@@ -160,7 +160,7 @@ fn imposed_states_that_contradict_are_told() {
     );
 }
 
-/// Both versions are read, and a file without a history stays one of version 1.
+/// Both versions are read, and a file without a history remains one of version 1.
 #[test]
 fn the_history_is_kept_in_version_two() {
     let by = Vector2::new(0.1, 1.0 / 3.0);
@@ -320,7 +320,7 @@ fn shift_and_rotate_keep_the_energies() {
     }
 }
 
-/// Going there and back is the identity, for every field; 1e-12 of the largest
+/// A change and its inverse give the identity, for every field; 1e-12 of the largest
 /// entry of each.
 #[test]
 fn shift_and_rotate_have_inverses() {
@@ -348,9 +348,9 @@ fn shift_and_rotate_have_inverses() {
     }
 }
 
-/// Free thermal strain `K^-1 f` is a strain: it transforms like one, so force and
-/// stiffness must be moved consistently. The moved stiffness has a condition number
-/// of about 1e6 (EA d^2 beside GJ), so its inverse keeps about ten digits.
+/// Free thermal strain `K^-1 f` transforms like a strain, so force and stiffness must be
+/// moved consistently. The moved stiffness has a condition number of about 1e6 (EA d^2
+/// compared with GJ), so its inverse keeps about ten digits.
 #[test]
 fn thermal_force_and_coupling_move_with_the_stiffness() {
     let section = section();
@@ -380,7 +380,7 @@ pub(super) fn with_prestress() -> SectionProperties {
     }
 }
 
-/// Version 3 is that of files with prestress; those without stay as they were.
+/// Files with prestress are of version 3; others keep their version.
 #[test]
 fn prestress_is_kept_in_version_three() {
     let section = with_prestress();
@@ -391,7 +391,7 @@ fn prestress_is_kept_in_version_three() {
         "{text}"
     );
     assert_eq!(parse(&text, "a.json").unwrap(), section);
-    // the rows left out are zero, and their order does not matter
+    // omitted rows are zero, and their order does not matter
     let sparse = text.replacen(
         "\n      [1, 1, 1, ",
         "\n      [6, 4, 6, 2.5],\n      [1, 1, 1, ",
@@ -420,7 +420,7 @@ fn a_wrong_table_is_refused_where_it_stands() {
         (
             "\"version\": 3",
             "\"version\": 2",
-            "belongs to version 3, and the file says version 2",
+            "belongs to version 3, and the file states version 2",
         ),
     ];
     for (old, new, expected) in cases {
@@ -449,8 +449,8 @@ fn a_wrong_table_is_refused_where_it_stands() {
     );
 }
 
-/// The tangent stiffness moves like the stiffness: the same section at the same load,
-/// seen from elsewhere. The condition number of the moved stiffness, 1e6, costs the
+/// The tangent stiffness is moved as the stiffness: the same section at the same load,
+/// about another point. The condition number of the moved stiffness, 1e6, costs the
 /// strain digits: 1e-9 of the largest entry.
 #[test]
 fn stiffness_under_load_moves_with_the_section() {
@@ -469,7 +469,8 @@ fn stiffness_under_load_moves_with_the_section() {
     assert!((turned - wrench::rotate(&tangent, &q)).amax() < 1e-9 * tangent.amax());
 }
 
-/// Every field of another shape is told by its name and line, the rows of a table too.
+/// Every field of another shape is reported with its name and line, the rows of a table
+/// too.
 #[test]
 fn wrong_numbers_are_told_by_their_fields() {
     let mut section = with_prestress();

@@ -1,12 +1,12 @@
-//! What a physical quantity measures: exponents of the base quantities.
+//! The dimension of a physical quantity: exponents of the base quantities.
 
 use std::fmt;
 
 /// Exponents of the base quantities of a physical quantity.
 ///
-/// Angle is kept apart from the pure numbers so that degrees cannot be given
-/// where a ratio is expected; it is the radian inside. Temperatures are rises, that is
-/// differences: no scale has a zero here, and a rise of 1 degC is one of 1 K.
+/// Angle is distinguished from the pure numbers so that degrees cannot be given where a
+/// ratio is expected; it is the radian inside. Temperatures are rises, that is
+/// differences: they have no zero of a scale, and a rise of 1 degC is one of 1 K.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Dimension {
     /// Exponent of length (m).
@@ -143,7 +143,7 @@ impl Dimension {
 }
 
 impl fmt::Display for Dimension {
-    /// The field's word where there is one, else the SI unit.
+    /// The name of the quantity if it has one, else the SI unit.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let word = match *self {
             Self::NUMBER => "a pure number",

@@ -1,4 +1,4 @@
-//! An array of a field file, and how it stands in it.
+//! An array of a field file, and its encoding.
 
 use std::io::{self, Write};
 
@@ -7,7 +7,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::escape::escaped;
 
-/// Bytes that are encoded at a time: three of them make four letters.
+/// Bytes that are encoded at a time: three of them become four letters.
 const PIECE: usize = 3 << 14;
 
 /// Values with a name.
@@ -38,8 +38,8 @@ impl Array {
         }
     }
 
-    /// Writes the array as an element of XML: its bytes behind their number, all in
-    /// letters.
+    /// Writes the array as an element of XML: the number of its bytes and the bytes, all
+    /// encoded as letters.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let (kind, name) = (self.values.kind(), escaped(&self.name));
         write!(out, "<DataArray type=\"{kind}\" Name=\"{name}\"")?;
@@ -59,7 +59,7 @@ impl Array {
 }
 
 impl Values {
-    /// What the format calls them.
+    /// Name of the type in the format.
     fn kind(&self) -> &'static str {
         match self {
             Self::Double(_) => "Float64",
@@ -70,7 +70,7 @@ impl Values {
         }
     }
 
-    /// The least and the largest of them that is a number.
+    /// The smallest and the largest finite value.
     fn range(&self) -> Option<(f64, f64)> {
         let (low, high) = match self {
             Self::Double(values) => range(values.iter().copied()),
@@ -98,7 +98,7 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold(none, |(low, high), value| (low.min(value), high.max(value)))
 }
 
-/// Bytes on their way to a file as letters (base 64), a piece at a time.
+/// Encoder of bytes as letters (base 64), a piece at a time.
 struct Letters<'a, W> {
     out: &'a mut W,
     bytes: Vec<u8>,
@@ -114,7 +114,7 @@ impl<'a, W: Write> Letters<'a, W> {
         }
     }
 
-    /// Adds the number of bytes of `values`, and these.
+    /// Adds the number of bytes of `values`, and the bytes.
     fn add<T: Copy, const N: usize>(
         &mut self,
         values: &[T],
@@ -159,7 +159,7 @@ mod tests {
         String::from_utf8(out).unwrap()
     }
 
-    /// One byte of value 1 behind its count, 1 in eight bytes: AQAAAAAAAAAB by the tool
+    /// One byte of value 1 after its count, 1 in eight bytes: AQAAAAAAAAAB by the tool
     /// base64.
     #[test]
     fn an_array_has_its_kind_its_range_and_its_bytes() {
@@ -174,7 +174,8 @@ mod tests {
         assert!(shown.contains("Name=\"none\" NumberOfComponents=\"3\" format=\"binary\">CA"));
     }
 
-    /// Arrays that end before, at and behind the end of a piece are those encoded in one.
+    /// Arrays that end before, at and after the end of a piece equal arrays encoded at
+    /// once.
     #[test]
     fn pieces_do_not_show() {
         for count in [PIECE / 8 - 2, PIECE / 8 - 1, PIECE / 8, 5 * PIECE / 8 + 1] {

@@ -1,6 +1,6 @@
 //! Text in XML.
 
-/// The text with the signs that an attribute of XML cannot hold as such.
+/// The text with escapes for characters that an attribute of XML cannot contain.
 pub(super) fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {

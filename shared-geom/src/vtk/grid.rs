@@ -19,7 +19,7 @@ pub struct FieldFile {
     of_cells: Vec<Array>,
 }
 
-/// What a cell of a grid is.
+/// Kind of a cell of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cell {
     /// A point.
@@ -47,19 +47,19 @@ impl FieldFile {
         self.types.push(cell.number());
     }
 
-    /// Adds an array of `components` values a point.
+    /// Adds an array of `components` values per point.
     pub fn point_values(&mut self, name: &str, components: u32, values: Vec<f64>) {
         let array = Array::new(name, components, Values::Double(values));
         self.of_points.push(array);
     }
 
-    /// Adds an array of `components` values a cell.
+    /// Adds an array of `components` values per cell.
     pub fn cell_values(&mut self, name: &str, components: u32, values: Vec<f64>) {
         let array = Array::new(name, components, Values::Double(values));
         self.of_cells.push(array);
     }
 
-    /// Adds whole numbers, one a cell.
+    /// Adds whole numbers, one per cell.
     pub fn cell_numbers(&mut self, name: &str, values: Vec<i64>) {
         let array = Array::new(name, 1, Values::Whole(values));
         self.of_cells.push(array);
@@ -77,7 +77,7 @@ impl FieldFile {
         self.of_cells.push(array);
     }
 
-    /// Adds whole numbers, one a point.
+    /// Adds whole numbers, one per point.
     pub fn point_numbers(&mut self, name: &str, values: Vec<i64>) {
         let array = Array::new(name, 1, Values::Whole(values));
         self.of_points.push(array);
@@ -96,8 +96,8 @@ impl FieldFile {
         written.map_err(|error| unwritable(path, &error))
     }
 
-    /// Array by array, so that the text never lies in memory as a whole. Not compressed:
-    /// that takes longer than writing.
+    /// Array by array, so that the text is never in memory as a whole. Not compressed:
+    /// compression takes longer than writing.
     fn write_to(self, out: &mut impl Write) -> io::Result<()> {
         let (points, cells) = (self.points.len() / 3, self.types.len());
         write!(

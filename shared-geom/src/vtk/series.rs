@@ -9,8 +9,8 @@ pub struct Series {
 }
 
 impl Series {
-    /// Adds the grid in `file`, a path relative to that of the series with `/` between
-    /// folders, at the next value: time, phase, step \[unit of the series\].
+    /// Adds the grid in `file`, a path relative to the folder of the series with `/`
+    /// between folders, at the next value: time, phase, step \[unit of the series\].
     pub fn add(&mut self, value: f64, file: impl Into<String>) {
         self.entries.push((value, file.into()));
     }

@@ -24,7 +24,7 @@ fn read(folder: &Path, name: &str, bytes: &[u8]) -> bool {
     }
 }
 
-/// No reader may refuse a file and not say why.
+/// A reader that refuses a file must report a reason.
 fn assert_explained(problems: &Diagnostics, name: &str) {
     let told = problems.to_string();
     assert!(
@@ -33,8 +33,8 @@ fn assert_explained(problems: &Diagnostics, name: &str) {
     );
 }
 
-/// What is read is described and, when nothing is wrong with it, written in all formats
-/// and read again from our own.
+/// Blades that are read are described and, if they have no problems, written in all
+/// formats and read again from Helicoid's.
 fn use_it(folder: &Path, name: &str, bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let options = Options { length: Some(3.0) };
@@ -74,7 +74,7 @@ fn seeds_are_read_and_survive_being_cut() {
         assert_ne!(read(folder.path(), &name, &bytes), line_alone, "{name}");
         for end in (0..bytes.len()).step_by(7) {
             let what = format!("{name} cut at byte {end}");
-            // Files that are named are read too.
+            // Files that are named in them are read too.
             let all: usize = seeds("blade_file").iter().map(|(_, seed)| seed.len()).sum();
             let mut cut = bytes[..end].to_vec();
             cut.resize(cut.len().max(1) + all, b' ');

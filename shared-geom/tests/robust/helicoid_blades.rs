@@ -1,4 +1,4 @@
-//! Blade files: those that people write, in TOML, and those of programs, in JSON.
+//! Blade files: written by people, in TOML, and by programs, in JSON.
 
 use shared_geom::blade;
 
@@ -7,7 +7,7 @@ use crate::{alone, seeds};
 
 const MUTATIONS: usize = 1000;
 
-/// The seeds of our own formats.
+/// The seeds of Helicoid's formats.
 fn own_seeds() -> impl Iterator<Item = (String, Vec<u8>)> {
     let is_own = |name: &str| name.ends_with(".blade.toml") || name.ends_with(".blade.json");
     let seeds = seeds("blade_file").into_iter();
@@ -18,7 +18,7 @@ fn read(bytes: &[u8]) -> bool {
     let text = String::from_utf8_lossy(bytes);
     match blade::parse(&text, "a.blade.toml") {
         Ok(reading) => {
-            // what is accepted can be written and read again
+            // accepted files can be written and read again
             let again = blade::parse(&blade::write(&reading.blade), "again").unwrap();
             assert_eq!(again.blade, reading.blade);
             true
@@ -30,7 +30,7 @@ fn read(bytes: &[u8]) -> bool {
     }
 }
 
-// A text in TOML that is cut within its last number is a text in TOML.
+// A text in TOML that is cut within its last number is still TOML.
 #[test]
 fn seeds_are_read_and_those_of_programs_refused_when_cut() {
     let _alone = alone();

@@ -1,8 +1,8 @@
-//! Files of any content: readers give a value or say what is wrong, never panic, and
-//! never take memory beyond a small multiple of the file.
+//! Files of any content: readers return a value or report problems, never panic, and
+//! never use more memory than a small multiple of the file.
 //!
-//! The seeds are those of the fuzz targets, `fuzz/corpus`; mutations come from a
-//! fixed seed, so that every run is the same.
+//! The seeds are the seeds of the fuzz targets, `fuzz/corpus`; mutations use a fixed
+//! seed, so that every run is the same.
 
 #![allow(
     clippy::unwrap_used,
@@ -23,25 +23,24 @@ use peak_alloc::PeakAlloc;
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-/// Bytes at once for each byte of a file. The worst text known, twenty thousand
-/// points on lines of 19 bytes with a group of its own each, takes 17: what is kept of
-/// an element, a point, a group and the entries in the tables of tags, and lists that
-/// are there twice while they grow.
+/// Peak bytes of memory for each byte of a file. The worst known text, twenty thousand
+/// points on lines of 19 bytes with a separate group each, takes 17: the data of an
+/// element, a point, a group and the entries in the tables of tags, and lists that exist
+/// twice while they grow.
 const FACTOR: usize = 32;
 
-/// Bytes for messages and names, however short the file: twenty problems of a few
-/// hundred bytes, and as much again while they are put together.
+/// Bytes for messages and names of any file, however short: twenty problems of a few
+/// hundred bytes, and the same again while they are formatted.
 const SLACK: usize = 16 << 10;
 
-/// Tests that measure memory do so one at a time: the count is that of the process.
+/// Tests that measure memory run one at a time: the count is of the process.
 static ALONE: Mutex<()> = Mutex::new(());
 
 fn alone() -> MutexGuard<'static, ()> {
     ALONE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs `read` on `bytes` and checks the memory that it has taken at most; gives what
-/// it gave.
+/// Runs `read` on `bytes` and checks its peak memory; returns its result.
 fn within_memory<T>(what: &str, bytes: &[u8], read: impl FnOnce(&[u8]) -> T) -> T {
     let before = MEMORY.current_usage();
     MEMORY.reset_peak_usage();

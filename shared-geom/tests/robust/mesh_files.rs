@@ -7,7 +7,7 @@ use crate::{alone, seeds, within_memory};
 
 const MUTATIONS: usize = 2000;
 
-/// Reads a mesh and, where there is one, writes and reads it again.
+/// Reads a mesh and, if it is valid, writes and reads it again.
 fn read(bytes: &[u8]) -> Result<(), String> {
     match gmsh::read(bytes, "a.msh") {
         Ok(_) => Ok(()),
@@ -31,7 +31,7 @@ fn seeds_are_read() {
 fn a_file_cut_at_any_byte_is_refused() {
     let _alone = alone();
     for (name, bytes) in seeds("gmsh") {
-        // sections behind the mesh are passed over, but must end
+        // sections after the mesh are skipped, but must end
         let whole = bytes.trim_ascii_end().len();
         for end in 0..whole {
             let what = format!("{name} cut at byte {end}");
@@ -41,7 +41,7 @@ fn a_file_cut_at_any_byte_is_refused() {
     }
 }
 
-/// Whether a section has just ended at a byte.
+/// Whether a section ends at a byte.
 fn is_between(bytes: &[u8], end: usize) -> bool {
     let before = bytes[..end].trim_ascii_end();
     let line = before
@@ -67,11 +67,11 @@ fn changed_files_are_read_or_refused() {
         }
     }
     println!("{good} read, {bad} refused");
-    // neither all nor none: most changes break a file, some do not
+    // most changes break a file, but not all
     assert!(good > 100 && bad > good);
 }
 
-/// Reads and measures the file in which the first of `from` is `to`.
+/// Reads and measures the file in which the first `from` is replaced by `to`.
 fn refused(name: &str, from: &[u8], to: &[u8]) -> String {
     let seeds = seeds("gmsh");
     let (_, bytes) = seeds.iter().find(|(seed, _)| seed == name).unwrap();
@@ -153,11 +153,11 @@ fn the_shortest_text_takes_the_most_memory() {
     let count = 20_000;
     let nodes: String = (1..=count).map(|tag| format!("{tag} 0 0 0\n")).collect();
     let points: String = (1..=count).map(|tag| format!("{tag} 15 0 1\n")).collect();
-    // each point in a group of its own, all of them on one node
+    // each point in a separate group, all of them on one node
     let groups: String = (1..=count)
         .map(|tag| format!("{tag} 15 1 {tag} 1\n"))
         .collect();
-    // one element of each of so many unknown types
+    // one element of each of many unknown types
     let types: String = (1..=count)
         .map(|tag| format!("{tag} {} 0\n", 1000 + tag))
         .collect();

@@ -26,7 +26,7 @@ impl Random {
     }
 }
 
-/// Texts that stand for numbers but should not.
+/// Texts that replace numbers, mostly invalid ones.
 const WORDS: [&str; 14] = [
     "1000000000000000000",
     "18446744073709551615",
@@ -109,7 +109,7 @@ fn change(bytes: &mut Vec<u8>, random: &mut Random) {
     }
 }
 
-/// Puts a number over what stands at a place, in either order of its bytes.
+/// Overwrites bytes with a number, in either byte order.
 fn overwrite(bytes: &mut [u8], at: usize, number: &[u8], random: &mut Random) {
     let mut number = number.to_vec();
     if random.below(2) == 0 {
@@ -120,7 +120,7 @@ fn overwrite(bytes: &mut [u8], at: usize, number: &[u8], random: &mut Random) {
     }
 }
 
-/// Replaces the word around a place.
+/// Replaces the word at an index.
 fn replace_word(bytes: &mut Vec<u8>, at: usize, random: &mut Random) {
     let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || b".+-".contains(byte);
     let begin = bytes[..at].iter().rposition(|byte| !is_word(byte));
@@ -130,7 +130,7 @@ fn replace_word(bytes: &mut Vec<u8>, at: usize, random: &mut Random) {
     bytes.splice(begin..end, random.of(&WORDS).bytes());
 }
 
-/// Lets two pieces between lines that begin with `$`, `[` or `{` change places.
+/// Exchanges two pieces between lines that begin with `$`, `[` or `{`.
 fn swap_sections(bytes: &mut [u8], random: &mut Random) {
     let mut cuts: Vec<usize> = (1..bytes.len())
         .filter(|&i| bytes[i - 1] == b'\n' && b"$[{".contains(&bytes[i]))

@@ -11,7 +11,7 @@ fn read(bytes: &[u8]) -> bool {
     let text = String::from_utf8_lossy(bytes);
     match section::parse(&text, "a.properties.json") {
         Ok(properties) => {
-            // what is accepted can be written and read again
+            // accepted files can be written and read again
             section::parse(&section::write(&properties), "again").unwrap();
             true
         }

@@ -1,7 +1,7 @@
 //! Observed orders of convergence, of every scheme.
 //!
-//! An order is the slope between a step and its half, or the two finest of three; it may be
-//! off the order of the formula by 0.1 (the next term of the error).
+//! An order is the slope between a step and its half, or the two finest of three; it may differ
+//! from the order of the scheme by 0.1 (the next term of the error).
 
 use beam_dynamics::integrator::Scheme;
 
@@ -11,9 +11,9 @@ use crate::record;
 
 const OFF: f64 = 0.1;
 
-/// A scheme with its name, its order on ordinary differential equations, and on index 3
-/// those of positions, velocities and multipliers: zero where multipliers do not converge,
-/// `None` where they grow.
+/// A scheme with its name, its order on ordinary differential equations, and on index 3 its orders
+/// of positions, velocities and multipliers: zero if multipliers do not converge, `None` if they
+/// grow.
 pub type Known = (&'static str, Scheme, i32, Option<[i32; 3]>);
 
 pub const SCHEMES: [Known; 19] = [
@@ -76,7 +76,7 @@ pub fn check(case: &str, name: &str, quantity: &str, found: f64, order: i32) {
     let order = f64::from(order);
     let case = format!("{case}, {name}");
     let error = (found - order).abs();
-    let source = "order of the formula";
+    let source = "order of the scheme";
     record::value(source, &case, quantity, [found, order], error, OFF);
     assert!(error < OFF, "{case} {quantity}: {found}");
 }
@@ -97,8 +97,8 @@ fn linear_equations_converge_with_the_order_of_the_formula() {
     }
 }
 
-/// A soft elastic pendulum, by the differences of runs with halved steps: nonlinear, and
-/// with all the products of Jacobians that the linear equation cannot tell apart.
+/// A soft elastic pendulum, by the differences of runs with halved steps: nonlinear, and with all
+/// the products of Jacobians that the linear equation does not distinguish.
 #[test]
 fn nonlinear_equations_converge_with_the_order_of_the_formula() {
     for (name, scheme, order, _) in SCHEMES {
@@ -127,9 +127,9 @@ fn nonlinear_equations_converge_with_the_order_of_the_formula() {
     }
 }
 
-/// Steps that show the orders on index 3. Formulas with the inner stage near an end have
-/// weights that make the next terms of the error large; with a large radius what the first
-/// step leaves in the multipliers, dying out as radius^n, hides their error for long.
+/// Steps that show the orders on index 3. Schemes with the inner stage near an end have weights
+/// that make the next terms of the error large; with a large radius the error of the first step in
+/// the multipliers, which decays as radius^n, hides their error for a long time.
 pub fn steps(scheme: Scheme) -> [f64; 2] {
     match scheme {
         Scheme::Cubic { radius } if radius > 0.8 && radius < 1.0 => [1.25e-3, 6.25e-4],
@@ -139,7 +139,7 @@ pub fn steps(scheme: Scheme) -> [f64; 2] {
     }
 }
 
-/// The pendulum at t = 1 from an agreeing start.
+/// The pendulum at t = 1 from a consistent start.
 #[test]
 fn constrained_systems_converge_with_the_orders_of_index_three() {
     for (name, scheme, _, orders) in SCHEMES {
@@ -152,8 +152,8 @@ fn constrained_systems_converge_with_the_orders_of_index_three() {
     }
 }
 
-/// Orders from errors of x, y' and lambda at a step and its half. Multipliers that do not
-/// converge stay wrong by more than a tenth.
+/// Orders from errors of x, y' and lambda at a step and its half. Multipliers that do not converge
+/// keep an error of more than a tenth.
 pub fn check_index_three(case: &str, name: &str, orders: [i32; 3], errors: [[f64; 3]; 2]) {
     let [coarse, fine] = errors;
     for (i, quantity) in ["x", "y'", "lambda"].into_iter().enumerate() {
@@ -164,7 +164,7 @@ pub fn check_index_three(case: &str, name: &str, orders: [i32; 3], errors: [[f64
     }
 }
 
-/// Exactly the schemes whose multipliers do not converge are warned of.
+/// A warning is given exactly for the schemes whose multipliers do not converge.
 #[test]
 fn schemes_whose_multipliers_do_not_converge_are_warned_of() {
     for (name, scheme, _, orders) in SCHEMES {
@@ -174,7 +174,7 @@ fn schemes_whose_multipliers_do_not_converge_are_warned_of() {
     }
 }
 
-/// The prototype's numbers for stage formulas, three digits: 1 %.
+/// The prototype's numbers for stage schemes, three digits: 1 %.
 #[test]
 fn stage_formulas_have_the_errors_found_apart() {
     let data = super::reference("pendulum_errors.json");

@@ -9,8 +9,8 @@ use crate::record;
 
 type C = Complex<f64>;
 
-/// One step of length one, from a small y: its prediction is off by x y, and corrections
-/// beyond the size of the system are not made.
+/// One step of length one, from a small y: the error of its prediction is x y, and corrections
+/// beyond the size of the system are rejected.
 fn amplification(scheme: Scheme, x: C) -> C {
     let (lambda, start) = ([x.re, x.im], 1e-7);
     let rates = [start * x.re, start * x.im];
@@ -59,7 +59,7 @@ fn one_step_formulas_amplify_as_their_closed_forms() {
         compare(Scheme::CubicGauss, cubic(-0.5, x));
     }
     let source = "[Masarati], appendix B";
-    record::largest(source, "one-step formulas", "amplification", largest, 1e-11);
+    record::largest(source, "one-step schemes", "amplification", largest, 1e-11);
 }
 
 /// At x = i 1e6 the radius differs from its limit by about 1/x.
@@ -78,7 +78,7 @@ fn radii_of_stage_formulas_for_large_steps_are_those_asked_for() {
     }
 }
 
-/// Radii of the two roots of a two-step formula at x.
+/// Radii of the two roots of a two-step scheme at x.
 fn roots(formula: &Formula, x: C) -> [f64; 2] {
     let a = x * -formula.weights[0][0] + 1.0;
     let b = -(x * formula.latest_rates[0] + (1.0 - formula.before));

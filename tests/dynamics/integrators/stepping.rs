@@ -62,14 +62,14 @@ fn constant_steps_are_counted_and_end_where_they_must() {
     }
     assert_eq!(found[999], 0.9995);
     assert_eq!(integrator.counters().steps, 1000);
-    // On from there the grid is the same.
+    // The grid continues from there.
     let (later, _) = times(&mut system, integrator, 1.1);
     assert_eq!(later[..2], [1.0, 1001.0 * 0.001]);
     assert_eq!(later.last(), Some(&1.1));
     assert_eq!(later.len(), 101);
 }
 
-/// No step is asked for at or behind the present time.
+/// No step ends at or before the present time.
 #[test]
 fn nothing_happens_when_the_end_is_reached() {
     let mut system = swing();
@@ -81,12 +81,12 @@ fn nothing_happens_when_the_end_is_reached() {
     assert_eq!(system.latest, swing().latest);
 }
 
-/// The error at the end follows the tolerance: of a method of order p the local error is
-/// h^(p+1), that at the end h^p, so that a tolerance of 1/100 gives 100^(p/(p+1)) of it, or,
-/// where the local error is less than its estimate, as that of Radau IIA in places, up to
-/// 100. Steps are kept while the wish is within a tenth of them: p ln 1.1 / ln 100 of the
-/// exponent. At 1e-6 the cubic takes 30 steps, of which the first are short as nothing is known
-/// before them; the exponent is that of many.
+/// The error at the end follows the tolerance: of a method of order p the local error is h^(p+1),
+/// the error at the end h^p, so that a tolerance of 1/100 makes it 100^(p/(p+1)) times smaller, or,
+/// where the local error is less than its estimate, as sometimes for Radau IIA, up to 100 times
+/// smaller. The step length is kept while the wished length is within a tenth of it: p ln 1.1 / ln
+/// 100 of the exponent. At 1e-6 the cubic scheme takes 30 steps, the first of which are short
+/// because there are no previous ones; the exponent is for many steps.
 #[test]
 fn variable_steps_keep_the_local_error() {
     let exact = [0.134_994_926_127_77, 0.990_846_289_754_25];
@@ -114,15 +114,16 @@ fn variable_steps_keep_the_local_error() {
             "{scheme:?} {slope} {expected} {coarse:e}"
         );
         assert!(few < many, "{scheme:?} {few} {many}");
-        // The tolerance is of either coordinate, the place is off by root 2 of it; the velocity
-        // by that times the rate of the motion, at most 2/s, which goes on for a second at most.
+        // The tolerance is for each coordinate, the error of the position is root 2 times it; the
+        // error of the velocity is this times the rate of the motion, at most 2/s, for at most a
+        // second.
         let sum = 2.0_f64.sqrt() * 3.0 * many as f64 * 1e-9;
         assert!(fine < sum, "{scheme:?} {fine:e} {many}");
     }
 }
 
-/// The order on steps that change all the time: lengths in a fixed pattern of ratios 0.8
-/// and 1.25, scaled by 1, 1/2, 1/4, through `until`.
+/// The order with steps that change in every step: lengths in a fixed pattern of ratios 0.8 and
+/// 1.25, scaled by 1, 1/2, 1/4, through `until`.
 #[test]
 fn the_order_is_kept_on_variable_steps() {
     let exact = (-0.5_f64).exp() * 3.0_f64.cos();
@@ -198,8 +199,8 @@ impl Equations for Jump {
     }
 }
 
-/// The velocity behind the jump is piecewise linear: a formula of second order that steps
-/// over no jump, and knows the rates on both sides, has it to round-off.
+/// The velocity after the jump is piecewise linear: a scheme of second order that steps over no
+/// jump, and has the rates on both sides, is exact to round-off.
 #[test]
 fn corners_are_landed_on_and_jumps_lose_no_order() {
     let exact = CORNER - 2.0 * (1.0 - CORNER);
@@ -255,8 +256,8 @@ impl Equations for Beside {
     }
 }
 
-/// The momentum of the light body is piecewise linear, so that a formula that sees the jump
-/// has it to the round-off of a hundred steps; unseen, it is off by part of a step.
+/// The momentum of the light body is piecewise linear, so that a scheme that detects the jump is
+/// exact to the round-off of a hundred steps; otherwise the error is a part of a step.
 #[test]
 fn a_small_jump_is_seen_beside_a_large_force() {
     for scheme in [TWO_STEP, Scheme::Bdf2] {
@@ -309,13 +310,13 @@ impl Equations for Kinks {
     }
 }
 
-/// Steps from kink to kink stay those of the formula, not Crank-Nicolson's first ones: they
-/// damp the stiff motion by the radius, 0.6, each time. At w h = 100 the radius is within
-/// 1e-2 of its limit; 40 steps leave less than 0.62^40 of the start, and the answer to the
-/// force, about 1 / w^2 at most.
+/// Steps from kink to kink use the scheme itself, not Crank-Nicolson's first steps: each damps the
+/// stiff motion by the radius, 0.6. At w h = 100 the radius is within 1e-2 of its limit; after 40
+/// steps less than 0.62^40 of the start remains, and the response to the force, about 1 / w^2 at
+/// most.
 #[test]
 fn kinks_of_a_force_do_not_stop_the_damping() {
-    // Small: corrections beyond the size of the system are not made.
+    // Small: corrections beyond the size of the system are rejected.
     let start = 1e-7;
     let rate = -STIFF * STIFF * start;
     let mut system = System::new(Kinks, &[start, 0.0], &[0.0, rate]);
@@ -326,7 +327,7 @@ fn kinks_of_a_force_do_not_stop_the_damping() {
     assert!(system.latest.y[0].abs() < left, "{:e}", system.latest.y[0]);
 }
 
-/// Cubic Gauss restarts by Radau IIA of three stages; after that it is itself.
+/// Cubic Gauss restarts by Radau IIA of three stages; the following steps use the scheme itself.
 #[test]
 fn cubic_gauss_passes_a_jump() {
     let mut system = Jump::system(false);
@@ -368,8 +369,8 @@ fn kept_jacobians_change_the_effort_and_not_the_answer() {
     }
 }
 
-/// A stiff rod whose residual has a floor of round-off far above the limit: the
-/// corrections are small, so the steps are accepted, in as many iterations or one more.
+/// A stiff rod whose residual has a floor of round-off far above the limit: the corrections are
+/// small, so that the steps are accepted, with at most one more iteration.
 #[test]
 fn round_off_of_stiff_forces_does_not_stall_the_iteration() {
     let effort = |noise: f64| {
@@ -419,7 +420,7 @@ fn failure<E: Equations>(mut system: System<E>, stepping: Stepping) -> (System<E
     }
 }
 
-/// The step is cut down to the least, then the failure says where, why and what to try.
+/// The step is cut down to the least, then the failure states location, reason and remedies.
 #[test]
 fn a_step_that_underflows_tells_why() {
     for stepping in [Stepping::Constant { step: 0.03 }, variable(1e-3)] {
@@ -434,7 +435,8 @@ fn a_step_that_underflows_tells_why() {
     }
 }
 
-/// `y' + lambda = 0` with a constraint that no position fulfills: `lambda` is in nothing.
+/// `y' + lambda = 0` with a constraint that no position fulfills: no other equation contains
+/// `lambda`.
 #[derive(Debug)]
 struct Loose;
 
@@ -460,8 +462,8 @@ fn a_multiplier_that_acts_on_nothing_is_singular() {
     assert_eq!(failure.reason, Reason::Singular);
 }
 
-/// A run that is stopped and goes on from its snapshot, in a new integrator and system,
-/// ends at the same bits as the one that took the snapshot.
+/// A run that is stopped and continued from its snapshot, in a new integrator and system, has the
+/// same final bits as the run that took the snapshot.
 #[test]
 fn a_restart_goes_on_bit_for_bit() {
     for scheme in [TWO_STEP, Scheme::Bdf2, CUBIC, RADAU] {
@@ -489,7 +491,7 @@ fn a_restart_goes_on_bit_for_bit() {
     }
 }
 
-/// Times of the phases are those of the clock: one tick a reading.
+/// The times of the phases are clock times: one tick per reading.
 #[test]
 fn phases_are_timed_by_the_clock_given() {
     let ticks = std::cell::Cell::new(0.0);
@@ -507,7 +509,7 @@ fn phases_are_timed_by_the_clock_given() {
     assert!(counters.residual_time >= counters.iterations as f64);
 }
 
-/// Lengths of a variable run: they grow from the first, never beyond the bound of
+/// Step lengths of a variable run: they grow from the first, never beyond the bound of
 /// zero-stability from step to step, and stay below the largest.
 #[test]
 fn steps_grow_within_bounds() {

@@ -1,4 +1,4 @@
-//! Small systems of equations as the integrators see them.
+//! Small systems of equations for the integrators.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 pub trait Equations {
     /// Which unknowns are algebraic.
     const ALGEBRAIC: &'static [bool];
-    /// Unknowns whose local error counts.
+    /// Unknowns with a checked local error.
     const POSITIONS: &'static [usize];
 
     /// Terms of each equation: they sum up to the residual.
@@ -26,7 +26,7 @@ pub trait Equations {
         f64::INFINITY
     }
 
-    /// Finds the rates that agree with what acts just after a time.
+    /// Computes the rates that agree with the conditions just after a time.
     fn renew(&self, _time: f64, _y: &mut [f64], _rates: &mut [f64]) -> bool {
         false
     }
@@ -170,7 +170,7 @@ impl<E: Equations> Dae for System<E> {
         self.equations.next_corner(time)
     }
 
-    /// All equations are of one kind here.
+    /// All equations have the same kind here.
     fn worst(&self, residual: &Residual) -> Worst {
         let largest = residual.sizes.iter().fold(1e-300_f64, |a, b| a.max(*b));
         let relative = residual.values.iter().map(|value| value.abs() / largest);

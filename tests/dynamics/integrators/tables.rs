@@ -1,4 +1,4 @@
-//! Published tables, and coefficients that were derived apart.
+//! Published tables, and independently derived coefficients.
 //!
 //! Sources: [Masarati], Tables 10.1, 10.2 and C.1; `tests/reference/dynamics`:
 //! `integrator_coefficients.json`, `pendulum_errors.json`, `table_c1.csv`,
@@ -19,7 +19,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(number).collect()
 }
 
-/// Rational numbers of few operations: 1e-12 leaves three digits for cancellation.
+/// Rational numbers of few operations: 1e-12 allows for the cancellation of three digits.
 #[test]
 fn coefficients_are_those_derived_apart() {
     let data = reference("integrator_coefficients.json");
@@ -86,8 +86,8 @@ fn zero_stability_bounds_the_growth_of_steps() {
     }
 }
 
-/// Crank-Nicolson, then BDF2, on y = cos t, from agreeing and from zero accelerations.
-/// The table is printed to 16 digits: round-off, over h^2 in the multiplier: 1e-11.
+/// Crank-Nicolson, then BDF2, on y = cos t, from consistent and from zero accelerations. The table
+/// is printed to 16 digits: round-off, over h^2 in the multiplier: 1e-11.
 #[test]
 fn table_c1() {
     let text = reference_text("table_c1.csv");
@@ -192,9 +192,9 @@ fn pendulum_errors_are_those_found_apart() {
     }
 }
 
-/// Angles in degrees from the downward vertical, of a rod whose own period is 2e-4 of
-/// that of the swing. The script's angles have ten digits, 1e-8 degrees; the stiff rod loses
-/// two of the iteration's: 1e-6.
+/// Angles in degrees from the downward vertical, of a rod whose axial period is 2e-4 of the period
+/// of the pendulum. The script's angles have ten digits, 1e-8 degrees; the stiff rod loses two of
+/// the iteration's: 1e-6.
 #[test]
 fn bathe_pendulum_in_rotation_coordinates() {
     let data = reference("bathe_pendulum.json");

@@ -1,4 +1,4 @@
-//! What makes a random mechanism.
+//! Recipe of a random mechanism.
 
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamNode, MassAlong, lumped_bodies};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
@@ -13,12 +13,12 @@ use crate::chain::Chain;
 /// Kinds of joints between links; see [`Link::joint`].
 pub const KINDS: usize = 15;
 
-/// A link of the chain and the joint to the link before.
+/// A link of the chain and the joint to the previous link.
 #[derive(Debug, Clone)]
 pub struct Link {
     pub is_beam: bool,
     pub length: f64,
-    /// Attitude against the link before, a rotation vector.
+    /// Attitude relative to the previous link, a rotation vector.
     pub turn: Vector3<f64>,
     pub kind: usize,
     /// Attitude of the axes of the joint, and of nodes in the link.
@@ -27,17 +27,17 @@ pub struct Link {
     pub held: u32,
 }
 
-/// All that makes a mechanism.
+/// All data of a mechanism.
 #[derive(Debug, Clone)]
 pub struct Recipe {
     pub links: Vec<Link>,
     /// Whether the first node is held in space by a spherical joint.
     pub is_held: bool,
-    /// Angular velocity of all about the first node.
+    /// Angular velocity of the whole about the first node.
     pub spin: Vector3<f64>,
     /// Whether the masses have their centers at the nodes.
     pub is_centered: bool,
-    /// Length of the rod between the ends without strain, of that which it has.
+    /// Unstrained length of the rod between the ends, relative to its distance.
     pub relaxed: f64,
 }
 
@@ -66,7 +66,7 @@ fn growing(to: f64) -> Drive {
 }
 
 impl Link {
-    /// The joint at `point`; all but a clamp leave something free, or drive it.
+    /// The joint at `point`; all except a clamp have free or driven motions.
     fn joint(
         &self,
         label: &str,

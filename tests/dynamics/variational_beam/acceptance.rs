@@ -15,7 +15,7 @@ use beam_dynamics::elements::loads::Turning;
 
 const SOURCE: &str = "independent program, acceptance.json";
 
-/// Records and checks a number against a listed one.
+/// Records and checks a number relative to a listed one.
 fn close(case: &str, quantity: &str, [found, listed]: [f64; 2], tolerance: f64) {
     let error = (found / listed - 1.0).abs();
     record::value(SOURCE, case, quantity, [found, listed], error, tolerance);
@@ -25,8 +25,8 @@ fn close(case: &str, quantity: &str, [found, listed]: [f64; 2], tolerance: f64) 
     );
 }
 
-/// Bent into circles by a dead tip moment; the largest distance of a node from its circle,
-/// and that of the tip.
+/// Bent into circles by a dead tip moment; the largest distance of a node from its circle, and the
+/// distance of the tip.
 fn rolled(elements: usize, turns: f64) -> [f64; 2] {
     let (mut chain, tip) = cantilever(elements, 1.0, &ROLLED);
     let curvature = 2.0 * PI * turns;
@@ -47,8 +47,8 @@ fn rolled(elements: usize, turns: f64) -> [f64; 2] {
 }
 
 /// The chord of an arc is short by alpha^4/270 in a parabola; the polygon still closes. The
-/// convergence of the iteration leaves 1e-9 of the length of the tip, where the list has
-/// 1e-11 of a run to round-off.
+/// convergence error of the iteration is 1e-9 of the length at the tip; the list has 1e-11, from a
+/// run to round-off.
 #[test]
 fn one_and_two_turns_close() {
     let largest = numbers(&row("roll-up 1 turn", "max nodal error")["value"]);
@@ -86,7 +86,7 @@ fn a_quarter_turn() {
 }
 
 /// One element follows a moment up to 0.95 of a full turn; beyond, the run ends and names the
-/// element and the cure.
+/// element and the remedy.
 #[test]
 fn one_element_bends_through_nearly_a_turn() {
     for degrees in [180.0_f64, 270.0, 335.0] {
@@ -166,7 +166,7 @@ fn dead_tip_forces() {
             );
             let error = (chain.last().positions[tip] - exact).norm();
             let case = format!("tip force PL^2/EI = {load}, {elements} elements");
-            // What the iteration leaves, 1e-10, of the smallest errors.
+            // The error of the iteration, 1e-10, relative to the smallest errors.
             close(
                 &case,
                 "tip error / L",
@@ -177,7 +177,7 @@ fn dead_tip_forces() {
     }
 }
 
-/// A slender half ring, against the limit of the list's own finest meshes.
+/// A slender half ring, against the limit of the finest meshes of the list.
 #[test]
 fn a_half_ring() {
     let listed = row("half ring t/R=1e-4", "relative tip error");

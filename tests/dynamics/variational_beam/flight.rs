@@ -12,8 +12,8 @@ use super::spectra::{Line, Random};
 use crate::in_time::{Run, momenta};
 use crate::record;
 
-/// Two elements in a bow that twists, stiff enough to stay a beam and soft enough to bend by
-/// tens of degrees when it is thrown.
+/// Two elements in a twisted bow, stiff enough to stay a beam and soft enough to bend by tens of
+/// degrees in flight.
 fn bow(consistent: bool) -> Model {
     let inertia = Matrix3::from_diagonal(&Vector3::new(0.03, 0.01, 0.02));
     let section = mass(1.0, &Vector3::new(0.0, 0.02, -0.01), &inertia);
@@ -43,10 +43,10 @@ fn bow(consistent: bool) -> Model {
     model
 }
 
-/// The momentum by the formula itself; the angular momentum, of which the part of the moving
-/// momenta is quadratic in the unknowns, and the energy at the fourth order of a formula that damps
-/// nothing: the drift of the energy over two seconds falls by 16 with half the step below 2 ms, and what it
-/// falls to has no part of its own: 5e-8 and 1e-10, as the reference asks.
+/// The momentum is conserved by the scheme itself; the angular momentum, whose part of the moving
+/// momenta is quadratic in the unknowns, and the energy at the fourth order of a scheme without
+/// damping: the drift of the energy over two seconds falls by 16 with half the step below 2 ms,
+/// without a limit: 5e-8 and 1e-10, as required by the reference.
 #[test]
 fn energy_and_momenta_of_a_free_flight() {
     for consistent in [false, true] {
@@ -54,7 +54,7 @@ fn energy_and_momenta_of_a_free_flight() {
         let drifts = [4e-3, 2e-3, 5e-4].map(|step| {
             let mut question = TransientQuestion::new(2.0, step);
             question.scheme = Scheme::Cubic { radius: 1.0 };
-            // Momenta are kept as well as the balance is met.
+            // The error of the momenta is the error of the balance.
             question.newton.correction = 1e-12;
             question.newton.residual = 1e-13;
             let run = Run::of(bow(consistent), &question, 1);
@@ -79,11 +79,10 @@ fn energy_and_momenta_of_a_free_flight() {
     }
 }
 
-/// The soft cantilever of the spectra, struck at random over its whole length: neither the
-/// default formula, which damps, nor Crank-Nicolson, which does not, may gain energy over
-/// 10 000 steps that resolve the modes that grew (with finite volumes, from 0.1 J to
-/// 1378 J within 0.2 s). Crank-Nicolson keeps a shadow energy that differs by (h omega)^2 of
-/// the energy in each mode.
+/// The soft cantilever of the spectra, struck at random over its whole length: neither the default
+/// scheme, which damps, nor Crank-Nicolson, which does not, may gain energy over 10 000 steps that
+/// resolve the growing modes (with finite volumes, from 0.1 J to 1378 J within 0.2 s).
+/// Crank-Nicolson keeps a shadow energy that differs by (h omega)^2 of the energy in each mode.
 #[test]
 fn resolved_high_modes_gain_no_energy() {
     for elements in [3, 4] {

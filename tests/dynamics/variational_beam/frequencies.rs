@@ -11,7 +11,7 @@ use crate::uniform_beam::{Inertia, UniformBeam};
 
 const SOURCE: &str = "independent program, acceptance.json";
 
-/// Angular frequencies of a uniform cantilever in rising order.
+/// Angular frequencies of a uniform cantilever in ascending order.
 fn frequencies(elements: usize, inertia: Inertia, count: usize) -> Vec<f64> {
     let mut beam = UniformBeam::slender(elements, inertia);
     beam.stiffness = Vector6::new(1e4, 4e3, 4e3, 0.8, 1.0, 4.0);
@@ -27,8 +27,8 @@ fn frequencies(elements: usize, inertia: Inertia, count: usize) -> Vec<f64> {
     found
 }
 
-/// Relative errors of six modes as listed, to 1 % of themselves, or to the digits of the
-/// reference frequencies where they are smaller.
+/// Relative errors of six modes as listed, to 1 %, or to the digits of the reference frequencies if
+/// they are smaller.
 #[test]
 fn frequencies_of_a_cantilever() {
     for (inertia, key) in [(Inertia::Lumped, "lobatto"), (Inertia::Consistent, "var")] {
@@ -37,7 +37,7 @@ fn frequencies_of_a_cantilever() {
         for (place, elements) in [1, 2, 4, 8].into_iter().enumerate() {
             let found = frequencies(elements, inertia, 6);
             let errors = numbers(&listed["value"][place]);
-            // With one element the sixth is another mode.
+            // With one element the sixth mode differs.
             let count = if elements == 1 { 5 } else { 6 };
             for mode in 0..count {
                 let error = found[mode] / exact[mode] - 1.0;

@@ -1,9 +1,9 @@
 //! Undamped spectra must not grow: eigenvalues of `M^-1 K` at rest and under loads.
 //!
-//! The free vibrations of an undamped beam at rest, undeformed or in equilibrium under dead
-//! forces, are those of `K x = omega^2 M x`. With `s = i omega` a complex or negative
-//! eigenvalue is a motion that grows. K and M are taken from the program's tangent, K as it is,
-//! without making it symmetric. The finite-volume beam fails all of these.
+//! The free vibrations of an undamped beam at rest, undeformed or in equilibrium under dead forces,
+//! are the solutions of `K x = omega^2 M x`. With `s = i omega` a complex or negative eigenvalue is
+//! a motion that grows. K and M are taken from the program's tangent; K is not symmetrized. The
+//! finite-volume beam fails all of these.
 
 use beam_dynamics::analysis::statics::statics;
 use beam_dynamics::assembly::System;
@@ -22,8 +22,8 @@ use super::{mass, matrix, numbers, reference, stiffness, vector};
 use crate::chain::{DEAD, up_to};
 use crate::record;
 
-/// Growth over frequency above which a motion grows: the round-off of eigenvalues, 1e-16 of
-/// the largest, is 1e-10 of those a thousand times lower in frequency.
+/// Growth over frequency above which a motion grows: the round-off of eigenvalues, 1e-16 of the
+/// largest, is 1e-10 of the ones a thousand times lower in frequency.
 const GROWTH: f64 = 1e-9;
 
 /// Uniform numbers in [-1, 1), the same in every run (Knuth's MMIX constants).
@@ -146,7 +146,7 @@ impl Line {
         ]
     }
 
-    /// Angular frequencies in rising order, and the worst growth over frequency.
+    /// Angular frequencies in ascending order, and the worst growth over frequency.
     pub fn spectrum(&self, model: &Model, state: &State) -> (Vec<f64>, f64) {
         let [stiffness, mass] = self.matrices(model, state);
         let asymmetry = (&mass - mass.transpose()).amax() / mass.amax();
@@ -215,9 +215,9 @@ fn no_mode_of_a_straight_strip_grows() {
     }
 }
 
-/// Beams with bodies by Lobatto's rule: the section at each node times the length for which
-/// the node stands. On straight beams nodal weights are the same, on curved ones they are
-/// not: they take the sections between the nodes.
+/// Beams with bodies by Lobatto's rule: the section at each node times the length that the node
+/// represents. On straight beams nodal weights are equal to them, on curved ones they differ: they
+/// use the sections between the nodes.
 fn lobatto(line: &Line, section: f64, moment: &Vector3<f64>, inertia: &Matrix3<f64>) -> Model {
     let slopes = [[-1.5, 2.0, -0.5], [-0.5, 0.0, 0.5], [0.5, -2.0, 1.5]];
     let weights = [1.0 / 3.0, 4.0 / 3.0, 1.0 / 3.0];
@@ -245,8 +245,8 @@ fn lobatto(line: &Line, section: f64, moment: &Vector3<f64>, inertia: &Matrix3<f
     line.model_of(parts, None)
 }
 
-/// Five general beams with all their frequencies: with consistent inertia, and with the
-/// bodies of the reference, which are those of Lobatto's rule.
+/// Five general beams with all their frequencies: with consistent inertia, and with the bodies of
+/// the reference, by Lobatto's rule.
 #[test]
 fn spectra_of_general_beams() {
     for case in reference("random_beams")["cases"].as_array().unwrap() {
@@ -283,7 +283,7 @@ fn spectra_of_general_beams() {
         );
         let found = line.spectrum(&model, &model.system.rest());
         check(found, "omega var/lobatto", 1e-8);
-        // Nodal weights, by hats where they are no bodies: no mode grows.
+        // Nodal weights, by hat functions if they are not physical bodies: no mode grows.
         assert!(line.at_rest().1 < GROWTH);
         line.consistent = true;
         check(line.at_rest(), "omega var/var", 1e-8);
@@ -374,8 +374,8 @@ fn no_mode_of_random_curved_twisted_coupled_beams_grows() {
     }
 }
 
-/// Bent by dead forces at the tip; the tangent is symmetric to what the iteration leaves of
-/// the balance, and no mode grows.
+/// Bent by dead forces at the tip; the tangent is symmetric to the residual of the balance, and no
+/// mode grows.
 #[test]
 fn no_mode_of_loaded_beams_grows() {
     let mut random = Random(3);

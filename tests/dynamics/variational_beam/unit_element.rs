@@ -18,7 +18,7 @@ use super::{mass, matrix, numbers, reference, stiffness, vector};
 use crate::record;
 
 const SOURCE: &str = "second program from the equations, unit_element.json";
-/// The reference asks for 1e-12 relative.
+/// The reference requires 1e-12 relative.
 const TOLERANCE: f64 = 1e-12;
 
 struct Unit {
@@ -167,7 +167,7 @@ fn forces_of_every_formulation() {
     }
 }
 
-/// The tangent to round-off; and its skew part, which is that of the moments at the nodes.
+/// The tangent to round-off; and its skew part, which follows from the moments at the nodes.
 #[test]
 fn tangent_and_its_symmetry() {
     let unit = Unit::new();
@@ -245,8 +245,8 @@ fn a_reversed_element_has_the_same_forces() {
     }
 }
 
-/// Of the viscous power, `eps.' D eps.` for any symmetric positive D: none of 200 random
-/// ones brings energy in. The same for each velocity of the nodes.
+/// Of the viscous power, `eps.' D eps.` for any symmetric positive D: none of 200 random ones
+/// supplies energy. The same for each velocity of the nodes.
 #[test]
 fn viscous_forces_dissipate_for_any_viscosity() {
     let unit = Unit::new();

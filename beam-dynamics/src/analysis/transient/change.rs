@@ -1,8 +1,8 @@
-//! The changes that start-up makes, for the constraints to be fulfilled.
+//! Changes by initialization, to fulfill the constraints.
 
 use std::fmt;
 
-/// What of a node start-up changed.
+/// Node quantity adjusted during initialization.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Changed {
     /// Position [m].
@@ -15,18 +15,18 @@ pub enum Changed {
     AngularVelocity,
 }
 
-/// A change that start-up made, for the constraints to be fulfilled.
+/// A change by initialization, to fulfill the constraints.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StartChange {
     /// The node.
     pub node: String,
-    /// What was changed.
+    /// The changed quantity.
     pub what: Changed,
     /// The component: 0 to 2 for x to z.
     pub component: usize,
-    /// As it was given [SI unit of it].
+    /// The given value [SI unit of the quantity].
     pub from: f64,
-    /// As it is [SI unit of it].
+    /// The adjusted value [SI unit of the quantity].
     pub to: f64,
 }
 

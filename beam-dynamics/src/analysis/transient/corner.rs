@@ -1,14 +1,14 @@
-//! What jumps at a corner of drives, and the impulse by which the motion follows.
+//! Jumps at a corner of drives, and the impulses that cause them.
 //!
-//! Where the rate of a driven constraint jumps, reactions of any size act in no time: the
-//! velocities jump at places that stay, with the impulse Lambda of the reactions,
+//! If the rate of a driven constraint jumps, unbounded reactions act in zero time: the velocities
+//! jump at unchanged positions, with the impulse Lambda of the reactions,
 //!
 //! ```text
 //! M (v+ - v-) + C^T Lambda = 0,   C v+ + Phi_t+ = 0                            (D-153)
 //! ```
 //!
-//! the change of the least kinetic energy by which the constraints are fulfilled. Where a
-//! drive jumps in what it holds in place, no motion follows it.
+//! the change of the least kinetic energy that fulfills the constraints. No motion can follow a
+//! jump of a driven position.
 
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -26,7 +26,7 @@ use crate::elements::{Element, Level, PlaceJump, Queries};
 use crate::integrator::{Corner, Renewal};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Scalars, State};
 
-/// The next corner of what is given over time, which stays what it is until it is reached.
+/// Next corner of the given functions of time, kept until it is reached.
 #[derive(Debug, Clone, Default)]
 pub(super) struct NextCorner(Cell<Option<[f64; 2]>>);
 
@@ -44,35 +44,35 @@ impl NextCorner {
     }
 }
 
-/// What the iteration of a step leaves of places, in sizes of the model and radians: a
-/// velocity that moves less in a step does not count.
+/// Error of positions after the iteration of a step, relative to the size of the model and in
+/// radians: velocities that move less in a step are ignored.
 const LEFT: f64 = 1e-9;
-/// Jumps of a force, or of an acceleration, that are a smaller part of its terms do not
-/// count: the residual of a step is no nearer to zero.
+/// Relative jump of a force, or of an acceleration, below which a corner is ignored: the residual
+/// of a step is no smaller.
 const UNFELT: f64 = 1e-8;
-/// Corners of an element that are looked at before a run; at others it is looked when they
+/// Number of corners of an element that are checked before a run; the others are checked when they
 /// are reached.
 const LOOKED_AT: usize = 1000;
-/// What velocities after an impulse are off by, as a part of those that jump, when no velocities
+/// Part of the jumping velocities that a velocity may be off by after an impulse, if no velocities
 /// follow it.
 const FOLLOWED: f64 = 1e-6;
-/// Joints whose impulses are told.
+/// Largest number of joints whose impulses are reported.
 const TOLD: usize = 5;
 
-/// What jumps at a corner.
+/// Kinds of jumps at a corner.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Jump {
-    /// Nothing that counts.
+    /// No significant jump.
     Nothing,
-    /// Forces, or accelerations of what is driven.
+    /// Forces, or driven accelerations.
     Acting,
-    /// Rates of the constraints with these numbers.
+    /// Rates of the constraints of these indices.
     Rates(Vec<usize>),
 }
 
-/// What jumps at a state between the conditions just before a corner, where its residual was
-/// `earlier`, and those just after it, where steps of the length `step` \[s\] are wished for;
-/// `None` when an element cannot tell.
+/// The kind of jump at a state between the conditions just before a corner, where its residual was
+/// `earlier`, and those just after it, for the wished step length `step` \[s\]; `None` if an
+/// element does not define its jumps.
 pub(super) fn jump(
     system: &System,
     (state, earlier): (&State, &Residual),
@@ -90,7 +90,7 @@ pub(super) fn jump(
             Level::Position => by_time_after[i] - by_time_before[i],
             Level::Velocity => later.values[first + i] - earlier.values[first + i],
         };
-        // What is not a number is not less either, and told by the next step.
+        // NaN is not less either, and reported by the next step.
         !matches!(
             jump.abs().partial_cmp(&least),
             Some(std::cmp::Ordering::Less | std::cmp::Ordering::Equal)
@@ -115,9 +115,9 @@ pub(super) fn jump(
     }
 }
 
-/// `state` after the impulse by which its velocities fulfill the constraints (D-153), with
-/// its momenta; and the impulse \[N s, N m s\], as loads that balance each other are shared.
-/// `None` when there is none, or when no velocities fulfill all constraints.
+/// `state` after the impulse after which its velocities fulfill the constraints (D-153), with its
+/// momenta; and the impulse \[N s, N m s\], the minimum-norm one if constraints are redundant.
+/// `None` if there is none, or if no velocities fulfill all constraints.
 pub(super) fn struck(
     system: &System,
     state: &State,
@@ -147,7 +147,7 @@ pub(super) fn struck(
     Some((state, impulse))
 }
 
-/// The largest size, infinite where one is not a number.
+/// The largest size, infinite if one is not a number.
 fn largest(values: &[f64]) -> f64 {
     let sizes = values.iter().map(|value| match value.is_nan() {
         true => f64::INFINITY,
@@ -162,9 +162,9 @@ struct Struck {
     joint: String,
     /// The first time [s].
     time: f64,
-    /// How often.
+    /// Number of impulses.
     count: usize,
-    /// The largest so far of its constraints whose rates jump, by their units: of forces, of
+    /// The largest impulses so far of its constraints whose rates jump, by unit: of forces, of
     /// moments [N s, N m s].
     largest: Vec<(f64, Cow<'static, str>)>,
     /// Whether velocities followed it each time.
@@ -183,8 +183,8 @@ impl Struck {
     }
 }
 
-/// Sizes of the impulse of those of the constraints number `constraints` that are in `own`, by
-/// the units of their reactions.
+/// Sizes of the impulse of the constraints `constraints` that are in `own`, by the units of their
+/// reactions.
 fn sizes(
     system: &System,
     (constraints, impulse): (&[usize], &[f64]),
@@ -202,17 +202,17 @@ fn sizes(
     sizes
 }
 
-/// The impulses of a run so far, by joints.
+/// The impulses of a run so far, by joint.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Impulses {
     joints: Vec<Struck>,
-    /// What they put in [J].
+    /// Their energy input [J].
     pub work: f64,
 }
 
 impl Impulses {
-    /// Notes the joints with the constraints number `constraints`, and the impulse of all
-    /// constraints where velocities follow it.
+    /// Notes the joints with the constraints `constraints`, and the impulse of all constraints if
+    /// velocities follow it.
     fn add(&mut self, system: &System, constraints: &[usize], impulse: Option<&[f64]>, time: f64) {
         let mut first = 0;
         for element in system.elements() {
@@ -242,7 +242,7 @@ impl Impulses {
         }
     }
 
-    /// What the reader must know of them.
+    /// Remarks on the impulses.
     pub fn remarks(&self) -> impl Iterator<Item = String> {
         let more = self.joints.len().saturating_sub(TOLD);
         let more = (more > 0).then(|| format!("impulses of {more} more joints as well"));
@@ -280,8 +280,8 @@ impl fmt::Display for Struck {
             true => write!(f, "; velocities were set to follow it"),
             false => write!(
                 f,
-                "; no velocities fulfill all constraints there, and the step after it was left to \
-                 find some"
+                "; no velocities fulfill all constraints there, and the step after it must \
+                 determine them"
             ),
         }
     }
@@ -298,7 +298,7 @@ pub(super) fn pass(
 ) -> Renewal {
     let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
     let system = &model.system;
-    // What elements remember may have changed here, as an output that is sampled.
+    // The memory of elements may have changed here, such as a sampled output.
     let earlier = {
         let [latest, previous] = &mut *states;
         std::mem::swap(&mut latest.memory, &mut previous.memory);
@@ -347,7 +347,7 @@ fn jumped(element: &dyn Element, jump: PlaceJump, corner: &Corner) -> TransientF
     }
 }
 
-/// No place in which something is held may jump at a corner.
+/// Checks that no driven position jumps at a corner.
 pub(super) fn check_corner(
     model: &Model,
     state: &State,
@@ -360,7 +360,7 @@ pub(super) fn check_corner(
     }
 }
 
-/// No place in which time alone holds something may jump in a run \[s\].
+/// Checks that no position driven in time alone jumps in a run \[s\].
 pub(super) fn check_places(model: &Model, [from, to]: [f64; 2]) -> Result<(), TransientFailure> {
     for element in model.system.elements() {
         // Scalars are not known ahead.

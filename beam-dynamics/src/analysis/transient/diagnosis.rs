@@ -1,5 +1,5 @@
-//! The data about a step that could not be made: the elements at the worst equation, the
-//! likely cause, and how the iteration went.
+//! Data of a failed step: the elements at the worst equation, the likely cause, and the history of
+//! the iteration.
 
 use std::fmt::Write;
 
@@ -16,7 +16,7 @@ mod cause;
 
 use cause::{Cause, Scene};
 
-/// Iterations of the history that are told.
+/// Iterations of the history that are shown.
 const TOLD: usize = 12;
 
 /// The failure of a step of `model`, with its likely cause.
@@ -33,7 +33,7 @@ pub(super) fn trouble(
             true => Vec::new(),
             false => acting(&model.system, failure.worst.place),
         },
-        // Iterations that converged are of no interest.
+        // Converged iterations are omitted.
         history: match is_inexact {
             true => String::new(),
             false => history(&model.system, &failure.history),
@@ -59,14 +59,14 @@ fn acting(system: &System, place: usize) -> Vec<String> {
     names
 }
 
-/// The iterations: those with the same worst equation in a row behind its name.
+/// The iterations: consecutive ones with the same worst equation are listed after its name.
 fn history(system: &System, iterations: &[Iteration]) -> String {
     let mut text = String::new();
     let mut place = None;
     for (i, iteration) in iterations.iter().take(TOLD).enumerate() {
         let (worst, correction) = (&iteration.worst, iteration.correction);
         let is_same = place.replace(worst.place) == Some(worst.place);
-        // Writing to a string does not fail.
+        // Writing to a string cannot fail.
         let _ = match is_same {
             true => write!(text, ", "),
             false => {

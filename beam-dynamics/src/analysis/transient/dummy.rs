@@ -1,7 +1,7 @@
 //! First rates and multipliers by dummy steps.
 //!
-//! A few steps of next to no length from the first state damp what its rates, multipliers and
-//! scalars are wrong by; only these are kept, and the run starts from the first state.
+//! A few very short steps from the first state damp the errors of its rates, multipliers and
+//! scalars; only these are kept, and the run starts from the first state.
 //!
 //! References: [Masarati], section 4.3.
 
@@ -32,7 +32,7 @@ pub(super) fn dummy_rates(
     let (scheme, stepping) = (Scheme::Bdf2, Stepping::Constant { step });
     let mut integrator = Integrator::new(&dae, scheme, stepping, question.newton, question.from);
     let end = question.from + STEPS as f64 * step;
-    // More steps than that where one had to be cut.
+    // More steps if one had to be cut.
     while integrator.time() < end {
         integrator
             .step(&mut dae, end, &|| 0.0)

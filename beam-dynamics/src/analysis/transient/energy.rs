@@ -1,26 +1,26 @@
-//! Watch over the energy of a run in time.
+//! Energy balance of a run in time.
 //!
-//! What an element e gives the model from outside is the work of its forces on the nodes,
-//! with the power `P = sum F . v + M . omega`, beyond what its own energy gives:
+//! The energy input of an element e is the work of its forces on the nodes, with the power `P = sum
+//! F . v + M . omega`, beyond the change of its own energy:
 //!
 //! ```text
 //! W_e = int P_e dt + E_e(t) - E_e(0)
 //! G   = E(t) - E(0) - sum W_e                                                  (D-271)
 //! ```
 //!
-//! W is zero but for loads, driven joints and springs, dampers, electrodes, gravity that
-//! changes, whose power is that of all momenta, `a_g . sum beta`, and impulses. The
-//! integral is the trapezoid between accepted states; at a corner the powers are taken anew.
-//! G is what the discretization makes. It is looked at every few steps against
+//! W is zero except for loads, driven joints and springs, dampers, electrodes, varying gravity,
+//! whose power is `a_g . sum beta` over all momenta, and impulses. The integral is the trapezoid
+//! between accepted states; at a corner the powers are evaluated again. G is the gain by the
+//! discretization. It is compared every few steps with
 //!
 //! ```text
 //! G > 0.1 S + U ,   S = E_kin(0) + |E_el(0)| + sum int |P_e| dt + falls of potentials
 //!                   U = sum h/2 |P_1 - P_0|
 //! ```
 //!
-//! U being what the trapezoid may be off by where powers are not resolved. What dampers take
-//! out does not count in this G, which leaves it too small: the work of a damper too stiff for
-//! the steps is not known.
+//! U being the possible error of the trapezoid if powers are not resolved. The dissipation of
+//! dampers is excluded from this G, which is therefore too small: the work of a damper too stiff
+//! for the steps is unknown.
 
 use crate::assembly::{System, Workspace};
 use crate::case::{Model, TransientQuestion};
@@ -34,25 +34,25 @@ mod finding;
 
 pub(super) use finding::Finding;
 
-/// Steps between two looks at the energy.
+/// Steps between two checks of the energy.
 const LOOKED_AT: usize = 16;
-/// Part of what was ever put in above which a gain is told, where it lasts for two looks.
+/// Part of the total input above which a gain is reported, if it lasts for two checks.
 const GAINED: f64 = 0.1;
-/// Part above which it is told at once.
+/// Part above which it is reported at once.
 const SURELY: f64 = 1.0;
-/// What the iteration leaves, in sizes of the model and radians.
+/// Error of the iteration, relative to the size of the model and in radians.
 const LEFT: f64 = 1e-9;
 
-/// What was put into a run and what became of its energy.
+/// Energy input of a run, and energy balance.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct EnergyBalance {
-    /// Energy at the start, or where the run was continued [J].
+    /// Energy at the start, or at the beginning of a continued run [J].
     pub start: f64,
     /// Growth of the energy since then [J].
     pub growth: f64,
-    /// Work of loads, drives and all others that gave more than they took [J].
+    /// Work of loads, drives and all others that supplied more than they absorbed [J].
     pub put_in: f64,
-    /// What dampers and all others took that took more than they gave [J].
+    /// Energy absorbed by dampers and all others that absorbed more than they supplied [J].
     pub taken_out: f64,
 }
 
@@ -61,7 +61,7 @@ pub struct EnergyBalance {
 struct Sum {
     /// The power at the latest accepted state [W].
     power: f64,
-    /// Its integral, that of its size, and what they may be off by [J].
+    /// Its integral, the integral of its magnitude, and their possible error [J].
     work: f64,
     amount: f64,
     doubt: f64,
@@ -75,7 +75,7 @@ impl Sum {
         }
     }
 
-    /// Goes on by a step of `length` \[s\].
+    /// Advances by a step of `length` \[s\].
     fn add(&mut self, power: f64, length: f64) {
         let half = 0.5 * length;
         self.work += half * (self.power + power);
@@ -98,32 +98,33 @@ struct Exchanger {
 struct Look {
     time: f64,
     balance: EnergyBalance,
-    /// What is not accounted for, and what it is measured by [J].
+    /// The unexplained gain, and its reference [J].
     gain: f64,
     scale: f64,
     doubt: f64,
 }
 
-/// The watch of a run.
+/// The energy balance of a run.
 #[derive(Debug)]
 pub(super) struct EnergyWatch {
     exchangers: Vec<Exchanger>,
-    /// The work of gravity, where it changes.
+    /// The work of gravity, if it varies.
     gravity: Option<Sum>,
     work: Workspace,
-    /// Energy of each element at the start, at the latest look and at the look of the largest
+    /// Energy of each element at the start, at the latest check and at the check of the largest
     /// gain.
     start: Vec<Energy>,
     now: Vec<Energy>,
     then: Vec<Energy>,
-    /// What potentials have fallen by at most: elastic, of gravity, electric [J].
+    /// Largest decrease of potentials: elastic, of gravity, electric [J].
     falls: [f64; 3],
-    /// Energies of what the iteration leaves: of places [J], and of ways in a step [J s^2].
+    /// Energies of the error of the iteration: of positions [J], and of displacements in a
+    /// step [J s^2].
     left: [f64; 2],
     steps: usize,
     length: f64,
     latest: Look,
-    /// Since when there is a gain [s], and whether it is to be told.
+    /// Beginning of a gain [s], and whether it is to be reported.
     since: Option<f64>,
     is_found: bool,
     largest: Look,
@@ -136,13 +137,13 @@ fn power_of_gravity(state: &State, conditions: &Conditions) -> f64 {
         .dot(&conditions.loading.gravity)
 }
 
-/// Energies of what the iteration leaves, see [`EnergyWatch`].
+/// Energies of the error of the iteration, see [`EnergyWatch`].
 fn left_over(system: &System, (state, conditions): (&State, &Conditions), left: f64) -> [f64; 2] {
     let energy = system.energy(state, conditions);
     let mut other = state.clone();
     let way = left * system.size();
     for (i, node) in other.nodes.iter_mut().enumerate() {
-        // In any direction, and by another size at each node.
+        // In any direction, and of a different size at each node.
         let part =
             |k: usize| (0.7 + 0.3 * ((3 * i + k) as f64).sin()) * (1.0 - 2.0 * (i % 2) as f64);
         let all = nalgebra::Vector3::new(part(0), part(1), part(2));
@@ -158,7 +159,7 @@ fn left_over(system: &System, (state, conditions): (&State, &Conditions), left: 
 }
 
 impl EnergyWatch {
-    /// A watch from the state of `dae` on, at which `conditions` act.
+    /// An energy balance from the state of `dae` on, under `conditions`.
     pub fn new(
         model: &Model,
         question: &TransientQuestion,
@@ -202,8 +203,8 @@ impl EnergyWatch {
         }
     }
 
-    /// Goes on by an accepted step to `time`, of `length` \[s\], which began at `corner` if
-    /// there was one; `conditions` act at its end.
+    /// Advances by an accepted step to `time`, of `length` \[s\], which began at `corner` if there
+    /// was one; `conditions` apply at its end.
     pub fn step(
         &mut self,
         dae: &Multibody<'_>,
@@ -230,7 +231,7 @@ impl EnergyWatch {
         }
     }
 
-    /// Takes the powers anew just after a corner.
+    /// Evaluates the powers again just after a corner.
     fn renew(&mut self, at: (&State, &Conditions), system: &System) {
         for one in &mut self.exchangers {
             one.sum.power = system.power_of(one.element, at, &mut self.work);
@@ -240,14 +241,14 @@ impl EnergyWatch {
         }
     }
 
-    /// Looks at the energy at the end, where that was not done already.
+    /// Checks the energy at the end, unless this was done already.
     pub fn end(&mut self, dae: &Multibody<'_>, conditions: &Conditions, time: f64) {
         if !self.steps.is_multiple_of(LOOKED_AT) {
             self.look(dae, conditions, time);
         }
     }
 
-    /// The balance at the latest look.
+    /// The balance at the latest check.
     pub fn balance(&self) -> EnergyBalance {
         self.latest.balance
     }
@@ -277,7 +278,7 @@ impl EnergyWatch {
         self.is_found |= is_second || is_above(SURELY);
     }
 
-    /// The balance of the energies of the latest look.
+    /// The balance of the energies of the latest check.
     fn account(&mut self, impulses: f64, time: f64) -> Look {
         let sum = |energies: &[Energy]| {
             let mut sum = Energy::default();
@@ -296,7 +297,7 @@ impl EnergyWatch {
         let growth = now.total() - start.total();
         let falls = [
             self.falls[0].max(start.elastic.abs()),
-            // Gravity that changes puts in.
+            // Varying gravity supplies energy.
             self.gravity.map_or(self.falls[1], |_| 0.0),
             self.falls[2].max(start.electric.abs()),
         ];
@@ -329,7 +330,7 @@ impl EnergyWatch {
 }
 
 impl Look {
-    /// Counts what was put in by one, which has `stored` \[J\] by itself.
+    /// Adds the input of one element, which has `stored` \[J\] itself.
     fn add(&mut self, sum: &Sum, stored: f64, is_viscous: bool) {
         let work = sum.work + stored;
         match work > 0.0 {

@@ -1,4 +1,4 @@
-//! Why a run in time ended before its last instant, in words.
+//! Reasons for a run in time that ended before its last instant, as text.
 
 use shared_geom::error::Explain;
 
@@ -15,42 +15,42 @@ mod step;
 pub use step::StepTrouble;
 pub(super) use step::quoted;
 
-/// A number as it was given, without the digits that round-off adds.
+/// A number as given, without digits of round-off.
 fn short(value: f64) -> f64 {
     format!("{value:.9e}").parse().unwrap_or(value)
 }
 
-/// Remedy where scalars have no start.
+/// Remedy if scalars have no start.
 const UNDETERMINED: &str = "look for unknowns that no equation determines, as an output \
-     that is its own input, a system that integrates and is to settle (give it a \"start\"), a \
+     that is its own input, an integrating system that should settle (give it a \"start\"), a \
      loop of voltages, and for laws without a value at the start";
 
-/// Why a run in time ended before its last instant.
+/// Reason for a run in time that ended before its last instant.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum TransientFailure {
-    /// A node can move, although nothing says how.
+    /// A node with a motion that no mass, stiffness or damping determines.
     #[error(transparent)]
     Massless(#[from] MasslessNode),
-    /// Constraints that follow from others.
+    /// Redundant constraints.
     #[error("redundant constraints: {}", in_words(.0))]
     Redundant(Vec<Redundant>),
-    /// Constraints that follow from others at the start only.
+    /// Constraints that are redundant at the start only.
     #[error(
         "singular position: the mechanism starts where it is locked or can go two ways; there \
          only, {0}"
     )]
     SingularPosition(String),
-    /// A constraint does not follow from the others any more.
+    /// A redundant constraint is no longer redundant.
     #[error(
-        "at {time} s {constraint} at the start, but not any more: together they are off by \
+        "at {time} s {constraint} at the start, but no longer: their violation is \
          {value:.3e} {unit}"
     )]
     Broken {
-        /// The constraint and what it followed from, in words.
+        /// The constraint and the constraints from which it followed, as text.
         constraint: String,
-        /// When [s].
+        /// Time [s].
         time: f64,
-        /// What it is off by [unit of the constraint].
+        /// Its violation [unit of the constraint].
         value: f64,
         /// The unit.
         unit: String,
@@ -58,45 +58,47 @@ pub enum TransientFailure {
     /// Constraints that contradict others.
     #[error("contradicting constraints, from {time} s on: {constraints}")]
     Contradicting {
-        /// The constraints, and what they contradict, in words.
+        /// The constraints, and the contradicted ones, as text.
         constraints: String,
-        /// When they begin to [s].
+        /// Beginning of the contradiction [s].
         time: f64,
     },
     /// No equilibrium to start from.
     #[error("start: {0}")]
     Equilibrium(#[from] Box<NoEquilibrium>),
-    /// No places fulfill the constraints.
+    /// No positions fulfill the constraints.
     #[error(
-        "start: no places of the nodes were found that fulfill the constraints; at the nearest \
-         found the worst is {constraint}, off by {value:.3e} {}",
+        "start: no positions of the nodes were found that fulfill the constraints; the worst at \
+         the nearest positions found is {constraint}, off by {value:.3e} {}",
         .constraint.unit
     )]
     Places {
         /// The worst constraint.
         constraint: Name,
-        /// What it is off by [unit of the constraint].
+        /// Its violation [unit of the constraint].
         value: f64,
-        /// Whether the constraints lose rank at the given places.
+        /// Whether the constraints lose rank at the given positions.
         is_singular: bool,
     },
-    /// A driven rotation is held where its constraints are fulfilled too.
-    #[error("at {time} s a driven rotation is held half a turn off: {constraint}")]
+    /// A driven rotation settled half a turn away, where its constraints are fulfilled too.
+    #[error(
+        "at {time} s a driven rotation settled 180 deg away from its prescribed value: {constraint}"
+    )]
     TurnedOver {
-        /// A constraint of the joint in words.
+        /// A constraint of the joint, as text.
         constraint: String,
-        /// When [s].
+        /// Time [s].
         time: f64,
     },
-    /// The angle of a spring has passed half a turn, that of a hinge from its relaxed one.
+    /// The angle of a spring has passed half a turn, for a hinge relative to its relaxed angle.
     #[error(
-        "at {time} s the spring \"{spring}\" has turned by half a turn: its moment would jump to \
-         the other side"
+        "at {time} s the spring \"{spring}\" has turned by half a turn: its moment would jump \
+         and change its sign"
     )]
     Wound {
         /// The spring or hinge.
         spring: String,
-        /// When [s].
+        /// Time [s].
         time: f64,
     },
     /// No velocities fulfill the constraints.
@@ -108,7 +110,7 @@ pub enum TransientFailure {
     Velocities {
         /// The worst constraint.
         constraint: Name,
-        /// What it is off by [unit of the constraint/s].
+        /// Its violation [unit of the constraint/s].
         value: f64,
     },
     /// No values of the scalar unknowns agree with the motion.
@@ -117,7 +119,7 @@ pub enum TransientFailure {
          the worst is {0}"
     )]
     Scalars(Name),
-    /// A velocity is driven at which the model does not turn as a whole.
+    /// A driven velocity with which the model does not turn as a whole.
     #[error(
         "start: the model does not turn as a whole at {}: \"{joint}\" drives a velocity that is \
          off by {off:.3e} rad/s or m/s",
@@ -126,18 +128,18 @@ pub enum TransientFailure {
     DrivenOtherwise {
         /// The joint.
         joint: String,
-        /// What its velocity is off by [rad/s or m/s].
+        /// Difference of its velocity [rad/s or m/s].
         off: f64,
         /// The speed of rotation [rad/s].
         speed: f64,
     },
-    /// A part of a model that is to turn as a whole is held, or driven otherwise.
-    #[error("start: the model does not go on to turn as a whole: {change}")]
+    /// A part of a model that should turn as a whole is held, or driven otherwise.
+    #[error("start: the model does not continue to turn as a whole: {change}")]
     Held {
-        /// The largest change that the constraints ask for.
+        /// The largest change required by the constraints.
         change: StartChange,
     },
-    /// A drive jumps in what it holds in place.
+    /// A driven position jumps.
     #[error(
         "the drive of \"{joint}\" jumps at {time} s: its {} from {} to {} {}",
         .jump.what, short(.jump.from), short(.jump.to), .jump.unit
@@ -145,24 +147,24 @@ pub enum TransientFailure {
     Jump {
         /// The joint.
         joint: String,
-        /// What jumps, from where to where.
+        /// The jumping quantity, with its values before and after.
         jump: PlaceJump,
-        /// When [s].
+        /// Time [s].
         time: f64,
     },
-    /// A dummy step could not be made.
+    /// A dummy step failed.
     #[error("start: dummy steps: {0}")]
     Dummy(Box<StepFailure>),
-    /// A step could not be made.
+    /// A step failed.
     #[error("{0}")]
     Step(Box<StepTrouble>),
     /// A snapshot of another model.
     #[error("the run cannot be continued: {reason}")]
     Resume {
-        /// What does not fit, in words.
+        /// The mismatch, as text.
         reason: String,
     },
-    /// The recorder took no more.
+    /// The recorder ended the run.
     #[error("output ended the run at {time} s")]
     Recorder {
         /// Time reached [s].
@@ -171,7 +173,7 @@ pub enum TransientFailure {
 }
 
 impl TransientFailure {
-    /// Names of the joints that it is about, each once, where it tells of several.
+    /// Names of the joints concerned, each once, if there are several.
     pub fn joints(&self) -> Vec<&str> {
         if let Self::Jump { joint, .. } = self {
             return vec![joint];
@@ -191,7 +193,7 @@ impl TransientFailure {
         names
     }
 
-    /// What to do about it.
+    /// The remedy.
     pub fn remedy(&self) -> String {
         let fixed = match self {
             Self::Step(trouble) => return trouble.remedy(),
@@ -201,37 +203,37 @@ impl TransientFailure {
                 return found.first().and_then(Explain::help).unwrap_or_default();
             }
             Self::Equilibrium(_) => {
-                "hold what is free, or take away the load that nothing can carry"
+                "constrain the free motion, or remove the load that nothing carries"
             }
             Self::Places {
                 is_singular: true, ..
             } => {
-                "the given places may be a singular position, such as links in line, from where \
-                 no direction leads on: start a little beside it; else look for lengths that \
-                 cannot meet and for drives that start elsewhere"
+                "the given positions may be singular, such as links in line, where no direction \
+                 reduces the violation: start slightly away from them; else look for lengths \
+                 that cannot meet and for drives that start elsewhere"
             }
             Self::Places { .. } => {
                 "look for lengths that cannot meet and for drives that start elsewhere, or place \
-                 the nodes nearer to where they fit"
+                 the nodes nearer to matching positions"
             }
             Self::TurnedOver { .. } => {
                 "let the drive start nearer to the attitude in which the nodes are given, or take \
                  shorter steps"
             }
             Self::Wound { .. } => {
-                "hold the part from turning so far, by a stiffer spring or a stop, or drive a \
+                "limit the rotation of the part by a stiffer spring or a stop, or drive a \
                  relaxed angle no faster than the part follows; the angle of a spring is known \
-                 from half a turn back to half a turn ahead: that of a hinge from its relaxed \
-                 angle, that of a [[spring]] from its undeformed state"
+                 within half a turn in both directions: for a hinge from its relaxed angle, for \
+                 a [[spring]] from its undeformed state"
             }
             Self::Velocities { .. } => {
-                "look for joints that say the same twice and for a position at which the \
-                 mechanism is locked"
+                "look for redundant joints and for a position at which the mechanism is \
+                 locked"
             }
             Self::Scalars(_) => UNDETERMINED,
-            Self::SingularPosition(_) => "start the mechanism a little beside this position",
+            Self::SingularPosition(_) => "start the mechanism slightly away from this position",
             Self::Broken { .. } => {
-                "take joints that hold each direction once, and leave out redundant = \"remove\""
+                "use joints that constrain each direction once, and remove redundant = \"remove\""
             }
             Self::Contradicting { .. } => "drive one of them only, or both alike",
             Self::DrivenOtherwise { .. } => {
@@ -239,21 +241,21 @@ impl TransientFailure {
                  another \"speed\"; joints inside the model have the speed zero there"
             }
             Self::Held { .. } => {
-                "drive what holds the model at the speed of the start, for instance by a joint \
-                 whose angle is a ramp"
+                "drive the supports of the model at the speed of the start, for instance by a \
+                 joint whose angle is a ramp"
             }
             Self::Jump { .. } => {
-                "no motion follows a jump of a place: let the drive get there by a ramp, which \
-                 may be steep, or drive the speed, which may jump"
+                "no motion can follow a jump of a position: use a ramp, which may be steep, or \
+                 drive the speed, which may jump"
             }
             Self::Resume { .. } => "continue with the model and the file that were run before",
-            Self::Recorder { .. } => "look at what output says",
+            Self::Recorder { .. } => "see the message of the output",
         };
         fixed.to_owned()
     }
 }
 
-/// Redundant constraints in words, the first few of them.
+/// Redundant constraints as text, the first few of them.
 fn in_words(found: &[Redundant]) -> String {
     let told: Vec<_> = found.iter().map(ToString::to_string).collect();
     listed(&told)

@@ -38,7 +38,10 @@ use super::corner::{Impulses, NextCorner, pass};
 mod numbers;
 mod own_axes;
 
-use numbers::{attitude, move_own, moved, orthogonal, part, split, write};
+use numbers::{
+    Integrated, attitude, integrated_latest, move_own, moved, moved_momentum, orthogonal, part,
+    split, write, write_latest,
+};
 use own_axes::OwnAxes;
 
 /// Accepted states that are kept.
@@ -62,6 +65,8 @@ struct Trial {
     conditions: Conditions,
     /// Correction of the orientation of each node.
     turns: Vec<Increment>,
+    /// Angular momenta as they are integrated, as predicted.
+    gammas: Vec<Integrated>,
     /// How redundant constraints share loads where it was predicted.
     sharing: Sharing,
 }
@@ -108,6 +113,7 @@ impl<'a> Multibody<'a> {
             state: states[0].clone(),
             conditions: model.conditions_at(0.0),
             turns: vec![still; nodes],
+            gammas: vec![[Vector3::zeros(); 2]; nodes],
             sharing: sharing.clone(),
         };
         let variation = Variation {
@@ -189,7 +195,10 @@ impl Dae for Multibody<'_> {
             .zip(slopes.chunks_mut(NODE_UNKNOWNS));
         let pairs = then.nodes.iter().zip(&latest.nodes).zip(&self.own_axes);
         for (((node, origin), own), out) in pairs.zip(numbers) {
-            write(node, origin, own.as_ref(), out);
+            match back {
+                0 => write_latest(node, own.as_ref(), out),
+                _ => write(node, origin, own.as_ref(), out),
+            }
         }
         let multipliers = then.multipliers.iter().zip(&latest.multipliers);
         let scalars = then.scalars.iter().zip(&latest.scalars);
@@ -222,8 +231,9 @@ impl Dae for Multibody<'_> {
             split(rates, latest.nodes.len()),
         );
         let numbers = y.zip(rates);
-        let bases = trial.base.nodes.iter_mut().zip(&self.own_axes);
-        for (((base, own), node), numbers) in bases.zip(&latest.nodes).zip(numbers) {
+        let bases = trial.base.nodes.iter_mut().zip(&mut trial.gammas);
+        let origins = latest.nodes.iter().zip(&self.own_axes);
+        for (((base, gamma), (node, own)), numbers) in bases.zip(origins).zip(numbers) {
             let turn = Increment {
                 parameters: part(numbers.0, 1),
                 rate: part(numbers.1, 1),
@@ -233,8 +243,9 @@ impl Dae for Multibody<'_> {
                 angular_velocity: Vector3::zeros(),
             };
             let turned = gibbs::corrected(&turn, &still);
+            *gamma = moved_momentum(&integrated_latest(node, own.as_ref()), 0.0, numbers);
             let axes = own.as_ref().map(|own| (own, &node.rotation));
-            *base = moved((node, 0.0), &turned, axes, numbers);
+            *base = moved((node, 0.0), &turned, (gamma, axes), numbers);
         }
         move_own(&mut trial.base, latest, own);
         let first = latest.multipliers.len();
@@ -256,14 +267,16 @@ impl Dae for Multibody<'_> {
         let nodes = trial.base.nodes.len();
         let ((y, own), (rates, own_rates)) = (split(y, nodes), split(rates, nodes));
         let origins = self.own_axes.iter().zip(&self.states[0].nodes);
-        let bases = trial.base.nodes.iter().zip(origins).zip(y.zip(rates));
+        let bases = trial.base.nodes.iter().zip(&trial.gammas);
+        let bases = bases.zip(origins).zip(y.zip(rates));
         let states = trial.state.nodes.iter_mut().zip(&mut trial.turns);
-        for ((state, turn), ((base, (own, origin)), numbers)) in states.zip(bases) {
+        for ((state, turn), (((base, gamma), (own, origin)), numbers)) in states.zip(bases) {
             turn.parameters = part(numbers.0, 1);
             turn.rate = part(numbers.1, 1);
             let turned = gibbs::corrected(turn, &attitude(base));
             let axes = own.as_ref().map(|own| (own, &origin.rotation));
-            *state = moved((base, 1.0), &turned, axes, numbers);
+            let gamma = moved_momentum(gamma, 1.0, numbers);
+            *state = moved((base, 1.0), &turned, (&gamma, axes), numbers);
         }
         move_own(&mut trial.state, &trial.base, own);
         trial.sharing.take_surplus(&mut trial.state.multipliers);

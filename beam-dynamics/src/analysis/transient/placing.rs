@@ -1,12 +1,12 @@
-//! Places and velocities that fulfill the constraints and change least.
+//! Positions and velocities that fulfill the constraints with the least change.
 //!
 //! ```text
 //! places       minimize 1/2 d^T W d,    d = (x - x_0, psi(R R_0^T))    with Phi = 0
 //! velocities   minimize 1/2 (v - v_0)^T W (v - v_0)          with Phi_y v + Phi_t = 0
 //! ```
 //!
-//! by Newton's method on the conditions of an extremum. Weights are those of the nodes,
-//! for rotations times the square of the size of the model.
+//! by Newton's method on the conditions of an extremum. The weights are given by the nodes, for
+//! rotations times the square of the size of the model.
 
 use nalgebra::Vector3;
 use shared_geom::rotation::{gibbs, vector};
@@ -22,19 +22,19 @@ mod search;
 
 use search::Search;
 
-/// Iterations at most.
+/// Largest number of iterations.
 const ITERATIONS: usize = 50;
-/// Largest change of a step, in sizes of the model and radians.
+/// Largest change of a step, relative to the size of the model and in radians.
 const LARGEST: f64 = 0.5;
-/// Size of the last correction, in sizes of the model and radians.
+/// Size of the last correction, relative to the size of the model and in radians.
 const SMALL: f64 = 1e-10;
-/// Constraints that are fulfilled up to this part of the size of the model are left alone.
+/// Constraints that are fulfilled up to this part of the size of the model are not changed.
 const FULFILLED: f64 = 1e-12;
-/// What places, and terms of order one, leave of a constraint by round-off.
+/// Round-off of a constraint from positions and terms of order one.
 const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
-/// A model does not move that is slower, in sizes of it a second \[1/s\].
+/// Velocity below which a model is at rest, in sizes of the model per second \[1/s\].
 const SLOWEST: f64 = 1e-3;
-/// Weight of velocities of which nothing is said.
+/// Weight of velocities that are not given.
 const UNSAID: f64 = 1e-8;
 
 /// Change of a constraint by driven rotations, in sizes of the model, above which they are
@@ -43,23 +43,23 @@ const TURNED: f64 = 0.1;
 /// Parts in which driven rotations are applied: no more than pi/16 at a time.
 const PARTS: usize = 16;
 
-/// How far from a place it is looked beside it, in sizes of the model and radians.
+/// Distance of trial positions from a position, relative to the size of the model and in radians.
 const BESIDE: f64 = 0.01;
 
 /// A constraint that cannot be fulfilled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unfulfilled {
-    /// Its place among the equations.
+    /// Its index among the equations.
     pub place: usize,
-    /// What it is off by [unit of the constraint].
+    /// Its violation [unit of the constraint].
     pub value: f64,
-    /// Whether it is fulfilled, but half a turn from where it is driven.
+    /// Whether it is fulfilled, but half a turn away from its drive.
     pub is_turned_over: bool,
-    /// Whether the constraints lose rank at the given places.
+    /// Whether the constraints lose rank at the given positions.
     pub is_singular: bool,
 }
 
-/// The constraint that is farthest from being fulfilled.
+/// The constraint of the largest violation.
 fn worst(values: &[f64], first: usize) -> Unfulfilled {
     let places = values.iter().enumerate().map(|(i, value)| Unfulfilled {
         place: first + i,
@@ -102,11 +102,11 @@ fn weights(size: f64, initial: &[InitialMotion], of: fn(&InitialMotion) -> [f64;
     initial.iter().flat_map(of_node).collect()
 }
 
-/// Moves the nodes of `state`, as little as their weights tell, until the constraints of
-/// positions are fulfilled. Velocities do not count.
+/// Moves the nodes of `state`, by the least weighted change, until the constraints of positions are
+/// fulfilled. Velocities are ignored.
 ///
-/// Constraints cannot tell an attitude from that half a turn away: where driven rotations
-/// are large, they are applied little by little.
+/// Constraints cannot distinguish an attitude from the attitude half a turn away: large driven
+/// rotations are applied in small parts.
 pub(super) fn place(
     system: &System,
     state: &State,
@@ -119,7 +119,7 @@ pub(super) fn place(
         for part in 0..PARTS {
             let mut conditions = *conditions;
             conditions.loading.turns = part as f64 / PARTS as f64;
-            // Where a mechanism passes no such place, its goal alone counts.
+            // If the mechanism cannot reach an intermediate position, only the final one is used.
             if let Ok(placed) = place_at_once(system, &now, &conditions, initial) {
                 now = placed;
             }
@@ -132,7 +132,7 @@ pub(super) fn place(
     }
 }
 
-/// Whether driven rotations are far from where the nodes are.
+/// Whether driven rotations are far from the attitudes of the nodes.
 fn turns_far(system: &System, state: &State, conditions: &Conditions) -> bool {
     let now = still(state);
     let off = |turns: f64| {
@@ -148,7 +148,7 @@ fn turns_far(system: &System, state: &State, conditions: &Conditions) -> bool {
     !is_fulfilled && change.fold(0.0, f64::max) > TURNED
 }
 
-/// The first constraint of an element that holds a rotation half a turn off.
+/// The first constraint of an element that holds a rotation half a turn away.
 fn half_a_turn_off(system: &System, element: &dyn Element) -> Unfulfilled {
     let all = system.elements();
     let before = all.take_while(|other| !std::ptr::addr_eq(*other, element));
@@ -161,8 +161,8 @@ fn half_a_turn_off(system: &System, element: &dyn Element) -> Unfulfilled {
     }
 }
 
-/// The same, from where the nodes are straight to the goal: by full steps, and where they
-/// lead nowhere by steps that are halved while the constraints come no nearer.
+/// The same, directly from the positions of the nodes: by full steps, and if they fail by steps
+/// that are halved until the constraints converge.
 fn place_at_once(
     system: &System,
     state: &State,
@@ -193,7 +193,7 @@ fn place_at_once(
     })
 }
 
-/// What a constraint may be off by: a part of the size of the model, or round-off \[m\].
+/// Largest violation of a constraint: a part of the size of the model, or round-off \[m\].
 fn fulfilled(part: f64, system: &System, state: &State) -> f64 {
     let places = state.nodes.iter().map(|node| node.position.amax());
     f64::max(part * system.size(), ROUND_OFF * places.fold(1.0, f64::max))
@@ -210,7 +210,7 @@ fn still(state: &State) -> State {
     still
 }
 
-/// The places of `placed` with the velocities of `state`.
+/// The positions of `placed` with the velocities of `state`.
 fn with_motion_of(placed: State, state: &State) -> State {
     let mut all = state.clone();
     for (node, placed) in all.nodes.iter_mut().zip(&placed.nodes) {
@@ -231,7 +231,7 @@ fn move_by(state: &mut State, step: &[f64], part: f64) {
     }
 }
 
-/// One step to the extremum, from `now`, whose multipliers are those of the extremum.
+/// One step to the extremum, from `now`, whose multipliers belong to the extremum.
 fn place_step(
     system: &System,
     (start, now): (&State, &State),
@@ -294,8 +294,8 @@ fn curvature(
         .collect()
 }
 
-/// Changes the velocities of `state`, as little as their weights tell, until all
-/// constraints are fulfilled with them.
+/// Changes the velocities of `state`, by the least weighted change, until they fulfill all
+/// constraints.
 pub(super) fn set_moving(
     system: &System,
     state: &State,
@@ -334,7 +334,7 @@ pub(super) fn set_moving(
         let before = worst(&off, place).value.abs();
         off = velocity_constraints(system, &now, conditions);
         let after = worst(&off, place);
-        // Round-off of large terms: no step makes it better.
+        // Round-off of large terms: no step reduces it.
         let speed = fastest(system, &now).max(SLOWEST * system.size());
         if after.value.abs() <= 1e-9 * speed && after.value.abs() > 0.1 * before {
             return Ok(now);
@@ -359,8 +359,8 @@ pub(super) fn position_values(system: &System, state: &State, conditions: &Condi
     values(system, &still(state), conditions, Level::Position)
 }
 
-/// `state` moved a little as the constraints leave it free, in one of several directions;
-/// `None` where it cannot be.
+/// `state` moved a little in a free direction of the constraints, one of several; `None` if there
+/// is none.
 pub(super) fn beside(
     system: &System,
     state: &State,
@@ -376,7 +376,7 @@ pub(super) fn beside(
     let turn = size * size;
     let weight = |i: usize| if i % MOTION < 3 { 1.0 } else { turn };
     saddle.diagonal((0..MOTION * nodes).map(weight));
-    // Numbers without order: no direction that a model is likely to be made in.
+    // Irregular numbers: a direction in which no model is likely to be built.
     let any = |i: usize| (1.0 + 2.7 * direction as f64 + 1.3 * i as f64 + (i * i) as f64).sin();
     let right = (0..MOTION * nodes).map(|i| match i % MOTION {
         0..3 => size * any(i),
@@ -394,7 +394,7 @@ pub(super) fn beside(
     Some(now)
 }
 
-/// How fast the constraints change with all nodes at rest.
+/// Rates of the constraints with all nodes at rest.
 pub(super) fn own_rates(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
     velocity_constraints(system, &still(state), conditions)
 }
@@ -425,7 +425,7 @@ pub(super) fn velocity_constraints(
     off
 }
 
-/// `Phi_t`, by central differences where an element does not tell it.
+/// `Phi_t`, by central differences if an element does not define it.
 fn by_time(system: &System, state: &State, conditions: &Conditions) -> Vec<f64> {
     /// The error of differences is about 1e-10 of the drive.
     const DELAY: f64 = 1e-5;

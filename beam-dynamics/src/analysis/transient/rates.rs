@@ -1,5 +1,4 @@
-//! Rates of momenta, and multipliers, that agree with the last derivative of the
-//! constraints.
+//! Rates of momenta, and multipliers, consistent with the last derivative of the constraints.
 //!
 //! The momenta are functions of the motion, `beta = b(x, R, v, omega)`, so that with the
 //! accelerations a (of displacement and rotation)
@@ -11,9 +10,8 @@
 //! ```
 //!
 //! with `F_0` the forces, without multipliers, of the state, and C the derivatives of the
-//! constraints. Where a motion moves no mass its acceleration follows from the constraints,
-//! or is no one's concern: next to nothing is added to M in these directions, and left out
-//! again of the rates.
+//! constraints. If a motion moves no mass, its acceleration follows from the constraints or is
+//! irrelevant: a tiny mass is added to M in these directions, and left out again in the rates.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -24,11 +22,11 @@ use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State, Variable};
 use super::saddle::{By, MOTION, Saddle, constraint_rows, motion};
 use super::scalars::{self, Settling};
 
-/// Mass of what has none, as a part of the largest mass.
+/// Added mass of motions without mass, as a part of the largest mass.
 const NEXT_TO_NOTHING: f64 = 1e-9;
 
-/// Rounds at most in which scalars that read reactions agree with these, and the part of a
-/// scalar, or of one, to which they do.
+/// Largest number of rounds in which scalars that read reactions are made consistent with them, and
+/// the tolerance, relative to the scalar or absolute.
 const ROUNDS: usize = 30;
 const AGREED: f64 = 1e-10;
 /// Singular values of differences below this part of the largest are round-off.
@@ -44,9 +42,9 @@ pub(super) fn find_momenta(system: &System, state: &mut State, conditions: &Cond
     }
 }
 
-/// `state` with rates of momenta and multipliers that agree with its motion and with what
-/// acts, and with scalars that agree with them; `None` when an element does not know how its
-/// constraints change, or when they have no solution.
+/// `state` with rates of momenta and multipliers consistent with its motion and the conditions, and
+/// with scalars consistent with them; `None` if an element does not define the rates of its
+/// constraints, or if there is no solution.
 pub(super) fn consistent_rates(
     system: &System,
     state: &State,
@@ -70,8 +68,8 @@ pub(super) fn consistent_rates(
     None
 }
 
-/// The search for x = g(x) by all that is known of `f = g(x) - x`, which finds it in as many
-/// rounds as g has dimensions where g is linear, however fast it grows:
+/// The search for x = g(x) from all values of `f = g(x) - x` so far, which finds it in as many
+/// rounds as g has dimensions if g is linear, for any growth of g:
 ///
 /// ```text
 /// x_{k+1} = x_k + f_k - (dX + dF) c ,     c: least | f_k - dF c |
@@ -107,7 +105,7 @@ impl FixedPoint {
     }
 }
 
-/// As [`consistent_rates`], with the scalars as they are.
+/// As [`consistent_rates`], with the scalars unchanged.
 fn rates_at_scalars(system: &System, state: &State, conditions: &Conditions) -> Option<State> {
     let (_, convective) = system.constraint_rates(state, conditions)?;
     let mut state = state.clone();
@@ -151,7 +149,7 @@ fn rates_at_scalars(system: &System, state: &State, conditions: &Conditions) -> 
 /// `-F_lambda` above `C` and zero.
 pub(super) struct Accelerated {
     saddle: Saddle,
-    /// M, without what was added.
+    /// M, without the added mass.
     masses: Vec<(usize, usize, f64)>,
     heaviest: f64,
 }
@@ -180,7 +178,7 @@ impl Accelerated {
         }
     }
 
-    /// Changes of the motion of the nodes, then multipliers; `None` when there are none.
+    /// Changes of the motion of the nodes, then multipliers; `None` if there are none.
     pub fn solve(&self, nodes: usize, right: &[f64]) -> Option<Vec<f64>> {
         self.saddle.solve(nodes, self.heaviest, right)
     }
@@ -197,7 +195,7 @@ fn masses(nodes: usize, tangent: &Tangent) -> Vec<(usize, usize, f64)> {
         .collect()
 }
 
-/// q: rates of the momenta of nodes that are not accelerated.
+/// q: rates of the momenta of nodes without acceleration.
 fn carried(state: &State, tangent: &Tangent) -> Vec<f64> {
     let nodes = state.nodes.len();
     let speed = |column: usize| {
@@ -240,7 +238,7 @@ fn multiplier_columns(
         .collect()
 }
 
-/// Gives a little mass to what has none.
+/// Adds a small mass to motions without mass.
 fn soften(saddle: &mut Saddle, system: &System, tangent: &Tangent, heaviest: f64) {
     let size = system.size();
     let scale = |i: usize| if i < 3 { 1.0 } else { size };

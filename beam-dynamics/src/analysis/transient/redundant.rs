@@ -1,4 +1,4 @@
-//! Constraints that follow from others, before a run: they are told, or taken out.
+//! Finds redundant constraints before a run; reports or removes them.
 
 use std::cmp::Ordering;
 
@@ -10,28 +10,28 @@ use crate::case::{self, Model, TransientQuestion};
 use crate::integrator::Stepping;
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 
-/// Directions in which constraints are tried beside the first place.
+/// Number of directions in which constraints are checked away from the first position.
 const DIRECTIONS: usize = 2;
-/// What a constraint is off by, in sizes of the model, when it does not follow there: places
-/// are found to 1e-10, and a hundredth of the size away a dependence of second order is off
-/// by about 1e-4.
+/// Violation of a constraint, relative to the size of the model, above which it is not redundant
+/// away from the first position: positions are found to 1e-10, and at a hundredth of the size a
+/// dependence of second order gives about 1e-4.
 const BROKEN_BESIDE: f64 = 1e-8;
 /// The same during a run, where constraints are fulfilled to the tolerance of its steps.
 const BROKEN: f64 = 1e-4;
-/// What drives contradict each other by during a run, as a part of the fastest of the loop,
-/// that is not left over from steps.
+/// Contradiction of drives during a run, as a part of the fastest drive of the loop, that is not an
+/// error of the steps.
 const UNLIKE: f64 = 1e-5;
-/// Rates below this are those of differences \[m/s or rad/s\].
+/// Rates below this are errors of differences \[m/s or rad/s\].
 const STILL: f64 = 1e-8;
-/// Constraints of a net of loops that follow from others from which on it is told what sharing
-/// their loads costs.
+/// Number of redundant constraints of a net of loops from which on the cost of sharing their loads
+/// is reported.
 const MANY: usize = 100;
 
-/// The model in which redundant constraints share their loads with those from which they
-/// follow; `None` where all are independent.
+/// The model in which redundant constraints share their loads with the constraints from which they
+/// follow; `None` if all are independent.
 ///
-/// They are found where the undeformed nodes are brought by the constraints. Where these
-/// cannot be fulfilled, start-up says so.
+/// They are determined at the positions of the undeformed nodes after initialization. If the
+/// constraints cannot be fulfilled, initialization reports it.
 pub(super) fn independent(
     model: &Model,
     question: &TransientQuestion,
@@ -86,12 +86,12 @@ pub(super) fn independent(
 pub(super) struct Shared {
     /// The model.
     pub model: Model,
-    /// The constraints that follow from others.
+    /// The redundant constraints.
     pub redundant: Vec<Redundant>,
 }
 
 impl Shared {
-    /// What was found, in words.
+    /// The findings, as text.
     pub fn remarks(&self) -> impl Iterator<Item = String> {
         let found = self.redundant.iter();
         let found = found.map(|found| format!("{found}: they share its load"));
@@ -99,17 +99,18 @@ impl Shared {
         let large = loops.filter(|(count, _)| *count > MANY);
         let large = large.map(|(count, joint)| {
             format!(
-                "{count} constraints of one net of closed loops, that of \"{joint}\", follow from \
-                 others: each step costs as their number cubed; take joints that hold each direction once \
-                 (spherical, cylindrical or in-line in place of revolute) for the cost of open chains"
+                "{count} constraints of the net of closed loops with \"{joint}\" follow from \
+                 others: the cost of a step grows with the cube of their number; use joints that \
+                 constrain each direction once (spherical, cylindrical or in-line instead of \
+                 revolute) for the cost of open chains"
             )
         });
         found.chain(large)
     }
 }
 
-/// What the largest mass gives way by under a force in a step, or else the largest
-/// stiffness \[m/N\].
+/// Displacement of the largest mass per unit force in a step, or else of the largest stiffness
+/// \[m/N\].
 fn compliance(
     system: &System,
     placed: &State,
@@ -139,8 +140,8 @@ fn compliance(
     }
 }
 
-/// The constraints of `found`, in words, that do not hold a little beside `placed`, where all
-/// others do: they follow from those in that place only.
+/// The constraints of `found`, as text, that are violated near `placed`, where all others are
+/// fulfilled: they are redundant only at this position.
 fn broken_beside(
     system: &System,
     reduced: &Model,
@@ -166,13 +167,13 @@ fn broken_beside(
         .collect()
 }
 
-/// Whether a constraint that gives way so does not follow from the others any more.
+/// Whether a constraint with this violation is no longer redundant.
 pub(super) fn is_broken(slack: &Slack) -> bool {
     !matches!(slack.part.abs().partial_cmp(&BROKEN), Some(Ordering::Less))
 }
 
-/// The constraints of `found`, in words, that are driven otherwise than those from which they
-/// follow, at a state of a run and by what acts there.
+/// The constraints of `found`, as text, whose drives contradict the constraints from which they
+/// follow, at a state of a run and its conditions.
 pub(super) fn contradicting(
     system: &System,
     found: &[Redundant],
@@ -222,8 +223,8 @@ mod tests {
         }
     }
 
-    /// A door that swings about z under gravity along -y, on hinges at the given heights;
-    /// where it comes in a second.
+    /// A door that swings about z under gravity along -y, on hinges at the given heights; its
+    /// position after a second.
     fn swing(hinges: &[f64], redundant: case::Redundant) -> (TransientOutcome, Vector3<f64>) {
         let door = Node {
             label: "door".to_owned(),
@@ -256,8 +257,8 @@ mod tests {
         (outcome, last.0)
     }
 
-    // The other hinge changes nothing in how the door swings: the same numbers to the
-    // tolerance of the iteration, 1e-9 a step at most, over 100 steps.
+    // The other hinge does not change the motion of the door: the same numbers to the tolerance of
+    // the iteration, 1e-9 a step at most, over 100 steps.
     #[test]
     fn a_door_on_two_hinges_swings_as_on_one() {
         let (refused, _) = swing(&[0.2, 1.8], case::Redundant::Error);
@@ -273,7 +274,7 @@ mod tests {
         let (single, one) = swing(&[0.2], case::Redundant::Error);
         assert!(single.failure.is_none(), "{:?}", single.failure);
         assert!((one - two).amax() < 1e-7, "{one} {two}");
-        // It has swung through to the other side, on its circle.
+        // It has swung to the other side, on its circle.
         assert!(
             (one.xy().norm() - 0.5).abs() < 1e-9 && one.x < -0.4,
             "{one}"

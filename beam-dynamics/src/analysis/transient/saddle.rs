@@ -1,13 +1,12 @@
-//! Systems of the motion of nodes and of multipliers, as start-up solves them:
+//! Systems of the motion of nodes and of multipliers, for initialization:
 //!
 //! ```text
 //! [ K  C^T ] [ dy   ]   [ f ]
 //! [ C   0  ] [ zeta ] = [ g ]
 //! ```
 //!
-//! with six unknowns a node. Constraints that say the same twice share their multiplier:
-//! next to nothing is added to the diagonal of the second rows, and the solution is
-//! refined until this has no effect.
+//! with six unknowns per node. Redundant constraints share their multiplier: a tiny number is added
+//! to the diagonal of the second rows, and the solution is refined until this has no effect.
 
 use std::sync::Arc;
 
@@ -18,21 +17,21 @@ use crate::solver::LinearSolver;
 
 /// Unknowns of the motion of a node.
 pub(super) const MOTION: usize = 6;
-/// What is added to the diagonal of multipliers, relative to its natural size.
+/// Number added to the diagonal of multipliers, relative to its natural size.
 const SOFT: f64 = 1e-11;
 /// Refinements of a solution.
 const REFINEMENTS: usize = 3;
 
-/// Which derivatives of the constraints are meant.
+/// Kinds of derivatives of the constraints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum By {
-    /// Those by positions and rotations, of constraints of positions alone.
+    /// By positions and rotations, of constraints of positions only.
     Positions,
-    /// Those by the highest derivative of the motion that a constraint holds.
+    /// By the highest derivative of the motion in a constraint.
     Velocities,
 }
 
-/// A block matrix by its entries (row, column, value); equal places add up.
+/// A block matrix by its entries (row, column, value); equal positions add up.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Saddle {
     pub entries: Vec<(usize, usize, f64)>,
@@ -54,8 +53,8 @@ impl Saddle {
         self.entries.extend(entries);
     }
 
-    /// Solves for all unknowns, of which the first `nodes` times six are motions; `None`
-    /// when the matrix is singular. `stiffness` is the size of K.
+    /// Solves for all unknowns, of which the first `nodes` times six are motions; `None` if the
+    /// matrix is singular. `stiffness` is the size of K.
     pub fn solve(&self, nodes: usize, stiffness: f64, right: &[f64]) -> Option<Vec<f64>> {
         let size = right.len();
         let soft = (MOTION * nodes..size).map(|i| (i, i, -SOFT / stiffness));
@@ -76,7 +75,7 @@ impl Saddle {
     }
 }
 
-/// Derivatives of the constraints: constraint, place of the motion, value.
+/// Derivatives of the constraints: constraint, index in the motion, value.
 pub(super) fn constraint_rows(
     system: &System,
     tangent: &Tangent,
@@ -104,7 +103,7 @@ fn matrix(size: usize, entries: impl Iterator<Item = (usize, usize, f64)> + Clon
     matrix
 }
 
-/// Place of an unknown, or of an equation, of a node among the six of its motion.
+/// Index of an unknown, or of an equation, of a node among the six of its motion.
 pub(super) fn motion(place: usize) -> usize {
     MOTION * (place / NODE_UNKNOWNS) + place % NODE_UNKNOWNS % Equation::Force.row()
 }

@@ -1,9 +1,8 @@
-//! Values of scalar unknowns that agree with a motion: the start of a run, and what follows a
-//! jump.
+//! Values of scalar unknowns consistent with a motion, at the start of a run and after a jump.
 //!
-//! With u the values of the scalars, the residual F of their equations is brought to zero at
-//! the motion given by Newton's method, by the rates of those that keep their values and by
-//! the values of all others.
+//! With u the values of the scalars, the residual F of their equations is brought to zero at the
+//! motion given by Newton's method, by the rates of the scalars that keep their values and by the
+//! values of all others.
 
 use std::sync::Arc;
 
@@ -11,23 +10,23 @@ use crate::assembly::{Pattern, Sparse, System, Tangent};
 use crate::model::{Conditions, Name, ScalarStart, State};
 use crate::solver::LinearSolver;
 
-/// Corrections by this part of the scales of the scalars are the last ones.
+/// Correction, relative to the scales of the scalars, at which the iteration ends.
 const LAST: f64 = 1e-10;
-/// Corrections below this part that do not shrink any more are round-off.
+/// Correction below this that does not shrink any more is round-off.
 const FLOOR: f64 = 1e-6;
-/// Iterations at most.
+/// Largest number of iterations.
 const MOST: usize = 30;
 
-/// What is unknown of scalars at a given motion.
+/// Unknowns of the scalars at a given motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Settling {
-    /// Values of those that settle, at rest; rates of those that begin at a given value.
+    /// Values of scalars that settle, at rest; rates of scalars that begin at a given value.
     AtRest,
-    /// Values of those without a rate, and the rates of the others.
+    /// Values of scalars without a rate, and the rates of the others.
     InMotion,
 }
 
-/// Sets the scalars of `state` to what they are at the start of a run, before they settle.
+/// Sets the scalars of `state` to their values at the start of a run, before they settle.
 pub(super) fn begin(system: &System, state: &mut State) {
     for (value, scalar) in state.scalars.iter_mut().zip(system.scalars()) {
         *value = match scalar.start {
@@ -38,18 +37,18 @@ pub(super) fn begin(system: &System, state: &mut State) {
     state.scalar_rates.fill(0.0);
 }
 
-/// The largest difference of scalars that should agree, by their values or by one.
+/// The largest difference of scalars that should agree, relative or absolute.
 pub(super) fn apart(found: &[f64], expected: &[f64]) -> f64 {
     let pairs = found.iter().zip(expected);
     let off = pairs.map(|(found, expected)| (found - expected).abs() / expected.abs().max(1.0));
     off.fold(0.0, f64::max)
 }
 
-/// Brings the scalars of a state in line with its motion and with what acts.
+/// Makes the scalars of a state consistent with its motion and its conditions.
 ///
 /// # Errors
 ///
-/// The equation that is farthest off, where that finds nothing; the state stays as it was.
+/// The equation of the largest residual, if no solution is found; the state is then unchanged.
 pub(super) fn settle(
     system: &System,
     state: &mut State,
@@ -124,7 +123,7 @@ fn pattern_of_scalars(system: &System) -> Arc<Pattern> {
     Arc::new(Pattern::new(system.scalars().len(), block))
 }
 
-/// Derivatives of the equations of scalars, which begin at `first`, by the rates of those for
+/// Derivatives of the equations of scalars, which begin at `first`, by the rates of the ones for
 /// which it `is_rate` and by the values of the others.
 fn matrix_of_scalars(
     tangent: &Tangent,

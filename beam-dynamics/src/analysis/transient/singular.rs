@@ -39,7 +39,7 @@ impl Passed {
             return;
         };
         let first = NODE_UNKNOWNS * state.nodes.len();
-        if state.multipliers.is_empty() {
+        if state.multipliers.is_empty() || !integrator.is_doubtful() {
             return;
         }
         self.right.clear();

@@ -1,4 +1,4 @@
-//! What a run is continued from: its accepted states as plain numbers.
+//! Data from which a run is continued: its accepted states as plain numbers.
 
 use std::collections::BTreeMap;
 
@@ -14,8 +14,8 @@ use super::failure::TransientFailure;
 /// Numbers of a node: position, orientation by columns, momenta, velocities, rates.
 const OF_NODE: usize = 30;
 
-/// All that is needed to go on from the accepted `states`, the latest first; the times are
-/// those spent by the recorder and by the whole run \[s\].
+/// All data to continue from the accepted `states`, the latest first; the times are spent by the
+/// recorder and by the whole run \[s\].
 pub(super) fn take(
     model: &Model,
     states: &[State],
@@ -82,7 +82,7 @@ pub(super) fn states(model: &Model, snapshot: &Snapshot) -> Result<[State; 2], T
     }
 }
 
-/// In what a snapshot is not one of a model of these nodes and joints, in words.
+/// Difference between a snapshot and a model of these nodes and joints, as text.
 pub fn difference(model: &Model, snapshot: &Snapshot) -> Option<String> {
     let nodes = model.system.nodes();
     let (found, expected) = (snapshot.nodes.len(), nodes.len());
@@ -96,10 +96,10 @@ pub fn difference(model: &Model, snapshot: &Snapshot) -> Option<String> {
     }
     let (found, expected) = (snapshot.multipliers, model.system.numbering().multipliers());
     (found != expected)
-        .then(|| format!("its joints have {found} constraints, those of the model {expected}"))
+        .then(|| format!("its joints have {found} constraints, the model {expected}"))
 }
 
-/// The state of so many nodes, multipliers and scalars; the rest is memory.
+/// A state of the given numbers of nodes, multipliers and scalars; the rest is memory.
 fn state(numbers: &[f64], nodes: usize, [multipliers, scalars]: [usize; 2]) -> State {
     let (of_nodes, rest) = numbers.split_at(OF_NODE * nodes);
     let (multipliers, rest) = rest.split_at(multipliers);

@@ -1,4 +1,4 @@
-//! The first state of a run: places, velocities, momenta, rates and multipliers.
+//! The first state of a run: positions, velocities, momenta, rates and multipliers.
 
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
@@ -21,33 +21,33 @@ use super::scalars::{self, Settling};
 /// Changes below this part of the size of the model, or of the fastest motion, are
 /// round-off.
 const VISIBLE: f64 = 1e-9;
-/// Changes of the velocities of an equilibrium that turns up to this part of the fastest.
+/// Changes of the velocities of a rotating equilibrium up to this part of the fastest are ignored.
 const TURNS: f64 = 1e-6;
 
-/// Real eigenvalues looked at, those nearest to zero, and copies of each.
+/// Number of real eigenvalues computed, nearest to zero, and their multiplicity.
 const COUNT: usize = 4;
-/// Growth over a run, as a power of e, that is more than round-off of motions at rest.
+/// Growth over a run, as an exponent of e, above the round-off of motions at rest.
 const SEEN: f64 = 0.1;
-/// Relative residual of an eigenvalue that is one.
+/// Relative residual below which an eigenvalue is accepted.
 const SURE: f64 = 1e-6;
 
-/// Rounds at most in which scalars and the joints that follow them are brought to agree, and
-/// the part of a scalar, or of one, to which they do.
+/// Largest number of rounds in which scalars and the joints that follow them are made consistent,
+/// and the tolerance, relative to the scalar or absolute.
 const ROUNDS: usize = 30;
 const AGREED: f64 = 1e-9;
 
-/// Driven velocities that differ by a larger part of the speed at which a model is to turn
-/// are those of another motion; where it is deformed they differ by less.
+/// Difference of driven velocities, as a part of the speed at which a model should turn, above
+/// which they belong to another motion; the deformation causes smaller ones.
 const FAR: f64 = 0.1;
 
-/// The first state, and how it was found.
+/// The first state, and its remarks.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Started {
     /// The state.
     pub state: State,
-    /// What of the given state was changed.
+    /// Changes of the given state.
     pub changes: Vec<StartChange>,
-    /// What the reader must know.
+    /// Remarks.
     pub remarks: Vec<String>,
 }
 
@@ -71,7 +71,7 @@ pub(super) fn start(
     };
     settle(&mut state)?;
     if !state.memory.is_empty() {
-        // What is remembered of the start acts from there on.
+        // The memory of the start applies from there on.
         system.begin_memory(&mut state, &conditions);
         settle(&mut state)?;
     }
@@ -85,8 +85,8 @@ pub(super) fn start(
     Ok(started)
 }
 
-/// Places, velocities and scalars that agree with each other, as near to those that are `given`
-/// as the constraints allow, and a remark where they are not at rest as they should.
+/// Positions, velocities and scalars that are consistent with each other, as near to the `given`
+/// ones as the constraints allow, and a remark if they are not at rest as required.
 fn placed(
     model: &Model,
     question: &TransientQuestion,
@@ -127,12 +127,12 @@ fn placed(
     }
     state = moved(model, question, conditions, &state)?;
     let remark = "joints follow signals that depend on the motion of the joints: no start was \
-                  found at which all that should be at rest is at rest";
+                  found at which all required unknowns are at rest";
     Ok((state, Some(remark.to_owned())))
 }
 
-/// Places and velocities that fulfill the constraints, as near to those that are `given` as
-/// the weights of the nodes say.
+/// Positions and velocities that fulfill the constraints, as near to the `given` ones as the
+/// weights of the nodes determine.
 fn moved(
     model: &Model,
     question: &TransientQuestion,
@@ -162,8 +162,8 @@ fn moved(
     set_moving(system, &placed, conditions, &model.initial).map_err(not_moving)
 }
 
-/// Places and velocities of the kind of start that is asked for, and a remark where it is
-/// an equilibrium that does not last.
+/// Positions and velocities of the requested kind of start, and a remark if its equilibrium is
+/// unstable.
 fn given(
     model: &Model,
     question: &TransientQuestion,
@@ -209,10 +209,10 @@ fn given(
     let remark = growth.filter(is_seen).map(|growth| {
         format!(
             "the equilibrium of the start is unstable: a motion grows with {growth:.3e} 1/s, and \
-             the model leaves it when anything disturbs it"
+             the model leaves it after any disturbance"
         )
     });
-    // At this instant the axes that turn and those that do not are the same.
+    // At this instant the turning axes and the fixed axes coincide.
     for node in &mut state.nodes {
         node.velocity = node.velocity_in_space(&turning.frame);
         node.angular_velocity = node.angular_velocity_in_space(&turning.frame);
@@ -239,8 +239,8 @@ fn growth(
     growths.reduce(f64::max)
 }
 
-/// The first element that drives velocities which are far from those of the undeformed
-/// model as it turns as a whole, and what one is off by \[rad/s, m/s\].
+/// The first element whose driven velocities are far from the velocities of the undeformed model
+/// turning as a whole, and the difference of one of them \[rad/s, m/s\].
 fn driven_otherwise(
     system: &System,
     conditions: &Conditions,
@@ -267,7 +267,7 @@ fn driven_otherwise(
     })
 }
 
-/// Adds the velocities that the nodes are given.
+/// Adds the given velocities of the nodes.
 fn with_velocities(mut state: State, initial: &[InitialMotion]) -> State {
     for (node, initial) in state.nodes.iter_mut().zip(initial) {
         node.velocity += initial.velocity.unwrap_or_default();
@@ -319,7 +319,7 @@ fn find_rates(
     Ok(())
 }
 
-/// The same places without motion.
+/// The same positions without motion.
 fn at_rest(state: &State) -> State {
     let mut state = state.clone();
     for node in &mut state.nodes {
@@ -331,7 +331,7 @@ fn at_rest(state: &State) -> State {
     state
 }
 
-/// Takes over rates and multipliers, and nothing else.
+/// Copies only rates and multipliers.
 fn take_rates(state: &mut State, found: &State) {
     for (node, found) in state.nodes.iter_mut().zip(&found.nodes) {
         node.momentum_rate = found.momentum_rate;
@@ -342,7 +342,7 @@ fn take_rates(state: &mut State, found: &State) {
     state.scalar_rates.clone_from(&found.scalar_rates);
 }
 
-/// Every component that start-up changed visibly.
+/// Every component that initialization changed visibly.
 fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
     let size = model.system.size();
     let fastest = |state: &State| {
@@ -395,7 +395,7 @@ fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
     changes
 }
 
-/// An equilibrium that turns must go on to turn: nothing may hold a part of it in space.
+/// A rotating equilibrium must continue to rotate: no part of it may be held in space.
 fn turns_as_a_whole(
     model: &Model,
     conditions: &Conditions,

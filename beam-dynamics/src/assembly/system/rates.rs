@@ -81,10 +81,13 @@ impl System {
                 loading: &conditions.loading,
             })
         };
-        match *self.elements[index].nodes() {
+        let consecutive = self.layouts[index].consecutive;
+        match (self.elements[index].nodes(), consecutive) {
             _ if !self.numbering.scalars_of(index).is_empty() => None,
-            [b] => Some(at(&[state.nodes[b]])),
-            [a, b] => Some(at(&[a, b].map(|node| state.nodes[node]))),
+            (nodes, Some(first)) if nodes.len() <= 2 => {
+                Some(at(&state.nodes[first..first + nodes.len()]))
+            }
+            (&[a, b], None) => Some(at(&[a, b].map(|node| state.nodes[node]))),
             _ => None,
         }
     }

@@ -1,13 +1,13 @@
-//! How a three-node beam is attached to its nodes, and by which formulation it acts on them.
+//! Attachment of a three-node beam to its nodes, and the formulation of its nodal forces.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::parameters::Parametrization;
 
-/// xi of the evaluation points: the Gauss points, which make the beam of constant
-/// properties exact at its ends.
+/// xi of the evaluation points: the Gauss points, at which the beam of constant properties is exact
+/// at its ends.
 pub(super) const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
 
-/// How the forces of a beam on its nodes follow from those in its sections.
+/// Relation between the nodal forces of a beam and its section forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Formulation {
     /// Gradient of the energy, with rotation vectors.
@@ -18,7 +18,7 @@ pub enum Formulation {
 }
 
 impl Formulation {
-    /// How it interpolates rotations.
+    /// Interpolation of rotations.
     pub fn parametrization(self) -> Parametrization {
         match self {
             Self::Variational => Parametrization::RotationVector,
@@ -27,7 +27,7 @@ impl Formulation {
     }
 }
 
-/// How the beam is attached to one of its nodes.
+/// Attachment of the beam to one of its nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamNode {
     /// Offset of the reference line from the node, in node axes [m].
@@ -37,7 +37,7 @@ pub struct BeamNode {
 }
 
 impl BeamNode {
-    /// On the node, with section axes along those of the node.
+    /// On the node, with section axes along the axes of the node.
     pub fn aligned() -> Self {
         Self {
             offset: Vector3::zeros(),
@@ -46,12 +46,12 @@ impl BeamNode {
     }
 }
 
-/// Attachment of a three-node beam, and how its field is interpolated and tested.
+/// Attachment of a three-node beam, and its interpolation and test functions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamGeometry {
     /// Attachment to nodes 1, 2, 3.
     pub nodes: [BeamNode; 3],
-    /// Forces, inertia and loads of the beam all follow it.
+    /// The formulation of forces, inertia and loads of the beam.
     pub formulation: Formulation,
 }
 

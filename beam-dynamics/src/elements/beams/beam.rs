@@ -40,7 +40,7 @@ pub struct Beam {
     geometry: BeamGeometry,
     points: [Point; 2],
     electrodes: Electrodes,
-    /// Those that the laws and the electrodes read.
+    /// Signals of the laws and the electrodes.
     scalars: Vec<Scalar>,
 }
 
@@ -94,8 +94,8 @@ impl Beam {
         Self::new(label, nodes, geometry, undeformed, laws)
     }
 
-    /// The same with electrodes, the capacitance of which (electrodes x electrodes, in
-    /// their order) is given at the evaluation points [F/m].
+    /// The same with electrodes, whose capacitance (electrodes x electrodes, in their order) is
+    /// given at the evaluation points [F/m].
     #[must_use]
     pub fn with_electrodes(
         mut self,
@@ -113,7 +113,7 @@ impl Beam {
         EVALUATION_POINTS
     }
 
-    /// How the beam is attached to its nodes.
+    /// Attachment of the beam to its nodes.
     pub fn geometry(&self) -> BeamGeometry {
         self.geometry
     }
@@ -232,8 +232,8 @@ impl Energetic for Beam {
 impl Growth for Beam {
     fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
 
-    /// The part that is proportional to the internal forces, for their growth along the
-    /// motion, with the stiffness of the section where it grows with the strain.
+    /// The part proportional to the internal forces, for their growth along the motion, with the
+    /// stiffness of the section if it grows with the strain.
     fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);

@@ -1,4 +1,4 @@
-//! Loads along a three-node beam.
+//! Distributed loads of a three-node beam.
 //!
 //! With the force q and the moment m per undeformed length, times the load's factor, the
 //! nodes of a variational beam get the work-equivalent
@@ -8,12 +8,12 @@
 //! moment on node j   int [N_j f_j x q + T_j^T m] ds
 //! ```
 //!
-//! (see [`super::variational`]), and those of finite volumes the resultants on their portions
+//! (see [`super::variational`]), and the nodes of finite volumes the resultants on their portions
 //! (see [`super::portions`]). A uniform load bends either beam exactly at its nodes.
 //!
-//! A dead load keeps the direction of q and m, a follower one turns with the section,
-//! `q = R R_0^T q_0`, `d q = -[q]x theta`, `d m = -[m]x theta`. A signal, a number that depends
-//! on time and on what is sensed, multiplies all of it.
+//! A dead load keeps the direction of q and m, a follower one turns with the section, `q = R R_0^T
+//! q_0`, `d q = -[q]x theta`, `d m = -[m]x theta`. The load may be multiplied by a signal, which
+//! depends on time and on sensors.
 //!
 //! References: [Masarati], the three-node finite-volume beam: external loads.
 
@@ -34,8 +34,7 @@ use crate::model::Node;
 /// on a straight beam, whose arm and shape functions are quadratic.
 const POINTS: usize = 4;
 
-/// Force [N/m] and moment [N m/m] per undeformed length at a place xi of the undeformed
-/// beam, model's axes.
+/// Force [N/m] and moment [N m/m] per undeformed length at xi on the undeformed beam, model's axes.
 pub type LineLoad = [Vector3<f64>; 2];
 
 /// A load along a beam.
@@ -61,8 +60,8 @@ struct LoadPoint {
 }
 
 impl DistributedLoad {
-    /// The load `load(xi)` on a beam on nodes number `nodes`, undeformed at
-    /// `undeformed`. `kinks` are the places xi where the load is not smooth.
+    /// The load `load(xi)` on a beam on nodes number `nodes`, undeformed at `undeformed`. `kinks`
+    /// are the positions xi where the load is not smooth.
     pub fn new(
         label: impl Into<String>,
         nodes: [usize; 3],
@@ -108,7 +107,7 @@ impl DistributedLoad {
         self
     }
 
-    /// A piece of the load now, times a factor.
+    /// A piece of the load at the current state, times a factor.
     fn acting(&self, piece: &LoadPoint, at: &SectionPoint<'_>, factor: f64) -> LineForce {
         let is_follower = self.turning == Turning::Follower;
         let [force, moment] = [&piece.force, &piece.moment].map(|of| match is_follower {

@@ -1,4 +1,4 @@
-//! Electrodes of a beam: forces of their voltages, and the charges that these find there.
+//! Electrodes of a beam: forces of their voltages, and their charges.
 //!
 //! At the evaluation points, in section axes, with the columns `Theta_k` of the coupling and
 //! the voltages `V_k` of the electrodes,
@@ -9,15 +9,15 @@
 //! E        = 1/2 sum_points J0 sum_kl V_k C_kl V_l                             (D-262)
 //! ```
 //!
-//! The forces of a voltage on the nodes of a variational beam are `-J0 B^T Theta_k`, so that
-//! their work on any motion of the nodes is that of the charges:
+//! The forces of a voltage on the nodes of a variational beam are `-J0 B^T Theta_k`, so that their
+//! work on any motion of the nodes is the work of the charges:
 //!
 //! ```text
 //! sum_nodes ( dF_k . v + dM_k . omega ) / d V_k = d Q_k / d t  at constant V  (D-263)
 //! ```
 //!
-//! Finite volumes meet it for stretch, twist and bending of a coupling that is the same
-//! at both points, and for shear up to the square of the turning within the beam.
+//! Finite volumes fulfill it for stretch, twist and bending of a coupling that is the same at both
+//! points, and for shear up to the square of the rotation within the beam.
 //!
 //! References: [Masarati], piezoelectric beams.
 
@@ -29,7 +29,7 @@ use crate::elements::signal::place_in;
 use crate::elements::{Along, Charges, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::{Node, Scalar, Variable};
 
-/// Where the voltage of an electrode comes from.
+/// Source of the voltage of an electrode.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Potential {
     /// It is given [V].
@@ -41,15 +41,14 @@ pub enum Potential {
 /// An electrode on a beam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BeamElectrode {
-    /// Its number among the electrodes of the model.
+    /// Its index among the electrodes of the model.
     pub number: usize,
     /// Its voltage.
     pub potential: Potential,
     /// Internal force for one volt at the two evaluation points, section axes
     /// [N/V, N m/V].
     pub coupling: [Vector6<f64>; 2],
-    /// Capacitance of the whole electrode, by which the equation of its charge is divided
-    /// [F].
+    /// Capacitance of the whole electrode, the divisor of the equation of its charge [F].
     pub capacitance: f64,
 }
 
@@ -72,7 +71,7 @@ impl BeamElectrode {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Electrodes {
     list: Vec<BeamElectrode>,
-    /// Numbers of the unknown voltages among the scalars of the beam.
+    /// Indices of the unknown voltages among the scalars of the beam.
     places: Vec<Option<usize>>,
     /// J0 at the evaluation points [m].
     lengths: [f64; 2],
@@ -80,14 +79,14 @@ pub(super) struct Electrodes {
     capacitance: Vec<DMatrix<f64>>,
 }
 
-/// A voltage, and its index among the scalars of the element where it is unknown.
+/// A voltage, and its index among the scalars of the element if it is unknown.
 pub(super) struct Voltage {
     pub value: f64,
     pub scalar: Option<usize>,
 }
 
 impl Electrodes {
-    /// Those of a beam with the given scalars, to which their own are added.
+    /// The electrodes of a beam with the given scalars, to which their scalars are added.
     pub fn new(
         mut list: Vec<BeamElectrode>,
         capacitance: [DMatrix<f64>; 2],
@@ -113,12 +112,12 @@ impl Electrodes {
         self.list.is_empty()
     }
 
-    /// Coupling of electrode number `k` of the beam at an evaluation point.
+    /// Coupling of electrode `k` of the beam at an evaluation point.
     pub fn coupling(&self, k: usize, place: usize) -> &Vector6<f64> {
         &self.list[k].coupling[place]
     }
 
-    /// The signals of voltages that are given.
+    /// The signals of given voltages.
     pub fn signals(&self) -> impl Iterator<Item = &Signal> {
         self.list
             .iter()
@@ -135,7 +134,7 @@ impl Electrodes {
         )
     }
 
-    /// Change of the voltages along a motion; those that are given do not change.
+    /// Change of the voltages along a motion; given voltages do not change.
     pub fn growth(&self, along: &Along<'_>) -> Vec<Voltage> {
         self.each(|_| 0.0, |scalar| along.scalars[scalar])
     }
@@ -153,8 +152,8 @@ impl Electrodes {
         voltage.collect()
     }
 
-    /// Calls `add` with the derivatives of all voltages by scalars: number of the electrode of
-    /// the beam, number of the scalar, derivative.
+    /// Calls `add` with the derivatives of all voltages by scalars: index of the electrode of the
+    /// beam, index of the scalar, derivative.
     pub fn by_scalars(&self, at: &Local<'_>, mut add: impl FnMut(usize, usize, f64)) {
         let electrodes = self.list.iter().zip(&self.places).enumerate();
         for (k, (electrode, place)) in electrodes {
@@ -177,7 +176,7 @@ impl Electrodes {
             .sum()
     }
 
-    /// The part of the charge of electrode number `k` of the beam that hangs on the strains.
+    /// The part of the charge of electrode `k` of the beam that depends on the strains.
     fn by_strain(&self, k: usize, strains: &[Vector6<f64>; 2]) -> f64 {
         let of = |place: usize| -self.lengths[place] * self.coupling(k, place).dot(&strains[place]);
         of(0) + of(1)
@@ -189,7 +188,7 @@ impl Electrodes {
         points.map(|(j0, matrix)| j0 * matrix[(k, l)]).sum()
     }
 
-    /// The part of the charge of electrode `k` that hangs on the voltages.
+    /// The part of the charge of electrode `k` that depends on the voltages.
     fn by_voltages(&self, k: usize, voltages: &[Voltage]) -> f64 {
         let terms = voltages.iter().enumerate();
         terms
@@ -219,7 +218,7 @@ impl Electrodes {
         }
     }
 
-    /// Adds the variations of what [`Self::add_charges`] adds for an evaluation point.
+    /// Adds the variations of the terms of [`Self::add_charges`] at an evaluation point.
     pub fn add_charge_rows(
         &self,
         place: usize,

@@ -37,8 +37,8 @@ pub(super) fn add_forces(test: &Test, q: &Vector6<f64>, out: &mut LocalResidual)
     }
 }
 
-/// Adds `- sum W^T by` over points, the variation of the forces on the nodes with that of the
-/// section forces by displacements and rotations, or by their rates.
+/// Adds `- sum W^T by` over points, the variation of the forces on the nodes with the section
+/// forces, by displacements and rotations, or by their rates.
 pub(super) fn add_tangent(points: &[(Test, Variation)], rates: bool, out: &mut LocalJacobian) {
     let mut columns = [[0.0; NUMBERS]; NUMBERS];
     for (test, by) in points {
@@ -59,7 +59,7 @@ pub(super) fn add_tangent(points: &[(Test, Variation)], rates: bool, out: &mut L
 
 /// Adds `W^T by`, column by column.
 fn add_product(test: &Test, by: &Variation, columns: &mut [[f64; NUMBERS]; NUMBERS]) {
-    // Rows of W as wholes: each product takes one of them to a column.
+    // Whole rows of W: each product adds one of them to a column.
     let mut rows = [[0.0; NUMBERS]; 6];
     for (j, column) in test.column_iter().enumerate() {
         for (row, value) in rows.iter_mut().zip(column.iter()) {
@@ -67,7 +67,7 @@ fn add_product(test: &Test, by: &Variation, columns: &mut [[f64; NUMBERS]; NUMBE
         }
     }
     for (sums, factors) in columns.iter_mut().zip(by.column_iter()) {
-        // By itself first: equal terms of opposite sign at the two points leave zero.
+        // A separate sum: equal terms of opposite sign at the two points cancel exactly.
         let mut column = [0.0; NUMBERS];
         for (row, factor) in rows.iter().zip(factors.iter()) {
             for (sum, value) in column.iter_mut().zip(row) {
@@ -80,8 +80,8 @@ fn add_product(test: &Test, by: &Variation, columns: &mut [[f64; NUMBERS]; NUMBE
     }
 }
 
-/// Adds the variation of the forces on the nodes by a scalar, or its rate, that makes the
-/// section force `q` for each unit.
+/// Adds the variation of the forces on the nodes by a scalar, or its rate, that causes the section
+/// force `q` per unit.
 pub(super) fn add_column(
     test: &Test,
     q: &Vector6<f64>,

@@ -1,7 +1,7 @@
 //! The two formulations of the three-node beam, each with its test functions.
 //!
-//! With the section force `q = [F~; M~]` at the evaluation points and W, the strains that
-//! the test motion of each formulation makes there, the forces on the nodes are
+//! With the section force `q = [F~; M~]` at the evaluation points and the strains W of the test
+//! motion of each formulation, the forces on the nodes are
 //!
 //! ```text
 //! force_j = - sum_points W_j^T q                                             (D-23)
@@ -12,11 +12,11 @@
 //! | variational | J0 B: the variation of the strain | nodal weights N_j | work-equivalent |
 //! | finite volume | balance of portions between the points | of portions | resultants on portions |
 //!
-//! The variational forces are the gradient of the energy `sum J0 W(eps)`, so that the
-//! tangent at an equilibrium is symmetric and undamped motion keeps its energy. The
-//! finite volumes are those of [Masarati]; their tangent is not symmetric even at rest, and
-//! undamped modes that have few elements to a wave can grow. Forces, bodies and loads
-//! of the two must not be mixed: each set is consistent in itself.
+//! The variational forces are the gradient of the energy `sum J0 W(eps)`, so that the tangent at an
+//! equilibrium is symmetric and undamped motion keeps its energy. The finite volumes follow
+//! [Masarati]; their tangent is not symmetric even at rest, and undamped modes with few elements
+//! per wave can grow. Forces, bodies and loads of the two must not be mixed: each set is consistent
+//! in itself.
 //!
 //! Tangents are `- W^T dq` and the geometric part, by W at fixed forces.
 
@@ -30,8 +30,8 @@ use crate::elements::LocalJacobian;
 use crate::model::Equation;
 
 impl Formulation {
-    /// Adds a force and a moment on the line at a point of portion `portion`: `add` takes
-    /// what acts on the nodes.
+    /// Adds a force and a moment on the line at a point of portion `portion`: `add` takes the
+    /// forces and moments on the nodes.
     pub(super) fn add_on_line(
         self,
         portion: usize,
@@ -45,7 +45,7 @@ impl Formulation {
         }
     }
 
-    /// Adds the variation of what [`Self::add_on_line`] adds.
+    /// Adds the variation of the terms of [`Self::add_on_line`].
     pub(super) fn add_on_line_variation(
         self,
         portion: usize,

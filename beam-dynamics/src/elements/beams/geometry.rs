@@ -7,8 +7,8 @@ use super::attachment::BeamGeometry;
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::model::{Node, NodeMotion};
 
-/// Newton iterations for the place of an arc length: each squares the error, which is a
-/// few percent at first.
+/// Newton iterations for the position of an arc length: each squares the error, which is a few
+/// percent at first.
 const PLACE_ITERATIONS: usize = 5;
 
 /// The undeformed beam at one point.
@@ -76,7 +76,7 @@ impl BeamGeometry {
             .sum()
     }
 
-    /// The place xi at an arc length from the first node.
+    /// Position xi at an arc length from the first node.
     pub fn place(&self, nodes: &[&Node; 3], arc_length: f64) -> f64 {
         let length = self.length(nodes);
         let mut xi = 2.0 * arc_length / length - 1.0;

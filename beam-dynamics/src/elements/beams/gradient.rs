@@ -1,6 +1,6 @@
 //! Gradient of the energy of a variational beam, and its tangent at fixed section forces.
 //!
-//! Strains of a beam depend on the motion of its outer nodes against its middle one alone: with
+//! Strains of a beam depend only on the motion of its outer nodes relative to its middle one: with
 //! `r_j = p_j - p_2`, `t_j = theta_j - theta_2` and the parameters psi_j (see
 //! [`super::interpolation`]), at fixed `theta_2`,
 //!
@@ -35,10 +35,11 @@
 //! d m_j = theta_2 x m_j + A_j^T d g_psi,j + A D(T_j^-T.; g_psi,j) A_j t_j
 //! ```
 //!
-//! where g sees `u_j + [r_j]x theta_2`; an offset f from the node adds `f x f_j` to its moment.
-//! The other part of the tangent, `W^T dq`, is that of all beams (see [`super::forces`]). The
-//! whole is symmetric where the slopes of the law are, but for `-1/2 [m_j]x` of each node, m_j
-//! being the moment of the element there, which goes out where nodes are in balance.
+//! where the argument of g is `u_j + [r_j]x theta_2`; an offset f from the node adds `f x f_j` to
+//! its moment. The other part of the tangent, `W^T dq`, is common to all beams (see
+//! [`super::forces`]). The whole is symmetric if the slopes of the law are, except for `-1/2
+//! [m_j]x` of each node, m_j being the moment of the element there; these terms cancel at nodes in
+//! balance.
 
 use nalgebra::{Matrix3, Vector3, Vector6};
 use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
@@ -78,7 +79,7 @@ impl Place<'_> {
 struct Gradient {
     /// f of the outer nodes [N].
     forces: [Vector3<f64>; 2],
-    /// g_psi by the forces of the sections, and by their moments [N m].
+    /// g_psi due to the forces of the sections, and due to their moments [N m].
     by_psi: [[Vector3<f64>; 2]; 2],
 }
 
@@ -111,7 +112,7 @@ fn section_forces(place: &Place<'_>, q: &Vector6<f64>) -> [Vector3<f64>; 2] {
     [place.point.r * force, place.j0 * q.fixed_rows::<3>(3)]
 }
 
-/// Positions of the outer beam points against the middle one.
+/// Positions of the outer beam points relative to the middle one.
 fn arms(nodal: &NodalKinematics) -> [Vector3<f64>; 2] {
     [nodal.p[0] - nodal.p[1], nodal.p[2] - nodal.p[1]]
 }
@@ -146,8 +147,8 @@ pub(super) fn add_forces(
     }
 }
 
-/// Second derivatives by r and psi of the outer nodes, at fixed section forces; there are none
-/// by r and r.
+/// Second derivatives by r and psi of the outer nodes, at fixed section forces; those by r and r
+/// are zero.
 #[derive(Default)]
 struct Hessian {
     /// By r of the first node and psi of the second.
@@ -157,7 +158,7 @@ struct Hessian {
 }
 
 impl Hessian {
-    /// Adds those of a point of section force `q`; `a` are the axes of the middle node.
+    /// Adds the derivatives of a point of section force `q`; `a` are the axes of the middle node.
     fn add(&mut self, a: &Matrix3<f64>, place: &Place<'_>, q: &Vector6<f64>) {
         let PointKinematics {
             l,
@@ -230,7 +231,7 @@ pub(super) fn add_geometric(
 }
 
 impl Rows {
-    /// Those of the outer nodes.
+    /// Derivatives of the outer nodes.
     fn set_outer(&mut self, nodal: &NodalKinematics, gradient: &Gradient, hessian: &Hessian) {
         let (relative, arms) = (&nodal.relative, arms(nodal));
         for (j, node) in OUTER.into_iter().enumerate() {
@@ -249,7 +250,7 @@ impl Rows {
         }
     }
 
-    /// Those of the middle node (D-283).
+    /// Derivatives of the middle node (D-283).
     fn set_middle(&mut self, forces: &[Vector3<f64>; 3], arms: &[Vector3<f64>; 2]) {
         for k in 0..5 {
             let [first, _, last] = &self.forces;

@@ -59,8 +59,8 @@ pub struct BeamInertia {
 }
 
 impl BeamInertia {
-    /// Inertia of a beam on nodes number `nodes`, undeformed at `undeformed`. It is that of a
-    /// variational beam, whatever the formulation of `geometry`.
+    /// Inertia of a beam on nodes number `nodes`, undeformed at `undeformed`. It is always the
+    /// inertia of a variational beam, for any formulation of `geometry`.
     pub fn new(
         label: impl Into<String>,
         nodes: [usize; 3],
@@ -80,7 +80,7 @@ impl BeamInertia {
 
 /// Velocities of the nodes in space.
 struct Velocities {
-    /// Of the beam points, `v_j + omega_j x f_j` [m/s].
+    /// Velocities of the beam points, `v_j + omega_j x f_j` [m/s].
     line: [Vector3<f64>; 3],
     /// Angular velocities [rad/s].
     omega: [Vector3<f64>; 3],
@@ -98,7 +98,7 @@ impl Velocities {
     }
 }
 
-/// Momenta at a mass point, model axes, and what they hang on.
+/// Momenta at a mass point, model axes, with their arguments.
 struct Motion<'a> {
     section: SectionPoint<'a>,
     mass: f64,
@@ -178,7 +178,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// Changes at the point with a variable of a node, of which `of_node` gives those there.
+    /// Changes at the point with a variable of a node, `of_node` gives the changes at the node.
     fn change(&self, (node, variable): (usize, Variable), of_node: &[Matrix3<f64>; 2]) -> Change {
         let [velocity, omega] = of_node.map(|by| self.section.shape.n[node] * by);
         let mut h = self.mass * velocity - skew_times(&self.s, &omega);
@@ -210,8 +210,8 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// Adds the variations by a variable of a node.
-    /// Adds the derivatives of what it and its weight add to the equations of the nodes.
+    /// Adds the variations by a variable of a node. Adds the derivatives of its contributions, and
+    /// of its weight, to the equations of the nodes.
     fn add_jacobian(
         &self,
         velocities: &Velocities,
@@ -264,7 +264,7 @@ impl<'a> Motion<'a> {
 /// Node and variable, with the variation of line velocity and angular velocity by it.
 type Columns = [((usize, Variable), [Matrix3<f64>; 2]); 12];
 
-/// Variables of a node on which its motion depends.
+/// Variables of a node that affect the point's motion.
 const VARIABLES: [Variable; 4] = [
     Variable::Position,
     Variable::Rotation,

@@ -30,9 +30,9 @@
 //! | psi | parameters of the section's rotation relative to the mid one | rad |
 //! | J0 | undeformed length per unit of xi | m |
 //!
-//! A constant curvature is exact with rotation vectors, which an element follows until its
-//! ends turn by nearly half a turn against its middle ([`LARGEST`]): beyond, no state is
-//! defined, and the interpolation gives no number.
+//! A constant curvature is exact with rotation vectors, which are valid until the ends of an
+//! element turn by nearly half a turn relative to its middle ([`LARGEST`]); beyond, no state is
+//! defined, and the interpolation returns NaN.
 //!
 //! References: [Masarati], the three-node finite-volume beam (Gibbs parameters);
 //! [CrisfieldJelenic1999], relative rotation vectors.
@@ -45,12 +45,12 @@ use shared_geom::rotation::{skew, times_skew, vector};
 use super::attachment::BeamGeometry;
 use crate::model::NodeMotion;
 
-/// Largest rotation of an outer node against the mid one that is followed by rotation
-/// vectors, 0.95 pi \[rad\]: the next state may be on the other side of half a turn, where
-/// the vector changes its sign.
+/// Largest rotation of an outer node relative to the mid one with rotation vectors, 0.95 pi
+/// \[rad\]: the next state may be on the other side of half a turn, where the vector flips its
+/// sign.
 pub(super) const LARGEST: f64 = 0.95 * std::f64::consts::PI;
 
-/// Node of the beam at each place along xi, in the gmsh order of `line3`.
+/// Node of the beam at each index along xi, in the gmsh order of `line3`.
 const LINE3_ORDER: [usize; 3] = [0, 2, 1];
 
 /// Shape functions at a point: values and derivatives by xi, nodes 1, 2, 3.
@@ -91,7 +91,7 @@ pub(super) struct NodalKinematics {
     pub p: [Vector3<f64>; 3],
     /// Section axes at the mid node.
     pub a: Matrix3<f64>,
-    /// How rotations are interpolated.
+    /// Parametrization of the relative rotations.
     pub parametrization: Parametrization,
     /// The rotations of the outer nodes relative to the mid one.
     pub outer: [RotationMap; 2],
@@ -131,7 +131,7 @@ impl NodalKinematics {
         }
     }
 
-    /// The larger rotation of the two outer sections against the mid one \[rad\].
+    /// The larger rotation of the two outer sections relative to the mid one \[rad\].
     pub fn largest_turn(geometry: &BeamGeometry, nodes: &[NodeMotion]) -> f64 {
         let section = |j: usize| nodes[j].rotation * geometry.nodes[j].orientation;
         let turn = |j| vector::from_rotation(&(section(1).transpose() * section(j))).norm();

@@ -1,4 +1,4 @@
-//! Mass along a three-node beam: points at which it is integrated, and rigid bodies.
+//! Mass along a three-node beam: integration points, and rigid bodies.
 //!
 //! With the mass m, the first moment S and the inertia J per length, about the reference line
 //! and turned into the axes of node j, the body of a variational beam at that node is
@@ -9,10 +9,10 @@
 //! J_j = int N_j J ds - m_j [f_j]x[f_j]x - [f_j]x[S_j]x - [S_j]x[f_j]x ,  S_j = int N_j S ds
 //! ```
 //!
-//! in which a uniform beam gives 1/6, 4/6 and 1/6 of its mass to its nodes. Mass and center
-//! are exact, on straight elements with a centered middle node the second moment too, and
-//! frequencies are of fourth order. Where the weights of a mass that jumps are not those
-//! of a body, hat functions take the place of N_j in that element, and order two is left.
+//! by which a uniform beam gives 1/6, 4/6 and 1/6 of its mass to its nodes. Mass and center are
+//! exact, on straight elements with a centered middle node the second moment too, and frequencies
+//! are of fourth order. If the mass jumps and the weights are not those of a physical body, hat
+//! functions replace N_j in that element, and the order is two.
 //!
 //! The body of a finite volume is the rigid portion between the evaluation points, with
 //! arms `b = p - x_j`.
@@ -29,7 +29,7 @@ use crate::model::{Node, NodeMotion};
 /// Gauss points of bodies: products of two quadratic shape functions, an arm and a varying
 /// property are integrated exactly on straight beams.
 const BODY_POINTS: usize = 4;
-/// An inertia below this part of the largest of its node is none, whatever its sign.
+/// Inertia relative to the largest of its node below which it is treated as zero, of either sign.
 const NO_INERTIA: f64 = 1e-12;
 
 /// Mass per length along a beam.
@@ -37,11 +37,11 @@ const NO_INERTIA: f64 = 1e-12;
 pub struct MassAlong<'a> {
     /// 6x6 mass per length at xi, section axes [kg/m, kg, kg m].
     pub at: &'a dyn Fn(f64) -> Matrix6<f64>,
-    /// Places xi between -1 and 1, ascending, where the mass has a kink or a jump: the
-    /// integrals are taken between them [-].
+    /// Positions xi between -1 and 1, ascending, where the mass has a kink or a jump: the integrals
+    /// are split there [-].
     pub breaks: &'a [f64],
-    /// Length of the line for which the beam stands, evenly along xi; `None` for that
-    /// of the curve through the nodes [m].
+    /// Length of the line that the beam represents, evenly along xi; `None` for the length of the
+    /// curve through the nodes [m].
     pub length: Option<f64>,
 }
 
@@ -65,11 +65,10 @@ impl<'a> MassAlong<'a> {
     }
 }
 
-/// Mass, first moment and inertia of the length that a point of the undeformed beam stands
-/// for.
+/// Mass, first moment and inertia of the length that a point of the undeformed beam represents.
 #[derive(Debug, Clone)]
 pub(super) struct MassPoint {
-    /// Place along the beam [-].
+    /// Position along the beam [-].
     pub xi: f64,
     /// Portion, hence node, to which the point belongs.
     pub portion: usize,
@@ -84,7 +83,7 @@ pub(super) struct MassPoint {
     pub inertia: Matrix3<f64>,
 }
 
-/// Portion in which xi lies: the number of evaluation points before it.
+/// Portion in which xi lies: number of evaluation points before it.
 pub(super) fn portion_of(xi: f64) -> usize {
     EVALUATION_POINTS
         .iter()
@@ -141,8 +140,8 @@ pub(super) fn mass_points(
 pub struct LumpedMass {
     /// A rigid inertia for each of the three nodes, about the node and in its axes.
     pub bodies: [RigidInertia; 3],
-    /// Whether hat functions had to take the place of the shape functions, since the mass
-    /// jumps within the element.
+    /// Whether hat functions replace the shape functions, because the mass jumps within the
+    /// element.
     pub by_hats: bool,
 }
 
@@ -214,8 +213,7 @@ fn bodies(
     bodies
 }
 
-/// Whether an inertia is that of a body: no negative mass, no negative moment about the
-/// center of mass.
+/// Whether an inertia is physical: no negative mass, no negative moment about the center of mass.
 fn is_body(body: &RigidInertia) -> bool {
     let inertia = 0.5 * (body.inertia + body.inertia.transpose());
     let arm = skew(&body.first_moment);

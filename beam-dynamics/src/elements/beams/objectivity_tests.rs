@@ -1,4 +1,4 @@
-//! The beam feels no rigid motion, and its nodal forces balance.
+//! A rigid motion causes no strain in the beam, and its nodal forces balance.
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
@@ -98,7 +98,7 @@ fn nodal_forces_balance() {
     );
 }
 
-/// Rates of order one; the terms that cancel are as large.
+/// Rates of order one; the canceling terms are as large.
 #[test]
 fn a_rigid_velocity_strains_nothing() {
     let (beam, nodes) = beam();

@@ -1,8 +1,8 @@
 //! The finite-volume beam: balance of the three portions between its evaluation points.
 //!
-//! The beam is cut at the evaluation points I and II into three portions, each in balance
-//! with its node. The force `F = R F~` and the moment `M = R M~` at the point P act with plus
-//! on the node before it and with minus on the node after it, at x each:
+//! The beam is cut at the evaluation points I and II into three portions, each in balance with its
+//! node. The force `F = R F~` and the moment `M = R M~` at the point P act with a plus sign on the
+//! node before it and with a minus sign on the node after it, each at x:
 //!
 //! ```text
 //! force  +- F                     moment  +- [ M + (P - x) x F ]
@@ -15,7 +15,7 @@
 //! d[(P - x) x F] = [P - x]x d F - [F]x (d P - d x)
 //! ```
 //!
-//! A force q and a moment m on a portion give its node q and `(p - x) x q + m`.
+//! A force q and a moment m on a portion act on its node as q and `(p - x) x q + m`.
 //!
 //! References: [Masarati], the three-node finite-volume beam (5.2-5.4).
 

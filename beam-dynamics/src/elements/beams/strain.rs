@@ -1,16 +1,16 @@
 //! Generalized strain of a three-node beam, differentiated once and twice.
 //!
-//! The strain hangs on position and rotation of the nodes (see [`super::interpolation`]
-//! for the symbols). Its first variation, per node j,
+//! The strain depends on positions and rotations of the nodes (see [`super::interpolation`] for the
+//! symbols). Its first variation, per node j,
 //!
 //! ```text
 //! d nu    = R^T (d l + [l]x theta)            d kappa = T^T d psi' + S d psi
 //! S       = d(T^T psi')/d psi
 //! ```
 //!
-//! is `B` times the variations of the nodes, and gives the strain rate when these are
-//! velocities. They are relative to the model's frame: a rigid motion strains nothing, so that
-//! a turning frame adds nothing. With a dot for rates,
+//! is `B` times the variations of the nodes, and gives the strain rate when these are velocities.
+//! They are relative to the model's frame: a rigid motion causes no strain, and a turning frame
+//! adds no rate. With a dot for rates,
 //!
 //! ```text
 //! psi._j = A_j (omega_j - omega_2)            w = omega_2 + A T psi.
@@ -45,14 +45,14 @@ use crate::model::NodeMotion;
 /// node.
 pub(super) type Variation = SMatrix<f64, 6, 18>;
 
-/// A point of a beam, with the turning of its section.
+/// A point of a beam, with the rotation of its section.
 pub(super) struct SectionPoint<'a> {
     pub nodal: &'a NodalKinematics,
     pub shape: &'a Shape,
     /// Undeformed length per unit of xi [m].
     pub j0: f64,
     pub point: PointKinematics,
-    /// Rotation of the section by that of each node, `T_j`.
+    /// Rotation of the section by the rotation of each node, `T_j`.
     pub theta: [Matrix3<f64>; 3],
 }
 
@@ -65,7 +65,7 @@ pub(super) struct StrainPoint<'a> {
     pub variation: Variation,
 }
 
-/// The rates at a point, and those of the nodes.
+/// The rates at a point and at the nodes.
 struct Rates<'a> {
     nodes: &'a [NodeMotion],
     /// Rates of psi and psi' [1/s, 1/(m s)].
@@ -155,7 +155,7 @@ impl<'a> StrainPoint<'a> {
         out
     }
 
-    /// Angular velocity of an outer node against the mid one [rad/s].
+    /// Angular velocity of an outer node relative to the mid one [rad/s].
     fn against_middle(nodes: &[NodeMotion], k: usize) -> Vector3<f64> {
         nodes[2 * k].angular_velocity - nodes[1].angular_velocity
     }

@@ -1,7 +1,7 @@
 //! The variational beam: work-equivalent loads, and their tangent.
 //!
-//! A moment `sigma` on the rotation of the section and a moment `m` on its curvature give
-//! the nodes, with `a = T^T A^T sigma + S^T m`, `b = T m`, `z_j = N_j a + N'_j b / J0`,
+//! A moment `sigma` on the rotation of the section and a moment `m` on its curvature give, at the
+//! nodes and with `a = T^T A^T sigma + S^T m`, `b = T m`, `z_j = N_j a + N'_j b / J0`,
 //!
 //! ```text
 //! y_j  = A_j^T z_j   (j = 1, 3)           y_2 = sigma - y_1 - y_3

@@ -19,7 +19,7 @@ use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
 use crate::model::Equation::{AngularMomentum, Force, Moment, Momentum};
 use crate::model::Variable;
 
-/// The node's own share of its equations. Every node has one.
+/// The node's own terms in its equations. Every node has one.
 #[derive(Debug, Clone)]
 pub struct NodeBalance {
     label: String,
@@ -27,7 +27,7 @@ pub struct NodeBalance {
 }
 
 impl NodeBalance {
-    /// The balance of node number `node`.
+    /// The balance of node `node`.
     pub fn new(label: impl Into<String>, node: usize) -> Self {
         Self {
             label: label.into(),
@@ -80,7 +80,7 @@ impl Element for NodeBalance {
         out.add((0, Force), (0, Variable::Momentum), &-turning);
         out.add((0, Moment), (0, Variable::AngularMomentumRate), &-identity);
         out.add((0, Moment), (0, Variable::AngularMomentum), &-turning);
-        // An integration may write gamma in the axes of the node.
+        // An integration scheme may write gamma in the axes of the node.
         let zero = Matrix3::zeros();
         out.add((0, AngularMomentum), (0, Variable::Rotation), &zero);
         out.add((0, Moment), (0, Variable::Rotation), &zero);

@@ -66,7 +66,7 @@ pub struct RigidBody {
 }
 
 impl RigidBody {
-    /// A body on node number `node`.
+    /// A body on node `node`.
     pub fn new(label: impl Into<String>, node: usize, inertia: RigidInertia) -> Self {
         Self {
             label: label.into(),

@@ -1,5 +1,5 @@
-//! A servo of second order: a signal whose rate and second derivative are known, as joints
-//! need them that follow a signal.
+//! A servo of second order: a signal with known rate and second derivative, as required by joints
+//! that follow a signal.
 //!
 //! With the position a, its rate v, the command u, the natural frequency `omega` and the damping
 //! ratio `zeta`,
@@ -15,7 +15,8 @@
 //! sat(u) = min( max( u, u_1 ), u_2 )
 //! ```
 //!
-//! and the rate to the size L: s is one, but near L for an acceleration g away from zero rate,
+//! and the magnitude of the rate to L: s is one, except near L for an acceleration g away from zero
+//! rate,
 //!
 //! ```text
 //! s = r ( 2 - r ) ,    r = ( L - |v| ) / ( 0.05 L )    for g v > 0 and r < 1
@@ -27,9 +28,9 @@ use super::inputs::Inputs;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart};
 
-/// Part of the largest rate within which the acceleration falls to zero.
+/// Part of the largest rate over which the acceleration falls to zero.
 const BAND: f64 = 0.05;
-/// How an actuator follows its command.
+/// Response of an actuator to its command.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Servo {
     /// Natural frequency, above zero [rad/s].
@@ -98,8 +99,7 @@ pub struct Actuator {
 }
 
 impl Actuator {
-    /// The unknown of the position of an actuator called `label`, which starts at rest where
-    /// `start` says.
+    /// The unknown of the position of an actuator called `label`, which starts at rest at `start`.
     pub fn position(label: &str, start: ScalarStart) -> Scalar {
         let scalar = |[name, unit, equation, of]: [&str; 4], rate: Option<Scalar>, start| {
             Scalar::new(ScalarSpec {

@@ -8,7 +8,8 @@ use crate::model::Scalar;
 pub(super) struct Inputs(Vec<Signal>);
 
 impl Inputs {
-    /// Those of an element with the given own scalars, to which those that they read are added.
+    /// The signals of an element with the given own scalars, to which the scalars that they read
+    /// are added.
     pub fn new(mut signals: Vec<Signal>, scalars: &mut Vec<Scalar>) -> Self {
         signals.iter_mut().for_each(|signal| signal.bind(scalars));
         Self(signals)
@@ -25,8 +26,7 @@ impl Inputs {
         self.0.iter().map(move |signal| signal.value(&now))
     }
 
-    /// Calls `add` with their derivatives: number of the input, number of the scalar,
-    /// derivative.
+    /// Calls `add` with their derivatives: index of the input, index of the scalar, derivative.
     pub fn gradient(&self, at: &Local<'_>, mut add: impl FnMut(usize, usize, f64)) {
         for (j, signal) in self.0.iter().enumerate() {
             signal.gradient(&at.instant(), |scalar, slope| add(j, scalar, slope));

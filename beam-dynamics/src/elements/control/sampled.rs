@@ -1,7 +1,7 @@
-//! A linear system of states that a computer runs: it samples, and holds its outputs.
+//! A sampled linear system of states: it samples its inputs and holds its outputs.
 //!
 //! At the instants `t_k = t_0 + k T`, with the inputs u_k there and the outputs limited in
-//! place and in rate,
+//! value and in rate,
 //!
 //! ```text
 //! y_k     = sat( C x_k + D u_k ) ,     |y_k - y_{k-1}| <= r T
@@ -9,8 +9,8 @@
 //! y(t)    = y_{k-d}      t_k < t <= t_{k+1}                                    (D-277)
 //! ```
 //!
-//! d being the samples that the computation takes. The outputs jump at samples, which are
-//! corners of a run: steps end there, and rates are found anew behind them.
+//! d being the delay of the computation in samples. The outputs jump at samples, which are corners
+//! of a run: steps end there, and rates are computed again after them.
 
 use nalgebra::DVector;
 
@@ -20,10 +20,10 @@ use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
 use crate::elements::{Memory, has};
 use crate::model::Scalar;
 
-/// Instants that are nearer to each other, in periods, are the same.
+/// Instants that are closer to each other, in periods, are treated as equal.
 const SAME: f64 = 1e-6;
 
-/// When a system samples.
+/// Sampling instants of a system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampling {
     /// T [s].
@@ -35,12 +35,12 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// The sample number `k` \[s\].
+    /// Sample `k` \[s\].
     fn instant(&self, k: f64) -> f64 {
         self.offset + k * self.period
     }
 
-    /// Number of the first sample at or after `time` \[s\].
+    /// Index of the first sample at or after `time` \[s\].
     fn first(&self, time: f64) -> f64 {
         ((time - self.offset) / self.period - SAME).ceil()
     }
@@ -50,7 +50,7 @@ impl Sampling {
         let before = ((time - self.offset) / self.period).floor();
         let near = [before, before + 1.0, before + 2.0].map(|k| self.instant(k));
         let next = near.into_iter().find(|instant| *instant > time);
-        // Samples that are nearer to each other than instants can be.
+        // Samples may be closer to each other than this tolerance.
         next.unwrap_or_else(|| time.next_up())
     }
 }
@@ -65,7 +65,7 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// None.
+    /// No limits.
     fn default() -> Self {
         Self {
             range: [f64::NEG_INFINITY, f64::INFINITY],
@@ -76,8 +76,8 @@ impl Default for Limits {
 
 /// A sampled linear system between signals and scalars.
 ///
-/// It remembers the number of the next sample, the states, the outputs before the delay of
-/// this sample and of the d before it, the newest first.
+/// Its memory contains the index of the next sample, the states, and the outputs before the delay
+/// of this sample and of the previous d samples, the newest first.
 #[derive(Debug, Clone)]
 pub struct Sampled {
     label: String,
@@ -91,9 +91,9 @@ pub struct Sampled {
 }
 
 impl Sampled {
-    /// The system `matrices`, of states from sample to sample, from the `inputs` to the
-    /// `outputs` with their limits (see [`super::StateSpace::output`]); `start` are the states before
-    /// the first sample.
+    /// The system `matrices`, which maps the states from sample to sample and the `inputs` to the
+    /// `outputs` with their limits (see [`super::StateSpace::output`]); `start` are the states
+    /// before the first sample.
     pub fn new(
         label: impl Into<String>,
         (matrices, sampling): (Matrices, Sampling),
@@ -113,14 +113,14 @@ impl Sampled {
         }
     }
 
-    /// Place of the outputs of the sample `back` before the latest in the memory.
+    /// Index in the memory of the outputs of the sample `back` before the latest.
     fn outputs(&self, back: usize) -> std::ops::Range<usize> {
         let [states, _, outputs] = self.matrices.sizes();
         let first = 1 + states + back * outputs;
         first..first + outputs
     }
 
-    /// Samples what it finds at a state.
+    /// Samples the inputs at a state.
     fn sample(&self, at: &Local<'_>, memory: &mut [f64]) {
         let [states, inputs, outputs] = self.matrices.sizes();
         let u = DVector::from_iterator(inputs, self.inputs.values(at));
@@ -136,7 +136,7 @@ impl Sampled {
             let [least, most] = limits.range;
             let far = limits.rate * self.sampling.period;
             let [low, high] = [least.max(before[i] - far), most.min(before[i] + far)];
-            // The nearer end where a limit of place is farther away than the rate reaches.
+            // The nearer end, if a limit of the value is beyond the reach of the rate.
             memory[latest.start + i] = asked[i].max(low).min(high);
         }
         memory[1..=states].copy_from_slice(next.as_slice());

@@ -14,8 +14,8 @@
 //! x_i' = -a_{n-i} x_1 + x_{i+1} + ( b_{n-i} - a_{n-i} d ) u ,    y = x_1 + d u  (D-276)
 //! ```
 //!
-//! each state divided by a power of the mean corner frequency `sqrt[n]( |a_0| )`, so that
-//! all are of one size.
+//! each state divided by a power of the mean corner frequency `sqrt[n]( |a_0| )`, so that all are
+//! of similar size.
 
 use nalgebra::DMatrix;
 
@@ -48,9 +48,9 @@ impl Matrices {
         }
     }
 
-    /// One input and one output, by the coefficients of falling powers of s (D-276).
-    /// `None` where the numerator is of a higher degree than the denominator, or where
-    /// that begins with a zero.
+    /// One input and one output, by the coefficients of falling powers of s (D-276). `None` if the
+    /// numerator is of a higher degree than the denominator, or if the denominator begins with a
+    /// zero.
     pub fn transfer(numerator: &[f64], denominator: &[f64]) -> Option<Self> {
         let (&leading, rest) = denominator.split_first()?;
         let order = rest.len();
@@ -83,7 +83,7 @@ impl Matrices {
         Some(matrices)
     }
 
-    /// Systems side by side: entry `[i][j]` leads from input j to output i, where there is one.
+    /// Systems in parallel: entry `[i][j]` leads from input j to output i, if it exists.
     pub fn of_entries(entries: &[Vec<Option<Self>>], inputs: usize) -> Self {
         let all = || entries.iter().flatten().flatten();
         let states = all().map(|entry| entry.a.nrows()).sum();
@@ -138,7 +138,7 @@ impl StateSpace {
         })
     }
 
-    /// The system `matrices` from the `inputs` to the `outputs`, as many as it has (see
+    /// The system `matrices` from the `inputs` to the `outputs`, in its numbers (see
     /// [`Self::output`]); `start` is the start of each state.
     pub fn new(
         label: impl Into<String>,
@@ -255,7 +255,7 @@ mod tests {
     }
 
     // Polynomials by Horner's rule; orders one to five, with and without a direct part, which
-    // takes off all but 3e-6 of itself in one of them; corner frequencies over six decades.
+    // cancels to 3e-6 of itself in one of them; corner frequencies over six decades.
     #[test]
     fn a_transfer_function_is_that_of_its_matrices() {
         let horner = |of: &[f64], s: Complex<f64>| {

@@ -26,7 +26,7 @@ fn scalar() -> Scalar {
     Sensor::output("sensor", Quantity::new("number", "-", 1.0))
 }
 
-/// An element, with all readings of it that it reports.
+/// An element, with all its readings.
 fn adapted(element: Box<dyn Element>, readings: &[Reading], undeformed: &[Node]) -> Adapted {
     let rest: Vec<_> = undeformed.iter().map(NodeMotion::at_rest).collect();
     let all = readings.iter().copied();
@@ -36,8 +36,7 @@ fn adapted(element: Box<dyn Element>, readings: &[Reading], undeformed: &[Node])
     Adapted::read(Arc::from(element), known)
 }
 
-/// Checks that the equations of the readings have the numbers that columns show, then the
-/// derivatives.
+/// Checks that the equations of the readings have the values of the columns, then the derivatives.
 fn check_all(element: Adapted, readings: &[Reading], undeformed: &[Node], random: &mut Random) {
     let motion: Vec<_> = undeformed
         .iter()
@@ -248,7 +247,7 @@ fn sections_of_beams() {
     }
 }
 
-// The growth of the Jacobian with the loads is that of the element without its readings.
+// The growth of the Jacobian with the loads is the growth of the element without its readings.
 #[test]
 fn elements_that_are_read_grow_with_the_loads() {
     let mut random = Random(95);
@@ -288,7 +287,7 @@ fn elements_that_are_read_grow_with_the_loads() {
     assert_eq!(grown(&read, &[0.2]), grown(&joint, &[]));
 }
 
-// Without a constraint its reaction is read as zero, and the readings stay.
+// Without a constraint its reaction is read as zero, and the other readings do not change.
 #[test]
 fn elements_without_some_constraints_are_read() {
     let mut random = Random(94);

@@ -10,7 +10,7 @@ use crate::elements::{
 };
 use crate::model::{Node, Quantity, Scalar, ScalarSpec, ScalarStart};
 
-/// Every vector, of three nodes against each other, in all axes, and every part.
+/// Every vector, of three nodes relative to each other, in all axes, and every part.
 fn sensors(nodes: &[Node], random: &mut Random) -> Vec<Sensor> {
     let vectors = [
         NodeVector::Position,

@@ -1,10 +1,9 @@
-//! What constraints are made of: points and axes on two ends, and the forms that hold them.
+//! Parts of constraints: points and axes on two ends, and the forms that constrain them.
 //!
-//! End a and end b carry a point and axes, `p = x + f`, `f = R f~`, `E = R E~`. An end is a
-//! node, or the frame of the model, which stands for a node that does not move. Each
-//! constraint is a [`Form`] of the two ends; with its gradient g by the displacements and
-//! spatial rotations q = (x_a, theta_a, x_b, theta_b), the virtual work of the reactions is
-//! `-lambda d Phi`, so that
+//! End a and end b carry a point and axes, `p = x + f`, `f = R f~`, `E = R E~`. An end is a node,
+//! or the frame of the model, which acts as a fixed node. Each constraint is a [`Form`] of the two
+//! ends; with its gradient g by the displacements and spatial rotations q = (x_a, theta_a, x_b,
+//! theta_b), the virtual work of the reactions is `-lambda d Phi`, so that
 //!
 //! ```text
 //! forces and moments on the ends   -lambda g
@@ -57,7 +56,7 @@ impl Attachment {
     }
 }
 
-/// Displacement or rotation of an end: what a form is differentiated by.
+/// Displacement or rotation of an end: a variable of a form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// Displacement of the node of a.
@@ -91,7 +90,7 @@ pub(super) type Parts = [Vector3<f64>; 4];
 pub(super) struct End {
     /// Local number of the node; `None` for the frame.
     pub node: Option<usize>,
-    /// Place of the point [m].
+    /// Position of the point [m].
     pub place: Vector3<f64>,
     /// Offset of the point from the node, model axes; zero for the frame [m].
     pub arm: Vector3<f64>,
@@ -104,7 +103,7 @@ pub(super) struct End {
 }
 
 impl End {
-    /// An attachment to local node number `node`, or to the frame.
+    /// An attachment to local node `node`, or to the frame.
     pub fn at(attachment: &Attachment, node: Option<usize>, nodes: &[NodeMotion]) -> Self {
         let Some(motion) = node.map(|node| &nodes[node]) else {
             return Self {
@@ -141,7 +140,7 @@ pub(super) struct Ends {
 }
 
 impl Ends {
-    /// From the point of a to that of b [m].
+    /// From the point of a to the point of b [m].
     pub fn between(&self) -> Vector3<f64> {
         self.b.place - self.a.place
     }

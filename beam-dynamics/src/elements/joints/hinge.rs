@@ -11,7 +11,8 @@
 //! M    = k (phi - phi_0(t)) + c phi'          on b: -M h_a,   on a: +M h_a
 //! ```
 //!
-//! phi - phi_0 is taken between minus and plus half a turn: phi_0 may be driven any way round.
+//! phi - phi_0 is reduced to between minus and plus half a turn: phi_0 may be driven over full
+//! turns.
 //!
 //! Variations, with s = v_a . u_b and c = u_a . u_b:
 //!
@@ -24,10 +25,10 @@
 //! | symbol | meaning | unit |
 //! | --- | --- | --- |
 //! | f_a, f_b | offset of the hinge from each node | m |
-//! | phi, phi_0 | angle of b against a, and that of the relaxed spring | rad |
+//! | phi, phi_0 | angle of b relative to a, and of the relaxed spring | rad |
 //! | k, c | stiffness of the spring, coefficient of the damper | N m, N m s |
 //!
-//! w is h where the constraints hold.
+//! w is h if the constraints are fulfilled.
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
@@ -58,16 +59,16 @@ pub struct HingeSpring {
     pub angle: f64,
 }
 
-/// Lets a node turn against another about one axis.
+/// Lets a node turn relative to another about one axis.
 #[derive(Debug, Clone)]
 pub struct Hinge {
     joint: ConstraintJoint,
     /// The axis in the undeformed model.
     axis: Vector3<f64>,
     spring: HingeSpring,
-    /// Where the relaxed angle changes, what it is [rad].
+    /// Signal of the relaxed angle, if it changes [rad].
     relaxed: Option<Signal>,
-    /// Those that it reads.
+    /// The scalars that it reads.
     scalars: Vec<Scalar>,
 }
 
@@ -75,13 +76,13 @@ pub struct Hinge {
 struct State {
     /// Axes h, u, v on each node.
     axes: [Matrix3<f64>; 2],
-    /// Angular velocity of b against a [rad/s].
+    /// Angular velocity of b relative to a [rad/s].
     rate: Vector3<f64>,
 }
 
 impl Hinge {
-    /// A hinge at `position` along `axis` (of any length but zero), in the model's frame,
-    /// between the nodes number `nodes`, undeformed at `undeformed`.
+    /// A hinge at `position` along `axis` (of any length but zero), in the model's frame, between
+    /// the nodes `nodes`, undeformed at `undeformed`.
     ///
     /// A positive angle is a right-hand rotation of the second node about the axis.
     pub fn new(
@@ -113,7 +114,7 @@ impl Hinge {
         self
     }
 
-    /// Angle from that of the relaxed spring, at most half a turn.
+    /// Angle relative to the relaxed spring, at most half a turn.
     fn turned(&self, state: &State, now: &Instant<'_>) -> f64 {
         let driven = self.relaxed.as_ref().map(|signal| signal.value(now));
         let apart = state.angle() - driven.unwrap_or(self.spring.angle);
@@ -128,28 +129,28 @@ impl Hinge {
         }
     }
 
-    /// Angle of the second node against the first, from -pi to pi \[rad\].
+    /// Angle of the second node relative to the first, from -pi to pi \[rad\].
     pub fn angle(&self, nodes: &[NodeMotion]) -> f64 {
         self.state(nodes).angle()
     }
 
-    /// Moment of spring and damper, positive where it drives the angle back \[N m\].
+    /// Moment of spring and damper, positive if it reduces the angle \[N m\].
     fn moment(&self, state: &State, now: &Instant<'_>) -> f64 {
         let HingeSpring {
             stiffness, damping, ..
         } = self.spring;
         let mut moment = 0.0;
-        // A free hinge may stand at any angle, also where the angle has no value.
+        // A free hinge may have any angle, also an undefined one.
         if stiffness != 0.0 {
             moment += stiffness * self.turned(state, now);
         }
         moment + damping * state.axis().dot(&state.rate)
     }
 
-    /// Energy of the spring \[J\]. Where the constraints are not fulfilled, the moment about the
-    /// axis is not its derivative.
+    /// Energy of the spring \[J\]. If the constraints are violated, the moment about the axis is
+    /// not its derivative.
     fn elastic_energy(&self, at: &Local<'_>, row: Option<&mut ReadingRow<'_>>) -> f64 {
-        // A free hinge may stand where its angle has no value.
+        // The angle of a free hinge may be undefined.
         if self.spring.stiffness == 0.0 {
             return 0.0;
         }

@@ -317,10 +317,7 @@ impl Element for ConstraintJoint {
         let mut jacobian = jacobian;
         for (i, row) in self.rows.iter().enumerate() {
             let placed = row.at(&seen);
-            placed.residual(i, at.multipliers[i], out);
-            if let Some(out) = jacobian.as_deref_mut() {
-                placed.jacobian(i, at.multipliers[i], out);
-            }
+            placed.evaluate(i, at.multipliers[i], out, jacobian.as_deref_mut());
         }
         if let Some(out) = jacobian {
             self.jacobian_by_scalars(&seen, at, out);

@@ -1,14 +1,14 @@
-//! Which rows make which joint.
+//! The rows of each kind of joint.
 //!
-//! Axes h, u, v: the first is that of the joint. With d from the point of a to that of b,
-//! indices for the end that carries an axis, and a\* the axes of a as a drive turns them:
+//! Axes h, u, v: the first is the axis of the joint. With d from the point of a to the point of b,
+//! and the index of the end that carries an axis, and a\* the axes of a as a drive turns them:
 //!
 //! | joint | rows | reactions |
 //! | --- | --- | --- |
 //! | clamp | d = 0; v_a . u_b, h_a . v_b, u_a . h_b | force, moment |
 //! | spherical | d = 0 | force |
 //! | revolute | d = 0; u_a . h_b, v_a . h_b | force, moment across h |
-//! | universal | d = 0; h_a . h_b = that of the undeformed axes | force, moment along h_a x h_b |
+//! | universal | d = 0; h_a . h_b as undeformed | force, moment along h_a x h_b |
 //! | cylindrical | u_a . d, v_a . d; u_a . h_b, v_a . h_b | all but those along h |
 //! | prismatic | u_a . d, v_a . d; three of a clamp | all but the force along h |
 //! | in-line | u_a . d, v_a . d | force across h |
@@ -21,11 +21,11 @@
 //! A driven rotation of a revolute, cylindrical or prismatic joint turns a\* by an angle
 //! about h, and holds all three axes to it: regular at every angle, full turns included.
 //!
-//! Rotations of a total joint, by how many of the three are free: none: the three rows of
-//! a clamp against a\*; one, about axis k: k_b stays at right angles to both other axes of
-//! a\*, at any angle; two, i and j beside the held k: the rotation is k (driven), then i
-//! about an axis of a, then j about one of b, a universal joint whose row
-//! `i_a* . j_b = 0` is regular wherever it is fulfilled; three: none.
+//! Rotations of a total joint, by how many of the three are free: none: the three rows of a clamp
+//! against a\*; one, about axis k: k_b stays at right angles to both other axes of a\*, at any
+//! angle; two, i and j with k held: the rotation is k (driven), then i about an axis of a, then j
+//! about one of b, a universal joint whose row `i_a* . j_b = 0` is regular wherever it is
+//! fulfilled; three: none.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -34,12 +34,12 @@ use super::joint::{ConstraintJoint, JointEnds, Place, same_point};
 use crate::elements::Signal;
 use crate::model::Drive;
 
-/// What becomes of one of the six relative freedoms of a joint.
+/// Treatment of one of the six relative freedoms of a joint.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Freedom {
     /// Nothing holds it.
     Free,
-    /// It stays as in the undeformed model.
+    /// Held as in the undeformed model.
     Locked,
     /// It follows a signal, in m or rad.
     Driven(Signal),
@@ -50,7 +50,7 @@ impl Freedom {
         *self != Self::Free
     }
 
-    /// The row that holds a distance, which is `now` in the undeformed model [m].
+    /// The row of a distance, which is `now` in the undeformed model [m].
     fn row(self, held: Held, now: f64) -> Option<Row> {
         match self {
             Self::Free => None,
@@ -68,19 +68,19 @@ impl Freedom {
     }
 }
 
-/// How the rotation about the axis of a joint is driven.
+/// Drive of the rotation about the axis of a joint.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Turning {
-    /// By an angle of b against a [rad].
+    /// By an angle of b relative to a [rad].
     Angle(Signal),
-    /// By the angular velocity of b against a [rad/s].
+    /// By the angular velocity of b relative to a [rad/s].
     Speed(Signal),
 }
 
 /// Points and axes of a joint in the undeformed model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placing {
-    /// The point on a and that on b, in the model's frame [m].
+    /// The points on a and on b, in the model's frame [m].
     pub points: [Vector3<f64>; 2],
     /// The axes (columns) of a and of b, in the model's frame [-].
     pub axes: [Matrix3<f64>; 2],
@@ -95,7 +95,7 @@ impl Placing {
         }
     }
 
-    /// From the point of a to that of b, along the axes of a [m].
+    /// From the point of a to the point of b, along the axes of a [m].
     fn apart(&self) -> Vector3<f64> {
         let [a, b] = &self.points;
         self.axes[0].tr_mul(&(b - a))
@@ -109,7 +109,7 @@ impl Placing {
 /// Axes with the first along `axis` (of any length but zero), the others across it.
 pub fn axes_along(axis: &Vector3<f64>) -> Matrix3<f64> {
     let h = axis.normalize();
-    // Across the coordinate axis from which h is farthest: never near zero.
+    // Across the coordinate axis farthest from h: never near zero.
     let mut other = Vector3::zeros();
     other[h.iamin()] = 1.0;
     let u = other.cross(&h).normalize();
@@ -118,10 +118,10 @@ pub fn axes_along(axis: &Vector3<f64>) -> Matrix3<f64> {
 
 /// `u_a . h_b` and `v_a . h_b`: both share the first axis.
 const SAME_AXIS: [Held; 2] = [Held::Across(1, 0), Held::Across(2, 0)];
-/// The three right angles of a clamp: the couples are along the axes 1, 2, 3.
+/// The three right angles of a clamp: their moments are along the axes 1, 2, 3.
 const SAME_AXES: [Held; 3] = [Held::Across(2, 1), Held::Across(0, 2), Held::Across(1, 0)];
 
-/// The right angle of a clamp that keeps from turning about an axis.
+/// The right angle of a clamp that prevents rotation about an axis.
 pub(super) fn about(axis: usize) -> Held {
     SAME_AXES[axis]
 }
@@ -144,8 +144,7 @@ fn about_first(angle: Signal) -> [Signal; 3] {
 }
 
 impl ConstraintJoint {
-    /// Rows about one axis, `places` of them on the points: with the rotation about it
-    /// free or driven.
+    /// The rows `on_points`, and rows for a rotation about one axis that is free or driven.
     fn turning(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -173,7 +172,7 @@ impl ConstraintJoint {
         }
     }
 
-    /// Holds b to a in place and attitude.
+    /// Holds b to a in position and attitude.
     pub fn clamp(label: impl Into<String>, ends: &JointEnds<'_>, at: &Placing) -> Self {
         let rows = same_point(Carrier::Frame)
             .into_iter()
@@ -187,7 +186,7 @@ impl ConstraintJoint {
         Self::of_rows(label, ends, at.places(), rows)
     }
 
-    /// Lets b turn against a about the first axis only, freely or as a drive tells.
+    /// Lets b turn relative to a about the first axis only, freely or driven.
     pub fn revolute(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -203,7 +202,7 @@ impl ConstraintJoint {
         )
     }
 
-    /// Lets b slide along the first axis, freely or as a drive tells [m], and turn about it.
+    /// Lets b slide along the first axis, freely or driven [m], and turn about it.
     pub fn cylindrical(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -216,8 +215,8 @@ impl ConstraintJoint {
         Self::turning(label, ends, at, rows, turning)
     }
 
-    /// Holds the points together and the first axis of a to the angle that it has to the
-    /// first axis of b, which must not be parallel.
+    /// Holds the points together and the first axis of a at its undeformed angle to the first axis
+    /// of b, which must not be parallel.
     pub fn universal(label: impl Into<String>, ends: &JointEnds<'_>, at: &Placing) -> Self {
         let cosine = at.axes[0].column(0).dot(&at.axes[1].column(0));
         let mut rows = same_point(Carrier::Frame).to_vec();
@@ -225,7 +224,7 @@ impl ConstraintJoint {
         Self::of_rows(label, ends, at.places(), rows)
     }
 
-    /// Lets b slide along the first axis without turning, freely or as a drive tells [m].
+    /// Lets b slide along the first axis without turning, freely or driven [m].
     pub fn prismatic(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -259,7 +258,7 @@ impl ConstraintJoint {
         Self::of_rows(label, ends, at.places(), vec![row])
     }
 
-    /// Lets b turn against a about the first axis only, wherever its point is.
+    /// Lets b turn relative to a about the first axis only, for any position of its point.
     pub fn plane_rotation(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -280,8 +279,8 @@ impl ConstraintJoint {
         Self::of_rows(label, ends, at.places(), rows)
     }
 
-    /// Drives the rotation of b against a about the first axis of a and nothing else:
-    /// beside a joint that keeps the axis.
+    /// Drives the rotation of b relative to a about the first axis of a only: for use with a joint
+    /// that holds the axis.
     pub fn spin(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -299,8 +298,8 @@ impl ConstraintJoint {
         }
     }
 
-    /// Imposes velocities of the point of b along the axes of a, seen from a, and angular
-    /// velocities about them; `None` where free [m/s, rad/s].
+    /// Imposes velocities of the point of b along the axes of a, relative to a, and angular
+    /// velocities about them; `None` if free [m/s, rad/s].
     pub fn velocity(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -317,9 +316,9 @@ impl ConstraintJoint {
         Self::of_rows(label, ends, at.places(), rows.collect())
     }
 
-    /// Any of the six relative freedoms free, locked or driven: displacements of the point
-    /// of b along the axes of a from the point of a, rotations about them, from
-    /// where the axes of both ends agree: locked ones need axes that agree undeformed.
+    /// Any of the six relative freedoms free, locked or driven: displacements of the point of b
+    /// along the axes of a from the point of a, rotations about them, relative to coinciding axes:
+    /// locked rotations need axes that coincide undeformed.
     pub fn total(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
@@ -351,7 +350,7 @@ impl ConstraintJoint {
     }
 }
 
-/// Right angles that hold the given rotations.
+/// Right angles that constrain the given rotations.
 fn rotations_held(held: [bool; 3]) -> Vec<Held> {
     let free: Vec<_> = (0..3).filter(|&axis| !held[axis]).collect();
     match free[..] {

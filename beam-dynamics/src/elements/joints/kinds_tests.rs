@@ -1,6 +1,6 @@
-//! Every kind of joint against what it means.
+//! Every kind of joint: constraints against its relative motions.
 //!
-//! Positions of order one: constraints and sums of forces are zero to some roundings, 1e-13.
+//! Positions of order one: constraints and sums of forces are zero to round-off, 1e-13.
 #![allow(clippy::unwrap_used, reason = "test helpers")]
 
 use nalgebra::{Matrix3, Vector3};
@@ -61,8 +61,8 @@ fn state(joint: &ConstraintJoint, motions: &[NodeMotion]) -> JointState {
     observed(joint, motions, &multipliers).joints.remove(0)
 }
 
-/// Moves b so that its point is at `d` from that of a, in the axes of a, and its axes are
-/// turned by `r` against those of a.
+/// Moves b so that its point is at `d` from the point of a, in the axes of a, and its axes are
+/// turned by `r` relative to the axes of a.
 fn place_b(
     setting: &Setting<'_>,
     at: &Placing,
@@ -92,7 +92,7 @@ fn about(axis: usize, angle: f64) -> Matrix3<f64> {
     vector::to_rotation(&phi)
 }
 
-/// Both settings with a moved anywhere.
+/// Both settings with a at a random position.
 fn check_everywhere(mut check: impl FnMut(&Setting<'_>, Option<NodeMotion>, &mut Random)) {
     let mut random = Random::new(11);
     let nodes = nodes(&mut random, 2);
@@ -110,10 +110,10 @@ fn motions(a: Option<NodeMotion>, b: NodeMotion) -> Vec<NodeMotion> {
     a.into_iter().chain([b]).collect()
 }
 
-/// A joint, where it was placed, and a relative motion (d, R) that it lets happen.
+/// A joint, its geometry, and a relative motion (d, R) that it permits.
 type Allowed = (ConstraintJoint, Placing, Vector3<f64>, Matrix3<f64>);
 
-/// A joint of each kind with a random motion that it lets happen.
+/// A joint of each kind with a random motion that it permits.
 fn allowed(setting: &Setting<'_>, random: &mut Random) -> Vec<Allowed> {
     use ConstraintJoint as Joint;
     let ends = &setting.ends;
@@ -125,7 +125,7 @@ fn allowed(setting: &Setting<'_>, random: &mut Random) -> Vec<Allowed> {
     let (turn, any) = (about(0, 4.0 * x), random.rotation(2.0));
     let (along, across) = (Vector3::new(x, 0.0, 0.0), Vector3::new(0.0, y, z));
     let (free, of_seven) = (|| Freedom::Free, about(0, 7.0));
-    // The axes of a and b have their angle where b is turned about both.
+    // The axes of a and b have their angle when b is turned about both.
     let between = universal.axes[0].transpose() * universal.axes[1];
     let cross = about(0, x) * between * about(0, y);
     let length = Drive::Constant(across.norm());
@@ -160,7 +160,7 @@ fn allowed(setting: &Setting<'_>, random: &mut Random) -> Vec<Allowed> {
     all.chain([(joint, universal, zero, cross)]).collect()
 }
 
-// Relative motions (d, R) that a joint lets happen leave its constraints at zero.
+// Relative motions (d, R) that a joint permits leave its constraints at zero.
 #[test]
 fn allowed_motions_keep_the_constraints() {
     check_everywhere(|setting, a, random| {
@@ -175,8 +175,8 @@ fn allowed_motions_keep_the_constraints() {
     });
 }
 
-// Of a total joint: held components are at their drives, free ones anywhere. Rotations are
-// the driven one first, then the free ones about an axis of a and one of b.
+// Of a total joint: held components follow their drives, free ones are random. Rotations are the
+// driven one first, then the free ones about an axis of a and one of b.
 #[test]
 fn total_joints_hold_what_they_name() {
     check_everywhere(|setting, a, random| {
@@ -209,7 +209,7 @@ fn total_joints_hold_what_they_name() {
             let found = constraints(&joint, &moved);
             let error = found.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
             assert!(error < ROUNDING, "{bits:b}: {found:?}");
-            // Away from the held values it is felt.
+            // Away from the held values the constraint is violated.
             if bits & 0b111_000 != 0 && bits.count_ones() > 0 {
                 let off = r * vector::to_rotation(&Vector3::new(0.2, 0.3, -0.25));
                 let moved = motions(a, place_b(setting, &at, a.as_ref(), (d, off)));
@@ -220,8 +220,8 @@ fn total_joints_hold_what_they_name() {
     });
 }
 
-// Points apart, axes turned: what is locked stays as it is undeformed, wherever both ends
-// go together, and is felt when b goes elsewhere. Distances are of order one.
+// Points apart, axes turned: locked components keep their undeformed values in any common motion of
+// both ends, and are violated by other motions of b. Distances are of order one.
 #[test]
 fn locked_freedoms_stay_as_they_are_undeformed() {
     check_everywhere(|setting, a, random| {
@@ -270,8 +270,8 @@ fn what_is_not_held_is_free_on_purpose() {
 }
 
 // Columns of multipliers are the rows of the constraints with the other sign: the power of the
-// reactions is -lambda . Phi_y q', nothing where Phi does not change in time. Reactions on two
-// nodes balance where the constraints hold.
+// reactions is -lambda . Phi_y q', zero if Phi does not change in time. Reactions on two nodes
+// balance if the constraints are fulfilled.
 #[test]
 fn reactions_do_no_work_and_balance() {
     check_everywhere(|setting, _, random| {
@@ -322,8 +322,8 @@ fn reactions_do_no_work_and_balance() {
     });
 }
 
-// A motion of the whole changes no constraint between two nodes, at any distance of the points;
-// where a joint holds these together they are together.
+// A common motion changes no constraint between two nodes, at any distance of the points; points
+// that a joint holds together coincide.
 #[test]
 fn a_superposed_rigid_motion_changes_no_constraint() {
     check_everywhere(|setting, a, random| {
@@ -406,8 +406,8 @@ fn a_prop_carries_a_weight() {
     assert!((own - axes.transpose() * Vector3::new(-3.0, 0.0, 0.0)).amax() < ROUNDING);
 }
 
-// What a joint tells of its relative motion: the placed one, and rates by central differences
-// over h = 1e-5: truncation 1e-10, round-off 1e-11.
+// The reported relative motion of a joint: the given one, and rates by central differences over h =
+// 1e-5: truncation 1e-10, round-off 1e-11.
 #[test]
 fn relative_motion_is_told_in_the_axes_of_a() {
     check_everywhere(|setting, a, random| {

@@ -1,4 +1,4 @@
-//! The relative motion of the ends of a joint, and what of it the joint leaves free.
+//! The relative motion of the ends of a joint, and the freedoms of the joint.
 
 use nalgebra::{Matrix6, Vector3, Vector6};
 use shared_geom::rotation;
@@ -7,11 +7,11 @@ use super::algebra::{End, Ends, Row, Seen};
 use crate::elements::{JointMotion, JointState, Level, Motion, Part, ReadingRow};
 use crate::model::Variable::{AngularVelocity, Position, Rotation, Velocity};
 
-/// Singular values below this part of the largest count as zero: entries of order one.
+/// Singular values below this part of the largest are treated as zero: entries of order one.
 const ZERO: f64 = 1e-9;
 
-/// The state of the joint called `label` between the nodes number `nodes`, with an angle about
-/// an axis where there is one; `on_b` is its force and moment on the node of b.
+/// The state of the joint called `label` between the nodes `nodes`, with an angle about an axis if
+/// it has one; `on_b` is its force and moment on the node of b.
 pub(super) fn state(
     (label, nodes): (&str, &[usize]),
     (ends, about): (&Ends, Option<usize>),
@@ -34,7 +34,7 @@ pub(super) fn state(
     }
 }
 
-/// A motion of b against a, in the axes of a; zero for the angle.
+/// A motion of b relative to a, in the axes of a; zero for the angle.
 fn vector(ends: &Ends, motion: JointMotion) -> Vector3<f64> {
     let (a, b) = (&ends.a, &ends.b);
     let back = a.axes.transpose();
@@ -47,14 +47,14 @@ fn vector(ends: &Ends, motion: JointMotion) -> Vector3<f64> {
     }
 }
 
-/// Velocity of the point of b for one who turns with a, model axes.
+/// Velocity of the point of b relative to axes that turn with a, model axes.
 fn seen_from_a(ends: &Ends) -> Vector3<f64> {
     let (a, b) = (&ends.a, &ends.b);
     // The rate of the components in the axes of a.
     b.point_velocity() - a.point_velocity() - a.spin.cross(&ends.between())
 }
 
-/// Sine and cosine of the angle of b against a about an axis, times one factor.
+/// Sine and cosine of the angle of b relative to a about an axis, times one factor.
 fn sine_and_cosine(ends: &Ends, axis: usize) -> [f64; 2] {
     let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
     let turned = ends.b.axes.column(u);
@@ -66,9 +66,9 @@ fn angle(ends: &Ends, axis: usize) -> f64 {
     sine.atan2(cosine)
 }
 
-/// A part of a motion of b against a, and its derivatives. With m the direction of the part in
-/// the model, d from the point of a to that of b, f the arms, V the velocity of the point of b
-/// seen from a, and `n = m x omega_a`,
+/// A part of a motion of b relative to a, and its derivatives. With m the direction of the part in
+/// the model, d from the point of a to the point of b, f the arms, V the velocity of the point of b
+/// relative to a, and `n = m x omega_a`,
 ///
 /// ```text
 /// displacement      dx_b: m     theta_b: f_b x m     dx_a: -m    theta_a: m x d - f_a x m
@@ -143,9 +143,9 @@ fn angle_slope(ends: &Ends, axis: usize) -> Vector3<f64> {
     (s * a.column(u) - c * a.column(v)).cross(&turned) / (s * s + c * c)
 }
 
-/// The relative motions, of the point of b seen from a and of rotation, that the
-/// constraints leave free at the undeformed state: the null space of the forces and
-/// moments that they can exert on b at its point.
+/// The relative motions, of the point of b relative to a and of rotation, that the constraints
+/// leave free at the undeformed state: the null space of the forces and moments that they can exert
+/// on b at its point.
 pub(super) fn free_motions(constraints: &[Row], seen: &Seen<'_>) -> Vec<Motion> {
     let (a, b) = (&seen.ends.a, &seen.ends.b);
     let mut rows = nalgebra::DMatrix::zeros(constraints.len().max(6), 6);
@@ -184,7 +184,7 @@ fn null_space(rows: &nalgebra::DMatrix<f64>) -> Vec<Vector6<f64>> {
     let square: Matrix6<f64> = (rows.transpose() * rows)
         .fixed_view::<6, 6>(0, 0)
         .into_owned();
-    // The decomposition does not end on numbers that are not finite.
+    // The decomposition does not terminate for numbers that are not finite.
     let square = square.map(|value| if value.is_finite() { value } else { 0.0 });
     let found = square.symmetric_eigen();
     let largest = found.eigenvalues.amax();

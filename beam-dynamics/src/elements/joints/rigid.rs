@@ -1,6 +1,6 @@
 //! Rigid connection: two nodes that move as one body, at any distance.
 //!
-//! Node b is attached to node a where it is in the undeformed state:
+//! Node b is attached to node a as in the undeformed state:
 //!
 //! ```text
 //! x_b - (x_a + f_a) = 0                                         multipliers: force
@@ -15,7 +15,7 @@ use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::Placing;
 use crate::model::Node;
 
-/// Holds the second of the nodes number `nodes`, undeformed at `undeformed`, to the first.
+/// Holds the second of the nodes `nodes`, undeformed at `undeformed`, to the first.
 pub fn rigid_connection(
     label: impl Into<String>,
     nodes: [usize; 2],

@@ -47,7 +47,7 @@ pub(in crate::elements) fn signal(mean: f64) -> Signal {
     Signal::sensing(expression, inputs.into(), [0.3, 0.7])
 }
 
-/// Where the joints of [`all`] stand.
+/// Geometry and drives of the joints of [`all`].
 pub(in crate::elements) struct Setting<'a> {
     pub ends: JointEnds<'a>,
     /// The point and the axes that the ends share.
@@ -57,7 +57,7 @@ pub(in crate::elements) struct Setting<'a> {
     pub other: Vector3<f64>,
     /// A further axis, on b.
     pub second_axis: Vector3<f64>,
-    /// A signal of a mean by which they are driven.
+    /// The driving signal, by its mean.
     pub drive: fn(f64) -> Signal,
 }
 

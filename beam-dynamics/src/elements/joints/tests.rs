@@ -49,9 +49,9 @@ fn tangent(
     out.by_unknowns().clone()
 }
 
-// The moment k (phi - phi_0) grows at fixed geometry when phi_0 falls: the growth along a
-// relative rotation by delta about the hinge is that of a spring relaxed delta lower. Linear
-// in the moment: round-off of terms of order one.
+// The moment k (phi - phi_0) grows at fixed geometry when phi_0 falls: the growth along a relative
+// rotation by delta about the hinge is the moment of a spring relaxed delta lower. Linear in the
+// moment: round-off of terms of order one.
 #[test]
 fn growth_with_the_spring_of_a_hinge() {
     let nodes = [node(0.0), node(1.0)];
@@ -99,7 +99,7 @@ fn growth_with_the_moment_of_a_support() {
     assert!((growth.fixed_view::<3, 3>(9, 3) - expected).amax() < 1e-14);
 }
 
-// The relaxed angle follows a drive, any number of turns round: the moment is that of the
+// The relaxed angle follows a drive, over any number of turns: the moment is the moment of the
 // angle without full turns.
 #[test]
 fn the_relaxed_angle_of_a_spring_follows_a_drive() {

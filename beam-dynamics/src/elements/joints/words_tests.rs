@@ -1,5 +1,5 @@
-//! Constraints hold what their names say: a small motion of b changes the constraint of this
-//! name by as much, and no other of its kind.
+//! Constraints agree with their names: a small motion of b changes the constraint of this name by
+//! the same amount, and no other of its kind.
 #![allow(clippy::unwrap_used, reason = "test helpers")]
 
 use nalgebra::{Matrix3, Vector3};
@@ -10,7 +10,7 @@ use super::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::elements::{Element, Level, Local, LocalResidual, LocalSize, Queries};
 use crate::model::{Conditions, Drive, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
 
-/// A small motion: what is left of second order is its square.
+/// A small motion: the second-order error is its square.
 const SMALL: f64 = 1e-5;
 
 fn constraints(joint: &ConstraintJoint, motions: &[NodeMotion]) -> Vec<f64> {
@@ -49,8 +49,8 @@ fn joints(ends: &JointEnds<'_>, at: &Placing) -> Vec<ConstraintJoint> {
     joints
 }
 
-/// Expects that the constraints which are called `name` about an axis change by `by`, and
-/// no others of that kind.
+/// Expects that the constraints called `name` about an axis change by `by`, and no others of that
+/// kind.
 #[track_caller]
 fn expect(joint: &ConstraintJoint, motions: &[NodeMotion], (name, axis): (&str, usize), by: f64) {
     let prefix = format!("{name} {} of ", ["x", "y", "z"][axis]);

@@ -1,7 +1,7 @@
 //! Tables of force over strain.
 //!
-//! Between the points straight or a natural cubic spline; outside of them held, or on
-//! along the slope of the end, or without a value:
+//! Between the points straight or a natural cubic spline; outside of them constant, or extrapolated
+//! with the slope of the end, or undefined:
 //!
 //! ```text
 //! hold      f = f_n                               e > e_n, and so at the other end
@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use shared_geom::spline::Spline;
 
-/// How a curve runs between its points.
+/// Interpolation of a curve between its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Between {
     /// Straight.
@@ -21,14 +21,14 @@ pub enum Between {
     Spline,
 }
 
-/// What a curve is beyond its points.
+/// Extrapolation of a curve beyond its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outside {
     /// The force of the end.
     Hold,
     /// Straight on with the slope of the end.
     Extend,
-    /// There is no force: it is not a number.
+    /// The force is undefined (NaN).
     Error,
 }
 

@@ -31,7 +31,7 @@ pub struct ExpressionLaw<const N: usize> {
 }
 
 impl<const N: usize> ExpressionLaw<N> {
-    /// Whether a rate of strain stands in it.
+    /// Whether an expression contains a rate of strain.
     pub(super) fn is_viscous(&self) -> bool {
         let uses_rate = |expression: &Arc<Expression>| (N..2 * N).any(|k| expression.uses(k));
         self.components.iter().flatten().any(uses_rate)

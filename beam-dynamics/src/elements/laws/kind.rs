@@ -7,7 +7,7 @@
 //! quadratic       f_i = 1/2 T_ijk e_j e_k             1/6 T_ijk e_i e_j e_k    see [`Quadratic`]
 //! ```
 //!
-//! and for each component by itself
+//! and for each component independently
 //!
 //! ```text
 //! cubic           f = k_1 e + k_2 |e| e + k_3 e^3     1/2 k_1 e^2 + 1/3 k_2 |e|^3 + 1/4 k_3 e^4
@@ -93,7 +93,7 @@ impl<const N: usize> LawKind<N> {
         }
     }
 
-    /// Elastic energy at an instant; zero for what has none.
+    /// Elastic energy at an instant; zero for functions without one.
     pub(super) fn energy(&self, strain: &SVector<f64, N>, now: &Instant<'_>) -> f64 {
         let sum = |of: &dyn Fn(usize, f64) -> f64| (0..N).map(|i| of(i, strain[i])).sum();
         match self {
@@ -108,8 +108,8 @@ impl<const N: usize> LawKind<N> {
         }
     }
 
-    /// Growth of the stiffness with a growth of the strain: that of the quadratic force. Of
-    /// the other functions none is known, since their stiffness may jump.
+    /// Growth of the stiffness with a growth of the strain, of the quadratic force. It is unknown
+    /// for the other functions, since their stiffness may jump.
     pub(super) fn add_growth(&self, growth: &SVector<f64, N>, out: &mut SMatrix<f64, N, N>) {
         if let Self::Quadratic(law) = self {
             *out += law.by_strain(growth);
@@ -148,7 +148,7 @@ impl LawKind<6> {
     }
 }
 
-/// Adds force and slope of each component by itself.
+/// Adds force and slope of each component independently.
 fn add_each<const N: usize>(
     strain: &SVector<f64, N>,
     out: &mut Response<N>,

@@ -1,6 +1,6 @@
 //! Laws of a single component: polynomial and two slopes.
 
-/// `f = k_1 e + k_2 |e| e + k_3 e^3`: odd, so that pull and push are alike.
+/// `f = k_1 e + k_2 |e| e + k_3 e^3`: odd, equal in tension and compression.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Cubic {
     /// k_1 [unit of force / unit of strain].

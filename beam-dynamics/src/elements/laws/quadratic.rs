@@ -12,17 +12,17 @@ use nalgebra::{SMatrix, SVector};
 use super::Response;
 use crate::elements::{Instant, Signal};
 
-/// `f = 1/2 T q q + sum c_i T_i q`, with q the strain that is not free.
+/// `f = 1/2 T q q + sum c_i T_i q`, with q the strain beyond the free strain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quadratic<const N: usize> {
-    /// `T_ijk`, symmetric in all its indices: the derivative of the stiffness by the
-    /// strain k is the matrix number k [unit of force / unit of strain^2].
+    /// `T_ijk`, symmetric in all its indices: the derivative of the stiffness by the strain k is
+    /// the matrix k [unit of force / unit of strain^2].
     pub third: Box<[SMatrix<f64, N, N>; N]>,
     /// Imposed states.
     pub imposed: Vec<Imposed<N>>,
 }
 
-/// An imposed state as a quadratic force sees it.
+/// An imposed state of a quadratic force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Imposed<const N: usize> {
     /// psi_i: strain without force for the factor one [unit of strain].

@@ -187,8 +187,8 @@ fn values_are_those_of_the_closed_forms() {
     }
 }
 
-/// The growth of the slope along a strain is the difference of the slopes, which are
-/// linear: a few roundings of numbers below 100.
+/// The growth of the slope along a strain is the difference of the slopes, which are linear: a few
+/// rounding errors of numbers below 100.
 #[test]
 fn the_slope_of_a_quadratic_force_grows_with_the_strain() {
     let law = Law::from(LawKind::Quadratic(heated()));

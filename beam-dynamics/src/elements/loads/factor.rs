@@ -1,18 +1,18 @@
-//! How loads grow, and whether they turn with what carries them.
+//! Growth of loads, and whether they turn with their node or section.
 
 use crate::model::Loading;
 
 /// The factor that multiplies a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LoadFactor {
-    /// That of the loads that are constant during an analysis.
+    /// Factor of the loads that are constant during an analysis.
     Constant,
-    /// That of the loads that grow in proportion.
+    /// Factor of the loads that grow in proportion.
     Proportional,
 }
 
 impl LoadFactor {
-    /// Its value now [-].
+    /// Its current value [-].
     pub fn value(self, loading: &Loading) -> f64 {
         match self {
             Self::Constant => loading.constant,

@@ -10,11 +10,10 @@
 //! a_j . b_k = 0                                   multiplier: moment
 //! ```
 //!
-//! Pairs (j, k) for held rotations: three as those of a clamp; two, about all axes but
-//! k, keep `a_k` orthogonal to both other driven axes, so that the node turns freely
-//! about `b_k` however far; one keeps the two axes orthogonal that its own is normal to.
-//! The reactions are those of a clamp: force `-lambda d_i`, couple
-//! `-lambda (a_j x b_k)`. By the factor,
+//! Pairs (j, k) for held rotations: three as in a clamp; two, about all axes but k, keep `a_k`
+//! orthogonal to both other driven axes, so that the node turns freely about `b_k` by any angle;
+//! one keeps the two axes normal to its own orthogonal. The reactions are as in a clamp: force
+//! `-lambda d_i`, couple `-lambda (a_j x b_k)`. By the factor,
 //!
 //! ```text
 //! d b_k / ds = D G(s phi) phi x b_k,   and  G(s phi) phi = phi
@@ -28,20 +27,20 @@ use super::factor::LoadFactor;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing};
 use crate::model::{Drive, Node};
 
-/// What is imposed on a node.
+/// The motion imposed on a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImposedMotion {
-    /// Displacement along each axis; `None` where the node is free [m].
+    /// Displacement along each axis; `None` if free [m].
     pub displacement: [Option<f64>; 3],
-    /// Components of the rotation vector; `None` where the node is free [rad].
+    /// Components of the rotation vector; `None` if free [rad].
     pub rotation: [Option<f64>; 3],
     /// The axes (columns), in the model's axes [-].
     pub axes: Matrix3<f64>,
-    /// What it grows with.
+    /// Factor with which it grows.
     pub factor: LoadFactor,
 }
 
-/// Imposes `motion` on node number `index`.
+/// Imposes `motion` on node `index`.
 pub fn imposed(
     label: impl Into<String>,
     index: usize,

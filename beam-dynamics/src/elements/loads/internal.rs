@@ -1,4 +1,4 @@
-//! Forces between two nodes: what one node exerts on the other, and takes itself.
+//! Forces between two nodes, equal and opposite.
 //!
 //! *Along the line* between two points (see [`crate::elements::springs`]): a tension T,
 //! which pulls them together.
@@ -10,7 +10,7 @@
 //!                                      on a: - F  - r x F - M
 //! ```
 //!
-//! Both act at the place `x_b + f_b` of the second, so that they balance exactly. Variations:
+//! Both act at `x_b + f_b` of the second, so that they balance exactly. Variations:
 //!
 //! ```text
 //! d F = -[F]x theta_a        d M = -[M]x theta_a
@@ -31,10 +31,10 @@ use crate::elements::{Local, LocalJacobian, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
 
-/// What acts between two nodes.
+/// Kinds of forces between two nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Between {
-    /// A force along the line between two points on nodes, positive where it pulls them together.
+    /// A force along the line between two points on nodes, positive if it pulls them together.
     Line {
         /// The points.
         ends: [End; 2],
@@ -43,9 +43,9 @@ pub enum Between {
     },
     /// A force and a moment on the second node that turn with the first.
     Axes {
-        /// Numbers of the nodes.
+        /// Indices of the nodes.
         nodes: [usize; 2],
-        /// Place on the second node, in its axes [m].
+        /// Position on the second node, in its axes [m].
         offset: Vector3<f64>,
         /// Force on the second node, undeformed, model's axes [N].
         force: Vector3<f64>,
@@ -57,7 +57,7 @@ pub enum Between {
 /// A force between two nodes.
 #[derive(Debug, Clone)]
 pub struct InternalForce {
-    /// Its nodes are the two.
+    /// Its nodes: the two.
     head: Head,
     acting: Acting,
 }
@@ -88,7 +88,7 @@ struct Pair {
 const SIGNS: [f64; 2] = [-1.0, 1.0];
 
 impl InternalForce {
-    /// What acts `between` two of the `nodes` of the model.
+    /// The force `between` two of the `nodes` of the model.
     pub fn new(
         label: impl Into<String>,
         nodes: &[Node],
@@ -121,7 +121,7 @@ impl InternalForce {
         Self { head, acting }
     }
 
-    /// Tells `add` force and moment on each of the nodes, for the factor and the signal one.
+    /// Passes force and moment on each of the nodes to `add`, for the factor and the signal one.
     fn wrenches(&self, nodes: &[NodeMotion], mut add: impl FnMut(usize, [Vector3<f64>; 2])) {
         match &self.acting {
             Acting::Line { line, tension } => {

@@ -11,7 +11,7 @@ use crate::elements::{
 };
 use crate::model::{Equation, Scalar};
 
-/// What all loads have.
+/// Data common to all loads.
 #[derive(Debug, Clone)]
 pub(in crate::elements) struct Head {
     label: String,
@@ -19,12 +19,12 @@ pub(in crate::elements) struct Head {
     nodes: Vec<usize>,
     factor: LoadFactor,
     signal: Signal,
-    /// Those of the signal.
+    /// Scalars of the signal.
     scalars: Vec<Scalar>,
 }
 
 impl Head {
-    /// That of a load on the nodes with the given numbers.
+    /// Data of a load on the nodes of the given indices.
     pub fn new(label: impl Into<String>, nodes: Vec<usize>, factor: LoadFactor) -> Self {
         Self {
             label: label.into(),
@@ -47,7 +47,7 @@ pub(in crate::elements) type Add<'a> = dyn FnMut(usize, Equation, &Vector3<f64>)
 
 /// Forces and moments that are proportional to a factor.
 pub(in crate::elements) trait Load: Debug + Send + Sync {
-    /// What it has as all loads have it.
+    /// The data common to all loads.
     fn head(&self) -> &Head;
 
     /// The longest arm from a node to a point at which it acts, undeformed \[m\].
@@ -62,7 +62,8 @@ pub(in crate::elements) trait Load: Debug + Send + Sync {
     fn add_variation(&self, size: f64, at: &Local<'_>, out: &mut LocalJacobian);
 }
 
-/// Adds the variation of a load times `factor` and its signal, that of the signal included.
+/// Adds the variation of a load times `factor` and its signal, including the variation of the
+/// signal.
 fn add_variations(load: &impl Load, factor: f64, at: &Local<'_>, out: &mut LocalJacobian) {
     let (signal, now) = (&load.head().signal, at.instant());
     load.add_variation(factor * signal.value(&now), at, out);

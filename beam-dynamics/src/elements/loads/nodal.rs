@@ -1,7 +1,7 @@
 //! Force and moment on a node.
 //!
-//! A force F at the offset `f = R f~` from the node, and a moment M, times the load's
-//! factor and its signal s, a number that depends on time and on what is sensed:
+//! A force F at the offset `f = R f~` from the node, and a moment M, times the load's factor and
+//! its signal s, which depends on time and on sensors:
 //!
 //! ```text
 //! force balance    F                   dead:      F = const,   M = const
@@ -27,7 +27,7 @@ use crate::elements::{Local, LocalJacobian, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, Variable};
 
-/// A force and a moment, as they act on the undeformed node.
+/// A force and a moment on an undeformed node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodalForce {
     /// Force, model's axes [N].
@@ -38,7 +38,7 @@ pub struct NodalForce {
     pub offset: Vector3<f64>,
     /// Whether it keeps its direction.
     pub turning: Turning,
-    /// What it grows with.
+    /// Factor with which it grows.
     pub factor: LoadFactor,
 }
 
@@ -51,7 +51,7 @@ pub struct NodalLoad {
     rotation: Matrix3<f64>,
 }
 
-/// The load now, for the factor one.
+/// The load at the current state, for the factor one.
 struct Acting {
     force: Vector3<f64>,
     arm: Vector3<f64>,
@@ -60,7 +60,7 @@ struct Acting {
 }
 
 impl NodalLoad {
-    /// `load` on node number `index`.
+    /// `load` on node `index`.
     pub fn new(label: impl Into<String>, index: usize, node: &Node, load: NodalForce) -> Self {
         Self {
             head: Head::new(label, vec![index], load.factor),

@@ -1,8 +1,8 @@
-//! Constraints that are taken out of an element.
+//! Removal of constraints from an element.
 
 use super::{LocalJacobian, LocalResidual};
 impl LocalResidual {
-    /// Puts "the multiplier is zero" in the place of a constraint.
+    /// Replaces a constraint by "the multiplier is zero".
     pub fn remove_constraint(&mut self, constraint: usize, multiplier: f64) {
         if self.is_ignored() {
             return;
@@ -14,8 +14,7 @@ impl LocalResidual {
 }
 
 impl LocalJacobian {
-    /// Puts "the multiplier is zero" in the place of a constraint: nothing is left of its
-    /// row and its column.
+    /// Replaces a constraint by "the multiplier is zero": its row and its column are cleared.
     pub fn remove_constraint(&mut self, constraint: usize) {
         let place = self.size.multiplier(constraint);
         for matrix in [&mut self.by_unknowns, &mut self.by_rates] {

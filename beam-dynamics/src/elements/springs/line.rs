@@ -22,12 +22,12 @@ use crate::elements::{LocalJacobian, LocalResidual};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{NodeMotion, Variable};
 
-/// Where an end is.
+/// Position of an end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End {
     /// At a point that moves with a node.
     Node {
-        /// Number of the node.
+        /// Index of the node.
         node: usize,
         /// Of the point from the node, in the node's axes [m].
         offset: Vector3<f64>,
@@ -52,7 +52,7 @@ pub(in crate::elements) struct Line {
 /// An end at a state.
 #[derive(Debug, Clone, Copy)]
 struct Place {
-    /// Place of its node among the nodes of the element; `None` in the frame.
+    /// Index of its node among the nodes of the element; `None` in the frame.
     local: Option<usize>,
     p: Vector3<f64>,
     velocity: Vector3<f64>,
@@ -75,7 +75,7 @@ pub(in crate::elements) struct LineState {
 #[derive(Debug, Clone, Copy)]
 pub(in crate::elements) struct PullVariation {
     pub by_d: Matrix3<f64>,
-    /// `None` where there is never one.
+    /// `None` if always zero.
     pub by_rate: Option<Matrix3<f64>>,
 }
 
@@ -91,7 +91,7 @@ impl Line {
         }
     }
 
-    /// Nodes of the ends, those in the frame left out.
+    /// Nodes of the ends, without ends in the frame.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
     }
@@ -180,8 +180,8 @@ impl LineState {
         self.ends.iter().zip(SIGNS).map(of_end).sum()
     }
 
-    /// Force and moment of a tension on the node of each end, by its place; none for an end
-    /// in the frame.
+    /// Force and moment of a tension on the node of each end, by its index; none for an end in the
+    /// frame.
     pub fn pulls(&self, tension: f64) -> impl Iterator<Item = (usize, [Vector3<f64>; 2])> {
         let of_end = move |(end, sign): (&Place, f64)| {
             let force = -sign * tension * self.n;

@@ -5,10 +5,10 @@
 //! ```
 //!
 //! with s = l_0, s' = l_0', so that e is the strain and a linear law has the stiffness EA, or with
-//! s = 1, s' = 0, so that e is the elongation. The relaxed length is above zero: where its drive
-//! is not, the rod has no value. The pull T along the line is positive in tension.
-//! A rod resists no motion across its line but by its tension. Variations (see
-//! [`super::line`]), with the slopes C, V of the law:
+//! s = 1, s' = 0, so that e is the elongation. The relaxed length must be above zero; if its drive
+//! is not, the force is undefined. The pull T along the line is positive in tension. A rod resists
+//! motion across its line only through its tension. Variations (see [`super::line`]), with the
+//! slopes C, V of the law:
 //!
 //! ```text
 //! d e  = n . d d / s     d e' = ( d' . (I - n n^T)/l d d + n . d d' - s' d e ) / s
@@ -28,7 +28,7 @@ use crate::elements::{
 };
 use crate::model::{Drive, Equation, Node, NodeMotion, Scalar, Variable};
 
-/// What the law of a rod takes for its strain.
+/// The strain measure of the law of a rod.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
     /// Elongation per relaxed length.
@@ -47,7 +47,7 @@ pub struct Rod {
     relaxed: Signal,
     measure: Measure,
     law: Law<1>,
-    /// Those that the relaxed length and the law read.
+    /// The scalars that the relaxed length and the law read.
     scalars: Vec<Scalar>,
 }
 
@@ -64,9 +64,8 @@ struct Strained {
 }
 
 impl Rod {
-    /// A rod between two ends of the undeformed `nodes` of the model. `relaxed` is the
-    /// length without strain [m], by default that of the undeformed model; either must be
-    /// above zero.
+    /// A rod between two ends of the undeformed `nodes` of the model. `relaxed` is the length
+    /// without strain [m], by default the undeformed length; either must be above zero.
     pub fn new(
         label: impl Into<String>,
         ends: [End; 2],
@@ -177,9 +176,9 @@ impl Rod {
 }
 
 impl Rod {
-    /// Adds `size` times the derivatives of the elongation, or of the tension. A pull T of one
-    /// is a force `-dl/dx` on each end; the tension is that along the line on an end,
-    /// `dT = -n . dF`, as n stays of unit length.
+    /// Adds `size` times the derivatives of the elongation, or of the tension. A pull T of one is a
+    /// force `-dl/dx` on each end; the tension is the force along the line on an end, `dT = -n .
+    /// dF`, as n stays of unit length.
     fn add_reading(
         &self,
         state: &Strained,
@@ -287,7 +286,7 @@ impl Energetic for Rod {
 impl Growth for Rod {
     fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
 
-    /// The part that is proportional to the tension, for its growth along the motion.
+    /// The part proportional to the tension, for its growth along the motion.
     fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         let Strained {
             line: state,

@@ -1,9 +1,9 @@
-//! Spring between two nodes, or between the frame and a node: laws of the displacement
-//! and of the rotation of the second against the first.
+//! Spring between two nodes, or between the frame and a node: laws of the displacement and of the
+//! rotation of the second relative to the first.
 //!
-//! Axes E (columns) are attached to both nodes and coincide in the undeformed state; the
-//! frame may stand for the first node, with `x_a` any fixed point. At the place
-//! `p = x_b + f_b` of the second node,
+//! Axes E (columns) are attached to both nodes and coincide in the undeformed state; the frame may
+//! replace the first node, with `x_a` any fixed point. At the point `p = x_b + f_b` of the second
+//! node,
 //!
 //! ```text
 //! r   = p - x_a                                  w = v_b + omega_b x f_b - v_a - omega_a x r
@@ -12,8 +12,8 @@
 //! [f~; m~] = law([u; psi], [u'; psi'], t)        F = E_a f~,  M = E_a T(psi)^-T m~
 //! ```
 //!
-//! The force acts on both nodes at the place p, so that the moments balance exactly, and M
-//! is the moment of the energy of the law:
+//! The force acts on both nodes at the point p, so that the moments balance exactly, and M is the
+//! moment of the energy of the law:
 //!
 //! ```text
 //! on a:    F      r x F + M                      on b:  - F    - f_b x F - M
@@ -61,20 +61,20 @@ pub struct Spring {
     undeformed: Vec<NodeMotion>,
     /// The axes E on the first end and on the second, in their axes.
     axes: [Matrix3<f64>; 2],
-    /// The place on the second node, in its axes [m].
+    /// The point on the second node, in its axes [m].
     offset: Vector3<f64>,
-    /// `x_a` where the frame is the first end [m].
+    /// `x_a` if the frame is the first end [m].
     fixed: Vector3<f64>,
     /// `(E_a^T r)_0` [m].
     relaxed: Vector3<f64>,
     law: SpringLaw,
-    /// Those that the law reads.
+    /// The scalars that the law reads.
     scalars: Vec<Scalar>,
 }
 
 impl Spring {
-    /// A spring between the nodes number `nodes` of the model, or with one node between the
-    /// frame and it, at `place` and along `axes`, both in the model's frame and undeformed.
+    /// A spring between the nodes `nodes` of the model, or with one node between the frame and it,
+    /// at the position `place` and along `axes`, both in the model's frame and undeformed.
     pub fn new(
         label: impl Into<String>,
         (nodes, all): (&[usize], &[Node]),
@@ -146,12 +146,12 @@ impl Spring {
         self.law.at(&state.strain, &state.rate, &at.instant())
     }
 
-    /// Place of an end among the nodes of the element; `None` for the frame.
+    /// Index of an end among the nodes of the element; `None` for the frame.
     fn local(&self, end: usize) -> Option<usize> {
         (end + self.nodes.len()).checked_sub(2)
     }
 
-    /// Calls `add` with what acts on the nodes.
+    /// Calls `add` with the forces and moments on the nodes.
     fn each_wrench(
         &self,
         state: &State,
@@ -169,8 +169,8 @@ impl Spring {
         }
     }
 
-    /// Adds the variation of forces and moments, where those of the law vary by
-    /// `stiffness` and `viscosity` and the force and moment at present are `wrench`.
+    /// Adds the variation of forces and moments, when the law's forces vary by `stiffness` and
+    /// `viscosity` and the present force and moment are `wrench`.
     fn add_variation(
         &self,
         state: &State,
@@ -195,7 +195,7 @@ impl Spring {
         }
     }
 
-    /// Adds force and moment rows of both ends in a column, where there can be something.
+    /// Adds force and moment rows of both ends in a column, if they can be nonzero.
     fn add_rows(
         &self,
         rows: &[[Matrix3<f64>; 2]; 2],
@@ -217,17 +217,18 @@ impl Spring {
     }
 }
 
-/// A rotation across the stiff axes of a spring is round-off of one about its free axis below
-/// this part of it.
+/// Part of a rotation about the free axis of a spring below which a rotation across the axis is
+/// treated as round-off.
 const ACROSS: f64 = 1e-6;
 
-/// The same rotation as psi, the other way round.
+/// The same rotation as psi, in the opposite sense.
 pub(super) fn other_way(psi: &Vector3<f64>) -> Vector3<f64> {
     psi * (1.0 - TAU / psi.norm())
 }
 
-/// Whether the force or moment of a rotation psi, the sum of `rest` and of a `stiffness` times
-/// psi, is another one (`other`) when it counts the other way round, and not only by round-off.
+/// Whether the force or moment of a rotation psi, the sum of `rest` and of a `stiffness` times psi,
+/// differs by more than round-off from its value (`other`) for the same rotation in the opposite
+/// sense.
 pub(super) fn is_other(
     [one, other]: [&Vector3<f64>; 2],
     stiffness: &Matrix3<f64>,
@@ -235,14 +236,14 @@ pub(super) fn is_other(
 ) -> bool {
     let apart = (one - other).norm();
     let round_off = ACROSS * (stiffness.norm() * psi.norm() + one.norm());
-    // A law without a value there has no other side.
+    // A law that is undefined there has no other sense.
     apart > round_off || apart.is_nan()
 }
 
 impl Spring {
     /// Adds the derivatives of a vector along `e`, in the axes of the spring. The force F and the
-    /// moment M of the spring are those that the residual has on b, `F_b = -F` and
-    /// `M_b = -f x F - M`, so that with `m = g e`, which turns with a,
+    /// moment M of the spring follow from the residual at b, `F_b = -F` and `M_b = -f x F - M`, so
+    /// that with `m = g e`, which turns with a,
     ///
     /// ```text
     /// d( e . F ) = -m . dF_b + (m x F) . theta_a
@@ -363,7 +364,7 @@ impl Energetic for Spring {
 impl Growth for Spring {
     fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
 
-    /// The part that is proportional to force and moment, for their growth along the motion.
+    /// The part proportional to force and moment, for their growth along the motion.
     fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
         let state = self.state(at.nodes);
         let mut strain = Vector6::zeros();

@@ -10,7 +10,7 @@ use crate::model::Scalar;
 /// Laws of a spring.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SpringLaw {
-    /// Of displacement and rotation, each by itself; `None` where there is no spring.
+    /// Of displacement and rotation, independently; `None` without a spring.
     Apart {
         /// Force by displacement.
         displacement: Option<Law<3>>,
@@ -44,7 +44,7 @@ impl SpringLaw {
         }
     }
 
-    /// The laws that stand for themselves, with the first of their components.
+    /// The independent laws, with the first of their components.
     fn apart(&self) -> impl Iterator<Item = (usize, &Law<3>)> {
         let parts = match self {
             Self::Apart {
@@ -130,7 +130,7 @@ impl SpringLaw {
         self.at(&zero, &zero, &Instant::START).by_strain
     }
 
-    /// Whether there can be a force, beside a moment.
+    /// Whether there can be a force, in addition to a moment.
     pub(super) fn has_force(&self) -> bool {
         !matches!(
             self,

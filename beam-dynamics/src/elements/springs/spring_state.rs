@@ -24,7 +24,7 @@ pub(in crate::elements::springs) struct State {
     pub rate: Vector6<f64>,
 }
 
-/// Force and moment, in model axes and in those of the first end.
+/// Force and moment, in model axes and in the axes of the first end.
 pub(in crate::elements::springs) struct Wrench {
     pub force: Vector3<f64>,
     pub moment: Vector3<f64>,
@@ -95,9 +95,9 @@ impl State {
         ]
     }
 
-    /// Variations of force and moment on a and on b, when the law's forces vary by
-    /// `section` and, if it moves, end `j` is moved (`k` = 0) or turned (1), which varies the
-    /// strains by `by`.
+    /// Variations of force and moment on a and on b, when the law's forces vary by `section` and,
+    /// if a motion is given, end `j` is moved (`k` = 0) or turned (1), which varies the strains by
+    /// `by`.
     pub fn varied(
         &self,
         wrench: &Wrench,

@@ -1,18 +1,18 @@
 //! Support: a spring and a damper from a node to the turning frame or to the world.
 //!
-//! With u the displacement of the node from its undeformed place and psi the rotation
-//! vector of `R R_0^T`, both in the axes of the frame,
+//! With u the displacement of the node from its undeformed position and psi the rotation vector of
+//! `R R_0^T`, both in the axes of the frame,
 //!
 //! ```text
 //! F = - K_u u - C_u (u' + W u)
 //! M = - T(psi)^-T [ K_psi psi + C_psi (psi' + W psi) ]        psi' = T(psi)^-1 omega
 //! ```
 //!
-//! with omega relative to the frame. W = 0 for a support that turns with the frame. A
-//! support that stands in the world sees the frame turn: the rates of u and psi in its
-//! axes are `u' + Omega x u` and `psi' + Omega x psi`, `W = [Omega]x`. Such a support is
-//! the same at every angle of the frame only if the node lies on the axis and K and C
-//! are isotropic about it; then K and C are constant in the frame as well.
+//! with omega relative to the frame. W = 0 for a support that turns with the frame. For a support
+//! fixed in the world the frame turns: the rates of u and psi in its axes are `u' + Omega x u` and
+//! `psi' + Omega x psi`, `W = [Omega]x`. It is the same at every angle of the frame only if the
+//! node lies on the axis and K and C are isotropic about it; then K and C are constant in the frame
+//! as well.
 //!
 //! M is the moment of the energy `1/2 psi . K psi`; about a single axis it is k psi at
 //! every angle. Variations:
@@ -37,12 +37,12 @@ use crate::elements::{
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
-/// Where a support stands.
+/// Frame to which a support is fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stand {
     /// In the turning frame, as clamps do.
     Frame,
-    /// In the world, against which the frame turns.
+    /// In the world, relative to which the frame turns.
     World,
 }
 
@@ -101,7 +101,7 @@ struct State {
 }
 
 impl SupportSpring {
-    /// Supports node number `index`, relaxed at its undeformed place and attitude.
+    /// Supports node `index`, relaxed at its undeformed position and attitude.
     pub fn new(
         label: impl Into<String>,
         index: usize,

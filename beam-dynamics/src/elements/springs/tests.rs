@@ -1,5 +1,5 @@
-//! Rods, springs and forces between nodes against closed forms; they feel no rigid motion,
-//! and their forces balance.
+//! Rods, springs and forces between nodes against closed forms; a rigid motion causes no force, and
+//! their forces balance.
 
 use nalgebra::{Matrix1, Matrix3, Matrix6, Vector3};
 use shared_geom::rotation::{skew, vector};
@@ -133,7 +133,7 @@ fn elements(nodes: &[Node]) -> Vec<Box<dyn Element>> {
     ]
 }
 
-/// Forces of size three at arms of size two: round-off is 1e-15 of them, a few times.
+/// Forces of size three at arms of size two: round-off is a few times 1e-15 of them.
 #[test]
 fn forces_on_both_nodes_balance() {
     let nodes = nodes();
@@ -150,8 +150,8 @@ fn forces_on_both_nodes_balance() {
     }
 }
 
-/// A superposed rigid motion, with its velocities, turns the forces and changes nothing
-/// else: positions of order ten, round-off 1e-15 of them.
+/// A superposed rigid motion, with its velocities, only turns the forces: positions of order ten,
+/// round-off 1e-15 of them.
 #[test]
 fn a_superposed_rigid_motion_turns_the_forces() {
     let nodes = nodes();
@@ -230,8 +230,8 @@ fn a_rod_pulls_with_the_force_of_its_law() {
     }
 }
 
-/// A relaxed length that grows by 0.3 m/s takes the elongation and its rate with it, and as
-/// a strain it is what the elongation is counted by: e = l/l_0 - 1, e' = l'/l_0 - l l_0'/l_0^2.
+/// A relaxed length that grows by 0.3 m/s changes the elongation and its rate; a strain is also
+/// relative to it: e = l/l_0 - 1, e' = l'/l_0 - l l_0'/l_0^2.
 #[test]
 fn a_rod_whose_relaxed_length_grows() {
     let nodes = nodes();
@@ -275,7 +275,8 @@ fn a_rod_whose_relaxed_length_grows() {
     }
 }
 
-/// Where its relaxed length is zero or less a rod pulls by no number, and says why.
+/// If its relaxed length is zero or less, the force of a rod is undefined, and the reason is
+/// reported.
 #[test]
 fn a_rod_without_a_relaxed_length_has_no_value() {
     let nodes = nodes();
@@ -340,8 +341,8 @@ fn a_spring_acts_in_the_axes_of_its_first_node() {
     assert!((found[0][1] - motion[1].position.cross(&force) - moment).norm() < 1e-13);
 }
 
-/// A prestrain moves the relaxed place, a prestress pushes from it: the spring is at rest
-/// where both say, x = 0.1 - 0.6 / 2.
+/// A prestrain shifts the relaxed position, a prestress pushes away from it: the spring is at rest
+/// at x = 0.1 - 0.6 / 2.
 #[test]
 fn prestrain_and_prestress_move_the_place_of_rest() {
     let nodes = nodes();

@@ -1,16 +1,16 @@
 //! Hinges between the hub and the root of a blade.
 //!
-//! From the hub outward; a hinge turns all that is outboard of it. In the axes A of the
-//! seat (x out, y the way the blade goes, z up):
+//! From the hub outward; a hinge turns all parts outboard of it. In the axes A of the seat
+//! (x out, y in the direction of motion, z up):
 //!
 //! ```text
 //! flap  about -y, positive up        lag  about z, positive forward        pitch  about x, nose up
 //! ```
 //!
-//! The pitch of the blade is that of its pitch hinge: hinges listed after it are turned
-//! with the blade. Between two hinges there is a node without mass, whatever the
-//! distance; the hinges are attached to it, and the last one to the root of the blade,
-//! by rigid offsets.
+//! The pitch of the blade is the angle of its pitch hinge: hinges listed after it are
+//! turned with the blade. Between two hinges there is a node without mass, at any distance;
+//! the hinges are attached to it, and the last one to the root of the blade, by rigid
+//! offsets.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
@@ -24,7 +24,7 @@ use crate::input::hinge_card::HingeCard;
 use crate::input::joints::spring;
 use crate::model::Node;
 
-/// What a hinge lets the blade do.
+/// Motion of the blade that a hinge allows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Flap,
@@ -50,12 +50,12 @@ impl Kind {
     }
 }
 
-/// A hinge as its table means it.
+/// A hinge as its table defines it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BladeHinge {
     kind: Kind,
-    /// Distance from the center of rotation along the span; `None` for that of the hinge
-    /// before, or of the root \[m\].
+    /// Distance from the center of rotation along the span; `None` for the offset of the hinge
+    /// before, or the root \[m\].
     offset: Option<f64>,
     card: HingeCard,
 }
@@ -88,8 +88,8 @@ fn hinge(table: &Table<'_>, drives: &Catalog) -> Option<BladeHinge> {
     })
 }
 
-/// Offsets of all hinges of a blade whose root is at `root` \[m\]; notes those that do
-/// not go outward.
+/// Offsets of all hinges of a blade whose root is at `root` \[m\]; notes offsets that do
+/// not increase outward.
 pub(super) fn offsets(table: &Table<'_>, hinges: &[BladeHinge], root: f64) -> Option<Vec<f64>> {
     let mut found = Vec::with_capacity(hinges.len());
     for (number, hinge) in hinges.iter().enumerate() {
@@ -125,7 +125,7 @@ pub(super) fn offsets(table: &Table<'_>, hinges: &[BladeHinge], root: f64) -> Op
     Some(found)
 }
 
-/// Whether two hinges without springs let the blade do the same.
+/// Whether two hinges without springs allow the same motion.
 fn is_same_motion((inner, at): (&BladeHinge, f64), (outer, offset): (&BladeHinge, f64)) -> bool {
     let is_one_axis = inner.kind == outer.kind && (at == offset || inner.kind == Kind::Pitch);
     let are_free = [inner, outer].map(|hinge| hinge.card.spring.stiffness == 0.0);
@@ -183,7 +183,7 @@ pub(super) fn add(
     }
 }
 
-/// Name of a hinge: by its kind, and its place among all when another is of that kind.
+/// Name of a hinge: by its kind, and its position in the list if another is of that kind.
 fn label(seat: &Seat, hinges: &[BladeHinge], number: usize) -> String {
     let kind = hinges[number].kind;
     let same = hinges.iter().filter(|hinge| hinge.kind == kind).count();

@@ -1,11 +1,11 @@
-//! A blade laid out as nodes and beams, in its own axes: root at the origin, x out
-//! along the span, y the way the blade goes, z up.
+//! A blade as nodes and beams, in its own axes: root at the origin, x out
+//! along the span, y in the direction of motion, z up.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::input::along::Along;
 
-/// Entries of the relative rotation below this count as aligned: round-off of the
+/// Entries of the relative rotation below this are aligned: round-off of the
 /// same axes found in two ways.
 const ALIGNED: f64 = 1e-12;
 
@@ -14,17 +14,17 @@ const ALIGNED: f64 = 1e-12;
 pub(in crate::input) struct LaidNode {
     /// Arc length from the root along the line \[m\].
     pub arc_length: f64,
-    /// Place \[m\].
+    /// Position \[m\].
     pub position: Vector3<f64>,
-    /// Axes: those of the section; where beams with different section axes meet, those
-    /// of the inner one.
+    /// Axes of the section; between beams with different section axes, the axes of the inner
+    /// one.
     pub axes: Matrix3<f64>,
 }
 
-/// A beam of a blade; beam k stands on the nodes 2k, 2k + 1, 2k + 2.
+/// A beam of a blade; beam k has the nodes 2k, 2k + 1, 2k + 2.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::input) struct LaidBeam {
-    /// The part of the blade to which it belongs, in words.
+    /// Description of the part of the blade to which it belongs.
     pub part: String,
     /// Section axes at the three nodes, in the axes of the nodes.
     pub orientations: [Matrix3<f64>; 3],
@@ -40,7 +40,7 @@ pub(in crate::input) struct Laid {
 }
 
 impl Laid {
-    /// Adds a beam outboard of the others: its three places and section axes there.
+    /// Adds a beam outboard of the others: its three positions and section axes there.
     pub fn add(&mut self, places: [LaidNode; 3], part: String, along: Along) {
         let mut orientations = [Matrix3::identity(); 3];
         match self.nodes.last() {
@@ -55,8 +55,8 @@ impl Laid {
         });
     }
 
-    /// Number of the node, at an end or in the middle of an element, that is nearest to a
-    /// place on the line.
+    /// Index of the node, at an end or in the middle of an element, that is nearest to a
+    /// position on the line.
     pub fn nearest(&self, arc_length: f64) -> usize {
         let far = |node: &usize| (self.nodes[*node].arc_length - arc_length).abs();
         (0..self.nodes.len())
@@ -65,7 +65,7 @@ impl Laid {
     }
 }
 
-/// Section axes in the axes of the node; exactly those of the node where they agree.
+/// Section axes in the axes of the node; exactly the identity if they agree.
 fn relative(node: &Matrix3<f64>, section: &Matrix3<f64>) -> Matrix3<f64> {
     let relative = node.transpose() * section;
     match (relative - Matrix3::identity()).amax() <= ALIGNED {

@@ -14,7 +14,7 @@ use crate::input::number::short_number;
 /// digits lost in the input.
 const ROUNDING: f64 = 1e-6;
 
-/// Where a mass is on the line.
+/// Position of a mass on the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum At {
     Tip,
@@ -54,7 +54,7 @@ fn at(table: &Table<'_>) -> Option<At> {
         if found == "tip" {
             return Some(At::Tip);
         }
-        // What does not begin as a number does is no length with a unit.
+        // A text that does not begin like a number is not a length with a unit.
         if !found.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter)) {
             table.wrong("at", "a length from the root along the line, or \"tip\"");
             return None;
@@ -65,7 +65,7 @@ fn at(table: &Table<'_>) -> Option<At> {
 }
 
 impl PointMass {
-    /// Arc length on a blade of the given length; notes a place off the line.
+    /// Arc length on a blade of the given length; notes a position off the line.
     pub fn place(&self, length: f64, table: &Table<'_>) -> Option<f64> {
         let At::Place(found) = self.at else {
             return Some(length);
@@ -79,8 +79,7 @@ impl PointMass {
         None
     }
 
-    /// What the reader must know of a mass of blade `blade`, number `number` from zero,
-    /// that no node meets.
+    /// Remark on mass `number` (from zero) of blade `blade`, which is not at a node.
     pub fn remark(&self, place: f64, laid: &Laid, number: usize, blade: &str) -> Option<String> {
         let nearest = laid.nearest(place);
         let there = laid.nodes[nearest].arc_length;
@@ -88,8 +87,8 @@ impl PointMass {
         let six = |value: f64| short_number(value, 6);
         ((there - place).abs() > ROUNDING * length).then(|| {
             format!(
-                "mass {} of blade \"{blade}\" lies at {} m, the nearest node at {} m: it is \
-                 carried by a rigid arm of {} m; let a piece end there for a node of its own",
+                "mass {} of blade \"{blade}\" is at {} m, the nearest node is at {} m: the mass is \
+                 carried by a rigid arm of {} m; let a piece end there to have a node there",
                 number + 1,
                 six(place),
                 six(there),
@@ -98,7 +97,7 @@ impl PointMass {
         })
     }
 
-    /// The number of the node that carries the mass at an arc length, and the inertia
+    /// The index of the node that carries the mass at an arc length, and the inertia
     /// about that node, in its axes.
     pub fn on_node(&self, place: f64, source: &Source, laid: &Laid) -> (usize, RigidInertia) {
         let number = laid.nearest(place);

@@ -1,35 +1,35 @@
-//! Where the elements of a blade end.
+//! Ends of the elements of a blade.
 //!
-//! At places that must be element ends (jumps of the properties, kinks of the line,
-//! point masses), and unless a number of elements is asked for also at the stations,
-//! but not so that an element becomes very short; long intervals are divided evenly.
+//! At positions that must be element ends (jumps of the properties, kinks of the line,
+//! point masses), and unless a number of elements is requested also at the stations, except
+//! where an element would become very short; long intervals are divided evenly.
 
-/// Shortest element between stations, as part of the blade: stations nearer to
-/// another element end than this make none.
+/// Shortest element between stations, as part of the blade: stations nearer to another
+/// element end than this are ignored.
 const SHORTEST: f64 = 1e-3;
-/// Longest element, as part of the blade. A mode of four half waves then has five
-/// elements to each, with an error in the order of 1e-5.
+/// Longest element, as part of the blade. A mode of four half waves then has five elements
+/// per half wave, with an error of the order of 1e-5.
 const LONGEST: f64 = 0.05;
 /// An interval that is longer than a whole number of longest elements by less than this
-/// part of one has no further element: files of other tools have ramps of 1e-9 to 1e-8 of
-/// the blade in the place of jumps, and the elements are to be those of the jumps.
+/// part of one gets no further element: files of other tools have ramps of 1e-9 to 1e-8 of
+/// the blade instead of jumps, and the elements should be the same as for jumps.
 const LONGER: f64 = 1e-6;
-/// Places nearer than this part of the blade are the same.
+/// Positions nearer than this part of the blade are the same.
 const SAME: f64 = 1e-9;
 
-/// What the elements of a blade must respect.
+/// Constraints on the elements of a blade.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ends<'a> {
     /// Length of the blade \[m\].
     pub length: f64,
-    /// Places that must be element ends \[m\].
+    /// Positions that must be element ends \[m\].
     pub fixed: &'a [f64],
-    /// Places of stations \[m\].
+    /// Positions of stations \[m\].
     pub stations: &'a [f64],
 }
 
 impl Ends<'_> {
-    /// Element ends from the root to the tip: where the stations are.
+    /// Element ends from the root to the tip, at the stations.
     pub fn at_stations(&self) -> Vec<f64> {
         let mut ends = vec![0.0];
         for pair in self.fixed_places().windows(2) {
@@ -49,8 +49,8 @@ impl Ends<'_> {
         ends
     }
 
-    /// Ends of `elements` elements as even as the fixed places let them be; the number
-    /// that is needed at least when there are too few.
+    /// Ends of `elements` elements, as equal as the fixed positions allow; if there are too
+    /// few, the number that is needed at least.
     pub fn of_number(&self, elements: usize) -> Result<Vec<f64>, usize> {
         let fixed = self.fixed_places();
         let lengths: Vec<_> = fixed.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -61,7 +61,7 @@ impl Ends<'_> {
         for _ in lengths.len()..elements {
             let size = |i: &usize| lengths[*i] / counts[*i] as f64;
             let longest = (0..lengths.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
-            // A line whose length is no number has no pieces.
+            // A line whose length is not a number has no pieces.
             if let Some(count) = longest.and_then(|i| counts.get_mut(i)) {
                 *count += 1;
             }
@@ -73,7 +73,7 @@ impl Ends<'_> {
         Ok(ends)
     }
 
-    /// The places that must be ends, with root and tip, in order and each once.
+    /// The positions that must be ends, with root and tip, in order and each once.
     fn fixed_places(&self) -> Vec<f64> {
         let near = SAME * self.length;
         let inside = |place: &&f64| **place > near && **place < self.length - near;
@@ -91,7 +91,7 @@ impl Ends<'_> {
     }
 }
 
-/// Adds the ends of `count` equal elements of an interval whose first end is there.
+/// Adds the ends of `count` equal elements of an interval whose first end is included already.
 fn divide(ends: &mut Vec<f64>, [from, to]: [f64; 2], count: usize) {
     let inside = (1..count).map(|k| from + (to - from) * k as f64 / count as f64);
     ends.extend(inside);
@@ -119,7 +119,7 @@ mod tests {
         more.extend([4.05, 7.95, 30.0]);
         let found = ends(100.0, &[], &more).at_stations();
         assert!(found.contains(&4.0) && !found.contains(&4.05));
-        // 7.95 comes first on the way out, so that 8 is left to it.
+        // 7.95 comes first from the root, so that 8 is ignored.
         assert!(found.contains(&7.95) && !found.contains(&8.0));
         assert!(found.contains(&30.0));
     }
@@ -145,7 +145,7 @@ mod tests {
         assert_eq!(&found[..4], [0.0, 0.5, 1.0, 1.5]);
     }
 
-    // Jumps at 40 and 70 m, and ramps of 1e-9 and 1e-8 of the blade in their places.
+    // Jumps at 40 and 70 m, and ramps of 1e-9 and 1e-8 of the blade instead of them.
     #[test]
     fn ramps_make_no_other_elements_than_jumps() {
         let places = [40.0, 70.0];

@@ -1,6 +1,6 @@
 //! The line of a blade: straight pieces laid end to end, with nodes and section axes.
 //!
-//! In the axes of the blade (x out, y the way the blade goes, z up) a piece with
+//! In the axes of the blade (x out, y in the direction of motion, z up) a piece with
 //! sweep Lambda and dihedral Gamma, and its section twisted by beta, have the axes
 //!
 //! ```text
@@ -45,7 +45,7 @@ impl Piece {
         sweep * vector::to_rotation(&Vector3::new(0.0, -self.dihedral, 0.0))
     }
 
-    /// By how much the twist grows along the piece, per length \[rad/m\].
+    /// Change of the twist along the piece, per length \[rad/m\].
     pub fn twist_rate(&self) -> f64 {
         (self.twist[1] - self.twist[0]) / self.length
     }
@@ -67,7 +67,7 @@ impl PieceLine {
         self.pieces.iter().map(|piece| piece.length).sum()
     }
 
-    /// Place \[m\] on the line at an arc length, that of the nearer end beyond them.
+    /// Position \[m\] on the line at an arc length; beyond an end, the position of the end.
     pub fn position(&self, arc_length: f64) -> Vector3<f64> {
         let mut left = arc_length.max(0.0);
         let mut position = Vector3::zeros();
@@ -78,7 +78,7 @@ impl PieceLine {
         position
     }
 
-    /// Cuts every piece into its beams, with `words` and `along` of a piece's number.
+    /// Cuts every piece into its beams, with `words` and `along` of a piece's index.
     pub fn lay(&self, words: impl Fn(usize) -> String, along: impl Fn(usize) -> Along) -> Laid {
         let mut laid = Laid::default();
         let (mut inner_end, mut arc_length) = (Vector3::zeros(), 0.0);
@@ -171,7 +171,7 @@ mod tests {
         assert_place(&axes(6, 2), [-s, -c, 0.0]);
     }
 
-    // The node at the kink has the axes of the inner piece; the outer beam sees its
+    // The node at the kink has the axes of the inner piece; the outer beam has its
     // own, so that its undeformed section follows its line without a jump.
     #[test]
     fn a_kink_is_taken_up_by_the_outer_beam() {
@@ -216,7 +216,8 @@ mod tests {
         }
     }
 
-    // The place at an arc length is that of the nodes there; beyond the ends, the ends.
+    // Positions at arc lengths of nodes are the nodes' positions; beyond the ends, the
+    // ends.
     #[test]
     fn places_are_found_by_arc_length() {
         let mut tip = piece(4.0, 2);

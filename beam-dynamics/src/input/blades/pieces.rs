@@ -13,7 +13,7 @@ use crate::input::draft::Draft;
 use crate::input::heat;
 use crate::input::problem::InputProblem;
 
-/// Beams of one piece: more are a slip of the pen.
+/// Beams of one piece: more are treated as an error.
 const MOST_ELEMENTS: usize = 1000;
 
 /// Line and properties of a blade of pieces.
@@ -51,15 +51,15 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft, name: &str) -> Option<P
     })
 }
 
-/// Properties of the pieces that name none.
+/// Properties of the pieces without properties of their own.
 struct Fallback {
-    /// Whether the blade names any.
+    /// Whether the blade has any.
     is_named: bool,
-    /// Those that it names; `None` when they are wrong.
+    /// These properties; `None` if they are wrong.
     properties: Option<Properties>,
 }
 
-/// Geometry and properties of every piece; each is `None` when one of them is wrong.
+/// Geometry and properties of every piece; each is `None` if any of them is wrong.
 fn pieces(
     blade: &Table<'_>,
     draft: &mut Draft,
@@ -78,7 +78,7 @@ fn pieces(
         .map(|(number, table)| {
             let words = format!("{words}, piece {}", number + 1);
             let properties = piece_properties(table, draft, &words, default);
-            // What the piece says takes the place of what the blade says.
+            // Values of the piece replace values of the blade.
             let properties = match heat::is_given(table) {
                 true => heat::read(table, properties, draft.drives(), &words),
                 false => heat::read(blade, properties, draft.drives(), &words),
@@ -137,7 +137,7 @@ fn piece(table: &Table<'_>) -> Option<Piece> {
     })
 }
 
-/// Twist at both ends; one number is that of both.
+/// Twist at both ends; one number applies to both.
 fn twist(table: &Table<'_>) -> Option<[f64; 2]> {
     if !table.has("twist") {
         return Some([0.0; 2]);
@@ -148,7 +148,7 @@ fn twist(table: &Table<'_>) -> Option<[f64; 2]> {
         [inner, outer] => Some([inner, outer]),
         _ => {
             let (key, found) = ("twist", numbers.len());
-            let expected = "one angle, or those at both ends";
+            let expected = "one angle, or the angles at both ends";
             table.note(
                 key,
                 &InputProblem::Count {

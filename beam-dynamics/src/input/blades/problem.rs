@@ -1,4 +1,4 @@
-//! What can be wrong with the card of a blade.
+//! Problems of the card of a blade.
 
 use shared_geom::error::Explain;
 
@@ -15,18 +15,18 @@ pub enum BladeProblem {
         /// The key of a blade of pieces.
         key: &'static str,
     },
-    /// Two keys of which one is meant.
+    /// Two keys that exclude each other.
     #[error("{blade} has \"{first}\" and \"{second}\", expected one of them")]
     Both {
-        /// The blade, in words.
+        /// The blade, as text.
         blade: String,
         /// A key.
         first: &'static str,
-        /// Another that says the same.
+        /// Another key for the same quantity.
         second: &'static str,
     },
-    /// Names of another number than the blades.
-    #[error("\"names\" lists {found}, expected {expected}: one a blade")]
+    /// A number of names that differs from the number of blades.
+    #[error("\"names\" lists {found}, expected {expected}: one per blade")]
     Names {
         /// Number of names.
         found: usize,
@@ -39,7 +39,7 @@ pub enum BladeProblem {
         /// The angle \[deg\].
         degrees: f64,
     },
-    /// Fewer elements than parts between places that must be element ends.
+    /// Fewer elements than parts between positions that must be element ends.
     #[error(
         "\"elements\" is {found}, expected at least {needed}: one in each interval between \
          jumps, kinks and masses"
@@ -52,28 +52,28 @@ pub enum BladeProblem {
     },
     /// A mass off the blade.
     #[error(
-        "\"at\" is {} m, expected a place on the line, from 0 to {} m, or \"tip\"",
+        "\"at\" is {} m, expected a position on the line, from 0 to {} m, or \"tip\"",
         short_number(*.found, 6),
         short_number(*.length, 6)
     )]
     OffLine {
-        /// The place \[m\].
+        /// The position \[m\].
         found: f64,
         /// Length of the line \[m\].
         length: f64,
     },
-    /// Hinges that do not go outward.
+    /// Hinges that are not in order from the hub outward.
     #[error(
-        "{hinge} is at {} m from the center of rotation, inboard of the one before it at {} m",
+        "{hinge} is at {} m from the center of rotation, inboard of the previous hinge at {} m",
         short_number(*.found, 6),
         short_number(*.before, 6)
     )]
     HingesInward {
-        /// The hinge, in words.
+        /// The hinge, as text.
         hinge: String,
         /// Its offset \[m\].
         found: f64,
-        /// Offset of the hinge before \[m\].
+        /// Offset of the previous hinge \[m\].
         before: f64,
     },
     /// A hinge outboard of the root.
@@ -83,20 +83,20 @@ pub enum BladeProblem {
         short_number(*.root, 6)
     )]
     HingeBeyondRoot {
-        /// The hinge, in words.
+        /// The hinge, as text.
         hinge: String,
         /// Its offset \[m\].
         found: f64,
         /// Radius of the root \[m\].
         root: f64,
     },
-    /// A hinge that lets the blade do what one before it does.
-    #[error("{hinge} turns about the axis of a hinge before it, and neither has a stiffness")]
+    /// A hinge that allows the same motion as a previous hinge.
+    #[error("{hinge} turns about the axis of a previous hinge, and neither has a stiffness")]
     HingesAlike {
-        /// The hinge, in words.
+        /// The hinge, as text.
         hinge: String,
     },
-    /// A root with hinges that is free or clamped as well.
+    /// A root with hinges and with a clamp option.
     #[error("blade \"{blade}\" has \"hinges\" and \"clamp_root\", expected one of them")]
     HingesAndClamp {
         /// Name of the blade.
@@ -108,23 +108,25 @@ impl Explain for BladeProblem {
     fn help(&self) -> Option<String> {
         let fixed = match self {
             Self::FileAndPieces { .. } => {
-                "a file has line, twist and properties of the whole blade; \"elements\" says how many"
+                "a file has line, twist and properties of the whole blade; \"elements\" is the \
+                 number of elements"
             }
             Self::Both { first: "root", .. } => {
-                "\"root\" is a place at azimuth 0, \"hub_radius\" the distance from the center along the blade"
+                "\"root\" is a position at azimuth 0, \"hub_radius\" the distance from the center \
+                 along the blade"
             }
             Self::Both { .. } => {
-                "\"azimuths\" gives each angle; \"count\" divides the circle, from \"azimuth\" on"
+                "\"azimuths\" gives each angle; \"count\" divides the circle, from \"azimuth\""
             }
             Self::TooFew { .. } => "leave \"elements\" out to have element ends at the stations",
             Self::HingesInward { .. } => {
-                "list the hinges from the hub outward; \"offset\" counts from the center of rotation along the blade, and hinges at one offset coincide"
+                "list the hinges from the hub outward; \"offset\" is measured from the center of rotation along the blade, and hinges at one offset coincide"
             }
             Self::HingeBeyondRoot { .. } => {
-                "offsets count from the center of rotation along the blade: a larger \"hub_radius\" moves the root outward"
+                "offsets are measured from the center of rotation along the blade: a larger \"hub_radius\" moves the root outward"
             }
             Self::HingesAlike { .. } => {
-                "what lies between the two turns without resistance: remove one, or give it another offset or a \"stiffness\""
+                "the parts between the two turn without resistance: remove one, or give it another offset or a \"stiffness\""
             }
             Self::HingesAndClamp { .. } => "hinges hold the root; remove \"clamp_root\"",
             _ => return None,

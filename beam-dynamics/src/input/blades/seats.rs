@@ -1,12 +1,12 @@
-//! Where the blades of a card sit on the hub, and what they are called.
+//! Positions of the blades of a card on the hub, and their names.
 //!
 //! ```text
 //! A = A_hub(azimuth) Ry(-precone)        B = A Rx(pitch)        root = center + R A e_x
 //! ```
 //!
-//! A has the span as the hub holds it (x out, y the way the blade goes, z up), B is the
-//! blade with its pitch, which turns it as a whole about the span at its root, as a
-//! pitch bearing does. R is the hub radius; `root` gives the place itself.
+//! A has the span as held by the hub (x out, y in the direction of motion, z up), B is the
+//! blade with its pitch, which turns the whole blade about the span at its root, like a
+//! pitch bearing. R is the hub radius; `root` gives the position directly.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
@@ -18,7 +18,7 @@ use super::problem::BladeProblem;
 use crate::input::draft::Draft;
 use crate::input::problem::InputProblem;
 
-/// Blades of one card: more are a slip of the pen.
+/// Blades of one card: more are treated as an error.
 const MOST_BLADES: usize = 100;
 /// Azimuths nearer than this are the same \[rad\].
 const SAME_AZIMUTH: f64 = 1e-6;
@@ -28,9 +28,9 @@ const SAME_AZIMUTH: f64 = 1e-6;
 pub(super) struct Seat {
     /// Name of the blade.
     pub name: String,
-    /// Place on the rotor, positive about the axis \[rad\].
+    /// Azimuth on the rotor, positive about the axis \[rad\].
     pub azimuth: f64,
-    /// Place of the root \[m\].
+    /// Position of the root \[m\].
     pub root: Vector3<f64>,
     /// Distance of the root from the center of rotation, along the span \[m\].
     pub radius: f64,
@@ -46,7 +46,7 @@ impl Seat {
         self.axes * about(Vector3::x() * self.pitch)
     }
 
-    /// Place at a distance from the center of rotation along the span \[m\].
+    /// Position at a distance from the center of rotation along the span \[m\].
     pub fn at_radius(&self, radius: f64) -> Vector3<f64> {
         self.root + self.axes.column(0) * (radius - self.radius)
     }
@@ -56,10 +56,10 @@ fn about(turn: Vector3<f64>) -> Matrix3<f64> {
     vector::to_rotation(&turn)
 }
 
-/// Where the root is, by key.
+/// Position of the root, by key.
 #[derive(Debug, Clone, Copy)]
 enum RootPlace {
-    /// `root`: its place at azimuth zero \[m\].
+    /// `root`: its position at azimuth zero \[m\].
     At(Vector3<f64>),
     /// `hub_radius`: its distance from the center along the span \[m\].
     Radius(f64),
@@ -68,7 +68,7 @@ enum RootPlace {
 /// Names and azimuths \[rad\] of the blades of a card.
 pub(super) type Places = Vec<(String, f64)>;
 
-/// Names and azimuths; `None` when they are wrong, which is noted.
+/// Names and azimuths; `None` if they are wrong, which is noted.
 pub(super) fn places(table: &Table<'_>) -> Option<Places> {
     let name = table.require_text("name", "the name of the blade");
     let azimuths = azimuths(table, name.as_deref().unwrap_or_default());
@@ -210,7 +210,7 @@ pub(super) fn angle(table: &Table<'_>, key: &str) -> Option<f64> {
     }
 }
 
-/// An angle of less than a quarter turn; a line that leads back inward is a mistake.
+/// An angle of less than a quarter turn; a line that turns back inward is an error.
 pub(super) fn shallow(table: &Table<'_>, key: &'static str) -> Option<f64> {
     let found = angle(table, key)?.to_degrees();
     if found.abs() < 90.0 {

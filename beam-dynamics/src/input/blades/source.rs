@@ -1,4 +1,4 @@
-//! What a blade is laid out from: pieces of its card, or a blade file.
+//! Sources of the layout of a blade: pieces of its card, or a blade file.
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
@@ -21,7 +21,7 @@ pub(super) enum Source {
     Stations(Box<StationLine>),
 }
 
-/// Reads what the card says, or the file that it names.
+/// Reads the pieces of the card, or its file.
 pub(super) fn read(table: &Table<'_>, draft: &mut Draft, name: &str) -> Option<Source> {
     if !table.has("file") {
         return pieces::read(table, draft, name).map(Source::Pieces);
@@ -45,7 +45,7 @@ impl Source {
         }
     }
 
-    /// Place on the line at an arc length \[m\].
+    /// Position on the line at an arc length \[m\].
     pub fn position(&self, arc_length: f64) -> Vector3<f64> {
         match self {
             Self::Pieces(pieces) => pieces.line.position(arc_length),
@@ -53,8 +53,8 @@ impl Source {
         }
     }
 
-    /// Nodes and beams. A blade of stations has element ends at `masses`; one of pieces
-    /// has its elements as its pieces say.
+    /// Nodes and beams. A blade of stations has element ends at `masses`; the elements of a
+    /// blade of pieces are given by the pieces.
     pub fn lay(&self, masses: &[f64], table: &Table<'_>) -> Option<Laid> {
         match self {
             Self::Pieces(pieces) => Some(pieces.lay()),

@@ -8,8 +8,8 @@
 //! s(xi) = s_1 + (1 + xi) (s_3 - s_1)/2
 //! ```
 //!
-//! where stiffness and mass are interpolated. Of two sides of a jump or a kink an
-//! element sees its own.
+//! where stiffness and mass are interpolated. At a jump or a kink each element uses the
+//! values on its own side.
 
 use nalgebra::{Matrix6, Vector3};
 use shared_geom::blade::{self, Blade, BladeDamping, Side};
@@ -29,27 +29,27 @@ use crate::input::draft::Draft;
 use crate::input::heat;
 use crate::input::problem::InputProblem;
 
-/// Elements of one blade: more are a slip of the pen.
+/// Elements of one blade: more are treated as an error.
 const MOST_ELEMENTS: usize = 10_000;
-/// A line of straight pieces that turns by more at a point has a kink there, where an
-/// element must end \[rad\]: half a degree, a curve drawn with 180 points a half turn.
+/// Angle of a kink between straight pieces of the line, at which an element must end
+/// \[rad\]: half a degree, as of a curve with 314 points per half turn.
 const KINK: f64 = 0.01;
 /// A station nearer to an element end than this part of the element is at it.
 const AT_END: f64 = 1e-9;
 
-/// Halvings of the stiffness between two stations that elements follow at most.
+/// Largest number of halvings of the stiffness between two stations that elements follow.
 const MOST_HALVINGS: f64 = 8.0;
 
-/// A blade file, and into how many elements it is cut.
+/// A blade file, and its division into elements.
 #[derive(Debug)]
 pub(super) struct StationLine {
     blade: Blade,
     curve: Curve,
-    /// Their number; `None` for element ends at the stations.
+    /// Number of elements; `None` for element ends at the stations.
     elements: Option<usize>,
 }
 
-/// Reads the file that `file` of a card names.
+/// Reads the file named by `file` of a card.
 pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> {
     let elements = match table.has("elements") {
         true => elements(table).map(Some),
@@ -69,7 +69,7 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
     let path = table.existing("file", &written)?;
     let options = Options { length: length? };
     let (_, mut reading) = document.keep(exchange::read_with(&path, &options))?;
-    // The damping of the card takes the place of that of the file.
+    // The damping of the card replaces the damping of the file.
     if let Some(damping) = damping? {
         reading.blade.damping = Some(everywhere(damping, reading.blade.stations.len()));
     }
@@ -99,9 +99,8 @@ fn elements(table: &Table<'_>) -> Option<usize> {
     (found <= limit).then_some(found)
 }
 
-/// The eigenvalue of `K_to v = ratio K_from v` farthest from one, in its logarithm: the
-/// same in all axes and about all points. `None` where a stiffness is not positive
-/// definite.
+/// The eigenvalue of `K_to v = ratio K_from v` with the largest absolute logarithm:
+/// independent of axes and reference point. `None` if a stiffness is not positive definite.
 fn most_change(from: &Matrix6<f64>, to: &Matrix6<f64>) -> Option<f64> {
     let inverse = from.cholesky()?.l().try_inverse()?;
     let ratios = (inverse * to * inverse.transpose()).symmetric_eigenvalues();
@@ -110,8 +109,8 @@ fn most_change(from: &Matrix6<f64>, to: &Matrix6<f64>) -> Option<f64> {
     sound.max_by(|a, b| size(a).total_cmp(&size(b)))
 }
 
-/// Places inside of a span over which a positive quantity changes linearly by a ratio,
-/// between which it changes by a factor of two at most.
+/// Positions inside a span over which a positive quantity changes linearly by a ratio,
+/// between which it changes at most by a factor of two.
 fn halved(span: [f64; 2], ratio: f64) -> Vec<f64> {
     let pieces = ratio.log2().abs().ceil();
     if !pieces.is_finite() || pieces < 2.0 {
@@ -130,7 +129,7 @@ impl StationLine {
         self.curve.length()
     }
 
-    /// Place on the line at an arc length \[m\].
+    /// Position on the line at an arc length \[m\].
     pub fn position(&self, arc_length: f64) -> Vector3<f64> {
         self.curve.at(arc_length).position
     }
@@ -156,7 +155,8 @@ impl StationLine {
                 along,
             );
         }
-        // Stations were checked: what is left is within rounding, and the worst tells all.
+        // Stations were checked: remaining problems are due to rounding, and the worst is
+        // reported.
         let value = |problem: &blade::BladeProblem| match problem {
             blade::BladeProblem::Indefinite { value, .. } => *value,
             _ => f64::NEG_INFINITY,
@@ -205,9 +205,9 @@ impl StationLine {
         number.map_err(too_few).ok()
     }
 
-    /// Places between stations where the stiffness has changed by a factor of two since the
-    /// last place: one element over a tip that is a hundred times softer at its end than
-    /// at its beginning would be too stiff there.
+    /// Positions between stations at which the stiffness has changed by a factor of two
+    /// since the previous position: one element over a tip that is a hundred times softer
+    /// at its end than at its beginning would be too stiff there.
     fn steep_places(&self) -> Vec<f64> {
         let places = self.blade.places();
         let spans = places.windows(2).flat_map(|pair| {
@@ -219,7 +219,7 @@ impl StationLine {
         spans.collect()
     }
 
-    /// By how much the line turns at a place \[rad\].
+    /// Angle by which the line turns at a position \[rad\].
     fn turn(&self, place: f64) -> f64 {
         let tangent = |side| self.curve.on(place, side).tangent;
         tangent(Side::Inner).angle(&tangent(Side::Outer))
@@ -251,7 +251,7 @@ impl StationLine {
 mod tests {
     use super::*;
 
-    // From 8 to 1 over 7 m: 4 at 4 m, 2 at 6 m; a change by less than two has no place.
+    // From 8 to 1 over 7 m: 4 at 4 m, 2 at 6 m; a change by less than two has no position.
     #[test]
     fn places_stand_where_a_quantity_has_halved() {
         let found = halved([0.0, 7.0], 1.0 / 8.0);

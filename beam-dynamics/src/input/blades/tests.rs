@@ -1,4 +1,4 @@
-//! Tests of blades: where they lie, how they are held, and what is told of wrong cards.
+//! Tests of blades: positions, roots, and the problems reported for wrong cards.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
@@ -13,7 +13,7 @@ use crate::input::test_files::{STRIP, read_beside};
 use crate::model::Conditions;
 
 const MODES: &str = "[modes]\nspeeds = [0]\n";
-/// A blade of the file beside the input.
+/// A blade from the file next to the input.
 const FILE: &str = "[[blade]]\nname = \"b\"\nfile = \"a.blade.json\"\n";
 
 fn station(arc_length: f64, mass: f64) -> Station {
@@ -47,7 +47,7 @@ fn straight(length: f64, twist: f64) -> Blade {
     blade(line, vec![station(0.0, 2.0), station(length, 1.0)])
 }
 
-/// Reads the cards beside the file of `blade`.
+/// Reads the cards next to the file of `blade`.
 fn input(blade: &Blade, cards: &str) -> Result<Input, String> {
     let file = blade::write(blade);
     let text = format!("units = \"SI\"\n{cards}");
@@ -75,9 +75,10 @@ fn node(input: &Input, name: &str) -> (Vector3<f64>, Matrix3<f64>) {
     (found.position, found.rotation)
 }
 
-// An arc of radius 5 in the plane of rotation, 60 degrees forward: the nodes, the middle
-// ones too, lie at equal angles on the circle about (0, 5, 0), with x along it, and
-// nothing is strained. The mass is that of the table on the arc, not on the polygon.
+// An arc of radius 5 in the plane of rotation, 60 degrees forward: the nodes, including the
+// middle ones, are at equal angles on the circle about (0, 5, 0), with x along it, and
+// nothing is strained. The mass is the integral of the table on the arc, not on the
+// polygon.
 #[test]
 fn a_curved_line_has_its_nodes_on_the_curve() {
     let root = LinePoint {
@@ -122,7 +123,7 @@ fn a_blade_sits_on_the_hub_with_radius_cone_azimuth_and_pitch() {
     assert!((found.model.naming[3].blade - cone).amax() < 1e-14);
 }
 
-// Four blades: those at azimuths 0, 90, 180 and 270 degrees; each is the first one
+// Four blades: at azimuths 0, 90, 180 and 270 degrees; each is the first one
 // turned about the axis, (x, y, z) to (-y, x, z).
 #[test]
 fn several_blades_are_the_same_blade_turned() {
@@ -148,8 +149,8 @@ fn several_blades_are_the_same_blade_turned() {
     assert_eq!(node(&found, "red/root").0, Vector3::zeros());
 }
 
-// Ends of elements: the doubled station at 3 m and the mass at 4.1 m among them, and each
-// element sees its own side of the jump: 2 kg/m on 3 m, 4 kg/m on 7 m, and 5 kg.
+// Ends of elements include the doubled station at 3 m and the mass at 4.1 m, and each
+// element uses its own side of the jump: 2 kg/m on 3 m, 4 kg/m on 7 m, and 5 kg.
 #[test]
 fn jumps_and_masses_are_ends_of_elements() {
     let mut jump = straight(10.0, 0.0);
@@ -171,7 +172,7 @@ fn jumps_and_masses_are_ends_of_elements() {
 }
 
 // Three elements on 1 m: nodes at each sixth. A mass at 0.5 m is on the middle node of the
-// second; one at 0.6 m is nearest to the element end at 2/3 m, and told with its arm.
+// second; one at 0.6 m is nearest to the element end at 2/3 m, and reported with its arm.
 #[test]
 fn masses_on_pieces_are_on_the_nodes_there_or_told() {
     let cards = |at: f64| {
@@ -187,7 +188,7 @@ fn masses_on_pieces_are_on_the_nodes_there_or_told() {
             0.6,
             "b/4",
             Some(
-                "mass 1 of blade \"b\" lies at 0.6 m, the nearest node at 0.666667 m: it is \
+                "mass 1 of blade \"b\" is at 0.6 m, the nearest node is at 0.666667 m: the mass is \
                   carried by a rigid arm of 0.0666667 m",
             ),
         ),
@@ -210,8 +211,8 @@ fn masses_on_pieces_are_on_the_nodes_there_or_told() {
     }
 }
 
-// Hinges at 0.3, 0.3 and 0.5 m, root at 1 m on a coned blade: nodes where they are, on
-// the span, and one for each gap between hinges, at the inner one.
+// Hinges at 0.3, 0.3 and 0.5 m, root at 1 m on a coned blade: nodes at these offsets, on
+// the span, and one for each interval between hinges, at the inner one.
 #[test]
 fn hinges_lie_on_the_span_in_their_order() {
     let hinges = "hinges = [{ kind = \"lag\", offset = 0.3, stiffness = 5 }, { kind = \"flap\" },\n\
@@ -223,7 +224,7 @@ fn hinges_lie_on_the_span_in_their_order() {
     assert_near(node(&found, "b/hinge 1").0, [0.3 * c, 0.0, 0.3 * s]);
     assert_near(node(&found, "b/hinge 2").0, [0.3 * c, 0.0, 0.3 * s]);
     assert_near(node(&found, "b/root").0, [c, 0.0, s]);
-    // Pitch is that of the last hinge: nodes before it are not turned by it.
+    // The pitch is the angle of the last hinge: nodes before it are not turned by it.
     assert_near(
         node(&found, "b/hinge 2").1.column(1).into_owned(),
         [0.0, 1.0, 0.0],
@@ -234,7 +235,7 @@ fn hinges_lie_on_the_span_in_their_order() {
     assert!(residual.values.iter().all(|value| value.abs() < 1e-7));
 }
 
-/// Keys of a card, and what is said of them.
+/// Keys of a card, and the problem reported.
 const WRONG_CARDS: &[(&str, &str)] = &[
     (
         "elements = 0\n",
@@ -296,11 +297,11 @@ const WRONG_CARDS: &[(&str, &str)] = &[
     ),
     (
         "hub_radius = 1\nhinges = [{ kind = \"lag\" }, { kind = \"lag\" }]\n",
-        "hinge 2 (lag) turns about the axis of a hinge before it, and neither has a stiffness",
+        "hinge 2 (lag) turns about the axis of a previous hinge, and neither has a stiffness",
     ),
     (
         "[[blade.mass]]\nat = 12\nmass = 1\n",
-        "\"at\" is 12 m, expected a place on the line, from 0 to 10",
+        "\"at\" is 12 m, expected a position on the line, from 0 to 10",
     ),
     ("[[blade.mass]]\nat = \"end\"\nmass = 1\n", "\"at\""),
     ("[[blade.mass]]\nat = \"tip\"\n", "has no \"mass\""),
@@ -332,8 +333,9 @@ fn wrong_cards_of_blades_are_explained() {
     assert!(shown.contains("b.blade.json"), "{shown}");
 }
 
-// A viscosity is no stiffness: what the stations have is checked by their file, and at
-// the evaluation points again, because a table may be interpolated in other ways.
+// A viscosity cannot be used as a stiffness: the values of stations are checked by their
+// file, and at the evaluation points again, because a table may be interpolated in other
+// ways.
 #[test]
 fn a_blade_file_that_is_wrong_is_told_with_its_own_lines() {
     let mut wrong = straight(10.0, 0.0);
@@ -343,7 +345,7 @@ fn a_blade_file_that_is_wrong_is_told_with_its_own_lines() {
     assert!(shown.contains("10 m"), "{shown}");
 }
 
-// The damping of a card takes the place of that of the file.
+// The damping of a card replaces the damping of the file.
 #[test]
 fn a_card_damps_the_blade_of_a_file() {
     let rates = |damping: Option<BladeDamping>, key: &str| {

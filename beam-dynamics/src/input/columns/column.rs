@@ -34,7 +34,7 @@ pub(super) fn read(output: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
     complete.then_some(columns)
 }
 
-/// Whether Python, tables and NetCDF take it for a name.
+/// Whether Python, tables and NetCDF accept it as a name.
 pub(super) fn is_name(name: &str) -> bool {
     let mut letters = name.chars();
     let first = letters.next();
@@ -68,7 +68,7 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
                 (unit.clone(), factor)
             }
             None => {
-                // Every unit of the quantities is one of those that are known.
+                // All units of the quantities are known.
                 let factor = readings::unit_of(part.unit, part.dimension).ok()?.factor;
                 (part.unit.to_owned(), factor)
             }

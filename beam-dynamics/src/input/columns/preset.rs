@@ -1,4 +1,4 @@
-//! Columns of a file that asks for none.
+//! Default columns of a file.
 
 use super::column::is_name;
 use crate::case::{Column, ElectrodeQuantity, Quantity};
@@ -9,7 +9,7 @@ use crate::input::draft::Draft;
 /// Nodes with columns of their own.
 const MOST_NODES: usize = 8;
 
-/// The places of the nodes that tell most, and the energies.
+/// The positions of the most informative nodes, and the energies.
 pub(super) fn columns(draft: &Draft) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
     for node in draft.telling_nodes(MOST_NODES) {
@@ -80,7 +80,7 @@ fn of_electrodes(draft: &Draft) -> Vec<Column> {
     columns.collect()
 }
 
-/// The label of a node as a name of a column.
+/// The label of a node, converted to a name of a column.
 fn as_name(label: &str) -> String {
     let letter = |c: char| match c.is_ascii_alphanumeric() {
         true => c,

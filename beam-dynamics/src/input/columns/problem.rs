@@ -1,17 +1,17 @@
-//! What can be wrong with what is to be written of a run in time.
+//! Problems of the requested output of a run in time.
 
 use shared_geom::error::Explain;
 
 use crate::input::number::short_number;
 
-/// A number as text and in binary.
+/// Bytes of a number as text and in binary.
 const BYTES: f64 = 28.0;
 
 /// A problem of `[output]`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ColumnProblem {
     /// A name that files and programs cannot use.
-    #[error("\"{name}\" is no name of a column, expected letters, digits, \"_\", \".\" or \"-\"")]
+    #[error("\"{name}\" is not a column name, expected letters, digits, \"_\", \".\" or \"-\"")]
     NoName {
         /// The name found.
         name: String,
@@ -21,28 +21,28 @@ pub enum ColumnProblem {
     Doubled {
         /// The name.
         name: String,
-        /// The line of the first, in words.
+        /// The line of the first, as text.
         line: String,
     },
     /// The name of the first column.
     #[error("\"time\" is the name of the first column, which every table has")]
     Time,
-    /// More rows than a disk holds.
+    /// More rows than fit on a disk.
     #[error(
         "the run would write {} rows of {numbers} numbers, some {} GB",
         short_number(*.rows, 4),
         short_number(*.rows * *.numbers as f64 * BYTES / 1e9, 2)
     )]
     ManyRows {
-        /// Their number [-].
+        /// Number of rows [-].
         rows: f64,
-        /// Numbers of each.
+        /// Number of values in each row.
         numbers: usize,
     },
-    /// More field files than a folder holds.
+    /// More field files than a folder should contain.
     #[error("the run would write {} field files", short_number(*.fields, 4))]
     ManyFields {
-        /// Their number [-].
+        /// Number of field files [-].
         fields: f64,
     },
 }
@@ -59,13 +59,13 @@ impl Explain for ColumnProblem {
                     .to_owned(),
             ),
             Self::ManyRows { .. } => Some(
-                "give [output] an \"every\": a number of steps, or a time such as \"1 ms\""
+                "give [output] an \"every\": a number of steps, or a time, for instance \"1 ms\""
                     .to_owned(),
             ),
             Self::ManyFields { .. } => {
-                Some("\"vtu\" is the number of rows of which one has a field file".to_owned())
+                Some("\"vtu\" is the number of rows per field file".to_owned())
             }
-            Self::Time => Some("time is written without being asked for".to_owned()),
+            Self::Time => Some("time is always written".to_owned()),
         }
     }
 }

@@ -80,7 +80,7 @@ const CHOSEN: &str = "[output]
         component = \"x\"
         unit = \"rpm\"\n";
 
-/// A slip in every card.
+/// An error in every card.
 const WRONG: &str = "[output]
 every = 0
 [[output.column]]
@@ -220,7 +220,7 @@ fn all_that_is_wrong_is_told_with_the_nearest_name() {
     let told = input(WRONG).unwrap_err();
     for expected in [
         "a.dynamics.toml:29: \"every\" is 0, expected a whole number of at least 1",
-        "a.dynamics.toml:31: \"1st\" is no name of a column, expected letters",
+        "a.dynamics.toml:31: \"1st\" is not a column name, expected letters",
         "did you mean \"position\"?",
         "unknown node \"the tib\" in column \"a\"\n  help: did you mean \"the tip\"?",
         "a.dynamics.toml:37: \"component\" ",
@@ -303,11 +303,11 @@ fn joints_and_drives_are_found_at_a_state() {
     // The axes of the pin: x along its axis, z of the model.
     assert_relative_eq!(turned, 0.5_f64.to_degrees(), epsilon = 1e-12);
     assert_relative_eq!(slip, 3.0, epsilon = 1e-12);
-    // Those of the second end are turned by the angle about x.
+    // The axes of the second end are turned by the angle about x.
     let (sine, cosine) = 0.5_f64.sin_cos();
     assert!(side.hypot(up) > 0.5, "{side} {up}");
     assert_relative_eq!(force, cosine * side + sine * up, epsilon = 1e-12);
-    // A drive of plain numbers counts in the units of the file: 14 N.
+    // A drive of plain numbers is in the units of the file: 14 N.
     assert_relative_eq!(push, 14e-3, epsilon = 1e-15);
 }
 
@@ -317,7 +317,8 @@ fn card(name: &str, quantity: &str, of: &str, rest: &str) -> String {
     )
 }
 
-/// The numbers of the columns of `cards` at a state that `change` makes of the state at rest.
+/// The values of the columns of `cards` at a state that `change` makes from the state at
+/// rest.
 fn numbers(cards: &str, change: impl Fn(&mut State)) -> Vec<f64> {
     let input = input(cards).unwrap();
     let mut state = input.model.system.rest();
@@ -388,7 +389,7 @@ fn frames_of_columns_are_looked_for_with_the_nodes() {
     }
 }
 
-// A rod of 1 m that is drawn out by 0.5 m with 8 kN a unit of strain, and a spring that is
+// A rod of 1 m that is stretched by 0.5 m with 8 kN per unit of strain, and a spring that is
 // moved by (1, 2, 3) mm with (1, 10, 100) kN/m and turned by 0.1 rad about z with 50 N m/rad.
 #[test]
 fn rods_and_springs_tell_their_motion_and_what_resists_it() {
@@ -418,7 +419,7 @@ fn rods_and_springs_tell_their_motion_and_what_resists_it() {
         card("turned", "spring_rotation", "mount", "component = \"z\""),
         card("moment", "spring_moment", "mount", "component = \"z\""),
     ];
-    // The spring is where its last node is, and so are both of its ends.
+    // The spring is at its last node, and so are both of its ends.
     let found = numbers(&cards.concat(), |state| {
         state.nodes[1].position.x += 0.5;
         state.nodes[2].position += Vector3::new(0.501, 2e-3, 3e-3);

@@ -1,6 +1,6 @@
 //! Actuators: `[[actuator]]`, signals that joints can follow.
 //!
-//! The name of a card is that of its position, which expressions read.
+//! The name of a card is the name of its position, which expressions read.
 
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
@@ -12,17 +12,17 @@ use crate::input::drives::{self, Catalog, Measure, Read};
 use crate::input::number::not_negative;
 use crate::model::{Scalar, ScalarStart};
 
-/// Damping ratio of a card that gives none: an overshoot of 5 %.
+/// Default damping ratio: an overshoot of 5 %.
 const DAMPING: f64 = 0.7;
 
 /// A card whose position expressions read.
 pub(super) struct Named<'a> {
     table: Table<'a>,
-    /// Its name and the position; `None` where they are wrong.
+    /// Its name and the position; `None` if they are wrong.
     position: Option<(String, Scalar)>,
 }
 
-/// Lets expressions read the position of every `[[actuator]]`.
+/// Makes the position of every `[[actuator]]` readable by expressions.
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'a>> {
     let declare = |table: Table<'a>| {
         let name = table.require_text("name", "a name, which expressions read");
@@ -52,7 +52,7 @@ pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'
     root.tables("actuator").into_iter().map(declare).collect()
 }
 
-/// A number at which it starts, or the command at which it rests.
+/// Initial position: a number, or the command, at which the actuator rests.
 fn start(table: &Table<'_>) -> Option<ScalarStart> {
     const KEY: &str = "start";
     if !table.has(KEY) {
@@ -113,7 +113,7 @@ fn servo(table: &Table<'_>) -> Option<Servo> {
 }
 
 fn limits(table: &Table<'_>) -> Option<[f64; 2]> {
-    const EXPECTED: &str = "the least and the largest command, two rising numbers";
+    const EXPECTED: &str = "the least and the largest command, two increasing numbers";
     let found = match table.is_list("limits") {
         true => table.quantities("limits", Dimension::NUMBER)?,
         false => Vec::new(),

@@ -1,6 +1,6 @@
-//! What signals may read of a state: `[sensors.NAME]`.
+//! State quantities that signals may read: `[sensors.NAME]`.
 //!
-//! A sensor reads one of the quantities that columns show, by the same keys.
+//! A sensor reads one of the quantities of columns, by the same keys.
 
 use shared_geom::document::Table;
 
@@ -18,13 +18,13 @@ use crate::model::{Quantity as ScalarQuantity, Scalar};
 pub(super) struct Declared<'a> {
     name: String,
     table: Table<'a>,
-    /// Its quantity; `None` where that is wrong.
+    /// Its quantity; `None` if it is wrong.
     kind: Option<&'static Kind>,
-    /// Its scalar; `None` where its unit or its name is wrong too.
+    /// Its scalar; `None` if its unit or its name is wrong too.
     scalar: Option<Scalar>,
 }
 
-/// Lets expressions read every `[sensors.NAME]`.
+/// Makes every `[sensors.NAME]` readable by expressions.
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut drives::Catalog) -> Vec<Declared<'a>> {
     let declare = |(name, table): (String, Table<'a>)| {
         let is_free = drives.is_free(&name, &table, "");
@@ -57,9 +57,9 @@ pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut drives::Catalog) -> Vec
 fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     let kind = readings::kind(table)?;
     let reason = match kind.1 {
-        Source::Drive | Source::Signal => "its name stands in expressions itself",
+        Source::Drive | Source::Signal => "its name can be used in expressions directly",
         Source::Energy(EnergyPart::Electric) => "the derivatives of this energy are not known",
-        Source::StepLength | Source::Iterations => "it is no number of the state",
+        Source::StepLength | Source::Iterations => "it is not a number of the state",
         Source::Node(NodeVector::Euler(_)) => "the derivatives of these angles are not known",
         Source::Momentum { .. } if !table.has("of") => "the momenta of single nodes are",
         _ => return Some(kind),
@@ -69,7 +69,7 @@ fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     None
 }
 
-/// The unit in which it counts: its `unit`, or the declared one of its dimension.
+/// The unit of its value: its `unit`, or the declared unit of its dimension.
 fn measure(kind: &Kind, table: &Table<'_>) -> Option<Measure> {
     let component = table.item("component");
     let component = component.as_ref().and_then(|item| item.text());
@@ -85,7 +85,7 @@ fn measure(kind: &Kind, table: &Table<'_>) -> Option<Measure> {
 pub(super) fn read(declared: Vec<Declared<'_>>, draft: &mut Draft) {
     for one in declared {
         let is_read = sensor(&one, draft).is_some();
-        // Of an unknown quantity no key is unknown.
+        // The keys of an unknown quantity are not checked.
         if one.kind.is_some() {
             one.table.finish();
         }
@@ -128,7 +128,7 @@ fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<()> {
     }
 }
 
-/// Makes a scalar of a quantity, of which there are the words and the name of the sensor.
+/// Makes a scalar of a quantity, given the words for it and the name of the sensor.
 fn attach(
     quantity: Quantity,
     (word, name): (&'static str, &str),
@@ -150,7 +150,7 @@ fn attach(
         }
         Quantity::Element { label, reading } => {
             if !draft.reports(&label, &reading) {
-                return Err(not_sensed("the element under \"of\" has none"));
+                return Err(not_sensed("the element under \"of\" does not have it"));
             }
             if !knows_axes(&reading, &label, draft) {
                 return Err(ReadingProblem::AxesOfOther);
@@ -163,7 +163,7 @@ fn attach(
         } => {
             let place = place_of(&draft.electrodes()[electrode].circuit, quantity);
             let place = place
-                .ok_or_else(|| not_sensed("it is no unknown of the circuit of this electrode"))?;
+                .ok_or_else(|| not_sensed("it is not an unknown of this electrode's circuit"))?;
             draft.watch_electrode((electrode, place), name.to_owned(), scalar.clone());
         }
         Quantity::Energy(part) => {
@@ -174,12 +174,12 @@ fn attach(
             })?;
         }
         // These have been refused as kinds.
-        _ => return Err(not_sensed("it is no number of the state")),
+        _ => return Err(not_sensed("it is not a number of the state")),
     }
     Ok(())
 }
 
-/// Whether the axes of a reaction are those of a node on which the element acts.
+/// Whether the axes of a reaction belong to a node on which the element acts.
 fn knows_axes(reading: &ElementReading, label: &str, draft: &Draft) -> bool {
     match reading {
         ElementReading::Reaction {
@@ -190,7 +190,7 @@ fn knows_axes(reading: &ElementReading, label: &str, draft: &Draft) -> bool {
     }
 }
 
-/// The number of an unknown of a circuit, see [`Circuit::scalars`].
+/// The index of an unknown of a circuit, see [`Circuit::scalars`].
 fn place_of(circuit: &Circuit, quantity: ElectrodeQuantity) -> Option<usize> {
     let unknowns = match circuit {
         Circuit::Held(_) => 0,

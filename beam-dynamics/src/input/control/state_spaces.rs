@@ -1,7 +1,7 @@
 //! Linear systems of states: `[[state_space]]`.
 //!
-//! The matrices stand in the card, in a file, or follow from transfer functions. The outputs
-//! are names that expressions read, those of the inputs of all cards among them.
+//! The matrices are in the card or in a file, or follow from transfer functions. The
+//! outputs are names that expressions read, also the inputs of these cards.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ mod sampled;
 
 pub use problem::StateSpaceProblem;
 
-/// Samples of a run at most.
+/// Largest number of samples of a run.
 const MOST_SAMPLES: f64 = 1e8;
 /// Keys of the matrices.
 const MATRICES: [&str; 4] = ["a", "b", "c", "d"];
@@ -32,11 +32,11 @@ pub(super) struct Named<'a> {
     label: String,
     /// Names of the outputs.
     names: Vec<String>,
-    /// The outputs; `None` where their names are wrong.
+    /// The outputs; `None` if their names are wrong.
     outputs: Option<Vec<Scalar>>,
 }
 
-/// Lets expressions read the outputs of every `[[state_space]]`.
+/// Makes the outputs of every `[[state_space]]` readable by expressions.
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'a>> {
     let tables = root.tables("state_space").into_iter().enumerate();
     let named = tables.map(|(number, table)| {
@@ -72,8 +72,7 @@ pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
     }
 }
 
-/// Notes systems that sample more often than a run can take, of a run from and to the given
-/// `times` \[s\].
+/// Notes systems with too many samples in a run from and to the given `times` \[s\].
 pub(super) fn check_run(document: &Document, draft: &Draft, [from, to]: [f64; 2]) {
     for &(line, period) in draft.samplings() {
         let samples = (to - from) / period;
@@ -89,7 +88,7 @@ fn names(table: &Table<'_>) -> Option<Vec<String>> {
     table.texts("outputs")
 }
 
-/// The outputs, by names that expressions may read from here on.
+/// The outputs, by names that expressions may read from now on.
 fn outputs(
     table: &Table<'_>,
     label: &str,
@@ -120,7 +119,7 @@ fn outputs(
     complete.then_some(outputs)
 }
 
-/// The element of a card, and from sample to sample where it samples \[s\].
+/// The element of a card, and its sample time if it samples \[s\].
 fn element(card: &Named<'_>, draft: &Draft) -> Option<(Box<dyn Element>, Option<f64>)> {
     let table = &card.table;
     let inputs = table.require_item("inputs", "a list of numbers, drives or expressions");
@@ -130,7 +129,7 @@ fn element(card: &Named<'_>, draft: &Draft) -> Option<(Box<dyn Element>, Option<
         let signals = items
             .iter()
             .map(|item| drives::signal_of(item, number, draft.drives()));
-        // Each is looked at, so that all that is wrong is noted.
+        // All are read, so that all problems are noted.
         signals.collect::<Vec<_>>()
     });
     let count = inputs.as_ref().map(Vec::len);
@@ -160,7 +159,7 @@ fn element(card: &Named<'_>, draft: &Draft) -> Option<(Box<dyn Element>, Option<
     })
 }
 
-/// The numbers of a list under `key`; notes when it is none.
+/// The numbers of a list under `key`; notes a value that is not a list.
 fn list(table: &Table<'_>, key: &str, expected: &str) -> Option<Vec<f64>> {
     if !table.is_list(key) {
         table.wrong(key, expected);
@@ -169,7 +168,7 @@ fn list(table: &Table<'_>, key: &str, expected: &str) -> Option<Vec<f64>> {
     table.quantities(key, Dimension::NUMBER)
 }
 
-/// Starts of the states: zero unless they are given, or found at rest.
+/// Initial states: zero unless they are given, or taken from equilibrium.
 fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
     const KEY: &str = "start";
     if !table.has(KEY) {
@@ -193,7 +192,7 @@ fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
     Some(numbers.into_iter().map(ScalarStart::Value).collect())
 }
 
-/// The matrices in the one way in which a card gives them.
+/// The matrices, which a card must give in exactly one way.
 fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matrices> {
     let has_matrices = MATRICES.iter().any(|key| table.has(key));
     let transfer_keys = ["numerator", "denominator"].map(|key| table.has(key));
@@ -238,7 +237,7 @@ fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matr
     from_transfers(table, inputs, outputs)
 }
 
-/// Matrices under "a" to "d": those that are left out are zero.
+/// Matrices under "a" to "d": omitted ones are zero.
 fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> Option<Matrices> {
     let states = table.row_count("a").unwrap_or(0);
     let (inputs, outputs) = (inputs?, names.len());
@@ -250,7 +249,7 @@ fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> 
             Some(DMatrix::from_row_iterator(rows, columns, numbers))
         }
     };
-    // Each is looked at, so that all that is wrong is noted.
+    // All are read, so that all problems are noted.
     let (a, b) = (read("a", states, states), read("b", states, inputs));
     let (c, d) = (read("c", outputs, states), read("d", outputs, inputs));
     Some(Matrices {
@@ -264,7 +263,7 @@ fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> 
 /// "numerator" over "denominator".
 fn transfer(table: &Table<'_>) -> Option<Matrices> {
     let coefficients = |key: &str| {
-        const EXPECTED: &str = "a list of coefficients of falling powers of s";
+        const EXPECTED: &str = "a list of coefficients of decreasing powers of s";
         table.require_item(key, EXPECTED)?;
         list(table, key, EXPECTED)
     };
@@ -278,7 +277,7 @@ fn transfer(table: &Table<'_>) -> Option<Matrices> {
     found
 }
 
-/// `[[state_space.transfer]]`: one for each output and input between which there is one.
+/// `[[state_space.transfer]]`: one per output and input that it connects.
 fn from_transfers(table: &Table<'_>, inputs: usize, outputs: &[String]) -> Option<Matrices> {
     let mut entries: Vec<Vec<_>> = vec![vec![None; inputs]; outputs.len()];
     let mut lines = BTreeMap::new();
@@ -295,7 +294,7 @@ fn from_transfers(table: &Table<'_>, inputs: usize, outputs: &[String]) -> Optio
         let input = card.require_count("input").filter(|&input| {
             let is_one = (1..=inputs).contains(&input);
             if !is_one {
-                card.wrong("input", &format!("the number of an input, 1 to {inputs}"));
+                card.wrong("input", &format!("the index of an input, 1 to {inputs}"));
             }
             is_one
         });

@@ -59,7 +59,7 @@ fn refused(cards: &str) -> String {
     told(input(cards))
 }
 
-/// A state at rest with all scalars at `value`, and what the constraints are off by.
+/// The residuals of the constraints at a state at rest with all scalars at `value`.
 fn constraints(cards: &str, value: f64) -> Vec<f64> {
     let system = input(cards).unwrap().model.system;
     let state = State {
@@ -106,7 +106,7 @@ fn scalars_have_the_names_and_units_of_their_readings() {
     assert_eq!(words.into_iter().collect::<Vec<_>>(), expected);
 }
 
-// Where the state is not known yet all that a signal reads counts as zero; ln(0) and 1/0 too.
+// Before the state is known all inputs of a signal are zero; also for ln(0) and 1/0.
 #[test]
 fn signals_stand_for_temperatures_and_laws() {
     let cards = "
@@ -138,17 +138,17 @@ thermal_force = [-10, 0, 0, 0, 0, 0]
 ";
     let found = input(&format!("{MODEL}{cards}")).unwrap();
     let words = found.remarks.concat();
-    let expected = "temperature 0 K while all that it reads is zero";
+    let expected = "temperature 0 K while all its inputs are zero";
     assert!(words.contains(expected), "{words}");
 }
 
-/// Each mistake in the place of a right card, and the words that tell it.
+/// Each error in place of a right card, and the expected message.
 const MISTAKES: [[&str; 3]; 12] = [
     [
         "angle = \"servo\"",
         "angle = \"= pull\"",
         "\"angle\" follows \"pull\", whose second derivative is not known\n  help: its value, \
-             or its rate, may jump, which would be an impulse: put an [[actuator]] between",
+             or its rate, may jump, which would be an impulse: add an [[actuator]] with",
     ],
     [
         "angle = \"servo\"",
@@ -168,12 +168,12 @@ const MISTAKES: [[&str; 3]; 12] = [
     [
         "quantity = \"joint_angle\"",
         "quantity = \"joint_rotation\"",
-        "sensor \"turn\" reads 3 numbers, expected one\n  help: give it one \"component\"",
+        "sensor \"turn\" reads 3 numbers, expected one\n  help: choose one \"component\"",
     ],
     [
         "quantity = \"joint_angle\"",
         "quantity = \"spring_rotation\"\ncomponent = \"x\"",
-        "\"spring_rotation\" cannot be sensed: the element under \"of\" has none",
+        "\"spring_rotation\" cannot be sensed: the element under \"of\" does not have it",
     ],
     [
         "of = \"tip\"\ncomponent = \"x\"",
@@ -198,7 +198,7 @@ const MISTAKES: [[&str; 3]; 12] = [
     [
         "frequency = 5",
         "frequency = 5\nlimits = [3, 1]",
-        "expected the least and the largest command, two rising numbers",
+        "expected the least and the largest command, two increasing numbers",
     ],
     [
         "frequency = 5",

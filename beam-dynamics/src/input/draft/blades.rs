@@ -1,4 +1,4 @@
-//! Blades, and what holds their roots.
+//! Blades, and the attachment of their roots.
 
 use shared_geom::document::Table;
 
@@ -6,20 +6,20 @@ use super::Draft;
 use crate::case::BladeNodes;
 
 impl Draft {
-    /// The node of the hub when the hub moves; `None` when the frame holds it, so that
-    /// roots are clamped.
+    /// The node of the hub if the hub moves; `None` if the frame holds it, so that roots
+    /// are clamped.
     pub fn hub_node(&self) -> Option<usize> {
         self.hub_node
     }
 
-    /// Says which node is that of a hub that moves.
+    /// Sets the node of a hub that moves.
     pub fn set_hub_node(&mut self, node: usize) {
         self.used.insert(node);
         self.hub_node = Some(node);
     }
 
-    /// Holds the root of a blade by the hub: by the frame, or by the node of a hub that
-    /// moves. What holds the node already is noted under `key`.
+    /// Attaches the root of a blade to the hub: to the frame, or to the node of a hub that
+    /// moves. A node that is held already is noted under `key`.
     pub fn hold_root(&mut self, node: usize, table: &Table<'_>, key: &str) {
         match self.hub_node() {
             None => self.add_clamp(node, table, key),
@@ -40,7 +40,7 @@ impl Draft {
         self.broken_blades.contains(blade)
     }
 
-    /// Notes that the given nodes, from the root to the tip, are those of a blade.
+    /// Notes that the given nodes, from the root to the tip, belong to a blade.
     pub fn add_blade(&mut self, blade: BladeNodes) {
         self.blades.push(blade);
     }

@@ -9,12 +9,12 @@ use crate::elements::beams::{self, BeamElectrode, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
 use crate::model::Scalar;
 
-/// An electrode as its card means it.
+/// An electrode as its card defines it.
 #[derive(Debug)]
 pub(in crate::input) struct ElectrodeCard {
     /// Its name in the model.
     pub label: String,
-    /// Numbers of its beams, and its column in the property file of each.
+    /// Indices of its beams, and its column in the property file of each.
     pub on: Vec<(usize, usize)>,
     /// Its circuit.
     pub circuit: Circuit,
@@ -36,7 +36,7 @@ impl Draft {
         &self.electrodes
     }
 
-    /// Adds an electrode; its number.
+    /// Adds an electrode; returns its index.
     pub fn add_electrode(&mut self, card: ElectrodeCard) {
         self.electrodes.push(card);
     }
@@ -74,7 +74,7 @@ impl Draft {
         self.electrodes.iter().enumerate().map(circuit).collect()
     }
 
-    /// The element of beam number `index` with the electrodes that it has.
+    /// The element of beam `index` with its electrodes.
     pub(super) fn with_electrodes(
         &self,
         index: usize,
@@ -108,7 +108,7 @@ impl Draft {
     }
 }
 
-/// The electrodes of a beam; none without.
+/// The electrodes of a beam; empty if it has no electrodes.
 pub(in crate::input) fn names(beam: &Beam) -> &[String] {
     let piezo: Option<&Piezo> = beam.along.piezo.as_ref();
     piezo.map_or(&[], |piezo| &piezo.electrodes)

@@ -1,5 +1,5 @@
-//! What the cards of a model may use by name beside its parts: drives with what
-//! expressions read, frames, and samplings.
+//! Names that the cards of a model may use other than those of its parts: drives with the
+//! names that expressions read, frames, and samplings.
 
 use super::Draft;
 use crate::input::drives;
@@ -11,7 +11,7 @@ impl Draft {
         &self.drives
     }
 
-    /// Says which drives have a name.
+    /// Sets the named drives.
     pub fn set_drives(&mut self, drives: drives::Catalog) {
         self.drives = drives;
     }
@@ -21,12 +21,12 @@ impl Draft {
         &self.frames
     }
 
-    /// Says which frames there are.
+    /// Sets the frames.
     pub fn set_frames(&mut self, frames: Frames) {
         self.frames = frames;
     }
 
-    /// Lines of cards that sample, and from sample to sample \[s\].
+    /// Lines of cards that sample, and their sample times \[s\].
     pub fn samplings(&self) -> &[(usize, f64)] {
         &self.samplings
     }

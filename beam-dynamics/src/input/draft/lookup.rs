@@ -1,4 +1,4 @@
-//! Names that output uses: looked up, without a use of what they name.
+//! Names in output: looked up, without counting as a use.
 
 use shared_geom::document::Table;
 
@@ -9,8 +9,8 @@ use crate::input::problem::InputProblem;
 use crate::model::NodeMotion;
 
 impl Draft {
-    /// The node called `name` under `key` of a card that is `user` in words; the node
-    /// does not count as used.
+    /// The node called `name` under `key` of a card described by `user`; the node is not
+    /// treated as used.
     pub fn look_up_node(
         &self,
         name: &str,
@@ -28,8 +28,7 @@ impl Draft {
         None
     }
 
-    /// The axes of the node or, where no node has the name, of the `[[frame]]` called
-    /// `name`.
+    /// The axes of the node or, if no node has the name, of the `[[frame]]` called `name`.
     pub fn look_up_axes(
         &self,
         name: &str,
@@ -51,7 +50,7 @@ impl Draft {
         None
     }
 
-    /// Whether there is a beam called `name`; notes it where there is none.
+    /// Whether there is a beam called `name`; notes an unknown name.
     pub fn look_up_beam(&self, name: &str, table: &Table<'_>, key: &str, user: &str) -> bool {
         let labels = || self.beams.iter().map(|beam| &beam.label);
         let is_known = labels().any(|label| label == name);
@@ -62,7 +61,7 @@ impl Draft {
         is_known
     }
 
-    /// Number of the electrode called `name`; notes it where there is none.
+    /// Index of the electrode called `name`; notes an unknown name.
     pub fn look_up_electrode(
         &self,
         name: &str,
@@ -73,7 +72,7 @@ impl Draft {
         let mut cards = self.electrodes.iter();
         let found = cards.position(|card| card.label == name);
         if found.is_none() && !self.is_taken("electrode", name) {
-            // Those that are wrong too.
+            // Including wrong electrodes.
             let labels = self.labels.keys();
             let known = labels.filter(|(kind, _)| *kind == "electrode");
             let known = known.map(|(_, name)| name.clone()).collect();
@@ -82,8 +81,8 @@ impl Draft {
         found
     }
 
-    /// Nodes of the joint, clamp, support or imposed motion called `name`; none where there is
-    /// none.
+    /// Nodes of the joint, clamp, support or imposed motion called `name`; empty if it does
+    /// not exist.
     pub fn nodes_of_joint(&self, name: &str) -> Vec<usize> {
         let clamps = self.clamps.keys().copied();
         let mut clamps = clamps.filter(|node| self.name_of_clamp(*node) == name);
@@ -117,8 +116,8 @@ impl Draft {
         format!("clamp of {}", self.nodes[node].label)
     }
 
-    /// The nodes of the joint, clamp, support or imposed motion called `name`; notes it
-    /// where there is none.
+    /// The nodes of the joint, clamp, support or imposed motion called `name`; notes an
+    /// unknown name.
     pub fn look_up_joint(
         &self,
         name: &str,
@@ -152,8 +151,8 @@ impl Draft {
         found
     }
 
-    /// Nodes that a run in time is likely about: all that move where they are few, else
-    /// the ends of lines of beams and the nodes of bodies, up to `most`.
+    /// The nodes of most interest in a run in time: all that move if they are few, else the
+    /// ends of lines of beams and the nodes of bodies, up to `most`.
     pub fn telling_nodes(&self, most: usize) -> Vec<usize> {
         let moves = |node: &usize| !self.clamps.contains_key(node);
         let all: Vec<_> = (0..self.nodes.len()).filter(moves).collect();

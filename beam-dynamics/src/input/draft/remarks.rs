@@ -1,4 +1,5 @@
-//! What the reader must know of a model: what acts on its beams, what was left out.
+//! Remarks on a model for the user: heat and electrodes of its beams, effects that are left
+//! out.
 
 use super::{Draft, ElectrodeCard};
 use crate::elements::circuits::Circuit;
@@ -11,16 +12,16 @@ use crate::model::Drive;
 
 /// Digits of voltages.
 const DIGITS: usize = 6;
-/// Beams that are named.
+/// Number of beams that are named.
 const MOST_BEAMS: usize = 3;
 
 impl Draft {
-    /// Adds what the reader must know of a file that was read.
+    /// Adds remarks on a file that was read.
     pub fn add_remarks(&mut self, remarks: Vec<String>) {
         self.remarks.extend(remarks);
     }
 
-    /// What the reader must know of the files that were read.
+    /// Remarks on the files that were read.
     pub fn remarks(&self, of_buckling: bool) -> Vec<String> {
         let heat = heat::told(self.beams.iter().map(|beam| beam.along.heat()));
         let buckling = of_buckling.then(|| self.properties.of_buckling());
@@ -33,7 +34,7 @@ impl Draft {
         [remarks.concat(), buckling.unwrap_or_default()].concat()
     }
 
-    /// A remark where masses jump within elements so that their bodies are those of hat
+    /// A remark if masses jump within elements so that their bodies are found with hat
     /// functions.
     fn jumping_masses(&self) -> Vec<String> {
         let lumped = self
@@ -45,14 +46,14 @@ impl Draft {
         let remark = || {
             format!(
                 "the mass of {} jumps within the element: its bodies at the nodes are of second \
-                 order there; an end of an element at the jump is better",
+                 order there; let an element end at the jump",
                 listed(&names)
             )
         };
         (!names.is_empty()).then(remark).into_iter().collect()
     }
 
-    /// What the reader must know of electrodes: what acts, and those without a card.
+    /// Remarks on electrodes: their connections, and those without a card.
     pub(super) fn electrode_remarks(&self) -> Vec<String> {
         let told = self.electrodes.iter().map(told);
         told.chain(self.unnamed()).collect()
@@ -82,7 +83,7 @@ impl Draft {
     }
 }
 
-/// The first of some names, and how many more there are.
+/// The first of some names, and the number of the others.
 fn listed(names: &[&str]) -> String {
     let first = names.iter().take(MOST_BEAMS);
     let first: Vec<_> = first.map(|name| format!("\"{name}\"")).collect();
@@ -92,14 +93,14 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-/// What an electrode is connected to, in words.
+/// Description of the circuit of an electrode.
 fn told(card: &ElectrodeCard) -> String {
     let volts = |source: &Signal| {
         let now = short_number(source.value(&Instant::START), DIGITS);
         match source {
             Signal::Drive(Drive::Constant(_)) => format!("{now} V"),
-            Signal::Drive(_) => format!("{now} V at the time zero"),
-            Signal::Sensing { .. } => format!("{now} V while all that it reads is zero"),
+            Signal::Drive(_) => format!("{now} V at time zero"),
+            Signal::Sensing { .. } => format!("{now} V while all its inputs are zero"),
         }
     };
     let words = match &card.circuit {

@@ -19,7 +19,7 @@ impl Draft {
     ///
     /// # Errors
     ///
-    /// The name of an element that has such energy, the derivatives of which are not known.
+    /// The name of an element that has this energy without known derivatives.
     pub fn watch_energy(
         &mut self,
         part: EnergyPart,
@@ -40,7 +40,7 @@ impl Draft {
         if let Some(label) = known.filter_map(unknown).next() {
             return Err(label);
         }
-        // To this the elements add their shares.
+        // The elements add their shares to this.
         let none = Matrices::gain(DMatrix::zeros(1, 0));
         let own = vec![scalar.clone()];
         self.add_control(boxed(StateSpace::new(name, none, Vec::new(), own, &[])));
@@ -48,8 +48,8 @@ impl Draft {
         Ok(())
     }
 
-    /// Makes the scalar of the sensor `name` of an unknown of the circuit of an electrode, by
-    /// the numbers of both.
+    /// Makes a scalar of an unknown of the circuit of an electrode, by the indices of both,
+    /// for the sensor `name`.
     pub fn watch_electrode(&mut self, place: (usize, usize), name: String, scalar: Scalar) {
         self.watched_electrodes.push((place.into(), name, scalar));
     }
@@ -71,7 +71,7 @@ impl Draft {
     }
 }
 
-/// `elements` of a model, those adapted that are read.
+/// Returns `elements` of a model; those that are read are adapted.
 pub(super) fn adapt(
     elements: Vec<Box<dyn Element>>,
     mut watched: Vec<(String, Reading, Scalar)>,

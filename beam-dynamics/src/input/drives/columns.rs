@@ -1,4 +1,4 @@
-//! Drives from tables: rows in place, or columns of a CSV file.
+//! Drives from tables: rows in the card, or columns of a CSV file.
 
 use std::sync::Arc;
 
@@ -82,13 +82,13 @@ fn in_place(table: &Table<'_>) -> Option<Vec<Row>> {
             _ => item.wrong(EXPECTED),
         }
     };
-    // Every row is looked at, so that each wrong one is noted.
+    // All rows are read, so that each problem is noted.
     let rows: Vec<_> = items.iter().map(row).collect();
     rows.into_iter().collect()
 }
 
-/// The name of the file that the table names, and the rows of two of its columns, which are
-/// `of` in words: those under `columns`, or the first two.
+/// The name of the file given in the table, and the rows of two of its columns, described
+/// by `of`: the columns under `columns`, or the first two.
 pub(in crate::input) fn from_file(table: &Table<'_>, of: [&str; 2]) -> Option<(String, Vec<Row>)> {
     let written = table.text("file")?;
     let columns = match table.has("columns") {
@@ -97,7 +97,7 @@ pub(in crate::input) fn from_file(table: &Table<'_>, of: [&str; 2]) -> Option<(S
     };
     if columns.as_ref().is_some_and(|columns| columns.len() != 2) {
         let expected = format!(
-            "two names: of the column of {} and that of {}",
+            "two names: of the column of {} and of the column of {}",
             of[0], of[1]
         );
         table.wrong("columns", &expected);
@@ -110,7 +110,7 @@ pub(in crate::input) fn from_file(table: &Table<'_>, of: [&str; 2]) -> Option<(S
     Some((file, table.document().keep(rows)?))
 }
 
-/// Where the two columns stand in the heading, on line `first` of `file`.
+/// Indices of the two columns in the heading, on line `first` of `file`.
 fn places(
     heading: &[String],
     columns: Option<&[String]>,

@@ -22,12 +22,11 @@ const KINDS: [&str; 10] = [
     "product",
     "random",
 ];
-/// Sines of a random drive, unless a number is given, and at most.
+/// Default and largest number of sines of a random drive.
 const DEFAULT_TERMS: usize = 64;
 const MOST_TERMS: usize = 10_000;
 
-/// Whether the keys of a table are those of a kind: of none, and of an unknown one, none is
-/// wrong.
+/// Whether the kind of a table is known; otherwise its keys are not checked.
 pub(super) fn is_known(table: &Table<'_>) -> bool {
     let is_one = |kind: String| KINDS.contains(&&*kind);
     match table.has("kind") {
@@ -41,7 +40,7 @@ pub(super) fn read(table: &Table<'_>, measure: Measure, find: &Find<'_>) -> Opti
     if matches!(measure, Measure::Declared(_)) && table.has("unit") {
         table.note("unit", &DriveProblem::UnitInPlace);
     }
-    // An expression says itself what it is.
+    // The key `expression` implies the kind.
     let kind = match !table.has("kind") && table.has("expression") {
         true => "expression",
         false => {
@@ -170,7 +169,7 @@ fn doublet(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 }
 
 fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
-    // Every key is asked for before a wrong one ends it, so that each wrong one is noted.
+    // All keys are read before the function returns, so that each problem is noted.
     let mean = value_or_zero(table, "mean", measure);
     let deviation = value(table, "deviation", measure).filter(|deviation| {
         let is_right = *deviation >= 0.0;
@@ -199,7 +198,7 @@ fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
         }
         [both, _] => {
             let found = if both { "both" } else { "none" };
-            // Terms may belong to a band that is missing.
+            // Terms may belong to a missing band.
             table.item("terms");
             table.note("", &DriveProblem::OneOf { keys, found });
             None
@@ -234,7 +233,7 @@ fn band(table: &Table<'_>) -> Option<[f64; 2]> {
     Some(band)
 }
 
-/// A sum of drives, or a product of one with plain ones.
+/// A sum of drives, or a product of a drive and pure numbers.
 fn combined(table: &Table<'_>, is_sum: bool, measure: Measure, find: &Find<'_>) -> Option<Drive> {
     let key = if is_sum { "terms" } else { "factors" };
     let items = table.require_item(key, "a list of drives")?;
@@ -249,7 +248,7 @@ fn combined(table: &Table<'_>, is_sum: bool, measure: Measure, find: &Find<'_>) 
         true => drive(item, measure, find),
         false => drive(item, Measure::Declared(Dimension::NUMBER), find),
     };
-    // Every part is looked at, so that each wrong one is noted.
+    // All parts are read, so that each problem is noted.
     let parts: Vec<_> = items.iter().enumerate().map(part).collect();
     let parts: Option<Vec<_>> = parts.into_iter().collect();
     Some(match is_sum {

@@ -1,9 +1,9 @@
-//! What the numbers of a drive count.
+//! Units of the numbers of a drive.
 
 use shared_geom::document::{Document, DocumentProblem, Item, Table};
 use shared_geom::units::{self, Dimension, Unit};
 
-/// What the numbers of a drive count.
+/// Unit of the numbers of a drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::input) enum Measure {
     /// A quantity in its declared unit.
@@ -15,7 +15,7 @@ pub(in crate::input) enum Measure {
 }
 
 impl Measure {
-    /// That of a drive with a name: its `unit`, or plain numbers.
+    /// The measure of a named drive: its `unit`, or plain numbers.
     pub fn of_table(table: &Table<'_>) -> Option<Self> {
         if !table.has("unit") {
             return Some(Self::Plain);
@@ -31,7 +31,7 @@ impl Measure {
         }
     }
 
-    /// SI units, or plain ones, in a plain number \[unit of the drive\].
+    /// SI units, or plain numbers, per plain number \[unit of the drive\].
     pub fn factor(self, document: &Document) -> f64 {
         match self {
             Self::Declared(dimension) => document.factor(dimension),
@@ -40,8 +40,8 @@ impl Measure {
         }
     }
 
-    /// What a drive that counts `other` is multiplied by to count this; `None` when they
-    /// measure different things.
+    /// The factor that converts from `other` to this measure; `None` if they have different
+    /// dimensions.
     pub fn factor_from(self, other: Self, document: &Document) -> Option<f64> {
         match (self, other) {
             (_, Self::Plain) => Some(self.factor(document)),
@@ -58,12 +58,12 @@ impl Measure {
         }
     }
 
-    /// In words.
+    /// Description of the dimension.
     pub fn words(self) -> String {
         self.dimension().to_string()
     }
 
-    /// A number that counts so, in SI units.
+    /// A number in this measure, converted to SI units.
     pub fn number(self, item: &Item<'_>) -> Option<f64> {
         let is_plain = item
             .text()

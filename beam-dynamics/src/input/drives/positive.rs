@@ -3,12 +3,12 @@
 use super::MOST_CORNERS;
 use crate::model::Drive;
 
-/// Even intervals of a run at whose ends a drive is looked at: a swing below zero that lasts a
-/// thousandth of the run is seen.
+/// Number of equal intervals of a run at whose ends a drive is evaluated: a swing below
+/// zero that lasts a thousandth of the run is found.
 const INTERVALS: u32 = 4000;
 
-/// The first instant of a `run` at which a drive is seen to be zero or less, with its value
-/// there: at its corners, just before them, and at even instants.
+/// The first instant of a `run` at which a drive is found to be zero or less, with its
+/// value there: at its corners, just before them, and at equal intervals.
 pub(super) fn first_below(drive: &Drive, run: [f64; 2]) -> Option<(f64, f64)> {
     let at_corners = corners(drive, run).flat_map(|corner| [corner.next_down(), corner]);
     let mut at_corners = at_corners.filter(|time| (run[0]..=run[1]).contains(time));
@@ -68,7 +68,7 @@ mod tests {
         assert!(first_below(&ramp(1.0, 0.0), [0.0, 1.0]).is_some());
     }
 
-    // Below zero for 1e-7 s only: from a step down to the next, and in front of one up.
+    // Below zero only for 1e-7 s: from a step down to the next, and before a step up.
     #[test]
     fn corners_are_looked_at_on_both_sides() {
         let step = |time: f64, from: f64, to: f64| Drive::Step(Step { time, from, to });

@@ -1,4 +1,4 @@
-//! What can be wrong with drives.
+//! Problems of drives.
 
 use shared_geom::error::{Explain, nearest_name};
 
@@ -7,20 +7,20 @@ use crate::input::short_number;
 /// A problem of a drive.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DriveProblem {
-    /// A drive that measures something else than the key.
+    /// A drive with another dimension than the key.
     #[error("\"{name}\" measures {measures}, expected {expected}")]
     Measures {
         /// Name of the drive.
         name: String,
-        /// What it measures, in words.
+        /// Its dimension, as text.
         measures: String,
-        /// What was expected, in words.
+        /// The expected dimension, as text.
         expected: String,
     },
     /// Drives that use each other.
     #[error("the drive \"{}\" uses itself: {}", .chain[0], .chain.join(" -> "))]
     Cycle {
-        /// The drives, from one back to it.
+        /// The drives, from one back to itself.
         chain: Vec<String>,
     },
     /// A drive without values at some times of a run.
@@ -46,12 +46,12 @@ pub enum DriveProblem {
         key: String,
         /// Value or slope.
         what: &'static str,
-        /// What it is [unit of the key].
+        /// The value or slope [unit of the key].
         found: f64,
         /// The first instant \[s\].
         start: f64,
     },
-    /// A length that gets to zero or below in a run.
+    /// A length that reaches zero or less in a run.
     #[error(
         "\"{key}\" is {} m at {} s, expected a length greater than zero at all times of the run, \
          from {} s to {} s",
@@ -60,9 +60,9 @@ pub enum DriveProblem {
     NoLength {
         /// The key.
         key: String,
-        /// What it is \[m\].
+        /// The value \[m\].
         value: f64,
-        /// When \[s\].
+        /// The time \[s\].
         time: f64,
         /// First and last time of the run \[s\].
         run: [f64; 2],
@@ -80,7 +80,7 @@ pub enum DriveProblem {
         /// First and last time of the run \[s\].
         run: [f64; 2],
     },
-    /// An end that does not come after the start.
+    /// An end that is not after the start.
     #[error("the drive ends at {} s, expected a time after its start at {} s", six(*.end), six(*.start))]
     Backward {
         /// Start \[s\].
@@ -96,11 +96,11 @@ pub enum DriveProblem {
         /// `both` or `none`.
         found: &'static str,
     },
-    /// A drive with a key that only drives with a name have.
-    #[error("a drive in its place has no \"unit\": it counts in the unit of its key")]
+    /// A key that only named drives have.
+    #[error("a drive in a card has no \"unit\": it is in the unit of its key")]
     UnitInPlace,
-    /// A band of frequencies that is none.
-    #[error("\"band\" is {} Hz to {} Hz, expected two rising frequencies from zero on", six(.band[0]), six(.band[1]))]
+    /// An invalid band of frequencies.
+    #[error("\"band\" is {} Hz to {} Hz, expected two increasing frequencies from zero", six(.band[0]), six(.band[1]))]
     Band {
         /// The frequencies \[Hz\].
         band: [f64; 2],
@@ -111,7 +111,7 @@ pub enum DriveProblem {
         /// The key.
         key: &'static str,
     },
-    /// A signal of which less is known than is needed.
+    /// A signal whose required derivative is unknown.
     #[error("\"{key}\" follows \"{name}\", whose {needed} is not known")]
     Rough {
         /// The key.
@@ -121,33 +121,33 @@ pub enum DriveProblem {
         /// The derivative that is needed.
         needed: Needed,
     },
-    /// Something that is sensed where only time counts.
-    #[error("\"{key}\" senses \"{name}\", expected a function of time alone")]
+    /// A sensed quantity where only a function of time is allowed.
+    #[error("\"{key}\" senses \"{name}\", expected a function of time only")]
     Senses {
         /// The key.
         key: String,
         /// The sensor.
         name: String,
     },
-    /// A name that no signal can have.
+    /// A name that a signal cannot have.
     #[error(
-        "\"{name}\" is no name of a signal, expected letters, digits and \"_\", and no name \
-         that expressions know already"
+        "\"{name}\" is not a name of a signal, expected letters, digits and \"_\", and no name \
+         that expressions already use"
     )]
     SignalName {
         /// The name.
         name: String,
     },
-    /// A name that something else has that expressions read.
+    /// A name of something else that expressions read.
     #[error("\"{name}\" is the name of {by} already")]
     SignalTaken {
         /// The name.
         name: String,
-        /// What has it.
+        /// The user of the name.
         by: &'static str,
     },
     /// A rotation in axes of a third node.
-    #[error("a rotation is sensed in the axes of the node against which it is, or of the model")]
+    #[error("a rotation is sensed in the axes of its reference node, or of the model")]
     AxesOfRotation,
     /// Fewer than two rows.
     #[error("the table has {found} rows, expected at least two")]
@@ -155,12 +155,12 @@ pub enum DriveProblem {
         /// Number of rows.
         found: usize,
     },
-    /// A time that does not come after the one before.
-    #[error("the time {time} does not come after {before}, expected rising times")]
+    /// A time that is not after the previous one.
+    #[error("the time {time} is not after {before}, expected increasing times")]
     NotRising {
         /// The time as written.
         time: f64,
-        /// The time before it.
+        /// The previous time.
         before: f64,
     },
     /// A column that the file does not have.
@@ -172,9 +172,9 @@ pub enum DriveProblem {
         known: Vec<String>,
     },
     /// A row that cannot be read.
-    #[error("\"{found}\" in column \"{column}\" is no number")]
+    #[error("\"{found}\" in column \"{column}\" is not a number")]
     NoNumber {
-        /// What stands there.
+        /// The text found.
         found: String,
         /// The column.
         column: String,
@@ -182,12 +182,12 @@ pub enum DriveProblem {
     /// Further rows with problems.
     #[error("{count} more rows have problems")]
     MoreRows {
-        /// Their number.
+        /// Number of rows.
         count: usize,
     },
 }
 
-/// A derivative by time that must be known of a signal.
+/// A derivative with respect to time that a signal must provide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needed {
     /// The first.
@@ -215,32 +215,32 @@ impl Explain for DriveProblem {
                 });
             }
             Self::Outside { .. } => {
-                "give more values, or outside = \"hold\" to go on with the first and the last"
+                "give more values, or outside = \"hold\" to continue with the first and the last"
             }
             Self::NoStart { .. } => {
                 "write it so that it is finite there, such as 1/(t + 0.1) for 1/t, or give \
                  [transient] another \"from\""
             }
             Self::NoLength { .. } => {
-                "let the drive end at a length above zero, bound it by max() as in \
-                 max(0.01, 1 - 2*t), or end the run before"
+                "let the drive stay at a length above zero, bound it by max() as in \
+                 max(0.01, 1 - 2*t), or end the run earlier"
             }
             Self::ManyCorners { .. } => {
                 "make its intervals longer, or the run shorter; a random drive with a \"band\" \
                  has no corners"
             }
             Self::Measures { .. } => {
-                "give it another \"unit\"; a drive or an actuator without one counts in the unit of each key"
+                "give it another \"unit\"; a drive or an actuator without one is in the unit of each key"
             }
             Self::Senses { .. } => {
-                "gravity, and a drive that other drives use, are known ahead of a run"
+                "gravity, and a drive that other drives use, must be known before a run"
             }
             Self::Rough { .. } => {
-                "its value, or its rate, may jump, which would be an impulse: put an [[actuator]] \
-                 between, with this signal as its \"command\", and follow the actuator's name"
+                "its value, or its rate, may jump, which would be an impulse: add an [[actuator]] \
+                 with this signal as its \"command\", and use the actuator's name here"
             }
             Self::SignalName { name } if name.contains(' ') => {
-                "expressions read the names of sensors, state spaces and actuators: such cards cannot \
+                "expressions read the names of sensors, state spaces and actuators: these cards cannot \
                  be copied by [[repeat]], write one for each copy outside of it"
             }
             Self::UnitInPlace => {

@@ -12,7 +12,7 @@ use super::{Catalog, Counts, DriveProblem};
 use crate::elements::{Input, Signal, Smoothness};
 use crate::input::problem::InputProblem;
 
-/// Scalars that expressions read by name; those that are wrong are `None`.
+/// Scalars that expressions read by name; wrong ones are `None`.
 pub(super) type Readable = BTreeMap<String, Option<Read>>;
 
 /// A scalar that expressions read by name.
@@ -20,14 +20,14 @@ pub(super) type Readable = BTreeMap<String, Option<Read>>;
 pub(in crate::input) struct Read {
     /// The scalar.
     pub input: Input,
-    /// The unit of its numbers: its name alone under a key counts in this one where there is
-    /// one, and not in that of the key.
+    /// The unit of its numbers: if it has one, the name alone under a key is in this unit,
+    /// and not in the unit of the key.
     pub measure: Measure,
 }
 
-/// Reads the signal under `key` of a card, in SI units of `dimension`: all that a drive may be
-/// (see [`super::read`]), an expression of time and of names that expressions may read, or such
-/// a name. `None` when it is absent or wrong; what is wrong has been noted.
+/// Reads the signal under `key` of a card, in SI units of `dimension`: any drive (see
+/// [`super::read`]), an expression of time and of names that expressions may read, or one
+/// of these names. `None` if it is absent or wrong; problems have been noted.
 pub(in crate::input) fn read_signal(
     table: &Table<'_>,
     key: &str,
@@ -37,7 +37,7 @@ pub(in crate::input) fn read_signal(
     signal_of(&table.item(key)?, dimension, catalog)
 }
 
-/// As [`read_signal`], of a pure number that is one without the key.
+/// Like [`read_signal`], for a pure number that is one without the key.
 pub(in crate::input) fn read_factor(
     table: &Table<'_>,
     key: &str,
@@ -49,8 +49,8 @@ pub(in crate::input) fn read_factor(
     }
 }
 
-/// As [`read_signal`], of the angular velocity of an imposed motion, or of a force that resists
-/// a rate: the rate of the signal must be known.
+/// Like [`read_signal`], for the angular velocity of an imposed motion, or for a force that
+/// opposes a rate: the rate of the signal must be known.
 pub(in crate::input) fn read_speed(
     table: &Table<'_>,
     key: &str,
@@ -61,8 +61,8 @@ pub(in crate::input) fn read_speed(
     read_smooth(&table.item(key)?, dimension, catalog, counts)
 }
 
-/// As [`read_signal`], of a place or an angle in which something is held: the second
-/// derivative of the signal must be known.
+/// Like [`read_signal`], for a prescribed position or angle: the second derivative of the
+/// signal must be known.
 pub(in crate::input) fn read_place(
     table: &Table<'_>,
     key: &str,
@@ -83,7 +83,7 @@ fn read_smooth(
     is_smooth(item, &signal, needed).then_some(signal)
 }
 
-/// As [`read_place`], of a length above zero at all times.
+/// Like [`read_place`], for a length above zero at all times.
 pub(in crate::input) fn read_distance(
     table: &Table<'_>,
     key: &str,
@@ -93,7 +93,7 @@ pub(in crate::input) fn read_distance(
     is_smooth(&table.item(key)?, &signal, Smoothness::Acceleration).then_some(signal)
 }
 
-/// As [`read_signal`], of a length above zero at all times.
+/// Like [`read_signal`], for a length above zero at all times.
 pub(in crate::input) fn read_length(
     table: &Table<'_>,
     key: &str,
@@ -111,7 +111,7 @@ pub(in crate::input) fn read_length(
     Some(signal)
 }
 
-/// As [`read_signal`], of a value wherever it stands.
+/// Like [`read_signal`], for a value in any position.
 pub(in crate::input) fn signal_of(
     item: &Item<'_>,
     dimension: Dimension,
@@ -120,8 +120,8 @@ pub(in crate::input) fn signal_of(
     find(item, dimension, catalog, Counts::Value)
 }
 
-/// Whether as much is known of the derivatives of a signal as is needed; notes the first name
-/// of which it is not.
+/// Whether the required derivatives of a signal are known; notes the first name whose
+/// derivative is unknown.
 pub(in crate::input) fn is_smooth(item: &Item<'_>, signal: &Signal, needed: Smoothness) -> bool {
     let Some(rough) = signal.rougher_than(needed) else {
         return true;
@@ -172,7 +172,7 @@ fn find(
     }
 }
 
-/// The signal of an expression; `Some(None)` where it reads no scalar.
+/// The signal of an expression; `Some(None)` if it reads no scalar.
 fn sensing(
     item: &Item<'_>,
     (text, dimension): (&str, Dimension),
@@ -196,10 +196,10 @@ fn sensing(
         return Some(None);
     }
     if constants.iter().any(|own| own.1.is_nan()) {
-        // The parameter that is wrong has been noted.
+        // The wrong parameter has been noted.
         return None;
     }
-    // A name that is not used may be wrong: only those that are used are kept.
+    // Names that are not used may be wrong: only the used names are kept.
     let mut used = Vec::new();
     let mut kept = vec!["t"];
     for (index, (name, read)) in readable.iter().enumerate() {
@@ -217,8 +217,8 @@ fn sensing(
     Some(Some(Signal::sensing(expression, used, units)))
 }
 
-/// SI units in one number of a name that stands alone for a quantity of `dimension`. A name with
-/// another unit may stand for a pure number only; what it measures else is noted.
+/// SI units in one number of a single name under a key of `dimension`. A name with another
+/// unit is allowed only for a pure number; other dimensions are noted.
 fn factor_of_name(
     item: &Item<'_>,
     (name, measure): (&str, Measure),
@@ -240,13 +240,13 @@ fn factor_of_name(
 }
 
 impl Catalog {
-    /// Lets expressions read a scalar by `name`; `None` where that is wrong.
+    /// Makes a scalar readable by `name` in expressions; `None` for a wrong one.
     pub fn add_readable(&mut self, name: String, read: Option<Read>) {
         self.readable.insert(name, read);
     }
 
-    /// Whether `name`, which stands under `key`, is one that expressions may read and that is
-    /// free; notes why it is not.
+    /// Whether `name` under `key` can be read by expressions and is free; otherwise notes
+    /// the reason.
     pub fn is_free(&self, name: &str, table: &Table<'_>, key: &str) -> bool {
         let parameters = table.document().parameters();
         let taken = [

@@ -1,4 +1,4 @@
-//! Tests of drives in inputs: what they mean, and what is told of wrong ones.
+//! Tests of drives in inputs: their values, and the problems reported for wrong ones.
 
 use std::fs;
 
@@ -9,8 +9,8 @@ use shared_geom::units::Dimension;
 use super::{read, read_named};
 use crate::model::Drive;
 
-/// Reads the drive under `drive` of a file with the given text, beside which there is a
-/// table `a.csv`.
+/// Reads the drive under `drive` of a file with the given text, with a table `a.csv` in its
+/// folder.
 fn found(text: &str, dimension: Dimension) -> Result<Drive, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.toml");
@@ -133,7 +133,7 @@ fn tables_are_columns_of_a_file() {
     let torque = table(", columns = [\"time\", \"torque\"]").unwrap_err();
     assert_eq!(
         torque,
-        "error: a.csv:6: \"x\" in column \"torque\" is no number"
+        "error: a.csv:6: \"x\" in column \"torque\" is not a number"
     );
     let column = table(", columns = [\"time\", \"trust\"]").unwrap_err();
     assert_eq!(
@@ -151,7 +151,7 @@ fn a_run_that_leaves_a_table_is_told_before() {
     assert_eq!(
         shown.unwrap_err(),
         "error: a.toml:2: \"drive\" has values from 0 s to 2 s, and the run goes from 0 s to 5 s\n  \
-         help: give more values, or outside = \"hold\" to go on with the first and the last"
+         help: give more values, or outside = \"hold\" to continue with the first and the last"
     );
 }
 
@@ -197,7 +197,7 @@ q = \"= p\"
         "unknown function \"sinn\" at letter 2 of \"sinn(t)\"\n  help: did you mean \"sin\"?",
         "a.toml:11: the drive ends at 1 s, expected a time after its start at 2 s",
         "a.toml:16: unknown key \"ends\" in drives \"c\"",
-        "a.toml:19: the time 1 does not come after 1",
+        "a.toml:19: the time 1 is not after 1",
         "a.toml:20: the drive has none of \"band\" and \"interval\", expected one",
         "a.toml:26: \"expression\": unknown name \"lenght\" at letter 8 of \"2*(t + lenght\"\n  \
          help: did you mean \"length\"?",
@@ -233,7 +233,7 @@ fn of_a_wrong_drive_no_known_key_is_unknown() {
         assert!(text.contains(expected), "{text}");
         assert!(!text.contains("unknown key"), "{text}");
     }
-    // What is no key of the kind still is told, and beside what else is wrong.
+    // Unknown keys of the kind are still reported, together with the other problems.
     let text = told("kind = \"random\"\ndeviation = -1\nseed = 1\nbnd = [1, 2]");
     assert!(text.contains("unknown key \"bnd\""), "{text}");
 }

@@ -33,11 +33,11 @@ const KINDS: [&str; 15] = [
     "total",
 ];
 const FREEDOMS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
-/// Sine below which axes count as parallel, and part of the size of the model below which
+/// Sine below which axes are treated as parallel, and part of the size of the model below which
 /// points coincide: digits lost in the input.
 const ROUNDING: f64 = 1e-9;
 
-/// What a joint holds, as its card says.
+/// The constraint of a joint, as in its card.
 enum Holds {
     Clamp,
     Spherical,
@@ -54,9 +54,9 @@ enum Holds {
     Total([Freedom; 6]),
 }
 
-/// Points of a card; `None` where it gives none.
+/// Points of a card; `None` if not given.
 struct Points {
-    /// On the second end, and on the first unless that has its own.
+    /// On the second end, and on the first unless it has its own.
     at: Option<Vector3<f64>>,
     /// On the first.
     from: Option<Vector3<f64>>,
@@ -69,7 +69,7 @@ struct Axes {
 }
 
 impl Points {
-    /// Those of a card that is written in a frame.
+    /// The points of a card that is written in a frame.
     fn in_frame(&self, frame: &Frame) -> Self {
         let [at, from] = [self.at, self.from].map(|point| point.map(|point| frame.point(&point)));
         Self { at, from }
@@ -77,7 +77,7 @@ impl Points {
 }
 
 impl Axes {
-    /// Those of a card that is written in a frame.
+    /// The axes of a card that is written in a frame.
     fn in_frame(self, frame: &Frame) -> Self {
         match self.in_node {
             true => self,
@@ -102,7 +102,7 @@ pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
                 None
             }
         };
-        // Of an unknown kind no key is unknown.
+        // The keys of an unknown kind are not checked.
         let Some(kind) = kind.map(|kind| KINDS[kind]) else {
             draft.note_broken();
             continue;
@@ -138,7 +138,7 @@ fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<usize>
     })
 }
 
-/// What a joint of a kind holds.
+/// The constraint of a joint of a kind.
 fn holds(kind: &str, table: &Table<'_>, draft: &Draft) -> Option<Holds> {
     let slide = || {
         let drive = drive(table, "displacement", Dimension::LENGTH, draft)?;
@@ -170,7 +170,7 @@ fn holds(kind: &str, table: &Table<'_>, draft: &Draft) -> Option<Holds> {
     })
 }
 
-/// The signal under a key; `Some(None)` when there is none.
+/// The signal under a key; `Some(None)` if it is absent.
 fn drive(
     table: &Table<'_>,
     key: &str,
@@ -186,7 +186,7 @@ fn drive(
     }
 }
 
-/// How the rotation about the axis is driven: `angle` or `speed`.
+/// The prescribed rotation about the axis: `angle` or `speed`.
 fn turning(table: &Table<'_>, draft: &Draft) -> Option<Option<Turning>> {
     let angle = drive(table, "angle", Dimension::ANGLE, draft);
     let speed = drive(table, "speed", Dimension::ROTATION_SPEED, draft);
@@ -367,7 +367,7 @@ fn axes(kind: &str, table: &Table<'_>) -> Option<Axes> {
 /// The axes of a universal joint: one on each end.
 fn two_axes(table: &Table<'_>) -> Option<[Matrix3<f64>; 2]> {
     if !table.has("axes") {
-        let _ = table.require_text("axes", "the axis on the first end and that on the second");
+        let _ = table.require_text("axes", "the axis on the first end and on the second");
         return None;
     }
     let found = table.vectors("axes", Dimension::NUMBER)?;
@@ -466,7 +466,7 @@ fn joint(
     })
 }
 
-/// The points of a distance from the frame: one alone is that of the frame.
+/// The points of a distance from the frame: a single one is on the frame.
 fn from_the_frame(
     points: &Points,
     node: &Vector3<f64>,

@@ -1,20 +1,20 @@
-//! What can be wrong with a joint.
+//! Problems of a joint.
 
 use shared_geom::error::{Explain, nearest_name};
 
 /// A problem of a `[[joint]]`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum JointProblem {
-    /// Rotation driven twice.
+    /// Rotation prescribed twice.
     #[error("the joint has \"angle\" and \"speed\", expected one of them")]
     AngleAndSpeed,
-    /// A driven spin that nothing drives.
+    /// A spin joint without an angle or speed.
     #[error("the joint has neither \"angle\" nor \"speed\", expected one of them")]
     NoSpin,
     /// A joint that holds nothing.
     #[error("the joint holds nothing, expected at least one component of {keys}")]
     NothingHeld {
-        /// Keys that say what is held.
+        /// Keys of the held components.
         keys: &'static str,
     },
     /// A freedom that is locked and driven.
@@ -23,7 +23,7 @@ pub enum JointProblem {
         /// The freedom.
         freedom: &'static str,
     },
-    /// A word that is no freedom.
+    /// A word that is not a freedom.
     #[error("\"locked\" has \"{word}\", expected {}", known.join(", "))]
     UnknownFreedom {
         /// The word found.
@@ -34,10 +34,10 @@ pub enum JointProblem {
     /// Axes without direction.
     #[error("an axis in \"axes\" has no direction: its length is zero")]
     NoDirection,
-    /// Axes of a universal joint that are one.
+    /// Parallel axes of a universal joint.
     #[error("the two axes of the universal joint are parallel, expected axes at an angle")]
     ParallelAxes,
-    /// A distance of nothing.
+    /// A distance of zero.
     #[error("the points of joint \"{joint}\" coincide, expected a distance between them")]
     NoDistance {
         /// Name of the joint.

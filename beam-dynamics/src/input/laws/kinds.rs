@@ -26,8 +26,7 @@ const KINDS: [&str; 8] = [
     "section",
 ];
 
-/// Whether the keys of a term are those of a kind: of none, and of an unknown
-/// one, none is wrong.
+/// Whether the kind of a term is known; otherwise its keys are not checked.
 pub(super) fn is_known(table: &Table<'_>) -> bool {
     table.is_text("kind")
         && table
@@ -109,7 +108,7 @@ fn bilinear<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<Law
     let mut is_whole = true;
     for key in missing {
         is_whole = false;
-        let _ = table.require_text(key, "a number, or one for each component");
+        let _ = table.require_text(key, "a number, or one number per component");
     }
     let (first, second, limit) = (first?, second?, limit?);
     let of_component = |i: usize| Bilinear {
@@ -121,7 +120,7 @@ fn bilinear<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<Law
 }
 
 /// Calls `user` with the table and key of each component under `key`: the key itself for
-/// one component, and for several a table of them by name. `None` for those left out.
+/// one component, and for several a table of them by name. `None` for omitted ones.
 fn by_component<const N: usize, T>(
     table: &Table<'_>,
     key: &'static str,
@@ -179,8 +178,8 @@ fn curves<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKi
     Some(LawKind::Table(points.map(|points| points.map(curve))))
 }
 
-/// Rows of a strain and a force, by growing strain, in declared units: in place, or of a
-/// CSV file in a table with `file` and `columns`.
+/// Rows of a strain and a force, by increasing strain, in declared units: in the card, or
+/// from a CSV file in a table with `file` and `columns`.
 fn points(
     table: &Table<'_>,
     key: &'static str,
@@ -210,7 +209,7 @@ fn points(
     Some(in_units(table, &rows, dimensions))
 }
 
-/// The columns of rows in declared units, in SI units.
+/// Columns of rows in declared units, converted to SI units.
 fn in_units<R: std::ops::Index<usize, Output = f64>>(
     table: &Table<'_>,
     rows: &[R],

@@ -1,4 +1,4 @@
-//! Numbers of laws: one a component, or matrices.
+//! Numbers of laws: one per component, or matrices.
 
 use nalgebra::{Matrix6, SMatrix, SVector};
 use shared_geom::document::Table;
@@ -11,13 +11,13 @@ use super::problem::LawProblem;
 /// Part of the largest entry below which a difference is a rounding of the input.
 const ROUNDING: f64 = 1e-9;
 
-/// `force / strain^power`, per radian where the strain is an angle, times `time`.
+/// `force / strain^power`, per radian if the strain is an angle, times `time`.
 pub(super) fn slope(force: Dimension, strain: Dimension, power: i8, time: i8) -> Dimension {
     let bare = Dimension { angle: 0, ..strain };
     force.times(bare, -power).times(Dimension::TIME, time)
 }
 
-/// One quantity a component, in SI units: a list, or for a law of one component a number.
+/// One quantity per component, in SI units: a list, or for a law of one component a number.
 /// In a law of six components, numbers in declared units.
 pub(super) fn vector<const N: usize>(
     table: &Table<'_>,
@@ -49,8 +49,8 @@ pub(super) fn vector<const N: usize>(
     Some(SVector::from_fn(|i, _| numbers[i] * factors[i]))
 }
 
-/// One quantity a component, as [`vector`]; a number alone is that of all, where they are
-/// alike. Zeros when absent.
+/// One quantity per component, like [`vector`]; a single number applies to all, if they
+/// have the same dimension. Zeros if absent.
 pub(super) fn each<const N: usize>(
     table: &Table<'_>,
     key: &str,
@@ -66,7 +66,7 @@ pub(super) fn each<const N: usize>(
     }
 }
 
-/// As [`each`], of which none is below zero.
+/// Like [`each`], with no number below zero.
 pub(super) fn each_positive<const N: usize>(
     table: &Table<'_>,
     key: &str,
@@ -74,14 +74,14 @@ pub(super) fn each_positive<const N: usize>(
 ) -> Option<SVector<f64, N>> {
     let found = each(table, key, dimensions)?;
     if found.min() < 0.0 {
-        table.wrong(key, "numbers of zero or more");
+        table.wrong(key, "numbers, zero or more");
         return None;
     }
     Some(found)
 }
 
 /// A symmetric matrix without a negative eigenvalue: a number (the same for all
-/// components), a list (one a component) or rows, whose numbers are in declared units.
+/// components), a list (one per component) or rows, whose numbers are in declared units.
 /// `time` is the power of time in its dimension.
 pub(super) fn matrix<const N: usize>(
     table: &Table<'_>,
@@ -122,7 +122,7 @@ pub(super) fn matrix<const N: usize>(
     Some(matrix)
 }
 
-/// The least eigenvalue of a matrix scaled to a unit diagonal, or zero if it is less.
+/// The least eigenvalue of a matrix scaled to a unit diagonal, or zero if that is less.
 fn least<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
     let mut padded = Matrix6::zeros();
     for i in 0..N {

@@ -1,13 +1,13 @@
-//! What can be wrong with laws, rods and springs.
+//! Problems of laws, rods and springs.
 
 use shared_geom::error::Explain;
 
 use crate::input::short_number;
 
-/// A problem of a law, or of what carries it.
+/// A problem of a law, or of the element with the law.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LawProblem {
-    /// No term.
+    /// A list without a term.
     #[error("the list of laws is empty, expected at least one")]
     Empty,
     /// A matrix that is not symmetric.
@@ -34,21 +34,21 @@ pub enum LawProblem {
         /// The eigenvalue [-].
         least: f64,
     },
-    /// A beam whose law does not hold it together.
+    /// A beam whose law has no positive definite stiffness.
     #[error(
         "{beam}: the law has no positive definite stiffness at rest (least eigenvalue {} of the matrix scaled to a unit diagonal)",
         six(*.least)
     )]
     SoftBeam {
-        /// The beam, in words.
+        /// The beam, as text.
         beam: String,
         /// The eigenvalue [-].
         least: f64,
     },
-    /// A law beside properties whose own law has the effect of prestress.
-    #[error("{beam}: a \"law\" takes the place of the stiffness, and with it of \"prestress\"")]
+    /// A law for properties with `prestress = true`.
+    #[error("{beam}: a \"law\" replaces the stiffness, and \"prestress\" with it")]
     LawAndPrestress {
-        /// The beam, in words.
+        /// The beam, as text.
         beam: String,
     },
     /// A viscoelastic law without viscosity, or with two.
@@ -57,7 +57,7 @@ pub enum LawProblem {
     /// A force or a slope at rest that is not finite.
     #[error("the law has a force or a slope of {found} at zero strain, expected finite numbers")]
     NotFinite {
-        /// What it is [unit of force, or of force by that of strain].
+        /// The value [unit of force, or unit of force per unit of strain].
         found: f64,
     },
     /// A polynomial without a coefficient.
@@ -73,10 +73,10 @@ pub enum LawProblem {
         /// Names of the components.
         names: String,
     },
-    /// A table whose strains do not grow.
-    #[error("the strain {} follows {}, expected growing strains", six(*.found), six(*.before))]
+    /// A table whose strains do not increase.
+    #[error("the strain {} follows {}, expected increasing strains", six(*.found), six(*.before))]
     NotAscending {
-        /// The strain before, as written.
+        /// The previous strain, as written.
         before: f64,
         /// The strain, as written.
         found: f64,
@@ -88,29 +88,29 @@ pub enum LawProblem {
         found: usize,
     },
     /// A table without a value at rest.
-    #[error("the points do not reach the strain zero, beyond them there is no force")]
+    #[error("the points do not reach zero strain, and outside of them there is no force")]
     NoRest,
-    /// The stiffness of a section where there is none.
-    #[error("the law \"section\" is that of the properties of a beam, but there are none")]
+    /// The stiffness of a section that does not exist.
+    #[error("the law \"section\" is the stiffness of a beam's properties, but there are none")]
     NoSection,
-    /// A drive of nothing.
+    /// A drive without a quantity.
     #[error("\"{drive_key}\" drives \"{key}\", which is not given")]
     NothingDriven {
-        /// What would be driven.
+        /// The missing key.
         key: &'static str,
         /// The key found.
         drive_key: &'static str,
     },
-    /// A rod whose ends are at one place.
-    #[error("{rod} has no length: its ends are at one place")]
+    /// A rod whose ends coincide.
+    #[error("{rod} has no length: its ends coincide")]
     NoLength {
-        /// The rod, in words.
+        /// The rod, as text.
         rod: String,
     },
-    /// A rod or a spring with another number of nodes.
+    /// A wrong number of nodes of a rod or a spring.
     #[error("\"nodes\" lists {found}, expected one (the other end is in the frame) or two")]
     Ends {
-        /// Their number.
+        /// Number of nodes.
         found: usize,
     },
     /// Stiffness or damping of a spring that is not a list of three.
@@ -122,24 +122,24 @@ pub enum LawProblem {
     /// A spring without a law.
     #[error("{spring} has no law and no stiffness or damping, expected one of them")]
     NoLaw {
-        /// The spring, in words.
+        /// The spring, as text.
         spring: String,
     },
-    /// Two keys for one thing.
-    #[error("\"{first}\" and \"{second}\" say the same, expected one of them")]
+    /// Two keys for the same quantity.
+    #[error("\"{first}\" and \"{second}\" are the same quantity, expected one of them")]
     Twice {
         /// One key.
         first: &'static str,
         /// The other.
         second: &'static str,
     },
-    /// An end in the frame without a place.
-    #[error("{rod} has one node and no \"at\", expected the place of its other end in the frame")]
+    /// An end in the frame without a position.
+    #[error("{rod} has one node and no \"at\", expected the position of the other end")]
     NoAnchor {
-        /// The rod, in words.
+        /// The rod, as text.
         rod: String,
     },
-    /// A spring between two nodes that should stand in the world.
+    /// A spring between two nodes in the ground frame.
     #[error("\"stands_in\" is for springs of one node with \"stiffness\" and \"damping\"")]
     Stand,
     /// A force between nodes without a force.
@@ -152,32 +152,32 @@ impl Explain for LawProblem {
         let fixed = match self {
             Self::Unsymmetric { .. } => "a law with an energy has a symmetric matrix",
             Self::Indefinite { .. } => {
-                "a law that pushes away, or feeds energy in, can be written as a table or an expression"
+                "negative stiffness or energy input can be written as a table or an expression"
             }
             Self::SoftBeam { .. } => {
-                "add a law that holds every component, such as { kind = \"section\" }"
+                "add a law that holds every component, for example { kind = \"section\" }"
             }
             Self::LawAndPrestress { .. } => "remove one of the two",
             Self::NoRest => {
-                "add a point, or take outside = \"extend\" or \"hold\"; a \"prestrain\" moves \
-                 the place of the zero"
+                "add a point, or use outside = \"extend\" or \"hold\"; a \"prestrain\" moves \
+                 the position of zero"
             }
             Self::NotFinite { .. } => {
-                "write it so that it is smooth at zero, such as x/sqrt(abs(x) + 1e-3) for the \
-                 root of x with its sign"
+                "write it so that it is smooth at zero, for example x/sqrt(abs(x) + 1e-3) for \
+                 the root of x with its sign"
             }
             Self::NoSection => "give the beam \"properties\", or another kind of law",
             Self::NothingDriven { .. } => {
                 "the drive multiplies it: give its value for the drive one"
             }
             Self::NoLength { .. } => {
-                "a rod acts along its line: between nodes at one place use a [[spring]]"
+                "a rod acts along its line: between nodes at the same position use a [[spring]]"
             }
             Self::OneNumber { key } if key.starts_with("rotational") => {
-                "such as [0, 0, k]; about the axis of a hinge alone it is that of a [[hinge]]"
+                "for example [0, 0, k]; a spring about the axis of a hinge belongs to a [[hinge]]"
             }
             Self::OneNumber { .. } => {
-                "such as [k, k, k]; along the line between its ends it is that of a [[rod]] \
+                "for example [k, k, k]; a spring along the line between its ends is a [[rod]] \
                  with measure = \"elongation\" and a law, { kind = \"linear\", stiffness = k }"
             }
             Self::NoLaw { .. } => {
@@ -189,7 +189,7 @@ impl Explain for LawProblem {
     }
 }
 
-/// A number of a message.
+/// A number in a message.
 fn six(value: f64) -> String {
     short_number(value, 6)
 }

@@ -1,4 +1,4 @@
-//! Tests of laws in cards, and of the cards that carry them.
+//! Tests of laws in cards, and of the cards with laws.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -42,7 +42,7 @@ fn input(cards: &str) -> Result<Input, String> {
     input_in("units = \"SI\"", cards)
 }
 
-/// Force and moment on the tip by the element called `label`, when the tip is moved.
+/// Force and moment on the tip by the element called `label`, if the tip is moved.
 fn on_tip(input: &Input, label: &str, moved: impl Fn(&mut NodeMotion)) -> [Vector3<f64>; 2] {
     let system = &input.model.system;
     let mut state = system.rest();
@@ -158,7 +158,7 @@ fn beams_of_a_law_are_those_of_its_stiffness() {
     let none = cards.replace("properties = \"p\"", "law = { kind = \"section\" }");
     expect(
         &none,
-        "the law \"section\" is that of the properties of a beam",
+        "the law \"section\" is the stiffness of a beam's properties",
     );
 }
 
@@ -173,7 +173,7 @@ fn forces_between_nodes_pull_and_turn() {
     expect(&format!("{cards}{HOLD}"), "nothing acts between the nodes");
     expect(
         &format!("{cards}tension = 1\nforce = [1, 0, 0]\n{HOLD}"),
-        "\"tension\" and \"force\" say the same",
+        "\"tension\" and \"force\" are the same quantity",
     );
 }
 
@@ -194,8 +194,8 @@ fn springs_between_nodes_hold_them_together_in_their_directions() {
     assert!(!shown.contains("translation along x") && shown.contains("translation along y"));
 }
 
-/// A relaxed length that gets to zero in the run is told before it, with time and value; one
-/// that is below zero only after the run is not.
+/// A relaxed length that reaches zero in the run is reported before it, with time and
+/// value; a length that is below zero only after the run is not.
 #[test]
 fn a_relaxed_length_through_zero_is_told_before_the_run() {
     let rod = |length: &str, to: f64| {
@@ -221,7 +221,7 @@ fn a_relaxed_length_through_zero_is_told_before_the_run() {
         let rest = "expected a length greater than zero at all times of the run, from 0 s to 1 s";
         assert!(shown.contains(rest), "{shown}");
         assert!(
-            shown.contains("help: let the drive end at a length above zero"),
+            shown.contains("help: let the drive stay at a length above zero"),
             "{shown}"
         );
         assert!(input(&rod(length, 0.25)).is_ok());
@@ -231,7 +231,7 @@ fn a_relaxed_length_through_zero_is_told_before_the_run() {
     expect(joint, "\"length\" is 0 m at 0.5 s");
 }
 
-/// Laws of a rod, and what is told of them.
+/// Laws of a rod, and the expected problems.
 const WRONG_OF_RODS: &[(&str, &str)] = &[
     (
         "{ kind = \"liner\", stiffness = 1 }",
@@ -244,7 +244,7 @@ const WRONG_OF_RODS: &[(&str, &str)] = &[
     ),
     (
         "{ kind = \"linear\", stiffness = -1 }",
-        "expected numbers of zero or more",
+        "expected numbers, zero or more",
     ),
     ("{ kind = \"linear\", stiffness = [1, 2] }", "\"stiffness\""),
     (
@@ -261,14 +261,17 @@ const WRONG_OF_RODS: &[(&str, &str)] = &[
     ),
     (
         "{ kind = \"table\", points = [[0, 0], [0, 1]] }",
-        "expected growing strains",
+        "expected increasing strains",
     ),
     ("{ kind = \"table\", points = [[0, 0]] }", "at least two"),
     (
         "{ kind = \"expression\", force = \"2*ee\" }",
         "did you mean \"e\"?",
     ),
-    ("{ kind = \"section\" }", "that of the properties of a beam"),
+    (
+        "{ kind = \"section\" }",
+        "is the stiffness of a beam's properties",
+    ),
     (
         "{ kind = \"linear\", stiffness = 1, prestress_drive = 2 }",
         "which is not given",
@@ -276,7 +279,7 @@ const WRONG_OF_RODS: &[(&str, &str)] = &[
     ("[]", "the list of laws is empty"),
 ];
 
-/// A spring along a line or about an axis has other cards.
+/// A spring along a line or about an axis belongs to other cards.
 #[test]
 fn one_number_of_a_spring_tells_of_rods_and_hinges() {
     for ends in ["node = \"tip\"", "nodes = [\"root\", \"tip\"]"] {
@@ -293,7 +296,7 @@ fn one_number_of_a_spring_tells_of_rods_and_hinges() {
     }
 }
 
-/// Laws of a spring, and what is told of them.
+/// Laws of a spring, and the expected problems.
 const WRONG_OF_SPRINGS: &[(&str, &str)] = &[
     (
         "{ kind = \"linear\", stiffness = [[1, 2, 0], [1, 3, 0], [0, 0, 1]] }",
@@ -341,7 +344,7 @@ fn wrong_laws_are_told_with_their_remedy() {
         "did you mean \"tip\"?",
     );
     let twice = "[[spring]]\nnode = \"tip\"\nstiffness = [1, 1, 1]\nlaw = { kind = \"linear\", stiffness = 1 }\n";
-    expect(twice, "\"law\" and \"stiffness\" say the same");
+    expect(twice, "\"law\" and \"stiffness\" are the same quantity");
     let linear = "law = { kind = \"linear\", stiffness = 1 }\n";
     expect(
         &format!("[[rod]]\nnodes = [\"tip\"]\n{linear}"),
@@ -353,7 +356,7 @@ fn wrong_laws_are_told_with_their_remedy() {
     expect(&none, "rod \"r\" has no length");
 }
 
-/// As [`input`], with a CSV file beside it.
+/// Like [`input`], with a CSV file in its folder.
 fn input_beside(csv: &str, cards: &str) -> Result<Input, String> {
     let text = format!("units = \"SI\"\n{NODES}{cards}");
     read_beside(&text, &[("curve.csv", csv)])
@@ -378,11 +381,11 @@ fn tables_of_laws_come_from_files() {
         assert!((force - expected).abs() < 1e-12, "{elongation} {force}");
     }
     assert!(pull(2.1).is_nan() && pull(-1.1).is_nan());
-    // In place or from a file, the law is the same.
+    // In the card or from a file, the law is the same.
     let rows = "[[-1, -6], [0, 0], [1, 6], [2, 7]]";
     let other = input(&rod(rows, ", outside = \"error\"")).unwrap();
     assert_eq!(found.model.fingerprint(), other.model.fingerprint());
-    // Of one component of three.
+    // For one component of three.
     let spring = "[[spring]]\nname = \"mount\"\nnodes = [\"root\", \"tip\"]\n\
                   law = { kind = \"table\", points = { y = { file = \"curve.csv\" } } }\n";
     let found = input_beside("u,f\n0,0\n1,6\n", &format!("{HOLD}{spring}")).unwrap();
@@ -402,7 +405,7 @@ fn what_is_wrong_with_tables_of_laws_is_told_at_its_place() {
             "u,f\n0,0\n2,1\n1,1\n",
             file,
             "",
-            "curve.csv:4: the strain 1 follows 2, expected growing strains",
+            "curve.csv:4: the strain 1 follows 2, expected increasing strains",
         ),
         (
             "u,f\n0,0\n",
@@ -414,7 +417,7 @@ fn what_is_wrong_with_tables_of_laws_is_told_at_its_place() {
             "u,f\n0,zero\n1,1\n",
             file,
             "",
-            "curve.csv:2: \"zero\" in column \"f\" is no number",
+            "curve.csv:2: \"zero\" in column \"f\" is not a number",
         ),
         (
             "",
@@ -426,7 +429,7 @@ fn what_is_wrong_with_tables_of_laws_is_told_at_its_place() {
             "",
             "[[1, 1], [2, 2]]",
             ", outside = \"error\"",
-            "the points do not reach the strain zero",
+            "the points do not reach zero strain",
         ),
     ] {
         let told = input_beside(csv, &rod(points, rest)).unwrap_err();

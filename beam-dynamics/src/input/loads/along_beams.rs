@@ -16,11 +16,11 @@ use crate::model::Node;
 
 /// Coefficients of a polynomial: the fifth degree is integrated exactly.
 const COEFFICIENTS: usize = 6;
-/// A place may pass the end of the line by this part of its length: digits lost in the
+/// Part of the line's length by which a position may lie beyond the end: digits lost in the
 /// input.
 const ROUNDING: f64 = 1e-6;
 
-/// A quantity along a line.
+/// Distribution along a line.
 #[derive(Debug, Clone)]
 enum Course {
     /// Coefficients of the powers of arc length over length.
@@ -92,7 +92,7 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
     Some(card)
 }
 
-/// Arc lengths of a table; `None` when they are wrong, `Some(None)` without a table.
+/// Arc lengths of a table; `None` if they are wrong, `Some(None)` without a table.
 fn places(table: &Table<'_>) -> Option<Option<Vec<f64>>> {
     if !table.has("at") {
         return Some(None);
@@ -248,7 +248,7 @@ fn elements(label: &str, card: &Card, draft: &Draft) -> Vec<DistributedLoad> {
     loads
 }
 
-/// Places xi of the rows of tables inside a beam that begins at arc length `start`.
+/// Values of xi of the rows of tables inside a beam that begins at arc length `start`.
 fn kinks(card: &Card, geometry: &BeamGeometry, ends: &[&Node; 3], start: f64) -> Vec<f64> {
     let length = geometry.length(ends);
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! What can be wrong with loads.
+//! Problems of loads.
 
 use shared_geom::error::{Explain, nearest_name};
 
@@ -19,26 +19,26 @@ pub enum LoadProblem {
         /// Name of the node.
         node: String,
     },
-    /// A node that is moved by two cards.
-    #[error("node \"{node}\" has an imposed motion on {line} already, expected one card a node")]
+    /// A node with two imposed motions.
+    #[error("node \"{node}\" has an imposed motion on {line} already, expected one card per node")]
     ImposedTwice {
         /// Name of the node.
         node: String,
-        /// Line of the first, in words.
+        /// Line of the first, as text.
         line: String,
     },
-    /// A load along nothing.
+    /// A distributed load without a line.
     #[error("the card has neither \"blade\" nor \"beams\", expected one of them")]
     NoLine,
     /// A load along a blade and along beams.
     #[error("the card has \"blade\" and \"beams\", expected one of them")]
     BladeAndBeams,
-    /// A name of no beam or blade.
+    /// An unknown name of a beam or blade.
     #[error("unknown {kind} \"{name}\" in \"{user}\"")]
     UnknownLine {
         /// `beam` or `blade`.
         kind: &'static str,
-        /// The name found.
+        /// The name.
         name: String,
         /// Name of the load.
         user: String,
@@ -64,56 +64,56 @@ pub enum LoadProblem {
         /// The largest number accepted.
         limit: usize,
     },
-    /// Rows of another number than places.
-    #[error("\"{key}\" has {found} rows, expected {expected}: one for each place of \"at\"")]
+    /// A number of rows that differs from the number of positions.
+    #[error("\"{key}\" has {found} rows, expected {expected}: one for each position of \"at\"")]
     Rows {
         /// The key.
         key: &'static str,
         /// Number of rows.
         found: usize,
-        /// Number of places.
+        /// Number of positions.
         expected: usize,
     },
-    /// A table of one place.
-    #[error("\"at\" has {found} places, expected at least two")]
+    /// A table of one position.
+    #[error("\"at\" has {found} positions, expected at least two")]
     FewPlaces {
-        /// Number of places.
+        /// Number of positions.
         found: usize,
     },
-    /// Places that fall.
+    /// Positions that decrease.
     #[error(
-        "\"at\" falls from {} m to {} m, expected ascending arc lengths",
+        "\"at\" decreases from {} m to {} m, expected increasing arc lengths",
         short_number(*.before, 6),
         short_number(*.after, 6)
     )]
     Falling {
-        /// A place \[m\].
+        /// A position \[m\].
         before: f64,
         /// The next \[m\].
         after: f64,
     },
-    /// A table that covers nothing.
-    #[error("\"at\" has only the place {} m, expected a stretch of the line", short_number(*.place, 6))]
+    /// A table with an empty interval.
+    #[error("\"at\" has only the position {} m, expected an interval", short_number(*.place, 6))]
     OnePlace {
-        /// The place \[m\].
+        /// The position \[m\].
         place: f64,
     },
-    /// A place beyond the line.
+    /// A position beyond the line.
     #[error(
         "\"at\" has {} m, expected 0 to {} m, the length of the line",
         short_number(*.found, 6),
         short_number(*.length, 6)
     )]
     Beyond {
-        /// The place \[m\].
+        /// The position \[m\].
         found: f64,
         /// Length of the line \[m\].
         length: f64,
     },
-    /// Gravity across the axis of a turning model.
+    /// Gravity across the axis of a rotating model.
     #[error(
         "gravity has {} m/s^2 across the axis of rotation, and the model turns at {} rpm: \
-         seen from the model it goes round, so that there is no steady equilibrium",
+         it rotates relative to the model, so that there is no steady equilibrium",
         short_number(*.across, 6),
         short_number(*.rpm, 6)
     )]
@@ -138,14 +138,14 @@ impl Explain for LoadProblem {
                 "name the held components, for example displacement = { x = 0, z = 0 }"
             }
             Self::Clamped { .. } => {
-                "take the [[clamp]] away: [[imposed]] holds the components that it names"
+                "remove the [[clamp]]: [[imposed]] holds the components that it names"
             }
             Self::ImposedTwice { .. } => "put all components of the motion into one [[imposed]]",
             Self::GravityGoesRound { .. } => {
-                "give gravity along the axis, or ask for speed 0, at one azimuth after the other"
+                "give gravity along the axis, or analyze speed 0, at one azimuth after the other"
             }
-            Self::OnePlace { .. } => "a load at one place is a [[load]] at a node",
-            Self::Degree { .. } => "give a table: \"at\" with a row for each place",
+            Self::OnePlace { .. } => "a load at one position is a [[load]] at a node",
+            Self::Degree { .. } => "give a table: \"at\" with a row for each position",
             _ => return None,
         };
         Some(fixed.to_owned())

@@ -1,41 +1,41 @@
-//! The quantities that columns and sensors can have: their words, dimensions and units.
+//! The quantities of columns and sensors: their words, dimensions and units.
 
 use shared_geom::units::{Dimension, Unit, UnitProblem, parse_as};
 
 use crate::case::ElectrodeQuantity;
 use crate::elements::{EnergyPart, JointMotion, NodeVector, SpringVector};
 
-/// A word under `quantity`, where its numbers come from, what they measure (of beams
-/// their first three components), and their unit unless one is given.
+/// The word under `quantity`, the source of its numbers, their dimension (of beams for the
+/// first three components), and their default unit.
 pub(in crate::input) type Kind = (&'static str, Source, Dimension, &'static str);
 
-/// Where the numbers of a quantity come from.
+/// Source of the numbers of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::input) enum Source {
     /// A vector of a node.
     Node(NodeVector),
-    /// A momentum of a node, or of the model where no node is named.
+    /// A momentum of a node, or of the model if no node is named.
     Momentum {
-        /// The angular one.
+        /// Whether it is the angular momentum.
         is_angular: bool,
     },
     /// Internal force or strain of a beam.
     Section {
-        /// The strain.
+        /// Whether it is the strain.
         is_strain: bool,
     },
     /// Reaction of a joint.
     Reaction {
-        /// The moment.
+        /// Whether it is the moment.
         is_moment: bool,
     },
     /// Motion of a joint.
     Joint(JointMotion),
-    /// What a rod or a spring tells.
+    /// A vector of a rod or a spring.
     Spring(SpringVector),
-    /// What is asked of an electrode.
+    /// A quantity of an electrode.
     Electrode(ElectrodeQuantity),
-    /// Value of a drive; what it measures is that of its unit.
+    /// Value of a drive, with the dimension of its unit.
     Drive,
     /// A signal.
     Signal,
@@ -63,7 +63,7 @@ const MOMENTUM: Dimension = dimension(1, 1, -1);
 /// Curvature and twist, in 1/m.
 pub(in crate::input) const CURVATURE: Dimension = dimension(-1, 0, 0);
 
-/// Words for the six components, as [`COMPONENTS`] has them.
+/// Words for the six components, in the order of [`COMPONENTS`].
 pub(super) const SIX: [&str; 6] = [
     "axial",
     "shear_y",
@@ -73,7 +73,7 @@ pub(super) const SIX: [&str; 6] = [
     "bending_z",
 ];
 
-/// Words for energy, which the units of inputs do not have: there they would be moments.
+/// Units of energy, which inputs do not have: there they would be units of moments.
 const JOULES: [(&str, f64); 3] = [("J", 1.0), ("kJ", 1e3), ("MJ", 1e6)];
 
 /// A unit of a quantity of `dimension`.
@@ -88,7 +88,8 @@ pub(in crate::input) fn unit_of(unit: &str, dimension: Dimension) -> Result<Unit
     }
 }
 
-/// The dimension of a component of a quantity: of beams the last three are about axes.
+/// The dimension of a component of a quantity: of beams the last three components are about
+/// axes.
 pub(in crate::input) fn dimension_of(kind: &Kind, component: Option<&str>) -> Dimension {
     let Source::Section { is_strain } = kind.1 else {
         return kind.2;

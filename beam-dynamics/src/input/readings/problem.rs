@@ -1,20 +1,20 @@
-//! What can be wrong with a reading.
+//! Problems of a reading.
 
 use shared_geom::error::Explain;
 
 /// A problem of a column or a sensor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReadingProblem {
-    /// Angles about axes that do not tell every attitude.
+    /// Angles about axes that do not describe every orientation.
     #[error("\"sequence\" is \"{found}\", expected three axes, neighbors different, as in \"zxz\"")]
     Sequence {
-        /// The text found.
+        /// The text.
         found: String,
     },
-    /// A point that a beam does not have.
+    /// A nonexistent point of a beam.
     #[error("\"point\" is {found}, expected 1 or 2: beams have two evaluation points")]
     Point {
-        /// The number found.
+        /// The number.
         found: usize,
     },
     /// A node on which a joint does not act.
@@ -22,28 +22,28 @@ pub enum ReadingProblem {
     NotOfJoint {
         /// The joint.
         joint: String,
-        /// The node found.
+        /// The node.
         node: String,
         /// Its nodes.
         known: Vec<String>,
     },
-    /// More than one number, or none, for a sensor.
+    /// A sensor that reads no number, or more than one.
     #[error("sensor \"{name}\" reads {found} numbers, expected one")]
     Several {
         /// The sensor.
         name: String,
-        /// Their number.
+        /// Count of numbers.
         found: usize,
     },
-    /// A quantity that is no number of the state, or whose derivatives are not known.
+    /// A quantity that is not a number of the state, or whose derivatives are unknown.
     #[error("\"{quantity}\" cannot be sensed: {reason}")]
     NotSensed {
         /// The quantity.
         quantity: &'static str,
-        /// Why, in words.
+        /// The reason, as text.
         reason: &'static str,
     },
-    /// An energy of elements, one of which knows no derivatives of it.
+    /// An energy of elements, one of which does not provide its derivatives.
     #[error(
         "\"{quantity}\" cannot be sensed: the derivatives of the energy of \"{element}\" are not known"
     )]
@@ -53,7 +53,7 @@ pub enum ReadingProblem {
         /// The element.
         element: String,
     },
-    /// Axes that a joint does not know.
+    /// Axes that do not belong to a joint.
     #[error("a reaction is sensed in the axes of a node of the joint, a frame, or an end")]
     AxesOfOther,
 }
@@ -64,12 +64,12 @@ impl Explain for ReadingProblem {
             Self::Sequence { .. } => {
                 Some("\"zyx\" is yaw, pitch, roll; \"zxz\" precession, nutation, spin".to_owned())
             }
-            Self::Point { .. } => Some("1 is the one near the first node".to_owned()),
+            Self::Point { .. } => Some("1 is the point near the first node".to_owned()),
             Self::NotOfJoint { known, .. } => {
                 let quoted: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
                 Some(format!("its nodes: {}", quoted.join(", ")))
             }
-            Self::Several { .. } => Some("give it one \"component\"".to_owned()),
+            Self::Several { .. } => Some("choose one \"component\"".to_owned()),
             Self::NotSensed { .. } => {
                 Some("columns of output can show it; docs: \"Signals\"".to_owned())
             }

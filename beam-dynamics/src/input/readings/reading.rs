@@ -1,4 +1,4 @@
-//! The reading of a card: of which node, beam, joint or drive, which components, in which axes.
+//! The reading of a card: its node, beam, joint or drive, components and axes.
 
 use nalgebra::Vector3;
 use shared_geom::document::{DocumentProblem, Table};
@@ -29,26 +29,26 @@ const TURNS: [&str; 3] = ["first", "second", "third"];
 /// A quantity without a name.
 #[derive(Debug)]
 pub(in crate::input) struct Found {
-    /// What its name ends in where there are several.
+    /// Ending of its name if there are several.
     pub word: &'static str,
-    /// What it is, in words.
+    /// Its description.
     pub words: String,
     pub quantity: Quantity,
     pub dimension: Dimension,
-    /// The unit unless one is given.
+    /// The default unit.
     pub unit: &'static str,
 }
 
-/// A card while it is read.
+/// A card during reading.
 pub(in crate::input) struct Reading<'a> {
     pub table: &'a Table<'a>,
     pub draft: &'a Draft,
-    /// The column or the sensor in words.
+    /// Description of the column or the sensor.
     pub user: &'a str,
 }
 
 impl Reading<'_> {
-    /// The quantities of the card, one a component.
+    /// The quantities of the card, one per component.
     pub fn parts(&self, kind: &Kind) -> Option<Vec<Found>> {
         let (word, source, dimension, unit) = *kind;
         let plain = word.replace('_', " ");
@@ -84,7 +84,7 @@ impl Reading<'_> {
         }
     }
 
-    /// What is named under `of`, found by `find`.
+    /// The object named under `of`, found by `find`.
     fn of<T>(&self, expected: &str, find: impl Fn(&str) -> Option<T>) -> Option<(String, T)> {
         let name = self.table.require_text("of", expected)?;
         let found = find(&name)?;
@@ -95,8 +95,7 @@ impl Reading<'_> {
         self.draft.look_up_node(name, self.table, key, self.user)
     }
 
-    /// The words under `component`, all of `known` that are no magnitude when there are
-    /// none.
+    /// The words under `component`; without the key, all of `known` except the magnitude.
     fn components(&self, known: &[&'static str]) -> Option<Vec<usize>> {
         let all = known.iter().filter(|word| **word != "magnitude").count();
         if !self.table.has("component") {
@@ -124,8 +123,8 @@ impl Reading<'_> {
         Some(places.into_iter().map(|place| PARTS[place]).collect())
     }
 
-    /// Axes under `in`: those of the model, of a node, of a frame of the model, or with
-    /// `ends` of an end of a joint.
+    /// Axes under `in`: of the model, of a node, of a frame of the model, or with `ends` of
+    /// an end of a joint.
     fn axes(&self, ends: bool) -> Option<(Axes, String)> {
         if !self.table.has("in") {
             return Some((Axes::Model, String::new()));
@@ -161,7 +160,7 @@ impl Reading<'_> {
         let (parts, axes) = (self.vector_parts(), self.axes(false));
         let ((name, node), against, parts, (axes, frame)) = (node?, against?, parts?, axes?);
         let other = match &against {
-            Some((_, other)) => format!(" against {other}"),
+            Some((_, other)) => format!(" relative to {other}"),
             None => String::new(),
         };
         let found = parts.into_iter().map(|(word, part)| Found {
@@ -180,7 +179,7 @@ impl Reading<'_> {
         Some(found.collect())
     }
 
-    /// Angles of turns about axes in the order of `sequence`.
+    /// Angles of rotations about axes in the order of `sequence`.
     fn turns(
         &self,
         kind: &Kind,
@@ -377,7 +376,7 @@ impl Reading<'_> {
         }])
     }
 
-    /// A drive by its name, or written in place; its numbers are those of its unit.
+    /// A drive by its name, or written in the card; its numbers are in its unit.
     fn of_drive(&self) -> Option<Vec<Found>> {
         let name = self
             .table

@@ -12,7 +12,7 @@ use crate::input::draft::Draft;
 use crate::input::ends;
 use crate::input::laws::{self, Components, LawProblem};
 
-/// Keys of laws: of the displacement, of the rotation, and of both.
+/// Keys of laws: for the displacement, for the rotation, and for both.
 const LAWS: [&str; 3] = ["law", "rotational_law", "coupled_law"];
 
 /// Whether a `[[spring]]` has two nodes or a law.
@@ -45,7 +45,7 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<
     Some(Spring::new(label, (&nodes, all), &place, &axes, law?))
 }
 
-/// The nodes under `nodes`, or the one under `node`.
+/// The nodes under `nodes`, or the node under `node`.
 fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<usize>> {
     if !table.has("node") {
         return ends::nodes(table, draft, words, true);

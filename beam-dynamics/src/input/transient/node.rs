@@ -1,4 +1,4 @@
-//! How a node moves at the start.
+//! Initial motion of a node.
 
 use shared_geom::document::Table;
 use shared_geom::units::Dimension;
@@ -27,7 +27,7 @@ pub(in crate::input) fn initial_motion(table: &Table<'_>) -> Option<InitialMotio
     })
 }
 
-/// A weight: what is infinitely lighter than the rest would leave it undetermined.
+/// A weight: a much smaller one than the others would leave the value undetermined.
 fn weight(table: &Table<'_>, key: &'static str) -> Option<Option<f64>> {
     const RANGE: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
     if !table.has(key) {
@@ -35,7 +35,7 @@ fn weight(table: &Table<'_>, key: &'static str) -> Option<Option<f64>> {
     }
     let found = table.quantity(key, Dimension::NUMBER)?;
     if !RANGE.contains(&found) {
-        let expected = "a weight from 1e-9 to 1e9, where 1 is usual";
+        let expected = "a weight from 1e-9 to 1e9, usually 1";
         let problem = TransientProblem::Range {
             key,
             found,
@@ -47,7 +47,7 @@ fn weight(table: &Table<'_>, key: &'static str) -> Option<Option<f64>> {
     Some(Some(found))
 }
 
-/// Notes initial velocities of nodes of which nothing is asked in time.
+/// Notes initial velocities of nodes without `[transient]`.
 pub(in crate::input) fn check(root: &Table<'_>, draft: &Draft) {
     if root.has("transient") {
         return;

@@ -136,7 +136,7 @@ fn velocities_without_a_run_and_loose_nodes_are_told() {
         Ok(_) => panic!("accepted"),
         Err(text) => text,
     };
-    assert!(text.contains("node \"a\" has a \"velocity\", but nothing is asked in time"));
+    assert!(text.contains("node \"a\" has a \"velocity\", but there is no [transient]"));
     let loose = BODY.replace(
         "[[body]]",
         "[[node]]\nname = \"b\"\nposition = [0, 0, 0]\n[[body]]",
@@ -147,7 +147,7 @@ fn velocities_without_a_run_and_loose_nodes_are_told() {
         Err(text) => text,
     };
     assert!(text.contains("node \"b\""), "{text}");
-    // A point of mass that nothing keeps from turning.
+    // A point mass whose rotation is not held.
     let point = BODY.replace("inertia = [1, 1, 1]\n", "");
     let text = match read(&format!("{point}[transient]\nto = 1\nstep = 0.1\n")) {
         Ok(_) => panic!("accepted"),
@@ -160,12 +160,12 @@ fn velocities_without_a_run_and_loose_nodes_are_told() {
         text.contains("help: give the node mass and inertia by a [[body]]"),
         "{text}"
     );
-    // Every problem explains itself, or needs no more words.
+    // Every problem has a remedy, or needs none.
     let idle = TransientProblem::IdleSpeed;
     assert!(shared_geom::error::Explain::help(&idle).is_some());
 }
 
-/// A crank and a spring, with ten slips.
+/// A crank and a spring, with ten errors.
 const TEN: &str = "units = \"SI\"
 include = \"part.toml\"
 [parameters]
@@ -248,7 +248,7 @@ fn ten_slips_are_told_at_once_each_with_its_line_and_the_nearest_name() {
         let help = format!("did you mean \"{near}\"?");
         assert!(found.contains(&help), "{help}\n---\n{found}");
     }
-    // Nothing follows from them that is told as well.
+    // No other problems are reported.
     assert_eq!(told.matches("error: ").count(), expected.len(), "{told}");
 }
 
@@ -275,7 +275,7 @@ fn what_is_not_finite_at_the_start_is_told_and_does_not_hang() {
     let text = loaded("ln(t)").unwrap_err();
     let expected = "a.dynamics.toml:14: \"drive\" has the value -inf at 0 s";
     assert!(text.contains(expected), "{text}");
-    // A force may rise steeply, what moves may not.
+    // A force may change steeply, a prescribed motion may not.
     loaded("sqrt(t)").unwrap();
     let turned = |drive: &str| {
         let joint = format!(

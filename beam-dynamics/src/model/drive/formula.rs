@@ -13,7 +13,7 @@ pub struct Formula {
 }
 
 impl Formula {
-    /// The expression, in which time is counted in units of `unit` \[s\].
+    /// The expression, in which time is in units of `unit` \[s\].
     pub fn new(expression: Expression, unit: f64) -> Self {
         let second = unit;
         Self { expression, second }

@@ -1,14 +1,14 @@
 //! Random drives. Each has a seed of its own and is the same in every run.
 //!
-//! The smooth one is a sum of N sines, one in each of N equal stretches of a band of
-//! frequencies, at a random place in the stretch and with a random phase (D-193):
+//! The smooth one is a sum of N sines, one in each of N equal intervals of a band of
+//! frequencies, at a random frequency in the interval and with a random phase (D-193):
 //!
 //! ```text
 //! x(t) = mean + sigma sqrt(2/N) sum_i sin(2 pi f_i t + phi_i)
 //! ```
 //!
 //! Its mean square over a long time about the mean is sigma^2, its spectrum is flat in
-//! the band and nothing outside, and it is normal by the central limit; it has all
+//! the band and zero outside, and it is normal by the central limit; it has all
 //! derivatives. [Shinozuka1972] gives the method. The other one has independent normal
 //! numbers at equal intervals and straight pieces between them.
 
@@ -34,8 +34,8 @@ pub struct BandNoise {
 }
 
 impl BandNoise {
-    /// Of mean and standard deviation \[unit of the drive\], with `terms` sines in a
-    /// `band` of frequencies \[Hz\].
+    /// A drive of mean and standard deviation \[unit of the drive\], with `terms` sines in
+    /// a `band` of frequencies \[Hz\].
     pub fn new([mean, deviation]: [f64; 2], band: [f64; 2], terms: usize, seed: u64) -> Self {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let stretch = (band[1] - band[0]) / terms as f64;
@@ -78,7 +78,7 @@ pub struct SteppedNoise {
 }
 
 impl SteppedNoise {
-    /// Number of the interval that begins at or before a time.
+    /// Index of the interval that begins at or before a time.
     fn index(&self, time: f64) -> f64 {
         let index = (time / self.interval).floor();
         match (index + 1.0) * self.interval <= time {
@@ -90,7 +90,7 @@ impl SteppedNoise {
     /// The number at the beginning of an interval (Box and Muller).
     fn number(&self, index: f64) -> f64 {
         let mut random = Pcg64Mcg::seed_from_u64(self.seed);
-        // Two numbers an interval, found at any of them without those before.
+        // Two numbers per interval, found without the previous ones.
         random.advance((index as i64).saturating_mul(2) as u128);
         let radius = (-2.0 * (1.0 - uniform(&mut random)).ln()).sqrt();
         let angle = TAU * uniform(&mut random);

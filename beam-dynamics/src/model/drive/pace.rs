@@ -1,30 +1,30 @@
-//! How long steps may be for what is given over time.
+//! Limits of the step length from quantities given over time.
 //!
-//! Steps that are chosen by the error of what they see do not see a pulse that they step
-//! over. So drives are looked at before a run: each is cut into pieces on which it is the
+//! Steps that are chosen by the error at their points may pass over a pulse between them.
+//! So drives are evaluated before a run: each is divided into pieces on which it is the
 //! cubic through the values and rates of their ends, to a part of its range,
 //!
 //! ```text
 //! | f(a + s h) - H(s) | <= eta ( max f - min f )      s = 1/4, 1/2, 3/4            (D-121)
 //! ```
 //!
-//! and no step is longer than a piece into which it reaches. What counts as its range grows
-//! while it is looked at: the tail of a pulse, next to nothing, leads to the pulse.
+//! and no step is longer than a piece into which it reaches. The range grows during the
+//! search: the tail of a pulse, almost zero, leads to the pulse.
 
 use super::{Drive, DriveValue};
 
-/// A run is looked at in 2^12 pieces at least, three times in each.
+/// Smallest number of pieces of a run, 2^12, each evaluated three times.
 const COARSEST: u32 = 12;
-/// Pieces are halved so often at most.
+/// Largest number of halvings of a piece.
 const FINEST: u32 = 30;
-/// eta: part of the range that a piece may be off by.
+/// eta: largest error of a piece, as part of the range.
 const OFF: f64 = 0.02;
 /// Less than this part of the largest value is round-off.
 const ROUND_OFF: f64 = 1e-11;
-/// Values of a drive that are looked at, at most.
+/// Largest number of evaluations of a drive.
 const MOST: usize = 1 << 21;
-/// Corners up to which a drive is looked at between them: one with more is landed on often
-/// enough.
+/// Largest number of corners between which a drive is evaluated: with more, steps end at
+/// corners often enough.
 const MOST_CORNERS: usize = 4096;
 
 /// Ends of the pieces of all drives.
@@ -32,7 +32,7 @@ const MOST_CORNERS: usize = 4096;
 pub struct Pace(Vec<Vec<f64>>);
 
 impl Pace {
-    /// That of `drives` in a run from its first to its last instant \[s\].
+    /// The pace of `drives` in a run from its first to its last instant \[s\].
     pub fn new<'a>(drives: impl Iterator<Item = &'a Drive>, [from, to]: [f64; 2]) -> Self {
         let mut known: Vec<&Drive> = Vec::new();
         for drive in drives.filter(|drive| drive.constant().is_none()) {
@@ -67,12 +67,12 @@ impl Pace {
 struct Piece {
     start: f64,
     end: f64,
-    /// How often it was halved, and its place among those as long.
+    /// Number of halvings, and index among the pieces of the same length.
     level: u32,
     place: u64,
 }
 
-/// What is known of a drive so far.
+/// The search on a drive so far.
 struct Search<'a> {
     drive: &'a Drive,
     least: f64,
@@ -93,7 +93,7 @@ impl Search<'_> {
             return Vec::new();
         };
         let stretches = corners.windows(2).map(|pair| {
-            // As many pieces in all, whatever the corners.
+            // The same number of pieces in total, whatever the corners.
             let halvings = ((to - from) / (pair[1] - pair[0])).log2().floor();
             let coarsest = COARSEST.saturating_sub(halvings.clamp(0.0, 64.0) as u32);
             let whole = Piece {
@@ -123,7 +123,7 @@ impl Search<'_> {
         found
     }
 
-    /// Halves a piece until (D-121) holds, `coarsest` times at least.
+    /// Halves a piece until (D-121) holds, at least `coarsest` times.
     fn split(&mut self, piece: &Piece, coarsest: u32, out: &mut Vec<Piece>) {
         let is_coarse = piece.level < coarsest;
         let goes_on = piece.level < FINEST && self.looked < MOST;
@@ -161,10 +161,10 @@ impl Search<'_> {
         merged
     }
 
-    /// Whether (D-121) holds; also where there are no values.
+    /// Whether (D-121) holds; true where there are no values.
     fn is_cubic(&mut self, piece: &Piece) -> bool {
         let length = piece.end - piece.start;
-        // At a corner the value is that after it.
+        // At a corner the value is the one after it.
         let ends = [piece.start, piece.end.next_down()].map(|time| self.value(time));
         let [a, b] = ends;
         let inner = [0.25, 0.5, 0.75].map(|s| (s, self.value(piece.start + s * length).value));
@@ -201,7 +201,7 @@ impl Piece {
     }
 }
 
-/// The corners of a drive in a run, with its ends; `None` where they are many.
+/// The corners of a drive in a run, with its ends; `None` if there are too many.
 fn corners(drive: &Drive, from: f64, to: f64) -> Option<Vec<f64>> {
     let mut times = vec![from];
     let mut time = from;
@@ -254,9 +254,9 @@ mod tests {
         (sum, steps)
     }
 
-    // Unit pulses of 1e-2 to 1e-6 of the run, anywhere. A piece is off from its cubic by 0.02
-    // of the peak, which is 0.56 over the width, and so is what the points see of it: twice
-    // that over the 2.5 widths that count is 0.06. The pulse costs 100 steps.
+    // Unit pulses of 1e-2 to 1e-6 of the run, at any time. The error of a piece from its
+    // cubic is 0.02 of the peak, which is 0.56 over the width, and so is the error of the
+    // points: twice this over the 2.5 relevant widths is 0.06. The pulse needs 100 steps.
     #[test]
     fn short_pulses_are_not_stepped_over() {
         let mut random = Pcg64Mcg::seed_from_u64(5);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{DriveValue, next_of};
 
-/// From one value to another, and held before and after.
+/// From one value to another, constant before and after.
 ///
 /// With `s = (t - t_0)/T` from 0 to 1, straight `a + (b - a) s`, or smooth (D-190)
 ///

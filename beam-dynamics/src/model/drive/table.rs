@@ -1,11 +1,11 @@
-//! Drives that are interpolated between given times: by the natural cubic spline (D-192),
-//! or straight.
+//! Drives interpolated between given times: by the natural cubic spline (D-192),
+//! or linearly.
 
 use shared_geom::spline::Spline;
 
 use super::DriveValue;
 
-/// What lies between the given values.
+/// Interpolation between the given values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
     /// Straight lines.
@@ -14,7 +14,7 @@ pub enum Interpolation {
     Spline,
 }
 
-/// What holds before the first and after the last time.
+/// Extrapolation before the first and after the last time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outside {
     /// There is no value.
@@ -23,7 +23,7 @@ pub enum Outside {
     Hold,
 }
 
-/// Why rows are no table of a drive.
+/// Reasons why rows are not a table of a drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TableProblem {
     /// Fewer than two rows.
@@ -31,7 +31,7 @@ pub enum TableProblem {
         /// Number of rows.
         found: usize,
     },
-    /// A time that does not come after the one before.
+    /// A time that is not after the previous one.
     NotRising {
         /// Row, from zero.
         row: usize,
@@ -55,7 +55,7 @@ impl DriveTable {
     /// The table of `rows` of time \[s\] and value.
     ///
     /// # Errors
-    /// [`TableProblem`]: fewer than two rows, or times that do not rise.
+    /// [`TableProblem`]: fewer than two rows, or times that do not increase.
     pub fn new(
         rows: &[[f64; 2]],
         interpolation: Interpolation,

@@ -107,7 +107,7 @@ fn derivatives_are_those_of_the_values() {
 }
 
 // Between two corners neither value nor rate jumps: in steps of 1e-4 they change by less
-// than 1e-4 times the next derivative, here below 150; a jump that is no corner is above
+// than 1e-4 times the next derivative, here below 150; a jump that is not a corner exceeds
 // 0.02 in all drives here.
 #[test]
 fn every_jump_of_value_or_rate_is_a_corner() {
@@ -161,7 +161,7 @@ fn corners_follow_each_other_and_end() {
         interval: 0.1,
         seed: 1,
     };
-    // -1 itself is one, and comes before.
+    // -1 itself is a corner, and comes before.
     assert_eq!(corners(&Drive::Noise(noise)).len(), 109);
     assert_eq!(
         corners(&table(&ROWS, Interpolation::Linear, Outside::Hold)),
@@ -190,7 +190,7 @@ fn corners_of(text: &str, unit: f64, end: f64) -> (Formula, Vec<f64>) {
 }
 
 // Numbers that are not exact in binary: the corner is the first time at which the new
-// piece holds, to the last bit, in whatever unit the formula counts time.
+// piece holds, to the last bit, in any unit of time of the formula.
 #[test]
 fn a_jump_is_between_its_corner_and_the_number_before() {
     let mut texts = vec![
@@ -209,7 +209,7 @@ fn a_jump_is_between_its_corner_and_the_number_before() {
         for unit in [1.0, 0.1, 1.0 / 3.0, 60.0] {
             let (formula, corners) = corners_of(text, unit, 0.97 * unit);
             assert!(!corners.is_empty(), "{text}");
-            // mod and the comparison of it have corners of their own.
+            // mod and its comparison have corners of their own.
             assert!(corners.len() < 14, "{text}: {corners:?}");
             let mut before = formula.at(0.0).value;
             for corner in corners {
@@ -227,12 +227,11 @@ fn a_jump_is_between_its_corner_and_the_number_before() {
     }
 }
 
-// A natural spline through points of a cubic with no bend at its ends is that cubic:
+// A natural spline through points of a cubic without curvature at its ends is this cubic:
 // x^3 - 3 x^2 has y'' = 6 x - 6, zero at x = 1 only; (x - 1)^3 odd about 1 is not enough.
-// A straight line is, and so is each spline through its own points: here the known
-// second derivatives of the spline through 0, 1, 0, 1, 0 at unit steps, from the
-// 3x3 system 4 M1 + M2 = -12, M1 + 4 M2 + M3 = 12, M2 + 4 M3 = -12: M1 = M3 = -30/7,
-// M2 = 36/7.
+// It is exact for a straight line, and for its own points: here the known second
+// derivatives of the spline through 0, 1, 0, 1, 0 at unit steps, from the 3x3 system 4 M1 +
+// M2 = -12, M1 + 4 M2 + M3 = 12, M2 + 4 M3 = -12: M1 = M3 = -30/7, M2 = 36/7.
 #[test]
 fn the_spline_solves_its_equations() {
     let rows = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0], [3.0, 1.0], [4.0, 0.0]];
@@ -268,7 +267,7 @@ fn a_table_has_no_value_outside_unless_it_is_held() {
 }
 
 // Time means over T = 2000 s. Band 1 to 3 Hz of 64 sines: cross terms of the mean square
-// die as 1/(T df) with df about 1/32 Hz: 2 %; the mean as 1/(2 pi f T).
+// decrease as 1/(T df) with df about 1/32 Hz: 2 %; the mean as 1/(2 pi f T).
 #[test]
 fn smooth_noise_has_the_stated_statistics() {
     let noise = Drive::Band(Arc::new(BandNoise::new([0.5, 2.0], [1.0, 3.0], 64, 42)));
@@ -286,8 +285,8 @@ fn smooth_noise_has_the_stated_statistics() {
     assert_ne!(Drive::Band(Arc::new(other)), noise);
 }
 
-// 40000 independent numbers: the mean has the deviation 1/200, the mean square that of
-// sqrt(2)/200, neighbors the correlation 1/200; four of these.
+// 40000 independent numbers: the mean has the deviation 1/200, the mean square the deviation
+// sqrt(2)/200, neighbors have the correlation 1/200; four of these.
 #[test]
 fn stepped_noise_has_the_stated_statistics() {
     let noise = SteppedNoise {

@@ -10,7 +10,7 @@ use crate::result::{BucklingMode, BucklingResult};
 /// Largest displacement that is shown, as part of the size of the model.
 const DISPLACED: f64 = 0.1;
 
-/// The equilibrium about which the model gives way: its nodes.
+/// The equilibrium at which the model buckles: its nodes.
 pub(super) fn base(result: &BucklingResult) -> Vec<Vector3<f64>> {
     match &result.base {
         Some(step) => step.positions.clone(),
@@ -35,7 +35,7 @@ pub(super) fn displaced(
 }
 
 /// The nodes moved along the second axis by their rotation about the first, the largest
-/// move a tenth of the size of the model: how a figure shows torsion.
+/// displacement a tenth of the size of the model: torsion in a figure.
 pub(super) fn turned(
     structure: &Structure,
     base: &[Vector3<f64>],
@@ -51,8 +51,8 @@ pub(super) fn turned(
     base.iter().zip(&mode.rotations).map(moved).collect()
 }
 
-/// The model in the shape, with the shape itself as arrays: displacements of which the
-/// largest is one, rotations in the same scale.
+/// The model in the shape, with the shape itself as arrays: displacements scaled to a maximum of
+/// one, rotations in the same scale.
 pub(super) fn shape_grid(
     structure: &Structure,
     base: &[Vector3<f64>],

@@ -17,10 +17,10 @@ const SERIES: &str = "buckling.pvd";
 /// Folder of the field files.
 const FIELDS: &str = "buckling";
 
-/// Writes `NAME.buckling.txt`, `NAME.buckling.csv`, where figures are drawn the plot
-/// `NAME.buckling` as PNG and SVG, and the field files `NAME.buckling.pvd` with a grid a
-/// critical load in the folder `NAME.buckling`, all to `place`. Those that an earlier run
-/// left there and this one does not have are removed.
+/// Writes `NAME.buckling.txt`, `NAME.buckling.csv`, if figures are drawn the plot `NAME.buckling`
+/// as PNG and SVG, and the field files `NAME.buckling.pvd` with one grid per critical load in the
+/// folder `NAME.buckling`, all to `place`. Files of an earlier run that this run does not write are
+/// removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.

@@ -1,4 +1,4 @@
-//! Shapes in which a model gives way, over the equilibrium in gray.
+//! Buckling shapes of a model, over the equilibrium in gray.
 
 use std::path::Path;
 
@@ -22,7 +22,7 @@ const TITLE: f64 = 70.0;
 /// Greatest height of a shape \[figure pixels\].
 const TALLEST: f64 = 700.0;
 const LINE: f64 = 5.0;
-/// Columns of shapes that are wide, and of those that are tall.
+/// Number of columns for wide shapes, and for tall ones.
 const COLUMNS: [usize; 2] = [2, 4];
 
 /// Shapes of critical loads, ready to be saved.
@@ -37,7 +37,7 @@ pub struct BucklingPlot {
 struct Shown {
     title: String,
     view: View,
-    /// What its axes are called.
+    /// Titles of its axes.
     names: [String; 2],
     strokes: Vec<Stroke>,
     extent: Extent,
@@ -90,7 +90,7 @@ impl BucklingPlot {
         (f64::from(WIDTH) - 40.0) / self.columns as f64
     }
 
-    /// Room of the frame of a shape: width and height \[figure pixels\].
+    /// Space around the frame of a shape: width and height \[figure pixels\].
     fn frame(&self, mode: &Shown) -> [f64; 2] {
         let width = self.column() - MARGINS[0] - MARGINS[1];
         let height = width * mode.extent.aspect(mode.view);
@@ -119,7 +119,7 @@ impl BucklingPlot {
     }
 }
 
-/// Number and factor, and what is drawn of a shape that turns nodes about an axis alone.
+/// Number and factor, and the drawn quantity of a shape that only rotates nodes about an axis.
 fn title(index: usize, mode: &BucklingMode, about: Option<usize>) -> String {
     let turns = about.and_then(|axis| ["x", "y", "z"].get(axis));
     let turns = turns.map_or_else(String::new, |axis| format!(", rotation about {axis}"));
@@ -127,7 +127,7 @@ fn title(index: usize, mode: &BucklingMode, about: Option<usize>) -> String {
     format!("{}: factor {factor}{turns}", index + 1)
 }
 
-/// What the axes of a view are called: lengths, but for that along which a rotation is drawn.
+/// Titles of the axes of a view: lengths, except for the axis along which a rotation is drawn.
 fn names(view: View, about: Option<usize>) -> [String; 2] {
     let mut names = lengths(view);
     if let Some(axis) = about {
@@ -179,7 +179,7 @@ impl Drawing for BucklingPlot {
         draw_title(canvas, &self.title, [40.0, 44.0])?;
         let legend = [
             ("equilibrium".to_owned(), LINE, GRAY),
-            ("shape, in arbitrary size".to_owned(), LINE, CATEGORIES[5]),
+            ("shape, arbitrary scale".to_owned(), LINE, CATEGORIES[5]),
         ];
         draw_legend(canvas, [40.0, 104.0], &legend)?;
         let mut top = HEAD;

@@ -10,18 +10,18 @@ const DIGITS: usize = 7;
 const HEADING: &str = "mode,factor,node,x_m,y_m,z_m,displacement_x,displacement_y,\
     displacement_z,rotation_x_per_m,rotation_y_per_m,rotation_z_per_m";
 
-/// What the table means.
+/// Meaning of the columns of the table.
 pub const BUCKLING_CONVENTION: &str = "\
 Convention
-  factor      of the proportional loads at which the model gives way; negative where they
-              must be turned round; constant loads and rotation act in full
-  moves most  node of the largest displacement of the shape, which counts as one, and its
+  factor      of the proportional loads at which the model buckles; negative if their sign
+              must be reversed; constant loads and rotation act in full
+  moves most  node of the largest displacement of the shape, which is scaled to one, and its
               direction in the axes of the model; (turns): no node is displaced, as in
-              torsion, and the largest rotation counts as one, about the axes of the model
+              torsion, and the largest rotation is scaled to one, about the axes of the model
   residual    error of factor and shape in the equations, relative
 ";
 
-/// Factors, what moves most, remarks; see [`BUCKLING_CONVENTION`].
+/// Factors, node of the largest displacement, remarks; see [`BUCKLING_CONVENTION`].
 pub fn buckling_text(result: &BucklingResult) -> String {
     let at_speed = match result.speed {
         0.0 => String::new(),
@@ -60,7 +60,7 @@ fn rows(result: &BucklingResult) -> Vec<Vec<String>> {
             true => format!("{label} (turns)"),
             false => label.to_owned(),
         });
-        // Adding zero takes away the sign of a negative zero.
+        // Adding zero removes the sign of a negative zero.
         let rounded = moved.map(|value| (1e3 * value).round() / 1e3 + 0.0);
         row.extend(rounded.map(|value| format!("{value:.3}")));
         row.push(format!("{:.1e}", mode.residual));
@@ -69,8 +69,8 @@ fn rows(result: &BucklingResult) -> Vec<Vec<String>> {
     rows
 }
 
-/// Number of the node that moves most, the first of equal ones, and its displacement;
-/// where none is displaced, of that which turns most, and its rotation.
+/// Index of the node of the largest displacement, the first of equal ones, and this displacement;
+/// if no node is displaced, the node of the largest rotation, and this rotation.
 fn moves_most(mode: &BucklingMode) -> (usize, [f64; 3]) {
     let vectors = match mode.is_rotation() {
         true => &mode.rotations,
@@ -81,8 +81,8 @@ fn moves_most(mode: &BucklingMode) -> (usize, [f64; 3]) {
     most.map_or((0, [0.0; 3]), |(node, moved)| (node, (*moved).into()))
 }
 
-/// A row a critical load and node: factor, undeformed place, and the shape in the axes
-/// of the model.
+/// One row per critical load and node: factor, undeformed position, and the shape in the axes of
+/// the model.
 pub fn buckling_csv(result: &BucklingResult) -> String {
     let rows = result.modes.iter().enumerate().flat_map(|(index, mode)| {
         result.nodes.iter().enumerate().map(move |(k, node)| {
@@ -129,7 +129,7 @@ Remarks
         assert!(buckling_text(&result).contains("none was found"));
     }
 
-    /// Torsion is told by the rotation, not by displacements that are not there.
+    /// Torsion is shown as the rotation, since displacements are zero.
     #[test]
     fn a_shape_without_displacement_is_told_by_its_rotation() {
         let mut result = samples::column();

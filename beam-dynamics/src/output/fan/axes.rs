@@ -1,4 +1,4 @@
-//! The two axes: from speeds and frequencies to places on the canvas.
+//! The two axes: from speeds and frequencies to positions on the canvas.
 
 use plotters::backend::DrawingBackend;
 use plotters::style::BLACK;
@@ -6,15 +6,14 @@ use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks};
 
 use super::{FanPlot, SIZE, SMALL};
 
-/// Room above the highest frequency, as part of it.
+/// Margin above the highest frequency, as part of it.
 const HEADROOM: f64 = 0.04;
-/// Where the lowest speed is above this part of the highest, the axis does not begin
-/// at zero.
+/// Part of the highest speed above which the lowest speed keeps the axis from beginning at zero.
 const FAR_FROM_ZERO: f64 = 0.5;
 /// Length of the lines that lead from the curves to their names, with gaps.
 pub(super) const LEADER: f64 = 84.0;
 
-/// The frame of the plot \[figure pixels\] and what it shows.
+/// The frame of the plot \[figure pixels\] and its ranges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Axes {
     pub left: f64,
@@ -28,7 +27,7 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    /// Axes that hold all points, with room for the names to the right.
+    /// Axes that contain all points, with space for the names on the right.
     pub fn new<B: DrawingBackend>(canvas: &Canvas<B>, plot: &FanPlot) -> Self {
         let (width, height) = (canvas.size().0, f64::from(SIZE.1));
         let names = plot
@@ -60,7 +59,7 @@ impl Axes {
         }
     }
 
-    /// Place of a speed \[rpm\] and a frequency \[Hz\].
+    /// Position of a speed \[rpm\] and a frequency \[Hz\].
     pub fn place(&self, [speed, frequency]: [f64; 2]) -> [f64; 2] {
         let [low, high] = self.speeds;
         let x = (speed - low) / (high - low);
@@ -71,7 +70,7 @@ impl Axes {
         ]
     }
 
-    /// Draws axes, ticks and titles; that of the speeds where nothing is `below`.
+    /// Draws axes, ticks and titles; the title of the speeds only if nothing is `below`.
     pub fn draw<B: DrawingBackend>(
         &self,
         canvas: &Canvas<B>,

@@ -1,10 +1,10 @@
-//! Places for labels that cover nothing: boxes, and what stands in their way.
+//! Positions for labels that cover nothing: boxes, and obstacles.
 
 /// Distance that labels keep from lines, so that marks on these stay free as well
 /// \[figure pixels\].
 const CLEARANCE: f64 = 8.0;
 
-/// What covering a line counts; more lines than that never come near one label.
+/// Cost of covering a line; no label has more lines than this nearby.
 const COVERS: usize = 1000;
 
 /// A rectangle parallel to the edges of the canvas \[figure pixels\].
@@ -79,7 +79,7 @@ impl Box2 {
     }
 }
 
-/// What labels should not cover.
+/// Obstacles for labels.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Obstacles {
     lines: Vec<[[f64; 2]; 2]>,
@@ -99,12 +99,12 @@ impl Obstacles {
         self.boxes.push(Box2 { low, high });
     }
 
-    /// A label that has its place.
+    /// A placed label.
     pub fn add_box(&mut self, taken: Box2) {
         self.boxes.push(taken);
     }
 
-    /// The first of the candidates that covers least.
+    /// The first of the candidates of least cost.
     pub fn best(&self, candidates: impl IntoIterator<Item = Box2>) -> Option<Box2> {
         candidates
             .into_iter()
@@ -116,8 +116,8 @@ impl Obstacles {
         self.covered(place) < COVERS
     }
 
-    /// How much a box covers: a line counts [`COVERS`], a mark or label ten times that,
-    /// a line that only comes near counts one.
+    /// Cost of a box: a covered line costs [`COVERS`], a mark or label ten times that, a line that
+    /// is only near costs one.
     pub fn covered(&self, place: &Box2) -> usize {
         let wide = place.grown(CLEARANCE);
         let near = self.lines.iter().filter(|[a, b]| wide.meets(*a, *b));
@@ -131,11 +131,11 @@ impl Obstacles {
     }
 }
 
-/// Rising places at least `gap` apart between `low` and `high`, together as near as
-/// possible to the places wanted, which rise.
+/// Ascending positions at least `gap` apart between `low` and `high`, as near as possible to the
+/// wanted ones, which ascend.
 ///
-/// Least squares: with `v_i = wanted_i - i gap` this is the rising sequence nearest
-/// to v, found by averaging neighbors that fall.
+/// Least squares: with `v_i = wanted_i - i gap` this is the ascending sequence nearest to v, found
+/// by averaging descending neighbors.
 pub(super) fn spread(wanted: &[f64], gap: f64, [low, high]: [f64; 2]) -> Vec<f64> {
     // Sum and number of each run of equal values.
     let mut runs: Vec<(f64, usize)> = Vec::new();
@@ -210,7 +210,7 @@ mod tests {
         assert!(!obstacles.is_free(&at(10.0).with_height(-1.0)));
     }
 
-    // Two that are too near move apart about their mean; others stay.
+    // Two positions that are too close move apart about their mean; others stay.
     #[test]
     fn labels_spread_as_little_as_possible() {
         assert_eq!(

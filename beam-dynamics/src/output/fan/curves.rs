@@ -15,7 +15,7 @@ const MARK: f64 = 9.0;
 /// Smallest distance of two marks of a line.
 const BETWEEN_MARKS: f64 = 80.0;
 const LINE: f64 = 4.0;
-/// Lengths of dashes and gaps in turns; none for a whole line.
+/// Lengths of dashes and gaps in turns; none for a solid line.
 const PATTERNS: [&[f64]; 4] = [&[], &[26.0, 14.0], &[7.0, 11.0], &[26.0, 9.0, 7.0, 9.0]];
 
 /// Runs of neighboring points of a curve.
@@ -23,7 +23,7 @@ pub(super) fn frequency_runs(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Vec<
     runs(&plot.speeds, &curve.frequencies, |point| axes.place(point))
 }
 
-/// Runs of neighboring points at speeds where there is a value, at their places.
+/// Runs of neighboring points at speeds with a value, as positions.
 pub(super) fn runs(
     speeds: &[f64],
     values: &[Option<f64>],
@@ -50,7 +50,7 @@ pub(super) fn draw<B: DrawingBackend>(
             line(canvas, &run, curve.pattern, curve.color)?;
         }
     }
-    // Below the marks, which stay whole.
+    // Below the marks, which are not covered.
     for &point in &plot.measured {
         ring(canvas, axes.place(point))?;
     }
@@ -71,13 +71,13 @@ pub(super) fn draw<B: DrawingBackend>(
     Ok(())
 }
 
-/// Every how many speeds a line is marked.
+/// Distance in speeds between two marks of a line.
 fn marked_every(plot: &FanPlot, axes: &Axes) -> usize {
     let between = (axes.right - axes.left) / plot.speeds.len() as f64;
     (BETWEEN_MARKS / between).ceil().max(1.0) as usize
 }
 
-/// A whole or dashed line, by the number of its pattern.
+/// A solid or dashed line, by the number of its pattern.
 pub(super) fn line<B: DrawingBackend>(
     canvas: &Canvas<B>,
     points: &[[f64; 2]],
@@ -94,10 +94,10 @@ pub(super) fn line<B: DrawingBackend>(
     Ok(())
 }
 
-/// The dashes of a line, which go on around its corners.
+/// The dashes of a line, which continue around its corners.
 fn dashes(points: &[[f64; 2]], pattern: &[f64]) -> Vec<[[f64; 2]; 2]> {
     let mut dashes = Vec::new();
-    // How far the dash or gap reaches, and its number: gaps are odd.
+    // Length reached by the dash or gap, and its number: gaps are odd.
     let (mut left, mut part) = (pattern[0], 0);
     for pair in points.windows(2) {
         let (a, b) = (pair[0], pair[1]);
@@ -156,7 +156,7 @@ pub(super) fn mark<B: DrawingBackend>(
     }
 }
 
-/// An open ring that lets what is below it be seen.
+/// An open ring, through which lines are visible.
 pub(super) fn ring<B: DrawingBackend>(
     canvas: &Canvas<B>,
     [x, y]: [f64; 2],

@@ -46,22 +46,22 @@ pub(super) fn draw_column<B: DrawingBackend>(
     Ok(())
 }
 
-/// Place of the end of a curve that reaches the last speed, at the edge of the frame.
+/// Position of the end of a curve that reaches the last speed, at the edge of the frame.
 fn last_place(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Option<[f64; 2]> {
     let (k, frequency) = curve.end()?;
     let place = axes.place([plot.speeds[k], frequency]);
-    // Where measured points lie beyond the last speed, a line across to the column
-    // would look like more of the curve.
+    // If measured points lie beyond the last speed, a line across to the column would look like
+    // more of the curve.
     let at_edge = place[0] + LEADER >= axes.right;
     (k + 1 == plot.speeds.len() && at_edge).then_some(place)
 }
 
-/// Names that have their places within the frame.
+/// Names placed within the frame.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Placed(Vec<(String, Box2)>);
 
-/// Finds places for the names of modes that end before the edge of the frame, those
-/// of short pieces of lines left out: the table names them.
+/// Positions of the names of modes that end before the edge of the frame, without short pieces of
+/// lines: the table names them.
 pub(super) fn beside_ends<B: DrawingBackend>(
     canvas: &Canvas<B>,
     plot: &FanPlot,

@@ -1,4 +1,4 @@
-//! What the marks mean, in a row above the plot.
+//! Meaning of the marks, in a row above the plot.
 
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;

@@ -1,4 +1,4 @@
-//! Multiples of the rotor speed: thin lines, labeled where nothing else is.
+//! Multiples of the rotor speed: thin lines, labeled where the plot is free.
 
 use plotters::backend::DrawingBackend;
 use plotters::style::{RGBColor, WHITE};
@@ -20,7 +20,7 @@ const FIRST_EXIT: f64 = 0.25;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Multiple {
     number: f64,
-    /// Places where the line enters and leaves the frame.
+    /// Positions at which the line enters and leaves the frame.
     ends: [[f64; 2]; 2],
 }
 
@@ -30,7 +30,7 @@ pub(super) fn multiples(axes: &Axes) -> Vec<Multiple> {
     numbers.map_while(|number| multiple(axes, number)).collect()
 }
 
-/// The line `f = n Omega / 60` within the frame; `None` when it leaves it early.
+/// The line `f = n Omega / 60` within the frame; `None` if it leaves it early.
 fn multiple(axes: &Axes, number: u32) -> Option<Multiple> {
     let [low, high] = axes.speeds;
     let number = f64::from(number);
@@ -51,8 +51,8 @@ pub(super) fn draw_lines<B: DrawingBackend>(
         .try_for_each(|multiple| canvas.line(&multiple.ends, LINE, GRAY))
 }
 
-/// Writes `1P`, `2P` and so on at the lines, as far out as nothing is covered: over
-/// the line, or else below or above it. What finds no place is left out.
+/// Writes `1P`, `2P` and so on at the lines, as far out as they cover nothing: over the line, or
+/// else below or above it. Labels without a free position are omitted.
 pub(super) fn draw_labels<B: DrawingBackend>(
     canvas: &Canvas<B>,
     axes: &Axes,
@@ -87,15 +87,15 @@ pub(super) fn draw_labels<B: DrawingBackend>(
     Ok(())
 }
 
-/// A place for a label.
+/// A position for a label.
 struct Candidate {
     label: Box2,
-    /// What must be free: the label, and what is between it and its line.
+    /// Required free area: the label, and the space between it and its line.
     needs: Box2,
 }
 
 impl Multiple {
-    /// Places for a label of `width`, the better ones first.
+    /// Positions for a label of `width`, in order of preference.
     fn candidates(&self, width: f64) -> impl Iterator<Item = Candidate> {
         let [a, b] = self.ends;
         // At this height the label is clear of the line.

@@ -12,7 +12,7 @@ use crate::result::{BucklingMode, BucklingResult, StaticResult, StaticStep};
 /// Length of the sample \[m\].
 const LENGTH: f64 = 10.0;
 
-/// Nodes `n0` to `n8` along x, and one beside.
+/// Nodes `n0` to `n8` along x, and one off the line.
 fn nodes() -> Vec<Node> {
     let line = (0..9).map(|k| [LENGTH * f64::from(k) / 8.0, 0.0, 0.0]);
     let places: Vec<_> = line.chain([[0.0, -2.0, 0.0]]).collect();
@@ -95,8 +95,8 @@ pub fn bent(factors: &[f64]) -> StaticResult {
     }
 }
 
-/// A critical load of the same factor in which sections turn about x and nothing moves: in
-/// the place of the displacements stands their size as rotation.
+/// A critical load of the same factor in which sections turn about x without displacement: the
+/// magnitudes of the displacements are used as rotations.
 #[cfg(test)]
 pub fn torsion(of: &BucklingMode) -> BucklingMode {
     let turn = |moved: &Vector3<f64>| Vector3::x() * moved.norm();

@@ -11,15 +11,14 @@ use crate::output::grid::{add_axes, add_vectors};
 use crate::output::structure::Structure;
 use crate::result::{EquilibriumReport, ModeShape};
 
-/// Pictures of one period.
+/// Frames of one period.
 pub(super) const PHASES: usize = 24;
 /// Largest displacement that is shown, as part of the size of the model...
 const DISPLACED: f64 = 0.1;
-/// ...and largest rotation \[rad\]: the smaller of both scales holds.
+/// ...and largest rotation \[rad\]: the smaller of the two scales applies.
 const TURNED: f64 = 0.35;
 
-/// What does not change from mode to mode: the equilibrium and the axes of the sections
-/// in it.
+/// Data common to all modes: the equilibrium and the axes of the sections in it.
 pub(super) struct Still<'a> {
     pub structure: &'a Structure,
     pub positions: Vec<Vector3<f64>>,
@@ -64,8 +63,8 @@ impl<'a> Still<'a> {
         if both.is_finite() { both } else { 0.0 }
     }
 
-    /// The model at a phase, from 0 to 1: at the nodes the displacement and the rotation
-    /// from the equilibrium as shown, and the axes of the section.
+    /// The model at a phase, from 0 to 1: at the nodes the shown displacement and rotation from the
+    /// equilibrium, and the axes of the section.
     pub fn grid(&self, shape: &ModeShape, phase: f64) -> FieldFile {
         let turn = Complex::from_polar(self.amplitude(shape), TAU * phase);
         let real = |vectors: &[[Complex<f64>; 3]]| -> Vec<Vector3<f64>> {
@@ -92,8 +91,8 @@ mod tests {
     use super::*;
     use crate::output::samples::{read_back, tip_motion, values};
 
-    // The tip moves by (0, -1, 2) and turns by 1 about x: of a model of 10 m shown as 1 m
-    // at most, so times 1 / sqrt 5, unless that turns it more than 0.35.
+    // The tip moves by (0, -1, 2) and turns by 1 about x: in a model of 10 m shown as 1 m at most,
+    // hence times 1 / sqrt 5, unless the rotation exceeds 0.35.
     #[test]
     fn a_period_is_read_back() {
         let (nodes, beams, shape) = tip_motion();

@@ -18,11 +18,10 @@ const FIELDS: &str = "modes";
 const PLOT: &str = "shapes_at_";
 const ENDINGS: [&str; 2] = ["_rpm.png", "_rpm.svg"];
 
-/// Writes plots of the shapes of the lowest modes, `NAME.shapes_at_RPM_rpm` as PNG and
-/// SVG, for each speed at which `table` has shapes, where figures are drawn, and with
-/// `animate` the folder `NAME.modes` with a series `MODE_at_RPM_rpm.pvd` of field files for
-/// each mode, all to `place`. Those that an earlier run left there and this one does not
-/// have are removed.
+/// Writes plots of the shapes of the lowest modes, `NAME.shapes_at_RPM_rpm` as PNG and SVG, for
+/// each speed at which `table` has shapes, if figures are drawn, and with `animate` the folder
+/// `NAME.modes` with a series `MODE_at_RPM_rpm.pvd` of field files for each mode, all to `place`.
+/// Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
@@ -66,7 +65,7 @@ pub fn write_shapes(
     Ok(results.written)
 }
 
-/// A name with letters and digits alone, the rest as `_`.
+/// A name of letters and digits only, other characters as `_`.
 fn file_name(name: &str) -> String {
     let letter = |c: char| if c.is_alphanumeric() { c } else { '_' };
     name.chars().map(letter).collect()

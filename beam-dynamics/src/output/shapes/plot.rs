@@ -1,4 +1,4 @@
-//! Shapes of the lowest modes along the span, one small plot a mode.
+//! Shapes of the lowest modes along the span, one small plot per mode.
 
 use std::path::Path;
 
@@ -25,7 +25,8 @@ const LINE: f64 = 4.5;
 const THIN: f64 = 2.0;
 /// Components that stay below this part of the largest are not drawn.
 const FAINT: f64 = 0.01;
-/// Frequencies within this part of each other are those of the equal blades of a rotor.
+/// Relative difference below which frequencies are treated as equal, as of the equal blades of a
+/// rotor.
 const EQUAL: f64 = 1e-5;
 const NAMES: [&str; 4] = [
     "flap",
@@ -40,23 +41,23 @@ const COLORS: [RGBColor; 4] = [CATEGORIES[0], CATEGORIES[5], CATEGORIES[2], CATE
 pub struct ShapePlot {
     title: String,
     modes: Vec<Shown>,
-    /// Whether modes like others were left out.
+    /// Whether modes that look like others were omitted.
     thinned: bool,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 struct Shown {
-    /// Name, with the member where there are several.
+    /// Name, with the member if there are several.
     name: String,
-    /// Frequency, and damping where there is any.
+    /// Frequency, and damping if there is any.
     values: String,
     length: f64,
     along: Along,
 }
 
 impl ShapePlot {
-    /// Shapes of the lowest modes at speed number `speed` of `table`; `None` where
-    /// there are no shapes or no beams.
+    /// Shapes of the lowest modes at speed index `speed` of `table`; `None` if there are no shapes
+    /// or no beams.
     pub fn new(model: &Model, table: &FrequencyTable, speed: usize) -> Option<Self> {
         let structure = structure(model);
         let mut found = shaped(table, speed);
@@ -101,7 +102,7 @@ impl ShapePlot {
         write_figure(path, (WIDTH, height as u32), self)
     }
 
-    /// Components that any of the modes has.
+    /// Components that at least one mode has.
     fn components(&self) -> Vec<usize> {
         let has = |component: &usize| self.modes.iter().any(|mode| mode.has(*component));
         (0..NAMES.len()).filter(has).collect()
@@ -109,7 +110,7 @@ impl ShapePlot {
 }
 
 impl Shaped<'_> {
-    /// Whether the mode looks like another: that of another of equal blades.
+    /// Whether the mode looks like another one, of another of equal blades.
     fn is_like(&self, other: &Self) -> bool {
         let apart = (self.frequency - other.frequency).abs();
         self.kind == other.kind && apart <= EQUAL * self.frequency
@@ -187,7 +188,7 @@ impl Shown {
     }
 }
 
-/// Room for a title over a panel of some width.
+/// Space for a title over a panel of some width.
 fn title_room(width: f64) -> f64 {
     width + 60.0
 }

@@ -20,11 +20,11 @@ use crate::result::StaticResult;
 const HEAD: f64 = 170.0;
 /// Greatest height of the views \[figure pixels\].
 const TALLEST: f64 = 1700.0;
-/// Steps that are shown, the last one included.
+/// Steps shown, including the last one.
 const SHOWN: usize = 5;
-/// Displacements below this part of the size of the model are shown larger...
+/// Part of the size of the model below which displacements are shown enlarged...
 const VISIBLE: f64 = 0.02;
-/// ...so that they are about this part of it.
+/// ...to about this part of it.
 const ENLARGED: f64 = 0.1;
 const LINE: f64 = 6.0;
 const THIN: f64 = 3.5;
@@ -40,8 +40,8 @@ pub struct DeformedPlot {
 }
 
 impl DeformedPlot {
-    /// The shapes at the end of the path and at some places before, over the
-    /// undeformed one in gray; `None` without beams or equilibria.
+    /// The shapes at the end of the path and at some earlier steps, over the undeformed one in
+    /// gray; `None` without beams or equilibria.
     pub fn new(result: &StaticResult) -> Option<Self> {
         let last = result.last().filter(|_| !result.beams.is_empty())?;
         let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
@@ -122,8 +122,8 @@ impl Drawing for DeformedPlot {
     }
 }
 
-/// The number 1, 2 or 5 times a power of ten by which displacements of this part of the
-/// size are shown larger; one where they can be seen.
+/// The number 1, 2 or 5 times a power of ten by which displacements of this part of the size are
+/// enlarged; one if they are visible.
 fn enlargement(part: f64) -> f64 {
     if part >= VISIBLE || part <= ROUND_OFF || !part.is_finite() {
         return 1.0;
@@ -134,8 +134,8 @@ fn enlargement(part: f64) -> f64 {
     mantissa.unwrap_or(1.0) * power
 }
 
-/// Steps that are shown: the last, and some at equal distances before; the first, where
-/// only constant loads act, is left out where there are others.
+/// Steps shown: the last, and some at equal distances before; the first, with constant loads only,
+/// is omitted if there are others.
 fn shown(count: usize) -> Vec<usize> {
     let Some(last) = count.checked_sub(1) else {
         return Vec::new();

@@ -25,12 +25,11 @@ const SERIES: &str = "static.pvd";
 /// Folder of the field files.
 const FIELDS: &str = "static";
 
-/// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`,
-/// `NAME.reactions.csv`, with electrodes `NAME.electrodes.csv`, where figures are drawn the
-/// plots `NAME.deformed`, `NAME.forces` and, of three equilibria or more, `NAME.path`, each
-/// as PNG and SVG, and the field files `NAME.static.pvd` with a grid a step in the folder
-/// `NAME.static`, all to `place`. Those that an earlier run left there and this one does not
-/// have are removed.
+/// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`, `NAME.reactions.csv`,
+/// with electrodes `NAME.electrodes.csv`, if figures are drawn the plots `NAME.deformed`,
+/// `NAME.forces` and, for three equilibria or more, `NAME.path`, each as PNG and SVG, and the field
+/// files `NAME.static.pvd` with one grid per step in the folder `NAME.static`, all to `place`.
+/// Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
@@ -58,8 +57,8 @@ pub fn write_static(result: &StaticResult, place: &ResultPlace) -> Result<Writte
     Ok(results.written)
 }
 
-/// A grid a step; the series has the factors as its values where they rise, else the
-/// numbers of the steps.
+/// One grid per step; the values of the series are the factors if they ascend, else the numbers of
+/// the steps.
 fn write_fields(result: &StaticResult, results: &mut Results<'_>) -> Result<(), OutputProblem> {
     let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
     let rises = result

@@ -1,7 +1,7 @@
-//! Below which sizes the quantities of an equilibrium are round-off.
+//! Magnitudes of the quantities of an equilibrium below which they are round-off.
 //!
-//! A moment is the sum of forces on levers up to the length L of the model, so that it
-//! carries the round-off of all of these, and a force that of moments over L:
+//! A moment is the sum of forces on levers up to the length L of the model, so that it contains the
+//! round-off of all of these, and a force contains the round-off of moments over L:
 //!
 //! ```text
 //! F_0 = e max(F, M / L)        M_0 = e max(M, F L)        u_0 = e L        theta_0 = e
@@ -30,7 +30,7 @@ pub(super) struct Floors {
 }
 
 impl Floors {
-    /// Those of a step of a model of this size \[m\], `part` of each scale.
+    /// The floors of a step of a model of this size \[m\], `part` of each scale.
     pub fn new(step: &StaticStep, size: f64, part: f64) -> Self {
         let (mut force, mut moment) = (0.0_f64, 0.0_f64);
         for section in &step.sections {

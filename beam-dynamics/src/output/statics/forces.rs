@@ -1,4 +1,4 @@
-//! Internal forces along blades and lines of beams, one small plot a component.
+//! Internal forces along blades and lines of beams, one small plot per component.
 
 use std::path::Path;
 
@@ -25,9 +25,9 @@ const TITLES: [&str; 6] = [
 const HEIGHT: u32 = 1500;
 const LINE: f64 = 4.0;
 const POINT: f64 = 6.5;
-/// Forces and moments below this part of their scale are too small to be seen.
+/// Forces and moments below this part of their scale are shown as zero.
 const ROUND_OFF: f64 = 1e-9;
-/// Colors of members: those of categories without yellow, which is faint as a line.
+/// Colors of members: the colors of categories without yellow, which is faint as a line.
 const COLORS: usize = CATEGORIES.len() - 1;
 
 /// Internal forces along the span, ready to be saved.
@@ -106,7 +106,7 @@ impl ForcePlot {
             top: top + 60.0,
             bottom: bottom - 66.0,
             x: [0.0, self.length],
-            // With zero, so that a constant force is seen to be one.
+            // With zero, so that a constant force is recognizable.
             y: range(values.map(|point| shown(&point.1)).chain([0.0]), floor),
         };
         panel.draw_zero(canvas)?;
@@ -166,7 +166,7 @@ mod tests {
         assert_eq!(ForcePlot::new(&samples::bent(&[])), None);
     }
 
-    // Bending of 1e-13 N m beside 1 kN is nothing: the panel shows zero between -1 and 1.
+    // Bending of 1e-13 N m compared with 1 kN is zero: the panel shows zero between -1 and 1.
     #[test]
     fn round_off_is_drawn_as_zero() {
         let folder = tempfile::tempdir().unwrap();

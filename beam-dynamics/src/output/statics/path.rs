@@ -16,11 +16,11 @@ use crate::result::StaticResult;
 const HEIGHT: u32 = 1100;
 const LINE: f64 = 4.0;
 const POINT: f64 = 7.0;
-/// Steps that make a line worth drawing.
+/// Least number of steps for a line.
 const LEAST_STEPS: usize = 3;
-/// Points of a path with more of them are not marked.
+/// Number of points above which a path has no marks.
 const MOST_POINTS: usize = 60;
-/// Components that stay below this part of the largest are left out.
+/// Components below this part of the largest are omitted.
 const SMALL_PART: f64 = 0.01;
 const NAMES: [&str; 3] = ["along x", "along y", "along z"];
 
@@ -41,8 +41,8 @@ struct Curve {
 }
 
 impl PathPlot {
-    /// The path of the node that is displaced most; `None` for less than three
-    /// equilibria, or where nothing moves.
+    /// The path of the node of the largest displacement; `None` for fewer than three equilibria, or
+    /// without displacement.
     pub fn new(result: &StaticResult) -> Option<Self> {
         if result.steps.len() < LEAST_STEPS {
             return None;

@@ -22,8 +22,8 @@ fn steps(result: &StaticResult) -> impl Iterator<Item = ([String; 2], &StaticSte
     steps.map(|(index, step)| ([index.to_string(), number(step.factor)], step))
 }
 
-/// A row a step and node: place, displacement, and the rotation vector from the
-/// undeformed attitude in degrees, all in the axes of the model.
+/// One row per step and node: position, displacement, and the rotation vector from the undeformed
+/// attitude in degrees, all in the axes of the model.
 pub fn displacement_csv(result: &StaticResult) -> String {
     let rows = steps(result).flat_map(|(lead, step)| {
         result.nodes.iter().enumerate().map(move |(k, node)| {
@@ -41,9 +41,9 @@ pub fn displacement_csv(result: &StaticResult) -> String {
     csv_text(DISPLACEMENTS, rows)
 }
 
-/// A row a step and evaluation point: beam and place in it, arc position along the
-/// blade or line of beams, place in the axes of the model, internal force and
-/// generalized strain in section axes.
+/// One row per step and evaluation point: beam and position in it, arc position along the blade or
+/// line of beams, position in the axes of the model, internal force and generalized strain in
+/// section axes.
 pub fn force_csv(result: &StaticResult) -> String {
     let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
     let rows = steps(result).flat_map(|(lead, step)| {
@@ -62,8 +62,8 @@ pub fn force_csv(result: &StaticResult) -> String {
     csv_text(FORCES, rows)
 }
 
-/// A row a step and joint: force and moment on its node, about the node, in the axes of
-/// the model.
+/// One row per step and joint: force and moment on its node, about the node, in the axes of the
+/// model.
 pub fn reaction_csv(result: &StaticResult) -> String {
     let rows = steps(result).flat_map(|(lead, step)| {
         step.reactions.iter().map(move |reaction| {
@@ -78,7 +78,7 @@ pub fn reaction_csv(result: &StaticResult) -> String {
     csv_text(REACTIONS, rows)
 }
 
-/// A row a step and electrode: its voltage against ground and its free charge.
+/// One row per step and electrode: its voltage relative to ground and its free charge.
 pub fn electrode_csv(result: &StaticResult) -> String {
     let rows = steps(result).flat_map(|(lead, step)| {
         step.electrodes.iter().map(move |electrode| {

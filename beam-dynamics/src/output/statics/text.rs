@@ -11,25 +11,25 @@ use crate::output::structure::Structure;
 use crate::output::text::{RPM, aligned};
 use crate::result::{StaticResult, StaticStep};
 
-/// Steps that are listed; the tables for programs have all.
+/// Steps listed; the tables for programs contain all.
 const MOST_STEPS: usize = 20;
-/// Nodes that are listed; of more, the ends of blades and lines of beams.
+/// Nodes listed; of more nodes, the ends of blades and lines of beams.
 const MOST_NODES: usize = 12;
 /// Digits of quantities.
 const DIGITS: usize = 6;
 const UNITS: [&str; 6] = ["N", "N", "N", "N m", "N m", "N m"];
 
-/// What the numbers of the report mean.
+/// Meaning of the numbers of the report.
 pub const STATIC_CONVENTION: &str = "\
 Convention
-  axes            those of the model; of internal forces those of the section: x along the
+  axes            axes of the model; for internal forces axes of the section: x along the
                   beam, y toward the leading edge, z up
-  factor          that of the proportional loads; constant loads and gravity act in full
-  displacement    from the undeformed place
+  factor          of the proportional loads; constant loads and gravity act in full
+  displacement    from the undeformed position
   rotation        rotation vector from the undeformed attitude
-  internal force  what the outer part of the beam exerts on the inner one
-  reaction        what a joint exerts on its node, moments about the node
-  voltage         of an electrode against ground
+  internal force  force of the outer part of the beam on the inner one
+  reaction        force of a joint on its node, moments about the node
+  voltage         of an electrode relative to ground
   charge          free charge of an electrode
   s               arc position along the undeformed blade or line of beams, from its root
 ";
@@ -79,12 +79,12 @@ fn short(value: f64) -> String {
     short_number(value, DIGITS)
 }
 
-/// Node that is displaced most in a step, and how far \[m\].
+/// Node of the largest displacement in a step, and this displacement \[m\].
 pub(super) fn most_displaced(result: &StaticResult, step: &StaticStep) -> (usize, f64) {
     let moved = result.nodes.iter().zip(&step.positions).enumerate();
     moved
         .map(|(k, (node, place))| (k, (place - node.position).norm()))
-        // Of equal ones the first.
+        // The first of equal ones.
         .rev()
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .unwrap_or((0, 0.0))
@@ -131,7 +131,7 @@ fn step_table(result: &StaticResult, structure: &Structure) -> String {
     aligned(&rows) + &shown
 }
 
-/// All nodes, or the ends of members where there are many; with a title.
+/// All nodes, or the ends of members if there are many; with a title.
 fn displacement_table(
     result: &StaticResult,
     structure: &Structure,
@@ -175,7 +175,7 @@ fn displacement_table(
     (title, aligned(&rows))
 }
 
-/// For each member and component the largest value by magnitude, and where.
+/// The largest value by magnitude for each member and component, and its position.
 fn force_table(structure: &Structure, (step, floors): (&StaticStep, &Floors)) -> String {
     let along = structure.along(&step.sections);
     let mut rows = vec![cells(&["component", "largest", "", "s [m]", "beam", "of"])];
@@ -188,7 +188,7 @@ fn force_table(structure: &Structure, (step, floors): (&StaticStep, &Floors)) ->
             let floor = floors.of_component(component);
             let value = |section: &SectionState| clean(section.internal_force[component], floor);
             let size = |section: &SectionState| value(section).abs();
-            // Of equal ones the first.
+            // The first of equal ones.
             let largest = own().rev().max_by(|a, b| size(a.1).total_cmp(&size(b.1)));
             let Some(((_, arc), section)) = largest else {
                 continue;
@@ -325,7 +325,7 @@ Remarks
         assert!(text.contains("\nn8 ") && !text.contains("\nn4 "), "{text}");
     }
 
-    // What is left of zero after the iteration: 1e-13 of 1 kN, 5e-40 m.
+    // Residues of zero after the iteration: 1e-13 of 1 kN, 5e-40 m.
     #[test]
     fn round_off_is_told_as_zero() {
         let clean = samples::bent(&[0.0, 1.0]);

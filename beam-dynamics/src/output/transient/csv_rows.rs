@@ -1,4 +1,4 @@
-//! The table of a run as text: a row as soon as it is known.
+//! The table of a run as text, written row by row.
 
 use std::fmt::Write as _;
 use std::fs::{File, OpenOptions};
@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use super::{Heading, RowWriter, RunFileProblem, cannot_read, cannot_write};
 
-/// A table of comma-separated values. Each row is handed to the system by itself, so
-/// that a run that is killed has all of them.
+/// A table of comma-separated values. Each row is handed to the system separately, so that no row
+/// is lost if the run is killed.
 #[derive(Debug)]
 pub(super) struct CsvRows {
     path: PathBuf,
@@ -30,8 +30,8 @@ impl CsvRows {
         })
     }
 
-    /// The file of an earlier part of the run, without its rows after `time` \[s\]; a new
-    /// one where there is none.
+    /// The file of an earlier part of the run, without its rows after `time` \[s\]; a new one if it
+    /// does not exist.
     pub fn resume(path: &Path, headings: &[Heading], time: f64) -> Result<Self, RunFileProblem> {
         if !path.exists() {
             return Self::create(path, headings);
@@ -71,7 +71,7 @@ impl RowWriter for CsvRows {
         self.line.clear();
         for (k, value) in row.iter().enumerate() {
             let comma = if k > 0 { "," } else { "" };
-            // The shortest text that is read as the same number. A text takes all.
+            // The shortest text that is read as the same number. Writing to a text cannot fail.
             let _ = write!(self.line, "{comma}{value:?}");
         }
         self.line.push('\n');

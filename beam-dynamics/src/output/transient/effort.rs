@@ -1,4 +1,4 @@
-//! The last lines of a run: its steps and where its time went.
+//! The last lines of a run: its steps and its times by phase.
 
 use crate::input::short_number;
 use crate::output::text::aligned;
@@ -50,7 +50,7 @@ pub fn effort_text(effort: &Effort) -> String {
     text + "\n" + &times(effort)
 }
 
-/// Time by phase, with its share and the part of one iteration.
+/// Time by phase, with its share and the time per iteration.
 fn times(effort: &Effort) -> String {
     let phases = [
         ("prediction", effort.prediction_time),

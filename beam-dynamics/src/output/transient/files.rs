@@ -1,4 +1,4 @@
-//! The files of a run, written while it runs: every recorder behind one.
+//! The files of a run, written while it runs: all recorders as one.
 
 use std::path::{Path, PathBuf};
 
@@ -19,12 +19,12 @@ const NETCDF: &str = "transient.nc";
 const RESTART: &str = "restart.json";
 const TEXT: &str = "transient.txt";
 const PLOT: [&str; 2] = ["transient.png", "transient.svg"];
-/// Numbers of a table that are still drawn without being asked for.
+/// Numbers of a table up to which a figure is drawn without a request.
 const MOST_NUMBERS: usize = 20_000_000;
 
-/// Writes `NAME.transient.csv` and `NAME.transient.nc` (a row each `every`), field files
-/// in `NAME.transient` with their series `NAME.transient.pvd`, `NAME.restart.json`, and at
-/// the end `NAME.transient.txt` and, where figures are drawn, one of all columns.
+/// Writes `NAME.transient.csv` and `NAME.transient.nc` (a row every `every`), field files in
+/// `NAME.transient` with their series `NAME.transient.pvd`, `NAME.restart.json`, and at the end
+/// `NAME.transient.txt` and, if figures are drawn, a figure of all columns.
 #[derive(Debug)]
 pub struct RunFiles<'a> {
     values: ColumnValues<'a>,
@@ -34,21 +34,21 @@ pub struct RunFiles<'a> {
     rows: Beat,
     restarts: Option<Beat>,
     kept: Option<PathBuf>,
-    /// The last instant of the run, which is written and kept in any case \[s\].
+    /// The last instant of the run, which is always written and kept \[s\].
     end: f64,
-    /// Steps up to this one are written already.
+    /// Steps up to this one are already written.
     resumed: Option<usize>,
     row: Vec<f64>,
     /// Step of the latest row.
     written: Option<usize>,
-    /// By which the model is known again.
+    /// Identification of the model.
     fingerprint: String,
     problem: Option<RunFileProblem>,
 }
 
 impl<'a> RunFiles<'a> {
-    /// The files of `model` at `place`. Files of an earlier run are removed; a run that goes
-    /// on from `resumed` keeps them up to its time.
+    /// The files of `model` at `place`. Files of an earlier run are removed; a run that continues
+    /// from `resumed` keeps them up to its time.
     ///
     /// # Errors
     /// [`RunFileProblem`]: the folder or a file cannot be made, or has other columns.
@@ -122,13 +122,13 @@ impl<'a> RunFiles<'a> {
         Ok(())
     }
 
-    /// Writes and keeps the state at `end` \[s\] in any case.
+    /// Always writes and keeps the state at `end` \[s\].
     pub fn until(mut self, end: f64) -> Self {
         self.end = end;
         self
     }
 
-    /// Whether any row is written, by this part of the run or by the one before.
+    /// Whether any row is written, by this part of the run or by the previous one.
     pub fn has_rows(&self) -> bool {
         self.written.is_some() || self.resumed.is_some()
     }
@@ -244,7 +244,7 @@ impl Recorder for RunFiles<'_> {
     }
 }
 
-/// What the figure leaves out, in words; empty when it is nothing.
+/// Columns omitted from the figure, as text; empty if there are none.
 pub fn not_drawn_text(not_drawn: &[String]) -> String {
     const SHOWN: usize = 8;
     if not_drawn.is_empty() {
@@ -261,7 +261,7 @@ pub fn not_drawn_text(not_drawn: &[String]) -> String {
     )
 }
 
-/// All columns of the table at `path`, when it can be drawn.
+/// All columns of the table at `path`, if it can be drawn.
 fn default_plot(title: &str, path: &Path) -> Option<TimePlot> {
     let size = std::fs::metadata(path).ok()?.len() as usize;
     if size / 8 > MOST_NUMBERS {
@@ -272,7 +272,7 @@ fn default_plot(title: &str, path: &Path) -> Option<TimePlot> {
     Some(plot.titled(title))
 }
 
-/// When something is due.
+/// Times at which output is due.
 #[derive(Debug, Clone, Copy)]
 struct Beat {
     every: Every,
@@ -291,11 +291,11 @@ impl Beat {
         beat
     }
 
-    /// Number of the beat that a step belongs to.
+    /// Number of the beat to which a step belongs.
     fn number(&self, step: usize, time: f64) -> u64 {
         match self.every {
             Every::Steps(count) => (step / count.max(1)) as u64,
-            // Times before zero are one beat.
+            // All times before zero are one beat.
             Every::Time(distance) => (time / distance + Self::ROUND_OFF).floor() as u64,
         }
     }

@@ -1,4 +1,4 @@
-//! The moving model as field files: a grid at a time, and the series of them.
+//! The moving model as field files: one grid per time, and their series.
 
 use std::path::Path;
 
@@ -16,8 +16,8 @@ pub(super) const SERIES: &str = "transient.pvd";
 /// Folder of the grids.
 pub(super) const FIELDS: &str = "transient";
 
-/// Grids of a run. The series is written anew with each, so that a run that is killed
-/// can be seen.
+/// Grids of a run. The series is written anew with each, so that it is complete if the run is
+/// killed.
 #[derive(Debug)]
 pub(super) struct Grids<'a> {
     model: &'a Model,
@@ -35,8 +35,8 @@ impl<'a> Grids<'a> {
         }
     }
 
-    /// Takes the grids of an earlier part of the run up to `time` \[s\] into the series,
-    /// and removes the others.
+    /// Adds the grids of an earlier part of the run up to `time` \[s\] to the series, and removes
+    /// the others.
     pub fn resume(&mut self, results: &Results<'_>, time: f64) {
         let path = results.path(SERIES);
         let text = std::fs::read_to_string(&path).unwrap_or_default();
@@ -44,7 +44,7 @@ impl<'a> Grids<'a> {
         for (at, file) in text.lines().filter_map(entry) {
             match at <= time {
                 true => self.series.add(at, file),
-                // One that does not exist is no problem.
+                // A missing file is not an error.
                 false => drop(std::fs::remove_file(folder.join(file))),
             }
         }
@@ -71,7 +71,7 @@ impl<'a> Grids<'a> {
         let file = format!("step_{:07}.vtu", moment.step);
         let file = results.field(FIELDS, &file, grid)?;
         self.series.add(moment.time, file);
-        // Replaced when it is complete, so that a run that is killed leaves a whole one.
+        // Replaced when it is complete, so that the file is whole if the run is killed.
         let path = results.path(SERIES);
         let new = path.with_extension("pvd.new");
         write_text(&new, &self.series.text())?;

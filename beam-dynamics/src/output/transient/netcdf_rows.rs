@@ -1,9 +1,8 @@
 //! The table of a run in binary: NetCDF-3, a record for each row.
 //!
-//! The header is written by the library; it names the columns with their units. Behind
-//! it the format has record after record, here the 8-byte numbers of one row, and in the
-//! header the number of records. A row is appended first and counted then: a run that is
-//! killed leaves a whole file.
+//! The header is written by the library; it names the columns with their units and contains the
+//! number of records. The records follow it, here the 8-byte numbers of one row each. A row is
+//! appended before it is counted, so that the file is whole if the run is killed.
 //!
 //! # References
 //! - Unidata, "NetCDF file format specifications": classic and 64-bit offset formats.
@@ -17,15 +16,15 @@ use netcdf3::{DataSet, FileWriter, InvalidDataSet, Version};
 
 use super::{Heading, RowWriter, RunFileProblem, cannot_read, cannot_write};
 
-/// Where the number of records stands, in four bytes.
+/// Offset of the number of records, four bytes.
 const COUNT: std::ops::Range<usize> = 4..8;
 /// Bytes of a number.
 const NUMBER: usize = 8;
 
-/// What holds for all columns.
-const AXES: &str = "components are in the axes of the model where long_name does not say otherwise";
+/// Attribute for all columns.
+const AXES: &str = "components are in the axes of the model unless long_name states otherwise";
 
-/// A NetCDF file that grows by a record a row.
+/// A NetCDF file that grows by one record per row.
 #[derive(Debug)]
 pub(super) struct NetcdfRows {
     path: PathBuf,
@@ -52,8 +51,8 @@ impl NetcdfRows {
         })
     }
 
-    /// The file of an earlier part of the run, without its records after `time` \[s\]; a
-    /// new one where there is none.
+    /// The file of an earlier part of the run, without its records after `time` \[s\]; a new one if
+    /// it does not exist.
     pub fn resume(
         path: &Path,
         title: &str,
@@ -90,7 +89,7 @@ impl NetcdfRows {
         let mut rows = Self {
             path: path.to_owned(),
             file,
-            // Not more than were counted in as many bits.
+            // Not more than fit into as many bits.
             count: count as u32,
             record: Vec::new(),
         };
@@ -131,7 +130,7 @@ impl RowWriter for NetcdfRows {
     }
 }
 
-/// Bytes that the library writes and that can be taken when it is done.
+/// Bytes written by the library, to be taken when it is done.
 #[derive(Debug, Clone, Default)]
 struct Memory(Arc<Mutex<Cursor<Vec<u8>>>>);
 

@@ -9,9 +9,9 @@
 //! name       = count letters           values and letters padded to four bytes
 //! ```
 //!
-//! The reader is our own: that of the library asks for as much memory as the counts of
-//! the header say, so that a file of 16 bytes ends the program. This one takes nothing
-//! that is not in the file.
+//! This is a separate reader: the library allocates the memory that the counts of the header state,
+//! so that a file of 16 bytes can abort the program. This reader allocates no more than the size of
+//! the file.
 //!
 //! # References
 //! - Unidata, "NetCDF file format specifications": classic and 64-bit offset formats.
@@ -30,15 +30,15 @@ const ATTRIBUTES: usize = 12;
 const SIZES: [usize; 6] = [1, 1, 2, 4, 4, 8];
 const LETTERS: usize = 2;
 const REAL: usize = 6;
-/// The number of records of a file that does not say it.
+/// The number of records that marks an unknown number.
 const UNKNOWN: usize = u32::MAX as usize;
-/// Bytes in which the title of a file is looked for.
+/// Number of bytes that are searched for the title of a file.
 const HEAD: u64 = 1 << 16;
 
 /// Headings and numbers of a file, and its title.
 #[derive(Debug)]
 pub(super) struct Content {
-    /// The attribute `title` of the file; empty where there is none.
+    /// The attribute `title` of the file; empty if there is none.
     pub title: String,
     pub headings: Vec<Heading>,
     pub columns: Vec<Vec<f64>>,
@@ -55,7 +55,7 @@ struct Cursor<'a> {
 /// A variable of the header.
 struct Variable {
     heading: Heading,
-    /// Numbers of a record, or of the whole.
+    /// Numbers per record, or in all.
     chunk: usize,
     /// Whether there is a chunk in every record.
     is_recorded: bool,
@@ -66,7 +66,7 @@ struct Variable {
 type Attributes = Vec<(String, String)>;
 
 impl<'a> Cursor<'a> {
-    /// Behind the first eight bytes, and the number of records that they say.
+    /// The position after the first eight bytes, and the number of records stated there.
     fn open(bytes: &'a [u8]) -> Option<(Self, usize)> {
         let (&version, rest) = bytes.strip_prefix(b"CDF")?.split_first()?;
         let is_wide = version == 2;
@@ -93,7 +93,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Bytes with those that fill them up to four.
+    /// Bytes, padded to a multiple of four.
     fn padded(&mut self, count: usize) -> Option<&'a [u8]> {
         let bytes = self.take(count)?;
         self.take(count.next_multiple_of(4) - count)?;
@@ -105,7 +105,7 @@ impl<'a> Cursor<'a> {
         String::from_utf8(self.padded(count)?.to_vec()).ok()
     }
 
-    /// A list; each item takes bytes, so that there are no more than the file has.
+    /// A list; each item takes bytes, so that the number of items is limited by the file.
     fn list<T>(
         &mut self,
         tag: usize,
@@ -170,15 +170,14 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// The attribute of a name, empty where there is none.
+/// The attribute of a name, empty if there is none.
 fn of(attributes: &Attributes, name: &str) -> String {
     let found = attributes.iter().find(|own| own.0 == name);
     found.map(|own| own.1.clone()).unwrap_or_default()
 }
 
 impl Content {
-    /// Reads a whole file; `None` where it is none of the kind, or less than its header
-    /// says.
+    /// Reads a whole file; `None` if it is of another kind, or shorter than its header states.
     pub fn parse(bytes: &[u8]) -> Option<Self> {
         let (mut cursor, records) = Cursor::open(bytes)?;
         let dimensions = cursor.list(DIMENSIONS, Cursor::dimension)?;
@@ -197,7 +196,7 @@ impl Content {
             }
             _ => records,
         };
-        // Data that lie over each other would be more than the file.
+        // Overlapping data would exceed the file.
         let mut left = bytes.len();
         let columns = variables.iter().map(|variable| {
             let count = if variable.is_recorded { records } else { 1 };
@@ -230,7 +229,7 @@ fn numbers(chunks: &[&[u8]]) -> Vec<f64> {
     all.map(|bytes| f64::from_be_bytes(*bytes)).collect()
 }
 
-/// The title of the file at `path`; `None` where it has none.
+/// The title of the file at `path`; `None` if it has none.
 pub(super) fn title(path: &Path) -> Option<String> {
     let mut bytes = Vec::new();
     let file = File::open(path).ok()?;

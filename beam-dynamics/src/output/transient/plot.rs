@@ -1,8 +1,8 @@
-//! Columns of runs over time: a panel for each unit, or more where they are many.
+//! Columns of runs over time: a panel for each unit, or more if there are many columns.
 //!
-//! Of one run, colors tell the columns. Of several, colors tell the runs where every panel
-//! has one column, and else the columns, with tone and dashes for the runs; a legend above
-//! all says so.
+//! For one run, colors distinguish the columns. For several, colors distinguish the runs if every
+//! panel has one column, and else the columns, with tone and dashes for the runs; a legend above
+//! all panels shows this.
 
 use std::path::Path;
 
@@ -20,14 +20,14 @@ mod names;
 use legend::Legend;
 use line::{COLORS, Stroke, TONES, thinned};
 
-/// Panels of the figure of a run at most.
+/// Largest number of panels in the figure of a run.
 const MOST_PANELS: usize = 12;
-/// Height of a figure at most \[figure pixels\].
+/// Largest height of a figure \[figure pixels\].
 const MOST_HEIGHT: f64 = 20_000.0;
 /// Heights \[figure pixels\].
 const HEAD: f64 = 76.0;
 const FRAME: f64 = 340.0;
-/// Least and largest height of a path that is drawn in equal scales.
+/// Least and largest height of a path drawn with equal scales.
 const PATH: [f64; 2] = [FRAME, 1600.0];
 /// Left and right margin.
 const MARGINS: [f64; 2] = [210.0, 50.0];
@@ -39,9 +39,9 @@ const FOOT: f64 = 120.0;
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimePlot {
     title: String,
-    /// Name and unit of what goes to the right.
+    /// Name and unit of the horizontal axis.
     across: String,
-    /// Unit of a place that goes to the right, over which a place of the same unit is drawn
+    /// Unit of a position on the horizontal axis, over which positions of the same unit are drawn
     /// as a path; empty over time.
     path_unit: String,
     /// Names of the runs.
@@ -60,14 +60,14 @@ struct Curves {
 /// One column of one run.
 #[derive(Debug, Clone, PartialEq)]
 struct Curve {
-    /// Number of the column in its panel.
+    /// Index of the column in its panel.
     column: usize,
     run: usize,
     /// Points, in pieces without a gap [units of the columns].
     pieces: Vec<Vec<[f64; 2]>>,
 }
 
-/// A column of the runs that have it.
+/// A column, for the runs that have it.
 #[derive(Debug, Clone)]
 struct Found {
     heading: Heading,
@@ -75,9 +75,9 @@ struct Found {
 }
 
 impl TimePlot {
-    /// The columns `wanted` of `tables` over the column `across`; all columns when none is
-    /// wanted, of further tables those that they have. A name that ends in `*` stands for
-    /// all that begin so. The title is that of the tables.
+    /// The columns `wanted` of `tables` over the column `across`; all columns if none is requested;
+    /// of further tables the columns that they have. A name that ends in `*` represents all names
+    /// that begin with it. The title names the tables.
     ///
     /// # Errors
     /// [`RunFileProblem`]: a column that a table does not have, `across` in several units,
@@ -126,7 +126,7 @@ impl TimePlot {
         Ok(plot)
     }
 
-    /// The same figure called otherwise.
+    /// The same figure with another title.
     #[must_use]
     pub fn titled(self, title: &str) -> Self {
         Self {
@@ -135,13 +135,13 @@ impl TimePlot {
         }
     }
 
-    /// Names of the runs, as the legend has them.
+    /// Names of the runs for the legend.
     #[cfg(test)]
     pub(super) fn run_names(&self) -> &[String] {
         &self.runs
     }
 
-    /// Numbers of columns of the panels.
+    /// Indices of the columns of each panel.
     #[cfg(test)]
     pub(super) fn panel_columns(&self) -> Vec<usize> {
         self.panels
@@ -150,7 +150,7 @@ impl TimePlot {
             .collect()
     }
 
-    /// Columns of one panel at most.
+    /// Largest number of columns of one panel.
     fn most_columns(&self) -> usize {
         match self.runs.len() {
             0 | 1 => COLORS,
@@ -160,8 +160,8 @@ impl TimePlot {
         }
     }
 
-    /// Adds columns that belong together to the last panel of their unit that has room for
-    /// all, or to new ones.
+    /// Adds columns that belong together to the last panel of their unit that has space for all, or
+    /// to new ones.
     fn add(&mut self, group: &[Found]) {
         let most = self.most_columns();
         for part in group.chunks(most) {
@@ -184,12 +184,12 @@ impl TimePlot {
                 let curves = curves.map(|curve| Curve { column, ..curve });
                 panel.curves.extend(curves);
             }
-            // Later runs are drawn upon all curves of earlier ones.
+            // Later runs are drawn on top of all curves of earlier ones.
             panel.curves.sort_by_key(|curve| curve.run);
         }
     }
 
-    /// Leaves out panels after the first dozen; names of their columns.
+    /// Omits panels after the first dozen; returns the names of their columns.
     pub fn shorten(&mut self) -> Vec<String> {
         let kept = self.panels.len().min(MOST_PANELS);
         let left_out = self.panels.drain(kept..).flat_map(|panel| panel.columns);
@@ -199,7 +199,7 @@ impl TimePlot {
     /// Whether one figure can hold all panels.
     ///
     /// # Errors
-    /// [`RunFileProblem`]: there are too many.
+    /// [`RunFileProblem`]: too many panels.
     pub fn check_size(&self) -> Result<(), RunFileProblem> {
         if self.full_height() <= MOST_HEIGHT {
             return Ok(());
@@ -234,13 +234,13 @@ impl TimePlot {
         self.legend(curves).height(room()) + GAPS[0] + self.frame(curves) + GAPS[1]
     }
 
-    /// What all panels show from left to right.
+    /// Horizontal range of all panels.
     fn range(&self) -> [f64; 2] {
         let all = self.panels.iter().flat_map(Curves::points);
         tight(all.map(|point| point[0]))
     }
 
-    /// Whether colors tell the runs, and not the columns.
+    /// Whether colors distinguish the runs instead of the columns.
     fn is_by_run(&self) -> bool {
         self.runs.len() > 1 && self.panels.iter().all(|panel| panel.columns.len() == 1)
     }
@@ -253,7 +253,7 @@ impl TimePlot {
         }
     }
 
-    /// Lines of the runs, where there are several.
+    /// Lines of the runs, if there are several.
     fn legend_of_runs(&self) -> Option<Legend> {
         let count = self.runs.len();
         let stroke = |run: usize| match self.is_by_run() {
@@ -266,7 +266,7 @@ impl TimePlot {
         (count > 1).then_some(Legend { entries })
     }
 
-    /// Names of the columns of a panel, with their lines where colors tell them.
+    /// Names of the columns of a panel, with their lines if colors distinguish them.
     fn legend(&self, panel: &Curves) -> Legend {
         let entry = |(column, name): (usize, &String)| {
             let mut curves = panel.curves.iter().filter(|curve| curve.column == column);
@@ -358,7 +358,7 @@ fn room() -> f64 {
     f64::from(WIDTH) - MARGINS[0] - MARGINS[1]
 }
 
-/// What goes to the right, the same in all tables, and its range.
+/// Column of the horizontal axis, the same in all tables, and its range.
 fn common_heading(
     tables: &[TimeTable],
     across: &str,
@@ -387,13 +387,13 @@ fn common_heading(
     Ok((heading, tight(values.into_iter())))
 }
 
-/// Whether two columns have one unit and names that differ behind the last `_` alone.
+/// Whether two columns have one unit and names that differ only after the last `_`.
 fn is_of_one_vector(a: &Heading, b: &Heading) -> bool {
     let first = |heading: &Heading| Some(heading.name.rsplit_once('_')?.0.to_owned());
     a.unit == b.unit && first(a).is_some() && first(a) == first(b)
 }
 
-/// Places of the columns that are drawn.
+/// Indices of the drawn columns.
 fn chosen(table: &TimeTable, x: usize, wanted: &[String]) -> Result<Vec<usize>, RunFileProblem> {
     if wanted.is_empty() {
         return Ok((0..table.headings.len())
@@ -411,8 +411,8 @@ fn chosen(table: &TimeTable, x: usize, wanted: &[String]) -> Result<Vec<usize>, 
     Ok(all)
 }
 
-/// The curve in pieces without its gaps, each with the points that it takes to see all of
-/// it in the range `range` of `x`.
+/// The curve in pieces without its gaps, each with the points that show all of it in the range
+/// `range` of `x`.
 fn pieces(x: &[f64], y: &[f64], range: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let points: Vec<_> = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
     let is_number = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
@@ -421,7 +421,7 @@ fn pieces(x: &[f64], y: &[f64], range: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     pieces.map(|piece| thinned(piece, range, room())).collect()
 }
 
-/// The range of values without room at its ends.
+/// The range of values without margins.
 fn tight(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))

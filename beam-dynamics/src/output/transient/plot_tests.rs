@@ -58,7 +58,7 @@ fn assert_texts(svg: &str, expected: &[&str]) {
     }
 }
 
-/// Colors of the lines with more than two points: those of curves.
+/// Colors of the lines with more than two points: the colors of curves.
 fn colors(svg: &str) -> Vec<String> {
     let lines = svg.lines().filter(|line| line.starts_with("<polyline"));
     let curves = lines.filter(|line| line.matches(',').count() > 5);
@@ -101,14 +101,14 @@ fn runs_of_many_columns_are_told_by_tone_and_columns_by_color() {
     let found = colors(&svg);
     let distinct: std::collections::BTreeSet<_> = found.iter().collect();
     assert_eq!((found.len(), distinct.len()), (4, 4));
-    // More runs than tones: a panel for each column, and colors for the runs.
+    // More runs than tones: one panel per column, and colors for the runs.
     let five = [1, 2, 3, 4, 5].map(|k| table(&format!("r{k}.csv"), 20));
     let found = colors(&drawn(&five, "time", &["tip_*"]).unwrap());
     assert_eq!(found.len(), 10);
     assert_eq!(found[..5], found[5..]);
 }
 
-// No path of a machine is shown where folders are not needed to tell the runs apart.
+// Folders of a machine are not shown if they are not needed to distinguish the runs.
 #[test]
 fn runs_are_named_with_as_many_folders_as_it_takes() {
     let names = |files: &[&str]| {
@@ -186,7 +186,7 @@ fn figures_of_thousands_of_columns_are_shortened_or_refused() {
     assert!(text.contains("place_67 and 1932 more"), "{text}");
 }
 
-// Vectors are not torn: four of three components are two panels of six and not seven and five.
+// Vectors are not split: four of three components are two panels of six, not seven and five.
 #[test]
 fn components_of_a_vector_stay_together() {
     let mut one = table("a.csv", 3);

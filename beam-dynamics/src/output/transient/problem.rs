@@ -1,4 +1,4 @@
-//! What can go wrong with the files of a run in time.
+//! Problems of the files of a run in time.
 
 use shared_geom::error::{Explain, nearest_name};
 use shared_geom::files::OutputProblem;
@@ -11,9 +11,9 @@ pub enum RunFileProblem {
     Unreadable {
         /// The file.
         file: String,
-        /// The reason in words.
+        /// The reason, as text.
         reason: String,
-        /// What to do.
+        /// The remedy.
         remedy: &'static str,
     },
     /// A table of another run.
@@ -22,7 +22,7 @@ pub enum RunFileProblem {
         /// The file.
         file: String,
     },
-    /// A name that no column has.
+    /// A name without a column.
     #[error("unknown column \"{name}\" of \"{file}\"")]
     NoColumn {
         /// The name found.
@@ -50,7 +50,7 @@ pub enum RunFileProblem {
         /// Units of the first table and of this one.
         units: [String; 2],
     },
-    /// More than a figure can hold.
+    /// Too many panels for one figure.
     #[error("{curves} curves in {panels} panels are more than one figure can hold")]
     ManyPanels {
         /// Number of curves.
@@ -68,16 +68,17 @@ impl Explain for RunFileProblem {
         match self {
             Self::Unreadable { remedy, .. } => Some((*remedy).to_owned()),
             Self::OtherColumns { .. } => Some(
-                "go on with the [output] of the first part, or write into another folder with --out"
+                "continue with the [output] of the first part, or use another folder with --out"
                     .to_owned(),
             ),
             Self::NoColumn { name, known, .. } => Some(nearest_column(name, known)),
-            Self::NoRows { .. } => {
-                Some("rows are those of \"every\" of [output], here between --from and --to".to_owned())
-            }
-            Self::OtherUnit { .. } => {
-                Some("give the column the same \"unit\" in both files, or draw two figures".to_owned())
-            }
+            Self::NoRows { .. } => Some(
+                "rows are written each \"every\" of [output], here between --from and --to"
+                    .to_owned(),
+            ),
+            Self::OtherUnit { .. } => Some(
+                "give the column the same \"unit\" in both files, or draw two figures".to_owned(),
+            ),
             Self::ManyPanels { .. } => {
                 Some("choose columns with --columns, as in --columns 'tip*'".to_owned())
             }

@@ -1,4 +1,4 @@
-//! The file from which a run goes on.
+//! The file from which a run continues.
 
 use std::path::Path;
 
@@ -7,9 +7,8 @@ use shared_geom::files::read_bytes;
 use super::{RunFileProblem, cannot_read, cannot_write};
 use crate::result::Snapshot;
 
-/// Writes a snapshot, numbers as the shortest text that is read as the same bits. The file
-/// of this name is replaced when the new one is complete, so that a run that is killed
-/// leaves the one or the other.
+/// Writes a snapshot, numbers as the shortest text that is read as the same bits. An existing file
+/// is replaced when the new one is complete, so that one of the two remains if the run is killed.
 ///
 /// # Errors
 /// [`RunFileProblem::Output`].
@@ -30,7 +29,7 @@ pub fn read_snapshot(path: &Path) -> Result<Snapshot, RunFileProblem> {
     let bytes = read_bytes(path).map_err(|error| cannot_read(path, &error))?;
     serde_json::from_slice(&bytes).map_err(|error| RunFileProblem::Unreadable {
         file: path.display().to_string(),
-        reason: format!("it is no restart file: {error}"),
+        reason: format!("it is not a restart file: {error}"),
         remedy: "name a file NAME.restart.json that transient wrote",
     })
 }

@@ -1,4 +1,4 @@
-//! Tables of runs, read back: what plots are made of.
+//! Tables of runs, read back: the data of plots.
 
 use std::path::Path;
 
@@ -7,18 +7,18 @@ use shared_geom::files::read_bytes;
 use super::netcdf_table::{self, Content};
 use super::{Heading, RunFileProblem, cannot_read};
 
-/// Endings that results have and names of runs have not.
+/// Endings of results that are not part of the names of runs.
 const ENDINGS: [&str; 4] = [".transient.csv", ".transient.nc", ".csv", ".nc"];
-/// What to do with a file that is no table.
+/// Remedy for a file that is not a table.
 const REMEDY: &str = "name a table that transient wrote, NAME.transient.csv or NAME.transient.nc";
 
 /// The table of a run: columns of numbers, time first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimeTable {
-    /// Where it was read.
+    /// Path of the file.
     pub file: String,
-    /// Name of the model: that in the file, of text in the NetCDF file beside it; else
-    /// the name of the file.
+    /// Name of the model: from the file, for text from the NetCDF file next to it; else the name of
+    /// the file.
     pub title: String,
     /// Names, units and, of NetCDF files, meanings of the columns.
     pub headings: Vec<Heading>,
@@ -60,7 +60,7 @@ impl TimeTable {
         }
     }
 
-    /// Places of the columns called `name`; with `*` at its end of all that begin so.
+    /// Indices of the columns called `name`; with `*` at its end of all that begin with it.
     ///
     /// # Errors
     /// [`RunFileProblem::NoColumn`].
@@ -107,7 +107,7 @@ fn read_csv(path: &Path) -> Result<TimeTable, RunFileProblem> {
     let records: Result<Vec<_>, _> = reader.records().collect();
     let mut records = records.map_err(failed)?;
     if is_torn {
-        // The run is writing its last line just now, or was killed there.
+        // The run is just writing its last line, or was killed there.
         records.pop();
     }
     for (row, record) in records.iter().enumerate() {
@@ -157,7 +157,7 @@ fn heading(text: &str) -> Heading {
 
 fn read_netcdf(path: &Path) -> Result<TimeTable, RunFileProblem> {
     let bytes = read_bytes(path).map_err(|error| cannot_read(path, &error))?;
-    let foreign = "it is no NetCDF-3 file of a run, or not the whole of one";
+    let foreign = "it is not a complete NetCDF-3 file of a run";
     let content = Content::parse(&bytes).ok_or_else(|| unreadable(path, foreign))?;
     Ok(TimeTable {
         file: path.display().to_string(),
@@ -170,7 +170,7 @@ fn read_netcdf(path: &Path) -> Result<TimeTable, RunFileProblem> {
     })
 }
 
-/// The name of the file at `path` without what all results are called.
+/// The name of the file at `path` without the endings common to all results.
 pub(super) fn stem(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let stem = ENDINGS.iter().find_map(|ending| name.strip_suffix(ending));

@@ -1,4 +1,4 @@
-//! Files of made-up runs: written, read back, killed and gone on with.
+//! Files of made-up runs: written, read back, killed and continued.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ use crate::output::ResultPlace;
 use crate::output::samples::{names, nodes_at};
 use crate::result::{Moment, Recorder, Snapshot};
 
-/// A body that is moved as [`run`] says.
+/// A body that moves as defined by [`run`].
 fn model() -> Model {
     let nodes = nodes_at(&[[0.0; 3]]);
     let body: Box<dyn Element> = Box::new(RigidBody::new("body", 0, RigidInertia::zero()));
@@ -70,7 +70,7 @@ fn state(model: &Model, step: usize) -> State {
     state
 }
 
-/// Tells the steps of `range` to `files`, with what it wants to keep.
+/// Passes the steps of `range` to `files`, with the quantities that it requests.
 fn run(model: &Model, files: &mut RunFiles<'_>, range: std::ops::RangeInclusive<usize>) -> bool {
     let conditions = Conditions::at_rest();
     for step in range {
@@ -115,7 +115,7 @@ fn snapshot(step: usize) -> Snapshot {
     }
 }
 
-/// Runs to the end at once.
+/// Runs to the end without interruption.
 fn complete(folder: &Path, question: &OutputQuestion, steps: usize) -> Vec<String> {
     let model = model();
     let place = ResultPlace::new(folder, "x");
@@ -167,7 +167,7 @@ fn random(state: &mut u64) -> u64 {
     z ^ (z >> 31)
 }
 
-// Huge counts where the header has small ones, cuts, bits: what is given is in the file.
+// Huge counts where the header has small ones, cuts, bits: all returned data is in the file.
 #[test]
 fn changed_binary_tables_are_read_or_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -183,7 +183,7 @@ fn changed_binary_tables_are_read_or_refused() {
         read(aborted)
             .unwrap_err()
             .to_string()
-            .contains("no NetCDF-3 file")
+            .contains("NetCDF-3 file of a run")
     );
     let (mut seed, mut good) = (1, 0);
     for _ in 0..2000 {
@@ -211,11 +211,11 @@ fn changed_binary_tables_are_read_or_refused() {
         }
         super::netcdf_table::title(&path);
     }
-    // Most changes hit texts and numbers; those of counts and cuts are refused.
+    // Most changes hit texts and numbers; changed counts and cuts are refused.
     assert!((200..1900).contains(&good), "{good}");
 }
 
-// A run that is dropped in the middle is one that was killed: nothing is written at its end.
+// A run that is dropped in the middle acts as if killed: nothing is written at its end.
 #[test]
 fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {
     let [whole, parts] = [(); 2].map(|()| tempfile::tempdir().unwrap());
@@ -247,7 +247,7 @@ fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {
     let kept = read_snapshot(&parts.path().join("x.restart.json")).unwrap();
     assert_eq!(kept, snapshot(20));
     let mut files = RunFiles::new(&model, &question, &place, Some(&kept)).unwrap();
-    // Whether or not the step at which it goes on is told again.
+    // Whether or not the step at which it continues is passed again.
     assert!(run(&model, &mut files, 20..=40));
     files.finish("a body", "text\n").unwrap();
     for file in [
@@ -296,7 +296,7 @@ fn files_that_are_no_tables_are_told() {
     };
     for (name, content, expected) in [
         ("a.txt", "", "its ending is neither .csv nor .nc"),
-        ("a.nc", "no", "it is no NetCDF-3 file of a run"),
+        ("a.nc", "no", "it is not a complete NetCDF-3 file"),
         ("a.csv", "time [s],b [m]\n1,2\n3\n", "line 3 has 1 values"),
         (
             "a.csv",
@@ -313,6 +313,9 @@ fn files_that_are_no_tables_are_told() {
         "{absent}"
     );
     let told = read_snapshot(&folder.path().join("a.csv")).unwrap_err();
-    assert!(told.to_string().contains("it is no restart file"), "{told}");
+    assert!(
+        told.to_string().contains("it is not a restart file"),
+        "{told}"
+    );
     assert!(told.help().unwrap().contains("NAME.restart.json"));
 }

@@ -50,7 +50,7 @@ pub(super) fn write_electrodes(
         return Ok(());
     };
     let files = results.files().clone();
-    // of an earlier run, which may have had figures
+    // figures of an earlier run
     files.remove_electrodes(piezo.electrodes.iter().map(|known| known.name.as_str()));
     results.text(files.electrodes(), &electrodes_csv(piezo))?;
     for (name, recovery) in fields {

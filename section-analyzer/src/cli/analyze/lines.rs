@@ -1,4 +1,4 @@
-//! One line a section, and their sum.
+//! Table with one line per section, and the totals.
 
 use super::Job;
 use super::one::{Outcome, Status};
@@ -9,11 +9,11 @@ const NUMBER: usize = 14;
 /// Width of the column of the status.
 const STATUS: usize = 11;
 
-/// The table of sections, as it grows.
+/// The table of sections, written line by line.
 pub(super) struct Lines {
     /// Width of the first column.
     width: usize,
-    /// What has been told.
+    /// Outcomes shown so far.
     statuses: Vec<Status>,
 }
 
@@ -69,7 +69,7 @@ impl Lines {
         line.trim_end().to_owned()
     }
 
-    /// How many sections ended in which way.
+    /// Number of sections per status.
     pub fn sum(&self) -> String {
         let counted = [
             Status::Solved,
@@ -96,7 +96,7 @@ impl Lines {
     }
 }
 
-/// What a section is called: its file, as it was given.
+/// Name of a section: its file, as given.
 fn name(job: &Job) -> String {
     job.file.display().to_string()
 }

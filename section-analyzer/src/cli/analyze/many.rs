@@ -15,24 +15,24 @@ use super::progress::Progress;
 use super::{Job, Run};
 use crate::cli::{NOT_REACHED, Stop, Terminal};
 
-/// Stack of a thread \[bytes\]: that of a main thread, so that a section which can
-/// be solved alone can be solved among others.
+/// Stack of a thread \[bytes\]: as large as the stack of a main thread, so that a section
+/// that can be solved alone can also be solved with others.
 const STACK: usize = 8 << 20;
 
-/// Time between two looks at the clock of the progress display.
+/// Interval at which the progress display updates its clock.
 const TICK: Duration = Duration::from_millis(200);
 
-/// What a thread has to say about the section of some number.
+/// Message of a thread about the section of a given index.
 enum Event {
     Begun(usize),
     Ended(usize, Box<Outcome>),
 }
 
-/// Analyzes all sections, each on one of `threads` threads, and tells how each ended.
+/// Analyzes all sections, each on one of `threads` threads, and reports the outcome of each.
 ///
-/// The terminal belongs to the calling thread; the others only send it their
-/// outcomes. Each section depends on its own files alone, so that the results do not
-/// depend on the number of threads.
+/// The terminal belongs to the calling thread; the others only send it their outcomes. A
+/// section depends only on its own files, so that the results do not depend on the number
+/// of threads.
 pub(super) fn analyze_many(
     jobs: &[Job],
     run: &Run,
@@ -71,7 +71,7 @@ fn send_outcomes(pool: &ThreadPool, jobs: &[Job], run: &Run, sender: Sender<Even
     pool.install(|| {
         let jobs = jobs.iter().enumerate().par_bridge();
         jobs.for_each_with(sender, |sender, (number, job)| {
-            // The receiver lives until the last sender is gone.
+            // The receiver exists until the last sender is dropped.
             let _ = sender.send(Event::Begun(number));
             let outcome = Box::new(analyze_one(job, run));
             let _ = sender.send(Event::Ended(number, outcome));
@@ -79,7 +79,8 @@ fn send_outcomes(pool: &ThreadPool, jobs: &[Job], run: &Run, sender: Sender<Even
     });
 }
 
-/// Tells outcomes in the order of the sections, each as soon as all before it are told.
+/// Reports outcomes in the order of the sections, each as soon as all previous ones are
+/// reported.
 struct Listener<'a, 'b> {
     jobs: &'a [Job],
     terminal: &'a mut Terminal<'b>,
@@ -87,7 +88,7 @@ struct Listener<'a, 'b> {
     progress: Progress,
     waiting: BTreeMap<usize, Box<Outcome>>,
     told: usize,
-    /// Why the terminal took no more. The work goes on.
+    /// Reason for which the terminal accepts no more output. The run continues.
     closed: Option<std::io::Error>,
 }
 
@@ -122,7 +123,7 @@ impl<'a, 'b> Listener<'a, 'b> {
         }
     }
 
-    /// Shows a line, and behind it what is wrong, above the progress display.
+    /// Shows a line, followed by its problems, above the progress display.
     fn show(&mut self, line: &str, problems: Option<&str>) {
         if self.closed.is_some() {
             return;
@@ -139,7 +140,7 @@ impl<'a, 'b> Listener<'a, 'b> {
         self.closed = shown.err();
     }
 
-    /// Shows the sum; the exit code is that of the worst section.
+    /// Shows the totals; the exit code is the exit code of the worst section.
     fn finish(mut self) -> Result<(), Stop> {
         self.progress.finish();
         let sum = self.lines.sum();
@@ -202,7 +203,7 @@ mod tests {
         assert_eq!(err, b"error: 2\n");
     }
 
-    /// A stream that no one reads any more.
+    /// A stream without a reader.
     struct Closed;
 
     impl Write for Closed {
@@ -215,7 +216,7 @@ mod tests {
         }
     }
 
-    /// The work goes on without a reader, and its exit code counts.
+    /// The run continues without a reader, and its exit code applies.
     #[test]
     fn a_closed_pipe_hides_no_failure() {
         for (status, code) in [(Status::Solved, None), (Status::WrongInput, Some(2))] {

@@ -1,4 +1,4 @@
-//! The analysis of one section, with its files and an outcome in words.
+//! The analysis of one section, with its files and its outcome as text.
 
 use std::path::PathBuf;
 
@@ -26,7 +26,7 @@ use crate::properties::{Centers, NoRestrainedWarping, RestrainedWarping};
 use crate::recovery::Recovery;
 use crate::solution::SectionSolution;
 
-/// How the analysis of a section ended.
+/// Outcome of the analysis of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Status {
     /// Solved, and all files written.
@@ -49,7 +49,7 @@ impl Status {
         }
     }
 
-    /// The status in words.
+    /// The status as text.
     pub fn name(self) -> &'static str {
         match self {
             Self::Solved => "solved",
@@ -68,26 +68,26 @@ impl Status {
     }
 }
 
-/// Everything there is to say about the analysis of a section.
+/// Complete result of the analysis of a section.
 #[derive(Debug)]
 pub(super) struct Outcome {
     pub status: Status,
-    /// The report, where one is to be shown.
+    /// The report, if one is to be shown.
     pub report: String,
     /// The result files.
     pub files: Vec<PathBuf>,
-    /// What is wrong, as it is told.
+    /// The reported problems.
     pub problems: Option<String>,
-    /// Nodes of the mesh, where it could be read.
+    /// Nodes of the mesh, if it could be read.
     pub nodes: Option<usize>,
-    /// The result, where there is one.
+    /// The result, if it exists.
     pub properties: Option<SectionProperties>,
-    /// How much is odd about the input.
+    /// Number of warnings about the input.
     pub warnings: usize,
 }
 
 impl Outcome {
-    /// One of which nothing but its status is known.
+    /// An outcome of which only the status is known.
     pub fn new(status: Status) -> Self {
         Self {
             status,
@@ -147,8 +147,8 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
     }
 }
 
-/// Fingerprint of all that the results depend on: the files that were read, and the
-/// program. Options that change results, or which files there are, belong here too.
+/// Fingerprint of everything on which the results depend: the files that were read, and
+/// the program. Options that change results or the list of files belong here too.
 fn made_from(input: &Input, run: &Run) -> String {
     let mut parts = vec![input.summary.input_hash.as_bytes(), PROGRAM.as_bytes()];
     let asked = run.sensitivity.as_ref();
@@ -160,7 +160,7 @@ fn made_from(input: &Input, run: &Run) -> String {
     sha256_of(&parts)
 }
 
-/// The outcome of an earlier run, if this one would write the same files.
+/// The outcome of an earlier run, if this run would write the same files.
 fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
     let record = AnalysisRecord::read(files)?;
     if !record.holds(files, made_from) {
@@ -175,7 +175,7 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
     })
 }
 
-/// What was found of a section, and how its circuit shows it.
+/// The solution of a section, and the effect of its circuit.
 #[derive(Debug)]
 struct InCircuit {
     found: Solved,
@@ -260,7 +260,7 @@ fn solved(
     }
 }
 
-/// The report; what it says of prestress is added to the `properties`.
+/// The report; its prestress is added to the `properties`.
 fn told(
     input: &Input,
     in_circuit: &InCircuit,
@@ -282,8 +282,8 @@ fn told(
     report
 }
 
-/// Adds the effect of prestress to the properties, where it is asked for; gives its part
-/// of the report.
+/// Adds the effect of prestress to the properties, if requested; returns its part of the
+/// report.
 fn prestressed(input: &Input, solved: &Solved, properties: &mut SectionProperties) -> String {
     let Some(measure) = input.prestress else {
         return String::new();
@@ -297,7 +297,7 @@ fn prestressed(input: &Input, solved: &Solved, properties: &mut SectionPropertie
     prestress_report(properties, &loads)
 }
 
-/// Writes the tables of the section: a new one is one more line.
+/// Writes the tables of the section: a new one needs one more line.
 fn write_tables(
     input: &Input,
     restrained: Option<&RestrainedWarping>,
@@ -314,7 +314,7 @@ fn write_tables(
     }
 }
 
-/// Writes the figures and field files of the section: a new one is one more line.
+/// Writes the figures and field files of the section: a new one needs one more line.
 fn write_figures(
     input: &Input,
     (solution, centers): (&SectionSolution, &Centers),
@@ -328,7 +328,7 @@ fn write_figures(
     results.add(files.warping_field(), |file| fields.write(file))
 }
 
-/// Writes what there is without a solution; results of an earlier run go.
+/// Writes the output that needs no solution; removes results of an earlier run.
 fn failed(job: &Job, input: &Input, failure: &Failure, mut results: ResultWriter) -> Outcome {
     let written = write_failure(input, failure, &mut results);
     results.files().remove_results();

@@ -1,4 +1,4 @@
-//! `--open`: driven electrodes that a run leaves at no charge.
+//! `--open`: driven electrodes that have no charge in a run.
 
 use shared_geom::error::{Diagnostics, Explain, Place, nearest_name};
 use thiserror::Error;
@@ -6,7 +6,7 @@ use thiserror::Error;
 use crate::input::Input;
 use crate::section::Circuit;
 
-/// The word for all driven electrodes.
+/// Keyword for all driven electrodes.
 const ALL: &str = "all";
 
 /// A wrong name after `--open`.
@@ -30,25 +30,25 @@ impl Explain for OpenProblem {
                 Some(match nearest {
                     Some(nearest) => format!("did you mean \"{nearest}\"?"),
                     None if known.is_empty() => "the section has no driven electrodes".to_owned(),
-                    None => format!("those that can be open are {}", known.join(", ")),
+                    None => format!("electrodes that can be open: {}", known.join(", ")),
                 })
             }
-            Self::None { .. } => Some("leave --open out".to_owned()),
+            Self::None { .. } => Some("remove --open".to_owned()),
             Self::Ground { .. } => {
-                Some("one electrode of each dielectric is to be held".to_owned())
+                Some("ground or drive one electrode of each dielectric".to_owned())
             }
             Self::Driven { .. } => Some(
-                "an open electrode takes the voltage of no charge: leave one of both out"
+                "an open electrode has the voltage of zero charge: remove --open or the voltage"
                     .to_owned(),
             ),
         }
     }
 }
 
-/// Makes the driven electrodes called `names` floating ones.
+/// Changes the driven electrodes called `names` to floating electrodes.
 ///
 /// # Errors
-/// All that is wrong with them, in words.
+/// All problems of the names, as text.
 pub(super) fn open(input: &mut Input, names: &[String]) -> Result<(), String> {
     let mut problems = Diagnostics::new();
     let place = Place::file(input.summary.file.clone());

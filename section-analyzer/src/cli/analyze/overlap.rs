@@ -1,4 +1,4 @@
-//! Sections that would write the same result files: told before anything runs.
+//! Sections that would write the same result files: reported before the run.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ impl Explain for Overlap {
     fn help(&self) -> Option<String> {
         Some(match self.first == self.second {
             true => "name each section file once".to_owned(),
-            false => "give one of the section files another name, or leave out --out".to_owned(),
+            false => "give one of the section files another name, or remove --out".to_owned(),
         })
     }
 }

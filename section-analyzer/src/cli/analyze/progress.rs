@@ -1,11 +1,10 @@
-//! The progress display of many sections, on the error stream where that is a
-//! terminal.
+//! The progress display of many sections, on the error stream if it is a terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::Job;
 
-/// How far a run is, and which sections are under way.
+/// Progress of a run, and the sections being solved.
 ///
 /// It draws in the calling thread only.
 pub(super) struct Progress {
@@ -14,7 +13,7 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// The display of `count` sections; nothing where no one looks.
+    /// The display of `count` sections; hidden if the stream is not a terminal.
     pub fn new(count: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::stderr());
         let style = ProgressStyle::with_template("[{elapsed}] {bar:24} {pos}/{len} {wide_msg}");
@@ -25,13 +24,13 @@ impl Progress {
         }
     }
 
-    /// A section is under way.
+    /// Marks a section as being solved.
     pub fn begun(&mut self, job: &Job) {
         self.under_way.push(job.name.clone());
         self.bar.set_message(self.under_way.join(", "));
     }
 
-    /// A section has ended.
+    /// Marks a section as finished.
     pub fn ended(&mut self, job: &Job) {
         if let Some(place) = self.under_way.iter().position(|name| *name == job.name) {
             self.under_way.remove(place);
@@ -40,17 +39,17 @@ impl Progress {
         self.bar.inc(1);
     }
 
-    /// Time has gone by.
+    /// Updates the elapsed time.
     pub fn tick(&self) {
         self.bar.tick();
     }
 
-    /// Does `work`, which writes to the terminal, while the display is away.
+    /// Runs `work`, which writes to the terminal, while the display is hidden.
     pub fn above<T>(&self, work: impl FnOnce() -> T) -> T {
         self.bar.suspend(work)
     }
 
-    /// Takes the display away.
+    /// Removes the display.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }

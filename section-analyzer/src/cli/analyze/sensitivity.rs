@@ -1,4 +1,5 @@
-//! Derivatives of the properties of one section: which are asked for, and their file.
+//! Derivatives of the properties of one section: the requested parameters, and their
+//! file.
 
 use shared_geom::error::{Diagnostics, Explain, Place};
 use shared_geom::files::OutputProblem;
@@ -14,7 +15,7 @@ use crate::section::Section;
 use crate::sensitivity::{Axis, Derivative, Parameter, SensitivityProblem};
 use crate::solution::SectionSolution;
 
-/// A node that derivatives are asked for, and that has none.
+/// A node for which derivatives are requested but do not exist.
 #[derive(Debug, Error)]
 #[error("--sensitivity-nodes {node}: {problem}")]
 struct WrongNode {
@@ -35,11 +36,11 @@ struct WithElectrodes;
 
 impl Explain for WithElectrodes {
     fn help(&self) -> Option<String> {
-        Some("leave --sensitivity out, or remove the electrodes from the file".to_owned())
+        Some("remove --sensitivity, or the electrodes from the file".to_owned())
     }
 }
 
-/// The derivatives of a section, if they are asked for.
+/// The derivatives of a section, if requested.
 #[derive(Debug, Default)]
 pub(super) struct Sensitivities(Option<(Vec<Parameter>, Vec<Derivative>)>);
 
@@ -53,7 +54,7 @@ impl Sensitivities {
             })
     }
 
-    /// Writes the file, or removes that of an earlier run.
+    /// Writes the file, or removes the file of an earlier run.
     pub fn write(&self, input: &Input, results: &mut ResultWriter) -> Result<(), OutputProblem> {
         let files = results.files().clone();
         let Some((parameters, derivatives)) = &self.0 else {
@@ -66,7 +67,7 @@ impl Sensitivities {
     }
 }
 
-/// The parameters that the run asks for; what is wrong with its nodes, all at once.
+/// The requested parameters, or all problems of the requested nodes.
 pub(super) fn parameters(input: &Input, run: &Run) -> Result<Option<Vec<Parameter>>, String> {
     let Some(nodes) = &run.sensitivity else {
         return Ok(None);
@@ -94,8 +95,8 @@ pub(super) fn parameters(input: &Input, run: &Run) -> Result<Option<Vec<Paramete
     }
 }
 
-/// Solves the section with all that its file asks for, and the derivatives if they are
-/// asked for.
+/// Solves the section with all analyses requested in its file, and the derivatives if
+/// requested.
 pub(super) fn analyzed(
     input: &Input,
     parameters: Option<Vec<Parameter>>,
@@ -105,7 +106,7 @@ pub(super) fn analyzed(
     };
     let analysis = Analysis::new(&input.section)?;
     let derivatives = analysis.sensitivities(&parameters).map_err(|problem| {
-        // the parameters are those of the section
+        // the parameters belong to the section
         let unknowns = match problem {
             SensitivityProblem::OutOfMemory { unknowns } => unknowns,
             _ => analysis.domain().unknowns(),

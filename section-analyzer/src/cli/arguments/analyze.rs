@@ -8,10 +8,10 @@ use clap::Args;
 pub(super) const ANALYZE: &str = "\
 Solves sections and writes their properties
 
-Reads a section file, its mesh and its tables, tells all that is wrong with them at
+Reads a section file, its mesh and its tables, reports all their problems at
 once, solves, prints the report, and writes into the folder DIR:
   NAME.properties.json   stiffness, mass, centers: input of the beam program
-  NAME.report.txt        the report: what went in, what came out, run-time checks
+  NAME.report.txt        the report: input, results, run-time checks
   NAME.areas.csv         area, moments of area, perimeter and mass by region
   NAME.constants.csv     constants of restrained warping, if all materials are isotropic
   NAME.mesh.png          the mesh in the colors of its materials, with the centers
@@ -23,16 +23,16 @@ once, solves, prints the report, and writes into the folder DIR:
                          potential and electric field at one volt of a driven electrode
   NAME.sensitivity.json  with --sensitivity: derivatives of stiffness, mass and centers
   NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
-  NAME.analysis.json     what the files above were made from
+  NAME.analysis.json     fingerprints of the input and of the files above
 where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
 and removes the other files of an earlier run.
 
-Several files are solved in parallel, each by one thread. One line a section is printed
-instead of the reports, in the order given; what is wrong with one section does not keep
-the others from being written. Memory is that of as many sections as there are threads.
+Several files are solved in parallel, each by one thread. One line per section is printed
+instead of the reports, in the order given; problems of one section do not keep
+the others from being written. The memory is for as many sections as there are threads.
 
-A section is not solved again while its files (section file, mesh, tables), its results
-and this program are the same as they were: NAME.analysis.json holds their fingerprints.";
+A section is solved again only if its files (section file, mesh, tables), its results
+or this program have changed: NAME.analysis.json contains their fingerprints.";
 
 pub(super) const ANALYZE_EXAMPLE: &str = "\
 Examples:
@@ -54,16 +54,16 @@ fn count(text: &str) -> Result<NonZeroUsize, &'static str> {
 fn node(text: &str) -> Result<u64, &'static str> {
     text.trim()
         .parse()
-        .map_err(|_| "expected node numbers of the mesh file with commas between them, as 12,40")
+        .map_err(|_| "expected node numbers of the mesh file separated by commas, as in 12,40")
 }
 
-/// What to analyze, and how.
+/// Sections to analyze, and options.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct AnalyzeArguments {
     /// Section files, NAME.section.toml
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
-    /// Folder for all results; the folder "results" beside each FILE if not given
+    /// Folder for all results; the folder "results" next to each FILE if not given
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Sections solved at the same time; the number of cores if not given
@@ -72,7 +72,7 @@ pub(in crate::cli) struct AnalyzeArguments {
     /// Solve sections even if nothing has changed since the last run
     #[arg(long)]
     pub force: bool,
-    /// Draw no figures; those of an earlier run go
+    /// Draw no figures; figures of an earlier run are removed
     #[arg(long)]
     pub no_figures: bool,
     /// Derivatives of stiffness, mass and centers with respect to every constant of the
@@ -80,7 +80,7 @@ pub(in crate::cli) struct AnalyzeArguments {
     #[arg(long)]
     pub sensitivity: bool,
     /// Nodes whose y and z are parameters of --sensitivity too, by their numbers in the
-    /// mesh file, with commas between them
+    /// mesh file, separated by commas
     #[arg(
         long,
         value_name = "NODES",
@@ -90,8 +90,8 @@ pub(in crate::cli) struct AnalyzeArguments {
         requires = "sensitivity"
     )]
     pub sensitivity_nodes: Vec<u64>,
-    /// Driven electrode that is open in this run, at no charge instead of a voltage; may be
-    /// given more than once, or as "all"
+    /// Driven electrode that is open in this run, with zero charge instead of a voltage;
+    /// may be given more than once, or as "all"
     #[arg(long, value_name = "ELECTRODE")]
     pub open: Vec<String>,
 }

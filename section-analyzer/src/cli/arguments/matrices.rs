@@ -1,12 +1,12 @@
-//! The words that explain `matrices`.
+//! The help texts of `matrices`.
 
 pub(super) const MATRICES: &str = "\
 Solves a section that is given by its matrices
 
-Another finite-element program gives the matrices, as Matrix Market files with a node
+Another finite-element program writes the matrices, as Matrix Market files with a node
 table: the blocks M, C, E of the section, or the stiffness of a slice of the beam. FILE
-names them; their identities are checked, the section is solved as one of cells, and
-into the folder DIR go
+names them; their identities are checked, the section is solved like a section of cells,
+and the folder DIR receives
   NAME.properties.json   stiffness, mass, centers: input of the beam program
   NAME.report.txt        the report
   NAME.warping.csv       the warping of the nodes under each unit internal force
@@ -25,4 +25,4 @@ Example, a slice 1 mm thick of a beam along x:
   END
   section-analyzer matrices slice.matrices.toml
 where nodes.csv has the heading node,y,z and a row for each node of the face, and the
-unknowns are ux, uy, uz of its nodes, then those of the other face.";
+unknowns are ux, uy, uz of its nodes, then of the nodes of the other face.";

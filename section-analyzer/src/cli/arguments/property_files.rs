@@ -8,9 +8,9 @@ use shared_geom::error::{Explain, nearest_name};
 use shared_geom::units::{Dimension, UnitProblem, parse_quantity};
 
 pub(super) const REPORT: &str = "\
-Shows property files in words and tables
+Shows property files as text and tables
 
-Prints of each file where it comes from, the convention, stiffness and mass, engineering
+Prints for each file its origin, the convention, stiffness and mass, engineering
 values about the centers, centers, principal axes and couplings, as the report of an
 analysis does.";
 
@@ -21,14 +21,14 @@ Example:
 pub(super) const COMPARE: &str = "\
 Compares two property files
 
-Prints the differences of B from A, relative to what they matter beside: stiffness and
+Prints the differences of B from A, relative to reference values: stiffness and
 mass to sqrt(Aii Ajj), centers to the radius of gyration sqrt((EIy + EIz) / EA) of A,
 principal values to themselves; then the numbers that differ by more than the
 tolerance, largest first.
 
-Where the files tell other reference points, or that one was turned against its mesh, B
-is first brought to the point and the axes of A, and that is said. With --as-given the
-numbers are compared as they stand.";
+If the files have different reference points, or one was rotated relative to its mesh, B
+is first transformed to the point and the axes of A, which is reported. With --as-given
+the numbers are compared as they are.";
 
 pub(super) const COMPARE_EXAMPLE: &str = "\
 Example, the same section on two meshes:
@@ -40,9 +40,9 @@ pub(super) const SHIFT: &str = "\
 Moves the reference point of a property file
 
 Writes the same section about another reference point: stiffness and mass are shifted
-exactly, and the centers and everything else are told from the new point. The section
-and its axes stay where they are. The new file says where it comes from and what was
-done.";
+exactly, and the centers and everything else are relative to the new point. The section
+and its axes stay in position. The new file states its origin and the
+change.";
 
 pub(super) const SHIFT_EXAMPLE: &str = "\
 Examples, the point 25 mm ahead of the present one, and the shear center:
@@ -54,15 +54,15 @@ Turns the axes of a property file
 
 Writes the same section in axes y, z turned about +x (from +y toward +z) at the same
 reference point: stiffness, mass and everything else are transformed exactly. The
-section stays where it is, so that in the new axes it appears turned the other way. The
-new file says where it comes from and what was done.";
+section stays in position, so that in the new axes it appears turned the other way. The
+new file states its origin and the change.";
 
 pub(super) const ROTATE_EXAMPLE: &str = "\
 Examples, axes turned nose up, and axes along the principal axes of bending:
   section-analyzer rotate a.properties.json --angle \"3.5 deg\" --out b.properties.json
   section-analyzer rotate a.properties.json --to-principal bending --out b.properties.json";
 
-/// Which files to show.
+/// Files to show.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ReportArguments {
     /// Property files, NAME.properties.json
@@ -70,48 +70,48 @@ pub(in crate::cli) struct ReportArguments {
     pub files: Vec<PathBuf>,
 }
 
-/// What to compare.
+/// Files to compare.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct CompareArguments {
     /// Property file to compare with
     pub a: PathBuf,
     /// Property file to compare
     pub b: PathBuf,
-    /// Largest relative difference that counts as equal
+    /// Largest relative difference that is treated as equal
     #[arg(long, value_name = "NUMBER", default_value = "1e-6", value_parser = tolerance, allow_hyphen_values = true)]
     pub tolerance: f64,
-    /// Compare the numbers as they stand, each about its own point and in its own axes
+    /// Compare the numbers as they are, each about its own point and in its own axes
     #[arg(long)]
     pub as_given: bool,
 }
 
-/// Where to move the reference point.
+/// The new reference point.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ShiftArguments {
     /// Property file, NAME.properties.json
     pub file: PathBuf,
-    /// New reference point: Y,Z from the present one in its axes, in meters or with a
-    /// unit ("25 mm, 0"); or tension-center, shear-center, mass-center
+    /// New reference point: Y,Z relative to the present point in its axes, in meters or
+    /// with a unit ("25 mm, 0"); or tension-center, shear-center, mass-center
     #[arg(long, value_name = "POINT", value_parser = point, allow_hyphen_values = true)]
     pub to: Point,
-    /// Property file to write, another one than FILE
+    /// Property file to write, different from FILE
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
 }
 
-/// How to turn the axes.
+/// The rotation of the axes.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct RotateArguments {
     /// Property file, NAME.properties.json
     pub file: PathBuf,
     #[command(flatten)]
     pub turn: Turn,
-    /// Property file to write, another one than FILE
+    /// Property file to write, different from FILE
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
 }
 
-/// One of the ways to say how far axes turn.
+/// The rotation of the axes, in one of two ways.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 pub(in crate::cli) struct Turn {
@@ -123,7 +123,7 @@ pub(in crate::cli) struct Turn {
     pub to_principal: Option<PrincipalName>,
 }
 
-/// A point to take components about.
+/// A reference point for components.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::cli) enum Point {
     /// (y, z) from the present reference point \[m\].
@@ -186,7 +186,7 @@ fn angle(text: &str) -> Result<f64, String> {
         return Err(format!("it has no unit, expected {EXPECTED}"));
     }
     let angle = finite(quantity(text.trim(), Dimension::ANGLE, EXPECTED)?)?;
-    // round-off leaves no digit of a much larger one
+    // round-off leaves no accurate digit of a much larger angle
     match angle.abs() <= 1000.0 * std::f64::consts::TAU {
         true => Ok(angle),
         false => Err("expected at most 1000 revolutions".to_owned()),

@@ -1,7 +1,7 @@
 //! Files of airfoil coordinates.
 //!
 //! Rows of x/c and z/c from the trailing edge over the upper surface to the nose and back
-//! over the lower one; a first line in words is the title. Columns may have names (`x`,
+//! over the lower one; a first line of text is the title. Columns may have names (`x`,
 //! and `z` or `y`), separated by blanks or commas. A first row of two whole numbers above
 //! one announces the other common form: both surfaces from the nose on, the upper first.
 
@@ -9,13 +9,13 @@ use shared_geom::error::{Diagnostics, Place};
 
 use super::BladeFileProblem;
 
-/// Bad rows that are told.
+/// Number of bad rows that are reported one by one.
 const TOLD: usize = 5;
 
 /// The points of a file, in the order of the contour.
 ///
 /// # Errors
-/// Everything that is wrong with its rows.
+/// All problems of its rows.
 pub(super) fn parse(text: &str, file: &str) -> Result<Vec<[f64; 2]>, Diagnostics> {
     let mut problems = Diagnostics::new();
     let mut points: Vec<[f64; 2]> = Vec::new();
@@ -78,8 +78,8 @@ fn row(words: &[&str], columns: [usize; 2]) -> Option<[f64; 2]> {
     Some([number(columns[0])?, number(columns[1])?])
 }
 
-/// The columns of x and z, if the words are names of columns; `Some(None)` if one of them
-/// is missing.
+/// The columns of x and z, if the words are names of columns; `Some(None)` if one of the
+/// two is missing.
 fn heading(words: &[&str]) -> Option<Option<[usize; 2]>> {
     let at = |names: &[&str]| {
         let is_one = |word: &&str| names.contains(&word.to_lowercase().as_str());
@@ -94,7 +94,7 @@ fn heading(words: &[&str]) -> Option<Option<[usize; 2]>> {
     }
 }
 
-/// In the order of the contour.
+/// Points in the order of the contour.
 fn ordered(points: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, BladeFileProblem> {
     let Some(&[upper, lower]) = points.first() else {
         return Err(BladeFileProblem::NoPoints);

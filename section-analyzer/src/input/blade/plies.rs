@@ -6,14 +6,14 @@ use super::super::regions::constant_angle;
 use super::{BladeFileProblem, BladeRegion, Lines, Reading};
 use crate::mesh::generate::blade::{Ply, Spar, SparPly};
 
-/// Cells through a ply at most.
+/// Largest number of cells through a ply.
 const MOST_CELLS: usize = 50;
-/// Where a ply of the spar can be.
+/// Positions of a ply of the spar.
 const PLACES: [&str; 5] = ["upper", "lower", "web", "front_web", "rear_web"];
-/// What a ply of the spar can be restricted to.
+/// Keys that restrict a ply of the spar.
 const LIMITS: [&str; 4] = ["from", "to", "on", "filler"];
 
-/// What a physical surface is made of.
+/// Material and angles of a physical surface.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Use {
     pub name: String,
@@ -31,12 +31,12 @@ pub(super) struct Uses {
 }
 
 impl Uses {
-    /// As regions.
+    /// The surfaces as regions.
     pub fn regions(self) -> Vec<BladeRegion> {
         self.known.into_iter().map(BladeRegion::from).collect()
     }
 
-    /// Adds one, or notes that the name means something else elsewhere.
+    /// Adds a surface, or notes that its name has another meaning elsewhere.
     fn add(&mut self, table: &Table<'_>, new: Use) {
         match self.known.iter().find(|known| known.name == new.name) {
             None => self.known.push(new),
@@ -57,7 +57,7 @@ impl Uses {
     }
 }
 
-/// Name, material and angle of a table; gives the name.
+/// Name, material and angle of a table; returns the name.
 pub(super) fn material_of(
     table: &Table<'_>,
     uses: &mut Uses,
@@ -90,7 +90,7 @@ pub(super) fn material_of(
     Some(name)
 }
 
-/// A name that meshes and section files can hold.
+/// A name that is valid in meshes and section files.
 fn word(table: &Table<'_>, key: &str) -> Option<String> {
     if !table.has(key) {
         return None;
@@ -108,7 +108,8 @@ fn word(table: &Table<'_>, key: &str) -> Option<String> {
 }
 
 impl Reading<'_> {
-    /// The plies of the skin from the outside in, and whether it is closed behind.
+    /// The plies of the skin from the outside in, and whether it is closed at the
+    /// trailing edge.
     pub(super) fn skin(
         &self,
         root: &Table<'_>,
@@ -218,7 +219,7 @@ impl Reading<'_> {
         let places = places(table, has_front);
         let filler = filler(table, uses);
         let (from, to) = (from?, to?);
-        // up to the webs it goes into their corners
+        // a ply that extends to the webs includes their corners
         let from = match front {
             Some(front) if from == front => f64::NEG_INFINITY,
             None if from <= 0.0 => f64::NEG_INFINITY,
@@ -237,7 +238,7 @@ impl Reading<'_> {
     }
 }
 
-/// Tables of plies; none is noted.
+/// Tables of plies; notes an empty list.
 fn plies_of<'a>(table: &Table<'a>) -> Vec<Table<'a>> {
     let _ = table.require_item("plies", "a list of plies");
     let tables = table.tables("plies");
@@ -295,13 +296,13 @@ fn places(table: &Table<'_>, has_front: bool) -> Option<[bool; 4]> {
         }
     }
     if is_good && places == [false; 4] {
-        table.wrong("on", "at least one place");
+        table.wrong("on", "at least one position");
         return None;
     }
     is_good.then_some(places)
 }
 
-/// What takes the place of a ply: its name alone, or a table; `None` when it is wrong.
+/// The filler that replaces a ply: its name alone, or a table; `None` if it is wrong.
 fn filler(table: &Table<'_>, uses: &mut Uses) -> Option<Option<String>> {
     if !table.has("filler") {
         return Some(None);

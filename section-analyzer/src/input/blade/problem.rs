@@ -1,5 +1,5 @@
-//! What can be wrong with a blade file, beyond what any input file can have and what
-//! leaves no mesh.
+//! Problems of blade files, in addition to the problems of any input file and of the
+//! meshing.
 
 use shared_geom::error::{Explain, nearest_name};
 
@@ -12,37 +12,40 @@ pub enum BladeFileProblem {
     /// Two airfoils.
     #[error("[airfoil] has \"naca\" and \"file\", expected one of them")]
     TwoAirfoils,
-    /// The shape of the trailing edge of an airfoil that has its own.
+    /// A shape of the trailing edge for an airfoil given by points.
     #[error(
-        "\"trailing_edge\" is for airfoils of NACA: the points of a file have one of their own"
+        "\"trailing_edge\" is for NACA airfoils: the points of a file include the trailing edge"
     )]
     EdgeOfFile,
-    /// One name for two things.
-    #[error("\"{name}\" has another material, angle or place on line {line}, expected one of each")]
+    /// One name with two meanings.
+    #[error(
+        "\"{name}\" has another material, angle or position on line {line}, expected one of \
+         each"
+    )]
     NameTwice {
         /// The name.
         name: String,
         /// Line of its first use.
         line: usize,
     },
-    /// A core where there is no room of its own.
+    /// A core without its own space.
     #[error("[core.{core}] needs {needed}")]
     NoCavity {
         /// The core.
         core: &'static str,
-        /// What is missing.
+        /// The missing part.
         needed: &'static str,
     },
-    /// A place of a ply that the spar does not have.
-    #[error("unknown place \"{found}\", expected {}", quoted(.known))]
+    /// A position that a ply of the spar cannot have.
+    #[error("unknown position \"{found}\", expected {}", quoted(.known))]
     UnknownPlace {
         /// The word found.
         found: String,
-        /// The places there are.
+        /// The known positions.
         known: Vec<String>,
     },
     /// A row of an airfoil file.
-    #[error("\"{found}\" is no point, expected x/c and z/c")]
+    #[error("\"{found}\" is not a point, expected x/c and z/c")]
     Row {
         /// The row.
         found: String,
@@ -56,7 +59,7 @@ pub enum BladeFileProblem {
     /// An airfoil file without points.
     #[error("the file has no points, expected rows of x/c and z/c")]
     NoPoints,
-    /// Two surfaces of which the number of points is not right.
+    /// Surfaces whose numbers of points differ from the announced ones.
     #[error("the file announces {upper} and {lower} points, and has {found}")]
     Announced {
         /// Points of the upper surface as announced.
@@ -83,7 +86,7 @@ impl Explain for BladeFileProblem {
                 near.map(|near| format!("did you mean \"{near}\"?"))
             }
             Self::EdgeOfFile => {
-                Some("remove it; [airfoil] end = 0.98 cuts off what is too thin".into())
+                Some("remove it; [airfoil] end = 0.98 cuts off the thin end".into())
             }
             _ => None,
         }

@@ -1,4 +1,4 @@
-//! What can be wrong with loads distributed along the beam.
+//! Problems of distributed loads.
 
 use shared_geom::error::Explain;
 
@@ -12,21 +12,21 @@ pub enum DistributedProblem {
     NoForce {
         /// `traction` or `volume force`.
         part: &'static str,
-        /// The keys, in words.
+        /// The keys, as text.
         expected: &'static str,
     },
-    /// A part of a load with two forces.
+    /// A part of a load with two kinds of force.
     #[error("the {part} has \"{first}\" and \"{second}\", expected one of them")]
     TwoForces {
         /// `traction` or `volume force`.
         part: &'static str,
         /// A key.
         first: &'static str,
-        /// Another.
+        /// Another key.
         second: &'static str,
     },
-    /// A part of a load that does nothing.
-    #[error("the {part} is zero, expected a number that is not")]
+    /// A part of a load that is zero.
+    #[error("the {part} is zero, expected a nonzero number")]
     Zero {
         /// `traction` or `volume force`.
         part: &'static str,
@@ -37,17 +37,17 @@ pub enum DistributedProblem {
     Large {
         /// The key.
         key: String,
-        /// Which of several numbers, from 1.
+        /// Index among several numbers, from 1.
         entry: Option<usize>,
         /// The number \[SI\].
         value: f64,
-        /// The largest \[SI\].
+        /// The largest allowed \[SI\].
         limit: f64,
     },
     /// A curve whose lines belong to no cell.
     #[error(
-        "line {line} of physical curve \"{curve}\", at ({}, {}) m, is no side of a cell, expected \
-         a curve along sides of cells",
+        "line {line} of physical curve \"{curve}\", at ({}, {}) m, is not a side of a cell, \
+         expected a curve along sides of cells",
         short(.at[0]), short(.at[1])
     )]
     NoSide {
@@ -55,14 +55,14 @@ pub enum DistributedProblem {
         curve: String,
         /// Tag of the line.
         line: u64,
-        /// Its middle (y, z) \[m\].
+        /// Its midpoint (y, z) \[m\].
         at: [f64; 2],
         /// Faces of the laminates on the curve.
         faces: Vec<String>,
     },
-    /// A pressure on a curve that has cells at both sides.
+    /// A pressure on a curve that has cells on both sides.
     #[error(
-        "physical curve \"{curve}\" has cells at both sides of line {line}, expected a pressure \
+        "physical curve \"{curve}\" has cells on both sides of line {line}, expected a pressure \
          on a surface"
     )]
     Inside {
@@ -74,7 +74,7 @@ pub enum DistributedProblem {
         faces: Vec<String>,
     },
     /// A region that has no cells.
-    #[error("physical surface \"{group}\" is no region of the section")]
+    #[error("physical surface \"{group}\" is not a region of the section")]
     NoRegion {
         /// The name found.
         group: String,
@@ -99,8 +99,8 @@ impl Explain for DistributedProblem {
                     .to_owned(),
             ),
             Self::Inside { .. } => Some(
-                "which way would it push? Give \"force\" in section axes, or name a curve on the \
-                 outline or around a hole"
+                "the direction of the pressure is undetermined: give \"force\" in section axes, \
+                 or name a curve on the outline or around a hole"
                     .to_owned(),
             ),
             Self::NoRegion { known, .. } => {

@@ -1,4 +1,4 @@
-//! Loads along the beam in words, in SI units.
+//! Descriptions of distributed loads, in SI units.
 
 use nalgebra::Vector3;
 
@@ -78,7 +78,7 @@ fn polynomial(coefficients: &[f64]) -> String {
     words
 }
 
-/// Six digits at most.
+/// At most six digits.
 fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     match rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) {

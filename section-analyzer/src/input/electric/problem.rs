@@ -1,10 +1,10 @@
-//! What can be wrong with the electric data of a material.
+//! Problems of the electric data of a material.
 
 use shared_geom::error::Explain;
 
 use crate::material::{AxesProblem, ElectricProblem};
 
-/// A problem of `[material.NAME.electric]`, or of what does not go with it.
+/// A problem of `[material.NAME.electric]`, or of data that contradict it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ElectricDataProblem {
     /// A law that cannot exist.
@@ -12,15 +12,15 @@ pub enum ElectricDataProblem {
     Law {
         /// Name of the material.
         material: String,
-        /// Why.
+        /// The reason.
         problem: ElectricProblem,
     },
-    /// Directions that are no axes.
+    /// Directions that are not axes.
     #[error("material \"{material}\": {problem}")]
     Axes {
         /// Name of the material.
         material: String,
-        /// Why.
+        /// The reason.
         problem: AxesProblem,
     },
     /// No permittivity.
@@ -47,15 +47,15 @@ pub enum ElectricDataProblem {
         /// Name of the material.
         material: String,
     },
-    /// A coupling that couples nothing.
-    #[error("[material.{material}.electric]: \"{key}\" is zero, expected a constant that is not")]
+    /// A coupling that is zero.
+    #[error("[material.{material}.electric]: \"{key}\" is zero, expected a nonzero constant")]
     ZeroCoupling {
         /// Name of the material.
         material: String,
         /// `d` or `e`.
         key: &'static str,
     },
-    /// A state that makes no difference.
+    /// A state that has no effect.
     #[error("[material.{material}.electric] has \"at\", but no \"d\" or \"e\"")]
     AtAlone {
         /// Name of the material.
@@ -88,10 +88,10 @@ pub enum ElectricDataProblem {
         /// Name of the material.
         material: String,
     },
-    /// Strengths along axes from which the constants are turned.
+    /// Strengths along axes from which the constants are rotated.
     #[error(
-        "[material.{material}.{key}] is along the material axes, and \"poling\" turns the other \
-         constants, expected no poling but 3 beside strengths"
+        "[material.{material}.{key}] is along the material axes, and \"poling\" rotates the other \
+         constants, expected no poling but 3 with strengths"
     )]
     LimitsTurned {
         /// Name of the material.
@@ -101,8 +101,7 @@ pub enum ElectricDataProblem {
     },
 }
 
-/// The key under which what is wrong with a law stands: that of the permittivity, or that of
-/// the coupling.
+/// The key of a wrong law: the permittivity's or the coupling's.
 pub(super) fn key_of(
     problem: &ElectricProblem,
     permittivity: &'static str,
@@ -125,13 +124,13 @@ impl Explain for ElectricDataProblem {
                 "without coupling the permittivity is the same at constant stress and strain"
             }
             Self::TwoCouplings { .. } => "one follows from the other by the stiffness: e = d c",
-            Self::ZeroCoupling { .. } => "leave it out for a dielectric that is not piezoelectric",
+            Self::ZeroCoupling { .. } => "remove it for a dielectric that is not piezoelectric",
             Self::NothingToCouple { .. } => {
-                "a field strains what has a stiffness: give one, or leave the coupling out"
+                "the coupling needs a stiffness: give one, or remove the coupling"
             }
-            Self::NothingToStrain { .. } => "leave it out: it would do nothing",
+            Self::NothingToStrain { .. } => "remove it: it has no effect",
             Self::NothingAtAll { .. } => {
-                "leave its cells out of the mesh, or give a filler a small modulus"
+                "remove its cells from the mesh, or give a filler a small modulus"
             }
             Self::LimitsTurned { .. } => {
                 "give all constants along the material axes, with \"d\" or \"e\" as 3 rows of 6, \

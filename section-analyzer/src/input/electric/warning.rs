@@ -1,20 +1,20 @@
-//! What is odd about electric laws and electrodes, but not wrong.
+//! Warnings about electric laws and electrodes.
 
 use std::fmt;
 
 use shared_geom::figure::tick_label;
 
-/// An oddity of an electric law or of an electrode.
+/// A warning about an electric law or an electrode.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ElectricWarning {
-    /// A constant of an electric law whose partner is zero, as it is not given.
+    /// A constant of an electric law whose partner is not given, and therefore zero.
     AloneConstant {
         /// Name of the material.
         material: String,
         /// The constant, and its partner.
         constants: [String; 2],
     },
-    /// A permittivity below that of vacuum.
+    /// A permittivity below the vacuum permittivity.
     BelowVacuum {
         /// Name of the material.
         material: String,
@@ -26,15 +26,15 @@ pub enum ElectricWarning {
         /// Its name.
         material: String,
     },
-    /// An electrode that is on a dielectric in part only.
+    /// An electrode only part of which is on a dielectric.
     LooseElectrode {
         /// Its name.
         electrode: String,
-        /// Number of its nodes away from dielectrics.
+        /// Number of its nodes that are not on dielectrics.
         loose: usize,
         /// Number of its nodes.
         nodes: usize,
-        /// Tag of one away from them.
+        /// Tag of one of these.
         first: u64,
     },
 }
@@ -53,7 +53,7 @@ impl fmt::Display for ElectricWarning {
             Self::BelowVacuum { material, relative } => write!(
                 f,
                 "material \"{material}\" has a relative permittivity of {} at constant strain, \
-                 less than 1, that of vacuum: is the unit meant?",
+                 less than 1, the value of vacuum: check the unit",
                 tick_label(*relative, 0.0)
             ),
             Self::NoElectrodes { material } => write!(
@@ -69,7 +69,7 @@ impl fmt::Display for ElectricWarning {
             } => write!(
                 f,
                 "{loose} of the {nodes} nodes of electrode \"{electrode}\" (node {first} for \
-                 example) are on no dielectric: they do nothing"
+                 example) are on no dielectric: they have no effect"
             ),
         }
     }

@@ -1,4 +1,4 @@
-//! Electrodes against the materials of the cells that they are on, and each other.
+//! Checks electrodes against the materials of their cells, and against each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,7 +14,7 @@ use crate::material::ElectricLaw;
 use crate::mesh::Sets;
 use crate::section::{Circuit, Electrode, ElectrodeShape, FingeredCell, Section};
 
-/// What the electrodes of a section are checked with.
+/// Data for the checks of electrodes.
 struct Checks<'a> {
     document: &'a Document,
     section: &'a Section,
@@ -25,8 +25,8 @@ struct Checks<'a> {
 }
 
 impl WrittenElectrodes {
-    /// The electrodes of `section`, which is as yet without; `None` when anything is wrong
-    /// with one. `materials` are those of the section.
+    /// The electrodes of `section`, which does not contain them yet; `None` if one has a
+    /// problem. `materials` are the materials of the section.
     pub fn checked(
         &self,
         document: &Document,
@@ -118,7 +118,7 @@ impl Checks<'_> {
         has_any
     }
 
-    /// Notes fingers in cells that do not feel them, and gives each cell its own.
+    /// Notes fingers in cells without effect, and assigns each cell its electrode.
     fn fingers_are_sound(&mut self) -> bool {
         let mut is_sound = true;
         let mut electrode_of_group: BTreeMap<usize, usize> = BTreeMap::new();
@@ -153,7 +153,7 @@ impl Checks<'_> {
         is_sound
     }
 
-    /// Why the cells of a region do not feel the field of fingers.
+    /// Reason why the field of fingers has no effect in the cells of a region.
     fn wrong_fingers(
         &self,
         electrode: usize,
@@ -241,8 +241,8 @@ impl Checks<'_> {
         is_sound
     }
 
-    /// Notes each piece of dielectric, connected by nodes and through conductors, without a
-    /// grounded conductor. Without any conductor there are no potentials.
+    /// Notes each piece of dielectric, connected by nodes and through conductors, that
+    /// has no grounded conductor. Without any conductor no potentials exist.
     fn are_grounded(&self, materials: &[WrittenMaterial]) -> bool {
         let is_conductor = |found: &Found| matches!(found, Found::Conductor { .. });
         if !self.found.iter().any(is_conductor) {
@@ -276,7 +276,7 @@ impl Checks<'_> {
                 .filter(|(_, node)| pieces.of(*node) == piece);
             let on_it: Vec<usize> = of_piece.map(|(electrode, _)| *electrode).collect();
             let circuit = |electrode: &usize| self.written[*electrode].circuit;
-            // a circuit that could not be read has been told
+            // a circuit that could not be read has been reported
             let is_grounded =
                 |electrode| matches!(circuit(electrode), None | Some(Circuit::Ground));
             if !on_it.iter().any(is_grounded) {

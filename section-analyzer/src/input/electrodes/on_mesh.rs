@@ -1,4 +1,4 @@
-//! Where electrodes are on the mesh: the names that they give are looked for.
+//! Finds the electrodes on the mesh, by the names that they give.
 
 use std::collections::HashMap;
 
@@ -32,10 +32,10 @@ pub(in crate::input) enum Found {
 }
 
 impl WrittenElectrodes {
-    /// Where they are; `None` when anything is wrong with the names of one, which has been
+    /// Electrodes on the mesh; `None` if the names of one have a problem, which has been
     /// noted.
     pub fn on_mesh(&self, places: Places<'_>) -> Option<Vec<Found>> {
-        // every one is looked at before the first wrong one ends the search
+        // all electrodes are checked before the first wrong one ends the search
         self.note_unknown(places.document);
         let found: Vec<_> = self.all.iter().map(|one| one.on_mesh(places)).collect();
         found.into_iter().collect()
@@ -54,7 +54,7 @@ impl WrittenElectrode {
                     .iter()
                     .map(|name| groups::point(places.document, places.mesh, name)))?;
                 let mesh = places.section_mesh?;
-                // those of no cell are left out of the section
+                // nodes without cells are not part of the section
                 let nodes =
                     (0..mesh.nodes.len()).filter(|node| tags.contains(&mesh.node_tag(*node)));
                 Some(conductor(nodes.map(|node| node as u32).collect(), false))
@@ -73,7 +73,7 @@ impl WrittenElectrode {
         }
     }
 
-    /// Where it is, in words.
+    /// Its location as text.
     pub fn place_words(&self) -> String {
         let names = |names: &[Written]| {
             let names: Vec<_> = names.iter().map(|name| name.text.clone()).collect();
@@ -94,7 +94,7 @@ impl WrittenElectrode {
 
 impl WrittenFingers {
     fn on_mesh(&self, places: Places<'_>) -> Option<Found> {
-        // the names of both lists are looked for even if the others are wrong
+        // the names of both lists are looked up even if the others are wrong
         let regions = self.regions.as_ref();
         let regions =
             regions.and_then(|names| all(names.iter().map(|name| groups_of(places, name))));
@@ -139,7 +139,7 @@ fn conductor(mut nodes: Vec<u32>, is_body: bool) -> Found {
     Found::Conductor { nodes, is_body }
 }
 
-/// What all of several searches found together; every one is made.
+/// The combined results of several searches; all of them are made.
 fn all<T>(searches: impl Iterator<Item = Option<Vec<T>>>) -> Option<Vec<T>> {
     let found: Vec<_> = searches.collect();
     let found: Option<Vec<_>> = found.into_iter().collect();

@@ -1,24 +1,27 @@
-//! What can be wrong with electrodes and with voltages of loads.
+//! Problems of electrodes and of voltages of loads.
 
 use shared_geom::error::{Explain, quoted};
 
 use crate::input::problem::nearest_or_all;
 use crate::mesh::{counted, short};
 
-/// A problem of `[[electrode]]`, or of what refers to one.
+/// A problem of `[[electrode]]`, or of a reference to one.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ElectrodeProblem {
     /// Two electrodes of one name.
-    #[error("electrode \"{name}\" has the name of that on line {line}, expected one of its own")]
+    #[error(
+        "electrode \"{name}\" has the same name as the electrode on line {line}, expected \
+         different names"
+    )]
     NameTwice {
         /// The name.
         name: String,
         /// Line of the other one.
         line: usize,
     },
-    /// An electrode that is nowhere.
+    /// An electrode without a location.
     #[error(
-        "the electrode has no place, expected \"curve\", \"region\", \"point\" or \
+        "the electrode has no location, expected \"curve\", \"region\", \"point\" or \
          \"interdigitated\""
     )]
     NoPlace,
@@ -27,24 +30,24 @@ pub enum ElectrodeProblem {
     TwoPlaces {
         /// A key.
         first: &'static str,
-        /// Another.
+        /// Another key.
         second: &'static str,
     },
-    /// A reversed region of no electrode.
-    #[error("reversed region \"{region}\" is none of the regions {}", quoted(.regions))]
+    /// A reversed region that the electrode does not have.
+    #[error("reversed region \"{region}\" is not one of the regions {}", quoted(.regions))]
     ReversedElsewhere {
         /// The region.
         region: String,
-        /// Those of the electrode.
+        /// The regions of the electrode.
         regions: Vec<String>,
     },
-    /// Electrodes where nothing is electric.
+    /// Electrodes without any electric material.
     #[error("the section has electrodes, but no region is of a material with an electric law")]
     NoElectricMaterial {
-        /// Materials with an electric law, of no region.
+        /// Materials with an electric law that no region has.
         unused: Vec<String>,
     },
-    /// A conductor away from all dielectrics.
+    /// A conductor that is not on a dielectric.
     #[error(
         "electrode \"{electrode}\" is on no dielectric: {} belongs to a cell with an electric \
          law{}",
@@ -60,10 +63,10 @@ pub enum ElectrodeProblem {
         /// The regions with an electric law.
         regions: Vec<String>,
     },
-    /// Two conductors in one place.
+    /// Two conductors that touch.
     #[error(
         "electrodes \"{first}\" (line {line}) and \"{second}\" touch: both have node {node}, at \
-         ({}, {}) m{}, expected conductors apart",
+         ({}, {}) m{}, expected separate conductors",
         short(.at[0]), short(.at[1]), more_nodes(*.count)
     )]
     Touching {
@@ -75,12 +78,12 @@ pub enum ElectrodeProblem {
         second: String,
         /// Tag of a node of both.
         node: u64,
-        /// Its place (y, z) \[m\].
+        /// Its position (y, z) \[m\].
         at: [f64; 2],
         /// Number of such nodes.
         count: usize,
     },
-    /// A dielectric whose voltages have no reference.
+    /// A dielectric without a reference for its voltages.
     #[error(
         "the dielectric of {} in {} (cell {cell} for example, at ({}, {}) m) has no ground: {}, \
          expected one with circuit = \"ground\"",
@@ -95,7 +98,7 @@ pub enum ElectrodeProblem {
         regions: Vec<String>,
         /// Tag of a cell.
         cell: u64,
-        /// Its middle (y, z) \[m\].
+        /// Its center (y, z) \[m\].
         at: [f64; 2],
         /// The electrodes on it, with their circuits.
         electrodes: Vec<String>,
@@ -113,7 +116,7 @@ pub enum ElectrodeProblem {
         /// Its material.
         material: String,
     },
-    /// Fingers whose field does nothing.
+    /// Fingers whose field has no effect.
     #[error(
         "interdigitated electrode \"{electrode}\" has its field along axis {axis} of material \
          \"{material}\" in region \"{region}\", which couples {}",
@@ -129,7 +132,7 @@ pub enum ElectrodeProblem {
         material: String,
         /// The axis, from one.
         axis: usize,
-        /// Axes along which a field is felt.
+        /// Axes along which the field has an effect.
         along: Vec<String>,
     },
     /// Cells between the fingers of two electrodes.
@@ -147,7 +150,7 @@ pub enum ElectrodeProblem {
         /// Name of the other one.
         second: String,
     },
-    /// A voltage of an electrode that is not there.
+    /// A voltage of an unknown electrode.
     #[error("voltage for an unknown electrode \"{electrode}\" in load \"{load}\"")]
     UnknownElectrode {
         /// Name of the load.
@@ -157,7 +160,7 @@ pub enum ElectrodeProblem {
         /// The electrodes.
         known: Vec<String>,
     },
-    /// A voltage of an electrode that has another one, or none of the user's.
+    /// A voltage of an electrode whose voltage is not prescribed.
     #[error(
         "load \"{load}\" has a voltage for electrode \"{electrode}\", whose circuit is \
          \"{circuit}\", expected a driven one"
@@ -170,7 +173,7 @@ pub enum ElectrodeProblem {
         /// Its circuit.
         circuit: &'static str,
     },
-    /// What does not work on sections with electrodes.
+    /// A request that is not known for sections with electrodes.
     #[error("\"{key}\" is not known for sections with electrodes")]
     NotWithElectrodes {
         /// The key.
@@ -210,7 +213,7 @@ impl Explain for ElectrodeProblem {
             }
             Self::NoElectricMaterial { .. } => "add [material.NAME.electric] to the dielectric",
             Self::NoPlace | Self::TwoPlaces { .. } => {
-                "a conductor is on curves, fills regions or is in points of the mesh; fingers \
+                "a conductor is on curves, fills regions or is at points of the mesh; fingers \
                  across the beam are \"interdigitated\" and in regions"
             }
             Self::ReversedElsewhere { .. } => "\"reversed\" names some of the \"regions\"",
@@ -219,8 +222,8 @@ impl Explain for ElectrodeProblem {
                  electrode by a list of curves"
             }
             Self::NoGround { electrodes, .. } if electrodes.is_empty() => {
-                "add a grounded electrode, put its regions between fingers, or give them a \
-                 material without [material.NAME.electric]"
+                "add a grounded electrode, put its regions between fingers, or use a material \
+                 without [material.NAME.electric]"
             }
             Self::NoGround { .. } => {
                 "voltages are differences: ground one of the electrodes on each piece of \
@@ -234,11 +237,14 @@ impl Explain for ElectrodeProblem {
                  \"axis\" of the electrode"
             }
             Self::NotDriven { .. } => {
-                "a voltage belongs to circuit = \"driven\"; \"ground\" is at 0 V, and that of a \
-                 floating electrode follows"
+                "a voltage belongs to circuit = \"driven\"; \"ground\" is at 0 V, and the voltage \
+                 of a floating electrode follows"
             }
             Self::NotWithElectrodes { .. } => "remove it, or the electrodes",
-            Self::NameTwice { .. } => "capitals make no difference: names are parts of file names",
+            Self::NameTwice { .. } => {
+                "upper and lower case are not distinguished: names are \
+                 parts of file names"
+            }
             Self::FingersTwice { .. } => return None,
         };
         Some(text.to_owned())

@@ -1,13 +1,13 @@
-//! What can be wrong with imposed states.
+//! Problems of imposed states.
 
 use shared_geom::error::Explain;
 
 use super::super::problem::nearest_or_all;
 
-/// A problem of a temperature, of an initial strain, or of what refers to one.
+/// A problem of a temperature, of an initial strain, or of a reference to one.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ImposedProblem {
-    /// A name of an imposed state that is no name.
+    /// An invalid name of an imposed state.
     #[error("{kind} \"{name}\": expected a name of letters, digits, \"-\" and \"_\"")]
     Name {
         /// `temperature` or `initial_strain`.
@@ -15,10 +15,10 @@ pub enum ImposedProblem {
         /// The name.
         name: String,
     },
-    /// Two imposed states of one name.
+    /// Two imposed states with the same name.
     #[error(
-        "[initial_strain.{name}] has the name of [temperature.{name}] on line {line}, expected a \
-         name of its own"
+        "[initial_strain.{name}] has the name of [temperature.{name}] on line {line}, expected \
+         different names"
     )]
     NameTwice {
         /// The name.
@@ -26,7 +26,7 @@ pub enum ImposedProblem {
         /// Line of the temperature.
         line: usize,
     },
-    /// A temperature that is given in no way, or in two.
+    /// A temperature that is not given, or given in two ways.
     #[error(
         "temperature \"{name}\" has {found}, expected \"rise\", \"gradient\" with or without \
          \"rise\", or \"table\""
@@ -34,25 +34,25 @@ pub enum ImposedProblem {
     Form {
         /// Name of the temperature.
         name: String,
-        /// What it has, in words.
+        /// The keys found, as text.
         found: &'static str,
     },
-    /// An imposed state that changes nothing.
-    #[error("{kind} \"{name}\" is zero everywhere, expected a number that is not")]
+    /// An imposed state that is zero.
+    #[error("{kind} \"{name}\" is zero everywhere, expected a nonzero number")]
     Zero {
         /// `temperature` or `initial_strain`.
         kind: &'static str,
         /// Its name.
         name: String,
     },
-    /// A strain beyond all that is linear.
+    /// A strain beyond linear theory.
     #[error("strain {component} is {value}, expected at most {limit}")]
     Large {
         /// The component, in material axes.
         component: &'static str,
         /// The strain \[-\].
         value: f64,
-        /// The largest \[-\].
+        /// The largest allowed \[-\].
         limit: f64,
     },
     /// An initial strain without any region.
@@ -79,10 +79,10 @@ pub enum ImposedProblem {
         /// Group of the region.
         group: String,
     },
-    /// A temperature where nothing expands.
+    /// A temperature for which no material expands.
     #[error(
-        "temperature \"{name}\" has no effect: no region has a material with an \
-         \"expansion\" that is not zero"
+        "temperature \"{name}\" has no effect: no region has a material with a nonzero \
+         \"expansion\""
     )]
     NothingExpands {
         /// Name of the temperature.
@@ -97,7 +97,7 @@ pub enum ImposedProblem {
         name: String,
         /// Name of the load case.
         load: String,
-        /// Those of the file.
+        /// The states of the file.
         known: Vec<String>,
     },
 }
@@ -112,14 +112,14 @@ impl Explain for ImposedProblem {
                 kind, name, known, ..
             } => Some(match known.is_empty() {
                 true => format!("add [{kind}.{name}] to the section file"),
-                false => nearest_or_all(name, known, "those of the file"),
+                false => nearest_or_all(name, known, "states of the file"),
             }),
             Self::NothingExpands { .. } => Some(
-                "add \"expansion\" to [material.NAME] of what is heated: strain per declared unit \
-                 of temperature, or a text with its own unit, \"12e-6 1/K\""
+                "add \"expansion\" to [material.NAME] of the heated regions: strain per declared \
+                 unit of temperature, or a text with its own unit, \"12e-6 1/K\""
                     .to_owned(),
             ),
-            Self::Name { .. } => Some("the name stands in property files".to_owned()),
+            Self::Name { .. } => Some("the name appears in property files".to_owned()),
             _ => None,
         }
     }

@@ -1,8 +1,8 @@
 //! The faces of laminates as physical curves, so that loads along the beam can name them.
 //!
 //! The outer face of a laminate called NAME is the curve `NAME/outer`; one centered on its
-//! line has `NAME/left` and `NAME/right`. A curve of the mesh with such a name stays what
-//! it is.
+//! line has `NAME/left` and `NAME/right`. A curve of the mesh with the same name is not
+//! changed.
 
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 
@@ -28,25 +28,25 @@ pub(in crate::input) fn add_with_faces(
 /// The names of faces.
 #[derive(Debug, Default)]
 pub(in crate::input) struct Faces {
-    /// Those of each laminate, with the label of its curve.
+    /// Names of the faces of each laminate, with the label of its curve.
     of_curves: Vec<(String, Vec<String>)>,
-    /// What laminates would be called that could not be made: whether it exists is open.
+    /// Names of laminates that could not be made: their existence is unknown.
     open: Vec<String>,
 }
 
 impl Faces {
-    /// Those of the laminates on a curve.
+    /// Names of the faces of the laminates on a curve.
     pub fn on(&self, curve: &str) -> Vec<String> {
         let own = self.of_curves.iter().filter(|(label, _)| label == curve);
         own.flat_map(|(_, names)| names.clone()).collect()
     }
 
-    /// Whether a name may be that of a face or of a ply, though the mesh does not have it.
+    /// Whether a name may be a face or a ply, although the mesh does not have it.
     pub fn is_open(&self, name: &str) -> bool {
         self.open.iter().any(|known| known == name)
     }
 
-    /// Of laminates in which something is wrong.
+    /// Names of laminates that have a problem.
     pub fn unknown(laminae: &[WrittenLamina]) -> Self {
         let names = laminae.iter().filter_map(|lamina| {
             let name = lamina.called()?;
@@ -59,7 +59,7 @@ impl Faces {
         }
     }
 
-    /// Adds those of `laminated` to the mesh; `names` are those of the laminates.
+    /// Adds the faces of `laminated` to the mesh; `names` are the names of the laminates.
     fn add(
         mesh: &mut Mesh,
         names: &[Option<String>],
@@ -91,7 +91,7 @@ impl Faces {
     }
 }
 
-/// Adds a curve, unless it has no lines or the mesh has one of this name.
+/// Adds a curve, unless it has no lines or its name exists in the mesh.
 fn add_curve<'a>(mesh: &mut Mesh, name: &str, faces: impl Iterator<Item = &'a LaminaFace>) -> bool {
     let mut lines: Vec<_> = faces.map(|face| face.line.clone()).collect();
     if lines.is_empty() || mesh.group(CURVE, name).is_some() {

@@ -5,12 +5,13 @@
 //! %%MatrixMarket matrix coordinate real general
 //! % comments
 //! rows columns entries
-//! row column value            one line an entry, counted from one
+//! row column value            one line per entry, counted from one
 //! ```
 //!
-//! Exponents may be those of Fortran, `1.0D+05`. An array lists all values column by column; of a symmetric one the lower triangle.
-//! The reader of the crate sprs knows no lines, no arrays and no end of a file that
-//! stops after its heading.
+//! Exponents may be in Fortran notation, `1.0D+05`. An array lists all values column by
+//! column; a symmetric one its lower triangle. The reader of the crate sprs has no line
+//! numbers and no arrays, and does not detect the end of a file that stops after its
+//! heading.
 //!
 //! # References
 //! - R. F. Boisvert, R. Pozo, K. A. Remington, *The Matrix Market exchange formats:
@@ -21,13 +22,13 @@ use sprs::{CsMat, TriMat};
 
 use super::problem::MatrixProblem;
 
-/// Problems of one file that are told one by one.
+/// Number of problems of one file that are reported one by one.
 const SHOWN: usize = 10;
 
-/// Rows and columns at most: far beyond what a section has.
+/// Largest number of rows and columns: far beyond any section.
 const LARGEST: usize = 100_000_000;
 
-/// How the entries below the diagonal stand for those above.
+/// Relation of the entries below the diagonal to the entries above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Symmetry {
     General,
@@ -35,10 +36,10 @@ enum Symmetry {
     Skew,
 }
 
-/// The matrix in `text`, the content of `file`; entries given twice add up.
+/// The matrix in `text`, the content of `file`; duplicate entries are added.
 ///
 /// # Errors
-/// Every line that is wrong, the first ones in full.
+/// All wrong lines, the first ones in full.
 pub(super) fn parse(text: &str, file: &str) -> Result<CsMat<f64>, Diagnostics> {
     let mut problems = Diagnostics::new();
     let mut lines = (1..).zip(text.trim_start_matches('\u{feff}').lines());
@@ -133,13 +134,14 @@ struct Reader {
     rows: usize,
     columns: usize,
     symmetry: Symmetry,
-    /// Whether the entries of a symmetric matrix are below the diagonal, once one is known.
+    /// Whether the entries of a symmetric matrix are below the diagonal, from its first
+    /// such entry.
     triangle: Option<bool>,
     matrix: TriMat<f64>,
 }
 
 impl Reader {
-    /// The place of the first value of an array.
+    /// Index of the first value of an array.
     fn first(&self) -> [usize; 2] {
         [usize::from(self.symmetry == Symmetry::Skew), 0]
     }
@@ -186,12 +188,12 @@ impl Reader {
         Ok(())
     }
 
-    /// Reads the value at `place` and goes on to the next.
+    /// Reads the value at `place` and advances to the next index.
     fn value(&mut self, text: &str, place: &mut [usize; 2]) -> Result<(), MatrixProblem> {
         let value = number(text.trim()).ok_or_else(|| MatrixProblem::Value {
             found: shortened(text),
         })?;
-        // values beyond the last are counted and told as such
+        // values beyond the last are counted and reported as surplus
         if place[0] < self.rows && place[1] < self.columns {
             self.add(*place, value);
         }
@@ -230,7 +232,7 @@ fn number(word: &str) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// What a message shows of a line.
+/// Excerpt of a line for a message.
 fn shortened(line: &str) -> String {
     let line = line.trim();
     match line.char_indices().nth(60) {

@@ -1,4 +1,4 @@
-//! The node table of a section that is given by its matrices.
+//! The node table of a section given by its matrices.
 
 use std::collections::BTreeMap;
 
@@ -7,22 +7,22 @@ use shared_geom::error::{Diagnostics, Place};
 use super::problem::MatrixProblem;
 use crate::solve::Pins;
 
-/// Nodes in their order, which is that of the unknowns.
+/// Nodes in their order, which is the order of the unknowns.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct NodeTable {
     /// Numbers.
     pub tags: Vec<u64>,
-    /// Places (y, z) [m].
+    /// Positions (y, z) \[m\].
     pub places: Vec<[f64; 2]>,
 }
 
 impl NodeTable {
-    /// Reads `text`, the content of `file`: the heading `node,y,z`, then a row a node,
-    /// places in units of `unit` \[m\]. Empty lines and lines that begin with `#` do not
-    /// count.
+    /// Reads `text`, the content of `file`: the heading `node,y,z`, then one row per
+    /// node, positions in units of `unit` \[m\]. Empty lines and lines that begin with
+    /// `#` are ignored.
     ///
     /// # Errors
-    /// Every row that is wrong.
+    /// All wrong rows.
     pub fn parse(text: &str, file: &str, unit: f64) -> Result<Self, Diagnostics> {
         let mut problems = Diagnostics::new();
         let lines = (1..).zip(text.trim_start_matches('\u{feff}').lines());

@@ -1,11 +1,11 @@
-//! What can be wrong with the matrices of a section.
+//! Problems of the matrices of a section.
 
 use shared_geom::error::Explain;
 
-/// A problem of a matrix file, of a node table, or of how they fit each other.
+/// A problem of a matrix file, of a node table, or of their combination.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MatrixProblem {
-    /// The first line of a matrix file.
+    /// An unknown first line of a matrix file.
     #[error(
         "the file begins with \"{found}\", expected \"%%MatrixMarket matrix\", then \"coordinate\" or \"array\", \"real\" or \"integer\", and \"general\", \"symmetric\" or \"skew-symmetric\""
     )]
@@ -13,22 +13,22 @@ pub enum MatrixProblem {
         /// The line.
         found: String,
     },
-    /// The line of sizes.
+    /// An invalid line of sizes.
     #[error("the sizes are \"{found}\", expected {} whole numbers from 1 to 100000000: {}", if *.expected == 2 { "two" } else { "three" }, if *.expected == 2 { "rows and columns" } else { "rows, columns and entries" })]
     Sizes {
         /// The line.
         found: String,
-        /// How many numbers it should have.
+        /// Expected number of values.
         expected: usize,
     },
-    /// An entry that is none.
-    #[error("\"{found}\" is no entry, expected row, column and a finite number")]
+    /// An invalid entry.
+    #[error("\"{found}\" is not an entry, expected row, column and a finite number")]
     Entry {
         /// The line.
         found: String,
     },
-    /// A value that is none.
-    #[error("\"{found}\" is no value, expected a finite number")]
+    /// An invalid value.
+    #[error("\"{found}\" is not a value, expected a finite number")]
     Value {
         /// The line.
         found: String,
@@ -56,23 +56,23 @@ pub enum MatrixProblem {
     /// A matrix that does not fit the nodes.
     #[error("{what} is {found}, expected {expected}: {why}")]
     Size {
-        /// The matrix in words.
+        /// Description of the matrix.
         what: String,
         /// Its size.
         found: String,
         /// The size that fits.
         expected: String,
-        /// Where that comes from.
+        /// Origin of this size.
         why: String,
     },
-    /// The heading of the node table.
+    /// A wrong heading of the node table.
     #[error("the node table begins with \"{found}\", expected \"node,y,z\"")]
     NodeHeading {
         /// The line.
         found: String,
     },
-    /// A row of the node table.
-    #[error("\"{found}\" is no node, expected its number and its place y, z")]
+    /// An invalid row of the node table.
+    #[error("\"{found}\" is not a node, expected its number and its position y, z")]
     NodeRow {
         /// The line.
         found: String,
@@ -92,17 +92,17 @@ pub enum MatrixProblem {
         found: usize,
     },
     /// All nodes on one line.
-    #[error("all nodes of the table lie on one line, expected three or more that do not")]
+    #[error("all nodes of the table lie on one line, expected three or more nodes not on a line")]
     OneLine,
-    /// More wrong lines than are told.
+    /// Further wrong lines, which are not reported one by one.
     #[error("and {count} more lines are wrong")]
     More {
-        /// How many.
+        /// Their number.
         count: usize,
     },
     /// A symmetric file with both triangles.
     #[error(
-        "an entry at row {row}, column {column} is on the other side of the diagonal than those before: a file that is symmetric in its first line lists one triangle"
+        "an entry at row {row}, column {column} and previous entries are on opposite sides of the diagonal: a file declared symmetric in its first line lists one triangle"
     )]
     BothTriangles {
         /// Row, from one.
@@ -124,23 +124,23 @@ pub enum MatrixProblem {
         /// Its mirror image, in SI \[N/m, kg\].
         lower: f64,
     },
-    /// A section file in place of a matrices file, or the other way round.
+    /// A section file instead of a matrices file, or vice versa.
     #[error("this is a {found} file, expected a {expected} file")]
     Kind {
-        /// What its name ends on.
+        /// Ending of its name.
         found: &'static str,
-        /// What the command reads.
+        /// Ending of the files that the command reads.
         expected: &'static str,
         /// The command that reads it.
         command: &'static str,
     },
     /// A slice of a curved beam.
-    #[error("[initial_curvature] beside [slice]: a slice gives the section of a straight beam")]
+    #[error("[initial_curvature] with [slice]: a slice is from a straight beam")]
     CurvedSlice,
-    /// Neither or both of what is given in one of two ways.
+    /// None or both of two alternatives are given.
     #[error("{found}, expected one of them")]
     Form {
-        /// What was found.
+        /// Description of the given data.
         found: &'static str,
     },
 }
@@ -152,13 +152,13 @@ impl Explain for MatrixProblem {
                 return Some(format!("use \"section-analyzer {command}\""));
             }
             Self::Size { .. } => {
-                "three unknowns a node, ux, uy, uz, in the order of the node table; of a slice those of the face at x = 0 first, then those of the other"
+                "three unknowns per node, ux, uy, uz, in the order of the node table; for a slice first the nodes of the face at x = 0, then the nodes of the other face"
             }
             Self::Index { row, column, .. } if *row == 0 || *column == 0 => {
                 "rows and columns count from one"
             }
             Self::BothTriangles { .. } => {
-                "write \"general\" in the first line, or leave the entries of one side away"
+                "write \"general\" in the first line, or remove the entries of one side"
             }
             Self::Asymmetric { lower, upper, .. } if *lower == 0.0 || *upper == 0.0 => {
                 "a file with one triangle needs \"symmetric\" in its first line"

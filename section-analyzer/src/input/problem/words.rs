@@ -1,12 +1,12 @@
-//! Words of messages.
+//! Parts of messages.
 
 use shared_geom::error::{nearest_name, quoted};
 
-/// How many names a message lists before it counts the rest.
+/// Number of names that a message lists before it counts the rest.
 const NAMES_SHOWN: usize = 5;
 
-/// What may stand in place of a group that the mesh does not have; `is_other` if it has one
-/// of the other kind by this name.
+/// Alternatives to a group that the mesh does not have; `is_other` if the mesh has a
+/// group of the other kind with this name.
 pub(super) fn known_groups(kind: &str, group: &str, known: &[String], is_other: bool) -> String {
     if is_other {
         return match kind {
@@ -21,13 +21,13 @@ pub(super) fn known_groups(kind: &str, group: &str, known: &[String], is_other: 
     match nearest_name(group, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"? {all}"),
         None if known.is_empty() => {
-            format!("the mesh names no {kind} at all: in gmsh, add a physical {kind}")
+            format!("the mesh has no physical {kind}: in gmsh, add a physical {kind}")
         }
         None => all,
     }
 }
 
-/// The keys of a table of strengths, in words.
+/// The keys of a table of strengths, as text.
 pub(super) fn strength_keys(table: &str) -> &'static str {
     match table {
         "strength" => "\"xt\" to \"s23\", \"tension\" to \"shear\", or \"yield\"",

@@ -1,4 +1,4 @@
-//! The keys of loads distributed along the beam, and of end effects.
+//! The keys of distributed loads, and of end effects.
 
 use shared_geom::units::Dimension;
 
@@ -20,14 +20,14 @@ const ALONG: KeySchema = key(
      force, x along the beam from this section in the declared unit of length.",
 );
 
-/// How many end effects to find.
+/// Key for the number of end effects to find.
 pub(super) const END_EFFECTS: KeySchema = key(
     "end_effects",
     &[ValueKind::Count(crate::input::MOST_END_EFFECTS)],
     Optional,
     "3",
-    "Number of decaying solutions to find, those that reach farthest from an end or a jump; it \
-     takes several times as long as the analysis.",
+    "Number of decaying solutions to find, beginning with the slowest decay from an end or a \
+     jump; this takes several times as long as the analysis.",
 );
 
 /// Tractions of a load.
@@ -50,8 +50,8 @@ pub(super) const VOLUMES: KeySchema = key(
 
 const TRACTION: TableSchema = TableSchema {
     title: "[[load.NAME.traction]]",
-    meaning: "A force per area on the surface that a curve of the mesh makes along the beam, the \
-              same all along the curve.",
+    meaning: "A force per area on the surface that a curve of the mesh makes along the beam, \
+              constant along the curve.",
     keys: &[
         key(
             "curve",
@@ -59,14 +59,14 @@ const TRACTION: TableSchema = TableSchema {
             Required,
             "\"top\"",
             "The physical curve, by its name or its tag, along sides of cells; a face of a lamina \
-             is \"NAME/outer\", or \"NAME/left\" and \"NAME/right\" of one in the middle.",
+             is \"NAME/outer\", or \"NAME/left\" and \"NAME/right\" if it is centered.",
         ),
         ALONG,
     ],
     families: &[
         Family {
             name: "pressure",
-            meaning: "Normal to the surface; not on a curve with cells at both sides.",
+            meaning: "Normal to the surface; not on a curve with cells on both sides.",
             keys: &[key(
                 "pressure",
                 STRESS,
@@ -102,14 +102,14 @@ const TRACTION: TableSchema = TableSchema {
 
 const VOLUME: TableSchema = TableSchema {
     title: "[[load.NAME.volume]]",
-    meaning: "A force per volume, the same all over its regions or in proportion to the density.",
+    meaning: "A force per volume, constant in its regions or proportional to the density.",
     keys: &[
         key(
             "region",
             GROUP,
             Default("the whole section"),
             "\"skin\"",
-            "The physical surface that it acts in, by its name or its tag, or a lamina by its name, for \
+            "The loaded physical surface, by its name or its tag, or a lamina by its name, for \
              all its plies.",
         ),
         ALONG,

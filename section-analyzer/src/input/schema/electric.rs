@@ -18,7 +18,7 @@ pub(super) const ELECTRIC: KeySchema = key(
     &[ValueKind::Table(&LAW)],
     Optional,
     "",
-    "The electric law of a dielectric; without it the material is no part of the electric \
+    "The electric law of a dielectric; without it the material is not part of the electric \
      problem.",
 );
 
@@ -53,8 +53,8 @@ const RELATIVE: KeySchema = key(
     ],
     Required,
     "[3130, 3130, 3400]",
-    "Permittivity in units of that of vacuum, 8.8541878128e-12 F/m: one number, three, or a \
-     symmetric matrix.",
+    "Permittivity in units of the vacuum permittivity, 8.8541878128e-12 F/m: one number, three, \
+     or a symmetric matrix.",
 );
 
 const D: KeySchema = key(
@@ -77,14 +77,14 @@ const E: KeySchema = key(
      SI).",
 );
 
-/// The default is the example too.
+/// The default is also the example.
 const fn at(default: &'static str) -> KeySchema {
     key(
         "at",
         &[ValueKind::Word(&["stress", "strain"])],
         Default(default),
         default,
-        "What was constant when the permittivity was measured.",
+        "Quantity that was constant when the permittivity was measured.",
     )
 }
 
@@ -93,9 +93,9 @@ const POLING: KeySchema = key(
     &[ValueKind::Quantity(NUMBER), ValueKind::Vector(3, NUMBER)],
     Default("3"),
     "3",
-    "Direction of axis 3 of all constants of the material, elastic ones and expansion too, in \
-     the axes of the material: one of them (1 along the fiber, 2 across it in the ply, 3 through \
-     the thickness; with a minus for the other way), or its components.",
+    "Direction of axis 3 of all constants of the material, elastic ones and expansion too, in the \
+     axes of the material: one of them (1 along the fiber, 2 across it in the ply, 3 through the \
+     thickness; with a minus for the opposite direction), or its components.",
 );
 
 const ACROSS: KeySchema = key(
@@ -104,12 +104,12 @@ const ACROSS: KeySchema = key(
     Default("the axis after the poling, of 1, 2, 3, 1"),
     "1",
     "Direction of axis 1 of the constants in the axes of the material, at a right angle to the \
-     poling; required where the poling is along none of them.",
+     poling; required if the poling is along none of them.",
 );
 
 const LAW: TableSchema = TableSchema {
     title: "[material.NAME.electric]",
-    meaning: "What electric fields do in a material. The stiffness of the material is that at \
+    meaning: "Electric law of a material. The stiffness of the material is the stiffness at \
               constant electric field (short circuit).",
     keys: &[POLING, ACROSS],
     families: &[
@@ -174,8 +174,8 @@ const fn stress(name: &'static str, example: &'static str, meaning: &'static str
 
 const STRAINS: TableSchema = TableSchema {
     title: "d = { ... }",
-    meaning: "Strains per electric field by name: first the component of the field, then that of \
-              the strain, 1 to 6 for 11, 22, 33, 23, 13, 12.",
+    meaning: "Strains per electric field by name: first the component of the field, then of the \
+              strain, 1 to 6 for 11, 22, 33, 23, 13, 12.",
     keys: &[
         strain("d11", "\"10 pC/N\"", "Strain 11 of field 1."),
         strain("d12", "\"10 pC/N\"", "Strain 22 of field 1."),
@@ -201,8 +201,8 @@ const STRAINS: TableSchema = TableSchema {
 
 const STRESSES: TableSchema = TableSchema {
     title: "e = { ... }",
-    meaning: "Stresses per electric field by name: first the component of the field, then that \
-              of the stress, 1 to 6 for 11, 22, 33, 23, 13, 12.",
+    meaning: "Stresses per electric field by name: first the component of the field, then of the \
+              stress, 1 to 6 for 11, 22, 33, 23, 13, 12.",
     keys: &[
         stress("e11", "\"0.1 C/m^2\"", "Stress 11 of field 1."),
         stress("e12", "\"0.1 C/m^2\"", "Stress 22 of field 1."),
@@ -229,23 +229,23 @@ const STRESSES: TableSchema = TableSchema {
 /// An electrode.
 pub(super) const ELECTRODE: TableSchema = TableSchema {
     title: "[[electrode]]",
-    meaning: "What has one voltage: a conductor on curves, in regions or in points of the mesh, \
-              or fingers across the beam.",
+    meaning: "A part with one voltage: a conductor on curves, in regions or at points of the \
+              mesh, or fingers across the beam.",
     keys: &[
         key(
             "name",
             &[ValueKind::Text],
             Required,
             "\"top\"",
-            "Its name, by which loads and results call it.",
+            "Its name in loads and results.",
         ),
         key(
             "circuit",
             &[ValueKind::Word(&CIRCUIT_WORDS)],
             Default("\"driven\""),
             "\"driven\"",
-            "What it is joined to: a voltage of its own, the ground (0 V), or nothing, so that \
-             its charge stays zero.",
+            "Its connection: a prescribed voltage, the ground (0 V), or none, so that its charge \
+             stays zero.",
         ),
     ],
     families: &[
@@ -262,7 +262,7 @@ pub(super) const ELECTRODE: TableSchema = TableSchema {
         },
         Family {
             name: "region",
-            meaning: "A conductor that fills regions, as a sheet of metal does.",
+            meaning: "A conductor that fills regions, such as a metal sheet.",
             keys: &[key(
                 "region",
                 NAMES,
@@ -273,7 +273,7 @@ pub(super) const ELECTRODE: TableSchema = TableSchema {
         },
         Family {
             name: "point",
-            meaning: "A conductor in points.",
+            meaning: "A conductor at points.",
             keys: &[key(
                 "point",
                 NAMES,
@@ -290,7 +290,7 @@ pub(super) const ELECTRODE: TableSchema = TableSchema {
                 &[ValueKind::Table(&FINGERS)],
                 Required,
                 "",
-                "Where the fingers are, and how far apart.",
+                "Regions of the fingers, and their spacing.",
             )],
         },
     ],
@@ -298,8 +298,8 @@ pub(super) const ELECTRODE: TableSchema = TableSchema {
 
 const FINGERS: TableSchema = TableSchema {
     title: "interdigitated = { ... }",
-    meaning: "Cells between fingers: their field is the voltage over an effective spacing, the \
-              same in each of them, and they have no potential of their own.",
+    meaning: "Cells between fingers: their field is the voltage over an effective spacing, equal \
+              in all cells, and they have no unknown potential.",
     keys: &[
         key(
             "regions",
@@ -320,14 +320,14 @@ const FINGERS: TableSchema = TableSchema {
             NAMES,
             Optional,
             "\"skin/4\"",
-            "Those of the regions whose field is the other way round.",
+            "Those regions whose field has the opposite direction.",
         ),
         key(
             "axis",
             &[ValueKind::Count(3)],
             Default("1"),
             "1",
-            "Axis of the material along which the field is.",
+            "Material axis of the field.",
         ),
     ],
     families: &[],

@@ -30,7 +30,7 @@ pub(super) const TEMPERATURE: TableSchema = TableSchema {
     families: &[
         Family {
             name: "uniform",
-            meaning: "The same everywhere.",
+            meaning: "Constant in the section.",
             keys: &[key("rise", RISE, Required, "50", "Rise of temperature.")],
         },
         Family {
@@ -71,14 +71,15 @@ pub(super) const TEMPERATURE: TableSchema = TableSchema {
 /// An initial strain.
 pub(super) const INITIAL_STRAIN: TableSchema = TableSchema {
     title: "[initial_strain.NAME]",
-    meaning: "Strain that the material would have without any stress, as from cure or \
-              swelling. NAME is made of letters, digits, - and _, and is that of no temperature.",
+    meaning: "Strain that the material would have without any stress, as from cure or swelling. \
+              NAME is made of letters, digits, - and _, and differs from the names of \
+              temperatures.",
     keys: &[key(
         "region",
         &[ValueKind::Tables(&REGION)],
         Required,
         "",
-        "The regions that are strained; the others are not.",
+        "The strained regions; the others have no initial strain.",
     )],
     families: &[],
 };

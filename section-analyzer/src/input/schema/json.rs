@@ -10,9 +10,9 @@ const QUANTITY: &str = r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)? +
 
 /// The JSON schema of a section file, draft 2020-12.
 ///
-/// It is written out without references, which editors follow in different ways.
-/// The names of groups, the fit of units and the admissibility of laws are beyond
-/// it: `section-analyzer check` looks at those.
+/// It contains no references, which editors resolve in different ways. It does not check
+/// the names of groups, the dimensions of units and the admissibility of laws;
+/// `section-analyzer check` does.
 pub fn json_schema() -> Value {
     let mut schema = Map::new();
     let draft = "https://json-schema.org/draft/2020-12/schema";
@@ -83,25 +83,25 @@ fn of_key(key: &KeySchema) -> Value {
     schema.into()
 }
 
-/// What a kind measures, for the description.
+/// Dimension of a kind of value, for the description.
 fn measured(kind: &ValueKind) -> Option<String> {
     match kind {
         ValueKind::Quantity(Dimension::NUMBER) => Some("A pure number".to_owned()),
         ValueKind::Quantity(dimension)
         | ValueKind::Vector(_, dimension)
         | ValueKind::Named(dimension) => Some(format!(
-            "In numbers of the declared unit, or with a unit of its own: {dimension}"
+            "A number in the declared unit, or a text with its own unit: {dimension}"
         )),
         _ => None,
     }
 }
 
-/// The example as JSON; TOML and JSON write the values of examples alike.
+/// The example as JSON; TOML and JSON have the same notation for the values of examples.
 fn example(key: &KeySchema) -> Option<Value> {
     serde_json::from_str(key.example).ok()
 }
 
-/// The schemas of a kind, of which a value must fit one.
+/// The schemas of a kind; a value must fit one of them.
 fn forms(kind: &ValueKind) -> Vec<Value> {
     match kind {
         ValueKind::Text | ValueKind::Unit(_) => vec![json!({ "type": "string", "minLength": 1 })],

@@ -19,7 +19,7 @@ const GROUP: &[ValueKind] = &[ValueKind::Name];
 /// The whole file.
 pub const SECTION_FILE: TableSchema = TableSchema {
     title: "NAME.section.toml",
-    meaning: "A section: its mesh, its materials, and what each region of the mesh is made of.",
+    meaning: "A section: its mesh, its materials, and the material of each region of the mesh.",
     keys: &[
         key(
             "name",
@@ -33,22 +33,22 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             TEXT,
             Required,
             "\"spar.msh\"",
-            "Mesh file of gmsh; a relative path counts from the folder of this file.",
+            "Mesh file of gmsh; a relative path is relative to the folder of this file.",
         ),
         key(
             "doubled_nodes",
             &[ValueKind::Word(&["error", "allow"])],
             Default("\"error\""),
             "\"allow\"",
-            "What doubled nodes along the border of two regions are: an error, or allowed \
-             where slits are meant.",
+            "Doubled nodes along the border of two regions: an error, or allowed if slits are \
+             intended.",
         ),
         key(
             "units",
             &[ValueKind::Word(&["SI"]), ValueKind::Table(&UNITS)],
             Required,
             "\"SI\"",
-            "What a number without a unit counts in: SI, or the units of the table.",
+            "Units of numbers without a unit: SI, or the units of the table.",
         ),
         key(
             "material",
@@ -62,14 +62,15 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             &[ValueKind::Tables(&REGION)],
             Optional,
             "",
-            "What each physical surface of the mesh is made of; every surface needs one.",
+            "Material and angles of each physical surface of the mesh; every surface needs a \
+             region.",
         ),
         key(
             "lamina",
             &[ValueKind::Tables(&LAMINA)],
             Optional,
             "",
-            "Laminates along physical curves of the mesh, beside cells or by themselves.",
+            "Laminates along physical curves of the mesh, next to cells or without.",
         ),
         key(
             "electrode",
@@ -83,7 +84,7 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             &[ValueKind::Table(&INITIAL_CURVATURE)],
             Optional,
             "",
-            "The undeformed beam where it is curved or twisted.",
+            "Curvature and twist of the undeformed beam.",
         ),
         key(
             "temperature",
@@ -104,7 +105,8 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             &[ValueKind::NamedTables(&LOAD)],
             Optional,
             "",
-            "Internal forces, imposed states and loads along the beam for which stresses are recovered, by name.",
+            "Internal forces, imposed states and distributed loads for which stresses are \
+             recovered, by name.",
         ),
         END_EFFECTS,
         key(
@@ -112,8 +114,8 @@ pub const SECTION_FILE: TableSchema = TableSchema {
             &[ValueKind::Word(&StrainMeasure::NAMES)],
             Optional,
             "\"biot\"",
-            "Asks for the change of the stiffness with the internal forces, by a strain to \
-             second order: biot is the usual one, green is 1/2 (F'F - 1).",
+            "Requests the change of the stiffness with the internal forces, by a strain to second \
+             order: biot is the usual one, green is 1/2 (F'F - 1).",
         ),
     ],
     families: &[],
@@ -121,9 +123,9 @@ pub const SECTION_FILE: TableSchema = TableSchema {
 
 const UNITS: TableSchema = TableSchema {
     title: "[units]",
-    meaning: "Units of plain numbers. What is not declared follows from the rest: \
-              quantities with a force in them use the unit of force, others that of mass; \
-              of force and mass, the missing one is consistent with the other.",
+    meaning: "Units of plain numbers. Units that are not declared follow from the others: \
+              quantities with a force in them use the unit of force, others the unit of mass; if \
+              only one of force and mass is declared, the other is consistent with it.",
     keys: &[
         key(
             "length",
@@ -135,14 +137,14 @@ const UNITS: TableSchema = TableSchema {
         key(
             "mass",
             &[ValueKind::Unit(Dimension::MASS)],
-            Default("from the rest"),
+            Default("from the others"),
             "\"kg\"",
             "Unit of mass.",
         ),
         key(
             "force",
             &[ValueKind::Unit(Dimension::FORCE)],
-            Default("from the rest"),
+            Default("from the others"),
             "\"lbf\"",
             "Unit of force.",
         ),
@@ -163,21 +165,21 @@ const UNITS: TableSchema = TableSchema {
         key(
             "stress",
             &[ValueKind::Unit(Dimension::STRESS)],
-            Default("from the rest"),
+            Default("from the others"),
             "\"GPa\"",
             "Unit of stress and of moduli.",
         ),
         key(
             "density",
             &[ValueKind::Unit(Dimension::DENSITY)],
-            Default("from the rest"),
+            Default("from the others"),
             "\"kg/m^3\"",
             "Unit of density.",
         ),
         key(
             "mass_per_length",
             &[ValueKind::Unit(Dimension::MASS_PER_LENGTH)],
-            Default("from the rest"),
+            Default("from the others"),
             "\"kg/m\"",
             "Unit of mass per length.",
         ),
@@ -301,25 +303,25 @@ const PLANE_ANGLE: TableSchema = TableSchema {
 const INITIAL_CURVATURE: TableSchema = TableSchema {
     title: "[initial_curvature]",
     meaning: "Twist and curvature of the undeformed beam at this section, constant along it, in \
-              the axes of the section: all matrices are then those of this beam, per length of \
-              its reference line, which goes through the origin of the mesh.",
+              the axes of the section: all matrices are then for this beam, per length of its \
+              reference line, which goes through the origin of the mesh.",
     keys: &[
         key(
             "curvature",
             &[ValueKind::Vector(3, Dimension::CURVATURE)],
             Required,
             "[\"5 deg/m\", 0, 0]",
-            "Twist about x and curvature about y and z, k1, k2, k3: by how much the section \
-             turns per length of the reference line. Twist is positive from y toward z; k2 > 0 \
-             bends the beam toward -z, k3 > 0 toward +y.",
+            "Twist about x and curvature about y and z, k1, k2, k3: rotation of the section per \
+             length of the reference line. Twist is positive from y toward z; k2 > 0 bends the \
+             beam toward -z, k3 > 0 toward +y.",
         ),
         key(
             "slope",
             &[ValueKind::Vector(3, Dimension::NUMBER)],
             Default("[1, 0, 0]"),
             "[0.99, 0.1, 0]",
-            "Direction of the reference line, of any length, the first number greater than \
-             zero; [1, 0, 0] where the line is normal to the section.",
+            "Direction of the reference line, of any length, the first number greater than zero; \
+             [1, 0, 0] if the line is normal to the section.",
         ),
     ],
     families: &[],

@@ -38,8 +38,8 @@ const PLY_KEYS: &[KeySchema] = &[
 
 pub(super) const LAMINA: TableSchema = TableSchema {
     title: "[[lamina]]",
-    meaning: "Plies along a physical curve of the mesh: each line becomes cells as thick as a \
-              ply.",
+    meaning: "Plies along a physical curve of the mesh: each line becomes cells with the \
+              thickness of a ply.",
     keys: &[
         key(
             "curve",
@@ -51,15 +51,14 @@ pub(super) const LAMINA: TableSchema = TableSchema {
         key(
             "name",
             TEXT,
-            Default("that of the curve"),
+            Default("name of the curve"),
             "\"skin\"",
-            "What it is called in reports and tables; several plies are NAME/1, NAME/2 and so \
-             on.",
+            "Name in reports and tables; several plies are NAME/1, NAME/2 and so on.",
         ),
         key(
             "side",
             &[ValueKind::Word(&["left", "right", "center"])],
-            Default("the side without cells; \"center\" where no cells are"),
+            Default("the side without cells; \"center\" if no cells are adjacent"),
             "\"left\"",
             "Side of the line on which the plies lie, seen along it.",
         ),

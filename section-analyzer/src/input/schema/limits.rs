@@ -65,8 +65,7 @@ pub(super) const STRAIN_LIMIT: TableSchema = TableSchema {
 /// Strengths of an orthotropic or fully anisotropic material.
 pub(super) const PLY_STRENGTH: TableSchema = TableSchema {
     title: "[material.NAME.strength]",
-    meaning: "Largest stresses in the axes of the material, all positive, those in \
-              compression too.",
+    meaning: "Largest stresses in the axes of the material, all positive, also in compression.",
     keys: &[
         key("xt", STRESS, Required, "\"1100 MPa\"", "Tension along 1."),
         key(
@@ -141,8 +140,8 @@ const fn interaction(
 /// Strain limits of an orthotropic or fully anisotropic material.
 pub(super) const PLY_STRAIN_LIMIT: TableSchema = TableSchema {
     title: "[material.NAME.strain_limit]",
-    meaning: "Largest strains in the axes of the material, all positive, those in compression \
-              too; shear strains are engineering strains.",
+    meaning: "Largest strains in the axes of the material, all positive, also in compression; \
+              shear strains are engineering strains.",
     keys: &[
         key("xt", NUMBER, Required, "0.018", "Tension along 1."),
         key("xc", NUMBER, Required, "0.012", "Compression along 1."),

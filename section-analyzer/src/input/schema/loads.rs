@@ -14,8 +14,9 @@ const MOMENT: &[ValueKind] = &[ValueKind::Quantity(Dimension::MOMENT)];
 /// A load case.
 pub(super) const LOAD: TableSchema = TableSchema {
     title: "[load.NAME]",
-    meaning: "An internal force, of which at least one component is not zero, imposed states, \
-              a load along the beam, voltages, or several of them together. NAME is made of letters, digits, - and _.",
+    meaning: "An internal force with at least one nonzero component, imposed states, a \
+              distributed load, voltages, or several of these. NAME is made of letters, digits, - \
+              and _.",
     keys: &[
         key("axial", FORCE, Default("0"), "\"10 kN\"", "Axial force."),
         key(
@@ -58,28 +59,28 @@ pub(super) const LOAD: TableSchema = TableSchema {
             &[ValueKind::Vector(2, Dimension::LENGTH)],
             Default("the origin of the mesh"),
             "[12.5, 0]",
-            "Where the force acts, y and z.",
+            "Point of application of the force, y and z.",
         ),
         key(
             "temperature",
             GROUP,
             Optional,
             "\"hot\"",
-            "The temperature that acts too, by its name.",
+            "The temperature that acts with it, by its name.",
         ),
         key(
             "initial_strain",
             GROUP,
             Optional,
             "\"cure\"",
-            "The initial strain that acts too, by its name.",
+            "The initial strain that acts with it, by its name.",
         ),
         key(
             "voltages",
             &[ValueKind::Named(Dimension::VOLTAGE)],
             Optional,
             "{ top = \"100 V\" }",
-            "Voltages of driven electrodes by their names; those of the others are zero.",
+            "Voltages of driven electrodes by their names; all others are zero.",
         ),
         TRACTIONS,
         VOLUMES,

@@ -24,19 +24,19 @@ const fn density(need: Need) -> KeySchema {
         DENSITY,
         need,
         "\"1600 kg/m^3\"",
-        "Mass per volume; 0 leaves the material without mass.",
+        "Mass per volume; 0 for a material without mass.",
     )
 }
 
 /// A material.
 pub(super) const MATERIAL: TableSchema = TableSchema {
     title: "[material.NAME]",
-    meaning: "A material: its elastic law, told from the keys, and its density.",
+    meaning: "A material: its elastic law, which follows from the keys, and its density.",
     keys: &[],
     families: &[
         Family {
             name: "isotropic",
-            meaning: "The same in all directions.",
+            meaning: "Equal properties in all directions.",
             keys: &[
                 key(
                     "young",
@@ -156,8 +156,8 @@ pub(super) const MATERIAL: TableSchema = TableSchema {
         },
         Family {
             name: "no stiffness",
-            meaning: "A dielectric that is felt by its electric field and weight only: air, soft \
-                      potting.",
+            meaning: "A dielectric with an electric field and a weight, but no stiffness: air, \
+                      soft potting.",
             keys: &[
                 key(
                     "stiffness",

@@ -9,10 +9,10 @@ const OPENING: &str = "\
 
 Every key of a section file, `NAME.section.toml`.
 Made by `section-analyzer schema --format markdown`; do not edit.
-What the keys are for and how they play together is in [Section input](section-input.md).
+The use of the keys is described in [Section input](section-input.md).
 
-A *quantity* is a number in the declared units, or a text with a unit of its own, such as `\"73.1 GPa\"`.
-A *name* is a text, or a whole number that stands for one: the tag of a physical group.
+A *quantity* is a number in the declared units, or a text with its own unit, such as `\"73.1 GPa\"`.
+A *name* is a text, or a whole number that represents one: the tag of a physical group.
 ";
 
 /// The reference page of the section file, in Markdown.
@@ -22,14 +22,14 @@ pub fn reference() -> String {
     page
 }
 
-/// A table, and then the tables in it, each once.
+/// A table, then the tables in it, each once.
 fn write_table(page: &mut String, table: &TableSchema) {
     let heading = format!("\n## `{}`\n", table.title);
     if page.contains(&heading) {
         return;
     }
     page.push_str(&heading);
-    // Writing into a text cannot fail.
+    // Writing to a text cannot fail.
     let _ = writeln!(page, "\n{}", table.meaning);
     if !table.keys.is_empty() {
         write_keys(page, table.keys);
@@ -74,7 +74,7 @@ fn write_keys(page: &mut String, keys: &[KeySchema]) {
     }
 }
 
-/// A kind of value in words.
+/// A kind of value, as text.
 fn words(kind: &ValueKind) -> String {
     match kind {
         ValueKind::Text => "text".to_owned(),

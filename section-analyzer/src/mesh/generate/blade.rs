@@ -1,9 +1,9 @@
 //! Sections of blades: a skin around an airfoil, a spar of plies with one web or two, and
 //! cores.
 //!
-//! Plies are as thick as they are given everywhere, also where walls meet: the depth of
-//! each level is measured from the contour and from the outer faces of the webs, and
-//! corners are mitred. All nodes on walls lie on the surfaces that plies have below the
+//! Plies have their given thickness everywhere, also at corners: the depth of each level
+//! is measured from the contour and from the outer faces of the webs, and corners are
+//! mitred. All nodes of walls lie on the faces of plies, at their depth below the
 //! airfoil.
 
 use shared_geom::mesh::Mesh;
@@ -31,20 +31,20 @@ use grid::Grid;
 use layers::{layers, thickness};
 use spar::WebAt;
 
-/// Part of the radius of a surface that plies may fill.
+/// Fraction of the radius of a surface that plies may fill.
 const FULL: f64 = 0.95;
-/// Places of the chord that differ by less are one.
+/// Chordwise positions that differ by less are treated as equal.
 const SAME: f64 = 1e-6;
 
 impl Blade {
-    /// The mesh. Physical surfaces: one for each name of a ply, a filler or a core, and for
-    /// plies and fillers one for each part, `NAME/upper`, `NAME/lower`, `NAME/web`
-    /// (`NAME/front_web`, `NAME/rear_web` where there are two), `NAME/edge`. Physical
+    /// The mesh. Physical surfaces: one for each name of a ply, a filler or a core, and
+    /// for plies and fillers one for each part, `NAME/upper`, `NAME/lower`, `NAME/web`
+    /// (`NAME/front_web`, `NAME/rear_web` if there are two), `NAME/edge`. Physical
     /// curves, clockwise: `contour`, the outer surface; `spar`, its outer face with the
     /// webs; the faces of plies that have them.
     ///
     /// # Errors
-    /// All that leaves no mesh.
+    /// All problems that prevent a mesh.
     pub fn generate(&self) -> Result<Mesh, Vec<BladeProblem>> {
         let skin_layers = layers(self.skin.iter());
         let depth = thickness(&skin_layers);
@@ -74,7 +74,7 @@ impl Blade {
         };
         if let Some(inside) = &inside {
             let last = inside.inner[0].len() - 1;
-            // at the nose both surfaces have one node
+            // at the nose both surfaces share one node
             let end = if webs.len() > 1 { last } else { last - 1 };
             self.check_room(&grid, &inside.inner, [0, end], BladePart::Spar)?;
         }
@@ -90,7 +90,7 @@ impl Blade {
         }
     }
 
-    /// What needs no mesh to be seen.
+    /// Problems that are found without a mesh.
     fn check(&self, depth: f64) -> Result<(), Vec<BladeProblem>> {
         let mut problems = Vec::new();
         let last = self.contour.last_part();
@@ -157,11 +157,11 @@ impl Blade {
         std::iter::once(rear).chain(front).collect()
     }
 
-    /// The columns of cells, and those of the webs.
+    /// The columns of cells, and the columns of the webs.
     fn columns(&self, depth: f64) -> Result<(Columns, Vec<WebAt>), Vec<BladeProblem>> {
         let contour = &self.contour;
         let ends = |i: usize| Half::BOTH.map(|half| contour.range(half)[i]);
-        // the trailing edge above and below, then the nose
+        // the trailing edge on both surfaces, then the nose
         let edge = [ends(0)[0], ends(1)[1]];
         let mut marks = vec![edge, [ends(1)[0]; 2]];
         let mut webs = Vec::new();
@@ -194,7 +194,7 @@ impl Blade {
         Ok((columns, webs))
     }
 
-    /// Places of the chord, other than webs, where something begins or ends.
+    /// Chordwise positions, other than webs, at which a part begins or ends.
     fn inner_marks(&self) -> Vec<f64> {
         let mut parts: Vec<f64> = Vec::new();
         if let Some(spar) = &self.spar {
@@ -209,7 +209,7 @@ impl Blade {
         parts
     }
 
-    /// Whether the cells are too many, before they are made.
+    /// Whether the number of cells is too large, before they are made.
     fn check_count(&self, columns: &Columns, skin: usize) -> Result<(), Vec<BladeProblem>> {
         let spar = self.spar.iter().flat_map(|spar| &spar.plies);
         let layers = skin + spar.map(|one| one.ply.cells).sum::<usize>();
@@ -266,7 +266,7 @@ impl Blade {
         Ok(())
     }
 
-    /// Fills what is to be filled.
+    /// Fills the cavities with their cores and the nose mass.
     fn fill(
         &self,
         grid: &mut Grid,
@@ -346,18 +346,18 @@ impl Blade {
     }
 }
 
-/// What lies between an upper and a lower wall.
+/// The space between an upper and a lower wall.
 struct Cavity<'a> {
     /// Nodes of its columns, upper and lower.
     walls: [&'a [u32]; 2],
     /// The column of the first of them.
     first: usize,
-    /// The lines at its rear and its front end, from below.
+    /// The lines at its rear and its front end, upward.
     ends: [Vec<u32>; 2],
 }
 
-/// Whether plies of a thickness at each of some places fit inside of the radius of the
-/// surface there; tells where they do so least.
+/// Checks that plies, with a thickness at each position, fit within the radius of the
+/// surface there; reports the worst position.
 fn check_radii(
     contour: &Contour,
     places: impl Iterator<Item = (Half, f64, f64)>,

@@ -1,9 +1,9 @@
-//! From blocks of a lattice to a mesh.
+//! Makes meshes from blocks of a lattice.
 //!
-//! A shape gives the points of a lattice, the quadrilaterals between them and
-//! the lines of its boundaries. For linear cells the lattice has the corners of
-//! the cells only; for quadratic ones it is twice as fine, so that middles of
-//! sides and cells are lattice points, placed by the mapping of the shape:
+//! A shape provides the points of a lattice, the quadrilaterals between them and the
+//! lines of its boundaries. For linear cells the lattice has only the corners of the
+//! cells; for quadratic ones it is twice as fine, so that middles of sides and cells are
+//! lattice points, mapped like the corners:
 //!
 //! ```text
 //!  j                3 --- 6 --- 2
@@ -19,10 +19,10 @@ use shared_geom::mesh::{Cell, CellKind, GroupSet, Line, Mesh, Node, PhysicalGrou
 /// A quadrilateral of the lattice.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Quad {
-    /// Lattice points in the order of a quadrilateral with 9 nodes,
-    /// counterclockwise; those behind the corners are meant for quadratic cells only.
+    /// Lattice points in the order of a quadrilateral with 9 nodes, counterclockwise; the
+    /// points after the corners are for quadratic cells only.
     points: [u32; 9],
-    /// Which diagonal splits it into triangles: from corner 1 to 3 instead of 0 to 2.
+    /// Diagonal that splits it into triangles: from corner 1 to 3 instead of 0 to 2.
     backward: bool,
 }
 
@@ -34,10 +34,10 @@ pub(super) struct Border {
     pub(super) lines: Vec<[u32; 3]>,
 }
 
-/// What a shape is made of.
+/// Data of a shape.
 #[derive(Debug)]
 pub(super) struct Shape {
-    /// Places of the lattice points, in the unit of the mesh.
+    /// Positions of the lattice points, in the unit of the mesh.
     pub(super) points: Vec<[f64; 2]>,
     pub(super) quads: Vec<Quad>,
     pub(super) borders: Vec<Border>,
@@ -50,12 +50,12 @@ pub(super) fn step(kind: CellKind) -> usize {
     if kind.is_quadratic() { 2 } else { 1 }
 }
 
-/// Cells made of one quadrilateral.
+/// Number of cells made of one quadrilateral.
 pub(super) fn cells_per_quad(kind: CellKind) -> usize {
     if kind.corner_count() == 3 { 2 } else { 1 }
 }
 
-/// Places of the nine points of a quadrilateral, in half cells.
+/// Positions of the nine points of a quadrilateral, in half cells.
 const HALVES: [[usize; 2]; 9] = [
     [0, 0],
     [2, 0],
@@ -68,9 +68,9 @@ const HALVES: [[usize; 2]; 9] = [
     [1, 1],
 ];
 
-/// The quadrilaterals of a block with `cells` in its two directions, where the
-/// second direction lies left of the first; `point(i, j)` is the number of the
-/// lattice point. The diagonals alternate, so that triangles prefer none.
+/// The quadrilaterals of a block with `cells` in its two directions, where the second
+/// direction lies left of the first; `point(i, j)` is the index of the lattice point. The
+/// diagonals alternate, so that triangles have no preferred direction.
 pub(super) fn block(
     cells: [usize; 2],
     step: usize,
@@ -89,8 +89,7 @@ pub(super) fn block(
     quads
 }
 
-/// The lines of a border of as many cells; `point(i)` is the number of the
-/// lattice point.
+/// The lines of a border of `cells` cells; `point(i)` is the index of the lattice point.
 pub(super) fn border(
     name: &'static str,
     cells: usize,
@@ -104,8 +103,8 @@ pub(super) fn border(
     }
 }
 
-/// The mesh of a shape. Quadratic cells keep the middles of the mapping if
-/// `curved`, else they get straight sides.
+/// The mesh of a shape. Quadratic cells keep the middle points of the mapping if
+/// `curved`, otherwise their sides are straight.
 pub(super) fn build(shape: Shape, kind: CellKind, curved: bool) -> Mesh {
     let mut points = shape.points;
     let cells: Vec<[u32; 9]> = shape
@@ -155,8 +154,8 @@ fn named(dimension: u8, tag: i32, name: String) -> PhysicalGroup {
     }
 }
 
-/// Corners and side middles of the two triangles on each side of a diagonal, as
-/// numbers of the points of the quadrilateral.
+/// Corners and side middles of the two triangles on each side of a diagonal, as indices
+/// of the points of the quadrilateral.
 const FORWARD: [[usize; 6]; 2] = [[0, 1, 2, 4, 5, 8], [0, 2, 3, 8, 6, 7]];
 const BACKWARD: [[usize; 6]; 2] = [[0, 1, 3, 4, 8, 7], [1, 2, 3, 5, 6, 8]];
 
@@ -172,8 +171,8 @@ fn split(quad: &Quad, kind: CellKind) -> impl Iterator<Item = [u32; 9]> {
     cells.into_iter().flatten()
 }
 
-/// Moves the middles of the sides to between their ends, those of the cells to
-/// between the corners.
+/// Moves the middle points of sides to the midpoint of their ends, and of cells to the
+/// center of the corners.
 fn straighten(points: &mut [[f64; 2]], cells: &[[u32; 9]], kind: CellKind) {
     let mean = |points: &[[f64; 2]], of: &[u32]| -> [f64; 2] {
         let sum = |axis: usize| -> f64 { of.iter().map(|&p| points[p as usize][axis]).sum() };
@@ -191,8 +190,7 @@ fn straighten(points: &mut [[f64; 2]], cells: &[[u32; 9]], kind: CellKind) {
     }
 }
 
-/// The nodes at those points that are used, in the order of the lattice, and the
-/// node of each point.
+/// The nodes at the used points, in the order of the lattice, and the node of each point.
 fn number_nodes(points: &[[f64; 2]], cells: &[[u32; 9]], kind: CellKind) -> (Vec<Node>, Vec<u32>) {
     let mut used = vec![false; points.len()];
     for cell in cells {

@@ -37,7 +37,8 @@ const CORE: f64 = 0.42;
 /// Rise of the core's sides: with tan(15 deg) / 2 the three blocks that meet at
 /// a corner of the core share the angle there evenly, 120 deg each.
 const BULGE: f64 = 0.133_974_596_215_561_35;
-/// Quadrilaterals in the whole ellipse, for one in a quarter of the core.
+/// Number of quadrilaterals in the whole ellipse per quadrilateral in a quarter of the
+/// core.
 const QUADS: usize = 12;
 
 /// A full ellipse (a disk, with equal semi-axes), centered at the origin.
@@ -52,14 +53,13 @@ pub struct Ellipse {
     pub cells: usize,
     /// Kind of the cells.
     pub kind: CellKind,
-    /// Whether the side middles of quadratic cells lie where the smooth mapping
-    /// puts them, those of the boundary on the ellipse; else all sides are
-    /// straight, as they always are with linear cells.
+    /// Whether the side middles of quadratic cells follow the smooth mapping, at the
+    /// boundary the ellipse; otherwise all sides are straight, as for linear cells.
     pub curved: bool,
 }
 
-/// Numbers and places of the lattice points: first the core, row by row, then
-/// the rings around it.
+/// Indices and positions of the lattice points: first the core, row by row, then the
+/// rings around it.
 struct Lattice {
     /// Steps along a side of the core.
     side: usize,
@@ -72,7 +72,7 @@ impl Ellipse {
     /// `boundary`, which runs clockwise.
     ///
     /// # Errors
-    /// All measures that give no mesh.
+    /// All invalid dimensions.
     pub fn generate(&self) -> Result<Mesh, Vec<GenerateProblem>> {
         self.check()?;
         let step = builder::step(self.kind);
@@ -104,13 +104,13 @@ impl Ellipse {
 }
 
 impl Lattice {
-    /// Number of the point of the core in column `i` (along y) and row `j`.
+    /// Index of the point of the core in column `i` (along y) and row `j`.
     fn core_point(&self, i: usize, j: usize) -> usize {
         j * (self.side + 1) + i
     }
 
-    /// Number of the point on ring `j` (0 is the border of the core), `i` steps
-    /// clockwise from the upper left corner of the core.
+    /// Index of the point on ring `j` (0 is the border of the core), `i` steps clockwise
+    /// from the upper left corner of the core.
     fn ring_point(&self, i: usize, j: usize) -> usize {
         let m = self.side;
         let i = i % (4 * m);
@@ -126,7 +126,7 @@ impl Lattice {
         }
     }
 
-    /// The points of the unit disk, in the order of their numbers.
+    /// The points of the unit disk, in the order of their indices.
     fn points(&self) -> impl Iterator<Item = [f64; 2]> {
         let m = self.side;
         let along = move |i: usize| 2.0 * i as f64 / m as f64 - 1.0;
@@ -149,7 +149,7 @@ impl Lattice {
     }
 }
 
-/// Place in the core:
+/// Position in the core:
 ///
 /// ```text
 /// y = c u (1 + b (1 - v^2)),   z = c v (1 + b (1 - u^2))
@@ -159,7 +159,7 @@ fn core_place(u: f64, v: f64) -> [f64; 2] {
     [CORE * u * rise(v), CORE * v * rise(u)]
 }
 
-/// Place in the block above the core:
+/// Position in the block above the core:
 ///
 /// ```text
 /// (y, z) = (1 - s) core(t, 1) + s (sin(pi t / 4), cos(pi t / 4))
@@ -170,7 +170,7 @@ fn block_place(t: f64, s: f64) -> [f64; 2] {
     [y + s * (sine - y), z + s * (cosine - z)]
 }
 
-/// The place after `quarters` quarter turns clockwise.
+/// The position rotated by `quarters` quarter turns clockwise.
 fn turned(quarters: usize, [y, z]: [f64; 2]) -> [f64; 2] {
     match quarters {
         0 => [y, z],

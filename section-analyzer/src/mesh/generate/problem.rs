@@ -1,15 +1,15 @@
-//! What can be wrong with the measures of a generated mesh.
+//! Problems of the dimensions of a generated mesh.
 
 use shared_geom::error::Explain;
 
-/// Cells of a generated mesh at most: some hundred bytes each, and far beyond
-/// what a section needs.
+/// Largest number of cells of a generated mesh: some hundred bytes each, and far beyond
+/// any need of a section.
 pub(super) const MOST_CELLS: usize = 4_000_000;
 
-/// A measure that gives no mesh.
+/// An invalid dimension.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GenerateProblem {
-    /// A length that is zero, negative or no finite number.
+    /// A length that is zero, negative or not finite.
     #[error("{what}: expected a positive length, found {found}")]
     NotPositive {
         /// Name of the length.
@@ -17,10 +17,10 @@ pub enum GenerateProblem {
         /// Its value, in the unit of the mesh.
         found: f64,
     },
-    /// A wall that leaves no hole.
+    /// A wall that fills the hole.
     #[error(
-        "thickness {thickness}: expected less than the outer radius {outer_radius}, \
-         since nothing is left of the hole"
+        "thickness {thickness}: expected less than the outer radius {outer_radius}, since \
+         otherwise the tube has no hole"
     )]
     NoHole {
         /// Thickness of the wall, in the unit of the mesh.
@@ -33,15 +33,15 @@ pub enum GenerateProblem {
     TooFewCells {
         /// Name of the number of cells.
         what: &'static str,
-        /// The smallest number that gives a mesh.
+        /// The smallest valid number.
         least: usize,
         /// The number found.
         found: usize,
     },
-    /// More cells than can be of use.
+    /// More cells than allowed.
     #[error("expected at most {MOST_CELLS} cells in all, found {}", cells(*.found))]
     TooManyCells {
-        /// The number of cells found; `None` if it is beyond all numbers.
+        /// The number of cells found; `None` if it is beyond the range of integers.
         found: Option<usize>,
     },
 }
@@ -92,7 +92,7 @@ pub(super) fn check_total(factors: &[usize], problems: &mut Vec<GenerateProblem>
     }
 }
 
-/// `Ok` when no problem was found.
+/// `Ok` if no problem was found.
 pub(super) fn outcome(problems: Vec<GenerateProblem>) -> Result<(), Vec<GenerateProblem>> {
     if problems.is_empty() {
         Ok(())

@@ -35,14 +35,14 @@ impl Rectangle {
     /// run clockwise.
     ///
     /// # Errors
-    /// All measures that give no mesh.
+    /// All invalid dimensions.
     pub fn generate(&self) -> Result<Mesh, Vec<GenerateProblem>> {
         self.check()?;
         let step = builder::step(self.kind);
         let cells = [self.cells_y, self.cells_z];
         let [last_y, last_z] = cells.map(|count| count * step);
         let point = |i: usize, j: usize| j * (last_y + 1) + i;
-        // symmetric to the last digit about the origin
+        // exactly symmetric about the origin
         let place = |size: f64, i: usize, last: usize| size * (i as f64 / last as f64 - 0.5);
         let mut points = Vec::with_capacity((last_y + 1) * (last_z + 1));
         for j in 0..=last_z {

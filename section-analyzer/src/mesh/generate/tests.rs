@@ -23,7 +23,7 @@ fn moments(mesh: &Mesh) -> [f64; 4] {
     sum
 }
 
-/// Place and Jacobian determinant at (r, s) of a cell.
+/// Position and Jacobian determinant at (r, s) of a cell.
 fn map(mesh: &Mesh, cell: &Cell, r: f64, s: f64) -> ([f64; 2], f64) {
     let shape = cell.kind.shape(r, s);
     let (mut place, mut dr, mut ds) = ([0.0; 2], [0.0; 2], [0.0; 2]);
@@ -95,7 +95,7 @@ fn rectangles_have_exact_moments() {
     let expected = [1.5, 0.5 * 27.0 / 12.0, 3.0 * 0.125 / 12.0, 0.0];
     for kind in CellKind::ALL {
         let found = moments(&rectangle(kind));
-        // rules of linear cells are exact for squares of a coordinate as well
+        // integration rules of linear cells are also exact for squares of a coordinate
         for (found, expected) in found.iter().zip(expected) {
             assert!(
                 (found - expected).abs() < 1e-14,
@@ -113,7 +113,7 @@ fn errors(mesh: &Mesh, expected: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| (found[i] / expected[i] - 1.0).abs())
 }
 
-/// States that the errors fall at least with the order when the cells are halved.
+/// Checks that the errors decrease at least with this order if the cells are halved.
 fn assert_order(coarse: [f64; 3], fine: [f64; 3], order: f64, what: &str) {
     for (coarse, fine) in coarse.iter().zip(fine) {
         let slope = (coarse / fine).log2();
@@ -136,7 +136,7 @@ fn curved_quadratic_tubes_converge_with_fourth_order() {
         if kind.is_quadratic() {
             assert_order(error(true, 16), error(true, 32), 3.8, kind.name());
         }
-        // chords: second order, whatever the kind
+        // chords: second order for all kinds
         assert_order(error(false, 16), error(false, 32), 1.9, kind.name());
     }
 }
@@ -162,7 +162,7 @@ fn curved_quadratic_ellipses_converge_with_fourth_order() {
 #[test]
 fn no_cell_is_inverted() {
     let mut meshes: Vec<Mesh> = all().into_iter().map(|(mesh, _)| mesh).collect();
-    // a thin wall in few cells: what curves the sides is far more than the thickness
+    // a thin wall in few cells: the sagitta of the sides is far more than the thickness
     meshes.extend(CellKind::ALL.map(|kind| {
         let tube = Tube {
             outer_radius: 1.0,
@@ -194,7 +194,7 @@ fn nodes_are_used_and_none_is_doubled() {
         assert_eq!(used.len(), mesh.nodes.len());
         let on_lines = mesh.lines.iter().flat_map(|line| line.nodes().to_vec());
         assert!(on_lines.into_iter().all(|node| used.contains(&node)));
-        // places in millionths: the nodes are at least some hundredths apart
+        // positions in millionths: the nodes are at least some hundredths apart
         let places: HashSet<[i64; 2]> = mesh
             .nodes
             .iter()
@@ -220,7 +220,7 @@ fn cells_close_the_surface() {
         }
         // Euler: vertices - edges + faces = 1 - holes
         assert_eq!(corners.len() + mesh.cells.len() + holes, sides.len() + 1);
-        // what belongs to one cell is the boundary, and the lines are just that
+        // sides of only one cell are the boundary, and the lines are exactly these
         let lines = mesh.lines.iter().map(|line| {
             let mut key = [line.nodes()[0], line.nodes()[1]];
             key.sort_unstable();
@@ -233,8 +233,8 @@ fn cells_close_the_surface() {
     }
 }
 
-/// Twice the area that the lines of a curve group enclose, seen from the origin:
-/// negative when they run clockwise; and the number of lines.
+/// Twice the area that the lines of a curve group enclose, relative to the origin:
+/// negative if they run clockwise; and the number of lines.
 fn swept(mesh: &Mesh, name: &str) -> (f64, usize) {
     let group = mesh.group(1, name).unwrap_or_else(|| panic!("{name}"));
     let lines = mesh.lines.iter().filter(|line| line.groups.contains(group));

@@ -20,8 +20,8 @@ pub struct Tube {
     pub cells_through: usize,
     /// Kind of the cells.
     pub kind: CellKind,
-    /// Whether the side middles of quadratic cells lie on the circle; else the
-    /// tube is a polygon, as it always is with linear cells.
+    /// Whether the side middles of quadratic cells lie on the circle; otherwise the tube
+    /// is a polygon, as for linear cells.
     pub curved: bool,
 }
 
@@ -30,12 +30,12 @@ impl Tube {
     /// `outer`, which both run clockwise from +y.
     ///
     /// # Errors
-    /// All measures that give no mesh.
+    /// All invalid dimensions.
     pub fn generate(&self) -> Result<Mesh, Vec<GenerateProblem>> {
         self.check()?;
         let step = builder::step(self.kind);
         let (around, through) = (self.cells_around * step, self.cells_through * step);
-        // i runs clockwise, j outward, which lies left of it
+        // i runs clockwise, j outward, to its left
         let point = |i: usize, j: usize| j * around + i % around;
         let mut points = Vec::with_capacity(around * (through + 1));
         for j in 0..=through {

@@ -17,13 +17,13 @@ pub(super) struct Builder<'a> {
     pub mesh: &'a mut Mesh,
     pub laminae: &'a [Lamina],
     pub segments: &'a [Segment],
-    /// Of each laminate.
+    /// The layers of each laminate.
     pub layers: &'a [Layers],
-    /// Those of the cells made.
+    /// The faces of the cells made.
     pub faces: Vec<LaminaFace>,
     next_node: u64,
     next_cell: u64,
-    /// Surface entity of the first laminate: none of the mesh.
+    /// Surface entity of the first laminate: not used in the mesh.
     entity: i32,
     /// The nodes in the middle of sides, by the ends.
     middles: HashMap<[u32; 2], u32>,
@@ -55,7 +55,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Tag and place of a node.
+    /// Tag and position of a node.
     pub fn named(&self, node: u32) -> (u64, [f64; 2]) {
         (self.mesh.nodes[node as usize].tag, self.place(node))
     }
@@ -119,12 +119,13 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The places of the levels halfway between their ends, on the normals of the line.
+    /// The positions of the levels halfway between their ends, on the normals of the
+    /// line.
     ///
     /// ```text
     /// x_k = x(u) + h_k n(u) ,     u = 1/2 + (d_0 + d_1) / (2 length)
     /// ```
-    /// with d_0 and d_1 what corners move the two ends along the line.
+    /// where d_0 and d_1 are the shifts of the two ends along the line due to corners.
     fn halfway(&self, segment: &Segment, layers: &Layers, ends: &Ends) -> Vec<[f64; 2]> {
         let curve = &segment.curve;
         let length = distance(curve.first, curve.second);
@@ -144,7 +145,7 @@ impl<'a> Builder<'a> {
         layers.levels.iter().enumerate().map(place).collect()
     }
 
-    /// The nodes halfway along the line, one a level; none on lines with two nodes.
+    /// The nodes halfway along the line, one per level; none on lines with two nodes.
     fn middles_of(
         &mut self,
         segment: &Segment,
@@ -209,8 +210,8 @@ impl<'a> Builder<'a> {
         self.next_cell = self.next_cell.saturating_add(1);
     }
 
-    /// Whether some level runs against the line: at its ends or, on lines with three
-    /// nodes, in its middle.
+    /// Whether some level has the opposite direction to the line: at its ends or, on
+    /// lines with three nodes, in its middle.
     fn folds(&self, segment: &Segment, ends: &Ends, places: &[[f64; 2]]) -> bool {
         let curve = &segment.curve;
         (0..places.len()).any(|level| {
@@ -255,7 +256,7 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// The z of the mesh, which is that of its lines.
+/// The z of the mesh, equal to the z of its lines.
 pub(super) fn plane_of(mesh: &Mesh, segments: &[Segment]) -> f64 {
     let node = segments.first().map_or(0, |segment| segment.nodes[0]);
     mesh.nodes

@@ -1,7 +1,7 @@
-//! The faces of laminates: what a load along the beam acts on.
+//! The faces of laminates, on which distributed loads act.
 //!
-//! A laminate beside its line has one face of its own, the outer one; a laminate centered
-//! on its line has one on either side. Where a wall ends on a face there is none.
+//! A laminate on one side of its line has one face, the outer one; a laminate centered on
+//! its line has one on either side. Lines on which another wall ends have no face.
 
 use std::collections::HashMap;
 
@@ -11,8 +11,8 @@ use super::layers::{Bank, Ends, Layers};
 use super::segments::Segment;
 use super::{LaminaFace, LaminaSide};
 
-/// The faces of a laminate at a line, given the nodes at the ends of its levels and those
-/// in the middle.
+/// The faces of a laminate at a line, given the end nodes and the middle nodes of its
+/// levels.
 pub(super) fn of_line(
     segment: &Segment,
     layers: &Layers,
@@ -42,7 +42,7 @@ pub(super) fn of_line(
     faces.into_iter().map(face).collect()
 }
 
-/// Leaves out what has cells on both sides.
+/// Removes lines that have cells on both sides.
 pub(super) fn keep_free(mesh: &Mesh, faces: &mut Vec<LaminaFace>) {
     let mut cells_at: HashMap<[u32; 2], usize> = HashMap::new();
     for face in faces.iter() {

@@ -1,4 +1,4 @@
-//! Whether lines fit each other and the cells beside them.
+//! Checks whether lines fit each other and the adjacent cells.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use super::problem::LaminaProblem;
 use super::segments::{Segment, label};
 use super::{Lamina, LaminaSide};
 
-/// Distance from the border within which a line runs along it, relative to its length.
+/// Distance from the border within which a line is on it, relative to its length.
 const ALONG: f64 = 0.01;
 
 type Problems = Vec<(usize, LaminaProblem)>;
@@ -20,12 +20,12 @@ type Problems = Vec<(usize, LaminaProblem)>;
 struct Side {
     nodes: [u32; 2],
     middle: Option<u32>,
-    /// Number of cells that have it.
+    /// Number of cells with this side.
     cells: usize,
 }
 
-/// Lines on the border of cells that are not their sides, and those with another number
-/// of nodes.
+/// Lines on the border of cells that are not their sides, or have another number of
+/// nodes.
 pub(super) fn misfits(mesh: &Mesh, laminae: &[Lamina], segments: &[Segment]) -> Problems {
     if mesh.cells.is_empty() || segments.is_empty() {
         return Vec::new();
@@ -46,7 +46,7 @@ pub(super) fn misfits(mesh: &Mesh, laminae: &[Lamina], segments: &[Segment]) -> 
     problems
 }
 
-/// For each laminate the first line that has other nodes than the side of the cells.
+/// For each laminate the first line whose nodes differ from the side of the cells.
 fn other_orders(
     mesh: &Mesh,
     laminae: &[Lamina],
@@ -76,8 +76,8 @@ fn other_orders(
     problems
 }
 
-/// For each laminate the first line with no cell beside it that runs along the border of
-/// cells all the same.
+/// For each laminate the first line that is not a side of a cell, although it is on the
+/// border of cells.
 fn along_borders(
     mesh: &Mesh,
     laminae: &[Lamina],
@@ -114,7 +114,7 @@ fn place(mesh: &Mesh, node: u32) -> [f64; 2] {
     [position.x, position.y]
 }
 
-/// Whether a curve lies on the border, as far as three of its places tell.
+/// Whether a curve lies on the border, checked at three of its points.
 fn runs_along(curve: &Curve, border: &[Curve]) -> bool {
     let tolerance = ALONG * distance(curve.first, curve.second);
     [0.25, 0.5, 0.75].iter().all(|&t| {
@@ -138,7 +138,7 @@ pub(super) fn twice(
     segments: &[Segment],
     sides: &[LaminaSide],
 ) -> Problems {
-    // banks that are taken, seen from the lower to the higher node
+    // used sides, relative to the direction from the lower to the higher node
     let mut taken: HashMap<[u32; 2], Vec<(LaminaSide, &Segment)>> = HashMap::new();
     let mut told = Vec::new();
     let mut problems = Vec::new();

@@ -1,4 +1,4 @@
-//! Where laminates end and meet.
+//! Ends and joints of laminates.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use super::Lamina;
 use super::problem::{LaminaProblem, limited};
 use super::segments::{Segment, label};
 
-/// Change of direction up to which a wall runs through smoothly \[rad\]: 15 degrees.
+/// Change of direction up to which a wall continues smoothly \[rad\]: 15 degrees.
 pub(super) const SMOOTH: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// An end of a line with a laminate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,14 +18,14 @@ pub(super) struct End {
     pub number: usize,
 }
 
-/// What meets at a node.
+/// Laminates that meet at a node.
 #[derive(Debug)]
 pub(super) enum Meeting {
     /// The laminates of one line end.
     Free(Vec<End>),
     /// The laminates of two lines.
     Through([Vec<End>; 2]),
-    /// One that runs through, and one that ends on it.
+    /// One that continues through the node, and one that ends on it.
     Tee { wall: [End; 2], web: End },
 }
 
@@ -77,8 +77,8 @@ pub(super) fn joints(
     }
 }
 
-/// One wall that runs through smoothly and one that ends on it, if that is what the
-/// three lines are.
+/// One wall that continues smoothly and one that ends on it, if the three lines have this
+/// form.
 fn tee(segments: &[Segment], lines: &[Vec<End>]) -> Option<Meeting> {
     let alone = |line: &Vec<End>| match line[..] {
         [end] => segments[end.segment].is_alone.then_some(end),

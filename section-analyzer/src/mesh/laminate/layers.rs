@@ -2,20 +2,21 @@
 
 use super::LaminaSide;
 
-/// Levels that differ by less, relative to the thickness of the laminate, are one.
+/// Levels that differ by less, relative to the thickness of the laminate, are treated as
+/// equal.
 const SAME: f64 = 1e-9;
 
-/// On which side of its line a laminate lies.
+/// Side of its line on which a laminate lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Bank {
     Left,
     Right,
-    /// On both.
+    /// On both sides.
     Middle,
 }
 
 impl Bank {
-    /// The same, seen against the line if `along` is false.
+    /// The same side, relative to the opposite direction if `along` is false.
     pub fn seen(self, along: bool) -> Self {
         match (self, along) {
             (Self::Left, false) => Self::Right,
@@ -39,7 +40,7 @@ pub(super) struct Layers {
 pub(super) type Ends = [Vec<u32>; 2];
 
 impl Layers {
-    /// One layer a ply.
+    /// One layer per ply.
     pub fn new(thicknesses: &[f64], side: LaminaSide) -> Self {
         let whole: f64 = thicknesses.iter().sum();
         let (first, bank) = match side {
@@ -63,7 +64,7 @@ impl Layers {
             plies,
             bank,
         };
-        // the middle of a symmetric laminate is the line itself
+        // the middle of a symmetric laminate is exactly the line
         let tolerance = layers.tolerance();
         for level in &mut layers.levels {
             if level.abs() <= tolerance {
@@ -73,7 +74,7 @@ impl Layers {
         layers
     }
 
-    /// Distance within which levels are one [mesh unit].
+    /// Distance within which levels are equal [mesh unit].
     pub fn tolerance(&self) -> f64 {
         SAME * self.thickness()
     }
@@ -91,7 +92,7 @@ impl Layers {
         self.levels.iter().fold(0.0, |reach, x| reach.max(x.abs()))
     }
 
-    /// Whether a level may move there: half of the plies beside it must be left.
+    /// Whether a level may move to `level`: half of each adjacent ply must remain.
     pub fn may_be_at(&self, index: usize, level: f64) -> bool {
         let from = self.levels[index];
         let has_room = |beside: Option<&f64>| {
@@ -101,8 +102,8 @@ impl Layers {
             && has_room(self.levels.get(index + 1))
     }
 
-    /// Cuts the layer that holds `level`, unless it is a level already or lies outside;
-    /// tells whether it did.
+    /// Divides the layer that contains `level`, unless it is a level already or lies
+    /// outside; returns whether it did.
     pub fn cut(&mut self, level: f64) -> bool {
         let tolerance = self.tolerance();
         if self.levels.iter().any(|x| (x - level).abs() <= tolerance) {

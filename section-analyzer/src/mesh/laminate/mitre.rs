@@ -1,4 +1,4 @@
-//! The nodes across the laminates where their lines end.
+//! The nodes across the laminates at the ends of their lines.
 //!
 //! Between two lines with unit normals n1, n2 the node of a level h lies at the offset o
 //! from the node of the lines, which has the distance h from both:
@@ -16,28 +16,28 @@ use super::layers::{Bank, Ends, Layers};
 use super::problem::{LaminaProblem, limited};
 use super::segments::{Segment, label};
 
-/// Largest change of direction that is mitred \[rad\]: 135 degrees, where the outer edge
+/// Largest change of direction that is mitred \[rad\]: 135 degrees; then the outer edge
 /// of a layer is 2.6 times as far from the corner as from the line.
 const SHARPEST: f64 = 135.0 * std::f64::consts::PI / 180.0;
 
-/// What coordinates of some digits make of an angle \[rad\].
+/// Error of an angle due to the digits of coordinates \[rad\].
 const ROUND_OFF: f64 = 1e-6;
 
 type Nodes = Vec<(End, Vec<u32>)>;
 type Problem = (usize, LaminaProblem);
 
-/// A laminate at a node, seen along the way through the node.
+/// A laminate at a node, relative to the path through the node.
 pub(super) struct View<'a> {
     end: End,
-    /// Whether the line runs the same way.
+    /// Whether the line has the direction of the path.
     along: bool,
-    /// Unit tangent of the way.
+    /// Unit tangent of the path.
     pub tangent: [f64; 2],
     layers: &'a Layers,
 }
 
 impl<'a> View<'a> {
-    /// Of the line before the node (`is_first`), or of that behind it.
+    /// View of the line before the node (`is_first`), or of the line after it.
     pub fn new(segments: &[Segment], layers: &'a [Layers], end: End, is_first: bool) -> Self {
         Self {
             end,
@@ -58,12 +58,12 @@ impl<'a> View<'a> {
         self.layers.bank.seen(self.along)
     }
 
-    /// A level of the laminate as it is seen on the way, or the other way round.
+    /// A level of the laminate relative to the path, or the inverse.
     pub fn turned(&self, level: f64) -> f64 {
         if self.along { level } else { 0.0 - level }
     }
 
-    /// The levels, ascending to the left of the way, each with its index.
+    /// The levels, ascending to the left of the path, each with its index.
     pub fn levels(&self) -> Vec<(f64, usize)> {
         let levels = self.layers.levels.iter().enumerate();
         let mut seen: Vec<_> = levels
@@ -75,7 +75,7 @@ impl<'a> View<'a> {
         seen
     }
 
-    /// Whether two levels are one.
+    /// Whether two levels are equal.
     fn is_same(&self, other: &Self, a: f64, b: f64) -> bool {
         (a - b).abs() <= self.layers.tolerance().max(other.layers.tolerance())
     }
@@ -88,14 +88,14 @@ impl<'a> View<'a> {
     }
 }
 
-/// Makes the nodes at the ends of all lines: for each line those of its levels.
+/// Makes the nodes at the ends of all lines: for each line the nodes of its levels.
 pub(super) fn join(builder: &mut Builder<'_>, joints: &[Joint]) -> Result<Vec<Ends>, Vec<Problem>> {
     let mut ends = vec![Ends::default(); builder.segments.len()];
     let mut problems = Vec::new();
     for joint in joints {
         let found = match &joint.meeting {
             Meeting::Free(of) => Ok(all_single(builder, joint.node, of)),
-            // opened before this
+            // its row has been made before
             Meeting::Tee { wall: [a, b], web } => {
                 Ok(all_single(builder, joint.node, &[*a, *b, *web]))
             }
@@ -138,7 +138,7 @@ fn through(builder: &mut Builder<'_>, node: u32, lines: &[Vec<End>; 2]) -> Resul
     let before: Vec<_> = lines[0].iter().map(|end| view(end, true)).collect();
     let mut behind: Vec<_> = lines[1].iter().map(|end| view(end, false)).collect();
     let mut nodes = Vec::new();
-    // cells beside both lines hold together what ends there
+    // cells next to both lines connect the ends
     let mut is_joined = lines.iter().flatten().all(|end| !is_alone(builder, *end));
     for one in &before {
         let same = behind.iter().position(|other| other.bank() == one.bank());
@@ -173,7 +173,7 @@ fn through(builder: &mut Builder<'_>, node: u32, lines: &[Vec<End>; 2]) -> Resul
     }
 }
 
-/// Whether no cell of the mesh lies beside the line of an end.
+/// Whether no cell of the mesh is next to the line of an end.
 fn is_alone(builder: &Builder<'_>, end: End) -> bool {
     builder.segments[end.segment].is_alone
 }
@@ -182,7 +182,8 @@ fn lamina(builder: &Builder<'_>, view: &View<'_>) -> usize {
     builder.segments[view.end.segment].lamina
 }
 
-/// Why laminates on different sides of their lines cannot go on in each other.
+/// The problem of laminates that cannot be joined as they are on different sides of their
+/// lines.
 fn unlike(builder: &Builder<'_>, node: u32, views: [&View<'_>; 2]) -> Problem {
     let of = views.map(|view| lamina(builder, view));
     let curves = of.map(|one| label(builder.mesh, builder.laminae, one));
@@ -208,7 +209,7 @@ fn unlike(builder: &Builder<'_>, node: u32, views: [&View<'_>; 2]) -> Problem {
     (of[1], problem)
 }
 
-/// The nodes of two laminates on the same bank.
+/// The nodes of two laminates on the same side.
 fn pair(
     builder: &mut Builder<'_>,
     node: u32,
@@ -221,8 +222,8 @@ fn pair(
     let angle = turn(one.tangent, other.tangent);
     let equal = one.equals(other);
     if angle.abs() > SHARPEST + ROUND_OFF {
-        // room for both where the corner opens away from the laminates, and cells between
-        // them hold them together
+        // both fit if the corner opens away from the laminates, and cells between them
+        // connect them
         let opens = match one.bank() {
             Bank::Left => angle < 0.0,
             Bank::Right => angle > 0.0,
@@ -266,7 +267,7 @@ fn in_order(levels: &[(f64, usize)], made: &[u32]) -> Vec<u32> {
     nodes
 }
 
-/// The nodes of two laminates with the mean normal: levels that both have are shared.
+/// The nodes of two laminates with the mean normal: common levels share nodes.
 fn stepped(builder: &mut Builder<'_>, node: u32, one: &View<'_>, other: &View<'_>) -> Nodes {
     let [n1, n2] = [one, other].map(|view| left_of(view.tangent));
     let mean = [0, 1].map(|i| (n1[i] + n2[i]) / (1.0 + dot(n1, n2)));

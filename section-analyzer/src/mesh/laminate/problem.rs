@@ -1,6 +1,6 @@
-//! What can be wrong with a laminate along a curve.
+//! Problems of laminates along curves.
 //!
-//! Places are those of the mesh file, in its unit.
+//! Positions are in the unit of the mesh file.
 
 use shared_geom::error::{Explain, quoted};
 
@@ -13,34 +13,34 @@ use super::words::{Wall, both, fold, more, order, places, twice};
 pub enum LaminaProblem {
     /// A line between cells.
     #[error(
-        "line {line} of curve \"{curve}\" at {} lies between cells{}: a laminate lies on the \
-         border of cells, or where there are none", at(*.place), more(*.count)
+        "line {line} of curve \"{curve}\" at {} lies between cells{}: a laminate must lie on the \
+         border of cells, or away from cells", at(*.place), more(*.count)
     )]
     Inside {
         /// The curve.
         curve: String,
         /// Tag of one of the lines.
         line: u64,
-        /// Its middle [mesh unit].
+        /// Its midpoint [mesh unit].
         place: [f64; 2],
-        /// How many there are.
+        /// Number of these lines.
         count: usize,
     },
-    /// A laminate on the side where the cells are.
+    /// A laminate on the side of the cells.
     #[error(
-        "side = \"{}\" puts the laminate of curve \"{curve}\" into the cells beside line {line} \
+        "side = \"{}\" puts the laminate of curve \"{curve}\" into the cells next to line {line} \
          at {}", .side.name(), at(*.place)
     )]
     IntoCells {
         /// The curve.
         curve: String,
-        /// The side as it was given.
+        /// The side as given.
         side: LaminaSide,
         /// The side without cells.
         free: LaminaSide,
         /// Tag of one of the lines.
         line: u64,
-        /// Its middle [mesh unit].
+        /// Its midpoint [mesh unit].
         place: [f64; 2],
     },
     /// A curve with cells first on one side and then on the other.
@@ -54,13 +54,13 @@ pub enum LaminaProblem {
         curve: String,
         /// Tags of a line of each kind.
         lines: [u64; 2],
-        /// Their middles [mesh unit].
+        /// Their midpoints [mesh unit].
         places: [[f64; 2]; 2],
     },
     /// A curve that runs along cells and beyond them.
     #[error(
-        "curve \"{curve}\" has cells beside line {} at {} and none beside line {} at {}: the \
-         side of its laminate must be said",
+        "curve \"{curve}\" has cells next to line {} at {} and none next to line {} at {}: the \
+         side of its laminate must be given",
         .lines[0], at(.places[0]), .lines[1], at(.places[1])
     )]
     Mixed {
@@ -70,10 +70,10 @@ pub enum LaminaProblem {
         free: LaminaSide,
         /// Tags of a line of each kind.
         lines: [u64; 2],
-        /// Their middles [mesh unit].
+        /// Their midpoints [mesh unit].
         places: [[f64; 2]; 2],
     },
-    /// Two laminates at one place.
+    /// Two laminates at one position.
     #[error(
         "{} on one side of line {line} at {}", twice(.curves), at(*.place)
     )]
@@ -82,23 +82,23 @@ pub enum LaminaProblem {
         curves: [String; 2],
         /// Tag of a line that has both.
         line: u64,
-        /// Its middle [mesh unit].
+        /// Its midpoint [mesh unit].
         place: [f64; 2],
     },
-    /// Lines that share both ends, but not their middle.
+    /// Lines that share both ends, but not their middle node.
     #[error(
-        "lines {} and {} of {} have the same ends: the one at {} and the other cannot be told \
-         apart where laminates meet", .lines[0], .lines[1], both(.curves), at(*.place)
+        "lines {} and {} of {} have the same ends: the one at {} and the other cannot be \
+         distinguished at joints of laminates", .lines[0], .lines[1], both(.curves), at(*.place)
     )]
     SameEnds {
         /// Their curves.
         curves: [String; 2],
         /// Tags of the lines.
         lines: [u64; 2],
-        /// Middle of the second [mesh unit].
+        /// Midpoint of the second [mesh unit].
         place: [f64; 2],
     },
-    /// A line on the border of cells that has other nodes than the side there.
+    /// A line on the border of cells whose nodes differ from the side there.
     #[error(
         "line {line} of curve \"{curve}\" at {} {}{}", at(*.place), order(*.has_middle),
         more(*.count)
@@ -108,14 +108,14 @@ pub enum LaminaProblem {
         curve: String,
         /// Tag of one of the lines.
         line: u64,
-        /// Its middle [mesh unit].
+        /// Its midpoint [mesh unit].
         place: [f64; 2],
-        /// Whether the line has a node there.
+        /// Whether the line has a middle node.
         has_middle: bool,
-        /// How many there are.
+        /// Number of these lines.
         count: usize,
     },
-    /// A line on the border of cells that is none of their sides.
+    /// A line on the border of cells that is not one of their sides.
     #[error(
         "line {line} of curve \"{curve}\" at {} runs along the border of cells without being one \
          of their sides{}", at(*.place), more(*.count)
@@ -125,25 +125,25 @@ pub enum LaminaProblem {
         curve: String,
         /// Tag of the line.
         line: u64,
-        /// Its middle [mesh unit].
+        /// Its midpoint [mesh unit].
         place: [f64; 2],
-        /// How many there are.
+        /// Number of these lines.
         count: usize,
     },
-    /// A line without direction.
+    /// A line of zero length.
     #[error("line {line} of curve \"{curve}\" at {} has no length", at(*.place))]
     NoLength {
         /// The curve.
         curve: String,
         /// Tag of the line.
         line: u64,
-        /// Where it is [mesh unit].
+        /// Its position [mesh unit].
         place: [f64; 2],
     },
-    /// Lines of one curve that run against each other.
+    /// Lines of one curve in opposite directions.
     #[error(
-        "lines {} and {} of curve \"{curve}\" run against each other at node {node} at {}: \
-         left and right change there", .lines[0], .lines[1], at(*.place)
+        "lines {} and {} of curve \"{curve}\" have opposite directions at node {node} at {}: left \
+         and right change there", .lines[0], .lines[1], at(*.place)
     )]
     AgainstEachOther {
         /// The curve.
@@ -152,7 +152,7 @@ pub enum LaminaProblem {
         lines: [u64; 2],
         /// Tag of the node.
         node: u64,
-        /// Where it is [mesh unit].
+        /// Its position [mesh unit].
         place: [f64; 2],
     },
     /// More than two lines with laminates at a node.
@@ -163,7 +163,7 @@ pub enum LaminaProblem {
     Branch {
         /// Tag of the node.
         node: u64,
-        /// Where it is [mesh unit].
+        /// Its position [mesh unit].
         place: [f64; 2],
         /// Number of lines.
         lines: usize,
@@ -172,22 +172,23 @@ pub enum LaminaProblem {
     },
     /// A wall that ends on another one whose lines are too short.
     #[error(
-        "the laminate of curve \"{}\" ends on that of \"{}\" at node {node} at {}, where line \
-         {line} of length {} is too short: {} of it are taken, expected at most three quarters",
+        "the laminate of curve \"{}\" ends on the laminate of \"{}\" at node {node} at {}, where \
+         line {line} of length {} is too short: {} of it are covered, expected at most three \
+         quarters",
         .curves[0], .curves[1], at(*.place), short(*.length), short(*.taken)
     )]
     Crowded {
-        /// The curve that ends, and the one that runs through.
+        /// The curve that ends, and the curve that continues.
         curves: [String; 2],
         /// Tag of the node.
         node: u64,
-        /// Where it is [mesh unit].
+        /// Its position [mesh unit].
         place: [f64; 2],
         /// Tag of the line.
         line: u64,
         /// Its length [mesh unit].
         length: f64,
-        /// The part of it that the other wall covers [mesh unit].
+        /// The length of it that the other wall covers [mesh unit].
         taken: f64,
     },
     /// A corner that cannot be mitred.
@@ -200,11 +201,11 @@ pub enum LaminaProblem {
         curve: String,
         /// Tag of the node.
         node: u64,
-        /// Where it is [mesh unit].
+        /// Its position [mesh unit].
         place: [f64; 2],
-        /// How much the direction changes \[rad\].
+        /// Change of the direction \[rad\].
         turn: f64,
-        /// How much it may \[rad\].
+        /// Largest allowed change \[rad\].
         limit: f64,
     },
     /// Laminates that cannot be joined.
@@ -221,26 +222,26 @@ pub enum LaminaProblem {
         layers: [usize; 2],
         /// Tag of the node.
         node: u64,
-        /// Where it is [mesh unit].
+        /// Its position [mesh unit].
         place: [f64; 2],
     },
-    /// Laminates of which one is centered and the other not.
+    /// A centered laminate and one on a side of its line.
     #[error(
-        "the laminates of curves \"{}\" and \"{}\" meet at node {node} at {}, one centered on \
-         its line and the other beside it", .curves[0], .curves[1], at(*.place)
+        "the laminates of curves \"{}\" and \"{}\" meet at node {node} at {}, one centered on its \
+         line and the other on one side of it", .curves[0], .curves[1], at(*.place)
     )]
     OffCenter {
         /// Their curves.
         curves: [String; 2],
         /// Tag of the node.
         node: u64,
-        /// Where it is [mesh unit].
+        /// Its position [mesh unit].
         place: [f64; 2],
     },
-    /// Laminates on different sides, which nothing but a node would hold together.
+    /// Laminates on different sides, which only a node would connect.
     #[error(
-        "the laminates of curves \"{}\" and \"{}\" lie on different sides of their lines where \
-         these meet, at node {node} at {}: they would touch in this node only",
+        "the laminates of curves \"{}\" and \"{}\" lie on different sides of their lines at their \
+         common node {node} at {}: they would touch in this node only",
         .curves[0], .curves[1], at(*.place)
     )]
     OtherSide {
@@ -248,7 +249,7 @@ pub enum LaminaProblem {
         curves: [String; 2],
         /// Tag of the node.
         node: u64,
-        /// Where it is [mesh unit].
+        /// Its position [mesh unit].
         place: [f64; 2],
     },
     /// A laminate that folds over itself.
@@ -261,7 +262,7 @@ pub enum LaminaProblem {
         curve: String,
         /// Tag of the line.
         line: u64,
-        /// Its middle [mesh unit].
+        /// Its midpoint [mesh unit].
         place: [f64; 2],
         /// Distance of the laminate's farther face from the line [mesh unit].
         reach: f64,
@@ -270,7 +271,7 @@ pub enum LaminaProblem {
         /// Its radius of curvature, unless it is straight [mesh unit].
         radius: Option<f64>,
     },
-    /// A laminate without room for its plies.
+    /// A laminate without space for its plies.
     #[error(
         "the plies of curve \"{curve}\" are crossed or folded at line {line}, around {}{}: together \
          they are {} thick", at(*.place), places(*.count), short(*.thickness)
@@ -280,45 +281,45 @@ pub enum LaminaProblem {
         curve: String,
         /// Tag of the line.
         line: u64,
-        /// Middle of the ply [mesh unit].
+        /// Center of the ply [mesh unit].
         place: [f64; 2],
         /// Thickness of the laminate [mesh unit].
         thickness: f64,
         /// Number of cells.
         count: usize,
     },
-    /// A laminate that covers what is there already.
+    /// A laminate that overlaps another part.
     #[error(
         "{} overlaps {} at {}{}", .walls[0], .walls[1].as_other(&.walls[0]), at(*.place),
         places(*.count)
     )]
     Overlaps {
-        /// Both, of which one is a laminate.
+        /// The two parts, at least one of them a laminate.
         walls: [Wall; 2],
-        /// A place in both [mesh unit].
+        /// A position in both [mesh unit].
         place: [f64; 2],
         /// Number of pairs of cells.
         count: usize,
     },
-    /// A laminate that touches what it is not joined to.
+    /// A laminate that touches another part without being joined to it.
     #[error(
         "{} touches {} at {}{} without being joined to it", .walls[0],
         .walls[1].as_other(&.walls[0]), at(*.place), places(*.count)
     )]
     Unjoined {
-        /// Both, of which one is a laminate.
+        /// The two parts, at least one of them a laminate.
         walls: [Wall; 2],
-        /// Where [mesh unit].
+        /// Position [mesh unit].
         place: [f64; 2],
-        /// Number of places.
+        /// Number of positions.
         count: usize,
     },
-    /// Further problems of a kind of which the first have been told.
+    /// Further problems of a kind, which are not reported one by one.
     #[error("and {count} more {what}")]
     More {
-        /// How many were left out.
+        /// Their number.
         count: usize,
-        /// Of what.
+        /// Their kind.
         what: &'static str,
     },
 }
@@ -327,7 +328,7 @@ impl Explain for LaminaProblem {
     fn help(&self) -> Option<String> {
         let help = match self {
             Self::Inside { .. } => {
-                "mesh a layer between cells as cells of its own, or name a curve on the border"
+                "mesh a layer between cells by cells, or name a curve on the border"
             }
             Self::IntoCells { free, .. } | Self::Mixed { free, .. } => {
                 return Some(format!(
@@ -337,7 +338,7 @@ impl Explain for LaminaProblem {
             }
             Self::SideChanges { .. } => {
                 "in gmsh, give the lines one direction along the border (Physical Curve with a \
-                 minus sign turns one), or name two curves"
+                 minus sign reverses one), or name two curves"
             }
             Self::Twice { .. } => "one [[lamina]] lists all its plies",
             Self::NoLength { .. } => "mesh this curve again",
@@ -351,12 +352,12 @@ impl Explain for LaminaProblem {
                  curves that bound the surfaces, and mesh both together"
             }
             Self::AgainstEachOther { .. } => {
-                "in gmsh, give all lines of the curve one direction: in Physical Curve(...) = \
-                 {1, -2} the minus sign turns curve 2 around"
+                "in gmsh, give all lines of the curve one direction: in Physical Curve(...) = {1, \
+                 -2} the minus sign reverses curve 2"
             }
             Self::Branch { .. } => {
-                "one wall may end on another one that runs through smoothly and has one laminate \
-                 and no cells beside it; mesh other junctions as cells, with laminates on their \
+                "one wall may end on another one that continues smoothly and has one laminate and \
+                 no cells next to it; mesh other junctions as cells, with laminates on their \
                  border"
             }
             Self::Crowded { .. } => {
@@ -368,13 +369,13 @@ impl Explain for LaminaProblem {
                  the corner as cells, with the laminates on their border"
             }
             Self::Differ { .. } => {
-                "give both as many plies (one ply may be written as two), or mesh the corner as \
-                 cells"
+                "give both equal numbers of plies (one ply may be written as two), or mesh the \
+                 corner as cells"
             }
             Self::OffCenter { .. } => "give both the same \"side\"",
             Self::OtherSide { .. } => {
-                "give both the same \"side\"; or the other one, if the curves run against each \
-                 other"
+                "give both the same \"side\"; or opposite ones, if the curves have opposite \
+                 directions"
             }
             Self::Folded { .. } => {
                 "lines must be longer than the laminate is thick where they meet at an angle, \
@@ -387,7 +388,7 @@ impl Explain for LaminaProblem {
 }
 
 impl LaminaProblem {
-    /// The remedy for cells that do not fit, as far as there is one.
+    /// The remedy for cells that do not fit, if there is one.
     fn help_with_cells(&self) -> Option<String> {
         let help = match self {
             Self::Misshapen { .. } => {
@@ -395,8 +396,8 @@ impl LaminaProblem {
                  radii larger on its inner side; check the unit of \"thickness\""
             }
             Self::Overlaps { .. } => {
-                "the plies reach from their line to its \"side\" by their thickness: check both, or \
-                 leave room between the curves; walls that cross need a node there"
+                "the plies extend from their line to its \"side\" by their thickness: check both, \
+                 or leave space between the curves; walls that cross need a common node"
             }
             Self::Unjoined { .. } => {
                 "a laminate is joined to cells along whole sides, lines that share their nodes with \
@@ -409,10 +410,10 @@ impl LaminaProblem {
     }
 }
 
-/// Problems of one kind that are told at most.
+/// Number of problems per kind that are reported one by one.
 const LIMIT: usize = 5;
 
-/// The first problems of a kind, and how many more there are.
+/// The first problems of a kind, and the number of further ones.
 pub(super) fn limited(
     mut problems: Vec<(usize, LaminaProblem)>,
     what: &'static str,

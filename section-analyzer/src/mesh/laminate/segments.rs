@@ -14,20 +14,20 @@ pub(super) struct Segment {
     pub tag: u64,
     /// Its ends.
     pub nodes: [u32; 2],
-    /// The node in its middle.
+    /// The node at its middle.
     pub middle: Option<u32>,
-    /// Whether no cell of the mesh lies beside it.
+    /// Whether no cell of the mesh is next to it.
     pub is_alone: bool,
     pub curve: Curve,
 }
 
 impl Segment {
-    /// What stands for the line, whichever way it runs.
+    /// Key of the line, independent of its direction.
     pub fn key(&self) -> [u32; 2] {
         sorted(self.nodes)
     }
 
-    /// Its middle [mesh unit].
+    /// Its midpoint [mesh unit].
     pub fn place(&self) -> [f64; 2] {
         self.curve.at(0.5)
     }

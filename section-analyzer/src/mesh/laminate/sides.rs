@@ -1,4 +1,4 @@
-//! The lines of all laminates, the cells beside them, and the sides of the laminates.
+//! The lines of all laminates, the adjacent cells, and the sides of the laminates.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use super::problem::LaminaProblem;
 use super::segments::{Segment, label, sorted};
 use super::{Lamina, LaminaSide, fits};
 
-/// Cells beside a line.
+/// Cells next to a line.
 #[derive(Debug, Clone, Copy, Default)]
 struct Beside {
     left: usize,
@@ -71,7 +71,7 @@ fn segment(mesh: &Mesh, line: &Line, lamina: usize) -> Segment {
     }
 }
 
-/// Lines whose ends lie on each other have no direction.
+/// Lines of zero length, which have no direction.
 fn without_length(mesh: &Mesh, laminae: &[Lamina], segments: &[Segment]) -> Problems {
     let is_point = |segment: &&Segment| {
         let length = distance(segment.curve.first, segment.curve.second);
@@ -89,9 +89,9 @@ fn without_length(mesh: &Mesh, laminae: &[Lamina], segments: &[Segment]) -> Prob
     found.next().into_iter().collect()
 }
 
-/// The cells beside each line, seen along it.
+/// The cells next to each line, relative to its direction.
 fn beside(mesh: &Mesh, segments: &[Segment]) -> Vec<Beside> {
-    // seen from the lower to the higher node
+    // relative to the direction from the lower to the higher node
     let mut known: HashMap<[u32; 2], Beside> = HashMap::new();
     for segment in segments {
         known.insert(segment.key(), Beside::default());
@@ -124,7 +124,7 @@ fn beside(mesh: &Mesh, segments: &[Segment]) -> Vec<Beside> {
     segments.iter().map(seen).collect()
 }
 
-/// The side of a laminate, given its lines and the cells beside them.
+/// The side of a laminate, given its lines and the cells next to them.
 fn side_of(
     mesh: &Mesh,
     lamina: &Lamina,
@@ -154,7 +154,7 @@ fn side_of(
             places: [one.1, other.1],
         });
     }
-    // the side without cells, where there are some
+    // the side without cells, if there are cells
     let free = match (left, right) {
         (Some(_), _) => Some(LaminaSide::Right),
         (_, Some(_)) => Some(LaminaSide::Left),

@@ -1,21 +1,21 @@
-//! Steps of the thickness along a smooth wall: the levels of both laminates are cut
-//! through all their plies, so that cells on either side of the step share whole sides.
-//! Levels that nearly agree are made one before: there would be slivers between them.
+//! Steps of the thickness along a smooth wall: the levels of both laminates divide all
+//! their plies, so that cells on either side of the step share whole sides. Levels that
+//! nearly agree are first made equal, to avoid slivers between them.
 
 use super::joints::{End, Joint, Meeting, SMOOTH, turn};
 use super::layers::Layers;
 use super::mitre::View;
 use super::segments::Segment;
 
-/// Levels of two laminates that differ by less, relative to the thickness, are meant to be
-/// one.
+/// Levels of two laminates that differ by less, relative to the thickness, are intended
+/// to be equal.
 const NEAR: f64 = 1e-4;
 
-/// Cuts the layers of laminates that step into each other, until nothing changes: the
-/// levels of all of them are then those of all, as far as each reaches.
+/// Divides the layers of laminates with steps between them, until nothing changes: each
+/// laminate then has the levels of all others within its thickness.
 pub(super) fn cut(joints: &[Joint], segments: &[Segment], layers: &mut [Layers]) {
     let pairs: Vec<[End; 2]> = joints.iter().flat_map(of_joint).collect();
-    // what agrees with one neighbor hands it on to the next
+    // a level made equal to one neighbor is passed on to the next
     for _ in 0..layers.len() {
         let near: Vec<_> = pairs
             .iter()
@@ -39,7 +39,7 @@ pub(super) fn cut(joints: &[Joint], segments: &[Segment], layers: &mut [Layers])
     }
 }
 
-/// The ends that meet at a joint, by twos.
+/// The ends that meet at a joint, in pairs.
 fn of_joint(joint: &Joint) -> Vec<[End; 2]> {
     match &joint.meeting {
         Meeting::Free(_) => Vec::new(),
@@ -51,8 +51,8 @@ fn of_joint(joint: &Joint) -> Vec<[End; 2]> {
     }
 }
 
-/// The levels of the later one of two laminates that nearly agree with one of the other,
-/// by laminate and index, and what they become.
+/// The levels of the later one of two laminates that nearly agree with a level of the
+/// other: laminate, index, and new level.
 fn near(
     segments: &[Segment],
     layers: &[Layers],
@@ -85,14 +85,14 @@ fn near(
     found
 }
 
-/// Whether two laminates in line have other levels.
+/// Whether two laminates in line have different levels.
 fn steps(one: &View<'_>, other: &View<'_>, [a, b]: [usize; 2]) -> bool {
     let is_smooth = turn(one.tangent, other.tangent).abs() <= SMOOTH;
     a != b && is_smooth && one.bank() == other.bank() && !one.equals(other)
 }
 
-/// The levels of each of two laminates, as the other sees them, if one steps into the
-/// other: each with the laminate to be cut.
+/// Missing levels of two laminates, if there is a step between them: each level with the
+/// laminate to be divided.
 fn missing(segments: &[Segment], layers: &[Layers], before: End, behind: End) -> Vec<(f64, usize)> {
     let one = View::new(segments, layers, before, true);
     let other = View::new(segments, layers, behind, false);

@@ -1,17 +1,17 @@
 //! Walls that end on other walls.
 //!
-//! The wall that runs through is cut where the levels of the other one meet its face, and
-//! gets a row of short lines there; the nodes of the row on that face are the nodes at
-//! the end of the other wall:
+//! The continuous wall is divided at the points where the levels of the other one meet
+//! its face, with a row of short lines; the nodes of the row on this face are the nodes
+//! at the end of the other wall:
 //!
 //! ```text
 //!            w |  |  |  levels h of the wall that ends
 //!              |  |  |
-//!     ---------*--*--*---------  face at the level F of the wall that runs through
+//!     ---------*--*--*---------  face at the level F of the continuous wall
 //!        a     |row  |     b
 //!     ---------*--*--*---------> t
 //!
-//! s(h) = (h - F n . m) / (t . m)       place along t of the level h
+//! s(h) = (h - F n . m) / (t . m)       position along t of the level h
 //! ```
 //!
 //! This is (S-127), with n the left of t and m the left of the wall that ends.
@@ -30,9 +30,10 @@ use super::segments::{Segment, label};
 
 /// Least sine of the angle between two walls: 15 degrees.
 const LEAST_SINE: f64 = 0.2588;
-/// Part of a line that another wall may cover at an end.
+/// Fraction of a line that another wall may cover at an end.
 const MOST: f64 = 0.75;
-/// Places along a row that differ by less, relative to its length, are one.
+/// Positions along a row that differ by less, relative to its length, are treated as
+/// equal.
 const SAME: f64 = 1e-9;
 
 /// A wall that ends on the face of another.
@@ -45,7 +46,7 @@ pub(super) struct Landing {
 
 type Problem = (usize, LaminaProblem);
 
-/// Makes the rows: `segments` then has their lines, and shorter ones beside them.
+/// Makes the rows: adds their lines to `segments`, and shortens the adjacent ones.
 pub(super) fn open(
     mesh: &mut Mesh,
     laminae: &[Lamina],
@@ -70,7 +71,7 @@ pub(super) fn open(
     }
 }
 
-/// Joins the walls that end to the faces on which they do.
+/// Joins the walls that end to their faces.
 pub(super) fn land(landings: &[Landing], ends: &mut [Ends]) {
     for landing in landings {
         let face = |&(end, level): &(End, usize)| ends[end.segment][end.number][level];
@@ -85,16 +86,16 @@ struct Tee {
     place: [f64; 2],
     wall: [End; 2],
     web: End,
-    /// The lines of the wall before and behind the node.
+    /// The lines of the wall before and after the node.
     curves: [Curve; 2],
-    /// Whether the line before the node runs the same way.
+    /// Whether the line before the node has the direction of the wall.
     along: bool,
-    /// Index of the level of the face on which the other ends.
+    /// Index of the level of the face on which the other wall ends.
     face: usize,
     sine: f64,
-    /// Places along the wall of the levels that end, parallel to them.
+    /// Positions along the wall of the levels that end, parallel to them.
     places: Vec<f64>,
-    /// Ends of the lines of the row, ascending; the node is among them or between.
+    /// Ends of the lines of the row, ascending; the node is one of them or between them.
     marks: Vec<f64>,
     /// Distance from the node to the face, along the wall that ends.
     depth: f64,
@@ -124,7 +125,7 @@ impl Tee {
             levels.first()
         };
         let (height, face) = face.copied().unwrap_or_default();
-        // to the left of the wall that ends, as its levels count
+        // to the left of the wall that ends, like its levels
         let m = left_of(w).map(|x| if web.number == 0 { x } else { -x });
         let own = &layers[segments[web.segment].lamina].levels;
         let along = |level: &f64| (level - height * dot(normal, m)) / dot(t, m);
@@ -165,7 +166,7 @@ impl Tee {
         self.marks = marks;
     }
 
-    /// How much of the lines before and behind, and of the one that ends, are taken.
+    /// Covered lengths of the lines before and after, and of the line that ends.
     fn taken(&self) -> [(End, f64); 3] {
         let (low, high) = (self.marks[0], self.marks[self.marks.len() - 1]);
         [
@@ -250,7 +251,7 @@ impl Tee {
         }
     }
 
-    /// The end of a line of the row at a place, where `first` is the first line.
+    /// The end of a line of the row at a position; `first` is the first line.
     fn end_at(&self, first: usize, place: f64) -> End {
         let found = self.marks.iter().position(|mark| *mark == place);
         let mark = found.unwrap_or(0);
@@ -261,7 +262,7 @@ impl Tee {
         }
     }
 
-    /// The place on the wall, so far along it.
+    /// The point on the wall at this distance along it.
     fn at(&self, mark: f64) -> [f64; 2] {
         if mark == 0.0 {
             return self.place;
@@ -272,7 +273,8 @@ impl Tee {
     }
 }
 
-/// The parameter of a curve so far from one of its ends, along the tangent there.
+/// The parameter of a curve at the distance `way` from one of its ends, along the tangent
+/// there.
 fn parameter(curve: &Curve, end: usize, way: f64) -> f64 {
     let whole = distance(curve.first, curve.second);
     let inward = |t: f64| if end == 0 { t } else { 1.0 - t };
@@ -282,7 +284,7 @@ fn parameter(curve: &Curve, end: usize, way: f64) -> f64 {
         _ => curve.direction(1.0).map(|x| -x),
     };
     let mut t = way / whole;
-    // each step takes away what the line deviates from a uniform one there
+    // each step corrects the deviation from a uniform line
     for _ in 0..12 {
         let place = curve.at(inward(t));
         let gone = dot([place[0] - start[0], place[1] - start[1]], direction);
@@ -293,7 +295,7 @@ fn parameter(curve: &Curve, end: usize, way: f64) -> f64 {
     inward(t)
 }
 
-/// Takes a part of a line away at an end, which becomes `node`.
+/// Removes the length `taken` of a line at an end, which becomes `node`.
 fn shorten(mesh: &mut Mesh, segment: &mut Segment, end: usize, taken: f64, node: u32) {
     let z = mesh.nodes[node as usize].position.z;
     let curve = segment.curve;

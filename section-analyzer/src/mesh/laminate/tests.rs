@@ -6,7 +6,7 @@ use super::*;
 /// Name, lines and side of each curve.
 type Curves<'a> = [(&'a str, &'a [&'a [u32]], Option<LaminaSide>)];
 
-/// A mesh on these places; tags from one. Each curve is a list of lines: ends, and the
+/// A mesh with these nodes; tags from one. Each curve is a list of lines: ends, and the
 /// middle. Its laminate has two plies, together of thickness 0.2, on the given side.
 fn mesh(places: &[[f64; 2]], cells: &[&[u32]], curves: &Curves<'_>) -> (Mesh, Vec<Lamina>) {
     let mut mesh = Mesh::default();
@@ -78,7 +78,7 @@ const RIGHT: &[u32] = &[2, 5, 6, 3];
 
 #[test]
 fn a_border_gets_plies_on_its_free_side_and_keeps_its_nodes() {
-    // against the direction of the cell, so that the free side is the left
+    // opposite to the cell's direction, so that the free side is the left
     let (mut mesh, laminae) = mesh(&PLACES, &[LEFT], &[("skin", &[&[4, 3]], None)]);
     let found = add_laminae(&mut mesh, &laminae).expect("sound");
     assert_eq!(found.bare_nodes, 0);
@@ -98,7 +98,7 @@ fn a_border_gets_plies_on_its_free_side_and_keeps_its_nodes() {
     {
         assert!((found.x - expected[0]).abs() + (found.y - expected[1]).abs() < 1e-15);
     }
-    // the other way round the free side is the right; plies still run outward
+    // in the other direction the free side is the right; plies are still listed outward
     let (mut mesh, laminae) = self::mesh(&PLACES, &[LEFT], &[("skin", &[&[3, 4]], None)]);
     let found = add_laminae(&mut mesh, &laminae).expect("sound");
     let plies: Vec<_> = found.cells.iter().map(|cell| cell.ply).collect();
@@ -114,21 +114,21 @@ fn the_side_of_a_laminate_must_be_one_and_free() {
     assert_eq!(
         told(skin(&[&[2, 3]], None)),
         [
-            "line 1 of curve \"skin\" at (1, 0.5) lies between cells: a laminate lies on the \
-             border of cells, or where there are none"
+            "line 1 of curve \"skin\" at (1, 0.5) lies between cells: a laminate must lie on the \
+             border of cells, or away from cells"
         ]
     );
     assert_eq!(
         told(skin(&[&[4, 3]], Some(LaminaSide::Right))),
         [
-            "side = \"right\" puts the laminate of curve \"skin\" into the cells beside line 1 \
+            "side = \"right\" puts the laminate of curve \"skin\" into the cells next to line 1 \
              at (0.5, 1)"
         ]
     );
     assert_eq!(
         told(skin(&[&[4, 3]], Some(LaminaSide::Center))),
         [
-            "side = \"center\" puts the laminate of curve \"skin\" into the cells beside line 1 \
+            "side = \"center\" puts the laminate of curve \"skin\" into the cells next to line 1 \
              at (0.5, 1)"
         ]
     );
@@ -143,8 +143,8 @@ fn the_side_of_a_laminate_must_be_one_and_free() {
     assert_eq!(
         told(beyond),
         [
-            "curve \"skin\" has cells beside line 1 at (0.5, 1) and none beside line 2 at \
-             (1.5, 1): the side of its laminate must be said"
+            "curve \"skin\" has cells next to line 1 at (0.5, 1) and none next to line 2 at (1.5, \
+             1): the side of its laminate must be given"
         ]
     );
     let left = Some(LaminaSide::Left);
@@ -169,7 +169,7 @@ fn lines_have_one_laminate_on_each_side_and_one_direction() {
     assert_eq!(
         told(&[("a", &[&[1, 2], &[5, 2]], left)]),
         [
-            "lines 1 and 2 of curve \"a\" run against each other at node 2 at (1, 0): left and \
+            "lines 1 and 2 of curve \"a\" have opposite directions at node 2 at (1, 0): left and \
              right change there"
         ]
     );
@@ -177,7 +177,7 @@ fn lines_have_one_laminate_on_each_side_and_one_direction() {
         told(&[("a", &[&[1, 2]], left), ("b", &[&[2, 5]], None)]),
         [
             "the laminates of curves \"a\" and \"b\" meet at node 2 at (1, 0), one centered on \
-             its line and the other beside it"
+             its line and the other on one side of it"
         ]
     );
     let (mut mesh, laminae) = mesh(
@@ -212,7 +212,7 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
              135 deg"
         ]
     );
-    // four walls, and three of which none runs through
+    // four walls, and three without a continuous one
     assert_eq!(
         told(&[("a", &[&[1, 2], &[2, 4]], None), ("b", &[&[2, 5]], None)]),
         ["3 lines with laminates meet at node 2 at (1, 0) (\"a\", \"b\")"]
@@ -242,7 +242,7 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
 
 #[test]
 fn where_a_corner_opens_both_laminates_end() {
-    // a wedge of 6 degrees as one cell, its sides run to the right around the tip
+    // a wedge of 6 degrees as one cell, its sides ordered to the right around the tip
     let places = [[0.0, 0.0], [1.0, 0.0], [0.0, -0.1], [0.1, -0.05]];
     let left = Some(LaminaSide::Left);
     let skin: &Curves<'_> = &[("a", &[&[1, 2], &[2, 3]], left)];
@@ -251,7 +251,7 @@ fn where_a_corner_opens_both_laminates_end() {
     let [one, other] = [&wedge.cells[1], &wedge.cells[3]];
     assert_eq!((one.nodes()[1], other.nodes()[0]), (1, 1));
     assert_ne!(one.nodes()[2], other.nodes()[3]);
-    // without the cell the walls would hang together at the node alone
+    // without the cell the node alone would connect the walls
     let (alone, laminae) = mesh(&places, &[], skin);
     assert_eq!(
         refused(alone, &laminae),
@@ -262,8 +262,8 @@ fn where_a_corner_opens_both_laminates_end() {
     );
 }
 
-/// Two walls in line, one to the left and one to the right of their lines: a closed section
-/// of them would be cut open at the node, one with cells beside is not.
+/// Two walls in line, one to the left and one to the right of their lines: alone they
+/// would be connected only by the node; with adjacent cells they are sound.
 #[test]
 fn walls_that_change_sides_are_told() {
     let (left, right) = (Some(LaminaSide::Left), Some(LaminaSide::Right));
@@ -272,8 +272,8 @@ fn walls_that_change_sides_are_told() {
     assert_eq!(
         refused(alone, &laminae),
         [
-            "the laminates of curves \"a\" and \"b\" lie on different sides of their lines where \
-             these meet, at node 2 at (1, 0): they would touch in this node only"
+            "the laminates of curves \"a\" and \"b\" lie on different sides of their lines at \
+             their common node 2 at (1, 0): they would touch in this node only"
         ]
     );
     // cells on the other side of each, joined elsewhere
@@ -305,16 +305,16 @@ fn lines_that_do_not_fit_the_cells_are_told() {
     let along = "line 1 of curve \"skin\" at (1, 1) runs along the border of cells without \
                  being one of their sides";
     assert_eq!(told(&[&[4, 6]], left), [along]);
-    // a line with a node in its middle on a cell that has none there
+    // a line with a middle node on a cell without one
     let order = "line 1 of curve \"skin\" at (0.5, 1.004) has a node in its middle that the side \
                  of the cell there does not have";
     assert_eq!(told(&[&[4, 3, 10]], left), [order]);
     // two lines between the same ends
     let ends = "lines 1 and 2 of curve \"skin\" have the same ends: the one at (0.5, 1.1) and the \
-                other cannot be told apart where laminates meet";
+                other cannot be distinguished at joints of laminates";
     let (lens, laminae) = mesh(&places, &[], &[("skin", &[&[4, 3, 8], &[3, 4, 11]], left)]);
     assert_eq!(refused(lens, &laminae), [ends]);
-    // a wall that leaves the border by 15 degrees is no line on it
+    // a wall that leaves the border by 15 degrees is not on it
     let mut away = PLACES.to_vec();
     away.push([2.0, 1.268]);
     let (mut leaving, laminae) = mesh(&away, &[LEFT], &[("skin", &[&[4, 3], &[3, 7]], left)]);
@@ -327,8 +327,8 @@ fn lines_that_do_not_fit_the_cells_are_told() {
     );
 }
 
-/// Walls in line, of thickness 0.2 and 0.2 (1 + 1e-6): no sliver between them, as many cells
-/// as of equal walls. A difference that is meant is kept.
+/// Walls in line, of thickness 0.2 and 0.2 (1 + 1e-6): no sliver between them, and the
+/// number of cells is as for equal walls. An intended difference is kept.
 #[test]
 fn levels_that_nearly_agree_are_one() {
     let left = Some(LaminaSide::Left);
@@ -338,15 +338,15 @@ fn levels_that_nearly_agree_are_one() {
         laminae[1].thicknesses[1] *= 1.0 + 2.0 * part;
         let found = add_laminae(&mut walls, &laminae).expect("sound");
         assert_eq!(found.cells.len(), cells, "{part}");
-        // the nodes at the joint up to 0.2 are those of both
+        // the nodes at the joint up to 0.2 are shared
         let [one, other] = [1, 3].map(|cell: usize| walls.cells[cell].nodes());
         assert_eq!(one[1], other[0]);
         assert_eq!(one[2], other[3]);
     }
 }
 
-/// The faces: one of a laminate beside its line, two around it; where a wall ends on
-/// another there is none.
+/// The faces: one of a laminate on one side of its line, two of a centered one; none at
+/// lines on which another wall ends.
 #[test]
 fn faces_are_the_free_sides_of_plies() {
     let places = [[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
@@ -358,7 +358,7 @@ fn faces_are_the_free_sides_of_plies() {
         of.filter(|face| face.lamina == lamina && face.side == side)
             .count()
     };
-    // four lines below, of which the two in the middle are under the web
+    // four lines below; the two in the middle are under the web
     assert_eq!(count(0, LaminaSide::Right), 4);
     assert_eq!(count(0, LaminaSide::Left), 2);
     assert_eq!(count(1, LaminaSide::Left), 1);
@@ -378,7 +378,7 @@ fn faces_are_the_free_sides_of_plies() {
 
 #[test]
 fn laminates_that_fold_are_told_with_the_radius() {
-    // an arc of radius 0.125 within a laminate that reaches 0.2 to its inner side
+    // an arc of radius 0.125 in a laminate that extends 0.2 to its inner side
     let places = [[0.0, 0.0], [0.2, 0.0], [0.1, -0.05]];
     let left = Some(LaminaSide::Left);
     let (bent, laminae) = mesh(&places, &[], &[("a", &[&[1, 2, 3]], left)]);
@@ -400,20 +400,21 @@ fn laminates_that_fold_are_told_with_the_radius() {
              0.2 from the line, and the line is 0.15 long"
         ]
     );
-    // a wall that ends on lines that are shorter than it is thick
+    // a wall that ends on lines shorter than its thickness
     let places = [[-0.12, 0.0], [0.0, 0.0], [0.12, 0.0], [0.0, 1.0]];
     let lines: &[&[u32]] = &[&[1, 2], &[2, 3]];
     let (tee, laminae) = mesh(&places, &[], &[("a", lines, None), ("b", &[&[2, 4]], None)]);
     assert_eq!(
         refused(tee, &laminae),
         [
-            "the laminate of curve \"b\" ends on that of \"a\" at node 2 at (0, 0), where line \
-             1 of length 0.12 is too short: 0.1 of it are taken, expected at most three quarters"
+            "the laminate of curve \"b\" ends on the laminate of \"a\" at node 2 at (0, 0), where \
+             line 1 of length 0.12 is too short: 0.1 of it are covered, expected at most three \
+             quarters"
         ]
     );
 }
 
-/// A wall on another one: the areas are those of the walls, once, and the row has the
+/// A wall on another one: the areas of the walls are counted once, and the row has the
 /// nodes of the wall that ends.
 #[test]
 fn a_wall_ends_on_the_face_of_another() {
@@ -432,7 +433,7 @@ fn a_wall_ends_on_the_face_of_another() {
             crate::mesh::polygon_area(cell.corners().iter().map(place))
         };
         let sum: f64 = mesh.cells.iter().map(area).sum();
-        // the web begins at the face, 0.1 above the line, its end is cut at right angles
+        // the web begins at the face, 0.1 above the line; its end is cut at right angles
         let length = (1.25_f64).sqrt() * 0.9;
         assert!((sum - (2.0 * 0.2 + length * 0.2)).abs() < 1e-12, "{sum}");
         for cell in &mesh.cells {

@@ -1,5 +1,5 @@
-//! Problems of the cells of laminates, told as those of their curves: their tags are in
-//! no file.
+//! Problems of the cells of laminates, reported as problems of their curves: the cells'
+//! tags are in no file.
 
 use std::collections::HashSet;
 
@@ -14,8 +14,8 @@ use super::{Lamina, LaminaCell, Laminated};
 
 type Told = (usize, LaminaProblem);
 
-/// Parts `problems` of the mesh into those of the mesh itself and those of laminates, each
-/// of these with the index of the laminate whose input has to change.
+/// Splits `problems` of the mesh into problems of the mesh itself and of laminates, the
+/// latter with the index of the laminate whose input must change.
 pub fn of_laminae(
     mesh: &Mesh,
     laminae: &[Lamina],
@@ -39,7 +39,7 @@ pub fn of_laminae(
             None => own.push(cells.without_made_nodes(problem)),
         }
     }
-    // a count of what was left out belongs to what is told
+    // a count of further problems belongs to the reported ones
     if own
         .iter()
         .all(|problem| matches!(problem, MeshProblem::More { .. }))
@@ -48,11 +48,11 @@ pub fn of_laminae(
     }
     others.dedup();
     let mut told = misshapen;
-    told.extend(limited(others, "places where laminates do not fit"));
+    told.extend(limited(others, "positions at which laminates do not fit"));
     (own, told)
 }
 
-/// Counts one more cell of a laminate of which one is told already; false if none is.
+/// Counts one more cell of a laminate with a reported cell; otherwise false.
 fn counted(told: &mut [Told], lamina: usize) -> bool {
     let known = told.iter_mut().find(|(known, _)| *known == lamina);
     match known {
@@ -69,7 +69,7 @@ struct Cells<'a> {
     mesh: &'a Mesh,
     laminae: &'a [Lamina],
     laminated: &'a Laminated,
-    /// Number of those of the mesh itself.
+    /// Number of cells of the mesh itself.
     solid: usize,
 }
 
@@ -83,14 +83,14 @@ impl<'a> Cells<'a> {
         }
     }
 
-    /// What the cell is a part of, if it is one of a laminate.
+    /// The ply of the cell, if it is a cell of a laminate.
     fn of_lamina(&self, tag: u64) -> Option<&LaminaCell> {
         let made = self.mesh.cells.get(self.solid..)?;
         let index = made.iter().position(|cell| cell.tag == tag)?;
         self.laminated.cells.get(index)
     }
 
-    /// What a cell belongs to: the laminate on a curve, or a surface.
+    /// The part of a cell: the laminate on a curve, or a surface.
     fn wall(&self, tag: u64) -> Wall {
         if let Some(cell) = self.of_lamina(tag) {
             return Wall::Curve(label(self.mesh, self.laminae, cell.lamina));

@@ -1,4 +1,4 @@
-//! Laminates as they are asked for, and their cells and faces.
+//! Laminates as requested, and their cells and faces.
 
 use shared_geom::mesh::Line;
 
@@ -7,13 +7,13 @@ use shared_geom::mesh::Line;
 pub struct Lamina {
     /// The curve: index in [`Mesh::groups`](shared_geom::mesh::Mesh::groups).
     pub curve: usize,
-    /// On which side of the line it lies; `None` for the side without cells, or for the
-    /// middle where there are no cells at all.
+    /// Side of the line; `None` for the side without cells, or centered if there are no
+    /// cells at all.
     pub side: Option<LaminaSide>,
-    /// Thicknesses of the plies, from the line outward; for one in the middle from right
-    /// to left. All positive [mesh unit].
+    /// Thicknesses of the plies, from the line outward; from right to left for a centered
+    /// laminate. All positive [mesh unit].
     pub thicknesses: Vec<f64>,
-    /// The physical surface that the cells of each ply get, parallel to `thicknesses`:
+    /// The physical surface of the cells of each ply, parallel to `thicknesses`:
     /// indices in [`Mesh::groups`](shared_geom::mesh::Mesh::groups).
     pub groups: Vec<usize>,
 }
@@ -30,7 +30,7 @@ pub enum LaminaSide {
 }
 
 impl LaminaSide {
-    /// The word for it.
+    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Left => "left",
@@ -40,10 +40,10 @@ impl LaminaSide {
     }
 }
 
-/// What a cell of a laminate is a part of.
+/// The ply of a cell of a laminate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LaminaCell {
-    /// The laminate: index in the list that was given.
+    /// The laminate: index in the given list.
     pub lamina: usize,
     /// The ply: index in [`Lamina::thicknesses`].
     pub ply: usize,
@@ -57,24 +57,25 @@ pub struct LaminaCell {
 /// section.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LaminaFace {
-    /// The laminate: index in the list that was given.
+    /// The laminate: index in the given list.
     pub lamina: usize,
     /// Left or right of the laminate, seen along its line.
     pub side: LaminaSide,
-    /// In the direction of the laminate's line, with the tag of that; in no group.
+    /// In the direction of the laminate's line, with the tag of this line; in no group.
     pub line: Line,
 }
 
-/// The cells that [`add_laminae`](super::add_laminae) has put behind those of the mesh.
+/// The cells that [`add_laminae`](super::add_laminae) has added after the cells of the
+/// mesh.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Laminated {
-    /// What they are a part of, in their order.
+    /// Their plies, in their order.
     pub cells: Vec<LaminaCell>,
-    /// Their faces away from the line, on both sides of one in the middle.
+    /// Their faces away from the line, on both sides of a centered laminate.
     pub faces: Vec<LaminaFace>,
     /// Index of the first node that was made for them.
     pub first_node: usize,
-    /// Number of nodes of their lines that no cell has: those of lines that run inside
-    /// of a ply.
+    /// Number of nodes of their lines that belong to no cell: nodes of lines inside of a
+    /// ply.
     pub bare_nodes: usize,
 }

@@ -1,10 +1,10 @@
-//! Words of the problems of laminates.
+//! Parts of messages about laminates.
 
 use std::fmt;
 
 use super::super::words::short;
 
-/// What touches a laminate.
+/// A part that touches a laminate.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Wall {
     /// The laminate of a curve.
@@ -24,11 +24,11 @@ impl fmt::Display for Wall {
 }
 
 impl Wall {
-    /// Beside another one, which may be the same.
+    /// Name next to another part, which may be the same.
     pub(super) fn as_other(&self, one: &Self) -> String {
         match (self == one, self) {
             (true, _) => "itself".to_owned(),
-            (false, Self::Curve(curve)) => format!("that of \"{curve}\""),
+            (false, Self::Curve(curve)) => format!("the laminate of curve \"{curve}\""),
             (false, _) => self.to_string(),
         }
     }
@@ -37,8 +37,8 @@ impl Wall {
 pub(super) fn places(count: usize) -> String {
     match count {
         1 => String::new(),
-        2 => " and 1 more place".to_owned(),
-        _ => format!(" and {} more places", count - 1),
+        2 => " and 1 more position".to_owned(),
+        _ => format!(" and {} more positions", count - 1),
     }
 }
 

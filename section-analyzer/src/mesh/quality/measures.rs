@@ -1,10 +1,10 @@
-//! The five numbers of one cell.
+//! The five measures of one cell.
 //!
 //! ```text
 //!        d ---- c          aspect     longest^2 / area            quadrilaterals
 //!       /        \                    sqrt(3)/4 longest^2 / area  triangles
 //!      /          \        angle      between the tangents of the sides at a corner;
-//!     a --- m ---- b                  at a it is 4 m - 3 a - b of a side with a middle m
+//!     a --- m ---- b                  at a it is 4 m - 3 a - b for a side with a middle m
 //!                          middle     |m - (a + b)/2| / |b - a|
 //! ```
 

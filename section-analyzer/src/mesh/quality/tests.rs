@@ -23,7 +23,7 @@ fn triangle(nodes: [[f64; 2]; 3]) -> MeshQuality {
     MeshQuality::of(&one(CellKind::Triangle3, &nodes))
 }
 
-/// A unit square whose lower side has its middle moved by (dx, dy).
+/// A unit square; the middle node of its lower side is moved by (dx, dy).
 fn moved_middle(dx: f64, dy: f64) -> MeshQuality {
     let mut nodes = [
         [0.0, 0.0],
@@ -40,7 +40,7 @@ fn moved_middle(dx: f64, dy: f64) -> MeshQuality {
     MeshQuality::of(&one(CellKind::Quadrilateral8, &nodes))
 }
 
-/// The worst values of the only region; rounding of a few operations is allowed.
+/// The worst values of the only region; the tolerance is rounding of a few operations.
 fn has(quality: &MeshQuality, expected: [f64; 5]) {
     for (found, expected) in quality.regions[0].worst.iter().zip(expected) {
         assert!(
@@ -59,16 +59,16 @@ fn square_and_equilateral_triangle_are_perfect() {
     has(&moved_middle(0.0, 0.0), [1.0, 1.0, 0.5 * PI, 0.5 * PI, 0.0]);
 }
 
-/// A trapezoid of sides 2 and 1 at distance 1 has J in the ratio of these sides;
-/// its oblique side falls by 45 degrees, its area is 3/2, its longest side 2.
+/// A trapezoid of sides 2 and 1 at distance 1 has J in the ratio of these sides; its
+/// oblique side descends by 45 degrees, its area is 3/2, its longest side 2.
 #[test]
 fn trapezoid_has_its_closed_forms() {
     let trapezoid = quadrilateral([[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
     has(&trapezoid, [0.5, 4.0 / 1.5, 0.25 * PI, 0.75 * PI, 0.0]);
 }
 
-/// With the middle at 1/2 + d along a side the derivative along it runs from 1 - 4 d
-/// to 1 + 4 d, at the far side it stays 1: J between these, linear.
+/// With the middle node at 1/2 + d along a side the derivative along it varies from
+/// 1 - 4 d to 1 + 4 d, at the opposite side it is 1: J is linear between these.
 #[test]
 fn a_middle_moved_along_its_side_lowers_the_jacobian() {
     let d = 0.15;
@@ -85,7 +85,7 @@ fn a_middle_moved_along_its_side_lowers_the_jacobian() {
     );
 }
 
-/// Moved inwards by h, the tangent at the corners is (1, 4 h): the corner angle
+/// If it is moved inwards by h, the tangent at the corners is (1, 4 h): the corner angle
 /// shrinks by atan(4 h).
 #[test]
 fn a_middle_moved_across_turns_the_tangents_at_the_corners() {
@@ -98,7 +98,7 @@ fn a_middle_moved_across_turns_the_tangents_at_the_corners() {
     assert!((worst[4] - h).abs() < 1e-12);
 }
 
-/// What the first warning says, if the cell is poor.
+/// The worst value of the first cell as text, if it is poor.
 fn complaint(quality: &MeshQuality) -> Option<String> {
     let worst = &quality.worst[0];
     assert_eq!(worst.is_poor, quality.poor() == 1);
@@ -161,8 +161,9 @@ fn limit_of_the_middles() {
     );
 }
 
-/// A corner of 12 degrees is fair, though farther from its limit of 1 degree, as 12 to 1,
-/// than a Jacobian of 1 from 0.1, as 10 to 1: the cell is named for its corner.
+/// A corner of 12 degrees is fair, although farther from its limit of 1 degree, with a
+/// ratio of 12, than a Jacobian of 1 from 0.1, with a ratio of 10: the cell is named for
+/// its corner.
 #[test]
 fn a_cell_is_named_for_its_worst_grade() {
     let mut values = [1.0, 2.0, 12_f64.to_radians(), 0.5 * PI, 0.0];
@@ -173,7 +174,7 @@ fn a_cell_is_named_for_its_worst_grade() {
 
 #[test]
 fn regions_are_counted_apart_and_the_worst_cells_named_in_order() {
-    // eight strips of growing length, by turns in two regions
+    // eight strips of increasing length, alternating between two regions
     let mut mesh = one(CellKind::Quadrilateral4, &[]);
     mesh.groups.push("web".into());
     mesh.cells.clear();

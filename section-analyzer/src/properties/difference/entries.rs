@@ -7,12 +7,12 @@ use shared_geom::section::{SectionProperties, half_turn};
 
 use super::{Entry, Part, pair};
 
-/// What has been compared so far.
+/// The comparisons so far.
 #[derive(Debug)]
 pub(super) struct Entries {
     pub found: Vec<Entry>,
     pub unlike: Vec<String>,
-    /// Length beside which places are compared \[m\].
+    /// Scale of differences of positions \[m\].
     pub length: f64,
 }
 
@@ -25,7 +25,8 @@ impl Entries {
         }
     }
 
-    /// Compares two numbers beside `scale`; equal ones are equal beside zero too.
+    /// Compares two numbers relative to `scale`; the difference of equal numbers is zero,
+    /// also for a zero scale.
     pub fn add(
         &mut self,
         part: Part,
@@ -48,7 +49,7 @@ impl Entries {
         });
     }
 
-    /// Notes what only one of the two has; gives both if both have it.
+    /// Records a value that only one of the two has; returns both if both have it.
     pub fn both<T>(&mut self, what: &str, a: Option<T>, b: Option<T>) -> Option<(T, T)> {
         match (a, b) {
             (Some(a), Some(b)) => return Some((a, b)),
@@ -59,7 +60,7 @@ impl Entries {
         None
     }
 
-    /// Compares two symmetric matrices in their upper triangles; gives all relative
+    /// Compares the upper triangles of two symmetric matrices; returns all relative
     /// differences.
     ///
     /// ```text
@@ -95,7 +96,7 @@ impl Entries {
         relative
     }
 
-    /// Compares the centers; that of mass only where both have mass.
+    /// Compares the centers; the mass center only if both have mass.
     pub fn centers(&mut self, a: &SectionProperties, b: &SectionProperties) {
         let massive = [a, b].map(|section| section.mass[(0, 0)] > 0.0);
         let mass = |massive: bool| massive.then_some(());
@@ -115,8 +116,7 @@ impl Entries {
         }
     }
 
-    /// Compares principal values and angles; those of inertia only where both have
-    /// mass.
+    /// Compares principal values and angles; of inertia only if both have mass.
     pub fn principal_axes(&mut self, a: &SectionProperties, b: &SectionProperties) {
         let massive = a.mass[(0, 0)] > 0.0 && b.mass[(0, 0)] > 0.0;
         let (a, b) = (&a.principal_axes, &b.principal_axes);
@@ -155,8 +155,8 @@ impl Entries {
     }
 }
 
-/// The axes named so that the angle is as near to `reference` as it can be: each
-/// quarter turn exchanges first and second.
+/// The axes in the order that brings the angle nearest to `reference`: each quarter turn
+/// exchanges first and second.
 fn nearest(reference: f64, (angle, values): (f64, [f64; 2])) -> (f64, [f64; 2]) {
     let quarters = ((angle - reference) / FRAC_PI_2).round();
     let exchanged = quarters.rem_euclid(2.0) == 1.0;

@@ -1,4 +1,4 @@
-//! What only some sections have: curvature, electrodes, thermal force, damping.
+//! Optional properties of sections: curvature, electrodes, thermal force, damping.
 
 use nalgebra::{Matrix6, Vector3};
 use shared_geom::section::{Damping, InitialCurvature, Piezo, SectionProperties};
@@ -7,7 +7,7 @@ use shared_geom::wrench::COMPONENTS;
 use super::entries::{Entries, largest_force};
 use super::{Part, prestress};
 
-/// Compares what only some sections have.
+/// Compares the optional properties.
 pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) {
     curvature(a, b, entries);
     if let Some((first, second)) = entries.both("electrodes", a.piezo.as_ref(), b.piezo.as_ref()) {
@@ -34,7 +34,7 @@ pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mu
     }
 }
 
-/// The restrained forces of states of one name; the free strains are theirs.
+/// Compares the restrained forces of states of one name; the free strains follow from them.
 fn imposed(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) {
     for first in &a.imposed {
         let second = b.imposed.iter().find(|state| state.name == first.name);
@@ -54,7 +54,8 @@ fn imposed(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) 
     }
 }
 
-/// Curvatures beside one per length, slopes as they are; a beam without is straight.
+/// Compares curvatures relative to one over the length, and slopes; a beam without them is
+/// straight.
 fn curvature(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries) {
     if a.initial_curvature.is_none() && b.initial_curvature.is_none() {
         return;
@@ -75,12 +76,12 @@ fn curvature(a: &SectionProperties, b: &SectionProperties, entries: &mut Entries
     }
 }
 
-/// Columns of forces, and capacitances beside `sqrt(c_ii c_jj)`.
+/// Compares columns of forces, and capacitances relative to `sqrt(c_ii c_jj)`.
 fn piezo(section: &SectionProperties, a: &Piezo, b: &Piezo, entries: &mut Entries) {
     if a.electrodes != b.electrodes {
         let names = |piezo: &Piezo| piezo.electrodes.join(", ");
         let (first, second) = (names(a), names(b));
-        let words = format!("the electrodes of A are {first}, those of B {second}");
+        let words = format!("the electrodes of A are {first}, the electrodes of B {second}");
         return entries.unlike.push(words);
     }
     for (i, electrode) in a.electrodes.iter().enumerate() {
@@ -104,7 +105,7 @@ fn piezo(section: &SectionProperties, a: &Piezo, b: &Piezo, entries: &mut Entrie
     }
 }
 
-/// Six forces beside the largest of A, each in terms of the stiffness.
+/// Compares six forces relative to the largest of A, each in terms of the stiffness.
 ///
 /// ```text
 /// (b - a)_i / (sqrt(K_ii) max_j |a_j| / sqrt(K_jj))
@@ -129,7 +130,7 @@ fn forces(
     }
 }
 
-/// The damping matrix, however it is given.
+/// The damping matrix, for either form of input.
 fn damping(section: &SectionProperties) -> Option<Matrix6<f64>> {
     Some(match section.damping? {
         Damping::StiffnessProportional(time) => time * section.stiffness,

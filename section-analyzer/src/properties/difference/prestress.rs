@@ -1,4 +1,4 @@
-//! How internal forces, heat and imposed states change the stiffness, compared.
+//! Comparison of the changes of the stiffness by internal forces, heat and imposed states.
 
 use nalgebra::{Matrix4, Vector6};
 use shared_geom::section::{PRESTRESS_COMPONENTS, Prestress, SectionProperties};
@@ -14,7 +14,7 @@ pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mu
         if first.strain_measure != second.strain_measure {
             let names = [first, second].map(|table| table.strain_measure.name());
             let words = format!(
-                "the prestress of A is by the strain of {}, that of B by {}",
+                "the prestress of A uses the strain of {}, the prestress of B the strain of {}",
                 names[0], names[1]
             );
             return entries.unlike.push(words);
@@ -30,7 +30,7 @@ pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mu
         changes_of_stiffness(a, changes, [what, "per kelvin"], units, entries);
     }
     for first in &a.imposed {
-        // a state that only one of the two has is told with its forces
+        // a state that only one of the two has is reported with its forces
         let second = b.imposed.iter().find(|state| state.name == first.name);
         let Some(second) = second else {
             continue;
@@ -47,7 +47,8 @@ pub(super) fn compare(a: &SectionProperties, b: &SectionProperties, entries: &mu
     }
 }
 
-/// Entries beside what they add to the stiffness at an axial strain of one.
+/// Compares entries relative to their contribution to the stiffness at an axial strain of
+/// one.
 ///
 /// ```text
 /// (b - a)_ijk / sqrt(K_ii K_jj K_kk / K_11)
@@ -65,22 +66,23 @@ fn table(section: &SectionProperties, a: &Prestress, b: &Prestress, entries: &mu
     }
 }
 
-/// A change of the stiffness without internal force, and the force of what causes it where
-/// that is restrained: 4x4 \[N, N m, N m^2\] and 6 components \[N, N m\], or both per kelvin.
+/// A change of the stiffness without internal force, and the restrained force of its cause:
+/// 4x4 \[N, N m, N m^2\] and 6 components \[N, N m\], or both per kelvin.
 struct Change {
     matrix: Option<Matrix4<f64>>,
     force: Option<Vector6<f64>>,
 }
 
-/// Changes of the stiffness beside the larger of the free strain of their cause, by which
-/// growth alone changes it, and their largest entry.
+/// Compares changes of the stiffness relative to the larger of the free strain of their
+/// cause, the relative change by expansion alone, and their largest entry.
 ///
 /// ```text
 /// (b - a)_ij / (sqrt(K_ii K_jj) e)
 /// e = max over k, l of |f_k| / sqrt(K_kk K_11) and |a_kl| / sqrt(K_kk K_ll)
 /// ```
 ///
-/// Where nothing presses the section, both are round-off, and unlike: the strain is not.
+/// If the section has no stress, both changes are round-off and differ; the strain is not
+/// round-off.
 fn changes_of_stiffness(
     section: &SectionProperties,
     [first, second]: [Change; 2],

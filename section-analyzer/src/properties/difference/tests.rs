@@ -1,4 +1,4 @@
-//! Differences against numbers put in by hand.
+//! Differences against changes made by hand.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,8 +10,8 @@ use shared_geom::section::{
     Provenance, Step, StrainMeasure,
 };
 
-/// A bar of 0.2 m x 0.1 m with E = 1 GPa about its center, with a coupling of
-/// extension and torsion and every option, seen from a point beside it.
+/// A bar of 0.2 m x 0.1 m with E = 1 GPa about its center, with a coupling of extension and
+/// torsion and every option, about a point outside it.
 fn section() -> SectionProperties {
     let (young, width, height) = (1e9, 0.2_f64, 0.1_f64);
     let area = width * height;
@@ -164,7 +164,7 @@ fn other_points_and_axes_are_brought_together() {
     assert!(difference.largest() < 1e-13);
 }
 
-/// Which axis is called the first does not matter, only where the axes lie.
+/// The order of the axes does not matter, only their directions.
 #[test]
 fn axes_named_the_other_way_round_are_the_same() {
     let a = section();
@@ -175,7 +175,7 @@ fn axes_named_the_other_way_round_are_the_same() {
         b.principal_axes.bending_angle = angle;
         assert!(between(&a, &b).largest() < 1e-15);
     }
-    // an angle of 0.01 counts by the part in which the stiffnesses differ, 3/4
+    // an angle of 0.01 is weighted by the relative difference of the stiffnesses, 3/4
     b.principal_axes.bending_angle = FRAC_PI_2 + 0.01;
     assert_relative_eq!(between(&a, &b).largest(), 0.0075, max_relative = 1e-12);
     let round = |section: &mut SectionProperties, angle: f64| {
@@ -226,9 +226,9 @@ fn options_of_one_file_only_are_told() {
     if let Some(piezo) = &mut b.piezo {
         piezo.electrodes[0] = "upper".to_owned();
     }
-    let words = ["the electrodes of A are top, bottom, those of B upper, bottom"];
+    let words = ["the electrodes of A are top, bottom, the electrodes of B upper, bottom"];
     assert_eq!(between(&a, &b).unlike, words);
-    // damping that one of the two lacks differs by its whole
+    // damping that one of the two lacks differs by its full value
     b = a.clone();
     b.damping = None;
     assert_relative_eq!(between(&a, &b).largest(), 1.0, max_relative = 1e-12);
@@ -257,7 +257,7 @@ fn forces_are_relative_to_the_largest() {
     assert_relative_eq!(between(&b, &a).largest(), 1.0, max_relative = 1e-12);
 }
 
-/// What is not a number never counts as equal.
+/// NaN is never equal.
 #[test]
 fn numbers_that_are_none_are_beyond_every_tolerance() {
     let a = section();
@@ -268,7 +268,7 @@ fn numbers_that_are_none_are_beyond_every_tolerance() {
     assert_eq!(difference.beyond(f64::MAX).len(), 1);
 }
 
-/// The turns of a history add up; moves of the point do not count.
+/// The turns of a history add up; moves of the point are ignored.
 #[test]
 fn turns_of_a_history_add_up() {
     let mut section = section();
@@ -286,7 +286,7 @@ fn turns_of_a_history_add_up() {
     assert_eq!(turn(&section), 0.5 - 0.2);
 }
 
-/// Entries of a table beside `sqrt(K_ii K_jj K_kk / K_11)`.
+/// Entries of a table relative to `sqrt(K_ii K_jj K_kk / K_11)`.
 #[test]
 fn tables_of_prestress_are_compared_beside_the_stiffness() {
     let mut a = section();
@@ -326,8 +326,8 @@ fn with_changes(
     section
 }
 
-/// Changes of the stiffness differ in terms of their largest entry, however small they are
-/// beside the stiffness: one of 1e-5 of it, by a tenth.
+/// Changes of the stiffness differ in terms of their largest entry, however small compared
+/// with the stiffness: a change of 1e-5 of the stiffness, by a tenth.
 #[test]
 fn changes_of_the_stiffness_are_compared_beside_their_own_size() {
     let stiffness = section().stiffness;
@@ -361,7 +361,7 @@ fn changes_of_the_stiffness_are_compared_beside_their_own_size() {
     }
 }
 
-/// Changes that vanish but for round-off are round-off beside the free strain, here 1e-3.
+/// Changes that are only round-off are round-off compared with the free strain, here 1e-3.
 #[test]
 fn changes_that_vanish_are_compared_beside_the_strain_of_their_cause() {
     let stiffness = section().stiffness;
@@ -374,7 +374,7 @@ fn changes_that_vanish_are_compared_beside_the_strain_of_their_cause() {
     assert_relative_eq!(between(&a, &b).largest(), 3e-14, max_relative = 1e-9);
 }
 
-/// A change that only one of the two has is told, of either cause and on either side.
+/// A change that only one of the two has is reported, for either cause and on either side.
 #[test]
 fn changes_of_one_file_only_are_told() {
     let change = Some(Matrix4::identity());
@@ -391,7 +391,7 @@ fn changes_of_one_file_only_are_told() {
     }
 }
 
-/// Second-order strains of another measure change the stiffness otherwise.
+/// Second-order strains of another measure change the stiffness differently.
 #[test]
 fn prestress_by_other_strains_is_told_and_not_compared() {
     let a = with_changes(Some(Matrix4::identity()), Some(Matrix4::identity()));
@@ -400,7 +400,8 @@ fn prestress_by_other_strains_is_told_and_not_compared() {
         table.strain_measure = StrainMeasure::Green;
     }
     let difference = between(&a, &b);
-    let words = ["the prestress of A is by the strain of biot, that of B by green"];
+    let words =
+        ["the prestress of A uses the strain of biot, the prestress of B the strain of green"];
     assert_eq!(difference.unlike, words);
     assert_eq!(difference.largest(), 0.0);
 }

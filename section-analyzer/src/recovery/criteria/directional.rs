@@ -10,7 +10,7 @@ use super::{Mode, Verdict, worst_linear};
 use crate::material::DirectionalLimits;
 use nalgebra::Vector6;
 
-/// Of a stress or strain in material axes, order 11 22 33 23 13 12.
+/// Index of a stress or strain in material axes, order 11 22 33 23 13 12.
 pub(super) fn index(limits: &DirectionalLimits, s: &Vector6<f64>) -> Verdict {
     let normal = (0..3).map(|axis| match s[axis] >= 0.0 {
         true => (s[axis] / limits.tension[axis], Mode::Tension(axis)),

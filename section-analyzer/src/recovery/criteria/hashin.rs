@@ -9,10 +9,10 @@
 //! q = (s12/S12)^2 + (s13/S13)^2
 //! ```
 //!
-//! The material is taken to be alike along 2 and 3: the strengths of 2 stand for both.
-//! The fiber in compression is squared, as the other modes are. Which modes apply does
-//! not change with the size of the load, so that each has its own reserve factor, and
-//! the smaller one governs.
+//! The material is assumed transversely isotropic: the strengths of direction 2 apply to 2
+//! and 3. The index of the fiber in compression is squared, as in the other modes. The
+//! applicable modes do not change with the size of the load, so that each has its own
+//! reserve factor, and the smallest governs.
 //!
 //! # References
 //! - \[Hashin1980\]
@@ -21,7 +21,7 @@ use super::{Mode, Verdict, quadratic_reserve};
 use crate::material::DirectionalLimits;
 use nalgebra::Vector6;
 
-/// Of a stress in material axes, order 11 22 33 23 13 12.
+/// Index of a stress in material axes, order 11 22 33 23 13 12.
 pub(super) fn index(limits: &DirectionalLimits, s: &Vector6<f64>) -> Verdict {
     let (fiber, matrix) = (of_fiber(limits, s), of_matrix(limits, s));
     if matrix.1 < fiber.1 { matrix } else { fiber }
@@ -48,8 +48,8 @@ fn of_matrix(limits: &DirectionalLimits, s: &Vector6<f64>) -> Verdict {
     let transverse_shear = limits.shear[0];
     let shear = axial_shear(limits, s) + (s[3] / transverse_shear).powi(2);
     if sum >= 0.0 {
-        // negative only where 2 S23 < Yt, for tension along 2 and 3 together: that
-        // mode then has no factor at which it fails
+        // negative only if 2 S23 < Yt, for tension along 2 and 3 together: the mode then
+        // has no factor at which it fails
         let tension = (sum / limits.tension[1]).powi(2);
         let index = tension - s[1] * s[2] / transverse_shear.powi(2) + shear;
         let reserve = quadratic_reserve(index.max(0.0), 0.0);

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! With t times the load the index is `a t^2 + b t`, from the quadratic and the linear
-//! part; its root is the reserve factor. The mode is the component with the largest
-//! share in the index, products counted half for each of their two.
+//! part; its root is the reserve factor. The mode is the component with the largest share
+//! in the index, with half of each product for each of its two factors.
 //!
 //! # References
 //! - \[TsaiWu1971\]
@@ -18,7 +18,7 @@ use super::{Mode, Verdict, quadratic_reserve};
 use crate::material::DirectionalLimits;
 use nalgebra::Vector6;
 
-/// Of a stress in material axes, order 11 22 33 23 13 12; `interaction` is f of 23,
+/// Index of a stress in material axes, order 11 22 33 23 13 12; `interaction` is f of 23,
 /// 13, 12.
 pub(super) fn index(
     limits: &DirectionalLimits,
@@ -49,6 +49,6 @@ pub(super) fn index(
         axis @ 0..3 => Mode::Compression(axis),
         shear => Mode::Shear(shear - 3),
     };
-    // a is a sum of squares but for round-off
+    // a is a sum of squares, up to round-off
     (a + b, quadratic_reserve(a.max(0.0), b), mode)
 }

@@ -1,23 +1,23 @@
-//! Maximum stress and maximum strain of a material without directions.
+//! Maximum stress and maximum strain of an isotropic material.
 //!
 //! ```text
 //! index = max( s_max / T ,  -s_min / C ,  (s_max - s_min) / 2 / S )              (S-54)
 //! ```
 //!
-//! by principal stresses; by principal strains with the engineering shear
-//! `e_max - e_min` in the last. Linear in the load.
+//! for principal stresses; for principal strains with the engineering shear `e_max - e_min`
+//! in the last term. Linear in the load.
 
 use super::{Mode, Verdict, worst_linear};
 use crate::material::UniformLimits;
 use crate::recovery::axes::tensor;
 use nalgebra::{Matrix3, Vector6};
 
-/// Of a stress, order 11 22 33 23 13 12.
+/// Index of a stress, order 11 22 33 23 13 12.
 pub(super) fn of_stress(limits: &UniformLimits, stress: &Vector6<f64>) -> Verdict {
     index(limits, &tensor(stress, 1.0), 0.5)
 }
 
-/// Of a strain with engineering shears, order 11 22 33 23 13 12.
+/// Index of a strain with engineering shears, order 11 22 33 23 13 12.
 pub(super) fn of_strain(limits: &UniformLimits, strain: &Vector6<f64>) -> Verdict {
     index(limits, &tensor(strain, 0.5), 1.0)
 }

@@ -1,12 +1,12 @@
-//! Stresses under many internal forces at once.
+//! Stresses under many internal forces.
 //!
 //! ```text
 //! sigma = D G theta                                                          (S-33)
 //! ```
 //!
-//! For k forces the stresses at a point are a product of 6 x 6 and 6 x k numbers; those
-//! of a block of points are one product of matrices, and stay near the processor until
-//! they have been seen.
+//! For k forces the stresses at a point are a product of 6 x 6 and 6 x k numbers; the
+//! stresses of a block of points are one product of matrices, and stay in the cache while
+//! they are used.
 
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ use shared_geom::wrench;
 use super::Recoverer;
 use crate::recovery::axes::USUAL_ORDER;
 
-/// Points of a block: with a hundred forces its stresses are 300 kB.
+/// Points of a block: with a hundred forces its stresses take 300 kB.
 const BLOCK: usize = 64;
 
 /// Stresses at some integration points under many internal forces.
@@ -32,8 +32,8 @@ impl<'a> StressBlock<'a> {
         self.first..self.first + self.stress.nrows() / 6
     }
 
-    /// Stresses in section axes: six rows a point, order xx yy zz yz xz xy, a column
-    /// each force \[Pa\].
+    /// Stresses in section axes: six rows per point, order xx yy zz yz xz xy, a column per
+    /// force \[Pa\].
     pub fn stress(&self) -> DMatrixView<'a, f64> {
         self.stress
     }
@@ -41,9 +41,9 @@ impl<'a> StressBlock<'a> {
 
 impl Recoverer<'_> {
     /// Finds the stresses at all integration points under each of `forces` (6 x k, about
-    /// the reference point, order of [`wrench::COMPONENTS`]) \[N, N m\], and shows them to
-    /// `see` block by block. Driven electrodes are at zero volt, floating ones where their
-    /// charge is zero.
+    /// the reference point, order of [`wrench::COMPONENTS`]) \[N, N m\], and passes them to
+    /// `see` block by block. Driven electrodes are at zero volt, floating ones at the
+    /// voltage of zero charge.
     pub fn each_stress(&self, forces: &Matrix6xX<f64>, mut see: impl FnMut(&StressBlock<'_>)) {
         let shifted = wrench::shift_matrix(&self.offset()) * forces;
         let theta = DMatrix::from_column_slice(6, forces.ncols(), shifted.as_slice());

@@ -1,4 +1,4 @@
-//! Electric fields under an internal force, voltages, and what else acts.
+//! Electric fields under an internal force, voltages, imposed states and distributed loads.
 
 use nalgebra::{DVector, Matrix3x6, Matrix6, RowVector6, Vector3, Vector6};
 use shared_geom::error::nearest_name;
@@ -15,32 +15,33 @@ use crate::recovery::state::{ElectricRecovery, ElectricState, LoadCase, Tensors}
 use crate::section::Circuit;
 use crate::solution::DistributedState;
 
-/// The electric side of a load.
+/// The electric part of a load.
 #[derive(Debug, Clone)]
 pub(super) struct ElectricLoad {
-    /// The voltages of the load, with those that floating electrodes take by them.
+    /// The voltages of the load, with the resulting voltages of floating electrodes.
     state: VoltageState,
-    /// Potential at the nodes of the mesh but for that of the internal force \[V\].
+    /// Potential at the nodes of the mesh without the potential of the internal force
+    /// \[V\].
     potential: DVector<f64>,
-    /// Rate of that potential along the beam \[V/m\]; `None` where it is constant.
+    /// Rate of that potential along the beam \[V/m\]; `None` if it is constant.
     rate: Option<DVector<f64>>,
     found: ElectricRecovery,
-    /// Sum over the nodes of their cells, with the area of these.
+    /// For each node the sum over its cells, with their area.
     sums: Vec<(ElectricState, f64)>,
-    /// What acts: the size of the stresses of the voltages.
+    /// The size of the stresses of the voltages.
     pub held: HeldFields,
 }
 
-/// Sizes of the stress that the fields of voltages would have on a section that is held.
+/// Sizes of the stress of the fields of voltages on a restrained section.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct HeldFields {
-    /// If all of it pulled the same way \[N\].
+    /// Force, with all stress in the same direction \[N\].
     pub force: f64,
-    /// The largest \[Pa\].
+    /// The largest stress \[Pa\].
     pub stress: f64,
 }
 
-/// The first of six columns.
+/// The vector as the first of six columns.
 fn first(value: f64) -> RowVector6<f64> {
     let mut row = RowVector6::zeros();
     row[0] = value;
@@ -48,11 +49,11 @@ fn first(value: f64) -> RowVector6<f64> {
 }
 
 impl Recoverer<'_> {
-    /// The electric side of `load`; `None` for a section without electrodes.
+    /// The electric part of `load`; `None` for a section without electrodes.
     ///
     /// # Errors
     /// [`Failure::UnknownElectrode`], [`Failure::NotDriven`]; [`Failure::Undetermined`] and
-    /// [`Failure::FloatingUnder`] for floating electrodes whose voltage is not known.
+    /// [`Failure::FloatingUnder`] for floating electrodes whose voltage is undetermined.
     pub(super) fn electric_load(
         &self,
         load: &LoadCase,
@@ -124,15 +125,15 @@ impl Recoverer<'_> {
         electric.state.strain + side.floating_strain() * self.about_center(load)
     }
 
-    /// Makes the generalized strain per unit force that with the voltages which floating
-    /// electrodes take.
+    /// Adds the effect of the voltages of floating electrodes to the generalized strain per
+    /// unit force.
     pub(super) fn add_floating(&mut self) {
         if let Some(electric) = &self.electric {
             self.generalized += self.back.transpose() * electric.floating_strain();
         }
     }
 
-    /// The voltage that `load` gives each electrode.
+    /// The voltage of each electrode given by `load`.
     fn driven(&self, load: &LoadCase) -> Result<Vec<f64>, Failure> {
         let known = self
             .electric
@@ -160,7 +161,7 @@ impl Recoverer<'_> {
     }
 
     /// Adds strain and stress of the voltages, and the stress of all fields, to the points
-    /// of a cell under the internal force `theta` about the centroid; notes the fields.
+    /// of a cell under the internal force `theta` about the centroid; records the fields.
     pub(super) fn add_fields(
         &self,
         (electric, load): (&ElectricSide<'_>, &mut ElectricLoad),
@@ -193,7 +194,7 @@ impl Recoverer<'_> {
         }
     }
 
-    /// Mean of a cell, and its part in its nodes.
+    /// Adds the mean of a cell, and its contribution to its nodes.
     fn smooth_fields(
         &self,
         load: &mut ElectricLoad,
@@ -218,7 +219,7 @@ impl Recoverer<'_> {
         }
     }
 
-    /// Fields and displacement at a point, whose `tensors` are without what electrodes do.
+    /// Field and displacement at a point; adds the effects of electrodes to its `tensors`.
     pub(super) fn take_field(
         &self,
         load: &ElectricLoad,
@@ -239,7 +240,7 @@ impl Recoverer<'_> {
         electric.take(cell, &field, tensors)
     }
 
-    /// What the voltages strain at a point, order yz yy zz xx xy xz.
+    /// The strain of the voltages at a point, order yz yy zz xx xy xz.
     fn voltage_strain(&self, state: &VoltageState, cell: usize, point: &CellPoint) -> Vector6<f64> {
         let mut warping: NodalColumns = NO_COLUMNS;
         let nodes = self.section.mesh.cells[cell].nodes();
@@ -252,7 +253,7 @@ impl Recoverer<'_> {
         strain.column(0).into_owned()
     }
 
-    /// The field at a point of a cell with field but for that of the internal force.
+    /// The field at a point of a cell with field, without the field of the internal force.
     fn extra_field(
         &self,
         (electric, load): (&ElectricSide<'_>, &ElectricLoad),
@@ -306,13 +307,13 @@ impl Recoverer<'_> {
     }
 }
 
-/// Minus a gradient with rows y z x: rows x y z.
+/// Minus a gradient: from rows y z x to rows x y z.
 fn against(gradient: &Matrix3x6<f64>) -> Matrix3x6<f64> {
     Matrix3x6::from_rows(&[-gradient.row(2), -gradient.row(0), -gradient.row(1)])
 }
 
 impl ElectricLoad {
-    /// What was found, when all cells have been seen.
+    /// The electric recovery, after all cells have been added.
     pub fn finish(self) -> ElectricRecovery {
         let of_node = |(sum, area): &(ElectricState, f64)| {
             let mut state = ElectricState::default();

@@ -1,4 +1,4 @@
-//! Strain, stress and electric field at any place.
+//! Strain, stress and electric field at any point.
 
 use super::Recoverer;
 use crate::element::CellPoint;
@@ -8,18 +8,18 @@ use crate::recovery::state::{ElectricState, LoadCase, Tensors};
 use crate::solution::DistributedState;
 
 impl Recoverer<'_> {
-    /// Strain and stress under `load` at the place (y, z) \[m\], and the index of the
-    /// cell that holds it (the first of several on a common side); `None` outside the
-    /// section, and for a load whose voltages are not known.
+    /// Strain and stress under `load` at the point (y, z) \[m\], and the index of the cell
+    /// that contains it (the first of several on a common side); `None` outside the
+    /// section, and for a load whose voltages are undetermined.
     ///
-    /// It is the strain of the cell's own displacement there, without smoothing. Imposed
-    /// states whose solution was not given are left out.
+    /// The strain follows from the displacement of the cell there, without smoothing.
+    /// Imposed states whose solution was not given are ignored.
     pub fn at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, Tensors)> {
         let (cell, tensors, _) = self.state_at(load, None, place)?;
         Some((cell, tensors))
     }
 
-    /// As [`Recoverer::at`], with what a load distributed along the beam adds.
+    /// As [`Recoverer::at`], with the state added by a distributed load.
     pub fn at_with(
         &self,
         load: &LoadCase,

@@ -6,11 +6,10 @@ use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_real, evd_scratch};
 use faer::{Auto, MatRef, Par};
 use nalgebra::{Complex, DMatrix};
 
-/// All eigenvalues of a square matrix; none when it is not finite or the iteration
-/// fails.
+/// All eigenvalues of a square matrix; none if it is not finite or the iteration fails.
 ///
-/// The plain QR iteration at any size: the multishift one of faer 0.24, which it takes
-/// from size 75 on by itself, has been seen not to end.
+/// Uses the plain QR iteration at any size: the multishift iteration of faer 0.24, its
+/// default from size 75 on, was observed not to end.
 pub(super) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
     let n = matrix.nrows();
     if !matrix.iter().all(|entry| entry.is_finite()) {

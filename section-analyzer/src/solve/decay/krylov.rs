@@ -5,31 +5,32 @@
 //! T V_k = V H_k + V_(k+1) R_(k+1)          H = V^T T V
 //! ```
 //!
-//! the eigenvalues of H tending to those of T, those of largest magnitude first. A block
-//! sees as many copies of a repeated eigenvalue as it has vectors.
+//! with eigenvalues of H that converge to the eigenvalues of T, the largest magnitude
+//! first. A block finds as many copies of a repeated eigenvalue as it has vectors.
 
 use nalgebra::{DMatrix, DVector};
 
-/// A column that keeps less than this part of its size beside the space is inside it.
+/// A column whose component normal to the space is less than this part of its size is in
+/// the space.
 const INSIDE: f64 = 1e-12;
 
 /// A growing basis, and the projection of an operator on it.
 pub(super) struct Space {
-    /// The basis, with the block that comes next at its end.
+    /// The basis, with the next block at its end.
     basis: Vec<DVector<f64>>,
     /// `V^T T V`, with the rows of the next block.
     projected: DMatrix<f64>,
     /// Basis vectors whose products are in the projection.
     dimension: usize,
     block: usize,
-    /// Vectors at most.
+    /// Maximum number of vectors.
     most: usize,
-    /// Whether nothing was left of the last block: the space holds all its products.
+    /// Whether the last block was empty: the space contains all its products.
     is_whole: bool,
 }
 
 impl Space {
-    /// The space of the block `start`, of `most` vectors at most.
+    /// The space of the block `start`, of at most `most` vectors.
     pub fn new(start: &DMatrix<f64>, most: usize) -> Self {
         let block = start.ncols();
         let room = most.max(block) + block;
@@ -53,7 +54,7 @@ impl Space {
         DMatrix::from_columns(&self.basis[self.dimension..self.dimension + self.block])
     }
 
-    /// Takes the products of the last block in, and finds the next block.
+    /// Adds the products of the last block, and computes the next block.
     pub fn grow(&mut self, products: DMatrix<f64>) {
         let (first, block) = (self.dimension, self.block);
         let known = first + block;
@@ -89,23 +90,23 @@ impl Space {
         self.dimension
     }
 
-    /// Whether there is no room for another block.
+    /// Whether the space has no capacity for another block.
     pub fn is_full(&self) -> bool {
         self.is_whole || self.dimension + self.block > self.most
     }
 
-    /// Whether the space holds the products of all its vectors: its eigenvalues are
+    /// Whether the space contains the products of all its vectors: its eigenvalues are
     /// exact.
     pub fn is_whole(&self) -> bool {
         self.is_whole
     }
 
-    /// The unit vector of what `column` has beside the basis, with its components along
-    /// the basis and, last, its size.
+    /// The unit vector of the part of `column` normal to the basis, with the components of
+    /// `column` along the basis and, last, the size of that part.
     fn beside(&self, mut column: DVector<f64>) -> (DVector<f64>, DVector<f64>) {
         let count = self.basis.len();
         let mut along = DVector::zeros(count + 1);
-        // twice: once leaves the round-off of what was taken away
+        // twice: one pass leaves the round-off of the removed part
         for _ in 0..2 {
             for (known, sum) in self.basis.iter().zip(along.iter_mut()) {
                 let part = known.dot(&column);
@@ -121,7 +122,7 @@ impl Space {
         (column, along)
     }
 
-    /// A unit vector beside the basis.
+    /// A unit vector normal to the basis.
     fn fresh(&self) -> DVector<f64> {
         let n = self.basis.first().map_or(0, DVector::len);
         let drawn = (1 + self.basis.len()) * n;
@@ -130,8 +131,8 @@ impl Space {
     }
 }
 
-/// Entry of a start vector: without structure and without chance (the finalizer of
-/// the splitmix generator applied to its place).
+/// Entry of a start vector: unstructured but deterministic (the finalizer of the splitmix
+/// generator applied to its index).
 pub(super) fn start_value(i: usize) -> f64 {
     let mut z = (i as u64)
         .wrapping_add(1)

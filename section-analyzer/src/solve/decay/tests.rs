@@ -46,7 +46,7 @@ fn matrices(p: &Problem) -> [DMatrix<f64>; 3] {
     [m, c, e]
 }
 
-/// Oracle: all eigenvalues of the whole pencil as a dense matrix. With psi taken into the
+/// Oracle: all eigenvalues of the whole pencil as a dense matrix. With psi included in the
 /// rigid part of u it is `lambda^2 M u + lambda (C - C') u - E u = 0`, that is
 ///
 /// ```text
@@ -66,8 +66,8 @@ fn all_rates(p: &Problem) -> Vec<Complex<f64>> {
     found
 }
 
-/// The nearest to zero of all eigenvalues of a section without any symmetry, on
-/// straight and curved lines; the twelve that are no end effects are left out.
+/// The eigenvalues nearest to zero of a section without any symmetry, on straight and
+/// curved lines, without the twelve that are not end effects.
 #[test]
 fn rates_are_those_of_the_whole_pencil() {
     for p in [
@@ -81,7 +81,7 @@ fn rates_are_those_of_the_whole_pencil() {
         assert!(found.rates.is_sorted_by_key(|rate| rate.re));
         let all = all_rates(&p);
         // four Jordan chains of length two and four at zero spread to eps^(1/4), and with
-        // curvature those at +-i |k| to eps^(1/2)
+        // curvature the eigenvalues at +-i |k| to eps^(1/2)
         let w = p.domain.line.curvature.norm();
         let is_trivial = |value: &&Complex<f64>| {
             value.norm() < 1e-2 || (value.re.abs() < 1e-2 && (value.im.abs() - w).abs() < 1e-2)
@@ -93,7 +93,7 @@ fn rates_are_those_of_the_whole_pencil() {
             // the dense eigenvalues have the round-off of M^-1 E, of norm 1e4
             assert!(nearest < 1e-8 * rate.norm(), "{rate} {nearest:e}");
         }
-        // none is missing: those found are the slowest of all
+        // none is missing: the rates found are the slowest of all
         let first = all.iter().filter(|value| !is_trivial(value));
         let first = first.filter(|value| value.re > 0.0 && value.im >= -1e-9);
         let mut first: Vec<_> = first.collect();
@@ -105,7 +105,7 @@ fn rates_are_those_of_the_whole_pencil() {
     }
 }
 
-/// Pins are a choice without consequence.
+/// The choice of pins has no influence.
 #[test]
 fn rates_do_not_depend_on_the_pins() {
     for p in problems() {
@@ -142,8 +142,8 @@ fn copies_are_told_once() {
     assert!((change(&found[..1], &found) - 0.2_f64.sqrt()).abs() < 1e-8);
 }
 
-/// All rates that may decay as slowly as those wanted are looked at: up to 2.2 times the
-/// real part, or 1.25 times what others have.
+/// All rates that may decay as slowly as the requested ones are evaluated: up to 2.2 times
+/// the real part, or 1.25 times the ratio of other rates.
 #[test]
 fn rates_are_looked_at_as_far_as_slow_ones_may_be() {
     let real = |re: f64| Complex::new(re, 0.0);
@@ -161,7 +161,7 @@ fn rates_are_looked_at_as_far_as_slow_ones_may_be() {
 }
 
 /// Moduli over two decades and Poisson's ratios of any sign, admissible, shear moduli far
-/// from those of isotropic materials: end effects with waves shorter than they reach.
+/// from isotropic ones: end effects with wavelengths shorter than their decay length.
 fn random_law(random: &mut Random) -> ElasticLaw {
     loop {
         let [e1, e2, e3] = [0; 3].map(|_| 10_f64.powf(random.next()));
@@ -218,8 +218,8 @@ fn orthotropic_rectangle(law: ElasticLaw, width: f64) -> Problem {
     }
 }
 
-/// Of random orthotropic sections none of the slowest is missed, however many are asked
-/// for: against all eigenvalues of the pencil.
+/// None of the slowest rates of random orthotropic sections is missed, for any requested
+/// number: against all eigenvalues of the pencil.
 #[test]
 fn none_of_the_slowest_is_missed() {
     let mut random = Random(7);
@@ -227,7 +227,7 @@ fn none_of_the_slowest_is_missed() {
         let width = if number % 2 == 0 { 1.0 } else { 0.05 };
         let p = orthotropic_rectangle(random_law(&mut random), width);
         let pins = Pins::choose(&p.domain.nodes).expect("wide");
-        // those of rigid motions and central solutions come first
+        // the eigenvalues of rigid motions and central solutions come first
         let inverse = |value: &Complex<f64>| (value * value).inv();
         let mut all = distinct(all_rates(&p).iter().skip(12).map(inverse).collect());
         all.sort_by(|a, b| a.re.total_cmp(&b.re));

@@ -1,4 +1,4 @@
-//! Wrong blade files: each is told with its place, what was found and the remedy.
+//! Wrong blade files: each is reported with its location, the value found and the remedy.
 
 use std::path::Path;
 
@@ -51,7 +51,7 @@ fn assert_told(text: &str, expected: &[&str]) {
     }
 }
 
-/// Each text tells what stands beside it.
+/// Checks that each text yields the message listed with it.
 fn assert_each(cases: &[(String, &str)]) {
     for (text, expected) in cases {
         assert_told(text, &[expected]);
@@ -68,7 +68,7 @@ fn a_frame_that_is_not_declared_is_an_error_that_teaches() {
     assert_told(
         &GOOD.replace("frame = \"helicoid\"\n", ""),
         &[
-            "a.blade.toml:1: the file declares no \"frame\": the axes in which its numbers stand",
+            "a.blade.toml:1: the file declares no \"frame\": the axes of its numbers",
             "help: frame = \"helicoid\" (x to the tip, y to the leading edge",
             "\"beamdyn\" (x to the suction side",
         ],
@@ -121,7 +121,7 @@ fn stations_out_of_order_are_told_where_they_stand() {
         ),
         &[
             "a.blade.toml:20: station 2 lies at 5 m, and the station before at 10 m",
-            "help: put the stations in the order of their arc length",
+            "help: put the stations in order of arc length",
         ],
     );
     assert_told(
@@ -130,8 +130,8 @@ fn stations_out_of_order_are_told_where_they_stand() {
     );
 }
 
-// Tension center 0.3 m off, and EA of 7e6 N: the bending stiffness must be more than
-// that of the matrix given here, so that it is not positive definite.
+// Tension center 0.3 m off, and EA of 7e6 N: the bending stiffness must exceed the entry
+// of the matrix given here, so that it is not positive definite.
 #[test]
 fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
     let stiffness =
@@ -141,13 +141,13 @@ fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
     let text = GOOD
         .replacen(engineering, good, 1)
         .replacen(engineering, stiffness, 1);
-    // 1.25 v > 1 from v = 0.8 on.
+    // 1.25 v > 1 for v > 0.8.
     assert_told(
         &text,
         &[
             "a.blade.toml:15: stiffness is not positive definite from 7.99999",
             "m to 10 m, about station 2 at 10 m: there its smallest scaled eigenvalue is -2.500e-1",
-            "help: check the signs of the couplings, and that frame and order are",
+            "help: check the signs of the couplings, and that frame and order agree",
         ],
     );
 }
@@ -222,7 +222,7 @@ fn slips_of_the_pen_in_the_stations_are_told() {
         ),
         (
             GOOD.replace("\"helicoid\"", "\"beamdyn\""),
-            "gives engineering properties (\"ea\") in axes that are not those of Helicoid",
+            "gives engineering properties (\"ea\") in axes other than Helicoid's",
         ),
         (
             GOOD.replace("ea = 7e6\n", "stiffness = [1, 2]\n"),
@@ -259,7 +259,7 @@ fn slips_of_the_pen_in_the_stations_are_told() {
     ]);
 }
 
-/// One problem does not make keys unknown that are known.
+/// One problem does not make known keys unknown.
 #[test]
 fn no_key_is_unknown_because_of_another_mistake() {
     let line = "length = 10\n\n";
@@ -285,7 +285,7 @@ fn no_key_is_unknown_because_of_another_mistake() {
     }
 }
 
-/// A blade whose stations are `table`, with the column of its mass as `mass` says.
+/// A blade whose stations are `table`, with `mass` as the column of its mass.
 fn with_table(folder: &Path, table: &str, mass: &str) -> std::path::PathBuf {
     std::fs::write(folder.join("t.csv"), table).unwrap();
     let head = &GOOD[..GOOD.find("[[station]]").unwrap()];
@@ -352,7 +352,7 @@ fn what_is_wrong_with_a_table_is_told_with_its_line() {
         ),
         (
             "s,A,w,x\n0,2.0,0.5,a\n10,2.0,0.5,b\n".to_owned(),
-            "t.csv: columns that are not used: x",
+            "t.csv: unused columns: x",
         ),
     ];
     for (table, expected) in cases {
@@ -396,7 +396,7 @@ fn a_weight_by_inches_is_offered_for_inches_only() {
     let text = of("in").replace("m = 180", "m = 4");
     assert_told(
         &text,
-        &["the mass looks like a weight (lbf/in beside inches)"],
+        &["the mass looks like a weight (lbf/in with inches)"],
     );
 }
 

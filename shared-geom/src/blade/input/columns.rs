@@ -8,10 +8,10 @@ use crate::document::Table;
 use crate::error::{Diagnostics, Place};
 use crate::units::{self, Dimension};
 
-/// Cells that are no numbers are told one by one so far.
+/// Number of wrong cells that are reported one by one.
 const CELLS_SHOWN: usize = 5;
 
-/// What a column measures, and SI units in one of its plain numbers.
+/// Quantity of a column, and SI units in one of its plain numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Measure {
     pub dimension: Dimension,
@@ -25,7 +25,7 @@ struct Row {
     cells: Vec<String>,
 }
 
-/// A table of a file, and how its columns are named.
+/// A table of a file, and the names of its columns.
 #[derive(Debug)]
 pub(super) struct Columns<'a> {
     file: String,
@@ -45,7 +45,7 @@ impl<'a> Columns<'a> {
     pub fn read(owner: &'a Table<'a>, keys: &[String], sources: &Sources) -> Option<Self> {
         let map = owner.table("columns");
         if let Some(map) = &map {
-            // All of them are known, whatever else is wrong.
+            // All of them are known keys, even if others are wrong.
             for key in keys {
                 map.has(key);
             }
@@ -67,7 +67,7 @@ impl<'a> Columns<'a> {
         })
     }
 
-    /// Where each row stands.
+    /// Location of each row.
     pub fn places(&self) -> Vec<Place> {
         let place = |row: &Row| Place::line(&self.file, row.line);
         self.rows.iter().map(place).collect()
@@ -88,7 +88,8 @@ impl<'a> Columns<'a> {
         }
     }
 
-    /// As a table says: a value for all rows, or a column with a unit and a factor.
+    /// A value for all rows, or a column with a unit and a factor, as the table
+    /// specifies.
     fn described(&self, key: &str, table: &Table<'_>, measure: Measure) -> Option<Vec<f64>> {
         if table.has("value") {
             let value = table.quantity("value", measure.dimension);
@@ -165,7 +166,7 @@ impl<'a> Columns<'a> {
         exact.or_else(|| self.names.iter().position(alike))
     }
 
-    /// Notes unknown keys of `columns`; tells in words the columns that nothing asked for.
+    /// Notes unknown keys of `columns`; remarks the unused columns.
     pub fn finish(&self, sources: &Sources) {
         if let Some(map) = &self.map {
             map.finish();
@@ -178,15 +179,12 @@ impl<'a> Columns<'a> {
             .collect();
         if !unused.is_empty() {
             let columns = unused.join(", ");
-            sources.remark(format!(
-                "{}: columns that are not used: {columns}",
-                self.file
-            ));
+            sources.remark(format!("{}: unused columns: {columns}", self.file));
         }
     }
 }
 
-/// SI units in one unit that stands under `unit`.
+/// SI units in one unit given under `unit`.
 fn unit(table: &Table<'_>, dimension: Dimension) -> Option<f64> {
     let text = table.text("unit")?;
     match units::parse_as(&text, dimension) {

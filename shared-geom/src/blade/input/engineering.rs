@@ -29,7 +29,7 @@ pub(super) const CENTERS: [(&str, [&str; 2]); 3] = [
 /// Angles of the principal axes.
 pub(super) const ANGLES: [&str; 2] = ["stiffness_angle", "inertia_angle"];
 
-/// What can be asked for numbers by their key.
+/// Source of numbers by their key.
 pub(super) trait Numbers {
     /// A required number, in SI units.
     fn number(&self, key: &'static str, dimension: Dimension) -> Option<f64>;
@@ -39,16 +39,16 @@ pub(super) trait Numbers {
     fn angle(&self, key: &'static str) -> Option<f64>;
 }
 
-/// Which of the properties are asked for.
+/// Selection of the properties that are read.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parts {
     pub stiffness: bool,
     pub mass: bool,
 }
 
-/// The engineering properties of `numbers`; what is not asked for is zero.
+/// The engineering properties of `numbers`; the others are zero.
 pub(super) fn read(numbers: &impl Numbers, parts: Parts) -> Option<Engineering> {
-    // Every key is asked for, so that all problems are told.
+    // Every key is read, so that all problems are reported.
     let of = |asked: bool, (key, dimension)| match asked {
         true => numbers.number(key, dimension),
         false => Some(0.0),

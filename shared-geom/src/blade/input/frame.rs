@@ -8,7 +8,7 @@ use crate::exchange::frame::Convention;
 use crate::units::Dimension;
 use crate::wrench;
 
-/// Frames that have a name. Of BeamDyn's the twist is positive about minus its own z.
+/// Named frames. The twist of BeamDyn is positive about minus its own z.
 const NAMED: [(&str, Convention); 6] = [
     ("helicoid", Convention::Helicoid),
     ("beamdyn", Convention::BeamDyn),
@@ -17,7 +17,7 @@ const NAMED: [(&str, Convention); 6] = [
     ("sonata", Convention::Vabs),
     ("anba4", Convention::Anba4),
 ];
-/// Directions by which axes are told, in ours.
+/// Directions that describe axes, in Helicoid's axes.
 const DIRECTIONS: [(&str, [f64; 3]); 6] = [
     ("tip", [1.0, 0.0, 0.0]),
     ("root", [-1.0, 0.0, 0.0]),
@@ -30,21 +30,21 @@ const DIRECTIONS: [(&str, [f64; 3]); 6] = [
 const COMPONENTS: [&str; 6] = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The axes in which the numbers of a file stand.
+/// The axes of the numbers of a file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Frame {
-    /// Its axes in ours, as columns.
+    /// Its axes in Helicoid's, as columns.
     axes: Matrix3<f64>,
-    /// The component, along and then about its axes, at each place of its six.
+    /// The component, along and then about its axes, at each index of its six.
     order: [usize; 6],
-    /// One where a positive twist is nose up, else minus one.
+    /// One if a positive twist is nose up, else minus one.
     nose_up: f64,
 }
 
 impl Frame {
     /// Reads `frame`, `order` and `twist_positive` of the file.
     pub fn read(root: &Table<'_>) -> Option<Self> {
-        // All of them are known, whatever else is wrong.
+        // All of them are known keys, even if others are wrong.
         let [has_frame, ..] = ["frame", "order", "twist_positive"].map(|key| root.has(key));
         if !has_frame {
             root.note("frame", &InputProblem::FrameUndeclared);
@@ -86,7 +86,7 @@ impl Frame {
         })
     }
 
-    /// What the file declares, in words.
+    /// The declaration of the file as text.
     pub fn words(root: &Table<'_>) -> Option<String> {
         if !root.has("frame") {
             return None;
@@ -102,7 +102,7 @@ impl Frame {
         Some(words)
     }
 
-    /// Ours.
+    /// Helicoid's frame.
     pub fn ours() -> Self {
         Self {
             axes: Matrix3::identity(),
@@ -111,23 +111,23 @@ impl Frame {
         }
     }
 
-    /// Whether its axes are ours.
+    /// Whether its axes are Helicoid's.
     pub fn is_ours(&self) -> bool {
         self.axes == Matrix3::identity()
     }
 
-    /// A vector of its components in our axes.
+    /// A vector in Helicoid's axes, from its components.
     pub fn vector(&self, components: [f64; 3]) -> Vector3<f64> {
-        // Plus zero: no zero with a sign.
+        // Plus zero: no signed zero.
         (self.axes * Vector3::from(components)).add_scalar(0.0)
     }
 
-    /// A twist of its sign, nose up.
+    /// A twist in its sign convention, as nose up.
     pub fn twist(&self, twist: f64) -> f64 {
         self.nose_up * twist + 0.0
     }
 
-    /// A matrix of its axes and order in ours.
+    /// A matrix in Helicoid's axes and order, from its own.
     pub fn matrix(&self, matrix: &Matrix6<f64>) -> Matrix6<f64> {
         let mut natural = Matrix6::zeros();
         for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
@@ -136,12 +136,13 @@ impl Frame {
         wrench::rotate(&natural, &self.axes.transpose())
     }
 
-    /// What a place of its six components holds: a force (false) or a moment (true).
+    /// Kind of the component at an index of its six: a force (false) or a moment (true).
     pub fn is_moment(&self, place: usize) -> bool {
         self.order[place] >= 3
     }
 
-    /// Six numbers in its order, one for each component, in ours; without signs.
+    /// Six numbers, one for each component, in Helicoid's order, from its own; without
+    /// signs.
     pub fn values(&self, values: [f64; 6]) -> [f64; 6] {
         let mut natural = [0.0; 6];
         for (place, value) in self.order.into_iter().zip(values) {
@@ -177,12 +178,12 @@ impl Frame {
             components[axis] = coordinate;
         }
         let point = self.vector(components);
-        // Plus zero: no zero with a sign.
+        // Plus zero: no signed zero.
         Vector2::new(point.y + 0.0, point.z + 0.0)
     }
 }
 
-/// The axes of three directions; `None` when they are not those of a right-handed frame.
+/// The axes of three directions; `None` unless they form a right-handed frame.
 fn directions(words: &[String]) -> Option<Matrix3<f64>> {
     let of = |word: &String| {
         let known = DIRECTIONS.iter().find(|direction| direction.0 == word)?;
@@ -196,7 +197,7 @@ fn directions(words: &[String]) -> Option<Matrix3<f64>> {
     (axes.determinant() == 1.0).then_some(axes)
 }
 
-/// The order of the components: as it is declared, or implied by a frame with a name.
+/// The order of the components: declared, or implied by a named frame.
 fn order(root: &Table<'_>, named: bool) -> Option<[usize; 6]> {
     if !root.has("order") {
         if named {

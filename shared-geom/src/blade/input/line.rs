@@ -1,4 +1,4 @@
-//! The table `[line]`: a length, points in place or of a file, or arcs.
+//! The table `[line]`: a length, points in the table or in a file, or arcs.
 
 use nalgebra::Vector3;
 
@@ -19,7 +19,7 @@ const INVERSE_LENGTH: Dimension = Dimension {
 
 /// Keys of the coordinates of points in the axes of the frame.
 const AXES: [&str; 3] = ["x", "y", "z"];
-/// The same in words.
+/// The same as words.
 const WORDS: [&str; 3] = ["span", "sweep", "prebend"];
 /// Keys of lists of points.
 const KEYS: [&str; 9] = [
@@ -59,7 +59,7 @@ pub(super) fn read(
             line
         }
         ["x" | "y" | "z" | "span"] => {
-            // All of them are known, whatever else is wrong.
+            // All of them are known keys, even if others are wrong.
             for key in KEYS {
                 table.has(key);
             }
@@ -143,7 +143,7 @@ impl Lists<'_> {
         }
     }
 
-    /// The numbers under `key`, as many as `count`; zeros without them.
+    /// The numbers under `key`, `count` of them; zeros if the key is absent.
     fn of_points(
         &self,
         table: &Table<'_>,
@@ -180,7 +180,7 @@ fn through(table: &Table<'_>, lists: &Lists<'_>, frame: Option<&Frame>) -> Optio
         let place = word.and_then(|_| table.word("course", &["polyline", "spline"]));
         place.map(|place| known[place])
     };
-    // In axes by their names, or in words; the first that is there counts the points.
+    // In axes by their names, or as words; the first that exists counts the points.
     let by_axes = AXES.iter().any(|axis| lists.has(axis));
     let keys = if by_axes { AXES } else { WORDS };
     let first = keys
@@ -211,7 +211,7 @@ fn through(table: &Table<'_>, lists: &Lists<'_>, frame: Option<&Frame>) -> Optio
     Some(displaced(line, &forward?, &up?))
 }
 
-/// The line beside `line`: each of its points moved in the section axes there.
+/// The line next to `line`: each of its points moved in the section axes there.
 fn displaced(line: ReferenceLine, forward: &[f64], up: &[f64]) -> ReferenceLine {
     let is_zero = |numbers: &[f64]| numbers.iter().all(|number| *number == 0.0);
     if (is_zero(forward) && is_zero(up)) || !line.problems().is_empty() {
@@ -230,8 +230,8 @@ fn displaced(line: ReferenceLine, forward: &[f64], up: &[f64]) -> ReferenceLine 
     ReferenceLine::through(points.collect(), line.course)
 }
 
-/// The curvature of an arc: numbers are the inverse of a radius, texts that or angles per
-/// length, as in section files.
+/// The curvature of an arc: numbers are the inverse of a radius, texts an inverse radius
+/// or an angle per length, as in section files.
 fn curvature(arc: &Table<'_>) -> Option<Vector3<f64>> {
     let expected = "an array of 3: one over a radius, or angles per length, as in \"5 deg/m\"";
     let item = arc.item("curvature")?;
@@ -249,7 +249,7 @@ fn curvature(arc: &Table<'_>) -> Option<Vector3<f64>> {
             false => INVERSE_LENGTH,
         })
     };
-    // Every number is looked at, so that each wrong one is noted.
+    // Every number is read, so that each wrong one is noted.
     let numbers: Vec<_> = items.iter().map(quantity).collect();
     let numbers: Option<Vec<f64>> = numbers.into_iter().collect();
     Some(Vector3::from_vec(numbers?))
@@ -277,7 +277,7 @@ fn arcs(table: &Table<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
         let rate = frame?.twist(rate?);
         Some((length?, curvature + Vector3::new(rate, 0.0, 0.0)))
     });
-    // Every arc is looked at, so that each wrong one is noted.
+    // Every arc is read, so that each wrong one is noted.
     let read: Vec<_> = read.collect();
     let arcs: Option<Vec<_>> = read.into_iter().collect();
     let root = LinePoint {

@@ -37,7 +37,7 @@ impl Kind {
         format!("{}{}{}", self.letter(), i + 1, j + 1)
     }
 
-    /// What an entry measures: with each moment it has a length more.
+    /// Dimension of an entry: each moment adds a length.
     pub fn measure(self, document: &Document, frame: &Frame, i: usize, j: usize) -> Measure {
         let moments = usize::from(frame.is_moment(i)) + usize::from(frame.is_moment(j));
         let dimension = match (self, moments) {
@@ -48,7 +48,7 @@ impl Kind {
             (Self::Mass, 1) => Dimension::MASS,
             (Self::Mass, _) => Dimension::INERTIA_PER_LENGTH,
         };
-        // Of one unit for all entries, whatever else is declared.
+        // One unit for all entries, independent of the declared units.
         let base = match self {
             Self::Stiffness => document.factor(Dimension::FORCE),
             Self::Mass => document.factor(Dimension::MASS_PER_LENGTH),
@@ -59,13 +59,13 @@ impl Kind {
     }
 }
 
-/// The places of an upper triangle, row by row.
+/// The indices of an upper triangle, row by row.
 pub(super) fn upper() -> impl Iterator<Item = (usize, usize)> {
     (0..6).flat_map(|i| (i..6).map(move |j| (i, j)))
 }
 
 /// Reads a matrix of a table: 6 rows of 6, or the 21 numbers of the upper triangle row
-/// by row; in our axes, SI.
+/// by row; in Helicoid's axes, SI.
 pub(super) fn read(table: &Table<'_>, kind: Kind, frame: Option<&Frame>) -> Option<Matrix6<f64>> {
     let key = kind.key();
     let written = match table.is_nested(key) {

@@ -1,4 +1,4 @@
-//! What can be wrong with a blade file that people write.
+//! Errors of a blade file that people write.
 
 use crate::error::{Explain, nearest_name};
 
@@ -6,42 +6,42 @@ use crate::error::{Explain, nearest_name};
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum InputProblem {
     /// No frame.
-    #[error("the file declares no \"frame\": the axes in which its numbers stand")]
+    #[error("the file declares no \"frame\": the axes of its numbers")]
     FrameUndeclared,
-    /// Axes by direction, and no order.
+    /// Axes by direction, without an order.
     #[error("the file declares axes by their directions and no \"order\" of the six components")]
     OrderUndeclared,
     /// No reference point.
-    #[error("the file declares no \"reference_point\": the point about which K and M stand")]
+    #[error("the file declares no \"reference_point\": the reference point of K and M")]
     PointUndeclared,
-    /// Directions that are no frame.
+    /// Directions that do not form a frame.
     #[error("\"frame\" is [{}], expected three directions of a right-handed frame", .found.join(", "))]
     Directions {
         /// The words found.
         found: Vec<String>,
     },
-    /// Words that are no order.
+    /// Words that do not form an order.
     #[error("\"order\" is [{}], expected each of Fx, Fy, Fz, Mx, My, Mz once", .found.join(", "))]
     Order {
         /// The words found.
         found: Vec<String>,
     },
-    /// Two ways to say one thing.
+    /// Two exclusive keys.
     #[error("{table} has both \"{one}\" and \"{other}\", expected one of them")]
     Both {
-        /// The table in words.
+        /// The table as text.
         table: String,
         /// A key.
         one: String,
         /// Another key.
         other: String,
     },
-    /// None of several ways.
+    /// None of several alternatives.
     #[error("{table} has neither {}", .known.join(" nor "))]
     Neither {
-        /// The table in words.
+        /// The table as text.
         table: String,
-        /// The ways, in words.
+        /// The ways, as text.
         known: Vec<&'static str>,
     },
     /// Lists of different lengths.
@@ -51,7 +51,7 @@ pub enum InputProblem {
         key: &'static str,
         /// Its entries.
         found: usize,
-        /// The key before.
+        /// The first of the two keys.
         other: &'static str,
         /// Its entries.
         expected: usize,
@@ -63,7 +63,7 @@ pub enum InputProblem {
         key: String,
         /// The number found.
         found: usize,
-        /// What was expected, in words.
+        /// Expected values, as text.
         expected: &'static str,
     },
     /// A column that the table does not have.
@@ -73,7 +73,7 @@ pub enum InputProblem {
         file: String,
         /// The column.
         column: String,
-        /// What it is for, in words.
+        /// Its purpose, as text.
         purpose: String,
         /// The columns that it has.
         known: Vec<String>,
@@ -83,7 +83,7 @@ pub enum InputProblem {
         "the table has {found}, expected a line with the names of the columns and rows of numbers"
     )]
     NoRows {
-        /// What it has, in words.
+        /// Content, as text.
         found: &'static str,
     },
     /// A line with another number of columns.
@@ -97,10 +97,10 @@ pub enum InputProblem {
     /// A line that cannot be read as part of a table.
     #[error("the line cannot be read as part of a table: {reason}")]
     Row {
-        /// The reader's words.
+        /// The reader's message.
         reason: String,
     },
-    /// A cell that is no number.
+    /// A cell that is not a number.
     #[error("column \"{column}\" has \"{found}\", expected a number")]
     Cell {
         /// The column.
@@ -108,26 +108,24 @@ pub enum InputProblem {
         /// The cell.
         found: String,
     },
-    /// Further cells that are no numbers.
-    #[error("further cells of column \"{column}\" that are no numbers: {count}")]
+    /// Further cells that are not numbers.
+    #[error("further cells of column \"{column}\" that are not numbers: {count}")]
     MoreCells {
         /// The column.
         column: String,
-        /// Cells that are not told one by one.
+        /// Cells that are not reported one by one.
         count: usize,
     },
-    /// A weight where a mass is expected.
+    /// A weight instead of a mass.
     #[error("\"{unit}\" measures a weight, expected a mass")]
     Weight {
         /// The unit.
         unit: String,
     },
     /// Engineering properties in foreign axes.
-    #[error(
-        "{table} gives engineering properties (\"{key}\") in axes that are not those of Helicoid"
-    )]
+    #[error("{table} gives engineering properties (\"{key}\") in axes other than Helicoid's")]
     EngineeringFrame {
-        /// The table in words.
+        /// The table as text.
         table: String,
         /// The first of the keys.
         key: &'static str,
@@ -155,7 +153,7 @@ impl Explain for InputProblem {
                  rows of K and M, by forces along and moments about these axes"
             }
             Self::PointUndeclared => {
-                "reference_point = \"line\" where K and M stand about the reference line, else \
+                "reference_point = \"line\" if K and M are about the reference line, else \
                  the point in section axes as two lengths from the line"
             }
             Self::Directions { .. } => {

@@ -1,4 +1,4 @@
-//! The place and the axes of a station, and helpers of both ways to write stations.
+//! The position and the axes of a station, and helpers of both ways to write stations.
 
 use nalgebra::{Matrix6, Vector2, Vector3};
 
@@ -9,7 +9,7 @@ use crate::document::Table;
 use crate::line::about_x;
 use crate::wrench;
 
-/// What the file says for all stations.
+/// Settings of the file for all stations.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Given<'a> {
     pub frame: Option<&'a Frame>,
@@ -18,7 +18,7 @@ pub(super) struct Given<'a> {
     pub length: Option<f64>,
 }
 
-/// Where a station stands and how its axes lie.
+/// Position and axes of a station.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seat {
     pub arc_length: f64,
@@ -45,7 +45,7 @@ pub(super) fn seated(
     })
 }
 
-/// Notes two keys for one thing, or none; `Some(true)` for the first.
+/// Notes two keys for one quantity, or none; `Some(true)` for the first.
 pub(super) fn either(
     table: &Table<'_>,
     has: impl Fn(&str) -> bool,
@@ -75,7 +75,7 @@ pub(super) fn either(
     }
 }
 
-/// Notes engineering properties in a frame that is not ours.
+/// Notes engineering properties in a frame other than Helicoid's.
 pub(super) fn note_foreign(table: &Table<'_>, parts: Parts, given: &Given<'_>) -> bool {
     let foreign = given.frame.is_some_and(|frame| !frame.is_ours());
     let key = match (parts.stiffness, parts.mass) {

@@ -13,7 +13,7 @@ use crate::error::Place;
 use crate::section::Engineering;
 use crate::units::Dimension;
 
-/// Keys of columns beside those of matrices and engineering properties.
+/// Keys of columns, besides the keys of matrices and engineering properties.
 const SEAT_KEYS: [&str; 6] = [
     "arc_length",
     "eta",
@@ -23,7 +23,7 @@ const SEAT_KEYS: [&str; 6] = [
     "reference_point_z",
 ];
 
-/// All keys that a column may stand for.
+/// All keys to which a column may be assigned.
 fn keys() -> Vec<String> {
     let entries = [Kind::Stiffness, Kind::Mass]
         .into_iter()
@@ -60,7 +60,7 @@ pub(super) fn read(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> O
     stations
 }
 
-/// A table of stations and what is given for all of them.
+/// A table of stations and the settings for all of them.
 struct StationFile<'a> {
     table: &'a Table<'a>,
     columns: &'a Columns<'a>,
@@ -180,7 +180,7 @@ impl StationFile<'_> {
 
     /// The engineering properties of all rows.
     fn engineering(&self, parts: Parts) -> Option<Vec<Engineering>> {
-        // Columns are read once each, so that each problem is told once.
+        // Columns are read once each, so that each problem is reported once.
         let mut known = Vec::new();
         let asked = [(&STIFFNESS[..], parts.stiffness), (&MASS[..], parts.mass)];
         for (keys, _) in asked.into_iter().filter(|part| part.1) {

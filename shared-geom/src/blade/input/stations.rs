@@ -25,7 +25,7 @@ pub(super) fn read(root: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Op
                 table.finish();
                 station
             });
-            // Every station is looked at, so that each wrong one is noted.
+            // Every station is read, so that each wrong one is noted.
             let read: Vec<_> = read.collect();
             read.into_iter().collect()
         }
@@ -110,7 +110,7 @@ fn in_place(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<P
     })
 }
 
-/// What a station has its matrices from.
+/// Source of the matrices of a station.
 enum Matrices {
     /// A property file and its name.
     Section((String, Box<SectionProperties>)),

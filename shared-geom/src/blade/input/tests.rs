@@ -42,8 +42,8 @@ fn wind_blades_have_their_published_masses_and_lengths() {
     assert!(case("iea15").blade.line.points.last().unwrap().position.z < -3.0);
 }
 
-// With ballast (TM 4760) and with spars of carbon (IEA 15 MW): weights are told from
-// masses in both.
+// With ballast (TM 4760) and with carbon spars (IEA 15 MW): weights are distinguished
+// from masses in both.
 #[test]
 fn weights_are_told_from_masses_of_real_blades() {
     for name in ["nrel5mw", "iea15", "tm4760"] {
@@ -134,7 +134,7 @@ fn rows(matrix: &Matrix6<f64>) -> String {
     format!("[{}]", rows.join(", "))
 }
 
-/// A blade of two stations with `k` and `m` as a file in the axes of `frame` writes them.
+/// A blade of two stations with `k` and `m`, as a file in the axes of `frame`.
 fn written(frame: &str, line: &str, point: &str, k: &str, m: &str) -> String {
     let station = |eta: f64| format!("[[station]]\neta = {eta}\nstiffness = {k}\nmass = {m}\n");
     format!(
@@ -145,15 +145,15 @@ fn written(frame: &str, line: &str, point: &str, k: &str, m: &str) -> String {
     )
 }
 
-/// The line of one blade in the axes of HAWC2, in those of BeamDyn, and in words.
+/// The line of one blade in the axes of HAWC2, in the axes of BeamDyn, and as words.
 const LINES: [&str; 3] = [
     "x = [0, 0.2, -0.1]\ny = [0, 0.3, 0.4]\nz = [0, 5, 10]\ntwist = [10, 5, 0]",
     "x = [0, 0.3, 0.4]\ny = [0, -0.2, 0.1]\nz = [0, 5, 10]\ntwist = [-10, -5, 0]",
     "span = [0, 5, 10]\nsweep = [0, -0.2, 0.1]\nprebend = [0, 0.3, 0.4]\ntwist = [10, 5, 0]",
 ];
 
-/// Declaration of a frame; its line; its reference point; the places of its components
-/// among ours, by hand: BeamDyn's x is our z, its y our -y, its z our x.
+/// Declaration of a frame; its line; its reference point; the indices of its components
+/// among Helicoid's, by hand: BeamDyn's x is our z, its y our -y, its z our x.
 type Written = (&'static str, usize, &'static str, [usize; 6]);
 
 const WRITTEN: [Written; 6] = [
@@ -186,8 +186,8 @@ fn a_blade_is_the_same_from_every_frame() {
     assert_eq!(ours.stations[0].stiffness, k);
     assert_eq!(ours.reference_point, Vector2::new(0.2, 0.1));
     for (frame, line, point, places) in WRITTEN {
-        // Of the second line, an axis leads the other way than our y: components along
-        // and about it, shear y and bending y, have the other sign.
+        // In the second line, an axis points against our y: the components along and
+        // about it, shear y and bending y, have the other sign.
         let sign = |place: usize| match (line, places[place]) {
             (1, 1 | 4) => -1.0,
             _ => 1.0,
@@ -204,7 +204,7 @@ fn a_blade_is_the_same_from_every_frame() {
     }
 }
 
-// Units: K of 1 lbf, lbf in, lbf in^2; M of 1 lb/in, lb, lb in; places in inches.
+// Units: K of 1 lbf, lbf in, lbf in^2; M of 1 lb/in, lb, lb in; positions in inches.
 #[test]
 fn matrices_are_in_declared_units() {
     let eye = rows(&(Matrix6::identity() * 2.0));
@@ -255,13 +255,13 @@ fn engineering_properties_give_matrices() {
     assert!((k[(5, 5)] - (40.0 + 7e6 * 0.09)).abs() < 1e-9);
     assert!((k[(4, 0)] + 7e6 * 0.1).abs() < 1e-9 && (k[(1, 1)] - 1e6).abs() < 1e-9);
     assert!((blade.mass() - 20.0).abs() < 1e-12);
-    // Mass as a matrix beside them.
+    // Mass as a matrix with them.
     let text = ENGINEERING.replace("m = 2\niy = 0.01\niz = 0.04\n", "");
     let text = format!("{text}mass = {}\n", rows(&mass()));
     assert_eq!(good(&text).stations[0].mass, mass());
 }
 
-// Three ways to say the same: a point of its own, and axes of its own.
+// Three equivalent ways: a separate reference point, separate axes, both.
 #[test]
 fn a_station_may_stand_elsewhere() {
     let text = |point: &str, angle: &str, k: &Matrix6<f64>, m: &Matrix6<f64>| {
@@ -317,7 +317,7 @@ fn lines_are_given_in_many_ways() {
     assert!((bent.at(bent.length()).position - Vector3::new(-3.0, 4.0, 0.0)).amax() < 1e-14);
     assert!((bent.points[2].twist - 6f64.to_radians()).abs() < 1e-15);
     assert!((with(arcs).points[0].twist - 5f64.to_radians()).abs() < 1e-15);
-    // The same curvature with units: of a radius, and of an angle as section files have it.
+    // The same curvature with units: of a radius, and of an angle as in section files.
     for curvature in [
         "0.5 1/m",
         "0.5 rad/m",
@@ -368,7 +368,8 @@ fn stations_are_made_of_property_files() {
         panic!("{:?}", blade.damping);
     };
     assert!((damping[1] - blade.stations[1].stiffness * 0.02).amax() < 1e-9);
-    // One time for all is proportional damping; beside [damping] it is one too many.
+    // One time for all is proportional damping; together with [damping] it is one too
+    // many.
     written("b.json", 0.01);
     let damping = read(&file).unwrap().blade.damping;
     assert_eq!(damping, Some(BladeDamping::Proportional(0.01)));
@@ -388,7 +389,7 @@ fn damping_is_in_the_order_of_the_frame() {
     );
 }
 
-// The example of the page of the blade file, with a tip section beside it.
+// The example of the page of the blade file, with a file of its tip section.
 #[test]
 fn the_example_of_the_book_is_a_blade() {
     let page = include_str!("../../../../docs/src/blade-file.md");

@@ -1,4 +1,4 @@
-//! The blade file: damping times, and two 6x6 matrices a station.
+//! The blade file: damping times, and two 6x6 matrices per station.
 
 use nalgebra::Matrix6;
 
@@ -14,7 +14,7 @@ use super::Layout;
 /// A station: part of the length, stiffness and mass in BeamDyn's axes.
 type Row = (f64, Matrix6<f64>, Matrix6<f64>);
 
-/// What the file holds.
+/// Content of the file.
 #[derive(Debug)]
 pub(super) struct BladeFile {
     pub stations: Vec<Row>,
@@ -25,12 +25,12 @@ pub(super) struct BladeFile {
     pub remarks: Vec<String>,
 }
 
-/// Whether `text` is such a file.
+/// Whether `text` is a BeamDyn blade file.
 pub(super) fn recognize(text: &str) -> bool {
     text.lines().any(|line| is_named(line, "station_total"))
 }
 
-/// Whether a line states the value of `name`, behind the value.
+/// Whether a line states the value of `name`, which follows the value.
 pub(super) fn is_named(line: &str, name: &str) -> bool {
     let word = line.split_whitespace().nth(1);
     word.is_some_and(|word| word.eq_ignore_ascii_case(name))
@@ -41,7 +41,7 @@ pub(super) fn is_separator(line: &Line<'_>) -> bool {
     line.text.starts_with("---") || line.text.starts_with("===")
 }
 
-/// The whole number of the line that states `name`, and the place of the line.
+/// The whole number of the line that states `name`, and the index of the line.
 pub(super) fn count(
     lines: &[Line<'_>],
     name: &str,
@@ -68,18 +68,18 @@ pub(super) fn count(
 fn missing(name: &str) -> ExchangeProblem {
     ExchangeProblem::Missing {
         what: format!("the line of \"{name}\""),
-        help: format!("it has a value and behind it the word {name}; is the file cut short?"),
+        help: format!("it has a value and after it the word {name}; is the file cut short?"),
     }
 }
 
 fn missing_stations() -> ExchangeProblem {
     ExchangeProblem::Missing {
         what: "every station (station_total is 0)".to_owned(),
-        help: "give at least two, at the places eta = 0 and 1".to_owned(),
+        help: "give at least two, at eta = 0 and 1".to_owned(),
     }
 }
 
-/// Reads the lines of the file; notes what is wrong with them.
+/// Reads the lines of the file; notes problems.
 pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<BladeFile> {
     let total = count(lines, "station_total", problems);
     let damping = count(lines, "damp_type", problems);
@@ -99,8 +99,8 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Blade
     let used = total.saturating_mul(13);
     if let Some(line) = body.get(used) {
         remarks.push(format!(
-            "line {} and what follows lies behind the {total} stations that station_total \
-             announces, and is not read",
+            "line {} and the lines below follow the {total} stations that station_total \
+             announces, and are not read",
             line.number
         ));
     }
@@ -112,7 +112,7 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Blade
     })
 }
 
-/// The six damping times, where they are used.
+/// The six damping times, if they are used.
 fn times(
     lines: &[Line<'_>],
     kind: usize,
@@ -149,7 +149,8 @@ fn times(
 }
 
 /// The stations of the body, in order: each a line of one number and the lines up to the
-/// next such line, so that a line too few is told once; and the lines of their places.
+/// next such line, so that a missing line is reported once; and the lines of their
+/// positions.
 fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> (Vec<Row>, Vec<usize>) {
     let (mut rows, mut lines): (Vec<Row>, Vec<usize>) = Default::default();
     let mut rest = body;
@@ -160,7 +161,7 @@ fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> (Vec<Ro
                 last,
                 &ExchangeProblem::CutShort {
                     what: format!("the table of stations, after {} of {total}", number - 1),
-                    expected: "a line with the place eta, six lines of stiffness, six of mass"
+                    expected: "a line with the position eta, six lines of stiffness, six of mass"
                         .to_owned(),
                 },
             );
@@ -169,7 +170,7 @@ fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> (Vec<Ro
         let next = tail.iter().position(|line| line.words().count() == 1);
         let (block, behind) = tail.split_at(next.unwrap_or(tail.len().min(12)));
         rest = behind;
-        let eta = head.numbers::<1>(&format!("place eta of station {number}"), problems);
+        let eta = head.numbers::<1>(&format!("position eta of station {number}"), problems);
         let matrices = matrices(block, head, number, next.is_none(), problems);
         if let (Some([eta]), Some((stiffness, mass))) = (eta, matrices) {
             check_place(eta, head.number, number, rows.last(), problems);
@@ -191,7 +192,7 @@ fn matrices(
     if block.len() != 12 && !last {
         let problem = ExchangeProblem::Other {
             what: format!("station {number}"),
-            found: format!("{} lines below its place", block.len()),
+            found: format!("{} lines below its position", block.len()),
             expected: "12: six of stiffness, six of mass".to_owned(),
             help: "a row of a matrix may be missing, or there may be one too many".to_owned(),
         };
@@ -212,9 +213,9 @@ fn matrices(
     stiffness.zip(mass)
 }
 
-/// Notes a place that does not follow the one before or is off the blade.
+/// Notes a position before the previous one or off the blade.
 fn check_place(eta: f64, line: usize, number: usize, last: Option<&Row>, problems: &mut Problems) {
-    let what = format!("place eta of station {number}");
+    let what = format!("position eta of station {number}");
     if !(0.0..=1.0).contains(&eta) {
         let problem = ExchangeProblem::Other {
             what: what.clone(),
@@ -235,7 +236,7 @@ fn check_place(eta: f64, line: usize, number: usize, last: Option<&Row>, problem
     }
 }
 
-/// Six rows of six numbers; all rows are looked at.
+/// Six rows of six numbers; all rows are read.
 fn matrix(
     lines: &[Line<'_>],
     what: &str,
@@ -274,7 +275,7 @@ pub(super) fn write(blade: &Blade, rows: &[Row], layout: Layout) -> String {
     let (kind, times) = match &blade.damping {
         Some(BladeDamping::Proportional(time)) => (1, [*time; 6]),
         Some(BladeDamping::Times(times)) => (1, Convention::BeamDyn.values_from_ours(times)),
-        // Matrices have become times before.
+        // Matrices were converted to times earlier.
         None | Some(BladeDamping::Viscous(_)) => (0, [0.0; 6]),
     };
     let times = times.map(digits).join(" ");

@@ -12,7 +12,7 @@ use super::blade_file::{count, is_named, is_separator};
 /// Fewest key points that BeamDyn takes.
 const FEWEST: usize = 3;
 
-/// What the file holds.
+/// Content of the file.
 #[derive(Debug)]
 pub(super) struct Primary {
     /// Key points: x, y, z [m] and initial twist [deg], in BeamDyn's root axes.
@@ -20,7 +20,7 @@ pub(super) struct Primary {
     pub remarks: Vec<String>,
 }
 
-/// Whether `text` is such a file.
+/// Whether `text` is a BeamDyn primary file.
 pub(super) fn recognize(text: &str) -> bool {
     text.lines().any(|line| is_named(line, "kp_total"))
 }
@@ -39,7 +39,7 @@ pub(super) fn blade_file_name(text: &str) -> Option<(String, usize)> {
     Some((name.replace('\\', "/"), at + 1))
 }
 
-/// Reads the lines of the file; notes what is wrong with them.
+/// Reads the lines of the file; notes problems.
 pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Primary> {
     let members = count(lines, "member_total", problems);
     let total = count(lines, "kp_total", problems);
@@ -57,7 +57,7 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Prima
     let (members, _) = members?;
     let (total, at) = total?;
     let body = lines.get(at.checked_add(1)?.checked_add(members)?..)?;
-    // Names and units stand between the members and the points.
+    // Names and units are between the members and the points.
     let begin = body
         .iter()
         .position(|line| number(line.first()).is_some() || is_separator(line));
@@ -81,7 +81,7 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Prima
     Some(Primary { points, remarks })
 }
 
-/// The key points, of which z must increase.
+/// The key points, whose z must increase.
 fn points(body: &[Line<'_>], total: usize, problems: &mut Problems) -> Vec<[f64; 4]> {
     let mut points: Vec<[f64; 4]> = Vec::new();
     for number in 1..=total {
@@ -102,7 +102,7 @@ fn points(body: &[Line<'_>], total: usize, problems: &mut Problems) -> Vec<[f64;
             let problem = ExchangeProblem::Other {
                 what: format!("kp_zr of key point {number}"),
                 found: point[2].to_string(),
-                expected: format!("more than that of the point before, {}", before[2]),
+                expected: format!("more than the value of the previous point, {}", before[2]),
                 help: "put the key points in order from the root to the tip".to_owned(),
             };
             problems.push(line.number, &problem);

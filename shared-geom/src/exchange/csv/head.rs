@@ -1,4 +1,4 @@
-//! The header of a table: what its numbers mean.
+//! The header of a table: the meaning of its numbers.
 
 use crate::blade::{BladeDamping, Interpolation};
 use crate::error::nearest_name;
@@ -20,7 +20,7 @@ const KEYS: [&str; 9] = [
     "stations",
 ];
 
-/// What the header states.
+/// Content of the header.
 #[derive(Debug)]
 pub(super) struct Head {
     pub name: Option<String>,
@@ -28,12 +28,12 @@ pub(super) struct Head {
     pub course: Option<Course>,
     pub interpolation: Option<Interpolation>,
     pub damping: Option<BladeDamping>,
-    /// How many stations the file has; `None` where it does not say.
+    /// Number of stations of the file; `None` if it is not stated.
     pub stations: Option<usize>,
 }
 
 impl Head {
-    /// Reads the comment lines; notes what is wrong or missing.
+    /// Reads the comment lines; notes wrong or missing ones.
     pub fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Self {
         let entries: Vec<_> = lines.iter().filter_map(entry).collect();
         let find = |key: &str| entries.iter().find(|entry| entry.key == key);

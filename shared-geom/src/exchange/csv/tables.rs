@@ -14,7 +14,7 @@ use crate::exchange::vabs::blocks;
 use crate::line::{Course, LinePoint, ReferenceLine};
 use crate::section;
 
-/// A station, and its section where that was solved for a curved beam.
+/// A station, and its section if that was solved for a curved beam.
 pub(super) type CsvStation = (Station, Option<CurvedStation>);
 
 /// The tables of a file, as lines.
@@ -38,7 +38,7 @@ pub(super) fn station_columns() -> Vec<String> {
 }
 
 impl<'a> Tables<'a> {
-    /// Takes the file apart; notes tables of other names.
+    /// Splits the file; notes tables of other names.
     pub fn parse(lines: &[Line<'a>], problems: &mut Problems) -> Self {
         let mut tables = Self::default();
         let mut into: Option<&mut Vec<Line<'a>>> = None;
@@ -77,7 +77,7 @@ impl<'a> Tables<'a> {
                 let problem = ExchangeProblem::Other {
                     what: format!("x of point {}", i + 1),
                     found: x.to_string(),
-                    expected: format!("more than that of the point before, {}", before.x),
+                    expected: format!("more than the value of the previous point, {}", before.x),
                     help: "put the points in order from the root to the tip".to_owned(),
                 };
                 problems.push(line.number, &problem);
@@ -94,7 +94,7 @@ impl<'a> Tables<'a> {
         Some(ReferenceLine::through(points, course))
     }
 
-    /// Where each station is written.
+    /// Location of each station.
     pub fn places(&self, file: &Path) -> Vec<Place> {
         let lines = self.stations.as_ref().or(self.sections.as_ref());
         // The first line has the names of the columns.
@@ -130,7 +130,7 @@ impl<'a> Tables<'a> {
         problems.push(line, &problem);
     }
 
-    /// The stations, or those of the section files.
+    /// The stations, from their table or from section files.
     pub fn stations(
         &self,
         frame: Option<Convention>,
@@ -233,7 +233,7 @@ fn body<'t, 'a>(
     Some(rows)
 }
 
-/// Notes a place before that of the station before.
+/// Notes an arc length below the previous station.
 fn check_order(
     place: f64,
     line: &Line<'_>,
@@ -328,9 +328,9 @@ fn sections(
     Some(stations)
 }
 
-/// Stiffness and mass of a section file: VABS output, in the axes of the frame stated,
-/// or a property file of section-analyzer, which is in ours and may be that of a curved
-/// beam.
+/// Stiffness and mass of a section file: VABS output, in the axes of the stated frame, or
+/// a property file of section-analyzer, which is in Helicoid's axes and may be of a
+/// curved beam.
 fn section_file(
     path: &Path,
     name: &str,

@@ -56,7 +56,7 @@ fn head(blade: &Blade) -> String {
                 times.map(|time| digits(time).trim().to_owned()).join(" ")
             )
         }
-        // Matrices have become times before, and arcs points.
+        // Matrices were converted to times earlier, and arcs to points.
         None | Some(BladeDamping::Viscous(_)) => "none".to_owned(),
     };
     let course = match blade.line.course {
@@ -73,7 +73,7 @@ fn head(blade: &Blade) -> String {
     )
 }
 
-/// By the number of stations a reader sees that the file is complete.
+/// The number of stations shows a reader that the file is complete.
 fn count(stations: usize, text: &mut String) {
     text.push_str(&format!("# stations: {stations}\n"));
 }

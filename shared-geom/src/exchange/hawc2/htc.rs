@@ -1,6 +1,6 @@
 //! The parts of an htc file that describe a body: its st file and its line.
 //!
-//! `exit` ends a file; `continue_in_file` goes on in another one and comes back.
+//! `exit` ends a file; `continue_in_file` reads another one and returns.
 
 use std::path::{Path, PathBuf};
 
@@ -9,9 +9,9 @@ use crate::error::{Place, nearest_name};
 use crate::exchange::problem::{ExchangeProblem, Problems, shortened};
 use crate::exchange::text::{Line, lines, not_a_number, number};
 
-/// Files that one may lead to: files that name each other twice would multiply.
+/// Most files that one may include: files that name each other twice would multiply.
 const MOST_FILES: usize = 100;
-/// Statements outside of all blocks that a remark names.
+/// Most statements outside of all blocks that a remark names.
 const OUTSIDE_SHOWN: usize = 3;
 
 /// A file that is named somewhere.
@@ -24,11 +24,11 @@ pub(super) struct Named {
 }
 
 impl Named {
-    /// Its place: HAWC2 runs in a folder above that of the htc file, and names files from
-    /// there.
+    /// Its path: HAWC2 runs in a folder above the folder of the htc file, and names are
+    /// relative to it.
     pub fn find(&self) -> Option<PathBuf> {
         let name = self.name.trim_matches('"').replace('\\', "/");
-        // A name of one word has its folders in the path of the whole.
+        // The parent folders of a single file name come from its full path.
         let paths = [Some(self.by.clone()), self.by.canonicalize().ok()];
         let folders = paths.iter().flatten();
         let folders = folders.flat_map(|path| path.ancestors().skip(1).take(3));
@@ -36,12 +36,13 @@ impl Named {
         places.find(|place| place.is_file())
     }
 
-    /// That it is not there; `what` it is in words.
+    /// The problem that the file does not exist; `what` describes it.
     pub fn missing(&self, what: &str) -> ExchangeProblem {
         ExchangeProblem::Other {
             what: what.to_owned(),
             found: format!("no file \"{}\"", self.name),
-            expected: "it beside the htc file or seen from one of the two folders above".to_owned(),
+            expected: "a file relative to the folder of the htc file or one of the two above"
+                .to_owned(),
             help: "correct the name, or put the file there".to_owned(),
         }
     }
@@ -93,8 +94,9 @@ fn words(line: &str) -> Vec<&str> {
     code.split_whitespace().collect()
 }
 
-/// The body that is the blade, the first one whose name begins so, else the only one; and
-/// the texts of all files that were read. Notes what is wrong; remarks tell of the others.
+/// The body of the blade: the first one whose name begins with "blade", else the only
+/// one; and the texts of all files that were read. Notes problems; remarks name the other
+/// bodies.
 pub(super) fn blade(
     text: &str,
     file: &Path,
@@ -163,17 +165,17 @@ fn no_blade(names: &[&str]) -> ExchangeProblem {
     }
 }
 
-/// What has been read so far.
+/// State of the reader.
 #[derive(Default)]
 struct Reader {
     /// The files that are being read, each named by the one before.
     files: Vec<PathBuf>,
     /// Texts of all files so far.
     texts: Vec<String>,
-    /// Names of the open blocks, lower case, and where each begins: file and line.
+    /// Names of the open blocks, lower case, and their beginnings: file and line.
     blocks: Vec<(String, PathBuf, usize)>,
     bodies: Vec<Body>,
-    /// Statements outside of all blocks, and their places.
+    /// Statements outside of all blocks, and their locations.
     outside: Vec<(String, Place)>,
     is_wrong: bool,
 }
@@ -198,7 +200,7 @@ impl Reader {
         self.files.pop();
     }
 
-    /// Takes a statement; `None` where it is wrong.
+    /// Processes a statement; `None` if it is wrong.
     fn take(
         &mut self,
         key: &str,
@@ -257,7 +259,7 @@ impl Reader {
         None
     }
 
-    /// What is told of statements outside of all blocks.
+    /// Remark on statements outside of all blocks.
     fn outside(&self) -> Option<String> {
         let shown = self.outside.iter().take(OUTSIDE_SHOWN);
         let shown: Vec<_> = shown
@@ -275,7 +277,7 @@ impl Reader {
         })
     }
 
-    /// All bodies; `None` where something is wrong.
+    /// All bodies; `None` if something is wrong.
     fn finish(self, problems: &mut Problems) -> Option<Vec<Body>> {
         if let Some((name, file, line)) = self.blocks.last() {
             let problem = ExchangeProblem::CutShort {
@@ -311,7 +313,7 @@ impl Reader {
         None
     }
 
-    /// A statement of a block; `None` where it is wrong.
+    /// Processes a statement of a block; `None` if it is wrong.
     fn statement(
         &mut self,
         key: &str,
@@ -384,7 +386,7 @@ fn unknown(block: &str, key: &str, line: usize, problems: &mut Problems) -> Opti
     None
 }
 
-/// Exactly `N` numbers behind a key; more may follow as a comment.
+/// Exactly `N` numbers after a key; more may follow as a comment.
 fn numbers<const N: usize>(
     what: &str,
     line: usize,
@@ -416,7 +418,7 @@ fn numbers<const N: usize>(
     good.then_some(values)
 }
 
-/// Exactly `N` whole numbers behind a key.
+/// Exactly `N` whole numbers after a key.
 fn wholes<const N: usize>(
     what: &str,
     line: usize,

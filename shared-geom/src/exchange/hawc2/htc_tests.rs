@@ -1,5 +1,5 @@
-//! Statements of htc files outside of the blade: the end of the file, other files, what is
-//! not known.
+//! Statements of htc files outside of the blade: the end of the file, other files,
+//! unknown statements.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ use crate::exchange::{Format, Options, Reading, read_with};
 const CLASSIC: &str = include_str!("../../../../tests/reference/exchange/hawc2_dtu10_st.dat");
 const HTC: &str = include_str!("../../../../tests/reference/exchange/hawc2_dtu10.htc");
 
-/// What `a.htc` of a folder of these files and the st file gives.
+/// Result of `a.htc` in a folder of these files and the st file.
 fn read(files: &[(&str, &str)]) -> Result<Reading, Diagnostics> {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| {
@@ -31,14 +31,14 @@ fn told(files: &[(&str, &str)]) -> String {
     read(files).unwrap_err().to_string()
 }
 
-/// The blade but for its hash, which is that of the files.
+/// The blade except its hash, which is the hash of the files.
 fn plain(reading: &Reading) -> Blade {
     let mut blade = reading.blade.clone();
     blade.provenance.input_hash = String::new();
     blade
 }
 
-/// The file up to the lines of the line, those lines, and the rest.
+/// The text before the points of the line, these points, and the rest.
 fn parts() -> [&'static str; 3] {
     let (from, to) = (
         HTC.find("begin c2_def").unwrap(),
@@ -85,8 +85,8 @@ fn statements_outside_of_all_blocks_are_told_and_skipped() {
     );
 }
 
-// At the top, in a block, from a folder below that names its st file from the one above,
-// and a file that only leads to the others.
+// At the top, in a block, from a folder below that names its st file from the folder
+// above, and a file that only includes the others.
 #[test]
 fn continue_in_file_goes_on_there_and_comes_back() {
     let expected = plain(&read(&[("a.htc", HTC)]).unwrap());
@@ -128,7 +128,7 @@ fn what_is_wrong_in_another_file_is_told_there() {
     );
 }
 
-// A file that leads to itself, at once or by another; files that multiply.
+// A file that includes itself, directly or by another; files that multiply.
 #[test]
 fn files_that_lead_back_to_themselves_are_refused() {
     let shown = told(&[("a.htc", &format!("{HTC}continue_in_file ./a.htc ;\n"))]);

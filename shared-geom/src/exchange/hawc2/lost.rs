@@ -1,4 +1,4 @@
-//! What the files of HAWC2 cannot carry, with its size.
+//! Properties that the files of HAWC2 cannot carry, with their size.
 
 use nalgebra::Matrix6;
 
@@ -10,10 +10,10 @@ use crate::exchange::plain::Plain;
 /// Smaller differences are round-off [-].
 const EQUAL: f64 = 1e-12;
 
-/// Smaller angles of the section axes are not told [rad].
+/// Smaller angles of the section axes are not reported [rad].
 const LEVEL: f64 = 1e-6;
 
-/// What is lost of `blade`, in words.
+/// Lost properties of `blade`, as text.
 pub(super) fn lost(blade: &Blade, plain: &Plain) -> Vec<String> {
     let mut lost = plain.lost.clone();
     lost.extend(mass(plain));
@@ -73,7 +73,7 @@ fn classic(plain: &Plain) -> Option<String> {
     ))
 }
 
-/// Half way between the rows: each column straight, against the matrices straight.
+/// Half way between the rows: linear columns against linear matrices.
 fn between(plain: &Plain) -> Option<String> {
     let sizes = plain.stations.windows(2).map(|two| {
         let rows = [&two[0], &two[1]].map(|station| {
@@ -92,9 +92,9 @@ fn between(plain: &Plain) -> Option<String> {
     });
     let (size, s) = greatest(sizes)?;
     Some(format!(
-        "the course of the stiffness between the rows: HAWC2 takes each column straight, a blade \
-         here the entries about its line; half way up to {size:.2e} of the diagonal apart, at \
-         {s:.3} m"
+        "the course of the stiffness between the rows: HAWC2 interpolates each column linearly, \
+         Helicoid the entries about the line; half way, the difference is up to {size:.2e} of \
+         the diagonal, at {s:.3} m"
     ))
 }
 
@@ -124,7 +124,7 @@ fn damping(blade: &Blade) -> Option<String> {
     })
 }
 
-/// What twist means where the line has both prebend and sweep.
+/// The meaning of twist if the line has both prebend and sweep.
 fn axes(plain: &Plain) -> Option<String> {
     let turn = plain
         .turns
@@ -132,8 +132,8 @@ fn axes(plain: &Plain) -> Option<String> {
         .fold(0.0_f64, |most, turn| most.max(turn.abs()));
     (turn > LEVEL).then(|| {
         format!(
-            "the axes from which twist counts where the line has both prebend and sweep: tools \
-             differ, here by up to {:.1e} deg; written for a chord level before twist",
+            "the axes of zero twist if the line has both prebend and sweep: tools differ, here by \
+             up to {:.1e} deg; written for a chord level before twist",
             turn.to_degrees()
         )
     })

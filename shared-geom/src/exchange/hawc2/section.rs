@@ -1,11 +1,10 @@
-//! The row of a HAWC2 st file and the 6x6 matrices that it means.
+//! The row of a HAWC2 st file and its 6x6 matrices.
 //!
 //! Axes of the section: x to the leading edge, y to the suction side, z to the tip,
 //! origin on the line of `c2_def`; matrices in the order of their three axes. The K of a
-//! fully populated row stands at the elastic center, in the principal axes of bending,
-//! which are those of the section turned by `pitch`, positive about +z. With
-//! `Q = Rz(pitch)`, `d = (x_e, y_e, 0)`, and shift and rotation as in
-//! [`crate::wrench`],
+//! fully populated row is about the elastic center, in the principal axes of bending,
+//! which are the axes of the section turned by `pitch`, positive about +z. With
+//! `Q = Rz(pitch)`, `d = (x_e, y_e, 0)`, and shift and rotation as in [`crate::wrench`],
 //!
 //! ```text
 //! K_e = S^T U(d) K U(d)^T S        K = U(-d) S K_e S^T U(-d)^T        S = diag(Q, Q)
@@ -20,7 +19,8 @@
 //! both in the principal axes. Mass: `m`, the mass center, and the radii of gyration
 //! about the elastic center along the principal axes of bending, as HAWC2's columns are
 //! documented and as the converter of BECAS computes them. A product of inertia is not
-//! stated: the axes of the slice at its mass center are taken along those of bending.
+//! stated: the axes of the slice at its mass center are assumed parallel to the axes of
+//! bending.
 //!
 //! # Symbols
 //! | symbol | meaning | unit |
@@ -37,7 +37,7 @@ use crate::wrench;
 /// Bending stiffnesses that differ by less, relative, have no principal axes.
 const ROUND: f64 = 1e-6;
 
-/// Where the properties of a row stand.
+/// Reference point and axes of the properties of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place {
     /// Elastic center [m].
@@ -46,7 +46,7 @@ pub(super) struct Place {
     pub pitch: f64,
 }
 
-/// What a row says of the mass.
+/// Mass properties of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Inertia {
     /// Mass per length [kg/m].
@@ -110,7 +110,7 @@ impl Place {
 }
 
 impl Inertia {
-    /// What a row can say of a mass matrix about the line.
+    /// The row's numbers for a mass matrix about the line.
     pub fn of(matrix: &Matrix6<f64>, place: Place) -> Self {
         let mass = matrix[(2, 2)];
         let part = |value: f64| if mass > 0.0 { value / mass } else { 0.0 };
@@ -123,8 +123,8 @@ impl Inertia {
         }
     }
 
-    /// The mass matrix about the line, and whether a radius of gyration is too small for
-    /// the distance of the two centers: then there is no moment about the mass center.
+    /// The mass matrix about the line, and whether a radius of gyration is smaller than
+    /// the distance of the two centers: the moment about the mass center is then zero.
     ///
     /// ```text
     /// I_x = m (ri_x^2 - g_y^2)     I_y = m (ri_y^2 - g_x^2)     g from elastic to mass center
@@ -133,7 +133,7 @@ impl Inertia {
         let g = about_z(place.pitch).tr_mul(&flat(self.center - place.elastic));
         let squares = self.radii.component_mul(&self.radii);
         let own = Vector2::new(squares.x - g.y * g.y, squares.y - g.x * g.x);
-        // A thin slice has no moment about its length: there is round-off to allow for.
+        // A thin slice has no moment about its length: allows for round-off.
         let too_small = own.min() < -1e-9 * squares.max();
         let [x, y] = [own.x.max(0.0), own.y.max(0.0)];
         let m = self.mass;
@@ -144,7 +144,7 @@ impl Inertia {
 }
 
 impl Classic {
-    /// What a classic row can say of a stiffness.
+    /// The classic row's numbers for a stiffness.
     pub fn of(k: &Matrix6<f64>, place: Place) -> Self {
         let blocks = Blocks::of(k);
         let center = blocks.as_ref().map_or(Vector2::zeros(), |blocks| {
@@ -188,7 +188,7 @@ pub(super) fn difference(found: &Matrix6<f64>, expected: &Matrix6<f64>) -> f64 {
     pairs.map(|(i, j)| entry(i, j)).fold(0.0, f64::max)
 }
 
-/// Centers, and the stiffness against turning when no force acts.
+/// Centers, and the rotational stiffness without a force.
 struct Blocks {
     centers: Matrix3<f64>,
     free: Matrix3<f64>,
@@ -255,7 +255,7 @@ mod tests {
     }
 
     /// The rectangle with its own axes turned by `angle` about +z and its center at
-    /// `center`, told about the line by hand: bending of the axial force at a distance.
+    /// `center`, about the line by hand: bending by the axial force at a distance.
     fn placed(angle: f64, center: Vector2<f64>) -> (Matrix6<f64>, Matrix6<f64>) {
         let (k, m) = rectangle();
         let (s, c) = angle.sin_cos();
@@ -283,10 +283,10 @@ mod tests {
         (about_line(&k), about_line(&m))
     }
 
-    // The sign of the angle, told physically: the long side of the rectangle points from
-    // the leading edge up (angle > 0, nose up: positive about +z, to the tip). The row
-    // has the flap stiffness first and the edge stiffness second in its own axes, the
-    // pitch is the angle, and the elastic center is where it was put.
+    // The sign of the angle, physically: the long side of the rectangle points from the
+    // leading edge up (angle > 0, nose up: positive about +z, to the tip). The row has
+    // the flap stiffness first and the edge stiffness second in its own axes, the pitch
+    // is the angle, and the elastic center is as given.
     #[test]
     fn a_turned_and_offset_rectangle_has_its_pitch_center_and_stiffnesses() {
         let (own, own_mass) = rectangle();
@@ -325,7 +325,7 @@ mod tests {
         }
     }
 
-    // Any positive definite K, of any coupling, comes back from its row.
+    // Any positive definite K, of any coupling, is recovered from its row.
     #[test]
     fn full_matrices_come_back_from_the_elastic_center() {
         let mut samples = Samples::new(31);
@@ -335,15 +335,15 @@ mod tests {
             let place = Place::of(&k);
             assert!(place.pitch.abs() <= std::f64::consts::FRAC_PI_4 + 1e-12);
             let row = place.into_principal(&k);
-            // Forces at the elastic center bend no more: Y is zero there.
+            // Forces at the elastic center do not bend: Y is zero there.
             let again = Place::of(&row);
             assert!(again.elastic.amax() < 1e-10 && again.pitch.abs() < 1e-6);
             assert!(difference(&place.to_line(&row), &k) < 1e-12);
         }
     }
 
-    // Mass center off the elastic center: radii stand about the elastic center, so that
-    // a point mass has those of its distances, and none about itself.
+    // Mass center off the elastic center: the radii are about the elastic center, so that
+    // a point mass has its distances as radii, and none about itself.
     #[test]
     fn radii_stand_about_the_elastic_center() {
         let place = Place {
@@ -369,7 +369,7 @@ mod tests {
         assert!(short.matrix(place).1);
     }
 
-    // A round root has no principal axes: the angle is zero, whatever the last digits.
+    // A round root has no principal axes: the angle is zero, for any last digits.
     #[test]
     fn a_round_section_keeps_the_axes_of_the_section() {
         let mut k = Matrix6::from_diagonal(&[3.0, 3.0, 9.0, 5.0, 5.0, 4.0].into());

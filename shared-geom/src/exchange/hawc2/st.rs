@@ -6,8 +6,8 @@
 //! $1 20 words           a sub-set of 20 rows, which follow
 //! ```
 //!
-//! A row has 19 columns, or 30 with a fully populated stiffness; what stands behind
-//! them, or behind a semicolon, is a comment, as is every line outside of the rows.
+//! A row has 19 columns, or 30 with a fully populated stiffness; further text, or text
+//! after a semicolon, is a comment, as is every line outside of the rows.
 
 use crate::exchange::problem::{ExchangeProblem, Problems, shortened};
 use crate::exchange::text::{Line, lines, not_a_number, number};
@@ -70,7 +70,7 @@ pub(super) fn recognize(text: &str) -> bool {
     head.is_some_and(|line| mark(line.text, '$').is_some_and(|numbers| numbers.len() == 2))
 }
 
-/// The one or two whole numbers behind a mark; `None` where there are none.
+/// The one or two whole numbers after a mark; `None` without them.
 fn mark(text: &str, letter: char) -> Option<Vec<usize>> {
     let rest = text.strip_prefix(letter)?;
     let words = rest.split(|c: char| c.is_whitespace() || c == ';' || c == ',');
@@ -88,7 +88,7 @@ pub(super) fn sub_sets<'a>(text: &'a str, problems: &mut Problems) -> Vec<SubSet
         match line.text.chars().next() {
             Some('#') => {
                 open = false;
-                // A line of words that begins so is a comment.
+                // A line of text that begins in this way is a comment.
                 set = mark(line.text, '#').map(|numbers| numbers[0]).or(set);
             }
             Some('$') => {
@@ -136,8 +136,7 @@ fn bad_mark(text: &str, in_set: bool) -> ExchangeProblem {
     }
 }
 
-/// The rows of a sub-set; notes what is wrong with them. `is_full` is what the htc file
-/// says of them.
+/// The rows of a sub-set; notes problems. `is_full` is the statement of the htc file.
 pub(super) fn rows(
     sub_set: &SubSet<'_>,
     is_full: Option<bool>,
@@ -170,7 +169,7 @@ pub(super) fn rows(
         before = Some(distance);
         Some(row)
     };
-    // All are looked at, so that all problems are told.
+    // All are read, so that all problems are reported.
     let rows: Vec<_> = sub_set.rows.iter().map(&mut row).collect();
     let rows: Vec<_> = rows.into_iter().collect::<Option<_>>()?;
     (found == sub_set.announced).then_some(rows)
@@ -182,7 +181,7 @@ fn words<'a>(line: &Line<'a>) -> Vec<&'a str> {
     text.split_whitespace().collect()
 }
 
-/// How many columns the rows have, told from the first and from the htc file.
+/// Number of columns of the rows, from the first row and the htc file.
 fn columns(
     first: &Line<'_>,
     is_full: Option<bool>,

@@ -1,5 +1,5 @@
 //! HAWC2's files: reference data, round trips, bad input.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 use std::path::Path;
 
@@ -42,11 +42,11 @@ fn coupling(k: &Matrix6<f64>, i: usize, j: usize) -> f64 {
     k[(i, j)] / (k[(i, i)] * k[(j, j)]).sqrt()
 }
 
-// The sign of the pitch, told by two descriptions of one turbine by two tools: the st
-// file of DTU (BECAS) and windIO's matrices (SONATA with ANBA4). Between a fifth and a
-// third of the span the principal axes lie at -20 to -30 degrees. With the right sign the
+// The sign of the pitch, from two descriptions of one turbine by two tools: the st file
+// of DTU (BECAS) and windIO's matrices (SONATA with ANBA4). Between a fifth and a third
+// of the span the principal axes are at -20 to -30 degrees. With the right sign the
 // coupling of the two shears about the line is small in both (0.02 to 0.06), with the
-// wrong one 0.3 to 0.5; that of flap and edge has the same sign in both.
+// wrong one 0.3 to 0.5; the coupling of flap and edge has the same sign in both.
 #[test]
 fn pitch_of_the_iea15_has_the_sign_of_its_beamdyn_matrices() {
     let hawc2 = st_blade(FPM).blade;
@@ -64,7 +64,8 @@ fn pitch_of_the_iea15_has_the_sign_of_its_beamdyn_matrices() {
         let about = |k: &Matrix6<f64>| Place::of(k).pitch;
         assert!(about(&ours) < 0.0 && about(&theirs) < 0.0);
     }
-    // EA, and flap and edge stiffness at their centers, agree as two versions of a blade do.
+    // EA, and flap and edge stiffness at their centers, agree within the differences of
+    // two blade versions.
     for part in [0.3, 0.5, 0.7] {
         let ours = k_between(&hawc2, part * hawc2.length());
         let theirs = k_between(&windio, part * windio.length());
@@ -78,8 +79,8 @@ fn pitch_of_the_iea15_has_the_sign_of_its_beamdyn_matrices() {
 }
 
 // The numbers of the first row: diagonal of K at the elastic center, in the principal
-// axes; the writer finds elastic center and pitch again (the axes a quarter turn from
-// those of the file, whose pitch of -83 degrees is beyond 45).
+// axes; the writer recovers elastic center and pitch (its axes are a quarter turn from
+// the file's, whose pitch of -83 degrees is beyond 45).
 #[test]
 fn a_row_of_the_file_comes_back() {
     let reading = st_blade(FPM);
@@ -102,10 +103,10 @@ fn a_row_of_the_file_comes_back() {
         "{}",
         first[6]
     );
-    // x_e, y_e are those of the file
+    // x_e, y_e as in the file
     assert!((first[7] - 2.775110786036501e-3).abs() < 1e-12);
     assert!((first[8] + 6.4394805265e-5).abs() < 1e-12);
-    // K_44 and K_55 change places with the axes
+    // K_44 and K_55 are exchanged with the axes
     assert!((first[24] / 1.45056703575e11 - 1.0).abs() < 1e-9);
     assert!((first[27] / 1.44629966509e11 - 1.0).abs() < 1e-9);
     // r, m, x_cg, y_cg, ri_x, ri_y, pitch, x_e, y_e, K_11 of row 11 of the file
@@ -122,7 +123,7 @@ fn a_row_of_the_file_comes_back() {
     ];
     for (column, value) in expected {
         let off: f64 = middle[column] / value - 1.0;
-        // as many digits as are given here
+        // to the digits given here
         assert!(off.abs() < 5e-4, "{column}: {} {value}", middle[column]);
     }
 }
@@ -163,7 +164,7 @@ fn the_dtu_10mw_is_read_with_its_line() {
     assert_eq!(blade.damping, Some(BladeDamping::Times(times)));
 }
 
-// The classic rows of our own file mean the stiffness of theirs.
+// The classic rows of Helicoid's file have the stiffness of DTU's.
 #[test]
 fn classic_rows_come_back() {
     let blade = body_blade(HTC, CLASSIC).unwrap().blade;
@@ -180,8 +181,8 @@ fn classic_rows_come_back() {
     }
 }
 
-// Full matrices, twist, prebend and sweep: K to 1e-12 after all is undone; the mass but
-// for its product of inertia, which is told with its size.
+// Full matrices, twist, prebend and sweep: K to 1e-12 after the round trip; the mass
+// except for its product of inertia, which is reported with its size.
 #[test]
 fn a_full_blade_comes_back_but_for_what_is_told() {
     let mut sample = blade();
@@ -214,8 +215,9 @@ fn a_full_blade_comes_back_but_for_what_is_told() {
     assert!(lost.contains("in the classic file alone"), "{lost}");
 }
 
-// The elastic center moves between the rows: K about it, straight, is not K about the
-// line, straight. Half way between centers a apart, 1/4 EA a^2 is missing of bending.
+// The elastic center moves between the rows: K interpolated about it is not K
+// interpolated about the line. Half way between centers a apart, 1/4 EA a^2 of bending is
+// missing.
 #[test]
 fn the_course_between_rows_is_told_with_its_size() {
     let mut plate = blade();
@@ -226,15 +228,17 @@ fn the_course_between_rows_is_told_with_its_size() {
         station.stiffness = crate::wrench::shift(&own, &offset);
     }
     let lost = write(&plate, "a").lost.join("\n");
-    // 1/4 9e8 0.02^2 / (1e6 + 9e4), the offset of 0.02 m being that of each row
+    // 1/4 9e8 0.02^2 / (1e6 + 9e4), 0.02 m being each row's offset
     let part = 0.25 * 9e8 * 0.02_f64.powi(2) / (1e6 + 0.25 * 9e8 * 0.02_f64.powi(2));
     assert!(
-        lost.contains(&format!("half way up to {part:.2e} of the diagonal")),
+        lost.contains(&format!(
+            "the difference is up to {part:.2e} of the diagonal"
+        )),
         "{lost}"
     );
 }
 
-// A slice whose axes of inertia are those of bending loses nothing.
+// A slice whose axes of inertia are its axes of bending loses nothing.
 #[test]
 fn a_blade_of_rectangles_loses_no_mass_or_stiffness() {
     let mut plate = blade();
@@ -244,7 +248,7 @@ fn a_blade_of_rectangles_loses_no_mass_or_stiffness() {
         station.mass = Matrix6::from_diagonal(&[5.0, 5.0, 5.0, 0.21, 0.01, 0.2].into());
     }
     let lost = write(&plate, "a").lost;
-    // only the axes from which twist counts, and the chord
+    // only the axes of zero twist, and the chord
     assert_eq!(lost.len(), 2, "{lost:?}");
     let back = through(&plate, Format::Hawc2).blade;
     for (found, expected) in back.stations.iter().zip(&plate.stations) {
@@ -344,7 +348,7 @@ fn bad_st_files_are_told_with_line_and_remedy() {
     says(
         second,
         &format!("-1.0 {rest}"),
-        "st.dat:9: the distance r of a row of set 1, sub-set 1 is -1, expected at least that of the station before, 0",
+        "st.dat:9: the distance r of a row of set 1, sub-set 1 is -1, expected at least the value of the previous station, 0",
     );
     let cut = second.rsplit_once(' ').unwrap().0;
     says(
@@ -415,7 +419,7 @@ fn a_body_of_another_name_is_read_when_it_is_alone() {
     assert!(reading.is_err());
 }
 
-// HAWC2 runs above the folder of the htc file, and the name is seen from there.
+// HAWC2 runs above the folder of the htc file, and the name is relative to that folder.
 #[test]
 fn the_st_file_is_found_from_the_folders_above() {
     let folder = tempfile::tempdir().unwrap();
@@ -447,7 +451,8 @@ fn rows_beyond_the_line_are_cut_and_told() {
     );
 }
 
-// A radius smaller than the distance of the centers: no moment is left, and it is told.
+// A radius smaller than the distance of the centers: the moment is set to zero, with a
+// remark.
 #[test]
 fn radii_about_another_point_are_told() {
     let second = FPM.lines().nth(7).unwrap();
@@ -463,7 +468,7 @@ fn radii_about_another_point_are_told() {
 
 #[test]
 fn a_file_that_is_cut_off_is_refused() {
-    // Only the first sub-set is read; behind it the file may end.
+    // Only the first sub-set is read; the file may end after it.
     let whole = FPM.find("\n$2").unwrap();
     for end in (0..whole - 30).step_by(37) {
         let cut = &FPM[..end];

@@ -1,5 +1,5 @@
 //! Writes a blade as an htc file with a main body, the fully populated st file that it
-//! names, and a classic st file beside it.
+//! names, and a classic st file.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -14,8 +14,8 @@ use crate::exchange::header::Header;
 use crate::exchange::plain::{Plain, course_name};
 use crate::exchange::text::{digits, upper};
 
-/// Young's modulus of the classic rows, which have E and areas apart [Pa]. Only the
-/// products mean something.
+/// Young's modulus of the classic rows, which have E and areas as separate columns [Pa].
+/// Only the products matter.
 const MODULUS: f64 = 1e10;
 
 /// Shear modulus of the classic rows [Pa].
@@ -108,7 +108,7 @@ fn st_file(
     let header = Header::new(blade, Convention::Hawc2, point);
     let mut text = String::from("1 number of sets, Nset\n");
     let _ = writeln!(text, "-----------------\n#1 {}", blade.name);
-    // A mark in a comment would begin a set.
+    // A mark in a comment would start a set.
     text += &header.lines("; ").replace(['#', '$'], " ");
     let title = |column: &&str| format!("{column:>24}");
     let titles: Vec<_> = columns.iter().map(title).collect();

@@ -1,5 +1,5 @@
 //! The model for MBDyn: its bodies, laws and text.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 use nalgebra::{Matrix3, Vector2};
 
@@ -33,7 +33,7 @@ fn of(blade: &Blade) -> Model {
 
 // A body between the evaluation points of an element of length h has h/sqrt(3) of the
 // mass, the slices at its ends the rest. A rod of mass m and length l has m l^2/12 about
-// axes across it, and the moments of its slices besides: closed form.
+// axes across it, and the moments of its slices in addition: closed form.
 #[test]
 fn bodies_are_rods_of_slices() {
     let model = of(&uniform());
@@ -62,13 +62,13 @@ fn bodies_are_rods_of_slices() {
         );
         assert!(body.beyond < 1e-14);
     }
-    // the middle one lies at its node, the first behind it
+    // the middle one lies at its node, the first after it
     assert!(model.bodies[1].center.x.abs() < 1e-15);
     assert!((model.bodies[0].center.x - 0.5 * lengths[0]).abs() < 1e-15);
 }
 
-// Mass, static moment and moments of inertia of the whole blade about the root are those
-// of its slices, summed by a finer rule.
+// Mass, static moment and moments of inertia of the whole blade about the root agree with
+// its slices, summed by a finer rule.
 #[test]
 fn the_bodies_together_have_the_inertia_of_a_full_blade() {
     let blade = blade();
@@ -108,7 +108,7 @@ fn the_bodies_together_have_the_inertia_of_a_full_blade() {
     assert!(off < 1e-7, "{off:e}");
 }
 
-// The laws are those of the blade at -+1/sqrt 3 of each element, in the axes there.
+// The laws agree with the blade at -+1/sqrt 3 of each element, in the axes there.
 #[test]
 fn laws_stand_at_the_evaluation_points() {
     let blade = blade();
@@ -140,7 +140,7 @@ fn statements(text: &str) -> Vec<String> {
 }
 
 // The grammar of the manual: blocks open and close; the counts of the control data are
-// those of the cards; each card has the number of arguments that its form takes.
+// the numbers of cards; each card has the number of arguments that its form takes.
 #[test]
 fn the_text_has_the_form_of_the_input_language() {
     let sample = blade();

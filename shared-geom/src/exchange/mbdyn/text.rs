@@ -51,10 +51,11 @@ pub(super) fn model(blade: &Blade, model: &Model) -> String {
 }
 
 fn head(blade: &Blade, model: &Model) -> String {
-    let point = "the reference line; MBDyn's sections are x along the beam, y, z, as ours";
+    let point = "the reference line; MBDyn's sections are x along the beam, y, z, as Helicoid's";
     let header = Header::new(blade, Convention::Helicoid, point);
     let mut text = header.lines("# ");
-    text += "# places in the axes of the blade root: x to the tip, y to the leading edge, z up\n";
+    text +=
+        "# positions in the axes of the blade root: x to the tip, y to the leading edge, z up\n";
     text +=
         "# clamped at node 1, at rest; nodes 2 e - 1, 2 e, 2 e + 1 of element e; mass in bodies\n";
     text += "\nbegin: data;\n    problem: initial value;\nend: data;\n";
@@ -107,7 +108,7 @@ fn section(blade: &Blade, section: &Section) -> String {
 }
 
 fn number(value: f64) -> String {
-    // no negative zero, which stems from changes of axes
+    // no negative zero, which results from changes of axes
     format!("{:.16e}", value + 0.0)
 }
 

@@ -10,13 +10,13 @@ use crate::exchange::text::{Line, lines};
 pub(super) const MASS: &str = "The 6X6 Mass Matrix";
 pub(super) const STIFFNESS: &str = "Timoshenko Stiffness Matrix";
 
-/// Whether `text` is such an output.
+/// Whether `text` is an output of VABS.
 pub fn recognize(text: &str) -> bool {
     text.lines()
         .any(|line| begins(line, MASS) || begins(line, STIFFNESS))
 }
 
-/// Whether a line is the title, whatever the case, and not one that goes on.
+/// Whether a line is exactly the title, in upper or lower case.
 fn begins(line: &str, title: &str) -> bool {
     let line = line.trim();
     let head = line.get(..title.len());
@@ -28,7 +28,7 @@ fn begins(line: &str, title: &str) -> bool {
 /// Stiffness and mass of the section of an output, shown as `file` in messages.
 ///
 /// # Errors
-/// Everything that is wrong with the text.
+/// All errors of the text.
 pub fn section(text: &str, file: &str) -> Result<(Matrix6<f64>, Matrix6<f64>), Diagnostics> {
     let mut problems = Problems::new(file);
     let lines = lines(text);

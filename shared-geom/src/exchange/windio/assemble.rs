@@ -22,7 +22,7 @@ impl Matrices {
         let (i, v) = interval(&self.grid, part);
         let matrix = |i: usize| self.matrices.get(i).copied().unwrap_or_default();
         match v {
-            // Those at the places of the grid are those of the file, to the digit.
+            // The matrices at the positions of the grid are the file's, to the digit.
             v if v <= 0.0 => matrix(i),
             v if v >= 1.0 => matrix(i + 1),
             v => matrix(i) * (1.0 - v) + matrix(i + 1) * v,
@@ -30,7 +30,7 @@ impl Matrices {
     }
 }
 
-/// What both versions hold, in the axes and with the signs of BeamDyn.
+/// Content of both versions, in the axes and with the signs of BeamDyn.
 #[derive(Debug)]
 pub(super) struct Tables {
     pub version: u32,
@@ -44,7 +44,7 @@ pub(super) struct Tables {
     pub remarks: Vec<String>,
 }
 
-/// The blade of `tables` in our axes.
+/// The blade of `tables` in Helicoid's axes.
 pub(super) fn reading(tables: Tables, name: String, text: &str) -> Reading {
     let mut remarks = tables.remarks.clone();
     let line = line(&tables, text, &mut remarks);
@@ -53,7 +53,8 @@ pub(super) fn reading(tables: Tables, name: String, text: &str) -> Reading {
     let parts = union(&[&stiff.grid, &mass.grid]);
     if parts.len() != stiff.grid.len() || parts.len() != mass.grid.len() {
         remarks.push(
-            "the grids of stiffness and inertia differ: stations at the places of both".to_owned(),
+            "the grids of stiffness and inertia differ: stations at the positions of both"
+                .to_owned(),
         );
     }
     let convention = Convention::BeamDyn;
@@ -118,7 +119,7 @@ fn line(tables: &Tables, text: &str, remarks: &mut Vec<String>) -> ReferenceLine
     line
 }
 
-/// All places of the grids, growing; those that differ by round-off are one.
+/// All positions of the grids, increasing; positions that differ by round-off are one.
 fn union(grids: &[&Vec<f64>]) -> Vec<f64> {
     let mut all: Vec<f64> = grids.iter().flat_map(|grid| grid.iter().copied()).collect();
     all.sort_by(f64::total_cmp);

@@ -1,11 +1,11 @@
-//! Fields of a windIO file: tables on a grid, and what is wrong with them.
+//! Fields of a windIO file: tables on a grid, and their problems.
 
 use super::super::problem::{ExchangeProblem, Problems};
 use super::super::text::{not_a_number, number};
 use super::yaml::{Node, Value};
 use crate::error::nearest_name;
 
-/// Grid places that differ by less are one [-].
+/// Grid positions that differ by less are one [-].
 pub(super) const SAME: f64 = 1e-12;
 
 /// Values on a grid of parts of the length.
@@ -16,13 +16,13 @@ pub(super) struct Column {
 }
 
 impl Column {
-    /// The value at `part`, straight between the places of the grid.
+    /// The value at `part`, linear between the positions of the grid.
     pub fn at(&self, part: f64) -> f64 {
         let (i, v) = interval(&self.grid, part);
         let next = self.values.get(i + 1).copied();
         let value = self.values.get(i).copied().unwrap_or(0.0);
         match next {
-            // Values at the places of the grid are those of the file, to the digit.
+            // Values at the positions of the grid are the file's, to the digit.
             Some(next) if v >= 1.0 => next,
             Some(next) if v > 0.0 => value + v * (next - value),
             _ => value,
@@ -30,7 +30,7 @@ impl Column {
     }
 }
 
-/// The interval of `grid` in which `part` lies, and where in it (0 to 1).
+/// The interval of `grid` that contains `part`, and the local coordinate (0 to 1).
 pub(super) fn interval(grid: &[f64], part: f64) -> (usize, f64) {
     let last = grid.len().saturating_sub(2);
     let behind = grid.iter().position(|&place| place > part);
@@ -48,8 +48,8 @@ pub(super) fn interval(grid: &[f64], part: f64) -> (usize, f64) {
     (i, v.clamp(0.0, 1.0))
 }
 
-/// The value of `key` in the table `node`, which is called `parent`; notes that it is
-/// missing, with the nearest key there is.
+/// The value of `key` in the table `node`, which is called `parent`; notes a missing key,
+/// with the nearest one.
 pub(super) fn required<'n>(
     node: &'n Node,
     parent: &str,
@@ -70,7 +70,7 @@ pub(super) fn required<'n>(
     found
 }
 
-/// The numbers of a list; notes what is no number.
+/// The numbers of a list; notes other values.
 pub(super) fn numbers(node: &Node, what: &str, problems: &mut Problems) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
         problems.push(node.line, &not_a_list(node, what));
@@ -84,12 +84,12 @@ pub(super) fn numbers(node: &Node, what: &str, problems: &mut Problems) -> Optio
         }
         value
     };
-    // All are looked at, so that all problems are told.
+    // All are read, so that all problems are reported.
     let values: Vec<_> = items.iter().map(value).collect();
     values.into_iter().collect()
 }
 
-/// That `node` is no list.
+/// The problem that `node` is not a list.
 pub(super) fn not_a_list(node: &Node, what: &str) -> ExchangeProblem {
     ExchangeProblem::Other {
         what: what.to_owned(),
@@ -99,7 +99,7 @@ pub(super) fn not_a_list(node: &Node, what: &str) -> ExchangeProblem {
     }
 }
 
-/// The grid of the table `node`: growing parts of the length.
+/// The grid of the table `node`: increasing parts of the length.
 pub(super) fn grid(node: &Node, what: &str, problems: &mut Problems) -> Option<Vec<f64>> {
     let at = required(node, what, "grid", problems)?;
     let of_grid = format!("grid of {what}");
@@ -111,20 +111,20 @@ pub(super) fn grid(node: &Node, what: &str, problems: &mut Problems) -> Option<V
         help: "the grid runs from 0 (root) to 1 (tip) along the reference axis".to_owned(),
     };
     if grid.len() < 2 {
-        let found = format!("{} places", grid.len());
-        problems.push(at.line, &bad(found, "at least two places"));
+        let found = format!("{} positions", grid.len());
+        problems.push(at.line, &bad(found, "at least two positions"));
         return None;
     }
     let outside = grid
         .iter()
         .find(|&&place| !(-SAME..=1.0 + SAME).contains(&place));
     if let Some(place) = outside {
-        problems.push(at.line, &bad(place.to_string(), "places from 0 to 1"));
+        problems.push(at.line, &bad(place.to_string(), "positions from 0 to 1"));
         return None;
     }
     if let Some(two) = grid.windows(2).find(|two| two[1] <= two[0]) {
-        let found = format!("{} behind {}", two[1], two[0]);
-        problems.push(at.line, &bad(found, "places that grow"));
+        let found = format!("{} after {}", two[1], two[0]);
+        problems.push(at.line, &bad(found, "increasing positions"));
         return None;
     }
     Some(grid)
@@ -140,7 +140,7 @@ pub(super) fn column(node: &Node, what: &str, problems: &mut Problems) -> Option
     Some(Column { grid, values })
 }
 
-/// Notes another number of values than places of the grid.
+/// Notes a number of values that differs from the number of positions of the grid.
 pub(super) fn same_length(
     line: usize,
     what: &str,
@@ -156,7 +156,7 @@ pub(super) fn same_length(
         &ExchangeProblem::Other {
             what: what.to_owned(),
             found: format!("{found} values"),
-            expected: format!("{}, as many as its grid has places", grid.len()),
+            expected: format!("{}, one for each position of its grid", grid.len()),
             help: "the file may have been cut off, or a line of numbers is not complete".to_owned(),
         },
     );

@@ -1,5 +1,5 @@
 //! windIO files: reference data, round trips, bad input.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 use std::path::Path;
 
@@ -61,7 +61,7 @@ fn version_2_is_read_in_the_axes_of_beamdyn() {
     // nose up is positive here, nose down there
     assert!((blade.line.points[0].twist + 15.594553019711718_f64.to_radians()).abs() < 1e-15);
     assert!(blade.problems().is_empty(), "{:?}", blade.problems());
-    // The mass that OpenFAST's BeamDyn blade of the same commit has: 66 997 kg.
+    // Mass of OpenFAST's BeamDyn blade of the same commit: 66 997 kg.
     assert!(
         (blade.mass() / 66_996.9 - 1.0).abs() < 2e-5,
         "{}",
@@ -91,7 +91,7 @@ fn both_versions_agree_on_the_same_blade() {
         let off = (station.mass - other.mass).amax();
         assert!(off < 2e-7 * other.mass.amax(), "{off}");
     }
-    // every seventh point of the line, and four digits of twist and place
+    // every seventh point of the line, and four digits of twist and position
     assert!((one.length() / two.length() - 1.0).abs() < 1e-5);
     for (point, s) in one.line.points.iter().zip(one.line.arc_lengths()) {
         let other = two.line.at(s / one.length() * two.length());
@@ -142,7 +142,7 @@ fn full(course: Course) -> Blade {
     }
 }
 
-/// Asserts that `back` is `blade` to round-off of numbers with 17 digits.
+/// Asserts that `back` is `blade` up to round-off of numbers with 17 digits.
 fn assert_same(blade: &Blade, back: &Blade) {
     const DIGITS: f64 = 1e-15;
     assert_eq!(back.line.course, blade.line.course);
@@ -169,7 +169,7 @@ fn both_versions_bring_a_full_blade_back() {
         let one = write_version_1(&blade, "full");
         let back = blade_of(&one.files[0].1);
         assert_same(&blade, &back.blade);
-        // nothing is lost but the damping, and it is told
+        // only the damping is lost, which is reported
         assert_eq!(one.lost.len(), 1, "{:?}", one.lost);
         assert!(one.lost[0].contains("damping"));
         let two = write_version_2(&blade, "full");
@@ -207,7 +207,7 @@ fn the_head_states_frame_order_and_point() {
     }
 }
 
-// A mass matrix that is not that of a rigid slice: version 2 says by how much.
+// A mass matrix other than a rigid slice's: version 2 reports the difference.
 #[test]
 fn what_seven_numbers_leave_out_is_told_with_its_size() {
     let mut blade = full(Course::Spline);
@@ -220,8 +220,8 @@ fn what_seven_numbers_leave_out_is_told_with_its_size() {
     assert!(write_version_1(&blade, "full").lost.len() == 1);
 }
 
-// Two pieces of constant properties: a ramp stands for the jump between them, and the
-// mass changes by half its width at most.
+// Two pieces of constant properties: a ramp replaces the jump between them, and the mass
+// changes by half its width at most.
 #[test]
 fn jumps_become_ramps_and_are_told() {
     let mut blade = full(Course::Spline);
@@ -237,8 +237,8 @@ fn jumps_become_ramps_and_are_told() {
     assert!((back.mass() / blade.mass() - 1.0).abs() < 2e-9);
 }
 
-// A jump at the root has no inner side, one station holds everywhere, and a line of
-// points that is shorter than its arcs still ends at the last station.
+// A jump at the root has no inner side, a single station applies everywhere, and a line
+// of points that is shorter than its arcs still ends at the last station.
 #[test]
 fn all_stations_lie_on_the_written_line() {
     let plain = full(Course::Spline);
@@ -289,7 +289,7 @@ fn arcs_become_points_and_are_told() {
     }
 }
 
-// The grids of stiffness and inertia may differ: linear between the places of both.
+// The grids of stiffness and inertia may differ: linear between the positions of both.
 #[test]
 fn stations_stand_at_the_places_of_both_grids() {
     let half = V1.rfind("inertia_matrix").unwrap();
@@ -362,12 +362,12 @@ fn bad_fields_of_version_2_are_told() {
     v2(
         "grid: [0.0, 0.01, 0.02",
         "grid: [0.0, 0.02, 0.01",
-        "grid of inertia_matrix: found 0.01 behind 0.02, expected places that grow",
+        "grid of inertia_matrix: found 0.01 after 0.02, expected increasing positions",
     );
     v2(
         "grid: [0.0, 1.0]",
         "grid: [0.0, 1.5]",
-        "grid of reference_axis.y: found 1.5, expected places from 0 to 1",
+        "grid of reference_axis.y: found 1.5, expected positions from 0 to 1",
     );
 }
 
@@ -389,7 +389,7 @@ fn bad_fields_of_version_1_are_told() {
         "    twist_rad:",
         "key \"twist\" of six_x_six is missing",
     );
-    // a scalar where a list belongs
+    // a scalar instead of a list
     let grid = V1.lines().find(|line| line.contains("grid")).unwrap();
     let (head, _) = grid.split_once('[').unwrap();
     v1(
@@ -416,14 +416,14 @@ fn entries_that_are_not_given_are_zero_and_told() {
 #[test]
 fn a_file_that_is_cut_off_is_refused() {
     let whole = V1.trim_end().len();
-    // the last station ends with a bracket; behind it nothing is missing
+    // the last station ends with a bracket; after it nothing is missing
     for end in (0..whole - 1).step_by(7) {
         let refused = read(&V1[..end], Path::new("t.yaml"), &Options::default());
         assert!(refused.is_err(), "cut at byte {end}");
     }
 }
 
-// No changed byte makes the reader panic; the files are thinned to keep it short.
+// No changed byte causes a panic; the files are thinned to keep the test short.
 #[test]
 fn no_changed_byte_makes_the_reader_panic() {
     let mut samples = Samples::new(5);

@@ -54,7 +54,7 @@ fn matrices(six: &Node, key: &str, problems: &mut Problems) -> Option<Matrices> 
     };
     let what = format!("a station of {key}");
     let rows = rows.iter().map(|row| triangle(row, &what, problems));
-    // All are looked at, so that all problems are told.
+    // All are read, so that all problems are reported.
     let rows: Vec<_> = rows.collect();
     let matrices: Vec<_> = rows.into_iter().collect::<Option<_>>()?;
     let grid = grid?;

@@ -8,7 +8,7 @@ use super::mass;
 use super::yaml::Node;
 use crate::error::nearest_name;
 
-/// Where the matrices stand.
+/// Table of the matrices.
 const PROPERTIES: &str = "elastic_properties";
 
 /// The tables of the blade of version 2.
@@ -73,7 +73,7 @@ fn stiffnesses(
     for name in &names {
         let is_diagonal = name.as_bytes().get(1) == name.as_bytes().get(2);
         let entry = match node.entry(name) {
-            // Zero is the default of the schema; on the diagonal it is no stiffness.
+            // Zero is the default of the schema; on the diagonal it is not a stiffness.
             None if !is_diagonal => {
                 absent.push(name.as_str());
                 Some(vec![0.0; grid.len()])
@@ -84,7 +84,7 @@ fn stiffnesses(
     }
     if !absent.is_empty() {
         remarks.push(format!(
-            "{what}: {} not given, taken as zero",
+            "{what}: {} not given, set to zero",
             absent.join(", ")
         ));
     }
@@ -153,7 +153,7 @@ fn unknown_keys(node: &Node, what: &str, known: &[&str], problems: &mut Problems
     }
 }
 
-/// The damping times in the order of BeamDyn: `Some(None)` for none.
+/// The damping times in the order of BeamDyn: `Some(None)` without damping.
 fn times(properties: &Node, problems: &mut Problems) -> Option<Option<[f64; 6]>> {
     let Some(mu) = properties.path(&["structural_damping", "mu"]) else {
         return Some(None);

@@ -13,7 +13,8 @@ use super::super::text::upper;
 use super::mass;
 use crate::blade::{Blade, BladeDamping};
 
-/// Entries of a mass matrix that differ by less of the greatest of its block are equal.
+/// Relative difference, to the greatest entry of the block, below which mass entries are
+/// equal.
 const EQUAL: f64 = 1e-12;
 
 /// A file of version 1.
@@ -22,7 +23,7 @@ pub(super) fn version_1(blade: &Blade, name: &str) -> Writing {
     let mut lost = plain.lost.clone();
     if blade.damping.is_some() {
         lost.push(format!(
-            "internal damping ({}): windIO version 1 has no place for it",
+            "internal damping ({}): windIO version 1 has no field for it",
             damping_in_words(blade)
         ));
     }
@@ -116,7 +117,7 @@ fn head(blade: &Blade, plain: &Plain, name: &str) -> String {
     )
 }
 
-/// A text that no reader takes for anything else.
+/// A text that every reader reads as text.
 fn quoted(text: &str) -> String {
     format!("'{}'", text.replace('\'', "''"))
 }
@@ -166,7 +167,7 @@ fn list(values: &[f64]) -> String {
 
 /// A number with 17 digits and a signed exponent, which YAML 1.1 needs to see a number.
 fn number(value: f64) -> String {
-    // no negative zero, which stems from changes of axes
+    // no negative zero, which results from changes of axes
     let text = format!("{:.16e}", value + 0.0);
     match text.split_once('e') {
         Some((digits, exponent)) if !exponent.starts_with('-') => format!("{digits}e+{exponent}"),
@@ -193,11 +194,11 @@ fn damping_in_words(blade: &Blade) -> String {
     }
 }
 
-/// What the seven numbers leave out of the mass matrices.
+/// The entries of the mass matrices that the seven numbers omit.
 fn lost_mass(inertia: &[Matrix6<f64>], grid: &[f64]) -> Option<String> {
     let off = inertia.iter().zip(grid).map(|(matrix, &place)| {
         let left = matrix - mass::matrix(mass::values(matrix));
-        // Entries of the three blocks have units of their own.
+        // Entries of the three blocks have different units.
         let part = |rows: usize, columns: usize| {
             let greatest = matrix.fixed_view::<3, 3>(rows, columns).amax();
             let left = left.fixed_view::<3, 3>(rows, columns).amax();

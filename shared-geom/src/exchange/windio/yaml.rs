@@ -1,8 +1,8 @@
 //! YAML as a tree with the line of every value.
 //!
 //! Built from the events of the parser, with a limit to the depth, so that no file can
-//! exhaust the stack; aliases share what they name. Numbers stay words until they are
-//! asked for, and are told as they stand in the file.
+//! exhaust the stack; aliases share their values. Numbers remain text until they are
+//! requested, and are reported as written in the file.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -14,7 +14,7 @@ use super::super::problem::{ExchangeProblem, shortened};
 /// Deeper than any description of a turbine.
 const DEPTH: usize = 64;
 
-/// A value with the line where it begins, counted from one.
+/// A value with the line of its beginning, counted from one.
 #[derive(Debug)]
 pub(super) struct Node {
     pub line: usize,
@@ -22,7 +22,7 @@ pub(super) struct Node {
     depth: usize,
 }
 
-/// What stands there.
+/// Content.
 #[derive(Debug)]
 pub(super) enum Value {
     Text(String),
@@ -40,7 +40,7 @@ impl Node {
         Some(&found.1)
     }
 
-    /// The value behind all `keys`, each in the table before.
+    /// The value under all `keys`, each in the table of the previous one.
     pub fn path(&self, keys: &[&str]) -> Option<&Node> {
         keys.iter().try_fold(self, |node, key| node.entry(key))
     }
@@ -61,7 +61,7 @@ impl Node {
         }
     }
 
-    /// What it is, for messages.
+    /// Its kind, for messages.
     pub fn kind(&self) -> String {
         match &self.value {
             Value::Text(text) => format!("\"{}\"", shortened(text)),
@@ -74,7 +74,7 @@ impl Node {
 /// The first document of `text`.
 ///
 /// # Errors
-/// The line and what is wrong there.
+/// The line and its problem.
 pub(super) fn parse(text: &str) -> Result<Node, (usize, ExchangeProblem)> {
     let mut builder = Builder::default();
     for event in Parser::new_from_str(text) {
@@ -95,7 +95,7 @@ pub(super) fn parse(text: &str) -> Result<Node, (usize, ExchangeProblem)> {
         expected: "a table of a turbine or blade".to_owned(),
     };
     let root = builder.root.ok_or_else(|| (0, cut()))?;
-    // Nothing else holds the root: it has no anchor, or the anchors were dropped.
+    // Only this variable holds the root: it has no anchor, or the anchors were dropped.
     builder.anchors.clear();
     Rc::try_unwrap(root).map_err(|_| (0, cut()))
 }

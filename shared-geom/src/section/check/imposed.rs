@@ -1,11 +1,12 @@
-//! What states of imposed strain must satisfy, and what they do to the stiffness.
+//! Conditions that states of imposed strain must satisfy, and their change of the
+//! stiffness.
 
 use nalgebra::{Matrix4, Vector4};
 
 use super::{FieldProblem, PropertyProblem, SYMMETRY};
 use crate::section::{ImposedState, PRESTRESS_COMPONENTS, SectionProperties};
 
-/// Names of their own, finite numbers, and forces that are those of the strains.
+/// Unique names, finite numbers, and forces that agree with the strains.
 pub(super) fn check(section: &SectionProperties, found: &mut Vec<FieldProblem>) {
     let field = "imposed";
     let root = section.stiffness.diagonal().map(f64::sqrt);
@@ -30,7 +31,7 @@ pub(super) fn check(section: &SectionProperties, found: &mut Vec<FieldProblem>) 
             let own = own.into_iter();
             found.extend(own.map(|(field, problem)| (field, of_state((i, state), problem))));
         }
-        // beside the largest force of the strain, in terms of the stiffness
+        // relative to the largest force of the strain, in terms of the stiffness
         let scale = largest(
             strain.component_mul(&root).amax(),
             force.component_div(&root).amax(),
@@ -61,7 +62,7 @@ fn largest(a: f64, b: f64) -> f64 {
 }
 
 /// A change of the stiffness over the components of a table of prestress: finite, and
-/// symmetric beside its largest entry, entries made comparable by the stiffness.
+/// symmetric relative to its largest entry, entries made comparable by the stiffness.
 pub(super) fn change_of_stiffness(
     field: &'static str,
     section: &SectionProperties,

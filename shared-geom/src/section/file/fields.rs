@@ -1,4 +1,4 @@
-//! The fields of a property file, as messages call them.
+//! The fields of a property file, as named in messages.
 
 use crate::error::quoted;
 
@@ -10,7 +10,7 @@ pub(super) struct Field {
     pub is_needed: bool,
 }
 
-/// What a field holds.
+/// Content of a field.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shape {
     /// A number.
@@ -23,7 +23,7 @@ pub(super) enum Shape {
     Word(&'static [&'static str]),
     /// A list of texts.
     Texts,
-    /// An array of so many numbers.
+    /// An array of this number of numbers.
     Row(usize),
     /// A square matrix by rows.
     Square(usize),
@@ -35,13 +35,13 @@ pub(super) enum Shape {
     Table(&'static [Field]),
     /// A table with one of some fields.
     Either(&'static [Field; 2]),
-    /// A list of tables that are called so.
+    /// A list of tables with this name.
     Tables(&'static str, &'static [Field]),
 }
 
 use Shape::{Count, Either, Entries, Number, Row, Rows, Square, Table, Tables, Text, Texts, Word};
 
-/// Those of a property file.
+/// Fields of a property file.
 pub(super) const FILE: &[Field] = &[
     needed("format", Text),
     needed("version", Count),
@@ -108,7 +108,7 @@ const STEP: &[Field] = &[
     needed("version", Text),
 ];
 
-/// A row of a table of prestress, in words.
+/// A row of a table of prestress, as text.
 pub(super) const ENTRY: &str = "three whole numbers and a number, as in [1, 4, 4, 1462.1]";
 
 const fn needed(name: &'static str, shape: Shape) -> Field {
@@ -127,7 +127,7 @@ const fn optional(name: &'static str, shape: Shape) -> Field {
     }
 }
 
-/// What a field should hold, in words.
+/// Expected content of a field, as text.
 pub(super) fn expected(shape: Shape) -> String {
     match shape {
         Number => "a number".to_owned(),

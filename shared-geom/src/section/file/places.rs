@@ -1,4 +1,4 @@
-//! Where the fields of a JSON text stand.
+//! Locations of the fields of a JSON text.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -10,8 +10,8 @@ pub(super) const OUTERMOST: usize = 0;
 
 /// The lines of all fields, and of the tables and lists in lists.
 ///
-/// Tables, lists and fields have numbers; what stands in them is found by the number and
-/// a name, an element of a list by its place, counted from zero.
+/// Tables, lists and fields have numbers; their content is found by the number and a
+/// name, an element of a list by its index, counted from zero.
 #[derive(Debug, Default)]
 pub(super) struct Places {
     inside: BTreeMap<(usize, String), Spot>,
@@ -20,21 +20,21 @@ pub(super) struct Places {
     count: usize,
 }
 
-/// Number and line of something.
+/// Number and line of a field, table or list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Spot {
     pub number: usize,
     pub line: usize,
 }
 
-/// A table, or a list and the place of its element.
+/// A table, or a list and the index of its element.
 struct Open {
     number: usize,
     element: Option<usize>,
 }
 
 impl Places {
-    /// Those of a text that is JSON.
+    /// Locations in a text that is JSON.
     pub fn of(text: &str) -> Self {
         let mut places = Self::default();
         let mut open: Vec<Open> = Vec::new();
@@ -93,17 +93,17 @@ impl Places {
         number
     }
 
-    /// What stands under a name.
+    /// The field under a name.
     pub fn inside(&self, holder: usize, name: &str) -> Option<Spot> {
         self.inside.get(&(holder, name.to_owned())).copied()
     }
 
-    /// The line on which a field is given again.
+    /// The line on which a field is repeated.
     pub fn again(&self, holder: usize, name: &str) -> Option<usize> {
         self.again.get(&(holder, name.to_owned())).copied()
     }
 
-    /// The place of a field, `imposed.0.name`, or of what should hold it.
+    /// The location of a field, `imposed.0.name`, or of its nearest existing holder.
     pub fn place(&self, path: &str, file: &str) -> Place {
         // these have one name only
         let path = match path {
@@ -124,12 +124,12 @@ impl Places {
     }
 }
 
-/// The place of a field of `text`, as [`Places::place`].
+/// The location of a field of `text`, as [`Places::place`].
 pub(super) fn place_of(path: &str, text: &str, file: &str) -> Place {
     Places::of(text).place(path, file)
 }
 
-/// Behind the closing quote of the text that begins at `start`.
+/// Index after the closing quote of the text that begins at `start`.
 fn end_of_string(bytes: &[u8], start: usize) -> usize {
     let mut at = start + 1;
     while let Some(byte) = bytes.get(at) {
@@ -164,13 +164,13 @@ mod tests {
         assert_eq!(line("a.c.1"), Some(5));
         assert_eq!(line("a.c.1.d"), Some(5));
         assert_eq!(line("a.c.2"), Some(5));
-        // what is absent stands where it should be
+        // an absent field has the location of its holder
         assert_eq!(line("a.c.1.f"), Some(5));
         assert_eq!(line("g"), None);
         assert_eq!(places.again(OUTERMOST, "a"), Some(7));
     }
 
-    /// Text that is no JSON has places too, of whatever it has.
+    /// Text that is no JSON has locations too, as far as it can be read.
     #[test]
     fn anything_can_be_looked_through() {
         for text in [

@@ -1,8 +1,8 @@
 //! The cubic table in the property file: rows `[i, j, k, value]`.
 //!
-//! The indices are those of the six components, from one: 1 axial, 4 torsion, 5 bending
-//! y, 6 bending z. Changes of the stiffness by heat and imposed states are 4x4 matrices
-//! over the same four components.
+//! The indices are the indices of the six components, from one: 1 axial, 4 torsion, 5
+//! bending y, 6 bending z. Changes of the stiffness by heat and imposed states are 4x4
+//! matrices over the same four components.
 
 use nalgebra::Matrix4;
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,7 @@ impl From<&Prestress> for FilePrestress {
 }
 
 impl FilePrestress {
-    /// The content; rows that cannot be are left out, and told in words by `note`.
+    /// The content; invalid rows are omitted, and `note` receives a message.
     pub(super) fn prestress(&self, mut note: impl FnMut(String)) -> Prestress {
         let mut seen = Vec::new();
         for &(i, j, k, value) in &self.third_derivatives {

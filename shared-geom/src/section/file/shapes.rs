@@ -1,5 +1,5 @@
-//! What is wrong with the fields of a property file: all of it, each field by its name,
-//! where the reader of JSON stops at the first and names none.
+//! All problems of the fields of a property file, each with the name of its field; the
+//! reader of JSON stops at the first and does not name it.
 
 use serde_json::{Map, Value};
 
@@ -11,7 +11,7 @@ use super::places::{OUTERMOST, Places};
 use super::{FORMAT, PropertyProblem};
 use crate::error::{Diagnostics, Explain, Place, nearest_name};
 
-/// What is wrong with a field, called in words.
+/// A problem of a field, whose name is a text.
 #[derive(Debug, thiserror::Error)]
 enum ShapeProblem {
     #[error("unknown field {field}")]
@@ -44,8 +44,8 @@ impl Explain for ShapeProblem {
     }
 }
 
-/// Why a text is no property file, from the error of the reader of JSON: everything that
-/// is wrong with its fields, or that error.
+/// Reasons for which a text is no property file, from the error of the reader of JSON:
+/// all problems of its fields, or that error.
 pub(super) fn malformed(error: &serde_json::Error, text: &str, file: &str) -> Diagnostics {
     let words = |reason: String| {
         let place = Place::line(file, error.line().max(1));
@@ -90,11 +90,11 @@ fn is_ours(fields: &Map<String, Value>) -> bool {
     fields.get("format").and_then(Value::as_str) == Some(FORMAT)
 }
 
-/// A table: how its fields are called, and where it stands.
+/// A table: the names of its fields and its location.
 struct Holder {
-    /// What stands before the name of a field, `centers.`.
+    /// Text before the name of a field, `centers.`.
     prefix: String,
-    /// What stands behind it, ` of the imposed state "hot"`.
+    /// Text after it, ` of the imposed state "hot"`.
     suffix: String,
     number: usize,
     line: Option<usize>,
@@ -106,7 +106,7 @@ impl Holder {
     }
 }
 
-/// What is wrong so far.
+/// Problems so far.
 struct Check<'a> {
     file: &'a str,
     places: Places,
@@ -147,7 +147,7 @@ impl Check<'_> {
                 self.push(Some(line), &ShapeProblem::Twice { field });
             }
             match found.get(field.name) {
-                // none, where there need not be one
+                // none, if it is optional
                 Some(Value::Null) if !field.is_needed => {}
                 Some(value) => self.field(value, field, holder),
                 None if field.is_needed && !meant.contains(&field.name) => {
@@ -217,7 +217,7 @@ impl Check<'_> {
         self.push(line, &problem);
     }
 
-    /// A value that is no table, and the rows of one that is a matrix.
+    /// A value that is not a table, and the rows of a matrix.
     fn numbers(&mut self, value: &Value, shape: Shape, line: Option<usize>, field: &str) {
         let rows = value.as_array();
         let is_good = match shape {

@@ -1,4 +1,4 @@
-//! Files with wrong, misspelled, absent and doubled fields.
+//! Files with wrong, misspelled, absent and repeated fields.
 
 use nalgebra::{Matrix4, Vector2};
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::section::tests::{with_imposed, with_prestress};
 use crate::section::{Change, InitialCurvature, SectionProperties, parse, write};
 
-/// A section with everything that a file can hold but a curvature, which has no prestress.
+/// A section with all fields of a file except a curvature, which excludes prestress.
 fn full() -> SectionProperties {
     let mut section = with_prestress();
     section.imposed = with_imposed().imposed;
@@ -49,8 +49,8 @@ fn told(file: &Value, path: &str, change: impl FnOnce(&mut Value, &str)) -> Opti
     parse(&text, "a.json").err().map(|told| told.to_string())
 }
 
-/// Every field that a file can have is known here, and what is wrong with it is told in
-/// our words, with its line: misspelled, absent, of another kind.
+/// Every field of a file is known here, and its problems are reported in Helicoid's
+/// messages, with its line: misspelled, absent, of another kind.
 #[test]
 fn every_field_is_told_by_its_name() {
     for section in [full(), curved()] {
@@ -101,7 +101,7 @@ fn every_field_is_told_by_its_name() {
     }
 }
 
-/// All slips at once, in the order of their lines.
+/// All errors at once, in the order of their lines.
 #[test]
 fn all_slips_are_told_together() {
     let mut text = write(&full());
@@ -198,7 +198,7 @@ fn wrong_lists_are_told() {
     }
 }
 
-/// What is wrong with a state is told by its name and line, though others come before it.
+/// A problem of a state is reported with its name and line, even after other states.
 #[test]
 fn a_skew_change_is_told_of_its_state() {
     let mut section = full();

@@ -1,8 +1,7 @@
-//! What a step that could not be made likely comes from, and what to try.
+//! Likely cause of a failed step, and remedies.
 //!
-//! From what is at hand: the reason, how the iteration went, the latest accepted state, the
-//! times at which drives have values, and the elements without a value at the state that was
-//! tried last.
+//! Based on the reason, the history of the iteration, the latest accepted state, the times at which
+//! drives have values, and the elements without a value at the last trial state.
 
 use crate::analysis::transient::energy::Finding;
 use crate::analysis::transient::failure::quoted;
@@ -13,30 +12,29 @@ use crate::integrator::{Jacobians, LocalError, Reason, Scheme, StepFailure, Step
 use crate::model::{NodeMotion, State};
 use crate::solver::Iteration;
 
-/// Terms above this, in SI units, are those of no machine.
+/// Magnitude treated as overflow, in SI units.
 const BEYOND: f64 = 1e60;
-/// Rotation of a node in a step above which a formula is out of its depth \[rad\].
+/// Rotation of a node in a step above which the rotation formula is inaccurate \[rad\].
 const LARGE_TURN: f64 = 0.5;
-/// A local error, in sizes of the model and radians, that no step reaches.
+/// Local error, relative to the size of the model and in radians, that no step reaches.
 const ROUND_OFF: f64 = 1e-12;
-/// Distance from the undeformed place, and way in a step, in sizes of the model, of a motion
-/// that has grown beyond it.
+/// Distance from the undeformed position, and displacement in a step, relative to the size of the
+/// model, of a motion that has grown beyond it.
 const FAR: f64 = 100.0;
 const FAST: f64 = 10.0;
-/// A step that is a smaller part of the one wished for is not too long for the motion.
+/// Part of the wished step below which a step is not treated as too long for the motion.
 const CUT: f64 = 1.0 / 500.0;
-/// Steps that the local error would need are no shorter than this part of the least one,
-/// unless something jumps.
+/// Required step, as a part of the least step, below which a jump is assumed.
 const MUCH_SHORTER: f64 = 1e-2;
-/// Corrections below this are round-off where they do not fall, in sizes of the model and
+/// Corrections below this that do not fall are round-off, relative to the size of the model and in
 /// radians.
 const FLOOR: f64 = 1e-7;
-/// Corrections that shrink by less do not fall.
+/// Corrections that shrink by less are treated as not falling.
 const SHRINKING: f64 = 0.8;
-/// Iterations that tell how an iteration went.
+/// Number of iterations from which the history is judged.
 const LATEST: usize = 4;
 
-/// A likely cause, and what to try, the likeliest first.
+/// A likely cause, and remedies, the most likely first.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cause {
     pub words: String,
@@ -63,18 +61,18 @@ impl From<Finding> for Cause {
     }
 }
 
-/// What is known of a step that could not be made.
+/// Data of a failed step.
 pub(super) struct Scene<'a> {
     failure: &'a StepFailure,
     model: &'a Model,
     /// The latest accepted state.
     state: &'a State,
-    /// The length that was wished for [s].
+    /// The wished length [s].
     wished: f64,
     question: &'a TransientQuestion,
     newton: StepLimits,
     dae: &'a Multibody<'a>,
-    /// Energy that nothing put in.
+    /// Unexplained gain of energy.
     gained: Option<Finding>,
 }
 
@@ -121,7 +119,7 @@ impl<'a> Scene<'a> {
             })
     }
 
-    /// Corners without end.
+    /// An endless sequence of corners.
     fn corners(&self) -> Cause {
         let next = self.model.next_corner(self.failure.time);
         let mut elements = self.model.system.elements();
@@ -153,11 +151,11 @@ impl<'a> Scene<'a> {
                 "a drive of {whose} has values from {first} s to {last} s, and the step goes to \
                  {time} s"
             ),
-            &["give the table more rows, say outside = \"hold\", or end the run before"],
+            &["give the table more rows, set outside = \"hold\", or end the run before"],
         ))
     }
 
-    /// Terms that are larger than those of any machine.
+    /// Terms larger than in any machine.
     fn beyond_numbers(&self) -> Option<Cause> {
         let worst = &self.failure.worst;
         let is_beyond = worst.scale.is_finite() && worst.scale > BEYOND;
@@ -165,10 +163,10 @@ impl<'a> Scene<'a> {
             Cause::new(
                 format!(
                     "the terms of the worst equation are as large as {:.1e}: a mass, a load or \
-                     another number of the model is beyond reason",
+                     another number of the model is unreasonably large",
                     worst.scale
                 ),
-                &["look for a slip of the pen or of units in what acts on this node"],
+                &["check the numbers and units of all elements on this node"],
             )
         })
     }
@@ -189,33 +187,33 @@ impl<'a> Scene<'a> {
         let way = (motion.position - node.position).norm();
         let words = format!(
             "the motion has grown beyond the model: node \"{}\" is {way:.3e} m from its \
-             undeformed place and moves at {:.3e} m/s, in a model of {size:.3e} m",
+             undeformed position and moves at {:.3e} m/s, in a model of {size:.3e} m",
             node.label,
             motion.velocity.norm()
         );
         let feedback = self.feedback();
         Some(match feedback.is_empty() {
             true => Cause::new(
-                words + "; something drives it and nothing holds it",
+                words + "; it is driven and not restrained",
                 &[
-                    "look for a law, a damper or a drive of the wrong sign, and for a support or \
-                     an end of a load that is missing: shorter steps do not help",
+                    "look for a law, a damper or a drive of the wrong sign, and for a missing \
+                     support or a missing end of a load: shorter steps do not help",
                 ],
             ),
             false => Cause::new(
                 format!(
-                    "{words}; {} acts on what it senses and feeds it",
+                    "{words}; {} acts on sensed quantities and feeds the motion",
                     quoted(&feedback)
                 ),
                 &[
-                    "look at the sign and the gain of the drive that senses, and bound it by \
+                    "check the sign and the gain of the drive with the sensor, and bound it by \
                      min() and max(): shorter steps do not help",
                 ],
             ),
         })
     }
 
-    /// Elements that act on what they sense.
+    /// Elements that act on sensed quantities.
     fn feedback(&self) -> Vec<String> {
         let elements = self.model.system.elements();
         let sensing = elements.filter(|element| element.senses());
@@ -238,21 +236,21 @@ impl<'a> Scene<'a> {
         }
         let time = self.failure.time + self.failure.length;
         let what = match (by_time, element.senses()) {
-            (true, _) => format!("has no value at {time} s, wherever the nodes are"),
-            (false, true) => "has no value at what it senses there".to_owned(),
+            (true, _) => format!("has no value at {time} s, at any position of the nodes"),
+            (false, true) => "has no value at the sensed quantities there".to_owned(),
             (false, false) => {
-                "has no value at the strain or rate there: it has left the points of its table, or \
-                 its expression ends"
+                "has no value at the strain or rate there: it is outside the points of its table \
+                 or outside the domain of its expression"
                     .to_owned()
             }
         };
         let remedy = match (by_time, element.senses()) {
-            (true, _) => "end the run before, or write the drive so that it goes on",
+            (true, _) => "end the run before, or define the drive beyond",
             (false, true) => {
                 "bound the expression of its drive by min() and max(), as in sqrt(max(0, ...))"
             }
             (false, false) => {
-                "let the table reach farther, say outside = \"extend\" or \"hold\", or bound the \
+                "extend the table, set outside = \"extend\" or \"hold\", or bound the \
                  expression by min() and max()"
             }
         };
@@ -292,35 +290,35 @@ impl<'a> Scene<'a> {
             let needed = part * self.failure.length;
             return Cause {
                 words: format!(
-                    "the least step, {least:.3e} s, is too long for the fastest motion: some \
-                     {needed:.1e} s would do"
+                    "the least step, {least:.3e} s, is too long for the fastest motion: about \
+                     {needed:.1e} s are needed"
                 ),
-                remedies: vec![format!("let \"least\" be {needed:.1e} s, {larger}")],
+                remedies: vec![format!("set \"least\" to {needed:.1e} s, {larger}")],
             };
         }
         if local.tolerance < ROUND_OFF {
             return Cause::new(
-                "a local error below what round-off leaves was asked for",
-                &["ask for a \"tolerance\" of 1e-10 or more"],
+                "a local error below round-off was requested",
+                &["request a \"tolerance\" of 1e-10 or more"],
             );
         }
         let feedback = self.feedback();
         let who = match feedback.is_empty() {
             true => String::new(),
-            false => format!(": {} acts on what it senses", quoted(&feedback)),
+            false => format!(": {} acts on sensed quantities", quoted(&feedback)),
         };
         Cause {
             words: format!(
-                "a force or a stiffness jumps within the step, and no drive tells when{who}"
+                "a force or a stiffness jumps within the step, and no drive states when{who}"
             ),
             remedies: vec![
-                format!("smooth the jump over the way or the time that it takes, {larger}"),
-                "jumps of drives in time are known ahead and landed on".to_owned(),
+                format!("smooth the jump over a distance or a time, {larger}"),
+                "jumps of drives in time are known ahead, and steps end at them".to_owned(),
             ],
         }
     }
 
-    /// An iteration that came to no end.
+    /// An iteration that did not converge.
     fn not_converged(&self) -> Cause {
         let (most, tolerance) = (self.newton.iterations, self.newton.correction);
         let history = &self.failure.history;
@@ -329,7 +327,7 @@ impl<'a> Scene<'a> {
         if used_up && is_falling(history) && last > tolerance {
             return Cause {
                 words: format!(
-                    "the iteration was still coming nearer when its {most} iterations were used up"
+                    "the iteration was still converging when its {most} iterations were used up"
                 ),
                 remedies: vec![format!(
                     "allow more: newton = {{ iterations = {} }} in [transient]",
@@ -341,9 +339,9 @@ impl<'a> Scene<'a> {
             return Cause::new(
                 format!(
                     "the corrections fall no further than {last:.1e}, which is round-off; \
-                     {tolerance:.1e} was asked for"
+                     {tolerance:.1e} was requested"
                 ),
-                &["leave out \"tolerance\" of newton, or make it larger"],
+                &["remove \"tolerance\" of newton, or increase it"],
             );
         }
         let has_joints = self.model.system.numbering().multipliers() > 0;
@@ -352,7 +350,7 @@ impl<'a> Scene<'a> {
         }
         if used_up && is_to_and_fro(history) {
             return Cause::new(
-                "the iteration goes to and fro: a law, a drive or what is sensed has a kink or a \
+                "the iteration oscillates: a law, a drive or a sensed quantity has a kink or a \
                  jump near this state, as a contact has",
                 &[
                     "make the law smoother there (a spline, a cubic, a softer second stiffness)",
@@ -363,16 +361,16 @@ impl<'a> Scene<'a> {
         self.too_long()
     }
 
-    /// A state from which no step goes on.
+    /// A state from which no step succeeds.
     fn locked(&self) -> Cause {
-        let words = "however short the step, it is not made: the mechanism is near a position at \
-                     which it is locked or can go two ways, it is driven where it cannot go, or a \
-                     force has a jump or a kink there, as a contact has";
+        let words = "no step succeeds, however short: the mechanism is near a position at which it \
+                     is locked or can go two ways, it is driven to a position out of its reach, or \
+                     a force has a jump or a kink there, as a contact has";
         Cause::new(
             words.to_owned() + &self.or_feedback(),
             &[
-                "look at the mechanism at this time: joints in line, a rod at its full stretch, a \
-                 drive beyond the reach of what it drives",
+                "check the mechanism at this time: joints in line, a rod at its full stretch, a \
+                 drive beyond the reach of the mechanism",
                 "end the run before, or change the lengths or the drive; smooth a law that jumps",
             ],
         )
@@ -380,8 +378,8 @@ impl<'a> Scene<'a> {
 
     /// A step that is too long.
     fn too_long(&self) -> Cause {
-        let words = "a step too long for the fastest motion, or a mechanism near a position where \
-                     it is locked";
+        let words = "a step too long for the fastest motion, or a mechanism near a locked \
+                     position";
         let mut remedies = vec!["allow shorter steps".to_owned()];
         let question = self.question;
         if question.simplified_jacobian || question.newton.jacobians == Jacobians::Modified {
@@ -393,7 +391,8 @@ impl<'a> Scene<'a> {
         };
         if radius > 0.0 {
             remedies.push(
-                "lower the asymptotic radius: it damps what the steps are too long for".to_owned(),
+                "lower the asymptotic radius: it damps motions that the steps do not resolve"
+                    .to_owned(),
             );
         }
         Cause {
@@ -402,21 +401,21 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Equations that have no single solution.
+    /// Equations without a unique solution.
     fn singular(&self) -> Cause {
         let has_joints = self.model.system.numbering().multipliers() > 0;
         if has_joints && self.question.scheme == Scheme::CubicGauss {
             return Cause::new(
-                "the scheme: stages at Gauss' points cannot hold constraints, as those of joints",
+                "the scheme: stages at Gauss' points cannot enforce constraints, as of joints",
                 &["take scheme = \"two-step\" or \"radau-iia\""],
             );
         }
         Cause::new(
-            "a mechanism that is locked or can go two ways here, constraints that say the same, \
+            "a mechanism that is locked or can go two ways here, redundant constraints, \
              or a part without mass and stiffness",
             &[
-                "look at the mechanism at this time, and at the joints of the worst equation",
-                "give what has no mass one, or hold it",
+                "check the mechanism at this time, and the joints of the worst equation",
+                "give the part a mass, or constrain it",
             ],
         )
     }
@@ -426,7 +425,7 @@ impl<'a> Scene<'a> {
         match feedback.is_empty() {
             true => String::new(),
             false => format!(
-                "; or it comes from {}, acting on what is sensed",
+                "; or it comes from {}, acting on sensed quantities",
                 quoted(&feedback)
             ),
         }
@@ -439,7 +438,7 @@ fn is_falling(history: &[Iteration]) -> bool {
     pairs.all(|pair| pair[1].correction < SHRINKING * pair[0].correction)
 }
 
-/// Whether the latest corrections are about as large as each other.
+/// Whether the latest corrections are of about the same size.
 fn is_to_and_fro(history: &[Iteration]) -> bool {
     if history.len() < LATEST {
         return false;

@@ -1,21 +1,21 @@
-//! Energy that nothing put in, in words: since when, how much, where, and why.
+//! Unexplained gain of energy, as text: time, amount, location, and cause.
 
 use super::EnergyWatch;
 use crate::case::{Model, TransientQuestion};
 use crate::elements::{Element, Queries};
 use crate::integrator::Scheme;
 
-/// Radius above which a scheme hardly damps what its steps do not resolve.
+/// Radius above which a scheme hardly damps unresolved motion.
 const HARDLY_DAMPS: f64 = 0.95;
 
-/// Energy that nothing put in.
+/// Unexplained gain of energy.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::analysis::transient) struct Finding {
-    /// Since when, how much and where, in words.
+    /// Time, amount and location, as text.
     pub words: String,
-    /// The likely cause in words.
+    /// The likely cause, as text.
     pub cause: &'static str,
-    /// What to try, the likeliest first.
+    /// Remedies, the most likely first.
     pub remedies: Vec<&'static str>,
 }
 
@@ -27,7 +27,7 @@ impl std::fmt::Display for Finding {
     }
 }
 
-/// A number of four digits, with a power of ten where it is far from one.
+/// A number of four digits, with a power of ten if it is far from one.
 fn short(value: f64) -> String {
     let rounded = format!("{value:.3e}");
     match value.abs() {
@@ -66,7 +66,7 @@ impl Group<'_> {
     }
 }
 
-/// The likely cause of a gain, and what to try.
+/// The likely cause of a gain, and remedies.
 fn cause(
     group: Option<&Group<'_>>,
     scheme: Scheme,
@@ -94,7 +94,7 @@ fn cause(
     };
     if !damps {
         return (
-            "this scheme damps nothing, and motion that the steps do not resolve is fed",
+            "this scheme has no damping, and motion that the steps do not resolve gains energy",
             vec![
                 "use scheme = \"two-step\" with the radius 0.6",
                 "take shorter steps",
@@ -109,7 +109,7 @@ fn cause(
 }
 
 impl EnergyWatch {
-    /// What is to be told, if anything; `turns_far` where a node turned far in a step.
+    /// The finding to be reported, if any; `turns_far` if a node turned far in a step.
     pub fn finding(
         &self,
         model: &Model,

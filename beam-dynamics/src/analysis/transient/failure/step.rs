@@ -1,30 +1,29 @@
-//! A step that could not be made, in words: the worst equation, the likely cause, and how
-//! the iteration went.
+//! A failed step, as text: the worst equation, the likely cause, and the history of the iteration.
 
 use std::fmt;
 
 use crate::integrator::StepFailure;
 
-/// Names that are told of many.
+/// Largest number of names that are listed.
 const NAMED: usize = 3;
 
-/// A step that could not be made, and what it may come from.
+/// A failed step, and its likely cause.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepTrouble {
     /// The failure of the integrator.
     pub failure: StepFailure,
     /// Names of the elements that act on the node of the worst equation.
     pub acting: Vec<String>,
-    /// The likely cause in words.
+    /// The likely cause, as text.
     pub cause: String,
-    /// What to try, the likeliest first.
+    /// Remedies, the most likely first.
     pub remedies: Vec<String>,
-    /// The iterations in words, by their worst equations.
+    /// The iterations as text, by their worst equations.
     pub history: String,
 }
 
 impl StepTrouble {
-    /// What to try.
+    /// The remedies.
     pub(super) fn remedy(&self) -> String {
         self.remedies.join("; ")
     }

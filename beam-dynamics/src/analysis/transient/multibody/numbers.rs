@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::gibbs::{self, Attitude};
 
-use super::own_axes::OwnAxes;
+use super::own_axes::{Following, OwnAxes};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, State};
 
 /// The three numbers of a vector variable of a node.
@@ -43,17 +43,46 @@ pub(super) fn orthogonal(r: &Matrix3<f64>) -> Matrix3<f64> {
 /// its latest accepted attitude.
 type Axes<'a> = Option<(&'a OwnAxes, &'a Matrix3<f64>)>;
 
-/// Angular momentum and its rate as they are integrated.
-fn integrated(node: &NodeMotion, axes: Axes<'_>) -> [Vector3<f64>; 2] {
+/// Angular momentum and its rate as they are integrated: in the axes that follow the node, or in
+/// space.
+pub(super) type Integrated = [Vector3<f64>; 2];
+
+/// The angular momentum of a node as it is integrated.
+fn integrated(node: &NodeMotion, follows: Option<Following>) -> Integrated {
     let (gamma, rate) = (node.angular_momentum, node.angular_momentum_rate);
-    let Some((own, origin)) = axes else {
+    let Some(Following { axes, spin }) = follows else {
         return [gamma, rate];
     };
-    let follows = own.at(origin, &node.rotation, &node.angular_velocity);
-    let back = follows.axes.transpose();
-    [back * gamma, back * (rate - follows.spin.cross(&gamma))]
+    let back = axes.transpose();
+    [back * gamma, back * (rate - spin.cross(&gamma))]
 }
 
+/// The same of the latest accepted state of a node, from which its axes follow it.
+pub(super) fn integrated_latest(node: &NodeMotion, own: Option<&OwnAxes>) -> Integrated {
+    let follows = own.map(|own| own.at_origin(&node.rotation, &node.angular_velocity));
+    integrated(node, follows)
+}
+
+/// Changes of the latest accepted state from itself, which are zero, and its rates.
+pub(super) fn write_latest(
+    node: &NodeMotion,
+    own: Option<&OwnAxes>,
+    (y, rates): (&mut [f64], &mut [f64]),
+) {
+    y.fill(0.0);
+    let [_, gamma_rate] = integrated_latest(node, own);
+    write_variables(
+        [
+            node.velocity,
+            node.angular_velocity,
+            node.momentum_rate,
+            gamma_rate,
+        ],
+        rates,
+    );
+}
+
+/// Changes of a state from the latest accepted one, `origin`, and its rates.
 pub(super) fn write(
     node: &NodeMotion,
     origin: &NodeMotion,
@@ -61,38 +90,46 @@ pub(super) fn write(
     (y, rates): (&mut [f64], &mut [f64]),
 ) {
     let turn = gibbs::relative(&attitude(node), &origin.rotation);
-    let axes = own.map(|own| (own, &origin.rotation));
-    let [gamma, gamma_rate] = integrated(node, axes);
+    let axes = |own: &OwnAxes| own.at(&origin.rotation, &node.rotation, &node.angular_velocity);
+    let [gamma, gamma_rate] = integrated(node, own.map(axes));
+    let before = match own {
+        None => origin.angular_momentum,
+        Some(_) => origin.rotation.tr_mul(&origin.angular_momentum),
+    };
     let changes = [
         node.position - origin.position,
         turn.parameters,
         node.momentum - origin.momentum,
-        gamma - integrated(origin, axes)[0],
+        gamma - before,
     ];
+    write_variables(changes, y);
     let slopes = [node.velocity, turn.rate, node.momentum_rate, gamma_rate];
-    for i in 0..4 {
-        y[3 * i..3 * i + 3].copy_from_slice(changes[i].as_slice());
-        rates[3 * i..3 * i + 3].copy_from_slice(slopes[i].as_slice());
+    write_variables(slopes, rates);
+}
+
+/// The four vector variables of a node as numbers.
+fn write_variables(variables: [Vector3<f64>; 4], numbers: &mut [f64]) {
+    for (numbers, variable) in numbers.chunks_exact_mut(3).zip(variables) {
+        numbers.copy_from_slice(variable.as_slice());
     }
 }
 
 /// A node moved from `base` by changes of its unknowns and of their rates; `turned` is
-/// its attitude after it. The rates of `base` count as far as `kept`.
+/// its attitude after it, and `gamma` its angular momentum as it is integrated. The rates of
+/// `base` count as far as `kept`.
 pub(super) fn moved(
     (base, kept): (&NodeMotion, f64),
     turned: &Attitude,
-    axes: Axes<'_>,
+    (gamma, axes): (&Integrated, Axes<'_>),
     (y, rates): (&[f64], &[f64]),
 ) -> NodeMotion {
-    let [gamma, gamma_rate] = integrated(base, axes);
-    let (gamma, gamma_rate) = (gamma + part(y, 3), kept * gamma_rate + part(rates, 3));
     let [gamma, gamma_rate] = match axes {
-        None => [gamma, gamma_rate],
+        None => *gamma,
         Some((own, origin)) => {
-            let follows = own.at(origin, &turned.rotation, &turned.angular_velocity);
-            let in_space = follows.axes * gamma;
-            let turning = follows.spin.cross(&in_space);
-            [in_space, follows.axes * gamma_rate + turning]
+            let Following { axes, spin } =
+                own.at(origin, &turned.rotation, &turned.angular_velocity);
+            let in_space = axes * gamma[0];
+            [in_space, axes * gamma[1] + spin.cross(&in_space)]
         }
     };
     NodeMotion {
@@ -105,4 +142,14 @@ pub(super) fn moved(
         momentum_rate: kept * base.momentum_rate + part(rates, 2),
         angular_momentum_rate: gamma_rate,
     }
+}
+
+/// An angular momentum as it is integrated, moved by changes of the unknowns and of their
+/// rates; its rate counts as far as `kept`.
+pub(super) fn moved_momentum(
+    [gamma, rate]: &Integrated,
+    kept: f64,
+    (y, rates): (&[f64], &[f64]),
+) -> Integrated {
+    [gamma + part(y, 3), kept * rate + part(rates, 3)]
 }

@@ -58,10 +58,29 @@ pub(super) struct Following {
     pub axes: Matrix3<f64>,
     /// Their angular velocity [rad/s].
     pub spin: Vector3<f64>,
+}
+
+/// How the axes E change with the attitude of a node.
+struct Derivatives {
     /// P [-].
     turn: Matrix3<f64>,
     /// L [1/s].
     spin_by_turn: Matrix3<f64>,
+}
+
+/// The rotation that takes the long axis from the latest accepted attitude to another one.
+struct Bend {
+    /// The long axis, at both attitudes [-].
+    e_1: Vector3<f64>,
+    e: Vector3<f64>,
+    /// u, and `1 + c` [-].
+    u: Vector3<f64>,
+    d: f64,
+    /// g, and its rate [1/s].
+    g: Vector3<f64>,
+    g_rate: Vector3<f64>,
+    /// e' [1/s].
+    rate: Vector3<f64>,
 }
 
 /// The nodes that are integrated in such axes: slender ones that other nodes, joints or
@@ -120,6 +139,21 @@ impl OwnAxes {
         })
     }
 
+    fn bend(&self, origin: &Matrix3<f64>, rotation: &Matrix3<f64>, omega: &Vector3<f64>) -> Bend {
+        let (e_1, e) = (origin * self.axis, rotation * self.axis);
+        let (u, d) = (e_1.cross(&e), 1.0 + e_1.dot(&e));
+        let rate = omega.cross(&e);
+        Bend {
+            g: 2.0 / d * u,
+            g_rate: 2.0 / d * e_1.cross(&rate) - 2.0 * e_1.dot(&rate) / (d * d) * u,
+            e_1,
+            e,
+            u,
+            d,
+            rate,
+        }
+    }
+
     /// The axes E that follow the long axis from the attitude `origin` to that of a node.
     pub fn at(
         &self,
@@ -127,27 +161,40 @@ impl OwnAxes {
         rotation: &Matrix3<f64>,
         omega: &Vector3<f64>,
     ) -> Following {
-        let (e_1, e) = (origin * self.axis, rotation * self.axis);
-        let (u, d) = (e_1.cross(&e), 1.0 + e_1.dot(&e));
-        let g = 2.0 / d * u;
-        // dg = A de
-        let by_axis = 2.0 / d * skew(&e_1) - 2.0 / (d * d) * u * e_1.transpose();
-        let rate = omega.cross(&e);
-        let g_rate = by_axis * rate;
-        let tangent = gibbs::tangent(&g);
-        // d(A e') at constant e'
-        let along = e_1.dot(&rate);
-        let by_axis_again = -2.0 / (d * d)
-            * (e_1.cross(&rate) * e_1.transpose() + along * skew(&e_1))
-            + 4.0 * along / (d * d * d) * u * e_1.transpose();
-        let de = -skew(&e);
-        let g_by_turn = by_axis * de;
-        let g_rate_by_turn = (by_axis * skew(omega) + by_axis_again) * de;
+        let Bend { g, g_rate, .. } = self.bend(origin, rotation, omega);
         Following {
             axes: gibbs::to_rotation(&g) * origin,
-            spin: tangent * g_rate,
+            spin: gibbs::tangent(&g) * g_rate,
+        }
+    }
+
+    /// The same at the attitude where they begin.
+    pub fn at_origin(&self, origin: &Matrix3<f64>, omega: &Vector3<f64>) -> Following {
+        let e = origin * self.axis;
+        Following {
+            axes: *origin,
+            spin: omega - omega.dot(&e) * e,
+        }
+    }
+
+    fn derivatives(bend: &Bend, omega: &Vector3<f64>) -> Derivatives {
+        let Bend {
+            e_1, u, d, g, rate, ..
+        } = bend;
+        let tangent = gibbs::tangent(g);
+        // dg = A de
+        let by_axis = 2.0 / d * skew(e_1) - 2.0 / (d * d) * u * e_1.transpose();
+        // d(A e') at constant e'
+        let along = e_1.dot(rate);
+        let by_axis_again = -2.0 / (d * d)
+            * (e_1.cross(rate) * e_1.transpose() + along * skew(e_1))
+            + 4.0 * along / (d * d * d) * u * e_1.transpose();
+        let de = -skew(&bend.e);
+        let g_by_turn = by_axis * de;
+        let g_rate_by_turn = (by_axis * skew(omega) + by_axis_again) * de;
+        Derivatives {
             turn: tangent * g_by_turn,
-            spin_by_turn: gibbs::tangent_derivative(&g, &g_rate) * g_by_turn
+            spin_by_turn: gibbs::tangent_derivative(g, &bend.g_rate) * g_by_turn
                 + tangent * g_rate_by_turn,
         }
     }
@@ -163,12 +210,18 @@ impl OwnAxes {
         sum: &mut Combination<'_>,
     ) {
         let (a, b) = (sum.by_unknowns, sum.by_rates);
-        let follows = self.at(origin, &node.rotation, &node.angular_velocity);
-        let (axes, omega) = (&follows.axes, skew(&follows.spin));
+        let bend = self.bend(origin, &node.rotation, &node.angular_velocity);
+        let axes = &(gibbs::to_rotation(&bend.g) * origin);
+        let spin = gibbs::tangent(&bend.g) * bend.g_rate;
+        let omega = skew(&spin);
         let gamma = skew(&node.angular_momentum);
-        let rate = node.angular_momentum_rate - follows.spin.cross(&node.angular_momentum);
-        let turn = a * follows.turn * by.turn;
-        let spin = follows.turn * (b * by.turn + a * by.spin) + a * follows.spin_by_turn * by.turn;
+        let rate = node.angular_momentum_rate - spin.cross(&node.angular_momentum);
+        let Derivatives {
+            turn: p,
+            spin_by_turn,
+        } = Self::derivatives(&bend, &node.angular_velocity);
+        let turn = a * p * by.turn;
+        let spin = p * (b * by.turn + a * by.spin) + a * spin_by_turn * by.turn;
         let values = sum.matrix.values_mut();
         set(values, &self.definition_by_momentum, &(a * axes));
         set(

@@ -1,4 +1,4 @@
-//! Newton's method from given places to those that fulfill the constraints, with steps that
+//! Newton's method from given positions to positions that fulfill the constraints, with steps that
 //! may be damped.
 
 use crate::analysis::balance::largest_motion;
@@ -11,10 +11,10 @@ use super::{
     ITERATIONS, LARGEST, SMALL, Unfulfilled, fulfilled, move_by, place_step, values, worst,
 };
 
-/// Halvings of a step of damped iterations at most.
+/// Largest number of halvings of a step of damped iterations.
 const HALVINGS: usize = 8;
 
-/// A search for places near those of the start.
+/// A search for positions near the start.
 pub(super) struct Search<'a> {
     pub system: &'a System,
     pub conditions: &'a Conditions,
@@ -23,8 +23,8 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The places that fulfill the constraints, if they are found; `nearest` is what the
-    /// constraints were off by where they were nearest to it.
+    /// The positions that fulfill the constraints, if they are found; `nearest` is the smallest
+    /// violation of the constraints so far.
     pub fn run(&self, is_damped: bool, nearest: &mut Unfulfilled) -> Option<State> {
         let nodes = self.start.nodes.len();
         let size = self.system.size();
@@ -48,7 +48,7 @@ impl Search<'_> {
                 *nearest = off;
             }
             if largest <= SMALL {
-                // Constraints that contradict each other come to rest between them.
+                // Contradicting constraints converge to a position between them.
                 return (off.value.abs() <= fulfilled(SMALL, self.system, &self.start))
                     .then_some(now);
             }
@@ -56,7 +56,7 @@ impl Search<'_> {
         None
     }
 
-    /// The part of a step after which the constraints are nearer to being fulfilled.
+    /// The part of a step after which the violation is smaller.
     fn damped(&self, now: &State, step: &[f64], mut part: f64) -> f64 {
         let before = self.off(now).value.abs();
         for _ in 0..HALVINGS {
@@ -70,7 +70,7 @@ impl Search<'_> {
         part
     }
 
-    /// The constraint that is farthest from being fulfilled.
+    /// The constraint of the largest violation.
     fn off(&self, state: &State) -> Unfulfilled {
         let first = NODE_UNKNOWNS * state.nodes.len();
         let values = values(self.system, state, self.conditions, Level::Position);

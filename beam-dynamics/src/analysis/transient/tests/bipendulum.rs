@@ -89,9 +89,9 @@ fn slender_links_do_not_spin_at_large_steps() {
     }
 }
 
-// At the start the ground pulls by 14.608 N along y, and by 3.7396 N along z. Afterwards
-// the force grows with the square of the time, by 1.162 N in 25 ms (ODE): nothing of it is
-// seen in the first steps, which must not oscillate by more than the formula's error.
+// At the start the ground pulls by 14.608 N along y, and by 3.7396 N along z. Afterwards the force
+// grows with the square of the time, by 1.162 N in 25 ms (ODE): this is negligible in the first
+// steps, which must not oscillate by more than the error of the scheme.
 #[test]
 fn the_first_reactions_do_not_oscillate() {
     let found = states(&bipendulum(), &TransientQuestion::new(0.01, 0.001));
@@ -106,9 +106,9 @@ fn the_first_reactions_do_not_oscillate() {
     assert!((start[8] - 3.739630073).abs() < 1e-8);
 }
 
-// What measures steps and errors, and the long axes of the links, are of the model and not
-// of the state at which a run is continued: both parts have the same bits, wherever they
-// meet, with steps of one length and with variable ones.
+// The reference sizes of steps and errors, and the long axes of the links, belong to the model and
+// not to the state at which a run is continued: both parts are identical to the last bit for any
+// time of continuation, with equal and with variable steps.
 #[test]
 fn a_continued_run_of_slender_links_is_the_same_to_the_last_bit() {
     let model = bipendulum();

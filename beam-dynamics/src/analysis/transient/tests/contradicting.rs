@@ -10,12 +10,12 @@ use crate::case::{self, Model, TransientQuestion};
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::model::{Drive, Ramp, Step};
 
-/// When the doors begin to turn \[s\], not on the grid of the steps.
+/// Time at which the doors begin to turn \[s\], not on the grid of the steps.
 const BEGIN: f64 = 0.105;
 const STEP: f64 = 0.01;
 
-/// A door of `size` \[m\] on two hinges of one line, with their drives; a second node on the
-/// door makes the model as large as it is.
+/// A door of `size` \[m\] on two hinges of one line, with their drives; a second node on the door
+/// defines the size of the model.
 fn door(size: f64, drives: [Option<Turning>; 2]) -> Model {
     let center = size * Vector3::new(0.5, 0.0, 0.5);
     let nodes = vec![
@@ -48,7 +48,7 @@ fn door(size: f64, drives: [Option<Turning>; 2]) -> Model {
     Model::new("door", System::new(nodes, elements))
 }
 
-/// An angle of 1 rad in the end.
+/// A final angle of 1 rad.
 fn ramp(start: f64, end: f64, smooth: bool) -> Option<Turning> {
     Some(Turning::Angle(
         Drive::Ramp(Ramp {
@@ -70,7 +70,7 @@ fn swing(drives: [Option<Turning>; 2]) -> TransientOutcome {
     run(&door(1.0, drives), &question).1
 }
 
-/// When and how the drives contradict each other.
+/// Time and text of the contradiction of the drives.
 fn contradiction(outcome: &TransientOutcome) -> (f64, String) {
     let failure = outcome.failure.as_ref().unwrap();
     assert!(failure.remedy().starts_with("drive one of them only"));
@@ -106,7 +106,7 @@ fn a_small_contradiction_is_one() {
     assert!((by - expected).abs() < 1e-6 * 2.0, "{by}");
 }
 
-// Both begin with the rate zero, and part slowly. The angles of smooth ramps of 1 rad in T are
+// Both begin with the rate zero, and diverge slowly. The angles of smooth ramps of 1 rad in T are
 // 10 (t/T)^3 at first, or quadratic: half the difference is 1e-4 rad within 0.1 s.
 #[test]
 fn a_contradiction_that_grows_ends_the_run_as_such() {
@@ -120,7 +120,7 @@ fn a_contradiction_that_grows_ends_the_run_as_such() {
 fn drives_that_are_alike_do_not_contradict() {
     let outcome = swing([ramp(BEGIN, 0.605, false), ramp(BEGIN, 0.605, false)]);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
-    // The other hinge follows where one is driven.
+    // The other hinge follows if only one is driven.
     let outcome = swing([ramp(BEGIN, 0.605, false), None]);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
 }
@@ -149,8 +149,8 @@ fn no_impulse_brings_velocities_that_contradict() {
     );
 }
 
-// Lengths count by the size of the model, angles as they are: of a door of 1 mm as of one of
-// 100 m. In both a constraint of a length gives way by its part times the size.
+// Lengths are relative to the size of the model, angles absolute: for a door of 1 mm as for one of
+// 100 m. In both the violation of a constraint of a length is its part times the size.
 #[test]
 fn what_gives_way_is_measured_by_the_size_of_lengths_and_as_it_is_of_angles() {
     for size in [1e-3, 100.0] {

@@ -1,4 +1,4 @@
-//! Corners of what is driven: impulses, and what follows them.
+//! Corners of drives: impulses, and the motion after them.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -17,14 +17,14 @@ const HALF: f64 = 0.5;
 const MASS: f64 = 3.0;
 const INERTIA: f64 = MASS * 4.0 * HALF * HALF / 12.0;
 
-/// Angular velocity behind the corner.
+/// Angular velocity after the corner.
 const SPEED: f64 = 2.0;
-/// When the motion begins and ends, neither on the grid of the steps.
+/// Beginning and end of the motion, neither on the grid of the steps.
 const BEGIN: f64 = 0.103;
 const END: f64 = 0.417;
 const STEP: f64 = 0.01;
 
-/// Bars along x, one behind the other, the first of which is at `first`.
+/// Bars along x, one after the other, the first at `first`.
 fn bars(count: usize) -> (Vec<Node>, Vec<Box<dyn Element>>) {
     let center = |i: usize| (1.0 + 2.0 * i as f64) * HALF * Vector3::x();
     let nodes: Vec<_> = (0..count)
@@ -36,7 +36,7 @@ fn bars(count: usize) -> (Vec<Node>, Vec<Box<dyn Element>>) {
     (nodes, elements)
 }
 
-/// A joint about z at the begin of bar `b`, with the bar before it or the frame.
+/// A joint about z at the beginning of bar `b`, with the previous bar or the frame.
 fn hinge(nodes: &[Node], b: usize, turning: Option<Turning>) -> Box<dyn Element> {
     let a = b.checked_sub(1).map(|a| (a, &nodes[a]));
     let ends = JointEnds {
@@ -49,7 +49,7 @@ fn hinge(nodes: &[Node], b: usize, turning: Option<Turning>) -> Box<dyn Element>
     Box::new(ConstraintJoint::revolute(label, &ends, &placing, turning))
 }
 
-/// Bars on hinges, of which the first is driven.
+/// Bars on hinges, the first of which is driven.
 fn chain(count: usize, turning: Turning) -> Model {
     let (nodes, mut elements) = bars(count);
     elements.push(hinge(&nodes, 0, Some(turning)));
@@ -116,10 +116,10 @@ fn reaction(model: &Model, state: &State, time: f64) -> [f64; 2] {
     [hinge.moment.z, hinge.force.dot(&along)]
 }
 
-// Rotation at a constant rate: no moment, the force m c^2 r to the center; at rest nothing.
-// The parameters of a rotation by p in a step are not linear in time: its rate is off by the
-// order of p^2 = 4e-4, and the moment, the first steps being others than those after them, by
-// J c p^2 / h. Without the impulse the moment rings with J c / h = 200 N m.
+// Rotation at a constant rate: no moment, the force m c^2 r to the center; at rest zero. The
+// parameters of a rotation by p in a step are not linear in time: the error of its rate is of the
+// order of p^2 = 4e-4, and of the moment, since the first steps differ from the later ones, J c p^2
+// / h. Without the impulse the moment rings with J c / h = 200 N m.
 #[test]
 fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
     for question in questions() {
@@ -166,10 +166,10 @@ fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
     }
 }
 
-// A bar of length l = 1 at rest is struck at its end with the velocity v = c l across: its
-// center gets v/4 and it turns at -3 v/(2 l), by the impulse m v/4 and with the energy
-// m v^2/8. The driven bar gets c l/2 and c; about its fixed end it needs the angular impulse
-// (J + m l^2/4) c, and l m v/4 for the other. Round-off of one solution.
+// A bar of length l = 1 at rest is struck at its end with the velocity v = c l across: its center
+// then has v/4 and it turns at -3 v/(2 l), by the impulse m v/4 and with the energy m v^2/8. The
+// driven bar then has c l/2 and c; about its fixed end it needs the angular impulse (J + m l^2/4)
+// c, and l m v/4 for the other. Round-off of one solution.
 #[test]
 fn the_impulse_on_a_free_link_is_that_of_a_struck_bar() {
     let model = chain(2, Turning::Angle(ramp().into()));
@@ -191,7 +191,7 @@ fn the_impulse_on_a_free_link_is_that_of_a_struck_bar() {
     let about_end = INERTIA + MASS * HALF * HALF;
     let expected = 0.5 * about_end * SPEED * SPEED + MASS * v * v / 8.0;
     assert!((energy - expected).abs() < 1e-12, "{energy} {expected}");
-    // The drive's work is half its angular impulse times the speed that it gets to.
+    // The drive's work is half its angular impulse times the speed that it reaches.
     let angular = about_end * SPEED + 2.0 * HALF * MASS * v / 4.0;
     assert!((0.5 * angular * SPEED - expected).abs() < 1e-12);
     let force = MASS * v / 2.0 + MASS * v / 4.0;
@@ -202,9 +202,8 @@ fn the_impulse_on_a_free_link_is_that_of_a_struck_bar() {
     }
 }
 
-// The same in a run: just behind the corner, where both bars are one line still. A step
-// behind it the free bar has turned by 1.5 c h = 0.03 against that, and its rates change by
-// c^2 times that.
+// The same in a run: just after the corner, when both bars are still in line. A step after it the
+// free bar has turned by 1.5 c h = 0.03 out of line, and its rates change by c^2 times that.
 #[test]
 fn a_chain_goes_on_from_its_impulse() {
     for question in questions() {
@@ -220,8 +219,9 @@ fn a_chain_goes_on_from_its_impulse() {
     }
 }
 
-// The velocity of a point that is imposed on a body along x: constant behind each jump, and
-// no force. The constraint is one of velocities, and holds to the iteration's 1e-9 m a step.
+// The velocity of a point that is imposed on a body along x: constant after each jump, and no
+// force. The constraint is a constraint of velocities, fulfilled to the iteration's 1e-9 m per
+// step.
 #[test]
 fn a_step_of_a_velocity_is_an_impulse() {
     for question in questions() {
@@ -251,9 +251,9 @@ fn a_step_of_a_velocity_is_an_impulse() {
     }
 }
 
-// The first state at or behind the corner that is told has the motion before it.
-// The state of a corner is that before it, and so is all that is told with it: else a row of
-// the table would have a speed of 2 rad/s beside a bar at rest.
+// The first recorded state at or after the corner has the motion before it. The state of a corner
+// is the state before it, and so are all recorded quantities: else a row of the table would show a
+// speed of 2 rad/s for a bar at rest.
 #[test]
 fn what_acts_at_a_corner_is_told_as_before_it() {
     for question in questions() {
@@ -278,7 +278,7 @@ fn what_acts_at_a_corner_is_told_as_before_it() {
 
 #[test]
 fn nothing_is_renewed_where_nothing_jumps() {
-    // A ramp of the load's own: no constraint of the bar has a corner there.
+    // A ramp of the load itself: no constraint of the bar has a corner there.
     let smooth = Drive::Ramp(Ramp {
         from: 0.0,
         to: 1.0,
@@ -299,7 +299,7 @@ fn nothing_is_renewed_where_nothing_jumps() {
     let resting = found
         .iter()
         .filter(|state| state.nodes[0].angular_velocity.z.abs() < 1e-9);
-    // Eleven on the grid up to 0.1 s, and that at the corner.
+    // Eleven on the grid up to 0.1 s, and the one at the corner.
     assert_eq!(resting.count(), 12);
 }
 

@@ -1,4 +1,4 @@
-//! Runs that cannot go on, and what they tell.
+//! Runs that fail, and their messages.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use crate::elements::laws::Law;
 use crate::elements::springs::{End, Measure, Rod};
 use crate::model::{Drive, DriveTable, Interpolation, Outside, Ramp};
 
-/// A number in the first tenth of a second; after it there is nothing.
+/// A number in the first tenth of a second; after it there is none.
 fn short(value: f64) -> Drive {
     let rows = [[0.0, value], [0.1, value]];
     let table = DriveTable::new(&rows, Interpolation::Linear, Outside::Error);
@@ -31,7 +31,7 @@ fn a_drive_that_leaves_its_table_is_named_with_its_times() {
         assert!(told.contains(&expected), "{told}");
         let expected = "has values from 0 s to 0.1 s, and the step goes to 0.1";
         assert!(told.contains(expected), "{told}");
-        // All that the table allows has been run.
+        // The run reaches the end of the table.
         assert!((outcome.time - 0.1).abs() < 1e-12, "{}", outcome.time);
         assert_eq!(kept.states.len(), 11);
     }

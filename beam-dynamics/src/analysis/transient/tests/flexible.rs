@@ -7,7 +7,7 @@ use crate::analysis::transient::TransientFailure;
 use crate::case::{Start, TransientQuestion};
 use crate::model::{Drive, Ramp};
 
-/// A turning angle of the rate `speed` from the start on.
+/// A turning angle of the rate `speed`, from the start.
 fn turning(speed: f64) -> Drive {
     Drive::Ramp(Ramp {
         from: 0.0,
@@ -18,8 +18,8 @@ fn turning(speed: f64) -> Drive {
     })
 }
 
-// A state of equilibrium fulfills the equations of motion; round-off of forces of 1e5 times
-// strains of 1e-16 moves masses of 0.015 kg by less than 1e-9 m in 0.1 s.
+// A state of equilibrium fulfills the equations of motion; round-off of forces of 1e5 times strains
+// of 1e-16 move masses of 0.015 kg by less than 1e-9 m in 0.1 s.
 #[test]
 fn an_equilibrium_stays_at_rest() {
     let question = TransientQuestion {
@@ -34,8 +34,8 @@ fn an_equilibrium_stays_at_rest() {
     assert!(moved < 1e-8, "{moved:e}");
 }
 
-// Model K at eta = 6: the radius of the tip is constant, 1 + eta^2/(3 EA) from the
-// elongation of a bar that carries its own centrifugal force. A fifth of a turn, 50 steps.
+// Model K at eta = 6: the radius of the tip is constant, 1 + eta^2/(3 EA) from the elongation of a
+// bar under its own centrifugal force. A fifth of a turn, 50 steps.
 #[test]
 fn a_rotating_beam_keeps_its_radius() {
     let speed = 6.0;
@@ -59,10 +59,10 @@ fn a_rotating_beam_keeps_its_radius() {
     assert!(off < 1e-6, "{off:e}");
     let tip = kept.states.last().unwrap().nodes.last().unwrap().position;
     let angle = tip.y.atan2(tip.x);
-    // The damping of the formula, of third order in the angle of a step (0.03), makes the
-    // beam lag: 2 * 0.03^3 * eta^2 over the square of its frequency in the plane, 18.
+    // The damping of the scheme, of third order in the angle of a step (0.03), makes the beam lag:
+    // 2 * 0.03^3 * eta^2 over the square of its frequency in the plane, 18.
     assert!((angle - 0.25 * speed).abs() < 2e-4, "{angle}");
-    // A root that stands still is told.
+    // A root at rest is reported.
     let held = run(&driven_beam(Drive::Constant(0.0)), &question).1.failure;
     assert!(
         matches!(held, Some(TransientFailure::Held { .. })),

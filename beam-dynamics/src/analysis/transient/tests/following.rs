@@ -67,9 +67,9 @@ fn an_actuator_answers_a_step_as_its_closed_form() {
 }
 
 // Design document on control, 2: w = 60, z = .7, 0.5/s, step .15 with the rate clamped at its
-// limit: overshoot .57 %, 90 % after .2705 s, when a ramp of 0.5/s is there after .270 s. Here
-// the rate comes to its limit over a band, which takes 1e-4 s and leaves 1e-4 of the step; in
-// the band the motion is quicker than the steps, which leave 2e-3 of the rate.
+// limit: overshoot .57 %, 90 % after .2705 s, when a ramp of 0.5/s is there after .270 s. Here the
+// rate approaches its limit over a band, which takes 1e-4 s and changes the step by 1e-4; in the
+// band the motion is faster than the steps, whose error is 2e-3 of the rate.
 #[test]
 fn the_rate_of_an_actuator_stays_in_its_limit_and_does_not_wind_up() {
     let servo = Servo {
@@ -90,7 +90,7 @@ fn the_rate_of_an_actuator_stays_in_its_limit_and_does_not_wind_up() {
     assert!((reached - 0.2705).abs() < 4e-4, "{reached}");
 }
 
-// A command of 5 is that of the limit 0.2, which is reached to exp(-0.7 60 0.6), 1e-11.
+// A command of 5 acts as the limit 0.2, which is reached to exp(-0.7 60 0.6), 1e-11.
 #[test]
 fn a_command_beyond_the_limits_is_that_of_the_limit() {
     let servo = Servo {
@@ -104,7 +104,7 @@ fn a_command_beyond_the_limits_is_that_of_the_limit() {
     }
 }
 
-/// A body on a guide along x that follows an actuator whose command is given over time.
+/// A body on a guide along x that follows an actuator with a command given over time.
 fn slider(command: &str) -> Model {
     let nodes = vec![node("slider", Vector3::zeros(), Matrix3::identity())];
     let names = Names {
@@ -147,7 +147,7 @@ fn a_joint_that_follows_an_actuator_has_its_place_rate_and_force() {
             let found = state.nodes[0].position.x;
             assert!((found - 2.0 * place).abs() < tolerance, "{time}: {found}");
             let off = state.nodes[0].velocity.x - 2.0 * rate;
-            // Places are held, and velocities follow from them by the formula.
+            // Positions are held, and velocities follow from them by the scheme.
             assert!(off.abs() < 2e-2 * 12.0, "{time}: {off:e}");
         }
         let first = &states[0];
@@ -158,7 +158,7 @@ fn a_joint_that_follows_an_actuator_has_its_place_rate_and_force() {
     }
 }
 
-// Order two of the place of the body against the closed form of the actuator.
+// Order two of the position of the body against the closed form of the actuator.
 #[test]
 fn a_joint_follows_an_actuator_to_second_order() {
     let error = |length: f64| {
@@ -206,7 +206,7 @@ fn a_start_at_rest_agrees_with_feedback_through_the_joint() {
 }
 
 // A wheel about z that is driven to an angle and one that is driven to a speed, both by scalars:
-// the momentum of the wheel is that of the rates.
+// the momentum of the wheel is the momentum of the given rates.
 #[test]
 fn wheels_follow_angles_and_speeds() {
     for by_speed in [false, true] {
@@ -245,7 +245,7 @@ fn wheels_follow_angles_and_speeds() {
 }
 
 // A clamp holds a mass of 2 kg, and k times its force R pushes as well: R + k R = m g, from the
-// first instant on; for k of -3 and 5 as well, for which R = m g - k R does not settle by itself.
+// first instant on; for k of -3 and 5 as well, for which the iteration R = m g - k R diverges.
 #[test]
 fn a_load_that_follows_a_reaction_agrees_with_it_from_the_start() {
     for gain in [0.5, -3.0, 5.0] {
@@ -293,7 +293,7 @@ fn follows_its_reaction(gain: f64) {
     }
 }
 
-// A distance that follows an actuator towards -1 m from 1 m ends the run where it gets to zero.
+// A distance that follows an actuator towards -1 m from 1 m ends the run when it reaches zero.
 #[test]
 fn a_distance_that_gets_to_zero_ends_the_run() {
     let nodes = vec![node("bob", Vector3::x(), Matrix3::identity())];
@@ -320,8 +320,9 @@ fn a_distance_that_gets_to_zero_ends_the_run() {
     assert!(failure.contains("winch"), "{failure}");
 }
 
-// Two hinges, above and below the mass center of a door and as far from it, carry a half each:
-// a moment that follows the load on one of them is that of half the load on a hinge between.
+// Two hinges, above and below the mass center of a door at equal distances, carry a half each: a
+// moment that follows the load on one of them is equal to half the moment of a single hinge between
+// them.
 #[test]
 fn a_load_follows_the_reaction_of_one_of_two_redundant_hinges() {
     for gain in [0.2, -0.5, 1.2] {

@@ -1,4 +1,4 @@
-//! The derivatives by the unknowns of a formula against differences.
+//! The derivatives with respect to the unknowns of a scheme, against differences.
 
 use std::sync::Arc;
 

@@ -1,5 +1,5 @@
-//! Mechanisms with redundant constraints: their motion is that of the same without, and
-//! their reactions are the smallest that hold it.
+//! Mechanisms with redundant constraints: their motion is equal to the motion without them, and
+//! their reactions are the smallest possible.
 
 use std::f64::consts::TAU;
 
@@ -33,18 +33,18 @@ impl Numbers {
 /// The two joints of the rocker of a four-bar.
 #[derive(Clone, Copy, PartialEq)]
 enum Rocker {
-    /// Revolutes like the others: three constraints follow from others.
+    /// Revolutes like the others: three constraints are redundant.
     Revolutes,
-    /// Ball and cylinder: none does.
+    /// Ball and cylinder: none is redundant.
     BallAndCylinder,
-    /// Universal joint and ball: none does.
+    /// Universal joint and ball: none is redundant.
     UniversalAndBall,
 }
 
 /// A plane four-bar somewhere in space.
 struct FourBar {
     axes: Matrix3<f64>,
-    /// Where its bars meet, from the drive to the foot.
+    /// Joints of its bars, from the drive to the foot.
     corners: [Vector3<f64>; 4],
     nodes: Vec<Node>,
 }
@@ -85,7 +85,7 @@ impl FourBar {
         }
     }
 
-    /// The joint with this number, from the drive to the foot: a turn a second.
+    /// The joint of this number, from the drive to the foot: one turn per second.
     fn joint(&self, number: usize, rocker: Rocker) -> ConstraintJoint {
         let [p, q, r, s] = self.corners;
         let z: Vector3<f64> = self.axes.column(2).into_owned();
@@ -120,7 +120,7 @@ impl FourBar {
     }
 }
 
-/// A turn a second.
+/// One turn per second.
 fn turn() -> Drive {
     Drive::Ramp(Ramp {
         from: -TAU,
@@ -161,9 +161,9 @@ fn kept(model: &Model, question: &TransientQuestion) -> (Kept, Vec<String>) {
     (kept, outcome.remarks)
 }
 
-// The crank turns once in 200 steps. Places follow from the constraints, which are fulfilled
-// to the tolerance of the iteration, 1e-9 at most; the moment of the drive, the fourth
-// multiplier of its joint, from the power, whatever the others are.
+// The crank turns once in 200 steps. Positions follow from the constraints, which are fulfilled to
+// the tolerance of the iteration, 1e-9 at most; the moment of the drive, the fourth multiplier of
+// its joint, follows from the power, independently of the others.
 #[test]
 fn random_four_bars_move_as_those_without_redundant_constraints() {
     for seed in 1..=8 {
@@ -188,8 +188,8 @@ fn random_four_bars_move_as_those_without_redundant_constraints() {
     }
 }
 
-// The reactions do not hang on the order of the joints: each joint has six or five
-// multipliers, those of the drive six.
+// The reactions do not depend on the order of the joints: each joint has six or five multipliers,
+// the drive six.
 #[test]
 fn reactions_do_not_hang_on_the_order_of_the_joints() {
     let order = [3, 1, 0, 2];
@@ -235,8 +235,8 @@ fn door(hinges: &[f64]) -> Model {
     model
 }
 
-// Two hinges at the same distance from the center carry one half each of what a single one
-// in the middle does.
+// Two hinges at the same distance from the center each carry one half of the load of a single one
+// in the middle.
 #[test]
 fn two_hinges_carry_half_of_a_door_each() {
     let asked = question(0.5, 5e-3);
@@ -252,7 +252,7 @@ fn two_hinges_carry_half_of_a_door_each() {
     }
 }
 
-// A run that goes on from a snapshot has the same states to the last bit.
+// A run continued from a snapshot has the same states to the last bit.
 #[test]
 fn a_run_with_redundant_constraints_is_continued_bit_for_bit() {
     let model = four_bar(5, Rocker::Revolutes, IN_ORDER);
@@ -310,9 +310,9 @@ fn ring(count: usize) -> Model {
     model
 }
 
-// Three of the hundred constraints of twenty pins follow from others. The loads across the
-// plane and their moments, all that can balance itself, are the smallest: nothing of them is
-// left to be taken at the places of each state, but for what the step's prediction was off.
+// Three of the hundred constraints of twenty pins are redundant. The loads across the plane and
+// their moments, all self-equilibrated ones, are the smallest possible: their self-equilibrated
+// part at the positions of each state is zero, except for the error of the prediction.
 #[test]
 fn a_long_ring_shares_its_loads_and_is_continued_bit_for_bit() {
     let model = ring(20);
@@ -341,8 +341,8 @@ fn a_long_ring_shares_its_loads_and_is_continued_bit_for_bit() {
     }
 }
 
-// Hinges out of line by 1 mm hold a door: four of their ten constraints follow from others,
-// and it stays where it is.
+// Hinges out of line by 1 mm hold a door: four of their ten constraints are redundant, and it does
+// not move.
 #[test]
 fn hinges_out_of_line_hold_a_door() {
     let nodes: Vec<Node> = door(&[]).system.nodes().to_vec();
@@ -366,8 +366,8 @@ fn hinges_out_of_line_hold_a_door() {
     }
 }
 
-// A parallelogram whose bars come to lie in one line after a quarter of a turn: there they
-// can go on as an antiparallelogram too, and what their joints carry is not determined.
+// A parallelogram whose bars come to lie in one line after a quarter of a turn: there they can
+// continue as an antiparallelogram too, and the reactions of their joints are undetermined.
 #[test]
 fn steps_that_end_in_a_singular_position_are_told() {
     let corners = [[0.0, 0.0], [0.0, 1.0], [2.0, 1.0], [2.0, 0.0]];

@@ -1,4 +1,4 @@
-//! Models of the tests, and what records their motion.
+//! Models of the tests, and a recorder of their motion.
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
@@ -17,13 +17,13 @@ use crate::result::{Moment, Recorder, Snapshot};
 #[derive(Debug, Default)]
 pub struct Kept {
     pub times: Vec<f64>,
-    /// Times for which what acts is told.
+    /// Times at which the conditions are recorded.
     pub seen: Vec<f64>,
     pub states: Vec<State>,
-    /// Step at which a snapshot is wanted, and the snapshot.
+    /// Step at which a snapshot is requested, and the snapshot.
     pub wanted: Option<usize>,
     pub snapshot: Option<Snapshot>,
-    /// Steps after which the run is ended.
+    /// Number of steps after which the run is ended.
     pub most: Option<usize>,
 }
 
@@ -75,7 +75,7 @@ pub fn body(node: usize, mass: f64, offset: Vector3<f64>, moments: [f64; 3]) -> 
     Box::new(RigidBody::new("body", node, inertia))
 }
 
-/// A spherical joint at `point` of node number `node` with another one, or the frame.
+/// A spherical joint at `point` of node `node` with another one, or the frame.
 pub fn spherical(
     nodes: &[Node],
     a: Option<usize>,
@@ -94,7 +94,7 @@ pub fn spherical(
     ))
 }
 
-/// A joint about z at the origin of the frame with node number `node`.
+/// A joint about z at the origin of the frame with node `node`.
 pub fn revolute_about_z(nodes: &[Node], node: usize) -> Box<dyn Element> {
     let ends = JointEnds {
         a: None,
@@ -149,7 +149,7 @@ pub fn bipendulum() -> Model {
     model
 }
 
-/// A body of mass one that spins on a fixed point (models.md, B): its center 0.2 above the
+/// A body of mass one that spins about a fixed point (models.md, B): its center is 0.2 above the
 /// point, tilted by 10 degrees about x; `spin` in its own axes.
 pub fn top(spin: Vector3<f64>) -> Model {
     let tilt = shared_geom::rotation::vector::to_rotation(&(10_f64.to_radians() * Vector3::x()));
@@ -166,7 +166,7 @@ pub fn top(spin: Vector3<f64>) -> Model {
     model
 }
 
-/// A body that nothing holds, its center off the node.
+/// A free body, its center off the node.
 pub fn free_body() -> Model {
     let nodes = vec![node("body", Vector3::zeros(), Matrix3::identity())];
     let elements = vec![body(0, 2.0, Vector3::new(0.3, -0.2, 0.5), [1.0, 1.4, 0.7])];
@@ -263,7 +263,7 @@ pub fn swinging_cantilever(elements: usize) -> Model {
     model
 }
 
-/// Its root turns about z by an angle that a drive tells.
+/// Its root turns about z by the angle of a drive.
 pub fn driven_beam(angle: Drive) -> Model {
     let (nodes, mut parts) = Strip::rotating(4).parts();
     let ends = JointEnds {

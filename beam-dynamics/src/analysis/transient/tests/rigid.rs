@@ -40,7 +40,7 @@ fn a_pendulum_starts_without_oscillation() {
     let [start, step] = first(StartAccelerations::Dummy);
     assert!((start - 1.0).abs() < 1e-3, "{start}");
     assert!((step - 1.02).abs() < 2e-4, "{step}");
-    // Without the centripetal term gravity, across the rod, leaves the tension zero.
+    // Without the centripetal term gravity, across the rod, makes the tension zero.
     let [start, step] = first(StartAccelerations::AtRest);
     assert!(start < 1e-12, "{start}");
     assert!((step - 2.02).abs() < 1e-3, "{step}");
@@ -94,8 +94,8 @@ fn top_error(number: usize, h: f64) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-// 1e-5 at 1 ms (models.md); prototype, case 3: 1.93e-5 at 10 ms. The other two nutate, by
-// 0.04 rad a step of 10 ms: 0.13 * 0.04^2 of a path of 38 rad and 0.03 m is 3e-4 m.
+// 1e-5 at 1 ms (models.md); prototype, case 3: 1.93e-5 at 10 ms. The other two nutate, by 0.04 rad
+// per step of 10 ms: 0.13 * 0.04^2 of a path of 38 rad and 0.03 m is 3e-4 m.
 #[test]
 fn a_spinning_top_stays_on_its_path() {
     for (number, coarse) in [(0, 1e-3), (1, 1e-3), (2, 1e-4)] {
@@ -107,9 +107,9 @@ fn a_spinning_top_stays_on_its_path() {
     }
 }
 
-// Momenta of a free body are constant in space: beta, and gamma + x x beta about the origin,
-// gamma being that about the node. The formula is linear in them: round-off of terms of order
-// ten over 1000 steps is left.
+// Momenta of a free body are constant in space: beta, and gamma + x x beta about the origin, gamma
+// being the angular momentum about the node. The scheme is linear in them: the error is round-off
+// of terms of order ten over 1000 steps.
 #[test]
 fn a_free_body_keeps_its_momenta() {
     let found = states(&free_body(), &TransientQuestion::new(10.0, 0.01));
@@ -130,7 +130,7 @@ fn a_free_body_keeps_its_momenta() {
     assert!(off_angular < 1e-10, "{off_angular:e}");
 }
 
-// A run that is continued from a snapshot goes on with the same bits, whatever the formula.
+// A run that is continued from a snapshot has identical states, with any scheme.
 #[test]
 fn a_continued_run_is_the_same_to_the_last_bit() {
     let model = top(Vector3::new(0.0, 0.9888, 7.5167));
@@ -163,8 +163,8 @@ fn a_continued_run_is_the_same_to_the_last_bit() {
     }
 }
 
-// The effort of a continued run is that of both parts: no phase lasts longer than all. The
-// clock ticks once each time it is read.
+// The effort of a continued run is the effort of both parts: no phase lasts longer than the sum.
+// The clock ticks once each time it is read.
 #[test]
 fn the_effort_of_a_continued_run_is_that_of_all_of_it() {
     let model = top(Vector3::new(0.0, 0.9888, 7.5167));

@@ -2,8 +2,8 @@
 //!
 //! Sources: `theory-control/sensors_sampling.json`, a second program from the equations: an
 //! oscillator (m 1, c 0.2, k 40, gains 15 and 2.5, T = 0.05 s) by its exact map from sample to
-//! sample, and a pendulum as an index-3 problem under a held force (T = 0.1 s). The errors that it
-//! lists are those of the trapezoid rule with new rates at samples; the bound is 20 % more.
+//! sample, and a pendulum as an index-3 problem under a held force (T = 0.1 s). The errors listed
+//! there are errors of the trapezoid rule with new rates at samples; the bound is 20 % larger.
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
@@ -121,8 +121,8 @@ fn law(
     (output, sampled)
 }
 
-/// The oscillator, which begins at its undeformed place with the displacement one: the spring
-/// has the displacement x - 1, and its rest is made up by a load of -40 N.
+/// The oscillator, which begins at its undeformed position with the displacement one: the spring
+/// has the displacement x - 1, and a load of -40 N compensates its offset.
 fn oscillator(delay: usize, limits: Limits) -> Model {
     let nodes = vec![node("mass", Vector3::x(), Matrix3::identity())];
     let sensors = [
@@ -190,7 +190,7 @@ fn constant(scheme: Scheme, to: f64, step: f64) -> TransientQuestion {
     }
 }
 
-/// The largest error at the samples of `period`, of what is `found` of a state.
+/// The largest error of `found` of a state at the samples of `period`.
 fn error(
     model: &Model,
     question: &TransientQuestion,
@@ -207,7 +207,7 @@ fn error(
     errors.fold(0.0, f64::max)
 }
 
-// Second order, as rates are found anew behind each sample.
+// Second order, since rates are computed again after each sample.
 #[test]
 fn a_sampled_law_is_followed_to_second_order() {
     let of_place = |state: &crate::model::State| state.nodes[0].position.x;
@@ -238,7 +238,7 @@ fn a_sampled_law_is_followed_to_second_order() {
     assert!(found < 1.2 * 1.07e-4, "{found:e}");
 }
 
-// Index 3: the constraint force jumps with the force that is held.
+// Index 3: the constraint force jumps with the held force.
 #[test]
 fn a_held_force_on_a_constrained_mass_is_followed_to_second_order() {
     let angle = |state: &crate::model::State| {
@@ -278,12 +278,12 @@ fn variable_steps_land_on_samples() {
         };
         let model = oscillator(0, Limits::default());
         let found = error(&model, &asked, (0.05, &OSCILLATOR), of_place);
-        // Some hundred steps of the tolerance.
+        // About a hundred steps of the tolerance.
         assert!(found < 1e-4, "{scheme:?} {found:e}");
     }
 }
 
-// The output is asked to jump to -15 and to -6.5: it comes down by 60/s, 3 a sample, to -4.
+// The requested output jumps to -15 and to -6.5: the output falls by 60/s, 3 per sample, to -4.
 #[test]
 fn outputs_are_limited_in_place_and_rate() {
     let limits = Limits {

@@ -1,5 +1,5 @@
-//! Scalar unknowns in time: circuits and lags that are quicker than the first step, laws that
-//! are not linear in them, and their start.
+//! Scalar unknowns in time: circuits and lags that are faster than the first step, nonlinear laws,
+//! and their start.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 
@@ -67,9 +67,9 @@ fn capacitor(circuit: Circuit) -> Model {
     Model::new("capacitor", System::new(nodes, elements))
 }
 
-// 10 V behind 100 Ohm: V = E (1 - exp(-t / RC)), RC = 0.1 ms, a tenth of the first step. The
-// steps of the charge each miss it by the tolerance of the 10 V at most; some hundred of them
-// lie in the time in which it forgets. Before, the charge was left to the step of 1 ms.
+// 10 V through 100 Ohm: V = E (1 - exp(-t / RC)), RC = 0.1 ms, a tenth of the first step. The error
+// of the charge per step is at most the tolerance times 10 V; about a hundred steps lie within the
+// time in which errors decay. Previously, the charge was integrated with the step of 1 ms.
 #[test]
 fn a_quick_circuit_is_resolved_from_the_first_step_on() {
     let source = Drive::Step(Step {
@@ -173,7 +173,7 @@ fn alone(element: impl Element + 'static) -> Model {
     Model::new("alone", System::new(nodes, elements))
 }
 
-// x = exp(-1e4 t) from the start of a run on, where no corner asks for a short step.
+// x = exp(-1e4 t) from the start of a run on, where no corner requires a short step.
 #[test]
 fn a_quick_state_is_resolved_from_its_start_value_on() {
     for scheme in SCHEMES {
@@ -234,7 +234,7 @@ fn filter() -> Model {
     alone(StateSpace::new("filter", matrices, input, outputs, &start))
 }
 
-/// Its answer.
+/// Its response.
 fn answer(time: f64) -> f64 {
     let since = (time - 0.01).max(0.0);
     let (decay, omega) = (18.0, 60.0 * (1.0_f64 - 0.09).sqrt());
@@ -251,7 +251,7 @@ fn filter_error(question: &TransientQuestion) -> f64 {
     off.fold(0.0, f64::max)
 }
 
-// Second order: half the step, a quarter of the error.
+// Second order: a quarter of the error at half the step.
 #[test]
 fn a_filter_answers_a_step_to_second_order() {
     for scheme in [SCHEMES[0], SCHEMES[1], SCHEMES[2]] {
@@ -270,8 +270,8 @@ fn a_filter_answers_a_step_to_second_order() {
     }
 }
 
-// A step misses the tolerance of the largest value, 2.7, at most; up to two hundred of them lie
-// in the time in which the filter forgets.
+// The error per step is at most the tolerance of the largest value, 2.7; up to two hundred steps
+// lie within the time in which errors of the filter decay.
 #[test]
 fn a_filter_answers_a_step_to_the_tolerance() {
     for scheme in SCHEMES {
@@ -288,8 +288,8 @@ fn matrix(random: &mut Random, rows: usize, columns: usize) -> DMatrix<f64> {
 
 // x = exp(A t) x_0 + int exp(A s) B u ds for constant inputs, by the exponential of both; two
 // hundred systems of up to five states, three inputs and three outputs. Entries of A are up to 4:
-// the trapezoid rule leaves (4 n h)^2 t / 12 of values of up to exp(4 n t), of which the bound is
-// the one of the worst; most are a thousand times better.
+// the error of the trapezoid rule is (4 n h)^2 t / 12 of values of up to exp(4 n t), and the bound
+// is for the worst case; most are a thousand times better.
 #[test]
 fn random_systems_of_states_are_those_of_the_exponential() {
     let mut random = Random(7);

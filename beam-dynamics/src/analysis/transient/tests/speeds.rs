@@ -1,5 +1,5 @@
-//! Starts from equilibrium of joints that are driven by a speed; springs that turn far; steps
-//! that are too long for a rotation.
+//! Starts from equilibrium of joints that are driven by a speed; springs that turn far; steps too
+//! long for a rotation.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
@@ -37,9 +37,9 @@ fn rotating(speed: f64) -> TransientQuestion {
     }
 }
 
-// Model K at eta = 6: an angle that grows evenly and its speed are the same motion. The first
-// holds the angle, the second integrates it, by a formula of second order: 0.03^2/12 of the
-// angle at a step of 0.03 rad, and what the beam answers.
+// Model K at eta = 6: an angle that grows evenly and its speed are the same motion. The first holds
+// the angle, the second integrates it, by a scheme of second order: 0.03^2/12 of the angle at a
+// step of 0.03 rad, and the response of the beam.
 #[test]
 fn a_driven_speed_starts_from_the_rotating_equilibrium() {
     let speed = 6.0;
@@ -67,7 +67,7 @@ fn a_driven_speed_starts_from_the_rotating_equilibrium() {
     assert!(off < 5e-4, "{off:e}");
 }
 
-// At rest under its weight, 1 N on EI = 1 N m^2: it stays where it is, and does not turn.
+// At rest under its weight, 1 N on EI = 1 N m^2: it stays at rest, and does not turn.
 #[test]
 fn a_driven_speed_starts_from_the_equilibrium_at_rest() {
     let mut model = beam(Turning::Speed(Drive::Constant(0.0).into()));
@@ -83,7 +83,7 @@ fn a_driven_speed_starts_from_the_equilibrium_at_rest() {
     assert!(moved.fold(0.0, f64::max) < 1e-8);
 }
 
-// A velocity on a body that sits beside the axis.
+// A velocity on a body next to the axis.
 #[test]
 fn imposed_velocities_that_go_with_the_rotation_are_kept() {
     let question = rotating(2.0);
@@ -129,8 +129,8 @@ fn another_speed_than_that_of_the_start_is_refused_before_the_iteration() {
     assert!(failure.remedy().contains("with its sign"));
 }
 
-/// A body that spins about z at 10 rad/s against a weak spring to the frame, or to a heavy
-/// body that stands still.
+/// A body that spins about z at 10 rad/s against a weak spring to the frame, or to a heavy body at
+/// rest.
 fn wound(is_hinge: bool, speed: f64) -> Model {
     let nodes: Vec<_> = ["heavy", "light"]
         .map(|label| node(label, Vector3::zeros(), Matrix3::identity()))
@@ -163,7 +163,7 @@ fn wound(is_hinge: bool, speed: f64) -> Model {
     model
 }
 
-// 10 rad/s reach half a turn just after 0.31 s; 0.5 rad/s come back by the spring, with the
+// 10 rad/s reach half a turn just after 0.31 s; at 0.5 rad/s the spring turns it back, with the
 // amplitude 0.5/sqrt(0.1) = 1.58 rad.
 #[test]
 fn springs_that_turn_by_half_a_turn_end_the_run() {

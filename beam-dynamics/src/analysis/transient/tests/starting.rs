@@ -1,4 +1,4 @@
-//! Places and velocities that fulfill the constraints, and what is told of them.
+//! Positions and velocities that fulfill the constraints, and the reports of them.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -26,8 +26,8 @@ fn distance(nodes: &[Node], b: usize, length: f64) -> Box<dyn Element> {
     Box::new(ConstraintJoint::distance("rod", &ends, &placing, length))
 }
 
-// The point of a circle of radius 2 next to (3, 4) is at 2/5 of it; the velocity that is
-// left of (1, 0) along the tangent (-4, 3)/5 is (16, -12)/25. Newton's method to round-off.
+// The point of a circle of radius 2 next to (3, 4) is at 2/5 of it; the component of the velocity
+// (1, 0) along the tangent (-4, 3)/5 is (16, -12)/25. Newton's method to round-off.
 #[test]
 fn a_point_goes_to_the_nearest_place_and_velocity() {
     let nodes = vec![node("p", Vector3::new(3.0, 4.0, 0.0), Matrix3::identity())];
@@ -56,7 +56,7 @@ fn a_point_goes_to_the_nearest_place_and_velocity() {
     );
 }
 
-/// Two bodies at one place, joined there, one of which moves.
+/// Two bodies at one position, joined there, one of which moves.
 fn pair(weights: [Option<f64>; 2]) -> Model {
     let nodes: Vec<_> = ["a", "b"]
         .map(|label| node(label, Vector3::zeros(), Matrix3::identity()))
@@ -77,8 +77,8 @@ fn pair(weights: [Option<f64>; 2]) -> Model {
     model
 }
 
-// Dynamics theory 4.2: weights (1, 1) give the mean, (1, 3) a quarter. What is not said
-// follows, up to its weight of 1e-8.
+// Dynamics theory 4.2: weights (1, 1) give the mean, (1, 3) a quarter. Velocities that are not
+// given follow, up to their weight of 1e-8.
 #[test]
 fn velocities_that_conflict_meet_by_their_weights() {
     let start = |model: &Model| {
@@ -95,7 +95,7 @@ fn velocities_that_conflict_meet_by_their_weights() {
     assert_eq!(changes.iter().filter(of_b).count(), 1, "{changes:?}");
 }
 
-// Rods that cannot meet: 3 from one point and 1 from another one that is 5 away.
+// Rods that cannot meet: 3 long from one point and 1 long from another point at a distance of 5.
 #[test]
 fn places_that_do_not_exist_are_told() {
     let nodes = vec![node("p", Vector3::new(1.0, 0.0, 0.0), Matrix3::identity())];
@@ -112,15 +112,15 @@ fn places_that_do_not_exist_are_told() {
     let text = failure.to_string();
     assert!(matches!(failure, TransientFailure::Places { .. }), "{text}");
     assert!(text.contains("\"rod\""), "{text}");
-    // The nearest that they come to is half a meter off; where they are given it is two.
+    // The smallest violation is half a meter; at the given positions it is two.
     let TransientFailure::Places { value, .. } = failure else {
         unreachable!("it has been asserted above");
     };
     assert!((0.5 - 1e-9..=2.0).contains(&value.abs()), "{text}");
 }
 
-// A body that is clamped twice: six constraints say nothing new. Each clamp then
-// carries half of the weight, 20 N.
+// A body that is clamped twice: six constraints are redundant. Each clamp then carries half of the
+// weight, 20 N.
 #[test]
 fn constraints_that_follow_from_others_are_refused_or_left_out() {
     let nodes = vec![node("p", Vector3::zeros(), Matrix3::identity())];
@@ -165,9 +165,9 @@ fn a_loose_node_without_mass_is_named() {
     assert!(failure.remedy().contains("[[body]]"));
 }
 
-// A body on a rail along x, two to the right of a point beside it, on a rod from that point
-// that shortens from sqrt(5) to less than the distance one of the rail: at one there is no
-// place any more, after (sqrt(5) - 1)/(sqrt(5) - 0.5) of the ramp of one second, 0.712 s.
+// A body on a rail along x, two to the right of a point next to the rail, on a rod from this point
+// that shortens from sqrt(5) to less than the distance one of the rail: at one no position exists
+// any more, after (sqrt(5) - 1)/(sqrt(5) - 0.5) of the ramp of one second, 0.712 s.
 #[test]
 fn a_step_that_cannot_be_made_is_explained_and_the_rest_is_kept() {
     let nodes = vec![node(
@@ -217,9 +217,8 @@ fn a_step_that_cannot_be_made_is_explained_and_the_rest_is_kept() {
     }
 }
 
-// A rod of one millimeter that is given too short by a part of 5e-10: what counts as
-// fulfilled is measured by the model, which has nodes one millimeter apart, and not in
-// meters.
+// A rod of one millimeter that is given too short by a part of 5e-10: the tolerance is relative to
+// the size of the model, whose nodes are one millimeter apart, and not in meters.
 #[test]
 fn small_models_are_placed_as_well_as_large_ones() {
     let size = 1e-3;
@@ -239,7 +238,7 @@ fn small_models_are_placed_as_well_as_large_ones() {
     assert!(off.abs() < 1e-11, "{off:e}");
 }
 
-// Dummy steps are iterated as the steps of the run are.
+// Dummy steps are iterated like the steps of the run.
 #[test]
 fn dummy_steps_keep_the_limits_of_the_run() {
     let mut question = TransientQuestion::new(0.1, 0.01);
@@ -253,7 +252,7 @@ fn dummy_steps_keep_the_limits_of_the_run() {
     assert!(!failure.remedy().is_empty());
 }
 
-// A local error below round-off: the unknown is named, and what was asked for is the cause.
+// A local error below round-off: the unknown is named, and the requested tolerance is the cause.
 #[test]
 fn a_local_error_is_told_by_its_unknown() {
     let mut question = TransientQuestion::new(1.0, 0.01);
@@ -273,9 +272,9 @@ fn a_local_error_is_told_by_its_unknown() {
     }
 }
 
-// A revolute joint about y turns (1, 0, 0) to (cos, 0, -sin) of its angle, at any angle; a
-// total joint with a driven rotation about z to (cos, sin, 0). The tolerance is that of
-// Newton's method.
+// A revolute joint about y turns (1, 0, 0) to (cos, 0, -sin) of its angle, at any angle; a total
+// joint with a driven rotation about z to (cos, sin, 0). The tolerance is the tolerance of Newton's
+// method.
 #[test]
 fn driven_rotations_start_at_their_angle_however_large() {
     let rig = |joint: fn(&JointEnds<'_>, f64) -> ConstraintJoint, angle: f64| {
@@ -312,8 +311,8 @@ fn driven_rotations_start_at_their_angle_however_large() {
     }
 }
 
-/// What a run says of a body at the origin under two joints, the redundant constraints of
-/// which are left out.
+/// Messages of a run of a body at the origin under two joints, whose redundant constraints are
+/// removed.
 fn refusal(joints: [Box<dyn Element>; 2], nodes: Vec<Node>) -> String {
     let mut elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3])];
     elements.extend(joints);
@@ -363,7 +362,8 @@ fn constraints_that_contradict_are_never_left_out() {
 }
 
 // A point between two rods that are stretched out in one line: the second rod follows from the
-// first there only. Then two motors of one axis whose angles part later: a ramp of 1/0.02 rad/s against zero.
+// first there only. Then two motors of one axis whose angles diverge later: a ramp of 1/0.02 rad/s
+// against zero.
 #[test]
 fn constraints_that_follow_in_one_place_only_are_not_left_out() {
     let nodes = vec![node("p", Vector3::x(), Matrix3::identity())];
@@ -406,8 +406,8 @@ fn constraints_that_follow_in_one_place_only_are_not_left_out() {
     );
 }
 
-// A plane parallelogram of revolutes has three redundant constraints everywhere, and a fourth
-// where its links lie in one line: there it can go two ways.
+// A plane parallelogram of revolutes has three redundant constraints everywhere, and a fourth when
+// its links lie in one line, where it can move in two ways.
 #[test]
 fn a_parallelogram_at_its_dead_point_is_refused_and_beside_it_runs() {
     let attempt = |angle: f64| {
@@ -450,8 +450,8 @@ fn a_parallelogram_at_its_dead_point_is_refused_and_beside_it_runs() {
     assert_eq!(beside.remarks.len(), 3, "{:?}", beside.remarks);
 }
 
-// A motor that turns by half a turn within a step and rests before and after it: where it was,
-// its constraints are fulfilled too.
+// A motor that turns by half a turn within a step and rests before and after it: its constraints
+// are fulfilled at its old position too.
 #[test]
 fn a_rotation_that_a_step_leaves_half_a_turn_off_ends_the_run() {
     let nodes = vec![node("a", Vector3::x(), Matrix3::identity())];
@@ -473,6 +473,7 @@ fn a_rotation_that_a_step_leaves_half_a_turn_off_ends_the_run() {
     let model = Model::new("jump", System::new(nodes, elements));
     let failure = run(&model, &TransientQuestion::new(0.05, 0.01)).1.failure;
     let text = failure.map_or_else(String::new, |failure| failure.to_string());
-    let expected = "at 0.02 s a driven rotation is held half a turn off: \"motor\"";
+    let expected = "at 0.02 s a driven rotation settled 180 deg away from its prescribed value: \
+                    \"motor\"";
     assert_eq!(text, expected);
 }

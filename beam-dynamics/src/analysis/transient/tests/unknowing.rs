@@ -1,5 +1,4 @@
-//! Constraints of which no one knows how they change: dummy steps, differences, and corners
-//! from which the next step takes no rates.
+//! Constraints without known rates: dummy steps, differences, and corners without new rates.
 
 use std::sync::Arc;
 
@@ -20,7 +19,7 @@ use crate::model::{
     Scalars, State, Step,
 };
 
-/// A joint that does not tell the derivatives of its constraints.
+/// A joint without derivatives of its constraints.
 #[derive(Debug)]
 struct Unknowing(ConstraintJoint);
 
@@ -119,15 +118,15 @@ fn on_pivot(turning: Option<Turning>, is_known: bool) -> Model {
     model
 }
 
-/// A force that the joint carries along the arm.
+/// Force of the joint along the arm.
 fn tension(state: &State) -> f64 {
     let lambda = Vector3::from_column_slice(&state.multipliers[..3]);
     let force = axes_along(&Vector3::z()) * lambda;
     force.dot(&state.nodes[0].position).abs()
 }
 
-// Reactions as after dummy steps that are asked for: 1 at the start within the error of these,
-// and 1 + 3 sin p after the first step.
+// Reactions as after requested dummy steps: 1 at the start within the error of these, and 1 + 3 sin
+// p after the first step.
 #[test]
 fn a_start_without_derivatives_makes_dummy_steps() {
     let mut model = on_pivot(None, false);
@@ -144,8 +143,8 @@ fn a_start_without_derivatives_makes_dummy_steps() {
     assert!((step - 1.02).abs() < 2e-4, "{step}");
 }
 
-// 0.3 sin(2 pi t) starts with the rate 0.6 pi. Differences over 1e-5 s are off by
-// (2 pi 1e-5)^2/6 of it and by round-off of 1e-16/1e-5.
+// 0.3 sin(2 pi t) starts with the rate 0.6 pi. The error of differences over 1e-5 s is (2 pi
+// 1e-5)^2/6 of it, and round-off of 1e-16/1e-5.
 #[test]
 fn velocities_follow_from_differences_of_constraints() {
     let swing = Drive::Harmonic(Harmonic {
@@ -167,8 +166,8 @@ fn velocities_follow_from_differences_of_constraints() {
     assert!(found[0] != found[1]);
 }
 
-// Weight that begins to act at a jump: both runs find the same motion. Behind the jump one
-// knows the rates, the other steps once by implicit Euler: off by h^2/2 of the acceleration.
+// Weight that begins to act at a jump: both runs find the same motion. After the jump one has the
+// rates, the other makes one step by implicit Euler, with the error h^2/2 of the acceleration.
 #[test]
 fn a_corner_is_passed_without_derivatives() {
     let step = 0.01;
@@ -190,7 +189,7 @@ fn a_corner_is_passed_without_derivatives() {
     assert!(known != unknown);
 }
 
-/// A value that there is in the first instants only.
+/// A value that exists in the first instants only.
 fn brief() -> Drive {
     let rows = [[0.0, 1.0], [1e-9, 1.0]];
     let table = DriveTable::new(&rows, Interpolation::Linear, Outside::Error);
@@ -237,7 +236,7 @@ fn velocities_that_do_not_exist_are_told() {
     assert!(text.contains("\"pivot\""), "{text}");
 }
 
-// Nothing carries a body that flies.
+// A free body carries no load.
 #[test]
 fn a_start_without_equilibrium_is_told() {
     let nodes = vec![node("free", Vector3::x(), Matrix3::identity())];

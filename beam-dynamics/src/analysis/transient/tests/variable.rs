@@ -1,5 +1,5 @@
-//! Variable steps: forces with kinks, short pulses, the unit of length; energies of bodies
-//! that turn freely.
+//! Variable steps: forces with kinks, short pulses, the unit of length; energies of freely turning
+//! bodies.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ const RADAU: Scheme = Scheme::Parabolic { zeta: -2.0 / 3.0 };
 const TWO_STEP: Scheme = Scheme::TwoStep { radius: 0.6 };
 const CUBIC: Scheme = Scheme::Cubic { radius: 0.6 };
 
-/// All schemes of second order and more that see the force at the end of a step.
+/// All schemes of second order and higher that evaluate the force at the end of a step.
 const SCHEMES: [Scheme; 11] = [
     Scheme::CrankNicolson,
     Scheme::Bdf2,
@@ -75,13 +75,13 @@ fn clearance(size: f64, along: usize, limit: f64, stiffness: f64) -> Model {
     Model::new("clearance", System::new(nodes, elements))
 }
 
-/// Energy at the end of a run by that at its start.
+/// Energy at the end of a run, relative to the start.
 fn energy_left(model: &Model, question: &TransientQuestion, of: impl Fn(&State) -> f64) -> f64 {
     let found = states(model, question);
     of(&found[found.len() - 1]) / of(&found[0])
 }
 
-/// Energy by that at the start, after a fall by 1 m onto a contact of `stiffness`; exact 1.
+/// Energy relative to the start, after a fall by 1 m onto a contact of `stiffness`; exact 1.
 fn after_bounce(scheme: Scheme, tolerance: f64, stiffness: f64) -> f64 {
     let mut model = clearance(1.0, 2, 1.0, stiffness);
     model.gravity = -9.81 * Vector3::z();
@@ -93,10 +93,11 @@ fn after_bounce(scheme: Scheme, tolerance: f64, stiffness: f64) -> f64 {
     energy_left(&model, &question(scheme, 1.0, tolerance), energy)
 }
 
-// What a step may miss of the velocity moves T, some 0.02 s here, by the tolerance: 5e-3 m/s
-// of 4.4 at 1e-4, which is 2e-3 of the energy, in some twenty steps of the contact whose errors
-// add up at random; twice as much from the constant of the smaller of (D-119). A hundredth of
-// it at 1e-6. Before it was 1.6 at any tolerance with Radau IIA, and 1.8 on the stiff contact.
+// The allowed error of the velocity per step, times T (about 0.02 s here), is the tolerance: 5e-3
+// m/s of 4.4 at 1e-4, which is 2e-3 of the energy, in about twenty steps of the contact, whose
+// errors add up at random; twice this value because of the constant of the smaller of (D-119). A
+// hundredth of it at 1e-6. Previously it was 1.6 at any tolerance with Radau IIA, and 1.8 on the
+// stiff contact.
 #[test]
 fn a_bounce_keeps_its_energy_to_the_tolerance() {
     for scheme in SCHEMES {
@@ -113,7 +114,7 @@ fn a_bounce_keeps_its_energy_to_the_tolerance() {
     }
 }
 
-// Each hundredth of the tolerance is a hundredth of the error and less.
+// A hundredth of the tolerance gives a hundredth of the error or less.
 #[test]
 fn the_error_of_a_bounce_goes_with_the_tolerance() {
     for scheme in [TWO_STEP, CUBIC, RADAU] {
@@ -122,8 +123,8 @@ fn the_error_of_a_bounce_goes_with_the_tolerance() {
     }
 }
 
-// Of first order: the contact, half a period, loses pi h w / 2 of the energy and more in steps
-// of h, which are those of the tolerance of positions: its root.
+// Of first order: the contact, half a period, loses pi h w / 2 of the energy and more in steps of
+// h, which follow from the tolerance of positions: its root.
 #[test]
 fn implicit_euler_loses_energy_by_the_root_of_the_tolerance() {
     let lost = [1e-4, 1e-6].map(|tolerance| {
@@ -134,7 +135,7 @@ fn implicit_euler_loses_energy_by_the_root_of_the_tolerance() {
     assert!(lost[0] < 0.3 && lost[1] < 0.04, "{lost:?}");
 }
 
-// As the bounce, nine times in a row: in sizes of 0.1 m the tolerance is a tenth.
+// Like the bounce, nine times in a row: relative to a size of 0.1 m the tolerance is a tenth.
 #[test]
 fn a_mass_between_stops_keeps_its_energy_to_the_tolerance() {
     let energy = |state: &State| {
@@ -162,8 +163,8 @@ fn formula(text: &str) -> Drive {
     Drive::Formula(Arc::new(Formula::new(expression, 1.0)))
 }
 
-// An impulse of 1 N s on 1 kg. Each of some 30 steps in the pulse misses the velocity by
-// tolerance / T = 1e-6 / 0.2 s at most.
+// An impulse of 1 N s on 1 kg. The error of the velocity in each of about 30 steps in the pulse is
+// at most tolerance / T = 1e-6 / 0.2 s.
 #[test]
 fn a_short_pulse_is_not_stepped_over() {
     for width in [5e-3, 5e-4] {
@@ -191,8 +192,8 @@ fn a_short_pulse_is_not_stepped_over() {
     }
 }
 
-/// One or two links on spherical joints, eccentric, one of them on a spring, in units of
-/// length of `unit`: the same motion whatever the unit.
+/// One or two links on spherical joints, eccentric, one of them on a spring, in units of length of
+/// `unit`: the same motion for any unit.
 fn mechanism(seed: u64, unit: f64) -> Model {
     let mut random = Random(seed);
     let count = 1 + seed as usize % 2;
@@ -220,7 +221,7 @@ fn mechanism(seed: u64, unit: f64) -> Model {
     model
 }
 
-// Units that are powers of two change no digit.
+// Units that are powers of two do not change any digit.
 #[test]
 fn steps_do_not_depend_on_the_unit_of_length() {
     for seed in 1..=60 {
@@ -234,13 +235,13 @@ fn steps_do_not_depend_on_the_unit_of_length() {
         for (steps, end) in &found {
             let off = steps.abs_diff(found[1].0);
             assert!(100 * off <= found[1].0, "{seed}: {steps} {}", found[1].0);
-            // To the tolerance of a step where the last digits made another one.
+            // To the tolerance of a step if the last digits caused a different step.
             assert!((end - found[1].1).amax() < 1e-3, "{seed}: {end}");
         }
     }
 }
 
-/// A door of one node on two hinges of one line: nothing but arms tells of its size.
+/// A door of one node on two hinges of one line: only arms determine its size.
 fn door(unit: f64) -> Model {
     let center = unit * Vector3::new(0.5, 0.0, 0.5);
     let nodes = vec![node("door", center, Matrix3::identity())];
@@ -283,7 +284,7 @@ fn shares_of_redundant_constraints_do_not_depend_on_the_unit_of_length() {
     }
 }
 
-/// Energy of turning, by that at the start: the largest of a run of equal steps.
+/// Rotational energy, relative to the start: the largest of a run of equal steps.
 fn largest_energy(model: &Model, moments: [f64; 3], question: &TransientQuestion) -> f64 {
     let energy = |state: &State| {
         let node = &state.nodes[0];
@@ -305,7 +306,7 @@ fn turning(moments: [f64; 3], spin: Vector3<f64>) -> Model {
     model
 }
 
-/// Radii of both kinds of formula that are admitted.
+/// Permitted radii of both kinds of schemes.
 const RADII: [Scheme; 10] = [
     Scheme::ImplicitEuler,
     Scheme::CrankNicolson,
@@ -319,10 +320,10 @@ const RADII: [Scheme; 10] = [
     RADAU,
 ];
 
-// A symmetric top, 0.1 rad a step: what alternates from step to step must not grow. The
-// energy of the formulas goes with (omega h)^2, 1e-2; of (omega h)^3 of each of 5000 steps, 1e-3
-// each, the angular momentum keeps all but what turns the axis. Implicit Euler is of first order
-// and left out. The factor z + 1 fed 75 percent into it.
+// A symmetric top, 0.1 rad per step: alternating errors must not grow. The energy error of the
+// schemes is of the order (omega h)^2, 1e-2; of the errors (omega h)^3, 1e-3 in each of 5000 steps,
+// the conserved angular momentum permits only rotations of the axis. Implicit Euler is of first
+// order and omitted. The factor z + 1 increased the energy by 75 percent.
 #[test]
 fn a_free_top_gains_no_energy() {
     let moments = [4.0, 4.0, 7.0];
@@ -337,8 +338,8 @@ fn a_free_top_gains_no_energy() {
     }
 }
 
-// Steps of 0.05 rad: (omega h)^2 is 2.5e-3, four times that is allowed; of first order, the
-// energy only falls, but for the rotation that turns with the body: omega h in the run.
+// Steps of 0.05 rad: (omega h)^2 is 2.5e-3, and four times this is allowed; at first order, the
+// energy only falls, except for the rotation that turns with the body: omega h in the run.
 #[test]
 fn free_bodies_gain_no_energy_beyond_the_order_of_the_formula() {
     let mut random = Random(11);

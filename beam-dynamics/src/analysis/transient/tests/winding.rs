@@ -23,8 +23,8 @@ fn turning() -> Drive {
     })
 }
 
-/// A body with the moment of inertia `inertia` about z that starts at `speed`, against a body
-/// that practically stands still, or the frame.
+/// A body with the moment of inertia `inertia` about z that starts at `speed`, relative to a body
+/// practically at rest, or to the frame.
 fn model(inertia: f64, speed: f64, spring: impl Fn(&[Node]) -> Box<dyn Element>) -> Model {
     let nodes: Vec<_> = ["heavy", "turning"]
         .map(|label| node(label, Vector3::zeros(), Matrix3::identity()))
@@ -39,7 +39,7 @@ fn model(inertia: f64, speed: f64, spring: impl Fn(&[Node]) -> Box<dyn Element>)
     model
 }
 
-/// A hinge about z, relaxed at a given angle or at one that turns.
+/// A hinge about z, relaxed at a given or a turning angle.
 fn hinge(stiffness: f64, angle: Option<f64>) -> impl Fn(&[Node]) -> Box<dyn Element> {
     move |nodes| {
         let spring = HingeSpring {
@@ -71,7 +71,7 @@ fn spring(term: Term<3>) -> impl Fn(&[Node]) -> Box<dyn Element> {
     }
 }
 
-/// When the spring `coil` has turned by half a turn.
+/// Time at which the spring `coil` has turned by half a turn.
 fn wound_at(outcome: TransientOutcome) -> f64 {
     match outcome.failure {
         Some(TransientFailure::Wound { spring, time }) if spring == "coil" => time,
@@ -79,22 +79,22 @@ fn wound_at(outcome: TransientOutcome) -> f64 {
     }
 }
 
-// 13 rad are more than two turns. With J = 1 kg m^2 and k = 1000 N m a body that starts with
-// the relaxed angle stays with it.
+// 13 rad are more than two turns. With J = 1 kg m^2 and k = 1000 N m a body that starts with the
+// relaxed angle follows it.
 #[test]
 fn a_hinge_follows_its_relaxed_angle_over_turns() {
     let model = model(1.0, 5.0, hinge(1000.0, None));
     let (kept, outcome) = run(&model, &TransientQuestion::new(2.6, 0.01));
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
-    // In a step of 0.05 rad the rotation is that of its velocity to (0.05)^2 / 12 = 2e-4 of it.
+    // In a step of 0.05 rad the rotation agrees with its velocity to (0.05)^2 / 12 = 2e-4 of it.
     for state in &kept.states {
         let speed = state.nodes[1].angular_velocity.z;
         assert!((speed - 5.0).abs() < 2e-3, "{speed}");
     }
 }
 
-// A body that cannot follow: 5 t reaches half a turn at pi/5 = 0.628 s, and phi = k 5 t^3/(6 J)
-// = 2e-4 rad later by 4e-5 s; the first step of 0.01 s behind it ends at 0.63 s.
+// A body that cannot follow: 5 t reaches half a turn at pi/5 = 0.628 s, and phi = k 5 t^3/(6 J) =
+// 2e-4 rad later by 4e-5 s; the first step of 0.01 s after it ends at 0.63 s.
 #[test]
 fn a_hinge_that_cannot_follow_its_relaxed_angle_ends_the_run() {
     let model = model(1000.0, 0.0, hinge(1.0, None));
@@ -130,8 +130,8 @@ fn linear(stiffness: [f64; 3]) -> LawKind<3> {
     }
 }
 
-// The rotation vector of a spring jumps half a turn from the undeformed state, wherever its
-// prestrain is, and its moment with it: 5 t gets there at 0.628 s.
+// The rotation vector of a spring jumps half a turn from the undeformed state, for any prestrain,
+// and its moment with it: 5 t reaches it at 0.628 s.
 #[test]
 fn a_spring_that_follows_its_prestrain_ends_the_run_at_half_a_turn() {
     let coil = spring(Term {
@@ -163,7 +163,8 @@ fn a_prestress_about_a_free_axis_turns_on() {
         .map(|state| state.nodes[1].angular_velocity);
     let speed = last.map_or(f64::NAN, |speed| speed.z);
     assert!((speed - 10.5).abs() < 1e-6, "{speed}");
-    // About an axis across the free one it is not: it turns over with the rotation vector.
+    // About an axis across the free one it is not: the moment changes its sign with the rotation
+    // vector.
     let across = Term {
         prestress: driven([0.5, 0.0, 0.0], Drive::Constant(1.0)),
         kind: linear([300.0, 300.0, 0.0]),

@@ -1,5 +1,4 @@
-//! The evaluation points of a beam at a state: their forces on the nodes, and the derivatives of
-//! these.
+//! The evaluation points of a beam at a state: their forces on the nodes, with derivatives.
 
 use nalgebra::{Matrix6, RowVector6, Vector3, Vector6};
 
@@ -19,7 +18,7 @@ use crate::model::Variable;
 pub(super) struct At {
     pub kinematics: PointKinematics,
     pub now: Vector6<f64>,
-    /// Its rate, zero where the law does not resist it.
+    /// Its rate, zero if the law does not depend on it.
     pub rate: Vector6<f64>,
     /// Forces of the law and of the electrodes.
     pub response: Response<6>,
@@ -72,7 +71,7 @@ impl Beam {
         }
     }
 
-    /// Evaluation point number `place` of a variational beam.
+    /// Evaluation point of index `place` of a variational beam.
     fn place<'a>(&'a self, place: usize, point: &'a At) -> Place<'a> {
         Place {
             shape: &self.points[place].shape,
@@ -100,8 +99,8 @@ impl Beam {
         }
     }
 
-    /// Adds the derivatives of the forces on the nodes, for section forces with the given
-    /// slopes by the strain at both points.
+    /// Adds the derivatives of the forces on the nodes, for section forces with the given slopes
+    /// with respect to the strain at both points.
     pub(super) fn add_tangent(
         &self,
         (nodal, points): (&NodalKinematics, &[At; 2]),

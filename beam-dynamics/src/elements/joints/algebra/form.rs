@@ -1,7 +1,7 @@
-//! The forms of two ends that constraints hold.
+//! The forms of two ends, of which constraints consist.
 //!
-//! With d from the point of a to that of b, e a unit vector that turns with end k (or
-//! stands in the frame: then without the terms of `theta_k`), and l a length:
+//! With d from the point of a to the point of b, e a unit vector that turns with end k (or is fixed
+//! in the frame: then without the terms of `theta_k`), and l a length:
 //!
 //! ```text
 //!            Phi                g on x_b   on theta_b   on x_a   on theta_a     on theta_k
@@ -24,10 +24,10 @@ use shared_geom::rotation::skew;
 
 use super::{Ends, Part, Parts};
 
-/// What a direction turns with.
+/// Carrier of a direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::elements::joints) enum Carrier {
-    /// Nothing: it stands in the frame of the model.
+    /// Fixed in the frame of the model.
     Frame,
     /// End a.
     A,
@@ -49,11 +49,11 @@ impl Carrier {
 /// A form at a state: its vectors in the model's axes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::elements::joints) enum Form {
-    /// The distance of the points along a direction; the constraint holds it, or its rate.
+    /// The distance of the points along a direction; the constraint prescribes it, or its rate.
     Along {
         /// The direction e [-].
         axis: Vector3<f64>,
-        /// What it turns with.
+        /// Carrier of the direction.
         carrier: Carrier,
     },
     /// The cosine between two directions.
@@ -63,7 +63,7 @@ pub(in crate::elements::joints) enum Form {
         /// The direction on b [-].
         b: Vector3<f64>,
     },
-    /// How far the distance of the points is from a length.
+    /// The difference between the distance of the points and a length.
     Distance {
         /// The length l [m].
         length: f64,
@@ -72,13 +72,13 @@ pub(in crate::elements::joints) enum Form {
     Spin {
         /// The direction e [-].
         axis: Vector3<f64>,
-        /// What it turns with.
+        /// Carrier of the direction.
         carrier: Carrier,
     },
 }
 
 impl Form {
-    /// The form itself; zero for one of velocities.
+    /// The form itself; zero for forms of velocities.
     pub fn value(&self, ends: &Ends) -> f64 {
         let d = ends.between();
         match self {
@@ -112,12 +112,12 @@ impl Form {
         }
     }
 
-    /// Whether displacements belong to the form.
+    /// Whether the form depends on displacements.
     pub fn has_places(&self) -> bool {
         matches!(self, Self::Along { .. } | Self::Distance { .. })
     }
 
-    /// Hands the blocks of H to `add`; the same blocks at every state, some repeatedly.
+    /// Passes the blocks of H to `add`; the same blocks at every state, some repeatedly.
     pub fn hessian(&self, ends: &Ends, add: &mut impl FnMut(Part, Part, Matrix3<f64>)) {
         let d = ends.between();
         let [f_a, f_b] = [skew(&ends.a.arm), skew(&ends.b.arm)];

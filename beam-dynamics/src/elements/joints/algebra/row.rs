@@ -155,10 +155,24 @@ impl PlacedRow<'_> {
         }
     }
 
-    /// Adds constraint number `row` and its reactions.
-    pub fn residual(&self, row: usize, lambda: f64, out: &mut LocalResidual) {
-        out.add_constraint(row, self.value());
+    /// Adds constraint number `row` and its reactions to a residual, and where they are wanted
+    /// their derivatives to a Jacobian.
+    pub fn evaluate(
+        &self,
+        row: usize,
+        lambda: f64,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
         let reaction = self.reaction();
+        self.residual((row, lambda), &reaction, out);
+        if let Some(out) = jacobian {
+            self.jacobian((row, lambda), &reaction, out);
+        }
+    }
+
+    fn residual(&self, (row, lambda): (usize, f64), reaction: &Parts, out: &mut LocalResidual) {
+        out.add_constraint(row, self.value());
         self.each_part(|part, node| {
             let equation = if part.is_turn() { Moment } else { Force };
             out.add(node, equation, &(lambda * reaction[part as usize]));
@@ -166,8 +180,7 @@ impl PlacedRow<'_> {
     }
 
     /// Derivatives of [`Self::residual`].
-    pub fn jacobian(&self, row: usize, lambda: f64, out: &mut LocalJacobian) {
-        let reaction = self.reaction();
+    fn jacobian(&self, (row, lambda): (usize, f64), reaction: &Parts, out: &mut LocalJacobian) {
         self.each_part(|part, node| {
             let (equation, places, rates) = names(part);
             let reaction = reaction[part as usize];

@@ -28,7 +28,7 @@ pub(in crate::elements::joints) struct Turned {
 }
 
 impl Turned {
-    /// Axes that nothing turns.
+    /// Axes without a drive.
     pub fn fixed(axes: &Matrix3<f64>) -> Self {
         Self {
             axes: *axes,
@@ -88,8 +88,8 @@ fn ratios(x: f64) -> [f64; 3] {
 mod tests {
     use super::*;
 
-    // Central differences of the rotation over 1e-4 s: truncation 1e-8 times third
-    // derivatives, round-off 1e-16/1e-8 for the second: 1e-6 leaves both a factor.
+    // Central differences of the rotation over 1e-4 s: truncation 1e-8 times third derivatives,
+    // round-off 1e-16/1e-8 for the second: 1e-6 has a margin to both.
     #[test]
     fn spins_are_the_derivatives_of_the_axes_at_any_angle() {
         let axes = vector::to_rotation(&Vector3::new(0.3, -0.8, 0.5));

@@ -1,7 +1,7 @@
-//! What rows hold, and what their multipliers are, in words.
+//! Texts of the constraints and their multipliers.
 //!
-//! Axes a and b are those of the joint that move with its ends; x is the axis of a joint
-//! that has one. The undeformed axes stand in the frame.
+//! Axes a and b are the axes of the joint that move with its ends; x is the axis of a joint that
+//! has one. The undeformed axes are fixed in the frame.
 
 use super::{Carrier, Held};
 use crate::elements::ConstraintWords;
@@ -9,7 +9,7 @@ use crate::elements::ConstraintWords;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl Held {
-    /// The constraint and its multiplier in words.
+    /// The constraint and its multiplier, as text.
     pub fn words(self) -> ConstraintWords {
         let (held, unit, reaction, reaction_unit) = match self {
             Self::Along(carrier, axis) => {
@@ -66,7 +66,7 @@ fn axes(carrier: Carrier) -> &'static str {
     }
 }
 
-/// The axis across two axes that are kept at a right angle: the couple is about it.
+/// The axis across two axes constrained to a right angle: the couple is about it.
 fn third(a: usize, b: usize) -> Option<usize> {
     (a != b).then(|| 3 - a - b)
 }

@@ -1,4 +1,4 @@
-//! A joint in which what is driven by its velocity is held in its place.
+//! A joint whose driven velocities are replaced by held positions.
 
 use super::ConstraintJoint;
 use crate::elements::Level;
@@ -7,8 +7,8 @@ use crate::elements::joints::kinds::about;
 use crate::model::{Drive, Loading, NodeMotion, Scalars};
 
 impl ConstraintJoint {
-    /// The joint with constraints of places and attitudes, those at the state `nodes`, in the
-    /// place of those of velocities; `None` when it has none of these.
+    /// The joint with constraints of positions and attitudes, held at the state `nodes`, instead of
+    /// its constraints of velocities; `None` if it has no constraint of velocities.
     pub(super) fn without_velocities(&self, nodes: &[NodeMotion]) -> Option<Self> {
         if self.rows.iter().all(|row| row.level() == Level::Position) {
             return None;

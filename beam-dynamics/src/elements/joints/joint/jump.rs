@@ -1,4 +1,4 @@
-//! Where the drives of a joint jump in what they hold in place: no motion follows that.
+//! Jumps of positions or attitudes that the drives of a joint prescribe: no motion can follow them.
 
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
@@ -8,13 +8,12 @@ use crate::elements::joints::algebra::Held;
 use crate::elements::{Instant, PlaceJump};
 use crate::model::{DriveValue, Loading, Scalars};
 
-/// What the value of a drive differs by from one instant to the next beside its rate:
-/// round-off of it, and next to nothing [m, rad].
+/// Changes of the value of a drive between two instants, beyond its rate, that are ignored:
+/// relative (round-off) and absolute [m, rad].
 const ROUND_OFF: f64 = 1e-9;
 const NEXT_TO_NOTHING: f64 = 1e-12;
 
-/// Whether a number jumps between two instants `delay` \[s\] apart, and does not only
-/// change at its rate.
+/// Whether a number jumps between two instants `delay` \[s\] apart, beyond the change by its rate.
 fn jumps([from, to]: [DriveValue; 2], delay: f64) -> bool {
     let carried = 2.0 * delay * (from.rate.abs() + to.rate.abs());
     let round_off = ROUND_OFF * from.value.abs().max(to.value.abs());
@@ -22,7 +21,7 @@ fn jumps([from, to]: [DriveValue; 2], delay: f64) -> bool {
 }
 
 impl ConstraintJoint {
-    /// The first jump of a place or of an attitude between two instants.
+    /// The first jump of a position or of an attitude between two instants.
     pub(super) fn place_jump(
         &self,
         between: [&Loading; 2],
@@ -151,7 +150,7 @@ mod tests {
         let expected = "displacement along its x 0.000 -0.010 m";
         assert_eq!(slide(step(-0.01)).unwrap(), expected);
         assert_eq!(slide(ramp()), None);
-        // Of a velocity it is an impulse, and no jump of places.
+        // A jump of a velocity is an impulse, not a jump of positions.
         let speed = Some(Turning::Speed(step(1.0).into()));
         let wheel = ConstraintJoint::revolute("wheel", &ends, &at, speed);
         assert_eq!(told(&wheel), None);

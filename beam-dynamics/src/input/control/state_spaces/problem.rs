@@ -1,19 +1,19 @@
-//! What can be wrong with systems of states.
+//! Problems of systems of states.
 
 use shared_geom::error::Explain;
 
 /// A problem of a `[[state_space]]`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StateSpaceProblem {
-    /// The system is given in no way, or in several.
+    /// The system is not given, or in several ways.
     #[error("the system is given by {}, expected one way", in_words(.given))]
     Ways {
-        /// The ways that are there.
+        /// The ways found.
         given: Vec<&'static str>,
     },
     /// A transfer function between more than two signals.
     #[error(
-        "\"numerator\" and \"denominator\" lead from one input to one output, and there are {} \
+        "\"numerator\" and \"denominator\" connect one input and one output, and there are {} \
          inputs and {} outputs", .found[0], .found[1]
     )]
     NotSingle {
@@ -22,34 +22,34 @@ pub enum StateSpaceProblem {
     },
     /// A transfer function that grows with the frequency, or divides by zero.
     #[error(
-        "\"numerator\" has {} coefficients and \"denominator\" {}, expected no more than in the \
-         denominator, the first of which is not zero", .degrees[0], .degrees[1]
+        "\"numerator\" has {} coefficients and \"denominator\" {}, expected at most as many as in \
+         the denominator, the first of which is not zero", .degrees[0], .degrees[1]
     )]
     Improper {
         /// Numbers of coefficients.
         degrees: [usize; 2],
     },
-    /// Another number of starts than of states.
+    /// A number of initial values that differs from the number of states.
     #[error("\"start\" has {found} numbers, and the system {states} states")]
     Starts {
-        /// Numbers under the key.
+        /// Number of values under the key.
         found: usize,
-        /// States of the system.
+        /// Number of states of the system.
         states: usize,
     },
-    /// A system that samples has no rest of its own.
+    /// A system that samples, without an initial equilibrium.
     #[error("a system with \"sample_time\" starts from numbers, found \"settled\"")]
     Sampled,
-    /// A key of systems that sample.
-    #[error("\"{key}\" is of systems that sample, and there is no \"sample_time\"")]
+    /// A key for systems that sample.
+    #[error("\"{key}\" applies to systems that sample, but there is no \"sample_time\"")]
     NotSampled {
         /// The key.
         key: &'static str,
     },
-    /// A sample time that no run can take.
-    #[error("\"sample_time\" makes {samples:.1e} samples in the run, expected 1e8 at most")]
+    /// A sample time that is too short for a run.
+    #[error("\"sample_time\" gives {samples:.1e} samples in the run, expected at most 1e8")]
     ManySamples {
-        /// Samples of the run.
+        /// Number of samples of the run.
         samples: f64,
     },
     /// Two transfer functions between the same signals.
@@ -76,19 +76,19 @@ impl Explain for StateSpaceProblem {
             }
             Self::NotSingle { .. } => "write a [[state_space.transfer]] for each input and output",
             Self::Improper { .. } => {
-                "coefficients stand by falling powers of s; add a small time constant to the \
-                 denominator where the numerator differentiates"
+                "coefficients are in order of decreasing powers of s; add a small time constant \
+                 to the denominator if the numerator differentiates"
             }
             Self::Starts { .. } => "leave out \"start\" for zeros, or write start = \"settled\"",
             Self::Sampled => {
-                "give its states before the first sample, or leave out \"start\" for zeros"
+                "give numbers: the states before the first sample, or leave out \"start\" for zeros"
             }
             Self::NotSampled { .. } => "add \"sample_time\", or leave the key out",
             Self::ManySamples { .. } => {
                 "sample less often, or leave out \"sample_time\": a system of \
-                                         states of its own resolves what is quick"
+                                         continuous states resolves fast changes"
             }
-            Self::Doubled { .. } => "add both into one",
+            Self::Doubled { .. } => "add both in one",
         };
         Some(text.to_owned())
     }

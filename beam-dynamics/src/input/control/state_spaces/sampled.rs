@@ -6,16 +6,16 @@ use shared_geom::units::Dimension;
 use super::StateSpaceProblem;
 use crate::elements::control::{Limits, Sampling};
 
-/// Keys that only a system that samples has.
+/// Keys only for systems that sample.
 const KEYS: [&str; 4] = ["offset", "delay", "limits", "rate_limits"];
 
-/// Sample times below this part of an instant are lost in its digits.
+/// Sample times below this part of an instant are lost in round-off.
 const DISTINCT: f64 = 1e-9;
-/// Largest delay, in samples: that of a second at 100 kHz.
+/// Largest delay, in samples: one second at 100 kHz.
 const MOST_DELAY: f64 = 1e5;
 
-/// When a system samples, and the limits of its outputs; nothing of one that does not sample,
-/// and `None` when something is wrong.
+/// Sample times of a system, and the limits of its outputs; empty for one that does not
+/// sample, and `None` if something is wrong.
 #[expect(clippy::option_option, reason = "wrong, or absent, or there")]
 pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling, Vec<Limits>)>> {
     if !table.has("sample_time") {
@@ -47,14 +47,14 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
     if period < DISTINCT * offset.abs() {
         table.wrong(
             "offset",
-            "less than 1e9 sample times, as instants are no finer",
+            "less than 1e9 sample times, the resolution of instants",
         );
         return None;
     }
     Some(Some((sampling, limits?)))
 }
 
-/// Limits of so many outputs; `None` when something is wrong.
+/// Limits of `outputs` outputs; `None` if something is wrong.
 fn limits(table: &Table<'_>, outputs: usize) -> Option<Vec<Limits>> {
     let ranges = match table.has("limits") {
         false => Some(Vec::new()),
@@ -99,7 +99,7 @@ fn delay(table: &Table<'_>) -> Option<usize> {
     Some(number as usize)
 }
 
-/// A list of so many numbers.
+/// A list of `count` numbers.
 fn numbers(table: &Table<'_>, key: &str, count: usize) -> Option<Vec<f64>> {
     let numbers = table.quantities(key, Dimension::NUMBER)?;
     if numbers.len() != count {

@@ -1,4 +1,4 @@
-//! Rows of names with their lines, whose height is known before they are drawn.
+//! Rows of names with their lines; their height is known before drawing.
 
 use plotters::backend::DrawingBackend;
 use shared_geom::figure::{Canvas, FigureProblem, Label};
@@ -12,24 +12,24 @@ const ROW: f64 = 1.4 * SMALL;
 const SAMPLE: f64 = 70.0;
 /// Between line, name and next line \[figure pixels\].
 const GAPS: [f64; 2] = [14.0, 30.0];
-/// Width of a letter in its height, a wide one: what is wider still is cut off.
+/// Width of a letter relative to its height, a wide one: wider text is cut off.
 const LETTER: f64 = 0.64;
 
-/// Names in rows, each with the line it stands for.
+/// Names in rows, each with its line.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Legend {
-    /// Names; without a line where the name is that of all curves.
+    /// Names; without a line if the name applies to all curves.
     pub entries: Vec<(String, Option<Stroke>)>,
 }
 
 impl Legend {
-    /// Height in a figure that has `room` from left to right \[figure pixels\].
+    /// Height in a figure of width `room` \[figure pixels\].
     pub fn height(&self, room: f64) -> f64 {
         let last = self.places(room).last().copied();
         last.map_or(0.0, |[_, row]| (row + 1.0) * ROW)
     }
 
-    /// From where each entry begins \[figure pixels\], and its row.
+    /// Beginning of each entry \[figure pixels\], and its row.
     fn places(&self, room: f64) -> Vec<[f64; 2]> {
         let (mut x, mut row) = (0.0, 0.0);
         let mut places = Vec::new();
@@ -62,7 +62,7 @@ impl Legend {
                 rest -= SAMPLE + GAPS[0];
             }
             let label = Label::new(SMALL);
-            // A letter is not made shorter by dots.
+            // A single letter is not shortened by dots.
             let text = match name.chars().count() {
                 0 | 1 => name.clone(),
                 _ => canvas.shortened(name, label, rest),
@@ -73,7 +73,7 @@ impl Legend {
     }
 }
 
-/// Width of an entry without the gap behind it \[figure pixels\].
+/// Width of an entry without the gap after it \[figure pixels\].
 fn width((name, stroke): &(String, Option<Stroke>)) -> f64 {
     let letters = LETTER * SMALL * name.chars().count() as f64;
     letters + stroke.map_or(0.0, |_| SAMPLE + GAPS[0])

@@ -1,4 +1,4 @@
-//! Lines of curves: their strokes, and the few points that show all of a long one.
+//! Lines of curves: their strokes, and the reduced points of a long curve.
 
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;
@@ -8,25 +8,25 @@ use shared_geom::figure::{CATEGORIES, Canvas, FigureProblem};
 const WIDTH: f64 = 3.5;
 /// Colors before dashes begin: without the last one, a yellow that is faint on white.
 pub(super) const COLORS: usize = CATEGORIES.len() - 1;
-/// Runs that are told apart by tone and dashes.
+/// Number of runs that tone and dashes can distinguish.
 pub(super) const TONES: usize = 4;
 /// Lengths of dashes and gaps in turn \[figure pixels\].
 const DASHES: [&[f64]; 4] = [&[], &[20.0, 11.0], &[5.0, 9.0], &[20.0, 9.0, 5.0, 9.0]];
-/// Color of lines that stand for a run and no column.
+/// Color of lines that represent a run, not a column.
 const NO_COLUMN: RGBColor = RGBColor(120, 120, 120);
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stroke {
     color: RGBColor,
     /// \[figure pixels\].
     width: f64,
-    /// Dashes and gaps \[figure pixels\]; none of a full line.
+    /// Dashes and gaps \[figure pixels\]; none for a solid line.
     dashes: &'static [f64],
 }
 
 impl Stroke {
-    /// Of a thing among others: colors first, then dashes.
+    /// Line of one of several columns: colors first, then dashes.
     pub fn of_color(number: usize) -> Self {
         Self {
             color: CATEGORIES[number % COLORS],
@@ -35,8 +35,8 @@ impl Stroke {
         }
     }
 
-    /// Of run number `run` of `runs` whose colors tell them apart: earlier ones are broader,
-    /// so that a run that covers them leaves them to be seen.
+    /// Line of run `run` of `runs`, distinguished by colors: earlier ones are broader, so that they
+    /// remain visible below a later run that covers them.
     pub fn of_run(run: usize, runs: usize) -> Self {
         let above = match runs <= TONES {
             true => runs - 1 - run.min(runs - 1),
@@ -47,8 +47,8 @@ impl Stroke {
         Self { width, ..stroke }
     }
 
-    /// The same for run number `run` where color tells the columns: the first run is broad
-    /// and pale, so that those upon it are seen, and later ones are darker and dashed.
+    /// The same for run `run` if colors distinguish the columns: the first run is broad and pale,
+    /// so that later ones on top of it are visible, and later ones are darker and dashed.
     pub fn toned(self, run: usize) -> Self {
         let (part, toward, width, dashes) = match run {
             0 => (0.55, 255.0, 2.4 * WIDTH, 0),
@@ -68,7 +68,7 @@ impl Stroke {
         }
     }
 
-    /// Of run number `run`, whatever the column.
+    /// Line of run `run`, for any column.
     pub fn of_tone(run: usize) -> Self {
         let color = NO_COLUMN;
         Self {
@@ -78,7 +78,7 @@ impl Stroke {
         .toned(run)
     }
 
-    /// Draws the line through these places; a dot where there is one.
+    /// Draws the line through these positions; a dot for a single one.
     pub fn draw<B: DrawingBackend>(
         &self,
         canvas: &Canvas<B>,
@@ -125,11 +125,11 @@ fn dashed(places: &[[f64; 2]], pattern: &[f64]) -> Vec<Vec<[f64; 2]>> {
     dashes
 }
 
-/// Points of a curve that show all of it where the range `x` is `pixels` wide.
+/// Points of a curve that show all of it if the range `x` is `pixels` wide.
 ///
-/// Over what grows, these are of each pixel the first, the least, the largest and the last
-/// point, so that no peak is lost and no wave looks like a longer one; of a path, those
-/// that are half a pixel from the one before.
+/// Over an increasing quantity, these are the first, the least, the largest and the last point of
+/// each pixel, so that no peak is lost and no wave appears longer; for a path, the points at a
+/// distance of half a pixel from the one before.
 pub(super) fn thinned(points: &[[f64; 2]], x: [f64; 2], pixels: f64) -> Vec<[f64; 2]> {
     if points.len() as f64 <= pixels {
         return points.to_vec();
@@ -156,7 +156,7 @@ fn extremes(part: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
     places.into_iter().map(|place| part[place])
 }
 
-/// Points of a path that are `across` from the one before, or as much of its height.
+/// Points of a path that are `across` from the one before, or the same part of its height.
 fn spaced(points: &[[f64; 2]], across: f64, pixels: f64) -> Vec<[f64; 2]> {
     let values = || points.iter().map(|point| point[1]);
     let height = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);

@@ -1,11 +1,11 @@
-//! What runs are called in a figure: its title, and the names in the legend.
+//! Names of runs in a figure: its title, and the names in the legend.
 
 use std::path::Path;
 
 use crate::output::TimeTable;
 use crate::output::transient::table::stem;
 
-/// Models that a title names.
+/// Largest number of models in a title.
 const MOST_TITLES: usize = 3;
 
 /// The models of `tables`, each once.
@@ -24,8 +24,8 @@ pub(super) fn title(tables: &[TimeTable]) -> String {
     }
 }
 
-/// A name for each run: that of the file, with its ending or with so many folders as it
-/// takes to tell the runs apart.
+/// A name for each run: that of the file, with its ending or with as many folders as distinguish
+/// the runs.
 pub(super) fn runs(tables: &[TimeTable]) -> Vec<String> {
     let paths: Vec<_> = tables.iter().map(|table| Path::new(&table.file)).collect();
     let depth = paths.iter().map(|path| path.components().count()).max();
@@ -52,7 +52,7 @@ fn is_distinct(names: &[String]) -> bool {
     (0..names.len()).all(is_first)
 }
 
-/// The last folders above the file at `path`, without the one that all results are in.
+/// The last folders above the file at `path`, without the common folder of results.
 fn last_folders(path: &Path, count: usize) -> std::path::PathBuf {
     let parent = path.parent().unwrap_or(Path::new(""));
     let folders: Vec<_> = parent.components().collect();

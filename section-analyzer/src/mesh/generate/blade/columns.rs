@@ -1,7 +1,7 @@
-//! Places along the contour where cells begin and end.
+//! Positions along the contour at which cells begin and end.
 //!
-//! The length h(u) of the cells is what is asked for, less where the surface turns, and
-//! changes slowly; between two landmarks the places follow
+//! The length h(u) of the cells is the requested one, shorter if the surface turns, and
+//! changes slowly; between two landmarks the positions follow from
 //!
 //! ```text
 //! int_0^u du / h = i I / n ,      n = I rounded up ,      h = min(size, turn / b)
@@ -13,21 +13,21 @@ use super::Sizes;
 use super::contour::{Contour, Half};
 use super::problem::{BladeProblem, MOST_CELLS};
 
-/// Places at which the length of cells is looked at, on each surface.
+/// Number of positions on each surface at which the length of cells is evaluated.
 const SAMPLES: usize = 4000;
 /// Growth of the length of cells along the contour: 20 % from one to the next.
 const GROWTH: f64 = 0.2;
-/// Cells between two landmarks at least.
+/// Smallest number of cells between two landmarks.
 const LEAST: usize = 2;
 
-/// The places, in pairs.
+/// The positions, in pairs.
 #[derive(Debug)]
 pub(super) struct Columns {
     /// On the upper surface, from the trailing edge to the nose.
     pub upper: Vec<f64>,
     /// On the lower surface, in the same order.
     pub lower: Vec<f64>,
-    /// The place of each landmark.
+    /// The position of each landmark.
     pub landmarks: Vec<usize>,
 }
 
@@ -90,11 +90,11 @@ fn interpolated(x: &[f64], f: &[f64], at: f64) -> f64 {
 }
 
 impl Columns {
-    /// Between landmarks on the two surfaces, of which the first are the trailing edge and
-    /// the last the nose.
+    /// Columns between landmarks on the two surfaces; the first landmark is the trailing
+    /// edge and the last the nose.
     ///
     /// # Errors
-    /// Too many of them.
+    /// Too many cells.
     pub fn new(
         contour: &Contour,
         landmarks: &[[f64; 2]],
@@ -137,7 +137,7 @@ impl Columns {
         self.upper.len() - 1
     }
 
-    /// The place of a column on a surface.
+    /// The position of a column on a surface.
     pub fn at(&self, half: Half, column: usize) -> f64 {
         match half {
             Half::Upper => self.upper[column],

@@ -2,32 +2,32 @@
 //!
 //! The points of the airfoil, from the trailing edge over the upper surface and the nose
 //! to the trailing edge, become one cubic spline over the length u of the polygon through
-//! them; so run it is clockwise, with y toward the nose and z up. A surface at the depth h
-//! inside is
+//! them; in this order it is clockwise, with y toward the nose and z up. A surface at the
+//! depth h inside is
 //!
 //! ```text
 //! x(u, h) = P(u) + h m(u),      m = t x e_x (right of the tangent t),
 //! dx/du = (1 - b h) dP/du ,     b = (y'' z' - z'' y') / |P'|^3
 //! ```
 //!
-//! and it folds where the depth reaches the radius 1/b.
+//! and it folds if the depth reaches the radius 1/b.
 
 use shared_geom::spline::Spline;
 
 use super::super::super::distance;
 use super::problem::BladeProblem;
 
-/// Points that are repeated at both ends of a contour without a trailing edge.
+/// Number of points repeated at both ends of a contour without a trailing edge.
 const OVERLAP: usize = 8;
 /// Distance of the two ends, relative to the chord, below which they are one point.
 const SAME: f64 = 1e-6;
-/// Turn at a trailing edge below which there is none \[rad\]: 45 degrees.
+/// Turn at a trailing edge below which it is treated as smooth \[rad\]: 45 degrees.
 const SMOOTH: f64 = std::f64::consts::FRAC_PI_4;
-/// How far x/c may lie beyond 0 and 1 at the ends of an airfoil.
+/// Allowed excess of x/c beyond 0 and 1 at the ends of an airfoil.
 const LOOSE: f64 = 0.02;
-/// Halvings of an interval: to the last digit.
+/// Number of bisections of an interval: full precision.
 const HALVINGS: usize = 80;
-/// Places of the chord at which the thickness is looked at.
+/// Number of chordwise positions at which the thickness is evaluated.
 const LOOKS: usize = 100;
 
 /// One of the two halves of the contour.
@@ -42,7 +42,7 @@ pub(super) enum Half {
 impl Half {
     pub const BOTH: [Self; 2] = [Self::Upper, Self::Lower];
 
-    /// The word for it.
+    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Upper => "upper",
@@ -51,7 +51,7 @@ impl Half {
     }
 }
 
-/// What the contour has at its end.
+/// Shape of the contour at its rear end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Edge {
     /// Two corners and a straight line between them.
@@ -84,12 +84,12 @@ pub(super) struct Straight {
 }
 
 impl Contour {
-    /// The contour of an airfoil: `points` are (x/c, z/c), from the trailing edge over the
-    /// upper surface to the nose and back over the lower one. The origin of the section
-    /// lies at `origin` of the `chord`, and all behind `end` of it is cut off.
+    /// The contour of an airfoil: `points` are (x/c, z/c), from the trailing edge over
+    /// the upper surface to the nose and back over the lower one. The origin of the
+    /// section lies at `origin` of the `chord`, and everything behind `end` is cut off.
     ///
     /// # Errors
-    /// Everything that is wrong with the points.
+    /// All problems of the points.
     pub fn new(
         points: &[[f64; 2]],
         chord: f64,
@@ -141,7 +141,7 @@ impl Contour {
         Ok(contour)
     }
 
-    /// Ends the contour at a place of the chord.
+    /// Cuts the contour off at a chordwise position.
     fn cut(&mut self, end: f64) -> Result<(), Vec<BladeProblem>> {
         let at = |half| self.at_chord(half, end);
         match (at(Half::Upper), at(Half::Lower)) {
@@ -154,10 +154,10 @@ impl Contour {
         }
     }
 
-    /// Length along the polygon where the contour reaches farthest forward.
+    /// Length along the polygon to the foremost point of the contour.
     fn nose_in(&self, from: f64, to: f64) -> f64 {
         let slope = |u: f64| self.y.slope(self.y.interval(u), u);
-        // the foremost of many places, then the zero of the slope beside it
+        // the foremost of many points, then the zero of the slope next to it
         let place = |i: usize| from + (to - from) * i as f64 / 1000.0;
         let forward = |u: f64| self.y.value(self.y.interval(u), u);
         let foremost = (1..1000).max_by(|a, b| forward(place(*a)).total_cmp(&forward(place(*b))));
@@ -166,7 +166,7 @@ impl Contour {
         halve(bounds, slope).unwrap_or(place(foremost))
     }
 
-    /// What is at the trailing edge.
+    /// Shape of the trailing edge.
     pub(super) fn edge(&self) -> Edge {
         self.edge
     }
@@ -184,7 +184,7 @@ impl Contour {
         }
     }
 
-    /// A place of the contour.
+    /// A point of the contour.
     pub(super) fn place(&self, u: f64) -> [f64; 2] {
         let i = self.y.interval(u);
         [self.y.value(i, u), self.z.value(i, u)]
@@ -204,7 +204,7 @@ impl Contour {
         [z, -y]
     }
 
-    /// One over the radius, positive where the section is convex [1/unit of the mesh].
+    /// Curvature, positive if the section is convex [1/unit of the mesh].
     pub(super) fn bend(&self, u: f64) -> f64 {
         let i = self.y.interval(u);
         let [y, z] = [self.y.slope(i, u), self.z.slope(i, u)];
@@ -212,35 +212,37 @@ impl Contour {
         (ddy * z - ddz * y) / y.hypot(z).powi(3)
     }
 
-    /// The place at a depth below the contour.
+    /// The point at a depth below the contour.
     pub(super) fn offset(&self, u: f64, depth: f64) -> [f64; 2] {
         let (place, inward) = (self.place(u), self.inward(u));
         [0, 1].map(|i| place[i] + depth * inward[i])
     }
 
-    /// Part of the chord of a coordinate y.
+    /// Chordwise position of a coordinate y, as a fraction.
     pub(super) fn chord_part(&self, y: f64) -> f64 {
         self.origin - y / self.chord
     }
 
-    /// The coordinate y of a part of the chord.
+    /// The coordinate y of a chordwise fraction.
     pub(super) fn at_part(&self, part: f64) -> f64 {
         (self.origin - part) * self.chord
     }
 
-    /// Where a half has this part of the chord; `None` if it does not reach there.
+    /// Position on a half at this chordwise fraction; `None` if the half does not reach
+    /// it.
     pub(super) fn at_chord(&self, half: Half, part: f64) -> Option<f64> {
         let y = self.at_part(part);
         halve(self.range(half), |u| self.place(u)[0] - y)
     }
 
-    /// Where the surface at `depth` under a half lies `gap` inside of a straight line.
+    /// Position at which the surface at `depth` under a half lies `gap` inside of a
+    /// straight line.
     pub(super) fn meet(&self, half: Half, depth: f64, line: Straight, gap: f64) -> Option<f64> {
         halve(self.range(half), |u| {
             let place = self.offset(u, depth);
             let inside = [0, 1].map(|i| (place[i] - line.point[i]) * line.inward[i]);
             let off = inside[0] + inside[1] - gap;
-            // the line through an end meets it there, whatever round-off says
+            // the line through an end meets it there, regardless of round-off
             if off.abs() < 1e-12 * self.chord {
                 0.0
             } else {
@@ -249,8 +251,8 @@ impl Contour {
         })
     }
 
-    /// Where the surfaces at `depth` under both halves meet behind the nose; Newton's
-    /// method from where straight surfaces would.
+    /// Positions at which the surfaces at `depth` under both halves meet near the
+    /// trailing edge; Newton's method from the intersection of straight surfaces.
     pub(super) fn meet_other(&self, depth: f64) -> Option<[f64; 2]> {
         let [upper, _, lower] = self.ends;
         if depth == 0.0 {
@@ -285,13 +287,13 @@ impl Contour {
         None
     }
 
-    /// Thickness of the airfoil at a part of the chord [unit of the mesh].
+    /// Thickness of the airfoil at a chordwise fraction [unit of the mesh].
     pub(super) fn thickness(&self, part: f64) -> Option<f64> {
         let at = |half| self.at_chord(half, part).map(|u| self.place(u)[1]);
         Some(at(Half::Upper)? - at(Half::Lower)?)
     }
 
-    /// Part of the chord at which the contour ends.
+    /// Chordwise fraction at which the contour ends.
     pub(super) fn last_part(&self) -> f64 {
         let [upper, lower] = [self.ends[0], self.ends[2]].map(|u| self.place(u)[0]);
         self.chord_part(upper.max(lower))
@@ -312,7 +314,7 @@ impl Contour {
     }
 }
 
-/// The zero of a function between two places where its signs differ.
+/// The zero of a function between two positions at which its signs differ.
 pub(super) fn halve([mut a, mut b]: [f64; 2], f: impl Fn(f64) -> f64) -> Option<f64> {
     let (at_a, at_b) = (f(a), f(b));
     if at_a == 0.0 {
@@ -348,7 +350,7 @@ fn turn_at_end(places: &[[f64; 2]]) -> f64 {
     cross.atan2(dot).abs()
 }
 
-/// Whether the points can be an airfoil in the order that is asked for.
+/// Whether the points can be an airfoil in the required order.
 fn check(points: &[[f64; 2]]) -> Result<(), Vec<BladeProblem>> {
     const LEAST: usize = 9;
     if points.len() < LEAST {

@@ -1,9 +1,9 @@
 //! Cores: cells between an upper and a lower wall.
 //!
-//! Lines from the lower to the upper node of each column have as many cells as their length
-//! asks for, an even number, so that each has a node in its middle. Between two lines with
-//! as many cells are quadrilaterals, else triangles, above the middle the image of those
-//! below it:
+//! Lines from the lower to the upper node of each column have an even number of cells,
+//! determined by their length, so that each line has a node in its middle. Between two
+//! lines with equal numbers of cells are quadrilaterals, otherwise triangles, mirrored
+//! about the middle:
 //!
 //! ```text
 //!      *---*---*           *---*---*--.
@@ -16,18 +16,18 @@
 use super::super::super::distance;
 use super::grid::Grid;
 
-/// Height of a cell at most, in widths.
+/// Largest height of a cell, in widths.
 const SQUARE: f64 = 2.0;
 
-/// An even number of cells of about this size on a length.
+/// An even number of cells of about this size along a length.
 pub(super) fn even_cells(length: f64, size: f64) -> usize {
     2 * ((0.5 * length / size).round().clamp(1.0, 1e6) as usize)
 }
 
-/// The nodes of lines between two walls, from behind to the front, each from below.
+/// The nodes of lines between two walls, from the rear to the front, each upward.
 ///
 /// `walls` are the nodes of the columns on the upper and on the lower wall; `ends` the
-/// lines that are there already, at the first and the last column.
+/// existing lines at the first and the last column.
 pub(super) fn lines(
     grid: &mut Grid,
     walls: [&[u32]; 2],
@@ -41,7 +41,7 @@ pub(super) fn lines(
     let mut lines = vec![first_line];
     for column in 1..last {
         let (from, to) = (grid.place(lower[column]), grid.place(upper[column]));
-        // toward an end as few as it has
+        // toward an end the number decreases to the number of the end
         let near = (counts[0] + 2 * column).min(counts[1] + 2 * (last - column));
         let size = size.min(SQUARE * width(grid, walls, column));
         let count = even_cells(distance(from, to), size).min(near.max(2));
@@ -58,7 +58,7 @@ pub(super) fn lines(
     lines
 }
 
-/// Mean distance from a column to those beside it.
+/// Mean distance from a column to its neighbors.
 fn width(grid: &Grid, walls: [&[u32]; 2], column: usize) -> f64 {
     let middle = |column: usize| {
         let ends = walls.map(|wall| grid.place(wall[column])[0]);
@@ -67,7 +67,7 @@ fn width(grid: &Grid, walls: [&[u32]; 2], column: usize) -> f64 {
     0.5 * (middle(column + 1) - middle(column - 1)).abs()
 }
 
-/// The cells between two lines, of which the second lies ahead.
+/// The cells between two lines; the second lies ahead.
 pub(super) fn strip(grid: &mut Grid, behind: &[u32], ahead: &[u32], name: &[String]) {
     if behind.len() == ahead.len() {
         for (a, b) in behind.windows(2).zip(ahead.windows(2)) {
@@ -87,8 +87,8 @@ pub(super) fn strip(grid: &mut Grid, behind: &[u32], ahead: &[u32], name: &[Stri
     }
 }
 
-/// Triangles between two lines from the same end: of both the next node, in turn, each
-/// counterclockwise where the second line lies to the right.
+/// Triangles between two lines that start at the same end, using the next node of each in
+/// turn; counterclockwise if the second line lies to the right.
 fn triangles([behind, ahead]: [&[u32]; 2]) -> Vec<[u32; 3]> {
     let cells = [behind.len() - 1, ahead.len() - 1];
     let (mut i, mut j) = (0, 0);

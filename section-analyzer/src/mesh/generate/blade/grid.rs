@@ -1,8 +1,8 @@
-//! Nodes, cells and lines of a blade as they are made.
+//! Nodes, cells and lines of a blade during generation.
 //!
-//! Cells know their corners; the node in the middle of a side belongs to the two corners
-//! at its ends, so that cells on either side share it. It lies between them unless a wall
-//! has placed it on its curve.
+//! Cells contain their corners; the middle node of a side belongs to the two corners at
+//! its ends, so that cells on both sides share it. It lies at their midpoint unless a
+//! wall has moved it onto its curve.
 
 use std::collections::HashMap;
 
@@ -14,7 +14,7 @@ use super::super::super::jacobian::Jacobian;
 const CURVE: u8 = 1;
 const SURFACE: u8 = 2;
 
-/// A blade in the making.
+/// A blade during generation.
 #[derive(Debug, Default)]
 pub(super) struct Grid {
     places: Vec<[f64; 2]>,
@@ -31,19 +31,19 @@ impl Grid {
         self.places.len() as u32 - 1
     }
 
-    /// Where a node is.
+    /// The position of a node.
     pub fn place(&self, node: u32) -> [f64; 2] {
         self.places[node as usize]
     }
 
-    /// Places the middle between two nodes, unless it has its place already.
+    /// Sets the position of the middle node between two nodes, unless it is already set.
     pub fn middle(&mut self, a: u32, b: u32, place: [f64; 2]) {
         if a != b {
             self.middles.entry(key(a, b)).or_insert(place);
         }
     }
 
-    /// A cell with these corners, counterclockwise, of which two may be the same.
+    /// A cell with these corners, counterclockwise; two of them may be equal.
     pub fn cell(&mut self, corners: [u32; 4], names: &[String]) {
         let mut distinct: Vec<u32> = Vec::with_capacity(4);
         for corner in corners {
@@ -136,7 +136,7 @@ impl Grid {
             let sum = |nodes: &[u32], i: usize| -> f64 {
                 nodes.iter().map(|node| self.place(*node)[i]).sum()
             };
-            // where a cell with 8 nodes has its center
+            // the center of the corresponding cell with 8 nodes
             let center = [0, 1].map(|i| 0.5 * sum(&nodes[4..], i) - 0.25 * sum(&nodes[..4], i));
             nodes.push(self.node(center));
         }
@@ -170,7 +170,7 @@ fn key(a: u32, b: u32) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// The mesh with those nodes only that a cell has.
+/// The mesh with only the nodes that belong to cells.
 fn without_unused(mut mesh: Mesh) -> Mesh {
     let mut new = vec![None; mesh.nodes.len()];
     for cell in &mesh.cells {
@@ -203,7 +203,7 @@ fn without_unused(mut mesh: Mesh) -> Mesh {
     mesh
 }
 
-/// Cells whose Jacobian is not positive everywhere: their number, and the middle of the
+/// Cells whose Jacobian is not positive everywhere: their number, and the center of the
 /// first one.
 pub(super) fn folded(mesh: &Mesh) -> Option<(usize, [f64; 2])> {
     let jacobian = Jacobian::new();

@@ -1,8 +1,8 @@
-//! Plies as the mesh sees them: layers of cells along a closed way of intervals.
+//! Plies as layers of cells, along a closed path of intervals around a laminate.
 
 use super::{Ply, SparPly};
 
-/// A part of the way around a laminate.
+/// A part of the path around a laminate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     Upper,
@@ -20,7 +20,7 @@ pub(super) struct Layer {
     pub ply: usize,
     /// Thickness [unit of the mesh].
     pub thickness: f64,
-    /// Whether its outer and its inner face are those of the ply.
+    /// Whether its outer and its inner face are faces of the ply.
     pub faces: [bool; 2],
 }
 
@@ -43,19 +43,19 @@ pub(super) fn thickness(layers: &[Layer]) -> f64 {
     layers.iter().map(|layer| layer.thickness).sum()
 }
 
-/// What lies in a layer at an interval of the way.
+/// Content of a layer in an interval of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Content {
     /// The ply itself.
     Ply,
-    /// What takes its place.
+    /// The filler that replaces it.
     Filler,
     /// Nothing: the layer has no thickness.
     Nothing,
 }
 
 impl SparPly {
-    /// What lies in its layer on a part of the spar, at a place of the chord.
+    /// Content of its layer on a part of the spar, at a chordwise position.
     pub(super) fn content(&self, part: Part, at: f64) -> Content {
         let is_within = |range: [f64; 2]| range[0] < at && at < range[1];
         let is_there = match part {
@@ -72,7 +72,7 @@ impl SparPly {
     }
 }
 
-/// An interval of the way around a laminate.
+/// An interval of the path around a laminate.
 #[derive(Debug, Clone)]
 pub(super) struct Interval {
     pub part: Part,
@@ -81,7 +81,7 @@ pub(super) struct Interval {
 }
 
 /// Depths of the levels at a station between two intervals [unit of the mesh]: a layer
-/// that one of them does not have is without thickness at the station.
+/// that is missing in one of them has zero thickness at the station.
 pub(super) fn depths(layers: &[Layer], before: &Interval, behind: &Interval) -> Vec<f64> {
     let mut depths = vec![0.0];
     let mut depth = 0.0;

@@ -1,8 +1,8 @@
-//! Airfoils of NACA with four digits.
+//! Four-digit NACA airfoils.
 //!
 //! ```text
 //! z_t = 5 t (a0 sqrt(x) + a1 x + a2 x^2 + a3 x^3 + a4 x^4)
-//! z_c = m/p^2 (2 p x - x^2)  up to x = p,    m/(1-p)^2 (1 - 2 p + 2 p x - x^2)  behind it
+//! z_c = m/p^2 (2 p x - x^2)  up to x = p,    m/(1-p)^2 (1 - 2 p + 2 p x - x^2)  beyond
 //! (x, z) = (x -+ z_t sin f, z_c +- z_t cos f),      tan f = dz_c/dx
 //! ```
 //!
@@ -13,20 +13,20 @@ use std::f64::consts::PI;
 
 use super::problem::BladeProblem;
 
-/// Coefficients of the thickness; the last one leaves the trailing edge open by 0.252 % of
-/// the chord at a thickness of 12 %.
+/// Coefficients of the thickness; with the last one the trailing edge is open by 0.252 %
+/// of the chord at a thickness of 12 %.
 const OPEN: [f64; 5] = [0.2969, -0.1260, -0.3516, 0.2843, -0.1015];
 /// The last coefficient that closes it.
 const CLOSING: f64 = -0.1036;
-/// Points on each surface.
+/// Number of points on each surface.
 const POINTS: usize = 240;
 
-/// The points of an airfoil of NACA: (x/c, z/c) from the trailing edge over the upper
-/// surface to the nose and back over the lower one. `is_closed` takes the last coefficient
-/// of the thickness so that the trailing edge is sharp.
+/// The points of a NACA airfoil: (x/c, z/c) from the trailing edge over the upper surface
+/// to the nose and back over the lower one. With `is_closed` the last coefficient of the
+/// thickness gives a sharp trailing edge.
 ///
 /// # Errors
-/// Digits that name no airfoil.
+/// Digits that are not an airfoil.
 pub fn naca(digits: &str, is_closed: bool) -> Result<Vec<[f64; 2]>, BladeProblem> {
     let digit = |letter: char| letter.to_digit(10).map(f64::from);
     let found: Option<Vec<f64>> = digits.chars().map(digit).collect();
@@ -44,7 +44,7 @@ pub fn naca(digits: &str, is_closed: bool) -> Result<Vec<[f64; 2]>, BladeProblem
     }
     if (m > 0.0) != (p > 0.0) {
         return Err(wrong(
-            "both of the first two digits, camber and its place, or neither",
+            "both of the first two digits, camber and its position, or neither",
         ));
     }
     let mut a = OPEN;

@@ -1,24 +1,24 @@
-//! What can be wrong with a blade section that is to be meshed.
+//! Problems of blade sections to be meshed.
 
 use shared_geom::error::Explain;
 
 use super::super::super::short;
 
-/// Cells of a section at most: far beyond what one needs.
+/// Largest number of cells of a section: far beyond any need.
 pub(super) const MOST_CELLS: usize = 400_000;
 
-/// The part of the input that a problem is about.
+/// The part of the input with the problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BladePart {
-    /// Shape and place of the airfoil.
+    /// Shape and position of the airfoil.
     Airfoil,
     /// The skin.
     Skin,
     /// The plies of the spar.
     Spar,
-    /// The web in front.
+    /// The front web.
     FrontWeb,
-    /// The web behind.
+    /// The rear web.
     RearWeb,
     /// A ply of the spar: its number, outermost first.
     Ply(usize),
@@ -31,12 +31,12 @@ pub enum BladePart {
 /// A blade section that cannot be meshed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BladeProblem {
-    /// Digits that name no airfoil.
-    #[error("\"{found}\" is no airfoil of NACA: expected {why}")]
+    /// Digits that are not an airfoil.
+    #[error("\"{found}\" is not a NACA airfoil: expected {why}")]
     Naca {
         /// The digits.
         found: String,
-        /// What is expected of them.
+        /// Description of the expected digits.
         why: &'static str,
     },
     /// Too few points for a curve.
@@ -47,7 +47,7 @@ pub enum BladeProblem {
         /// The smallest number.
         least: usize,
     },
-    /// Points that are no parts of the chord.
+    /// Points that are not fractions of the chord.
     #[error("the x of the airfoil run from {} to {}, expected 0 at the nose to 1 at the trailing edge", short(*.low), short(*.high))]
     Range {
         /// The least x/c [-].
@@ -66,33 +66,33 @@ pub enum BladeProblem {
     /// A point twice in a row.
     #[error("point {number} of the airfoil is the same as the one before it")]
     Doubled {
-        /// Its number, from one.
+        /// Its index, from one.
         number: usize,
     },
-    /// Points that run the other way.
+    /// Points in the opposite order.
     #[error("the points of the airfoil run over the lower surface first")]
     LowerFirst,
     /// Surfaces that cross.
     #[error("the upper surface of the airfoil lies on or below the lower one at x/c = {}", short(*.part))]
     Crossed {
-        /// Where [-].
+        /// Chordwise position [-].
         part: f64,
     },
-    /// An end that is not behind the thickest place of the airfoil.
-    #[error("the airfoil cannot end at x/c = {}: both surfaces do not pass there", short(*.end))]
+    /// An end ahead of the thickest point of the airfoil.
+    #[error("the airfoil cannot end at x/c = {}: both surfaces do not reach it", short(*.end))]
     End {
         /// Part of the chord [-].
         end: f64,
     },
     /// A web outside of the airfoil.
-    #[error("there is no room for a web at x/c = {} inside of the skin", short(*.part))]
+    #[error("there is no space for a web at x/c = {} inside of the skin", short(*.part))]
     WebOutside {
-        /// Which one.
+        /// The web.
         web: BladePart,
         /// Part of the chord [-].
         part: f64,
     },
-    /// Webs that change places.
+    /// A front web behind the rear web.
     #[error("the front web at x/c = {} is not ahead of the rear one at x/c = {}", short(*.front), short(*.rear))]
     WebOrder {
         /// Part of the chord of the front web [-].
@@ -101,71 +101,71 @@ pub enum BladeProblem {
         rear: f64,
     },
     /// A web that shares no ply with the walls.
-    #[error("no ply goes from the {} into the {surface} surface: the web would be joined to it along an edge only", web_name(*.web))]
+    #[error("no ply continues from the {} into the {surface} surface: the web would be joined to it along an edge only", web_name(*.web))]
     WebLoose {
-        /// Which one.
+        /// The web.
         web: BladePart,
         /// `upper` or `lower`.
         surface: &'static str,
     },
     /// A web whose plies fill the spar along the chord.
-    #[error("the plies of the {} take {} of the {} surface of the spar, which is {} long", web_name(*.web), short(*.thickness), .surface, short(*.room))]
+    #[error("the plies of the {} need {} of the {} surface of the spar, which is {} long", web_name(*.web), short(*.thickness), .surface, short(*.room))]
     WebThick {
-        /// Which one.
+        /// The web.
         web: BladePart,
         /// `upper` or `lower`.
         surface: &'static str,
-        /// What the plies take of the surface [unit of the mesh].
+        /// Required length of the surface [unit of the mesh].
         thickness: f64,
-        /// What there is for them [unit of the mesh].
+        /// Available length [unit of the mesh].
         room: f64,
     },
-    /// A ply where there is no spar.
-    #[error("ply \"{ply}\" runs from x/c = {} to {}, expected a part from front to rear of the spar, x/c = {} to {}", short(.range[0]), short(.range[1]), short(.spar[0]), short(.spar[1]))]
+    /// A ply outside of the spar.
+    #[error("ply \"{ply}\" runs from x/c = {} to {}, expected a range within the spar, x/c = {} to {}", short(.range[0]), short(.range[1]), short(.spar[0]), short(.spar[1]))]
     PlyRange {
         /// Its number, outermost first.
         number: usize,
-        /// What it is called.
+        /// Its name.
         ply: String,
-        /// From where to where [-].
+        /// Its chordwise range [-].
         range: [f64; 2],
-        /// From where to where the spar runs [-].
+        /// The chordwise range of the spar [-].
         spar: [f64; 2],
     },
     /// A mass that does not end ahead of the spar's rear or of the front web.
     #[error("the nose mass reaches back to x/c = {}, expected between 0 and {}", short(*.to), short(*.most))]
     NoseMass {
-        /// Where it ends [-].
+        /// Its end [-].
         to: f64,
-        /// Where the room in the nose ends [-].
+        /// End of the space in the nose [-].
         most: f64,
     },
-    /// Plies that are thicker than the radius of the surface.
+    /// Plies thicker than the radius of the surface.
     #[error("the plies are {} thick at x/c = {} of the {} surface, where its radius is {}: their inner face would fold", short(*.thickness), short(*.part), .surface, short(*.radius))]
     Tight {
-        /// What they belong to.
+        /// The part that they belong to.
         about: BladePart,
         /// `upper` or `lower`.
         surface: &'static str,
-        /// Where [-].
+        /// Chordwise position [-].
         part: f64,
         /// Their thickness there [unit of the mesh].
         thickness: f64,
         /// Radius of the surface [unit of the mesh].
         radius: f64,
     },
-    /// Plies of both surfaces that run into each other.
-    #[error("the plies of both surfaces run into each other at x/c = {}: {} thick together, in a section {} thick there", short(*.part), short(*.thickness), short(*.room))]
+    /// Plies of both surfaces that intersect.
+    #[error("the plies of both surfaces intersect at x/c = {}: {} thick together, in a section {} thick there", short(*.part), short(*.thickness), short(*.room))]
     Collision {
-        /// What they belong to.
+        /// The part that they belong to.
         about: BladePart,
-        /// Where [-].
+        /// Chordwise position [-].
         part: f64,
         /// Thickness of the plies of both surfaces [unit of the mesh].
         thickness: f64,
         /// Thickness of the airfoil [unit of the mesh].
         room: f64,
-        /// The part of the chord ahead of which they do not [-].
+        /// The chordwise position ahead of which they fit [-].
         ahead: Option<f64>,
     },
     /// A skin that cannot be closed at the trailing edge.
@@ -175,7 +175,7 @@ pub enum BladeProblem {
         thickness: f64,
         /// Thickness of the trailing edge [unit of the mesh].
         edge: f64,
-        /// The part of the chord ahead of which there is room for it [-].
+        /// The chordwise position ahead of which there is enough space [-].
         ahead: Option<f64>,
     },
     /// Too many cells.
@@ -187,11 +187,11 @@ pub enum BladeProblem {
     /// Cells that fold.
     #[error("{count} cells fold, the first one at x/c = {}, ({}, {})", short(*.part), short(.place[0]), short(.place[1]))]
     Folded {
-        /// How many.
+        /// Their number.
         count: usize,
-        /// Where the first one is [-].
+        /// Chordwise position of the first one [-].
         part: f64,
-        /// Its middle [unit of the mesh].
+        /// Its center [unit of the mesh].
         place: [f64; 2],
     },
 }
@@ -204,7 +204,7 @@ fn web_name(web: BladePart) -> &'static str {
 }
 
 impl BladeProblem {
-    /// The part of the input that it is about.
+    /// The part of the input with the problem.
     pub fn about(&self) -> BladePart {
         match self {
             Self::WebOutside { web, .. }
@@ -224,17 +224,18 @@ impl BladeProblem {
 impl Explain for BladeProblem {
     fn help(&self) -> Option<String> {
         let help = match self {
-            Self::Range { .. } => "coordinates are parts of the chord: divide them by it",
+            Self::Range { .. } => "coordinates are fractions of the chord: divide them by it",
             Self::Order { .. } => {
-                "list the points from the trailing edge over the upper surface to the nose and back \
-                 over the lower one; a file that has both surfaces from the nose on must have the \
-                 upper one turned around"
+                "list the points from the trailing edge over the upper surface to the nose and \
+                 back over the lower one; in a file with both surfaces from the nose on, reverse \
+                 the upper surface"
             }
             Self::Doubled { .. } => "remove one of the two",
-            Self::LowerFirst => "turn the list around, so that the upper surface comes first",
+            Self::LowerFirst => "reverse the list, so that the upper surface comes first",
             Self::WebLoose { .. } => {
-                "let a ply of the web go on along the surface, all of it or a part: a flange on = \
-                 [\"upper\", \"lower\", \"rear_web\"] with \"from\"; or give a ply a \"filler\""
+                "let a ply of the web continue along the surface, all of it or a part: a flange \
+                 on = [\"upper\", \"lower\", \"rear_web\"] with \"from\"; or give a ply a \
+                 \"filler\""
             }
             Self::WebThick { .. } => "thinner plies in the web, or a longer spar",
             Self::Tight {
@@ -242,7 +243,7 @@ impl Explain for BladeProblem {
                 ..
             } => "a thinner skin, or an airfoil with a rounder nose",
             Self::Tight { .. } => {
-                "plies that end ahead of the nose (\"from\", without \"filler\") leave room there"
+                "plies that end ahead of the nose (\"from\", without \"filler\") leave space there"
             }
             Self::Collision {
                 ahead: Some(ahead), ..
@@ -250,8 +251,8 @@ impl Explain for BladeProblem {
             | Self::EdgeThick {
                 ahead: Some(ahead), ..
             } => return Some(room_ahead(*ahead)),
-            Self::Collision { .. } => "thinner plies, or plies that end before",
-            Self::EdgeThick { .. } => "closure = \"open\" leaves the skin without a wall there",
+            Self::Collision { .. } => "thinner plies, or plies that end ahead of it",
+            Self::EdgeThick { .. } => "closure = \"open\" gives a skin without a wall there",
             Self::TooManyCells { .. } => "larger cells: [mesh] size",
             Self::Folded { .. } => {
                 "smaller cells ([mesh] size), or thinner plies at the corner there"
@@ -263,9 +264,9 @@ impl Explain for BladeProblem {
 }
 
 fn room_ahead(part: f64) -> String {
-    // rounded to where there is room without doubt
+    // rounded, with a margin
     let part = (part * 1000.0).floor() / 1000.0;
     format!(
-        "there is room for them ahead of x/c = {part}: [airfoil] end = {part} cuts the blade off there"
+        "there is enough space ahead of x/c = {part}: [airfoil] end = {part} cuts the blade off there"
     )
 }

@@ -10,9 +10,10 @@ use super::layers::{Content, Interval, Layer, Part};
 use super::problem::{BladePart, BladeProblem};
 use super::walls::{Shift, Station, Wall, moved, nodes, part_of};
 
-/// Part of the surface behind the rear web that a corner at the trailing edge may move.
+/// Fraction of the surface behind the rear web in which nodes move with a corner at the
+/// trailing edge.
 const MOST: f64 = 0.5;
-/// Part of that which it may take.
+/// Fraction of this length that the corner itself may use.
 const FULL: f64 = 0.6;
 /// Least thickness of a trailing edge with a wall, in thicknesses of the skin.
 const LEAST_EDGE: f64 = 2.2;
@@ -22,7 +23,7 @@ const LEAST_EDGE: f64 = 2.2;
 pub(super) struct Skin {
     /// Nodes of the columns: on the upper and the lower surface.
     pub inner: [Vec<u32>; 2],
-    /// Nodes of the line that closes the section behind, from below.
+    /// Nodes of the line that closes the section at the rear, upward.
     pub edge: Vec<u32>,
 }
 
@@ -93,7 +94,7 @@ fn part_name(part: Part) -> &'static str {
     }
 }
 
-/// The stations of both surfaces, but for the last one of the lower surface.
+/// The stations of both surfaces, except the last one of the lower surface.
 fn stations(
     blade: &Blade,
     columns: &Columns,
@@ -128,8 +129,8 @@ fn station(
     }
 }
 
-/// The stations of the wall at a blunt trailing edge, behind those of the surfaces; gives
-/// its inner nodes, from below.
+/// The stations of the wall at a blunt trailing edge, after the stations of the surfaces;
+/// returns its inner nodes, upward.
 fn close(grid: &mut Grid, stations: &mut Vec<Station>, depths: &[f64], blade: &Blade) -> Vec<u32> {
     let last = depths.len() - 1;
     let (from, to) = (stations[stations.len() - 1].clone(), stations[0].clone());
@@ -155,7 +156,7 @@ fn close(grid: &mut Grid, stations: &mut Vec<Station>, depths: &[f64], blade: &B
     inner
 }
 
-/// What the trailing edge moves on the two surfaces.
+/// Shifts of the two surfaces due to the trailing edge.
 fn closing(
     blade: &Blade,
     columns: &Columns,
@@ -183,7 +184,7 @@ fn closing(
     }
     let line = Straight {
         point: lower,
-        // right of the way from below
+        // right of the upward direction
         inward: [(upper[1] - lower[1]) / width, (lower[0] - upper[0]) / width],
     };
     let places = depths.iter().map(|&depth| match is_blunt {
@@ -217,7 +218,7 @@ fn closing(
 }
 
 impl Blade {
-    /// The part of the chord ahead of which the airfoil is thicker than this.
+    /// The chordwise position ahead of which the airfoil is thicker than `needed`.
     pub(super) fn room_ahead(&self, needed: f64) -> Option<f64> {
         let last = self.contour.last_part();
         let parts = (1..500).map(|i| last * (1.0 - i as f64 / 500.0));

@@ -21,12 +21,12 @@ use super::skin::Skin;
 use super::walls::{Shift, Station, Wall, moved, nodes, part_of};
 use super::{Spar, SparPly};
 
-/// Part of the surface of a spar that a web may take at its end.
+/// Fraction of the surface of a spar that a web may use at its end.
 const MOST: f64 = 0.45;
-/// Part of the surface of a spar in which nodes may move with a corner.
+/// Fraction of the surface of a spar in which nodes may move with a corner.
 const ROOM: f64 = 0.9;
 
-/// Where a web meets the surfaces.
+/// Intersection of a web with the surfaces.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WebAt {
     pub web: BladePart,
@@ -36,28 +36,28 @@ pub(super) struct WebAt {
     pub column: usize,
 }
 
-/// What is inside of the spar and at the outer faces of its webs.
+/// Nodes of the inner face of the spar and of the outer faces of its webs.
 #[derive(Debug)]
 pub(super) struct Inside {
     /// Nodes of the inner face: upper and lower, from the rear web to the front.
     pub inner: [Vec<u32>; 2],
-    /// Nodes of the inner faces of the rear and the front web, from below; without a
-    /// front web the nose.
+    /// Nodes of the inner faces of the rear and the front web, upward; without a front
+    /// web the nose.
     pub webs: [Vec<u32>; 2],
-    /// Nodes of the outer faces of the rear and the front web, from below.
+    /// Nodes of the outer faces of the rear and the front web, upward.
     pub outer: [Vec<u32>; 2],
 }
 
-/// A place on the way around the spar.
+/// A position on the path around the spar.
 #[derive(Debug, Clone, Copy)]
 enum Stop {
     Wall(Half, usize),
     Corner(Half, usize),
-    /// The web, and the part of the way from its lower to its upper end.
+    /// A web, and the fraction of the distance from its lower to its upper end.
     Web(usize, f64),
 }
 
-/// The spar as it is made.
+/// The spar during generation.
 struct Making<'a> {
     blade: &'a Blade,
     spar: &'a Spar,
@@ -101,7 +101,7 @@ pub(super) fn build(
 }
 
 impl Making<'_> {
-    /// Sets the stops, what lies between them, and how deep the levels are at each.
+    /// Sets the stops, the contents between them, and the depths of the levels at each.
     fn go_around(&mut self, grid: &Grid) {
         let rear = self.webs[0].column;
         let nose = self.columns.nose();
@@ -144,7 +144,7 @@ impl Making<'_> {
         self.stops = stops;
     }
 
-    /// What lies between two stops.
+    /// Contents between two stops.
     fn interval(&self, from: Stop, to: Stop) -> Interval {
         let contour = &self.blade.contour;
         let (part, at) = match (from, to) {
@@ -173,8 +173,8 @@ impl Making<'_> {
         }
     }
 
-    /// The surface on which a stop lies, and where; that of the web's lower end for one on
-    /// a web.
+    /// The surface of a stop, and its position on it; for a stop on a web, the lower end
+    /// of the web.
     fn place(&self, stop: Stop) -> (Half, f64) {
         let (half, column) = match stop {
             Stop::Wall(half, column) => (half, column),
@@ -184,7 +184,7 @@ impl Making<'_> {
         (half, self.columns.at(half, column))
     }
 
-    /// Whether some surface would fold.
+    /// Checks that no surface folds.
     fn check_radii(&self) -> Result<(), Vec<BladeProblem>> {
         let on_walls = self.stops.iter().zip(&self.depths);
         let places = on_walls.filter_map(|(stop, depths)| match stop {
@@ -215,7 +215,7 @@ impl Making<'_> {
         for pass in 0..2 {
             for (index, stop) in self.stops.iter().enumerate() {
                 match stop {
-                    // between corners, which come first
+                    // needs the corners, which are made in the first pass
                     Stop::Web(web, part) if pass == 1 => {
                         let place = self.on_web(grid, &stations, index, (*web, *part));
                         stations[index] = place;
@@ -234,7 +234,7 @@ impl Making<'_> {
         Ok(stations)
     }
 
-    /// What a corner moves.
+    /// Shift of the levels due to a corner.
     fn shift(&self, half: Half, web: usize, depths: &[f64]) -> Result<Shift, BladeProblem> {
         let contour = &self.blade.contour;
         let (own, columns) = (&self.webs[web], self.columns);
@@ -260,7 +260,7 @@ impl Making<'_> {
         let Some(mut places) = places else {
             return Err(thick(depths[depths.len() - 1]));
         };
-        // the outer face is that of the skin
+        // the outer face is the inner face of the skin
         places[0] = at;
         let shift = Shift::new(at, &places, ROOM * room);
         match shift.most() > MOST * room {
@@ -388,7 +388,7 @@ impl Making<'_> {
 }
 
 impl SparPly {
-    /// The name of what lies in its layer, and whether its faces are curves.
+    /// The name of the content of its layer, and whether its faces are curves.
     fn named(&self, content: Content) -> (String, bool) {
         match (content, &self.filler) {
             (Content::Filler, Some(filler)) => (filler.clone(), false),

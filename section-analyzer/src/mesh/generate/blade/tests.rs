@@ -21,7 +21,7 @@ fn ply(name: &str, thickness: f64) -> Ply {
     }
 }
 
-/// A ply all around the spar.
+/// A ply around the whole spar.
 fn around(name: &str, thickness: f64) -> SparPly {
     let all = Some([f64::NEG_INFINITY, f64::INFINITY]);
     SparPly {
@@ -46,7 +46,7 @@ fn skin(digits: &str, is_sharp: bool) -> Blade {
     }
 }
 
-/// A skin on a box-spar, all filled.
+/// A skin on a box-spar, completely filled.
 fn full(digits: &str) -> Blade {
     Blade {
         spar: Some(Spar {
@@ -123,14 +123,14 @@ fn is_sound(mesh: &Mesh) -> bool {
     SectionMesh::from_mesh(mesh, 1.0, &Place::file("test")).is_ok()
 }
 
-/// A strip inside of a convex contour of perimeter P has the area
+/// The area of a strip inside of a convex contour of perimeter P is
 ///
 /// ```text
 /// A = P t - t^2 (pi - sum theta/2 + sum tan(theta/2))
 /// ```
 /// with the turns theta of its corners: the smooth rest turns by 2 pi - sum theta, and a
-/// mitred corner takes t^2 tan(theta/2). The polygon of 480 points is shorter than the
-/// contour by 1e-5, and the cells, parabolas of 12 degrees, deviate less.
+/// mitred corner removes t^2 tan(theta/2). The polygon of 480 points is shorter than the
+/// contour by 1e-5, and the error of the cells, parabolas of 12 degrees, is smaller.
 #[test]
 fn the_skin_has_the_area_of_a_strip_with_mitred_corners() {
     for (digits, is_sharp) in [("0012", false), ("0012", true), ("0030", false)] {
@@ -140,7 +140,7 @@ fn the_skin_has_the_area_of_a_strip_with_mitred_corners() {
         let perimeter: f64 = pairs.map(|(a, b)| distance(*a, *b)).sum();
         let last = points.len() - 1;
         let slope = (points[0][1] - points[1][1]).atan2(points[0][0] - points[1][0]);
-        // direction into the trailing edge above, seen from the chord
+        // direction into the trailing edge on the upper surface, relative to the chord
         let dip = PI - slope.abs();
         let turns = match is_sharp {
             true => vec![PI - 2.0 * dip],
@@ -158,7 +158,8 @@ fn the_skin_has_the_area_of_a_strip_with_mitred_corners() {
     }
 }
 
-/// All that is filled is the airfoil: its polygon lacks 1e-5 of the area.
+/// A completely filled section has the area of the airfoil: its polygon is smaller by
+/// 1e-5.
 #[test]
 fn filled_blades_have_the_area_of_the_airfoil() {
     for digits in ["0015", "4415"] {
@@ -189,8 +190,8 @@ fn depth(place: [f64; 2], contour: &[[f64; 2]]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Every corner of every cell of a wall lies at the depth of a face of its ply, the inner
-/// corners of the spar at that of both walls.
+/// Every corner of every cell of a wall lies at the depth of a face of its ply; the inner
+/// corners of the spar are at the depth of both walls.
 #[test]
 fn plies_keep_their_thickness_up_to_the_mitre() {
     let blade = d_spar();
@@ -223,7 +224,7 @@ fn plies_keep_their_thickness_up_to_the_mitre() {
     assert!(is_sound(&mesh));
 }
 
-/// The image of a symmetric blade is the blade: nodes and cells.
+/// The mirror image of a symmetric blade equals the blade: nodes and cells.
 #[test]
 fn symmetric_airfoils_have_symmetric_meshes() {
     let mut blade = full("0015");
@@ -271,8 +272,8 @@ fn every_kind_of_cell_and_every_edge_gives_a_sound_mesh() {
     assert!(sizes[0] < sizes[1] && sizes[1] < sizes[2], "{sizes:?}");
 }
 
-/// A ply that ends tapers over one cell: its area is that of its middle, half a cell
-/// shorter at either end.
+/// A ply that ends tapers over one cell: its area equals the area of a ply shortened by
+/// half a cell at each end.
 #[test]
 fn plies_end_where_they_are_told_to() {
     let mut blade = d_spar();
@@ -304,7 +305,7 @@ fn plies_end_where_they_are_told_to() {
     }
 }
 
-/// The curves run clockwise, so that the left of each line points out of the section.
+/// The curves run clockwise, so that the left of each line is outside of the section.
 #[test]
 fn curves_run_clockwise() {
     let mesh = full("0015").generate().unwrap();
@@ -378,8 +379,8 @@ fn what_does_not_fit_is_told_where() {
     ));
 }
 
-/// Ordinates of NACA Report 460, in percent of the chord with three decimals: 0012 at 30 %
-/// and at the trailing edge, 4412 near its highest place at 40 %.
+/// Ordinates of NACA Report 460, in percent of the chord with three decimals: 0012 at
+/// 30 % and at the trailing edge, 4412 near its highest point at 40 %.
 #[test]
 fn airfoils_are_those_of_the_report() {
     let at = |digits: &str, is_closed: bool, half: Half, part: f64| {

@@ -1,4 +1,4 @@
-//! Sections of blades as they are asked for.
+//! Sections of blades as requested.
 
 use std::f64::consts::PI;
 
@@ -13,12 +13,12 @@ pub struct Blade {
     pub contour: Contour,
     /// Plies of the skin, from the outside in.
     pub skin: Vec<Ply>,
-    /// Whether the skin is closed at the trailing edge: by a wall of its plies where that
-    /// is blunt, where it is sharp by plies that meet on the line between both surfaces.
+    /// Whether the skin is closed at the trailing edge: a blunt one by a wall of its
+    /// plies, a sharp one by plies that meet on the line between both surfaces.
     pub is_closed: bool,
     /// The spar, if there is one.
     pub spar: Option<Spar>,
-    /// What fills the section.
+    /// The fillings of the section.
     pub cores: Cores,
     /// Sizes of cells.
     pub sizes: Sizes,
@@ -37,28 +37,28 @@ pub struct Ply {
     pub has_faces: bool,
 }
 
-/// A ply of the spar, and where it is.
+/// A ply of the spar, and its position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SparPly {
     /// The ply.
     pub ply: Ply,
-    /// Parts of the chord between which it lies on the upper surface; infinite where it
-    /// goes on into a web or around the nose [-].
+    /// Chordwise range on the upper surface; infinite if it continues into a web or
+    /// around the nose [-].
     pub upper: Option<[f64; 2]>,
     /// The same on the lower surface [-].
     pub lower: Option<[f64; 2]>,
     /// Whether it is in the front and in the rear web.
     pub webs: [bool; 2],
-    /// The physical surface of what is as thick and takes its place elsewhere; without it
-    /// the plies inside move outward, and it ends in a wedge one cell long.
+    /// The physical surface of a filler of the same thickness that replaces it elsewhere;
+    /// without it the plies inside move outward, and it ends in a wedge one cell long.
     pub filler: Option<String>,
 }
 
 /// Plies inside of the skin with one web or two.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spar {
-    /// Part of the chord of the outer face of the front web [-]; without it the spar
-    /// reaches around the nose.
+    /// Part of the chord of the outer face of the front web [-]; without it the spar goes
+    /// around the nose.
     pub front_web: Option<f64>,
     /// Part of the chord of the outer face of the rear web [-].
     pub rear_web: f64,
@@ -66,14 +66,14 @@ pub struct Spar {
     pub plies: Vec<SparPly>,
 }
 
-/// The physical surfaces of what fills a section.
+/// The physical surfaces of the fillings of a section.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Cores {
     /// Ahead of the front web.
     pub nose: Option<String>,
     /// In the spar.
     pub spar: Option<String>,
-    /// Behind the rear web; all of the section if there is no spar.
+    /// Behind the rear web; the whole section if there is no spar.
     pub aft: Option<String>,
     /// From the nose to a part of the chord [-], instead of the core there.
     pub nose_mass: Option<(f64, String)>,
@@ -82,18 +82,18 @@ pub struct Cores {
 /// Sizes of cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sizes {
-    /// Length along walls at most [unit of the mesh].
+    /// Largest length along walls [unit of the mesh].
     pub size: f64,
     /// Length of the cells of cores across the section [unit of the mesh].
     pub core: f64,
-    /// Turn of the surface along one cell at most \[rad\].
+    /// Largest turn of the surface along one cell \[rad\].
     pub turn: f64,
     /// Kind of the quadrilaterals; triangles are of the same order.
     pub kind: CellKind,
 }
 
 impl Sizes {
-    /// Of cells this long, with 9 nodes, that turn by 12 degrees at most.
+    /// Sizes with this length of cells, with 9 nodes, and at most 12 degrees of turn.
     pub fn new(size: f64) -> Self {
         Self {
             size,

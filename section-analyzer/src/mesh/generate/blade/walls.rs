@@ -9,46 +9,46 @@
 //!      *-----------------*   level 2, the inner face
 //! ```
 //!
-//! A level lies at its depth below the contour. Where two walls meet, its node is the
-//! point that lies at that depth below both: the mitre, which keeps the plies as thick as
-//! they are. By what it moves a level along the contour, the nodes beside the corner move
-//! too, less and less with the distance, and the node in the middle of a side is the one
-//! halfway along the level between its ends.
+//! A level lies at its depth below the contour. At a corner of two walls, its node is the
+//! point at this depth below both: the mitre, which preserves the thickness of the plies.
+//! The corner shifts a level along the contour; nodes next to the corner are shifted too,
+//! decreasing with the distance, and the middle node of a side is halfway along the level
+//! between its ends.
 
 use super::contour::{Contour, Half};
 use super::grid::Grid;
 use super::layers::{Content, Interval, Layer, Part};
 
-/// How far the nodes beside a corner move with it, in parts of what it moves.
+/// Distance within which nodes move with a corner, as a multiple of its shift.
 const REACH: f64 = 3.0;
 
-/// The nodes across a laminate at one place.
+/// The nodes across a laminate at one position.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Station {
     pub nodes: Vec<u32>,
     /// Depth of each level below the outer face [unit of the mesh].
     pub depths: Vec<f64>,
-    /// Place of each level along the contour for the interval before it; empty where that
-    /// is straight.
+    /// Position of each level along the contour for the interval before it; empty if the
+    /// interval is straight.
     pub before: Vec<f64>,
-    /// The same for the interval behind it.
+    /// The same for the interval after it.
     pub behind: Vec<f64>,
 }
 
-/// By how much a corner moves the levels of a wall along the contour.
+/// Shift of the levels of a wall along the contour, due to a corner.
 #[derive(Debug, Clone)]
 pub(super) struct Shift {
-    /// Where the corner is.
+    /// Position of the corner.
     pub at: f64,
-    /// Of each level [unit of the mesh].
+    /// Shift of each level [unit of the mesh].
     pub by: Vec<f64>,
-    /// Where its effect ends [unit of the mesh].
+    /// Distance at which its effect ends [unit of the mesh].
     reach: f64,
 }
 
 impl Shift {
-    /// Of a corner at `at` whose levels lie at `places`, with as much `room` along the
-    /// wall.
+    /// Shift of a corner at `at` whose levels lie at `places`, with the length `room`
+    /// along the wall.
     pub fn new(at: f64, places: &[f64], room: f64) -> Self {
         let by: Vec<f64> = places.iter().map(|place| place - at).collect();
         let most = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
@@ -59,12 +59,12 @@ impl Shift {
         }
     }
 
-    /// The largest of all levels [unit of the mesh].
+    /// The largest shift of all levels [unit of the mesh].
     pub fn most(&self) -> f64 {
         self.by.iter().fold(0.0_f64, |most, by| most.max(by.abs()))
     }
 
-    /// How much a level moves at a place of the contour.
+    /// Shift of a level at a position of the contour.
     fn of(&self, level: usize, u: f64) -> f64 {
         let away = (u - self.at).abs();
         match away < self.reach {
@@ -74,14 +74,14 @@ impl Shift {
     }
 }
 
-/// Where the levels of a wall cross the column at `u`.
+/// Positions at which the levels of a wall cross the column at `u`.
 pub(super) fn moved(u: f64, levels: usize, shifts: &[&Shift]) -> Vec<f64> {
     let place = |level| u + shifts.iter().map(|shift| shift.of(level, u)).sum::<f64>();
     (0..levels).map(place).collect()
 }
 
-/// Nodes at these places, one for those levels that have the same depth; the outer one may
-/// be there already.
+/// Nodes at these positions, one for all levels at the same depth; the outer node may
+/// exist already.
 pub(super) fn nodes(
     grid: &mut Grid,
     outer: Option<u32>,
@@ -100,18 +100,18 @@ pub(super) fn nodes(
     nodes
 }
 
-/// What a laminate is made of, and what its parts are called.
+/// Data of a laminate, and names of its parts.
 pub(super) struct Wall<'a> {
     pub contour: &'a Contour,
     /// Depth of its outer face below the contour [unit of the mesh].
     pub depth: f64,
     pub layers: &'a [Layer],
     pub stations: &'a [Station],
-    /// Between a station and the next; after the last comes the first again.
+    /// From each station to the next; after the last comes the first again.
     pub intervals: &'a [Interval],
-    /// The curve that its outer face is.
+    /// The curve of its outer face.
     pub curve: &'a str,
-    /// Name of what lies in a layer, and whether its faces are curves.
+    /// Name of the content of a layer, and whether its faces are curves.
     pub group: &'a dyn Fn(usize, Content) -> (String, bool),
     /// Name of a part.
     pub part: &'a dyn Fn(Part) -> &'static str,
@@ -189,7 +189,7 @@ impl Wall<'_> {
     }
 }
 
-/// The part that a half of the contour is.
+/// The part of a half of the contour.
 pub(super) fn part_of(half: Half) -> Part {
     match half {
         Half::Upper => Part::Upper,

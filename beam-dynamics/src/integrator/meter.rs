@@ -1,0 +1,38 @@
+//! Counters and times of the phases of a step.
+
+use super::Counters;
+
+/// Counts the work of a step, and times its phases, each from the end of the one before: a
+/// look at the clock costs as much as a phase of a small model.
+pub(super) struct Meter<'a> {
+    /// The counters so far.
+    pub counters: &'a mut Counters,
+    /// The time that passes [s].
+    clock: &'a dyn Fn() -> f64,
+    /// When the phase began that is under way [s].
+    began: f64,
+}
+
+impl<'a> Meter<'a> {
+    /// The first phase began at the time `began` \[s\].
+    pub fn new(counters: &'a mut Counters, clock: &'a dyn Fn() -> f64, began: f64) -> Self {
+        Self {
+            counters,
+            clock,
+            began,
+        }
+    }
+
+    /// Ends a phase, and adds its time to the counter that `of` picks.
+    pub fn end_phase(&mut self, of: fn(&mut Counters) -> &mut f64) {
+        let now = (self.clock)();
+        *of(self.counters) += now - self.began;
+        self.began = now;
+    }
+}
+
+impl std::fmt::Debug for Meter<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.counters.fmt(f)
+    }
+}
