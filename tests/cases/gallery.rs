@@ -37,7 +37,7 @@ pub fn commands(block: &str) -> Vec<String> {
 }
 
 /// The first line of `block` that is not in `output` in its order.
-fn missing<'a>(block: &'a str, output: &str) -> Option<&'a str> {
+pub fn missing<'a>(block: &'a str, output: &str) -> Option<&'a str> {
     let mut rest = output.lines();
     let mut lines = block
         .lines()

@@ -1,5 +1,5 @@
 //! The cases, run as their pages describe: `cases/section/<name>`,
-//! `cases/dynamics/<name>` and the gallery of the book.
+//! `cases/dynamics/<name>`, and the gallery and the tutorials of the book.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
@@ -8,4 +8,5 @@ mod gallery;
 mod motions;
 #[path = "../common/record.rs"]
 mod record;
+mod tutorials;
 mod workplace;
