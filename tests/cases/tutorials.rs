@@ -1,5 +1,5 @@
 //! The tutorials of the book: their files written into an empty folder, their commands run
-//! there, and their output compared with that of the programs.
+//! there, and the output on the page compared with the programs' output.
 //!
 //! A block below a line that is only a file name in backticks and a colon is that file.
 //! Blocks marked `sh` and `text` have the meaning that they have in the gallery; a block
