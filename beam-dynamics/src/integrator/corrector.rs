@@ -173,7 +173,13 @@ impl Corrector {
                 true => self.evaluate(dae, &weights, meter),
                 false => self.find_residuals(dae, meter),
             }
-            self.find_worst(dae)?;
+            if let Err(reason) = self.find_worst(dae) {
+                if is_both {
+                    // The factors at hand are those of another matrix.
+                    self.kept = None;
+                }
+                return Err(reason);
+            }
             if self.is_settled(limits) {
                 return Ok(self.history.len());
             }
@@ -334,7 +340,8 @@ impl Corrector {
     ) {
         let start = (meter.clock)();
         let residuals = &mut self.residuals[..];
-        self.matrix.combine(dae, weights, Some(residuals));
+        let out = (self.solver.matrix_mut(), Some(residuals));
+        self.matrix.combine(dae, weights, out);
         meter.counters.jacobian_time += (meter.clock)() - start;
     }
 
@@ -346,7 +353,8 @@ impl Corrector {
         meter: &mut Meter<'_>,
     ) {
         let start = (meter.clock)();
-        self.matrix.combine(dae, weights, None);
+        let out = (self.solver.matrix_mut(), None);
+        self.matrix.combine(dae, weights, out);
         meter.counters.jacobian_time += (meter.clock)() - start;
     }
 
@@ -357,7 +365,7 @@ impl Corrector {
     ) -> Result<(), Reason> {
         let start = (meter.clock)();
         let pivotings = self.solver.counts().pivotings;
-        let factorized = self.solver.factorize_taking(self.matrix.matrix_mut());
+        let factorized = self.solver.factorize_written();
         meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
         let end = (meter.clock)();
         meter.counters.jacobians += 1;
