@@ -35,9 +35,9 @@ struct Peer<'a> {
 }
 
 impl<'a> Peer<'a> {
-    fn new(pattern: &'a Pattern, blocks: SupernodalThreshold) -> Option<Self> {
+    fn new(pattern: &'a Pattern, rows: &'a [usize], blocks: SupernodalThreshold) -> Option<Self> {
         let (n, starts) = (pattern.size(), pattern.column_starts());
-        let view = SymbolicSparseColMatRef::new_checked(n, n, starts, None, pattern.rows());
+        let view = SymbolicSparseColMatRef::new_checked(n, n, starts, None, rows);
         let parameters = LuSymbolicParams {
             supernodal_flop_ratio_threshold: blocks,
             ..Default::default()
@@ -116,7 +116,8 @@ impl Comparison {
         span: Duration,
     ) -> Option<Self> {
         let pattern = Arc::clone(original.pattern());
-        let mut peer = Peer::new(&pattern, blocks)?;
+        let rows: Vec<_> = pattern.rows().iter().map(|&row| row as usize).collect();
+        let mut peer = Peer::new(&pattern, &rows, blocks)?;
         let mut made = Self {
             solver: StepSolver::new(&pattern),
             choice: Duration::MAX,

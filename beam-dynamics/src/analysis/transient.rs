@@ -197,7 +197,8 @@ fn run<'a>(
     question: &'a TransientQuestion,
     states: [State; 2],
 ) -> Result<Run<'a>, TransientFailure> {
-    let mut dae = Multibody::new(model, states, question.simplified_jacobian);
+    let stages = question.scheme.formula(1.0).stages;
+    let mut dae = Multibody::new(model, states, (stages, question.simplified_jacobian));
     if matches!(question.stepping, Stepping::Variable(_)) {
         dae.pace = model.pace([question.from, question.to]);
     }

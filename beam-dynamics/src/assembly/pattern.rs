@@ -8,25 +8,54 @@ use std::sync::Arc;
 pub struct Pattern {
     size: usize,
     column_starts: Vec<usize>,
-    rows: Vec<usize>,
+    rows: Vec<u32>,
 }
 
 impl Pattern {
     /// The pattern of the given places (row, column); repeated ones count once.
-    pub fn new(size: usize, mut places: Vec<(usize, usize)>) -> Self {
-        places.sort_unstable_by_key(|&(row, column)| (column, row));
-        places.dedup();
-        let mut column_starts = vec![0; size + 1];
-        for &(_, column) in &places {
-            column_starts[column + 1] += 1;
-        }
+    pub fn new(size: usize, places: Vec<(usize, usize)>) -> Self {
+        Self::of(size, |add| {
+            let places = places.iter();
+            places.for_each(|&(row, column)| add(row, column));
+        })
+    }
+
+    /// The pattern of the places (row, column) that `each` adds, in any order; repeated ones
+    /// count once. `each` is called twice, so that no list of all places is needed.
+    pub fn of(size: usize, each: impl Fn(&mut dyn FnMut(usize, usize))) -> Self {
+        let mut ends = vec![0; size + 1];
+        each(&mut |_, column| ends[column + 1] += 1);
         for column in 0..size {
-            column_starts[column + 1] += column_starts[column];
+            ends[column + 1] += ends[column];
         }
+        let mut rows = vec![0_u32; ends[size]];
+        // Each column begins where the one before it ends, once all are filled.
+        each(&mut |row, column| {
+            rows[ends[column]] = row as u32;
+            ends[column] += 1;
+        });
+        let mut column_starts = Vec::with_capacity(size + 1);
+        let (mut begin, mut kept) = (0, 0);
+        for &end in &ends[..size] {
+            column_starts.push(kept);
+            rows[begin..end].sort_unstable();
+            let mut last = None;
+            for at in begin..end {
+                if last != Some(rows[at]) {
+                    last = Some(rows[at]);
+                    rows[kept] = rows[at];
+                    kept += 1;
+                }
+            }
+            begin = end;
+        }
+        column_starts.push(kept);
+        rows.truncate(kept);
+        rows.shrink_to_fit();
         Self {
             size,
             column_starts,
-            rows: places.into_iter().map(|place| place.0).collect(),
+            rows,
         }
     }
 
@@ -51,14 +80,14 @@ impl Pattern {
     }
 
     /// Row of each entry, ascending in each column.
-    pub fn rows(&self) -> &[usize] {
+    pub fn rows(&self) -> &[u32] {
         &self.rows
     }
 
     /// Place of (row, column) among the entries, where it is stored.
     pub fn place(&self, row: usize, column: usize) -> Option<usize> {
         let range = self.column(column);
-        let found = self.rows[range.clone()].binary_search(&row).ok()?;
+        let found = self.rows[range.clone()].binary_search(&(row as u32)).ok()?;
         Some(range.start + found)
     }
 }
@@ -103,7 +132,7 @@ impl Sparse {
         let pattern = &self.pattern;
         for (column, &factor) in x.iter().enumerate() {
             for place in pattern.column(column) {
-                y[pattern.rows[place]] += self.values[place] * factor;
+                y[pattern.rows[place] as usize] += self.values[place] * factor;
             }
         }
     }
@@ -123,7 +152,7 @@ impl Sparse {
         let pattern = &self.pattern;
         (0..pattern.size).flat_map(move |column| {
             let range = pattern.column(column);
-            range.map(move |place| (pattern.rows[place], column, self.values[place]))
+            range.map(move |place| (pattern.rows[place] as usize, column, self.values[place]))
         })
     }
 }

@@ -114,8 +114,6 @@ impl System {
         let state = State::at_rest(&self.nodes, &self.numbering);
         let conditions = Conditions::at_rest();
         let n = self.numbering.unknowns() + self.surpluses();
-        // The diagonal is always stored: the factorization may shift it.
-        let mut entries: Vec<_> = (0..n).map(|i| (i, i)).collect();
         let mut places = Vec::with_capacity(self.elements.len());
         let (mut lengths, mut kinds) = (Lengths::default(), Kinds::default());
         for (index, element) in self.elements.iter().enumerate() {
@@ -128,13 +126,19 @@ impl System {
             let has_rate = own.map(|&i| self.scalars[i].has_rate).collect();
             let kind = kinds.index(&jacobian, has_rate);
             let rows = Layout::rows(element.as_ref(), index, &self.numbering);
-            let own = kinds.all[kind].entries();
-            entries.extend(own.map(|(i, j)| (rows[i], rows[j])));
             places.push((rows, kind));
         }
         self.size = self.size_with(&lengths);
-        entries.extend(self.shared_entries());
-        let pattern = Pattern::new(n, entries);
+        let pattern = Pattern::of(n, |add| {
+            // The diagonal is always stored: the factorization may shift it.
+            (0..n).for_each(|i| add(i, i));
+            for (rows, kind) in &places {
+                let own = kinds.all[*kind].entries();
+                own.for_each(|(i, j)| add(rows[i], rows[j]));
+            }
+            self.shared_entries()
+                .for_each(|(row, column)| add(row, column));
+        });
         let layout = |(rows, kind)| Layout::new(rows, (kind, &kinds.all[kind]), &pattern);
         self.layouts = places.into_iter().map(layout).collect();
         self.kinds = kinds.all;

@@ -20,6 +20,8 @@ mod quadratic;
 #[cfg(test)]
 mod tests;
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix6, SMatrix, SVector, Vector6};
 
 pub use curve::{Between, Curve, Outside};
@@ -101,10 +103,10 @@ impl<const N: usize> Term<N> {
     }
 }
 
-/// A constitutive law: the sum of its terms.
+/// A constitutive law: the sum of its terms. A clone shares them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Law<const N: usize> {
-    terms: Vec<Term<N>>,
+    terms: Arc<Vec<Term<N>>>,
 }
 
 impl<const N: usize> From<LawKind<N>> for Law<N> {
@@ -116,7 +118,9 @@ impl<const N: usize> From<LawKind<N>> for Law<N> {
 impl<const N: usize> Law<N> {
     /// The sum of `terms`.
     pub fn sum(terms: Vec<Term<N>>) -> Self {
-        Self { terms }
+        Self {
+            terms: Arc::new(terms),
+        }
     }
 
     /// The same with further prestresses.
@@ -127,7 +131,8 @@ impl<const N: usize> Law<N> {
             prestrain: None,
             prestress: Some(prestress),
         };
-        self.terms.extend(prestresses.into_iter().map(term));
+        let terms = Arc::make_mut(&mut self.terms);
+        terms.extend(prestresses.into_iter().map(term));
         self
     }
 
@@ -138,7 +143,14 @@ impl<const N: usize> Law<N> {
 
     /// Localizes the indices of its signals in the `scalars` of an element.
     pub fn bind(&mut self, scalars: &mut Vec<Scalar>) {
-        for term in &mut self.terms {
+        let has_signals = |term: &Term<N>| {
+            let is_quadratic = matches!(term.kind, LawKind::Quadratic(_));
+            is_quadratic || term.prestrain.is_some() || term.prestress.is_some()
+        };
+        if !self.terms.iter().any(has_signals) {
+            return;
+        }
+        for term in Arc::make_mut(&mut self.terms) {
             let driven = [&mut term.prestrain, &mut term.prestress];
             for driven in driven.into_iter().flatten() {
                 driven.signal.bind(scalars);
@@ -170,7 +182,7 @@ impl<const N: usize> Law<N> {
         now: &Instant<'_>,
         sum: &mut Response<N>,
     ) {
-        for term in &self.terms {
+        for term in self.terms.iter() {
             let (strain, rate) = term.elastic(strain, rate, now);
             term.kind.add(&strain, &rate, now, sum);
             if let Some(Driven { vector, signal }) = &term.prestress {
@@ -188,7 +200,7 @@ impl<const N: usize> Law<N> {
         now: &Instant<'_>,
         mut add: impl FnMut(usize, &SVector<f64, N>, bool),
     ) {
-        for term in &self.terms {
+        for term in self.terms.iter() {
             let (strain, rate) = term.elastic(strain, rate, now);
             if let Some(Driven { vector, signal }) = &term.prestress {
                 signal.gradient(now, |scalar, slope| add(scalar, &(slope * vector), false));
@@ -231,7 +243,7 @@ impl<const N: usize> Law<N> {
     /// quadratic.
     pub fn growth_of_stiffness(&self, growth: &SVector<f64, N>) -> SMatrix<f64, N, N> {
         let mut sum = SMatrix::zeros();
-        for term in &self.terms {
+        for term in self.terms.iter() {
             term.kind.add_growth(growth, &mut sum);
         }
         sum
@@ -285,7 +297,7 @@ impl Law<6> {
         let mut change = None;
         let zero = Vector6::zeros();
         let mut rest = Response::zero();
-        for term in &self.terms {
+        for term in self.terms.iter() {
             match &term.kind {
                 LawKind::Quadratic(law) => {
                     let mut response = Response::zero();

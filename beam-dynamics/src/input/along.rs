@@ -100,6 +100,16 @@ impl Along {
         }
     }
 
+    /// The laws at the evaluation points, which share the terms of the law `last` where they
+    /// are the same, as along a uniform blade.
+    pub fn laws_like(&self, last: &mut Option<Law<6>>) -> [Law<6>; 2] {
+        self.laws()
+            .map(|law| match last.as_ref().filter(|known| **known == law) {
+                Some(known) => known.clone(),
+                None => last.insert(law).clone(),
+            })
+    }
+
     /// The laws at the evaluation points.
     ///
     /// ```text

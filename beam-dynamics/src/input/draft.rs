@@ -23,6 +23,7 @@ use crate::case::{BladeNodes, InitialMotion, Model, Spin};
 use crate::elements::beams::{self, BeamInertia, LumpedMass, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Hinge, clamped, rigid_connection};
+use crate::elements::laws::Law;
 use crate::elements::{Element, EnergyPart, Reading};
 use crate::model::{Drive, Node, Scalar};
 
@@ -421,8 +422,9 @@ impl Draft {
         let naming = self.naming()?;
         let mut elements = Vec::new();
         let scalars = self.scalars_of_electrodes();
+        let mut law = None;
         for (index, beam) in self.beams.iter().enumerate() {
-            elements.extend(self.beam_elements(index, beam, &scalars));
+            elements.extend(self.beam_elements((index, beam), &scalars, &mut law));
         }
         for (label, node, inertia) in &self.bodies {
             elements.push(boxed(RigidBody::new(label, *node, *inertia)));
@@ -451,12 +453,13 @@ impl Draft {
         })
     }
 
-    /// Elements of beam `index`, given the unknowns of all electrodes.
+    /// Elements of beam `index`, given the unknowns of all electrodes and the law of the previous
+    /// beam.
     fn beam_elements(
         &self,
-        index: usize,
-        beam: &Beam,
+        (index, beam): (usize, &Beam),
         scalars: &[Vec<Scalar>],
+        law: &mut Option<Law<6>>,
     ) -> Vec<Box<dyn Element>> {
         let Beam {
             label,
@@ -466,7 +469,7 @@ impl Draft {
             inertia,
         } = beam;
         let ends = self.ends(beam);
-        let elastic = beams::Beam::new(label, *nodes, *geometry, ends, along.laws());
+        let elastic = beams::Beam::new(label, *nodes, *geometry, ends, along.laws_like(law));
         let mut elements = vec![boxed(self.with_electrodes(index, elastic, scalars))];
         match inertia {
             Inertia::Consistent => {

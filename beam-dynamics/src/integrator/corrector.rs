@@ -160,7 +160,13 @@ impl Corrector {
                 true => self.evaluate(dae, &weights, meter),
                 false => self.find_residuals(dae, meter),
             }
-            self.find_worst(dae)?;
+            if let Err(reason) = self.find_worst(dae) {
+                if is_both {
+                    // The factors at hand are those of another matrix.
+                    self.kept = None;
+                }
+                return Err(reason);
+            }
             if self.is_settled(limits) {
                 return Ok(self.history.len());
             }
@@ -319,7 +325,8 @@ impl Corrector {
         meter: &mut Meter<'_>,
     ) {
         let residuals = &mut self.residuals[..];
-        self.matrix.combine(dae, weights, Some(residuals));
+        let out = (self.solver.matrix_mut(), Some(residuals));
+        self.matrix.combine(dae, weights, out);
         meter.end_phase(|counters| &mut counters.jacobian_time);
     }
 
@@ -330,7 +337,8 @@ impl Corrector {
         weights: &[[f64; STAGES]; STAGES],
         meter: &mut Meter<'_>,
     ) {
-        self.matrix.combine(dae, weights, None);
+        let out = (self.solver.matrix_mut(), None);
+        self.matrix.combine(dae, weights, out);
         meter.end_phase(|counters| &mut counters.jacobian_time);
     }
 
@@ -340,7 +348,7 @@ impl Corrector {
         meter: &mut Meter<'_>,
     ) -> Result<(), Reason> {
         let pivotings = self.solver.counts().pivotings;
-        let factorized = self.solver.factorize_taking(self.matrix.matrix_mut());
+        let factorized = self.solver.factorize_written();
         meter.counters.pivotings += self.solver.counts().pivotings - pivotings;
         meter.counters.jacobians += 1;
         meter.end_phase(|counters| &mut counters.factorization_time);

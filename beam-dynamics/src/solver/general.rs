@@ -16,7 +16,8 @@ use crate::assembly::Pattern;
 #[derive(Debug, Clone)]
 pub(super) struct GeneralSolver {
     pattern: Arc<Pattern>,
-    symbolic: OnceLock<Option<SymbolicLu<usize>>>,
+    /// Rows of the pattern as the analysis takes them, and the analysis.
+    symbolic: OnceLock<(Vec<usize>, Option<SymbolicLu<usize>>)>,
 }
 
 /// Factors of a matrix.
@@ -37,17 +38,15 @@ impl GeneralSolver {
     /// Factorizes the matrix of the given values; `None` when it is singular or not finite.
     pub fn factorize<T: Number>(&self, values: &[T]) -> Option<GeneralLu<T>> {
         let pattern = &self.pattern;
-        let n = pattern.size();
-        let places = SymbolicSparseColMatRef::new_checked(
-            n,
-            n,
-            pattern.column_starts(),
-            None,
-            pattern.rows(),
-        );
-        let symbolic = self
-            .symbolic
-            .get_or_init(|| SymbolicLu::try_new(places).ok());
+        let (n, starts) = (pattern.size(), pattern.column_starts());
+        let analyzed = self.symbolic.get_or_init(|| {
+            let rows: Vec<_> = pattern.rows().iter().map(|&row| row as usize).collect();
+            let places = SymbolicSparseColMatRef::new_checked(n, n, starts, None, &rows);
+            let symbolic = SymbolicLu::try_new(places).ok();
+            (rows, symbolic)
+        });
+        let (rows, symbolic) = analyzed;
+        let places = SymbolicSparseColMatRef::new_checked(n, n, starts, None, rows);
         if values.iter().any(|value| !value.size().is_finite()) {
             return None;
         }

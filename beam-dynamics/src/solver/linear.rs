@@ -120,7 +120,7 @@ impl ComplexFactorization {
     /// Solves `A x = b`, `b` being replaced by x; `None` when x is not finite.
     pub fn solve(&self, b: &mut [c64]) -> Option<()> {
         match &self.factors {
-            Factors::Kept(lu) => lu.solve(b, &mut vec![c64::ZERO; b.len()]),
+            Factors::Kept(lu) => lu.solve(b, &mut vec![c64::ZERO; lu.plan().room()]),
             Factors::General(lu) => lu.solve(b),
         }
         b.iter().all(|value| value.is_finite()).then_some(())
@@ -158,7 +158,8 @@ impl Factorization {
             return columns.try_for_each(|j| self.solve(b.col_as_slice_mut(j)));
         };
         let none = <[f64; LANES] as Row<f64>>::NONE;
-        let [mut right, mut x, mut buffer] = [(); 3].map(|()| vec![none; b.nrows()]);
+        let [mut right, mut x] = [(); 2].map(|()| vec![none; b.nrows()]);
+        let mut buffer = vec![none; lu.plan().room()];
         for first in (0..b.ncols()).step_by(LANES) {
             let columns = first..b.ncols().min(first + LANES);
             right.fill(none);
@@ -183,7 +184,7 @@ impl Factorization {
         let (pattern, values) = (self.matrix.pattern(), self.matrix.values());
         for (j, x) in x.iter().enumerate() {
             for place in pattern.column(j) {
-                let row = &mut b[pattern.rows()[place]];
+                let row = &mut b[pattern.rows()[place] as usize];
                 *row = row.minus(x.times(values[place]));
             }
         }
@@ -191,7 +192,7 @@ impl Factorization {
 
     fn solve_once(&self, b: &mut [f64]) {
         match &self.factors {
-            Factors::Kept(lu) => lu.solve(b, &mut vec![0.0; b.len()]),
+            Factors::Kept(lu) => lu.solve(b, &mut vec![0.0; lu.plan().room()]),
             Factors::General(lu) => lu.solve(b),
         }
     }

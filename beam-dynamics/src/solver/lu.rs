@@ -4,10 +4,15 @@
 //! The first matrix is scaled, its pivots are chosen ([`pivots`]) and brought into an
 //! order in which blocks follow each other ([`order`]); the pattern of the factors is
 //! found in dense blocks ([`structure`]). Each matrix then takes arithmetic alone
-//! ([`numbers`], [`solution`]).
+//! ([`numbers`], [`elimination`], [`solution`]), of large ones side by side in branches
+//! ([`branches`]).
 //!
 //! References: [DavisPalamadai2010], which also keeps pivots and pattern.
 
+mod branches;
+mod dissection;
+mod elimination;
+mod fill;
 mod lines;
 mod number;
 mod numbers;
@@ -18,12 +23,13 @@ mod structure;
 
 use std::sync::Arc;
 
+use elimination::Scaled;
 pub(super) use number::{LANES, Number, Row};
-use numbers::{Numbers, Scaled};
+use numbers::Numbers;
 use pivots::Pivots;
 use structure::Structure;
 
-use super::scales::{scaled, scales};
+use super::scales::scales;
 use crate::assembly::Pattern;
 
 /// Growth of the factors up to which they are taken without a look at the residual of
@@ -39,10 +45,8 @@ const SHRUNK: f64 = 0.1;
 #[derive(Debug)]
 pub(super) struct Plan {
     pivots: Pivots,
-    row_scale: Vec<f64>,
-    column_scale: Vec<f64>,
-    /// The same scales in the order of elimination.
-    ordered_scales: [Vec<f64>; 2],
+    /// Scales of rows and of columns, in the order of elimination.
+    scales: [Vec<f64>; 2],
     structure: Structure,
     /// Relative size below which a pivot is none.
     least_pivot: f64,
@@ -62,26 +66,32 @@ impl Plan {
     /// Chooses pivots for the matrix of the given values; `None` when it is singular.
     fn new<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Self> {
         let scales = scales(pattern, values)?;
-        let scaled = scaled(pattern, values, &scales);
-        let pivots = order::postordered(pattern, &pivots::choose(pattern, &scaled)?);
-        let taken = |scale: &[f64], of: &[usize]| of.iter().map(|&line| scale[line]).collect();
-        let (row_scale, column_scale) = scales;
+        let pivots = pivots::choose(pattern, values, (&scales.0, &scales.1))?;
+        let (pivots, branches) = order::ordered(pattern, &pivots);
+        let taken = |scale: &[f64], of: &[u32]| {
+            let lines = of.iter();
+            lines.map(|&line| scale[line as usize]).collect()
+        };
         Some(Self {
-            structure: Structure::new(pattern, &pivots),
-            ordered_scales: [
-                taken(&row_scale, &pivots.rows),
-                taken(&column_scale, &pivots.columns),
+            structure: Structure::new(pattern, &pivots, &branches),
+            scales: [
+                taken(&scales.0, &pivots.rows),
+                taken(&scales.1, &pivots.columns),
             ],
             pivots,
-            row_scale,
-            column_scale,
             least_pivot: 0.0,
         })
     }
 
-    /// Scale of each equation.
-    pub fn row_scales(&self) -> &[f64] {
-        &self.row_scale
+    /// Equations and their scales.
+    pub fn row_scales(&self) -> impl Iterator<Item = (usize, f64)> + Clone + '_ {
+        let rows = self.pivots.rows.iter().map(|&row| row as usize);
+        rows.zip(self.scales[0].iter().copied())
+    }
+
+    /// Numbers that a solution needs room for.
+    pub fn room(&self) -> usize {
+        solution::room(&self.structure)
     }
 }
 
@@ -134,21 +144,22 @@ impl<T: Number> Lu<T> {
         self.growth < TRUSTED_GROWTH
     }
 
-    /// Replaces b by x; `ordered` is a buffer of the same length.
+    /// Replaces b by x; `ordered` is a buffer of [`Plan::room`] numbers.
     pub fn solve<R: Row<T>>(&self, b: &mut [R], ordered: &mut [R]) {
         let Plan {
             pivots,
-            row_scale,
-            column_scale,
+            scales: [row_scales, column_scales],
             structure,
             ..
         } = &*self.plan;
-        for (value, &row) in ordered.iter_mut().zip(&pivots.rows) {
-            *value = b[row].scaled(row_scale[row]);
+        let rows = pivots.rows.iter().zip(row_scales);
+        for (value, (&row, scale)) in ordered.iter_mut().zip(rows) {
+            *value = b[row as usize].scaled(*scale);
         }
         solution::solve(structure, &self.numbers, ordered);
-        for (value, &column) in ordered.iter().zip(&pivots.columns) {
-            b[column] = value.scaled(column_scale[column]);
+        let columns = pivots.columns.iter().zip(column_scales);
+        for (value, (&column, scale)) in ordered.iter().zip(columns) {
+            b[column as usize] = value.scaled(*scale);
         }
     }
 
@@ -163,9 +174,12 @@ impl<T: Number> Lu<T> {
 fn compute<T: Number>(plan: &Plan, numbers: &mut Numbers<T>, values: &[T]) -> Option<(f64, f64)> {
     let matrix = Scaled {
         values,
-        row_scales: &plan.ordered_scales[0],
-        column_scales: &plan.ordered_scales[1],
+        row_scales: &plan.scales[0],
+        column_scales: &plan.scales[1],
     };
     let growth = numbers.factorize(&plan.structure, matrix)?;
     (growth.factor() < LARGEST_GROWTH).then(|| (growth.factor(), growth.least()))
 }
+
+#[cfg(test)]
+mod tests;

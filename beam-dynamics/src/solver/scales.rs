@@ -13,12 +13,13 @@ pub(super) fn scales<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Scale
     let n = pattern.size();
     let mut rows = vec![0.0_f64; n];
     for (&i, value) in pattern.rows().iter().zip(values) {
-        rows[i] = rows[i].max(value.size());
+        let row = &mut rows[i as usize];
+        *row = row.max(value.size());
     }
     let mut columns = vec![0.0_f64; n];
     for (j, column) in columns.iter_mut().enumerate() {
         for place in pattern.column(j) {
-            let row = rows[pattern.rows()[place]].max(f64::MIN_POSITIVE);
+            let row = rows[pattern.rows()[place] as usize].max(f64::MIN_POSITIVE);
             *column = column.max(values[place].size() / row);
         }
     }
@@ -35,7 +36,7 @@ pub(super) fn scaled<T: Number>(pattern: &Pattern, values: &[T], scales: &Scales
     let mut scaled = values.to_vec();
     for (j, scale) in columns.iter().enumerate() {
         for place in pattern.column(j) {
-            scaled[place] = scaled[place] * (rows[pattern.rows()[place]] * scale);
+            scaled[place] = scaled[place] * (rows[pattern.rows()[place] as usize] * scale);
         }
     }
     scaled

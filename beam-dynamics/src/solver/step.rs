@@ -11,6 +11,8 @@ const DOUBTFUL: f64 = 1e-3;
 /// Residual of a solution, relative to the terms of each equation, above which it is
 /// refined: Newton's method does not need less [-].
 const REFINED_ABOVE: f64 = 1e-9;
+/// Residual below which the factors are taken for further solutions without another look.
+const VOUCHED_BELOW: f64 = 1e-12;
 /// Residual above which a solution is not taken [-].
 const WRONG_ABOVE: f64 = 1e-6;
 /// Terms of an equation that are smaller than this part of the largest ones are
@@ -42,6 +44,8 @@ pub struct LinearCounts {
 pub struct StepSolver {
     matrix: Sparse,
     factors: Factors,
+    /// Whether a solution with these factors left next to no residual.
+    is_vouched: bool,
     right_side: Vec<f64>,
     residual: Vec<f64>,
     /// Sum of the absolute values of the terms of each equation.
@@ -75,15 +79,6 @@ impl Factors {
         }
         Some(())
     }
-
-    /// Scale of each equation.
-    fn row_scales(&self) -> &[f64] {
-        match self {
-            Self::None => &[],
-            Self::Kept(lu) | Self::Chosen(lu) => lu.plan().row_scales(),
-            Self::Fallback(lu) => lu.row_scales(),
-        }
-    }
 }
 
 impl StepSolver {
@@ -93,6 +88,7 @@ impl StepSolver {
         Self {
             matrix: Sparse::zero(Arc::clone(pattern)),
             factors: Factors::None,
+            is_vouched: false,
             right_side: zeros.clone(),
             residual: zeros.clone(),
             ordered: zeros.clone(),
@@ -119,17 +115,19 @@ impl StepSolver {
     /// Factorizes `matrix`; `None` when it is singular or not finite.
     pub fn factorize(&mut self, matrix: &Sparse) -> Option<()> {
         self.matrix.values_mut().copy_from_slice(matrix.values());
-        self.factorize_own()
+        self.factorize_written()
     }
 
-    /// As [`Self::factorize`], without a copy: what stands in `matrix` afterwards is of no
-    /// use.
-    pub fn factorize_taking(&mut self, matrix: &mut Sparse) -> Option<()> {
-        std::mem::swap(&mut self.matrix, matrix);
-        self.factorize_own()
+    /// The last matrix, in which the next one may be written. Nothing is to be solved for
+    /// until that is factorized.
+    pub fn matrix_mut(&mut self) -> &mut Sparse {
+        &mut self.matrix
     }
 
-    fn factorize_own(&mut self) -> Option<()> {
+    /// Factorizes what was written to [`Self::matrix_mut`]; `None` when it is singular or not
+    /// finite.
+    pub fn factorize_written(&mut self) -> Option<()> {
+        self.is_vouched = false;
         let last = std::mem::replace(&mut self.factors, Factors::None);
         if let Factors::Kept(mut lu) | Factors::Chosen(mut lu) = last
             && lu.factorize(self.matrix.values()).is_some()
@@ -199,6 +197,11 @@ impl StepSolver {
         match Lu::choose(self.matrix.pattern(), self.matrix.values()) {
             Some(lu) => {
                 self.usual_least = self.usual_least.max(lu.least());
+                self.is_vouched = false;
+                let room = lu.plan().room();
+                self.ordered
+                    .reserve_exact(room.saturating_sub(self.ordered.len()));
+                self.ordered.resize(room, 0.0);
                 self.factors = Factors::Chosen(Box::new(lu));
             }
             None => self.fall_back()?,
@@ -226,12 +229,13 @@ impl StepSolver {
         self.factors.solve(b, &mut self.ordered)?;
         let finite = |x: &[f64]| x.iter().all(|value| value.is_finite());
         let is_general = match &self.factors {
-            Factors::Kept(lu) | Factors::Chosen(lu) if lu.is_trusted() => {
+            Factors::Kept(lu) | Factors::Chosen(lu) if self.is_vouched || lu.is_trusted() => {
                 return Some(finite(b));
             }
             factors => matches!(factors, Factors::Fallback(_)),
         };
         let mut error = self.error(b);
+        self.is_vouched = error < VOUCHED_BELOW && !is_general;
         if error > REFINED_ABOVE || is_general {
             self.refine(b);
             error = self.error(b);
@@ -259,15 +263,25 @@ impl StepSolver {
             self.residual[row] -= term;
             self.sizes[row] += term.abs();
         }
-        let scales = self.factors.row_scales();
-        let scaled = self.sizes.iter().zip(scales);
-        let largest = scaled.fold(0.0_f64, |a, (size, scale)| a.max(scale * size));
-        let floor = (SMALL * largest).max(f64::MIN_POSITIVE);
-        let rows = self.residual.iter().zip(&self.sizes).zip(scales);
-        rows.fold(0.0, |worst: f64, ((r, size), scale)| {
-            worst.max(scale * r.abs() / (scale * size).max(floor))
-        })
+        let of = (&self.residual[..], &self.sizes[..]);
+        match &self.factors {
+            Factors::None => 0.0,
+            Factors::Kept(lu) | Factors::Chosen(lu) => worst(lu.plan().row_scales(), of),
+            Factors::Fallback(lu) => worst(lu.row_scales().iter().copied().enumerate(), of),
+        }
     }
+}
+
+/// The largest residual relative to the size of its equation, by equations and their scales.
+fn worst(
+    scales: impl Iterator<Item = (usize, f64)> + Clone,
+    (residual, sizes): (&[f64], &[f64]),
+) -> f64 {
+    let scaled = scales.clone().map(|(row, scale)| scale * sizes[row]);
+    let floor = (SMALL * scaled.fold(0.0, f64::max)).max(f64::MIN_POSITIVE);
+    scales.fold(0.0, |worst: f64, (row, scale)| {
+        worst.max(scale * residual[row].abs() / (scale * sizes[row]).max(floor))
+    })
 }
 
 #[cfg(test)]

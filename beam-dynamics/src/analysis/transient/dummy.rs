@@ -28,8 +28,9 @@ pub(super) fn dummy_rates(
         Stepping::Variable(control) => control.first,
     };
     let step = PART * first;
-    let mut dae = Multibody::new(model, [state.clone(), state.clone()], false);
     let (scheme, stepping) = (Scheme::Bdf2, Stepping::Constant { step });
+    let stages = scheme.formula(1.0).stages;
+    let mut dae = Multibody::new(model, [state.clone(), state.clone()], (stages, false));
     let mut integrator = Integrator::new(&dae, scheme, stepping, question.newton, question.from);
     let end = question.from + STEPS as f64 * step;
     // More steps if one had to be cut.

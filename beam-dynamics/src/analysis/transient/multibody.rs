@@ -52,8 +52,6 @@ const MOTION: usize = 6;
 const SMALL: f64 = 1e-3;
 /// Scalars that grow by more in a step are not measured by those before.
 const GROWN: f64 = 2.0;
-/// Trial states.
-const STAGES: usize = 3;
 
 /// A state under trial.
 #[derive(Debug)]
@@ -82,7 +80,7 @@ pub(super) struct Multibody<'a> {
     trials: Vec<Trial>,
     variations: Vec<Variation>,
     /// Nodes whose angular momentum is integrated in axes that follow their long axis.
-    own_axes: Vec<Option<OwnAxes>>,
+    own_axes: Vec<Option<Box<OwnAxes>>>,
     work: Workspace,
     algebraic: Vec<bool>,
     is_simplified: bool,
@@ -97,15 +95,26 @@ pub(super) struct Multibody<'a> {
 }
 
 impl<'a> Multibody<'a> {
-    /// The model with the accepted states `states`,
-    /// the latest first; exact derivatives unless they are to be simplified.
-    pub fn new(model: &'a Model, states: [State; KEPT], is_simplified: bool) -> Self {
+    /// The model with the accepted states `states`, the latest first, and as many trial states
+    /// as a formula has stages; exact derivatives unless they are to be simplified.
+    pub fn new(
+        model: &'a Model,
+        states: [State; KEPT],
+        (stages, is_simplified): (usize, bool),
+    ) -> Self {
         let system = &model.system;
         let nodes = system.nodes().len();
         let numbering = system.numbering();
         let still = Increment {
             parameters: Vector3::zeros(),
             rate: Vector3::zeros(),
+        };
+        // Of the model and not of a state: a run that is continued has the same. The tangent
+        // goes before other room is taken.
+        let own_axes = {
+            let rest = system.rest();
+            let tangent = system.tangent(&rest, &model.conditions_at(0.0));
+            own_axes::find(system, &rest.nodes, &tangent)
         };
         let sharing = Sharing::new(system, &states[0], &model.conditions_at(0.0));
         let trial = || Trial {
@@ -120,14 +129,11 @@ impl<'a> Multibody<'a> {
             turn: Matrix3::identity(),
             spin: Matrix3::zeros(),
         };
-        // Of the model and not of a state: a run that is continued has the same.
-        let rest = system.rest();
-        let tangent = system.tangent(&rest, &model.conditions_at(0.0));
         Self {
             model,
-            trials: (0..STAGES).map(|_| trial()).collect(),
+            trials: (0..stages).map(|_| trial()).collect(),
             variations: vec![variation; nodes],
-            own_axes: own_axes::find(system, &rest.nodes, &tangent),
+            own_axes,
             work: system.workspace(),
             algebraic: std::iter::repeat_n(false, NODE_UNKNOWNS * nodes)
                 .chain(std::iter::repeat_n(true, numbering.multipliers()))
@@ -196,8 +202,8 @@ impl Dae for Multibody<'_> {
         let pairs = then.nodes.iter().zip(&latest.nodes).zip(&self.own_axes);
         for (((node, origin), own), out) in pairs.zip(numbers) {
             match back {
-                0 => write_latest(node, own.as_ref(), out),
-                _ => write(node, origin, own.as_ref(), out),
+                0 => write_latest(node, own.as_deref(), out),
+                _ => write(node, origin, own.as_deref(), out),
             }
         }
         let multipliers = then.multipliers.iter().zip(&latest.multipliers);
@@ -243,8 +249,8 @@ impl Dae for Multibody<'_> {
                 angular_velocity: Vector3::zeros(),
             };
             let turned = gibbs::corrected(&turn, &still);
-            *gamma = moved_momentum(&integrated_latest(node, own.as_ref()), 0.0, numbers);
-            let axes = own.as_ref().map(|own| (own, &node.rotation));
+            *gamma = moved_momentum(&integrated_latest(node, own.as_deref()), 0.0, numbers);
+            let axes = own.as_deref().map(|own| (own, &node.rotation));
             *base = moved((node, 0.0), &turned, (gamma, axes), numbers);
         }
         move_own(&mut trial.base, latest, own);
@@ -274,7 +280,7 @@ impl Dae for Multibody<'_> {
             turn.parameters = part(numbers.0, 1);
             turn.rate = part(numbers.1, 1);
             let turned = gibbs::corrected(turn, &attitude(base));
-            let axes = own.as_ref().map(|own| (own, &origin.rotation));
+            let axes = own.as_deref().map(|own| (own, &origin.rotation));
             let gamma = moved_momentum(gamma, 1.0, numbers);
             *state = moved((base, 1.0), &turned, (&gamma, axes), numbers);
         }

@@ -120,6 +120,8 @@ fn rates_at_scalars(system: &System, state: &State, conditions: &Conditions) -> 
     let carried = carried(&state, &tangent);
     let first = MOTION * nodes;
     let equations = Accelerated::new(system, &state, &tangent);
+    // Two matrices of the whole system, of which nothing more is needed.
+    drop(tangent);
 
     let mut right = vec![0.0; first + state.multipliers.len()];
     for (row, force) in forces[..NODE_UNKNOWNS * nodes].iter().enumerate() {
@@ -135,7 +137,7 @@ fn rates_at_scalars(system: &System, state: &State, conditions: &Conditions) -> 
     state.multipliers.copy_from_slice(&solution[first..]);
     Sharing::new(system, &state, conditions).take_surplus(&mut state.multipliers);
     let mut rates = carried;
-    for (row, column, mass) in equations.masses {
+    for &(row, column, mass) in equations.masses() {
         rates[row] += mass * solution[column];
     }
     for (node, rates) in state.nodes.iter_mut().zip(rates.chunks(MOTION)) {
@@ -149,17 +151,20 @@ fn rates_at_scalars(system: &System, state: &State, conditions: &Conditions) -> 
 /// `-F_lambda` above `C` and zero.
 pub(super) struct Accelerated {
     saddle: Saddle,
-    /// M, without the added mass.
-    masses: Vec<(usize, usize, f64)>,
+    /// Number of the entries of M, without the added mass: the first entries.
+    masses: usize,
     heaviest: f64,
 }
 
 impl Accelerated {
     pub fn new(system: &System, state: &State, tangent: &Tangent) -> Self {
         let nodes = state.nodes.len();
-        let masses = masses(nodes, tangent);
-        let mut saddle = Saddle::default();
-        saddle.entries.extend(&masses);
+        let mut saddle = Saddle {
+            entries: masses(nodes, tangent),
+        };
+        let masses = saddle.entries.len();
+        let sizes = saddle.entries.iter().map(|entry| entry.2.abs());
+        let heaviest = sizes.fold(0.0, f64::max);
         saddle.entries.extend(multiplier_columns(
             [nodes, state.multipliers.len()],
             tangent,
@@ -168,7 +173,6 @@ impl Accelerated {
         let rows = constraint_rows(system, tangent, By::Velocities);
         let rows = rows.into_iter().map(|(i, j, value)| (first + i, j, value));
         saddle.entries.extend(rows);
-        let heaviest = masses.iter().map(|entry| entry.2.abs()).fold(0.0, f64::max);
         let heaviest = if heaviest > 0.0 { heaviest } else { 1.0 };
         soften(&mut saddle, system, tangent, heaviest);
         Self {
@@ -178,17 +182,23 @@ impl Accelerated {
         }
     }
 
+    /// M, without the added mass.
+    fn masses(&self) -> &[(usize, usize, f64)] {
+        &self.saddle.entries[..self.masses]
+    }
+
     /// Changes of the motion of the nodes, then multipliers; `None` if there are none.
     pub fn solve(&self, nodes: usize, right: &[f64]) -> Option<Vec<f64>> {
         self.saddle.solve(nodes, self.heaviest, right)
     }
 }
 
-/// M: derivatives of the momenta by the velocities.
+/// M: derivatives of the momenta by the velocities, none of them zero.
 fn masses(nodes: usize, tangent: &Tangent) -> Vec<(usize, usize, f64)> {
     let entries = tangent.by_rates.triplets();
-    let is_mass =
-        |&(row, column, _): &(usize, usize, f64)| is_momentum_by_motion(nodes, row, column);
+    let is_mass = |&(row, column, value): &(usize, usize, f64)| {
+        value != 0.0 && is_momentum_by_motion(nodes, row, column)
+    };
     entries
         .filter(is_mass)
         .map(|(row, column, value)| (motion(row), motion(column), -value))

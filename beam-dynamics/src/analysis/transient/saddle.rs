@@ -91,9 +91,11 @@ pub(super) fn constraint_rows(
 }
 
 fn matrix(size: usize, entries: impl Iterator<Item = (usize, usize, f64)> + Clone) -> Sparse {
-    let places = entries.clone().map(|(row, column, _)| (row, column));
-    let diagonal = (0..size).map(|i| (i, i));
-    let pattern = Arc::new(Pattern::new(size, places.chain(diagonal).collect()));
+    let pattern = Arc::new(Pattern::of(size, |add| {
+        let own = entries.clone();
+        own.for_each(|(row, column, _)| add(row, column));
+        (0..size).for_each(|i| add(i, i));
+    }));
     let mut matrix = Sparse::zero(Arc::clone(&pattern));
     for (row, column, value) in entries {
         if let Some(place) = pattern.place(row, column) {

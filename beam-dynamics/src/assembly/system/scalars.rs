@@ -133,7 +133,7 @@ impl System {
         let (pattern, starts) = (self.pattern(), self.pattern().column_starts());
         let rows = &pattern.rows()[starts[multipliers.start]..starts[multipliers.end]];
         let scalars = first..self.numbering().unknowns();
-        rows.iter().any(|row| scalars.contains(row))
+        rows.iter().any(|row| scalars.contains(&(*row as usize)))
     }
 
     /// Scales of the scalar unknowns for which it `counts`.

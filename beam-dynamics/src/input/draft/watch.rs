@@ -28,7 +28,7 @@ impl Draft {
     ) -> Result<(), String> {
         let scalars = self.scalars_of_electrodes();
         let beams = self.beams.iter().enumerate();
-        let of_beams = beams.flat_map(|(index, beam)| self.beam_elements(index, beam, &scalars));
+        let of_beams = beams.flat_map(|beam| self.beam_elements(beam, &scalars, &mut None));
         let unknown = |element: &dyn Element| {
             let slope = element.energetic().map(|own| own.slope());
             let is_unknown = slope == Some(EnergySlope::Unknown) && EnergySlope::Unknown.has(part);

@@ -2,16 +2,17 @@
 
 use super::{Arc, Combination, Dae, Pattern, Residual, STAGES, Sparse};
 
-/// The blocks (D-112) of a formula in one matrix, in which the stages of an unknown stand
+/// How the blocks (D-112) of a formula make one matrix, in which the stages of an unknown stand
 /// next to each other: the order of the unknowns that suits one stage suits them all.
 #[derive(Debug)]
 pub(super) struct StageMatrix {
     stages: usize,
-    matrix: Sparse,
+    /// Pattern of the matrix.
+    pattern: Arc<Pattern>,
     /// The blocks of one row of stages; none when there is one stage.
     blocks: Vec<Sparse>,
     /// For each block, row by row, the place in the matrix of each of its entries.
-    places: Vec<Vec<Option<usize>>>,
+    places: Vec<Vec<Option<u32>>>,
 }
 
 impl StageMatrix {
@@ -20,7 +21,7 @@ impl StageMatrix {
         if stages == 1 {
             return Self {
                 stages,
-                matrix: Sparse::zero(Arc::clone(pattern)),
+                pattern: Arc::clone(pattern),
                 blocks: Vec::new(),
                 places: Vec::new(),
             };
@@ -32,38 +33,41 @@ impl StageMatrix {
             })
         };
         let blocks = || (0..stages).flat_map(|row| (0..stages).map(move |column| (row, column)));
-        let all = blocks().flat_map(|(row, column)| of_block(row, column).flatten());
-        let whole = Pattern::new(stages * pattern.size(), all.collect());
-        let place = |stored: Option<(usize, usize)>| stored.and_then(|(i, j)| whole.place(i, j));
+        let whole = Pattern::of(stages * pattern.size(), |add| {
+            for (row, column) in blocks() {
+                let stored = of_block(row, column).flatten();
+                stored.for_each(|(i, j)| add(i, j));
+            }
+        });
+        let place = |stored: Option<(usize, usize)>| {
+            let place = stored.and_then(|(i, j)| whole.place(i, j));
+            place.map(|place| place as u32)
+        };
         let places = blocks().map(|(row, column)| of_block(row, column).map(place).collect());
         Self {
             stages,
             blocks: vec![Sparse::zero(Arc::clone(pattern)); stages],
             places: places.collect(),
-            matrix: Sparse::zero(Arc::new(whole)),
+            pattern: Arc::new(whole),
         }
     }
 
     /// The pattern of the matrix.
     pub fn pattern(&self) -> &Arc<Pattern> {
-        self.matrix.pattern()
+        &self.pattern
     }
 
-    /// The matrix; whatever is left in it, all of it is written when it is filled.
-    pub fn matrix_mut(&mut self) -> &mut Sparse {
-        &mut self.matrix
-    }
-
-    /// Fills the matrix at the present stages of the system; `weights` are those of the
-    /// formula times the step, and `residuals` take those of the stages where they are wanted.
+    /// Fills a matrix, whatever is left in it, at the present stages of the system; `weights`
+    /// are those of the formula times the step, and `residuals` take those of the stages where
+    /// they are wanted.
     pub fn combine(
         &mut self,
         dae: &mut dyn Dae,
         weights: &[[f64; STAGES]; STAGES],
-        mut residuals: Option<&mut [Residual]>,
+        (matrix, mut residuals): (&mut Sparse, Option<&mut [Residual]>),
     ) {
         if self.stages == 1 {
-            let sum = block(weights[0][0], true, &mut self.matrix);
+            let sum = block(weights[0][0], true, matrix);
             let residual = residuals.map(|all| &mut all[0]);
             dae.jacobian(0, &mut [sum], residual);
             return;
@@ -88,16 +92,16 @@ impl StageMatrix {
                 ),
                 _ => {}
             }
-            self.scatter(row);
+            self.scatter(row, matrix);
         }
     }
 
-    fn scatter(&mut self, row: usize) {
+    fn scatter(&self, row: usize, matrix: &mut Sparse) {
         let places = &self.places[row * self.stages..];
         for (block, places) in self.blocks.iter().zip(places) {
             for (value, place) in block.values().iter().zip(places) {
                 if let Some(place) = place {
-                    self.matrix.values_mut()[*place] = *value;
+                    matrix.values_mut()[*place as usize] = *value;
                 }
             }
         }
@@ -119,6 +123,6 @@ fn block(weight: f64, is_diagonal: bool, matrix: &mut Sparse) -> Combination<'_>
 fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize)> + '_ {
     (0..pattern.size()).flat_map(move |column| {
         let range = pattern.column_starts()[column]..pattern.column_starts()[column + 1];
-        range.map(move |place| (pattern.rows()[place], column))
+        range.map(move |place| (pattern.rows()[place] as usize, column))
     })
 }

@@ -1,73 +1,128 @@
 //! Rows or columns by their number of entries, to find the shortest ones.
 
-const NONE: usize = usize::MAX;
+const NONE: u32 = u32::MAX;
+
+/// Which of the lines of one length comes first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Turn {
+    /// The one that took this length last: elimination goes on where it is, through memory
+    /// that is at hand.
+    LatestFirst,
+    /// The one that took it first: long chains then fill less.
+    EachInTurn,
+}
 
 /// Lines in chains of equal length.
 #[derive(Debug)]
 pub(super) struct Lines {
-    /// First line of each length.
-    first: Vec<usize>,
-    next: Vec<usize>,
-    previous: Vec<usize>,
-    length: Vec<usize>,
+    turn: Turn,
+    /// First and last line of each length.
+    ends: Vec<[u32; 2]>,
+    next: Vec<u32>,
+    previous: Vec<u32>,
+    length: Vec<u32>,
+    /// Lines that are not to be found, but counted.
+    is_hidden: Vec<bool>,
 }
 
 impl Lines {
-    /// Lines of the given lengths.
-    pub fn new(lengths: impl Iterator<Item = usize>) -> Self {
-        let length: Vec<_> = lengths.collect();
+    /// Lines of the given lengths, those that are hidden not to be found; at first each chain
+    /// begins with the first one.
+    pub fn new(lengths: impl Iterator<Item = usize>, turn: Turn, is_hidden: Vec<bool>) -> Self {
+        let length: Vec<_> = lengths.map(|length| length as u32).collect();
         let n = length.len();
         let mut lines = Self {
-            first: vec![NONE; n + 1],
+            turn,
+            ends: vec![[NONE; 2]; n + 1],
             next: vec![NONE; n],
             previous: vec![NONE; n],
             length,
+            is_hidden,
         };
-        // The last come first into the chains, so that each begins with the first one.
-        for line in (0..n).rev() {
-            lines.insert(line);
+        for at in 0..n {
+            let line = match turn {
+                Turn::LatestFirst => n - 1 - at,
+                Turn::EachInTurn => at,
+            };
+            if !lines.is_hidden[line] {
+                lines.insert(line);
+            }
         }
         lines
     }
 
-    fn insert(&mut self, line: usize) {
-        let head = &mut self.first[self.length[line]];
-        self.next[line] = *head;
-        self.previous[line] = NONE;
-        if let Some(after) = self.previous.get_mut(*head) {
-            *after = line;
+    /// Lets all hidden lines be found from now on.
+    pub fn show(&mut self) {
+        for line in 0..self.length.len() {
+            if std::mem::take(&mut self.is_hidden[line]) {
+                self.insert(line);
+            }
         }
-        *head = line;
+    }
+
+    /// Whether a line is hidden.
+    pub fn is_hidden(&self, line: usize) -> bool {
+        self.is_hidden[line]
+    }
+
+    fn insert(&mut self, line: usize) {
+        let [head, tail] = &mut self.ends[self.length[line] as usize];
+        let own = line as u32;
+        let (next, previous) = match self.turn {
+            Turn::LatestFirst => (std::mem::replace(head, own), NONE),
+            Turn::EachInTurn => (NONE, std::mem::replace(tail, own)),
+        };
+        (self.next[line], self.previous[line]) = (next, previous);
+        match self.previous.get_mut(next as usize) {
+            Some(after) => *after = own,
+            None => *tail = own,
+        }
+        match self.next.get_mut(previous as usize) {
+            Some(before) => *before = own,
+            None => *head = own,
+        }
     }
 
     /// Takes a line out.
     pub fn remove(&mut self, line: usize) {
+        let [head, tail] = &mut self.ends[self.length[line] as usize];
         let (next, previous) = (self.next[line], self.previous[line]);
-        match self.next.get_mut(previous) {
+        match self.next.get_mut(previous as usize) {
             Some(before) => *before = next,
-            None => self.first[self.length[line]] = next,
+            None => *head = next,
         }
-        if let Some(after) = self.previous.get_mut(next) {
-            *after = previous;
+        match self.previous.get_mut(next as usize) {
+            Some(after) => *after = previous,
+            None => *tail = previous,
         }
     }
 
     /// Gives a line another length.
     pub fn change(&mut self, line: usize, length: usize) {
-        if self.length[line] != length {
+        if self.is_hidden[line] {
+            self.length[line] = length as u32;
+        } else if self.length[line] as usize != length {
             self.remove(line);
-            self.length[line] = length;
+            self.length[line] = length as u32;
             self.insert(line);
         }
     }
 
+    /// Length of a line.
+    pub fn length(&self, line: usize) -> usize {
+        self.length[line] as usize
+    }
+
     /// All lines that were not removed, the shortest first.
     pub fn ascending(&self) -> impl Iterator<Item = usize> + '_ {
-        let heads = self.first.iter().copied();
-        heads.flat_map(move |head| {
-            let existing = |line: usize| (line != NONE).then_some(line);
-            std::iter::successors(existing(head), move |&line| existing(self.next[line]))
-        })
+        let heads = self.ends.iter().map(|ends| ends[0]);
+        let lines = heads.flat_map(move |head| {
+            let existing = |line: u32| (line != NONE).then_some(line);
+            std::iter::successors(existing(head), move |&line| {
+                existing(self.next[line as usize])
+            })
+        });
+        lines.map(|line| line as usize)
     }
 }
 
@@ -75,15 +130,53 @@ impl Lines {
 mod tests {
     use super::*;
 
+    fn order(lines: &Lines) -> Vec<usize> {
+        lines.ascending().collect()
+    }
+
     #[test]
-    fn lines_come_by_length_and_then_by_number() {
-        let mut lines = Lines::new([3, 1, 3, 1, 0].into_iter());
-        assert_eq!(lines.ascending().collect::<Vec<_>>(), [4, 1, 3, 0, 2]);
+    fn lines_come_by_length_and_then_by_number_or_the_latest_first() {
+        let mut lines = Lines::new(
+            [3, 1, 3, 1, 0].into_iter(),
+            Turn::LatestFirst,
+            vec![false; 5],
+        );
+        assert_eq!(order(&lines), [4, 1, 3, 0, 2]);
         lines.change(0, 1);
         lines.remove(4);
-        assert_eq!(lines.ascending().collect::<Vec<_>>(), [0, 1, 3, 2]);
+        assert_eq!(order(&lines), [0, 1, 3, 2]);
         lines.remove(1);
         lines.change(2, 5);
-        assert_eq!(lines.ascending().collect::<Vec<_>>(), [0, 3, 2]);
+        assert_eq!(order(&lines), [0, 3, 2]);
+    }
+
+    #[test]
+    fn lines_that_take_turns_go_to_the_end() {
+        let mut lines = Lines::new(
+            [3, 1, 3, 1, 0].into_iter(),
+            Turn::EachInTurn,
+            vec![false; 5],
+        );
+        assert_eq!(order(&lines), [4, 1, 3, 0, 2]);
+        lines.change(0, 1);
+        lines.remove(4);
+        assert_eq!(order(&lines), [1, 3, 0, 2]);
+        lines.remove(3);
+        lines.change(1, 3);
+        lines.change(0, 3);
+        assert_eq!(order(&lines), [2, 1, 0]);
+        lines.remove(1);
+        assert_eq!(order(&lines), [2, 0]);
+    }
+
+    #[test]
+    fn hidden_lines_are_counted_and_found_once_they_are_shown() {
+        let hidden = vec![false, true, false];
+        let mut lines = Lines::new([2, 2, 3].into_iter(), Turn::LatestFirst, hidden);
+        lines.change(1, 3);
+        assert_eq!(order(&lines), [0, 2]);
+        assert_eq!((lines.length(1), lines.is_hidden(1)), (3, true));
+        lines.show();
+        assert_eq!(order(&lines), [0, 1, 2]);
     }
 }

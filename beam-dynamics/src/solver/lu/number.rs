@@ -159,7 +159,7 @@ impl Number for c64 {
 }
 
 /// Right-hand sides of a system: one number a row, or several side by side.
-pub(in crate::solver) trait Row<T>: Copy {
+pub(in crate::solver) trait Row<T>: Copy + Send + Sync {
     /// Zero.
     const NONE: Self;
 

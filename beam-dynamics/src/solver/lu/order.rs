@@ -4,56 +4,73 @@
 //! In the tree of elimination the parent of a pivot is the first later one that its
 //! elimination changes. Any order in which children stand before their parents leaves
 //! the same numbers in the same places; in postorder the pivots of a block follow each
-//! other.
+//! other, and branches that do not depend on each other can be eliminated side by side.
 //!
 //! References: [Liu1990].
 
+use std::ops::Range;
+
+use super::branches::{self, NONE};
 use super::pivots::Pivots;
 use crate::assembly::Pattern;
 
-const NONE: usize = usize::MAX;
-
-/// Brings pivots into a postorder of their tree of elimination.
-pub(super) fn postordered(pattern: &Pattern, pivots: &Pivots) -> Pivots {
+/// Brings pivots into a postorder of their tree of elimination; of a large matrix those of
+/// independent branches come first, whose pivots are told.
+pub(super) fn ordered(pattern: &Pattern, pivots: &Pivots) -> (Pivots, Vec<Range<usize>>) {
     let parents = tree(pattern, pivots);
-    let order = postorder(&parents);
-    let taken = |of: &[usize]| order.iter().map(|&k| of[k]).collect();
-    Pivots {
+    let mut order = postorder(&parents);
+    let parents = relabeled(&parents, &order);
+    let branches = branches::of(&parents);
+    if !branches.is_empty() {
+        order = branches::first(&branches, &order);
+    }
+    let taken = |of: &[u32]| order.iter().map(|&k| of[k as usize]).collect();
+    let pivots = Pivots {
         rows: taken(&pivots.rows),
         columns: taken(&pivots.columns),
-    }
+    };
+    let mut first = 0;
+    let moved = branches.iter().map(|branch| {
+        let begin = first;
+        first += branch.len();
+        begin..first
+    });
+    (pivots, moved.collect())
 }
 
 /// Place of each row, or column, in the order of the pivots.
-pub(super) fn inverse(order: &[usize]) -> Vec<usize> {
+pub(super) fn inverse(order: &[u32]) -> Vec<u32> {
     let mut places = vec![0; order.len()];
     for (place, &line) in order.iter().enumerate() {
-        places[line] = place;
+        places[line as usize] = place as u32;
     }
     places
 }
 
 /// Parent of each pivot in the tree of elimination of the pattern and its transpose.
-fn tree(pattern: &Pattern, pivots: &Pivots) -> Vec<usize> {
+fn tree(pattern: &Pattern, pivots: &Pivots) -> Vec<u32> {
     let n = pattern.size();
     let (row_places, column_places) = (inverse(&pivots.rows), inverse(&pivots.columns));
-    let mut earlier = vec![Vec::new(); n];
-    for column in 0..n {
-        for at in pattern.column_starts()[column]..pattern.column_starts()[column + 1] {
-            let (i, j) = (row_places[pattern.rows()[at]], column_places[column]);
-            if i != j {
-                earlier[i.max(j)].push(i.min(j));
+    // The earlier of the two pivots of each entry, with the later one as its column.
+    let earlier = Pattern::of(n, |add| {
+        for column in 0..n {
+            let j = column_places[column] as usize;
+            for &row in &pattern.rows()[pattern.column(column)] {
+                let i = row_places[row as usize] as usize;
+                if i != j {
+                    add(i.min(j), i.max(j));
+                }
             }
         }
-    }
+    });
     let mut parents = vec![NONE; n];
     // The latest known ancestor of each, to shorten the ways.
     let mut ancestors = vec![NONE; n];
-    for (k, earlier) in earlier.iter().enumerate() {
-        for &start in earlier {
-            let mut at = start;
+    for k in 0..n {
+        for &start in &earlier.rows()[earlier.column(k)] {
+            let (k, mut at) = (k as u32, start as usize);
             while ancestors[at] != NONE && ancestors[at] != k {
-                at = std::mem::replace(&mut ancestors[at], k);
+                at = std::mem::replace(&mut ancestors[at], k) as usize;
             }
             if ancestors[at] == NONE {
                 ancestors[at] = k;
@@ -65,28 +82,44 @@ fn tree(pattern: &Pattern, pivots: &Pivots) -> Vec<usize> {
 }
 
 /// Children before parents, subtree after subtree.
-fn postorder(parents: &[usize]) -> Vec<usize> {
+fn postorder(parents: &[u32]) -> Vec<u32> {
     let n = parents.len();
-    let mut children = vec![Vec::new(); n];
+    // The children of each in a chain, ascending; those without a parent are open.
+    let (mut first, mut next) = (vec![NONE; n], vec![NONE; n]);
     let mut open = Vec::new();
     for (k, &parent) in parents.iter().enumerate().rev() {
-        match children.get_mut(parent) {
-            Some(siblings) => siblings.push(k),
-            None => open.push(k),
+        match first.get_mut(parent as usize) {
+            Some(head) => next[k] = std::mem::replace(head, k as u32),
+            None => open.push(k as u32),
         }
     }
     // A parent is met again once its children are done; the first stand on top.
     let mut order = Vec::with_capacity(n);
     while let Some(&k) = open.last() {
-        match std::mem::take(&mut children[k]) {
-            of_k if of_k.is_empty() => {
-                order.push(k);
-                open.pop();
-            }
-            of_k => open.extend(of_k),
+        let mut child = std::mem::replace(&mut first[k as usize], NONE);
+        if child == NONE {
+            order.push(k);
+            open.pop();
+            continue;
         }
+        let begin = open.len();
+        while child != NONE {
+            open.push(child);
+            child = next[child as usize];
+        }
+        open[begin..].reverse();
     }
     order
+}
+
+/// The same tree, each pivot being called by its place in an order.
+fn relabeled(parents: &[u32], order: &[u32]) -> Vec<u32> {
+    let places = inverse(order);
+    let parent = |&k: &u32| match parents[k as usize] {
+        NONE => NONE,
+        parent => places[parent as usize],
+    };
+    order.iter().map(parent).collect()
 }
 
 #[cfg(test)]
@@ -97,17 +130,18 @@ mod tests {
     fn subtrees_follow_each_other() {
         // 0 and 2 under 4, 1 and 3 under 5, both under 6.
         let parents = [4, 5, 4, 5, 6, 6, NONE];
-        assert_eq!(postorder(&parents), [0, 2, 4, 1, 3, 5, 6]);
+        let order = postorder(&parents);
+        assert_eq!(order, [0, 2, 4, 1, 3, 5, 6]);
+        assert_eq!(relabeled(&parents, &order), [2, 2, 6, 5, 5, 6, NONE]);
     }
 
     #[test]
     fn the_tree_of_an_arrow_is_a_star() {
         let places = (0..4).flat_map(|i| [(i, i), (i, 3)]).collect();
         let pattern = Pattern::new(4, places);
-        let all: Vec<_> = (0..4).collect();
         let pivots = Pivots {
-            rows: all.clone(),
-            columns: all,
+            rows: (0..4).collect(),
+            columns: (0..4).collect(),
         };
         assert_eq!(tree(&pattern, &pivots), [3, 3, 3, NONE]);
     }

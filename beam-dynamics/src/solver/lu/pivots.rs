@@ -6,11 +6,16 @@
 //! where counts are equal, one of the diagonal, then the largest. The search looks at
 //! the shortest columns and rows alone. So the identities by which momenta are defined
 //! go first, multipliers are paired with the forces they cause, and chains of blocks
-//! are eliminated from their ends.
+//! are eliminated from their ends. Where a long chain is cut in two ([`dissection`]), what is
+//! of the cut comes last.
+//!
+//! [`dissection`]: super::dissection
 //!
 //! References: [Markowitz1957].
 
-use super::lines::Lines;
+use super::branches::LARGE;
+use super::dissection::cut;
+use super::lines::{Lines, Turn};
 use super::number::Number;
 use crate::assembly::Pattern;
 
@@ -22,36 +27,52 @@ const SEARCHED: usize = 4;
 /// one [-].
 const ZERO: f64 = 1e-17;
 
+/// Scales of rows, and of columns.
+type Scales<'a> = (&'a [f64], &'a [f64]);
+
 /// Row and column of each pivot, in the order of elimination.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pivots {
-    pub rows: Vec<usize>,
-    pub columns: Vec<usize>,
+    pub rows: Vec<u32>,
+    pub columns: Vec<u32>,
 }
 
-/// Chooses pivots for a scaled matrix; `None` when it is singular.
-pub(super) fn choose<T: Number>(pattern: &Pattern, scaled: &[T]) -> Option<Pivots> {
-    let mut active = Active::new(pattern, scaled);
+/// Chooses pivots for the matrix of the given values, scaled; `None` when it is singular.
+pub(super) fn choose<T: Number>(
+    pattern: &Pattern,
+    values: &[T],
+    scales: Scales<'_>,
+) -> Option<Pivots> {
+    let mut active = Active::new(pattern, values, scales);
     let mut pivots = Pivots::default();
     for _ in 0..pattern.size() {
-        let (row, column) = active.best()?;
+        let best = active.best().or_else(|| {
+            active.show();
+            active.best()
+        });
+        let (row, column) = best?;
         active.eliminate(row, column);
-        pivots.rows.push(row);
-        pivots.columns.push(column);
+        pivots.rows.push(row as u32);
+        pivots.columns.push(column as u32);
     }
     Some(pivots)
 }
 
 /// What is left of a matrix during elimination.
-struct Active<T> {
-    /// Entries of each column: row and value.
-    columns: Vec<Vec<(usize, T)>>,
+struct Active<'a, T> {
+    pattern: &'a Pattern,
+    values: &'a [T],
+    scales: Scales<'a>,
+    /// Whether elimination has not come to a column: it is still as given.
+    is_given: Vec<bool>,
+    /// Entries of each other column: row and value.
+    columns: Vec<Vec<(u32, T)>>,
     /// Columns of the entries of each row.
-    rows: Vec<Vec<usize>>,
+    rows: Vec<Vec<u32>>,
     by_columns: Lines,
     by_rows: Lines,
     /// For each row its place among the multipliers of the pivot, counted from one.
-    slots: Vec<usize>,
+    slots: Vec<u32>,
 }
 
 #[derive(Clone, Copy)]
@@ -71,28 +92,70 @@ impl Candidate {
     }
 }
 
-impl<T: Number> Active<T> {
-    fn new(pattern: &Pattern, scaled: &[T]) -> Self {
+impl<'a, T: Number> Active<'a, T> {
+    fn new(pattern: &'a Pattern, values: &'a [T], scales: Scales<'a>) -> Self {
         let n = pattern.size();
-        let mut rows = vec![Vec::new(); n];
-        let mut columns = Vec::with_capacity(n);
+        let mut counts = vec![0; n];
+        let all = pattern.rows().iter();
+        all.for_each(|&row| counts[row as usize] += 1);
+        let mut rows: Vec<_> = counts.into_iter().map(Vec::with_capacity).collect();
         for j in 0..n {
-            let range = pattern.column_starts()[j]..pattern.column_starts()[j + 1];
-            let entries: Vec<_> = range.map(|at| (pattern.rows()[at], scaled[at])).collect();
-            entries.iter().for_each(|entry| rows[entry.0].push(j));
-            columns.push(entries);
+            let own = pattern.rows()[pattern.column(j)].iter();
+            own.for_each(|&row| rows[row as usize].push(j as u32));
         }
+        let hidden = cut(pattern).unwrap_or_else(|| vec![false; n]);
+        let turn = match n >= LARGE {
+            true => Turn::EachInTurn,
+            false => Turn::LatestFirst,
+        };
         Self {
-            by_columns: Lines::new(columns.iter().map(Vec::len)),
-            by_rows: Lines::new(rows.iter().map(Vec::len)),
-            columns,
+            pattern,
+            values,
+            scales,
+            is_given: vec![true; n],
+            columns: vec![Vec::new(); n],
+            by_columns: Lines::new(
+                (0..n).map(|j| pattern.column(j).len()),
+                turn,
+                hidden.clone(),
+            ),
+            by_rows: Lines::new(rows.iter().map(Vec::len), turn, hidden),
             rows,
             slots: vec![0; n],
         }
     }
 
+    /// Row and value of each entry of a column.
+    fn entries(&self, column: usize) -> impl Iterator<Item = (u32, T)> + '_ {
+        let given = match self.is_given[column] {
+            true => self.pattern.column(column),
+            false => 0..0,
+        };
+        let given = given.map(move |at| {
+            let row = self.pattern.rows()[at];
+            let (of_rows, of_columns) = self.scales;
+            let scale = of_rows[row as usize] * of_columns[column];
+            (row, self.values[at] * scale)
+        });
+        given.chain(self.columns[column].iter().copied())
+    }
+
+    /// Gives a column entries of its own, which can be changed.
+    fn take_over(&mut self, column: usize) {
+        if self.is_given[column] {
+            self.columns[column] = self.entries(column).collect();
+            self.is_given[column] = false;
+        }
+    }
+
+    /// Lets pivots be of the cut from now on.
+    fn show(&mut self) {
+        self.by_columns.show();
+        self.by_rows.show();
+    }
+
     /// The best pivot in the shortest columns and rows; `None` when all that is left is
-    /// zero.
+    /// zero, or of the cut.
     fn best(&self) -> Option<(usize, usize)> {
         let mut best: Option<Candidate> = None;
         let mut consider = |found: Option<Candidate>| {
@@ -106,80 +169,84 @@ impl<T: Number> Active<T> {
         in_columns.take(SEARCHED).for_each(|it| consider(Some(it)));
         for row in self.by_rows.ascending().take(SEARCHED) {
             let of_row = self.rows[row].iter();
-            of_row.for_each(|&column| consider(self.candidate(row, column)));
+            of_row.for_each(|&column| consider(self.candidate(row, column as usize)));
         }
         best.map(|best| best.place)
     }
 
     fn largest(&self, column: usize) -> f64 {
-        let entries = self.columns[column].iter();
+        let entries = self.entries(column);
         entries.fold(0.0, |largest, entry| entry.1.size().max(largest))
     }
 
     fn best_of_column(&self, column: usize) -> Option<Candidate> {
         let largest = self.largest(column);
-        let entries = self.columns[column].iter();
-        entries
-            .filter_map(|&(row, value)| self.rated(row, column, value, largest))
+        self.entries(column)
+            .filter_map(|(row, value)| self.rated(row as usize, column, value, largest))
             .reduce(|a, b| if b.is_better_than(&a) { b } else { a })
     }
 
     fn candidate(&self, row: usize, column: usize) -> Option<Candidate> {
-        let entry = self.columns[column].iter().find(|entry| entry.0 == row)?;
+        let mut entries = self.entries(column);
+        let entry = entries.find(|entry| entry.0 as usize == row)?;
         self.rated(row, column, entry.1, self.largest(column))
     }
 
-    /// An entry as a pivot; `None` where it is too small.
+    /// An entry as a pivot; `None` where it is too small, or of the cut.
     fn rated(&self, row: usize, column: usize, value: T, largest: f64) -> Option<Candidate> {
-        let fits = largest > ZERO && value.size() >= THRESHOLD * largest;
+        let is_late = self.by_rows.is_hidden(row) || self.by_columns.is_hidden(column);
+        let fits = largest > ZERO && value.size() >= THRESHOLD * largest && !is_late;
         fits.then(|| Candidate {
             place: (row, column),
-            cost: (self.rows[row].len() - 1) * (self.columns[column].len() - 1),
+            cost: (self.rows[row].len() - 1) * (self.by_columns.length(column) - 1),
             size: value.size() / largest,
         })
     }
 
     /// Eliminates the pivot at (row, column) from all other rows.
     fn eliminate(&mut self, row: usize, column: usize) {
+        self.take_over(column);
         let pivot_column = std::mem::take(&mut self.columns[column]);
         let pivot_row = std::mem::take(&mut self.rows[row]);
         self.by_columns.remove(column);
         self.by_rows.remove(row);
-        let pivot = pivot_column.iter().find(|entry| entry.0 == row);
+        let pivot = pivot_column.iter().find(|entry| entry.0 as usize == row);
         let pivot = pivot.map_or(T::ONE, |entry| entry.1);
-        let others = pivot_column.iter().filter(|entry| entry.0 != row);
+        let others = pivot_column.iter().filter(|entry| entry.0 as usize != row);
         let factors: Vec<_> = others.map(|&(i, value)| (i, value / pivot)).collect();
         for (slot, &(i, _)) in factors.iter().enumerate() {
-            self.slots[i] = slot + 1;
-            self.rows[i].retain(|&j| j != column);
+            self.slots[i as usize] = slot as u32 + 1;
+            self.rows[i as usize].retain(|&j| j as usize != column);
         }
-        let mut met = vec![usize::MAX; factors.len()];
-        for &j in pivot_row.iter().filter(|&&j| j != column) {
+        let mut met = vec![u32::MAX; factors.len()];
+        for &j in pivot_row.iter().filter(|&&j| j as usize != column) {
             self.update(row, j, &factors, &mut met);
         }
         for &(i, _) in &factors {
+            let i = i as usize;
             self.slots[i] = 0;
             self.by_rows.change(i, self.rows[i].len());
         }
     }
 
     /// `a_ij -= l_i a_pj` in column j, p being the row of the pivot.
-    fn update(&mut self, row: usize, j: usize, factors: &[(usize, T)], met: &mut [usize]) {
-        let target = &mut self.columns[j];
-        let Some(at) = target.iter().position(|entry| entry.0 == row) else {
+    fn update(&mut self, row: usize, j: u32, factors: &[(u32, T)], met: &mut [u32]) {
+        self.take_over(j as usize);
+        let target = &mut self.columns[j as usize];
+        let Some(at) = target.iter().position(|entry| entry.0 as usize == row) else {
             return;
         };
         let (_, in_pivot_row) = target.swap_remove(at);
         for (i, value) in target.iter_mut() {
-            if let Some(slot) = self.slots[*i].checked_sub(1) {
-                *value -= factors[slot].1 * in_pivot_row;
-                met[slot] = j;
+            if let Some(slot) = self.slots[*i as usize].checked_sub(1) {
+                *value -= factors[slot as usize].1 * in_pivot_row;
+                met[slot as usize] = j;
             }
         }
         for (&(i, factor), _) in factors.iter().zip(&*met).filter(|it| *it.1 != j) {
             target.push((i, -factor * in_pivot_row));
-            self.rows[i].push(j);
+            self.rows[i as usize].push(j);
         }
-        self.by_columns.change(j, target.len());
+        self.by_columns.change(j as usize, target.len());
     }
 }

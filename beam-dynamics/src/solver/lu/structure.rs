@@ -6,11 +6,14 @@
 //! a strip are kept in *segments*, each of consecutive rows that belong to one panel.
 //! Places of a block that the exact pattern leaves out hold zeros.
 //!
+//! All lists are in one piece each, of small numbers: what is read with the factors takes
+//! time as they do.
+//!
 //! References: [Demmel1999], whose supernodes the panels are.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::ops::Range;
 
+use super::fill::{Column, Fill};
 use super::number::LANES;
 use super::order::inverse;
 use super::pivots::Pivots;
@@ -22,46 +25,89 @@ const WIDEST: usize = 16;
 const SPARSE: f64 = 0.25;
 
 /// A block of columns of L.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Panel {
     /// First column, and the one after the last.
-    pub columns: (usize, usize),
-    /// All rows, those of the columns first.
-    pub rows: Vec<u32>,
+    columns: [u32; 2],
+    /// First of its rows in the list of all panels, and the one after the last.
+    rows: [u32; 2],
     /// First of its values, row by row.
     pub values: usize,
 }
 
+impl Panel {
+    /// First column, and the one after the last.
+    #[inline(always)]
+    pub fn columns(&self) -> (usize, usize) {
+        (self.columns[0] as usize, self.columns[1] as usize)
+    }
+}
+
 /// Some columns of a panel, which are computed together.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Strip {
     /// First column, and the one after the last.
-    pub columns: (usize, usize),
-    pub panel: usize,
-    /// Rows of U above the strip.
-    pub segments: Vec<Segment>,
-    /// Its columns in the matrix.
-    pub entries: [Column; LANES],
+    columns: [u32; 2],
+    /// First of its segments in the list of all, and the one after the last.
+    segments: [u32; 2],
+    panel: u32,
+}
+
+impl Strip {
+    /// First column, and the one after the last.
+    #[inline(always)]
+    pub fn columns(&self) -> (usize, usize) {
+        (self.columns[0] as usize, self.columns[1] as usize)
+    }
+
+    /// Number of its panel.
+    #[inline(always)]
+    pub fn panel(&self) -> usize {
+        self.panel as usize
+    }
 }
 
 /// Consecutive rows of U, which belong to one panel.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Segment {
-    pub panel: usize,
+    panel: u32,
     /// First row, and the one after the last.
-    pub rows: (usize, usize),
+    rows: [u32; 2],
     /// First of its values, in numbers of lanes.
-    pub values: usize,
+    values: u32,
 }
 
-/// Entries of a column of the matrix, which follow each other in its pattern.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Column {
-    /// First entry in the pattern of the matrix.
-    pub place: u32,
-    /// First entry among the rows of the structure.
-    pub first: u32,
-    pub count: u32,
+impl Segment {
+    /// Number of the panel.
+    #[inline(always)]
+    pub fn panel(&self) -> usize {
+        self.panel as usize
+    }
+
+    /// First row, and the one after the last.
+    #[inline(always)]
+    pub fn rows(&self) -> (usize, usize) {
+        (self.rows[0] as usize, self.rows[1] as usize)
+    }
+
+    /// First of its values, in numbers of lanes.
+    #[inline(always)]
+    pub fn values(&self) -> usize {
+        self.values as usize
+    }
+}
+
+/// What is computed by itself: a branch of the tree of elimination, or all that is left
+/// when the branches are done.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Part {
+    pub columns: Range<usize>,
+    pub panels: Range<usize>,
+    pub strips: Range<usize>,
+    /// Its values of L.
+    pub lower: Range<usize>,
+    /// Its values of U, in numbers of lanes.
+    pub upper: Range<usize>,
 }
 
 /// The pattern of the factors.
@@ -69,51 +115,97 @@ pub(super) struct Column {
 pub(super) struct Structure {
     pub panels: Vec<Panel>,
     pub strips: Vec<Strip>,
-    /// Row of each entry of the matrix in the order of elimination, strip by strip and
-    /// column by column.
+    pub segments: Vec<Segment>,
+    panel_rows: Vec<u32>,
+    /// Columns of the matrix in the order of elimination, and the end of the last.
+    pub columns: Vec<Column>,
+    /// Row of each entry of the matrix in the order of elimination, column by column.
     pub rows: Vec<u32>,
     /// Numbers in all panels.
     pub panel_values: usize,
     /// Lanes in all segments.
     pub segment_values: usize,
+    /// Parts that do not depend on each other.
+    pub branches: Vec<Part>,
+    /// What comes after them.
+    pub trunk: Part,
 }
 
 impl Structure {
-    pub fn new(pattern: &Pattern, pivots: &Pivots) -> Self {
-        let permuted = Permuted::new(pattern, pivots);
-        let fill = Fill::new(&permuted);
+    /// The pattern for pivots, those of independent branches being the first.
+    pub fn new(pattern: &Pattern, pivots: &Pivots, branches: &[Range<usize>]) -> Self {
         let mut structure = Self::default();
-        structure.find_panels(&fill);
-        structure.find_strips(&permuted, &fill);
+        structure.permute(pattern, pivots);
+        let fill = Fill::new(&structure.columns, &structure.rows);
+        structure.find_panels(&fill, branches);
+        structure.find_strips(&fill);
+        structure.find_parts(branches);
+        structure.segments.shrink_to_fit();
+        structure.panel_rows.shrink_to_fit();
         structure
     }
 
-    /// Joins columns to panels while few zeros have to be stored.
-    fn find_panels(&mut self, fill: &Fill) {
-        let n = fill.lower.len();
+    /// All rows of a panel, those of its columns first.
+    #[inline(always)]
+    pub fn rows_of(&self, panel: &Panel) -> &[u32] {
+        &self.panel_rows[panel.rows[0] as usize..panel.rows[1] as usize]
+    }
+
+    /// Rows of U above a strip.
+    #[inline(always)]
+    pub fn segments_of(&self, strip: &Strip) -> &[Segment] {
+        &self.segments[strip.segments[0] as usize..strip.segments[1] as usize]
+    }
+
+    /// The matrix in the order of elimination.
+    fn permute(&mut self, pattern: &Pattern, pivots: &Pivots) {
+        let places = inverse(&pivots.rows);
+        self.rows.reserve_exact(pattern.entries());
+        self.columns.reserve_exact(pattern.size() + 1);
+        let column = |place: usize, first: usize| Column {
+            place: place as u32,
+            first: first as u32,
+        };
+        for &of in &pivots.columns {
+            let range = pattern.column(of as usize);
+            self.columns.push(column(range.start, self.rows.len()));
+            let rows = pattern.rows()[range].iter();
+            self.rows.extend(rows.map(|&row| places[row as usize]));
+        }
+        self.columns.push(column(0, self.rows.len()));
+    }
+
+    /// Joins columns to panels while few zeros have to be stored; none across the end of a
+    /// branch.
+    fn find_panels(&mut self, fill: &Fill, branches: &[Range<usize>]) {
+        let n = fill.lower.count();
         let mut first = 0;
         while first < n {
-            let mut below = fill.lower[first].clone();
+            let mut below = fill.lower.of(first).to_vec();
             let (mut end, mut exact) = (first + 1, below.len());
-            while end < n && end - first < WIDEST {
-                let joined = union(&below, &fill.lower[end], end);
+            let border = branches.iter().find(|branch| branch.end > first);
+            let last = n.min(first + WIDEST).min(border.map_or(n, |it| it.end));
+            while end < last {
+                let joined = union(&below, fill.lower.of(end), end);
                 let width = end + 1 - first;
                 let stored = joined.len() * width + width * (width - 1) / 2;
-                exact += fill.lower[end].len();
+                exact += fill.lower.of(end).len();
                 if (stored - exact) as f64 > SPARSE * stored as f64 {
                     break;
                 }
                 below = joined;
                 end += 1;
             }
-            let rows: Vec<_> = (first..end)
-                .chain(below.into_iter().filter(|&row| row >= end))
-                .map(|row| row as u32)
-                .collect();
+            let from = self.panel_rows.len();
+            let own = first as u32..end as u32;
+            self.panel_rows.extend(own.clone());
+            let others = below.into_iter().filter(|row| *row >= own.end);
+            self.panel_rows.extend(others);
+            let rows = [from as u32, self.panel_rows.len() as u32];
             let values = self.panel_values;
-            self.panel_values += rows.len() * (end - first);
+            self.panel_values += (self.panel_rows.len() - from) * (end - first);
             self.panels.push(Panel {
-                columns: (first, end),
+                columns: [own.start, own.end],
                 rows,
                 values,
             });
@@ -121,125 +213,83 @@ impl Structure {
         }
     }
 
-    fn find_strips(&mut self, permuted: &Permuted, fill: &Fill) {
-        let mut panel_of = vec![0; fill.lower.len()];
+    fn find_strips(&mut self, fill: &Fill) {
+        let mut panel_of = vec![0; fill.lower.count()];
         for (index, panel) in self.panels.iter().enumerate() {
-            panel_of[panel.columns.0..panel.columns.1].fill(index);
+            panel_of[panel.columns().0..panel.columns().1].fill(index as u32);
         }
-        for (index, panel) in self.panels.iter().enumerate() {
-            let (mut first, end) = panel.columns;
+        let mut above = Vec::new();
+        for index in 0..self.panels.len() {
+            let (begin, end) = self.panels[index].columns();
+            let mut first = begin;
             while first < end {
-                let columns = (first, end.min(first + LANES));
-                let mut above: Vec<_> = (columns.0..columns.1)
-                    .flat_map(|k| fill.upper[k].iter().copied())
-                    .chain(panel.columns.0..first)
-                    .filter(|&row| row < first)
-                    .collect();
+                let columns = first..end.min(first + LANES);
+                above.clear();
+                let of_columns = columns.clone().flat_map(|k| fill.upper.of(k));
+                above.extend(of_columns.filter(|row| **row < first as u32));
+                above.extend(begin as u32..first as u32);
                 above.sort_unstable();
                 above.dedup();
-                let mut segments: Vec<Segment> = Vec::new();
-                for row in above {
-                    let panel = panel_of[row];
-                    if segments.last().is_none_or(|last| last.panel != panel) {
-                        let rows = (row, self.panels[panel].columns.1.min(first));
-                        segments.push(Segment {
-                            panel,
-                            rows,
-                            values: self.segment_values,
-                        });
-                        self.segment_values += rows.1 - rows.0;
-                    }
-                }
-                let entries = std::array::from_fn(|lane| {
-                    let column = permuted.columns.get(columns.0 + lane);
-                    let column = column.filter(|_| columns.0 + lane < columns.1);
-                    let entries = column.map_or(&[][..], |column| &column[..]);
-                    let first = self.rows.len() as u32;
-                    self.rows.extend(entries.iter().map(|entry| entry.0 as u32));
-                    Column {
-                        place: entries.first().map_or(0, |entry| entry.1 as u32),
-                        first,
-                        count: entries.len() as u32,
-                    }
-                });
+                let segments = self.segments.len() as u32;
+                self.add_segments(&above, first, &panel_of);
                 self.strips.push(Strip {
-                    columns,
-                    panel: index,
-                    segments,
-                    entries,
+                    columns: [first as u32, columns.end as u32],
+                    segments: [segments, self.segments.len() as u32],
+                    panel: index as u32,
                 });
-                first = columns.1;
+                first = columns.end;
             }
         }
+    }
+
+    /// The rows `above` the column `first`, in segments.
+    fn add_segments(&mut self, above: &[u32], first: usize, panel_of: &[u32]) {
+        let mut last = None;
+        for &row in above {
+            let panel = panel_of[row as usize];
+            if last.replace(panel) == Some(panel) {
+                continue;
+            }
+            let end = self.panels[panel as usize].columns[1].min(first as u32);
+            self.segments.push(Segment {
+                panel,
+                rows: [row, end],
+                values: self.segment_values as u32,
+            });
+            self.segment_values += (end - row) as usize;
+        }
+    }
+
+    fn find_parts(&mut self, branches: &[Range<usize>]) {
+        let n = self.columns.len() - 1;
+        let mut last = Part::default();
+        let mut next = |end: usize| {
+            let panels = self.panels.partition_point(|it| it.columns().0 < end);
+            let strips = self.strips.partition_point(|it| it.columns().0 < end);
+            let lower = self.panels.get(panels);
+            let upper = self.strips.get(strips).map(|it| it.segments[0] as usize);
+            let upper = upper.and_then(|at| self.segments.get(at));
+            last = Part {
+                columns: last.columns.end..end,
+                panels: last.panels.end..panels,
+                strips: last.strips.end..strips,
+                lower: last.lower.end..lower.map_or(self.panel_values, |it| it.values),
+                upper: last.upper.end..upper.map_or(self.segment_values, Segment::values),
+            };
+            last.clone()
+        };
+        let parts: Vec<_> = branches.iter().map(|branch| next(branch.end)).collect();
+        // It sees the whole.
+        self.trunk = next(n);
+        self.branches = parts;
     }
 }
 
 /// Both sorted lists in one, from row `from` on.
-fn union(a: &[usize], b: &[usize], from: usize) -> Vec<usize> {
-    let mut all: Vec<_> = a.iter().chain(b).copied().filter(|&i| i > from).collect();
+fn union(a: &[u32], b: &[u32], from: usize) -> Vec<u32> {
+    let rows = a.iter().chain(b).copied();
+    let mut all: Vec<_> = rows.filter(|&i| i as usize > from).collect();
     all.sort_unstable();
     all.dedup();
     all
-}
-
-/// The matrix in the order of elimination.
-struct Permuted {
-    /// Row and place of the entries of each column.
-    columns: Vec<Vec<(usize, usize)>>,
-}
-
-impl Permuted {
-    fn new(pattern: &Pattern, pivots: &Pivots) -> Self {
-        let rows = inverse(&pivots.rows);
-        let column = |&column: &usize| {
-            let range = pattern.column_starts()[column]..pattern.column_starts()[column + 1];
-            range.map(|at| (rows[pattern.rows()[at]], at)).collect()
-        };
-        Self {
-            columns: pivots.columns.iter().map(column).collect(),
-        }
-    }
-}
-
-/// Exact patterns of the columns of the factors, ascending.
-struct Fill {
-    /// Rows of L, below the diagonal.
-    lower: Vec<Vec<usize>>,
-    /// Rows of U, above the diagonal.
-    upper: Vec<Vec<usize>>,
-}
-
-impl Fill {
-    /// Column k has the rows of its entries, and for each row j of them above the
-    /// diagonal the rows of column j of L.
-    fn new(permuted: &Permuted) -> Self {
-        let n = permuted.columns.len();
-        let mut lower: Vec<Vec<usize>> = Vec::with_capacity(n);
-        let mut upper = Vec::with_capacity(n);
-        let mut met = vec![usize::MAX; n];
-        let mut open = BinaryHeap::new();
-        for (k, entries) in permuted.columns.iter().enumerate() {
-            let (mut above, mut below) = (Vec::new(), Vec::new());
-            let mut add = |row: usize, open: &mut BinaryHeap<_>, below: &mut Vec<_>| {
-                if std::mem::replace(&mut met[row], k) != k {
-                    match row.cmp(&k) {
-                        std::cmp::Ordering::Less => open.push(Reverse(row)),
-                        std::cmp::Ordering::Equal => {}
-                        std::cmp::Ordering::Greater => below.push(row),
-                    }
-                }
-            };
-            let rows = entries.iter().map(|entry| entry.0);
-            rows.for_each(|row| add(row, &mut open, &mut below));
-            while let Some(Reverse(j)) = open.pop() {
-                above.push(j);
-                let rows = lower[j].iter();
-                rows.for_each(|&row| add(row, &mut open, &mut below));
-            }
-            below.sort_unstable();
-            lower.push(below);
-            upper.push(above);
-        }
-        Self { lower, upper }
-    }
 }

@@ -163,7 +163,7 @@ fn scales_of_equations_and_unknowns_do_not_matter() {
     let scale = |i: usize| 10.0_f64.powi([-5, 0, 5][i % 3]);
     for j in 0..pattern.size() {
         for at in pattern.column_starts()[j]..pattern.column_starts()[j + 1] {
-            stiff.values_mut()[at] *= scale(pattern.rows()[at]) * scale(j + 1);
+            stiff.values_mut()[at] *= scale(pattern.rows()[at] as usize) * scale(j + 1);
         }
     }
     let mut solver = StepSolver::new(&pattern);

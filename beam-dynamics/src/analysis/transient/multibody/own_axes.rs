@@ -90,7 +90,7 @@ pub(super) fn find(
     system: &System,
     nodes: &[NodeMotion],
     tangent: &Tangent,
-) -> Vec<Option<OwnAxes>> {
+) -> Vec<Option<Box<OwnAxes>>> {
     let mut held = vec![false; nodes.len()];
     for element in system.elements() {
         let holds =
@@ -102,7 +102,7 @@ pub(super) fn find(
     let nodes = held.into_iter().zip(nodes).enumerate();
     let of = |(i, (held, node)): (usize, (bool, &NodeMotion))| {
         let axis = held.then(|| long_axis(node, i, tangent)).flatten()?;
-        OwnAxes::new(system.pattern(), i, axis)
+        OwnAxes::new(system.pattern(), i, axis).map(Box::new)
     };
     nodes.map(of).collect()
 }

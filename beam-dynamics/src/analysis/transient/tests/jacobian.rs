@@ -30,7 +30,7 @@ fn error(model: &Model) -> f64 {
     let state = start(model, &TransientQuestion::new(1.0, 0.1))
         .unwrap()
         .state;
-    let mut dae = Multibody::new(model, [state.clone(), state], false);
+    let mut dae = Multibody::new(model, [state.clone(), state], (1, false));
     let count = dae.pattern().size();
     let mut random = Random(7);
     let mut numbers = |size: f64| {

@@ -1,0 +1,107 @@
+//! Where a long chain is cut in two, so that its halves can be eliminated side by side: from
+//! both ends to the cut, without more fill than from one end to the other.
+//!
+//! Levels of unknowns, by their distance from an end of the chain, are found twice: the last
+//! of the first search is an end. Of the middle level those that have neighbors in the next
+//! one are the cut.
+//!
+//! References: [GeorgeLiu1981].
+
+use super::branches::LARGE;
+use crate::assembly::Pattern;
+
+/// Least part of the whole that is a half [-].
+const HALF: f64 = 0.4;
+/// Largest part of the whole that is a cut [-].
+const CUT: f64 = 0.02;
+
+const NONE: u32 = u32::MAX;
+
+/// For each unknown of a large chain whether it is of the cut; `None` for small matrices, and
+/// for those that are no chain: trees have branches of their own.
+pub(super) fn cut(pattern: &Pattern) -> Option<Vec<bool>> {
+    (pattern.size() >= LARGE).then(|| found(pattern)).flatten()
+}
+
+/// The same whatever the size of the matrix.
+fn found(pattern: &Pattern) -> Option<Vec<bool>> {
+    let n = pattern.size();
+    let graph = symmetric(pattern);
+    let nothing = vec![false; n];
+    let (first, _) = search(&graph, 0, &nothing);
+    let (order, levels) = search(&graph, *first.last()?, &nothing);
+    if order.len() < n {
+        return None;
+    }
+    let middle = levels[order[n / 2] as usize];
+    let is_cut = |i: usize| {
+        let mut near = graph.rows()[graph.column(i)].iter();
+        levels[i] == middle && near.any(|&j| levels[j as usize] == middle + 1)
+    };
+    let cut: Vec<_> = (0..n).map(is_cut).collect();
+    let size = cut.iter().filter(|is_cut| **is_cut).count();
+    let part = |from: u32| search(&graph, from, &cut).0.len() as f64 / n as f64;
+    let ends = [order[0], *order.last()?];
+    let is_chain = size as f64 <= CUT * n as f64 && ends.into_iter().all(|end| part(end) >= HALF);
+    is_chain.then_some(cut)
+}
+
+/// The pattern and its transpose.
+fn symmetric(pattern: &Pattern) -> Pattern {
+    let n = pattern.size();
+    Pattern::of(n, |add| {
+        for j in 0..n {
+            for &i in &pattern.rows()[pattern.column(j)] {
+                add(i as usize, j);
+                add(j, i as usize);
+            }
+        }
+    })
+}
+
+/// All that is reached from an unknown without one that is `left_out`, the nearest first, and
+/// the distance of each.
+fn search(graph: &Pattern, from: u32, left_out: &[bool]) -> (Vec<u32>, Vec<u32>) {
+    let mut levels = vec![NONE; graph.size()];
+    let mut order = vec![from];
+    levels[from as usize] = 0;
+    let mut next = 0;
+    while let Some(&i) = order.get(next) {
+        next += 1;
+        let level = levels[i as usize] + 1;
+        for &j in &graph.rows()[graph.column(i as usize)] {
+            if levels[j as usize] == NONE && !left_out[j as usize] {
+                levels[j as usize] = level;
+                order.push(j);
+            }
+        }
+    }
+    (order, levels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pattern(n: usize, parent: impl Fn(usize) -> usize) -> Pattern {
+        let places = (0..n).flat_map(|i| [(i, i), (i, parent(i)), (parent(i), i)]);
+        Pattern::new(n, places.collect())
+    }
+
+    #[test]
+    fn a_chain_is_cut_in_the_middle_and_a_star_is_not() {
+        let cut = found(&pattern(101, |i| i.saturating_sub(1))).unwrap();
+        let places: Vec<_> = (0..101).filter(|&i| cut[i]).collect();
+        assert_eq!(places, [50]);
+        assert!(found(&pattern(100, |i| i.saturating_sub(4))).is_none());
+        // Two chains that do not meet.
+        assert!(
+            found(&pattern(100, |i| if i == 50 {
+                i
+            } else {
+                i.saturating_sub(1)
+            }))
+            .is_none()
+        );
+    }
+}

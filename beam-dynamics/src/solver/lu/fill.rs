@@ -1,0 +1,92 @@
+//! The exact pattern of the factors, pivots being given.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Entries of a column of the matrix, which follow each other in its pattern.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Column {
+    /// First entry in the pattern of the matrix.
+    pub place: u32,
+    /// First entry among the rows of the structure; the next column has the one after the
+    /// last.
+    pub first: u32,
+}
+
+/// Rows of many columns, one column after the other.
+#[derive(Debug)]
+pub(super) struct Columns {
+    starts: Vec<u32>,
+    rows: Vec<u32>,
+}
+
+impl Columns {
+    fn new(count: usize) -> Self {
+        let mut starts = Vec::with_capacity(count + 1);
+        starts.push(0);
+        Self {
+            starts,
+            rows: Vec::new(),
+        }
+    }
+
+    fn push(&mut self, rows: &[u32]) {
+        self.rows.extend_from_slice(rows);
+        self.starts.push(self.rows.len() as u32);
+    }
+
+    /// Number of columns.
+    pub fn count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Rows of a column.
+    pub fn of(&self, column: usize) -> &[u32] {
+        &self.rows[self.starts[column] as usize..self.starts[column + 1] as usize]
+    }
+}
+
+/// Exact patterns of the columns of the factors, ascending.
+pub(super) struct Fill {
+    /// Rows of L, below the diagonal.
+    pub lower: Columns,
+    /// Rows of U, above the diagonal.
+    pub upper: Columns,
+}
+
+impl Fill {
+    /// Column k has the rows of its entries, and for each row j of them above the
+    /// diagonal the rows of column j of L. The matrix is given by its columns in the order
+    /// of elimination, the last of which ends it, and the rows of their entries.
+    pub fn new(columns: &[Column], rows: &[u32]) -> Self {
+        let n = columns.len() - 1;
+        let (mut lower, mut upper) = (Columns::new(n), Columns::new(n));
+        let mut met = vec![u32::MAX; n];
+        let mut open = BinaryHeap::new();
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        for k in 0..n as u32 {
+            (above.clear(), below.clear());
+            let mut add = |row: u32, open: &mut BinaryHeap<_>, below: &mut Vec<_>| {
+                if std::mem::replace(&mut met[row as usize], k) != k {
+                    match row.cmp(&k) {
+                        std::cmp::Ordering::Less => open.push(Reverse(row)),
+                        std::cmp::Ordering::Equal => {}
+                        std::cmp::Ordering::Greater => below.push(row),
+                    }
+                }
+            };
+            let entries = &columns[k as usize..k as usize + 2];
+            let rows = &rows[entries[0].first as usize..entries[1].first as usize];
+            rows.iter().for_each(|&row| add(row, &mut open, &mut below));
+            while let Some(Reverse(j)) = open.pop() {
+                above.push(j);
+                let rows = lower.of(j as usize).iter();
+                rows.for_each(|&row| add(row, &mut open, &mut below));
+            }
+            below.sort_unstable();
+            lower.push(&below);
+            upper.push(&above);
+        }
+        Self { lower, upper }
+    }
+}
