@@ -1,4 +1,4 @@
-//! The section file of a generated blade, as far as it is known.
+//! The section file of a generated blade, without the constants of its materials.
 
 use std::fmt::Write;
 

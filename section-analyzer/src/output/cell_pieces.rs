@@ -1,4 +1,4 @@
-//! Cells in triangles small enough to be plane.
+//! Division of cells into triangles small enough to be drawn as plane.
 
 use std::collections::HashMap;
 
@@ -6,18 +6,19 @@ use shared_geom::mesh::CellKind;
 
 /// Size of triangles with a value at each corner [figure pixels].
 pub(super) const PIECE: f64 = 9.0;
-/// Triangles along the side of a cell at most: those of one as wide as the figure.
+/// Largest number of triangles along the side of a cell: enough for a cell as wide as the
+/// figure.
 const PIECES: usize = 200;
 
-/// A reference cell in pieces: shape functions at their corners.
+/// A reference cell divided into triangles: shape functions at their corners.
 #[derive(Debug)]
 pub(super) struct Pattern {
     shapes: Vec<[f64; 9]>,
-    /// Their corners, three of those points each.
+    /// The three points of each triangle.
     pub triangles: Vec<[usize; 3]>,
 }
 
-/// The patterns that have been of use.
+/// The patterns made so far.
 #[derive(Debug)]
 pub(super) struct Patterns {
     /// Size of the triangles [figure pixels].
@@ -34,7 +35,7 @@ impl Patterns {
         }
     }
 
-    /// The triangles of a cell with these nodes \[figure pixels\] by its corners, where it is
+    /// The triangles of a cell with these nodes \[figure pixels\] by its corners, if it is
     /// so small that its pattern has one piece along a side.
     pub fn of_corners<const N: usize>(
         &self,
@@ -49,8 +50,8 @@ impl Patterns {
         })
     }
 
-    /// The pattern of a cell that has its nodes at the first two values of `nodes`
-    /// \[figure pixels\], with `least` pieces or more along a side.
+    /// The pattern of a cell whose nodes are at the first two values of `nodes`
+    /// \[figure pixels\], with at least `least` pieces along a side.
     pub fn of<const N: usize>(
         &mut self,
         kind: CellKind,
@@ -96,7 +97,7 @@ impl Pattern {
                 }
             }
         }
-        // the map has no order of its own
+        // the order of the map is arbitrary
         triangles.sort_unstable();
         Self { shapes, triangles }
     }
@@ -115,7 +116,7 @@ impl Pattern {
     }
 }
 
-/// How far the nodes extend along an axis.
+/// Extent of the nodes along an axis.
 fn extent<const N: usize>(nodes: &[[f64; N]], axis: usize) -> f64 {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for node in nodes {

@@ -1,4 +1,4 @@
-//! The comparison of two property files, in words and numbers.
+//! The comparison of two property files, as text and numbers.
 
 use nalgebra::Matrix6;
 use shared_geom::section::SectionProperties;
@@ -8,10 +8,10 @@ use super::parts::joined;
 use super::text::{ZERO, coordinate, number, table};
 use crate::properties::{Difference, Entry, Part};
 
-/// Most entries that the list of differences shows.
+/// Largest number of entries in the list of differences.
 const SHOWN: usize = 12;
 
-/// A property file and what it holds.
+/// Name of a property file and its content.
 pub type Named<'a> = (&'a str, &'a SectionProperties);
 
 /// The comparison of the files A and B; the last part is the verdict.
@@ -59,9 +59,9 @@ pub fn comparison(a: Named<'_>, b: Named<'_>, difference: &Difference, tolerance
 fn head(a: Named<'_>, b: Named<'_>, difference: &Difference) -> String {
     let source = |named: Named<'_>| named.1.provenance.input_hash.clone();
     let inputs = match source(a) == source(b) {
-        _ if source(a).is_empty() || source(b).is_empty() => "not known of both files",
+        _ if source(a).is_empty() || source(b).is_empty() => "unknown for at least one of them",
         true => "the same mesh and materials",
-        false => "different ones",
+        false => "different",
     };
     let mut text = format!(
         "Comparison\n  A         {}: \"{}\"\n  B         {}: \"{}\"\n  inputs    {inputs}\n",
@@ -85,7 +85,7 @@ fn head(a: Named<'_>, b: Named<'_>, difference: &Difference) -> String {
     }
     for (number, change) in difference.brought.iter().enumerate() {
         let label = if number == 0 { "point" } else { "" };
-        text += &format!("  {label:<9} B is brought to A: {change}\n");
+        text += &format!("  {label:<9} B is transformed to A: {change}\n");
     }
     text
 }
@@ -113,7 +113,7 @@ fn relative(value: f64) -> String {
     }
 }
 
-/// A table of entries; places below round-off of `scale` are shown as zero.
+/// A table of entries; lengths that are round-off compared with `scale` are shown as zero.
 fn entries<'a>(entries: impl Iterator<Item = &'a Entry>, scale: f64) -> String {
     let heading = ["", "A", "B", "", "relative"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
@@ -143,7 +143,8 @@ fn row(entry: &Entry, scale: f64) -> Vec<String> {
     ]
 }
 
-/// A value, or zero where it is round-off beside what the difference is relative to.
+/// The value, or zero if it is round-off compared with the reference of the relative
+/// difference.
 fn beside(value: f64, entry: &Entry) -> f64 {
     let weight = ((entry.b - entry.a) / entry.relative).abs();
     match value.abs() <= ZERO * weight {
@@ -159,7 +160,7 @@ fn optional(table: String) -> String {
     }
 }
 
-/// What is beyond the tolerance, largest first, or that nothing is.
+/// The verdict: the differences beyond the tolerance, largest first, or equality.
 fn verdict(difference: &Difference, tolerance: f64) -> String {
     let beyond = difference.beyond(tolerance);
     let tolerance = match tolerance == 0.0 {
@@ -178,7 +179,7 @@ fn verdict(difference: &Difference, tolerance: f64) -> String {
     if count == 0 {
         let words = match difference.unlike.is_empty() {
             true => "Equal within",
-            false => "What both have is equal within",
+            false => "The numbers of both are equal within",
         };
         let largest = relative(difference.largest()).replace('+', "");
         return text
@@ -218,7 +219,7 @@ fn part(part: Part) -> &'static str {
 mod tests {
     use super::*;
 
-    /// 1e-9 beside a stiffness of 1e6 is round-off, 1e-3 is not.
+    /// 1e-9 compared with a stiffness of 1e6 is round-off, 1e-3 is not.
     #[test]
     fn round_off_of_a_different_number_is_shown_as_zero() {
         let shown = |a: f64| {

@@ -1,4 +1,4 @@
-//! What a load distributed along the beam adds, in the report of stresses.
+//! Effect of a load distributed along the beam, in the report of stresses.
 
 use shared_geom::wrench::COMPONENTS;
 
@@ -8,7 +8,7 @@ use crate::section::Section;
 use crate::solution::DistributedState;
 
 /// The force per length of a load on `section` and the generalized strain that it adds;
-/// `acts` are its parts in words, `strain` is what round-off of strains is measured beside.
+/// `acts` describes its parts, `strain` is the reference size for round-off of strains.
 pub fn distributed_load(
     section: &Section,
     state: &DistributedState,
@@ -30,7 +30,8 @@ pub fn distributed_load(
     let acts: String = acts.collect();
     format!(
         "Distributed load at the section: force per length about the reference point [N/m, N]\n\
-         and the generalized strain that it adds to that of the internal force [-, 1/m]\n{acts}{}  \
+         and the generalized strain that it adds to the strain of the internal force [-, 1/m]\n\
+         {acts}{}  \
          (the work of its stresses on the central solutions differs from that strain by {:.1e})\n",
         table(&rows, "lr"),
         state.error

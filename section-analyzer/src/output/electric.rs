@@ -8,7 +8,7 @@ use crate::material::{ElectricLaw, VACUUM_PERMITTIVITY};
 use crate::mesh::counted;
 use crate::section::{ElectrodeShape, FingeredCell, Section};
 
-/// Constants on a line.
+/// Constants per line.
 const IN_LINE: usize = 6;
 
 /// The lines of the electric law of a material, in its axes.
@@ -37,7 +37,7 @@ pub(super) fn electric_law(law: &ElectricLaw) -> String {
     text
 }
 
-/// The electrodes, where there are any.
+/// The electrodes; empty without electrodes.
 pub(super) fn electrodes(section: &Section, summary: &InputSummary) -> String {
     if section.electrodes.is_empty() {
         return String::new();
@@ -45,7 +45,7 @@ pub(super) fn electrodes(section: &Section, summary: &InputSummary) -> String {
     let heading = [
         "electrode",
         "circuit",
-        "place",
+        "location",
         "size",
         "field per volt [1/m]",
     ];
@@ -69,7 +69,7 @@ pub(super) fn electrodes(section: &Section, summary: &InputSummary) -> String {
     format!("Electrodes\n{}", table(&rows, "lllrl"))
 }
 
-/// The field between fingers: `3225.81 along axis 1, in 12 cells the other way`.
+/// The field between fingers: `3225.81 along axis 1, in 12 cells reversed`.
 fn field(cells: &[FingeredCell]) -> String {
     let Some(first) = cells.first() else {
         return String::new();
@@ -83,7 +83,7 @@ fn field(cells: &[FingeredCell]) -> String {
     let words = format!("{} along axis {axis}", number(field[field.iamax()]));
     match other {
         0 => words,
-        _ => format!("{words}, in {} the other way", counted(other, "cell")),
+        _ => format!("{words}, in {} reversed", counted(other, "cell")),
     }
 }
 

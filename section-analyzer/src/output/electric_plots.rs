@@ -7,10 +7,10 @@ use crate::input::InputSummary;
 use crate::recovery::{ElectricRecovery, Recovery};
 use crate::section::{ElectrodeShape, Section};
 
-/// A field below this part of the largest is round-off.
+/// A field below this fraction of the largest is round-off.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Voltages that are told at most.
+/// Largest number of voltages shown.
 const TOLD: usize = 4;
 
 /// The figures of one recovery.
@@ -37,7 +37,7 @@ pub fn electric_plots<'a>(
     })
 }
 
-/// White where there is none.
+/// The potential; white in cells without potential.
 fn potential(section: &Section, electric: &ElectricRecovery) -> Option<Field> {
     let mut electrodes = section.electrodes.iter();
     if !electrodes.any(|known| matches!(known.shape, ElectrodeShape::Conductor { .. })) {
@@ -114,7 +114,7 @@ fn magnitude(recovery: &Recovery, electric: &ElectricRecovery) -> Field {
     field
 }
 
-/// Says what cells without a number are.
+/// Adds the meaning of white cells, which have no number, to the note.
 fn tell_white(field: &mut Field, what: &str) {
     if field.values.iter().any(|values| values[0].is_nan()) {
         let comma = if field.note.is_empty() { "" } else { "; " };
@@ -161,7 +161,7 @@ mod tests {
     }
 
     /// One volt at the top of a bimorph: nodes of the upper face are at one, those of the
-    /// lower one at zero; the field stands on the faces: arrows down, against the potential.
+    /// lower face at zero; the field is normal to the faces: arrows down, against the potential.
     #[test]
     fn potential_and_field_of_a_driven_face() {
         let section = bimorph();
@@ -180,7 +180,7 @@ mod tests {
         let arrows = sizes.vectors.as_ref().unwrap();
         for (cell, (sizes, arrows)) in sizes.values.iter().zip(arrows).enumerate() {
             let above = section.mesh.middle(&section.mesh.cells[cell])[1] > 0.5 * LAYER;
-            // of the other layer, held by this one, the field is a part of 1/LAYER
+            // the field of the other layer, held by this layer, is a fraction of 1/LAYER
             assert!(!above || (arrows[0][1] < -0.5 / LAYER && sizes[0] > 0.5 / LAYER));
         }
         assert_eq!(

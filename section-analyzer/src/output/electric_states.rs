@@ -1,11 +1,11 @@
-//! Voltages, charges and electric fields of a recovery in words.
+//! Report of voltages, charges and electric fields of a recovery.
 
 use super::round_off::size;
 use super::text::{ZERO, coordinate, number, table};
 use crate::recovery::{ElectricRecovery, Recovery};
 use crate::section::Section;
 
-/// The part of the report; nothing without electrodes.
+/// The part of the report; empty without electrodes.
 pub(super) fn electrodes(section: &Section, recovery: &Recovery) -> String {
     let Some(electric) = &recovery.electric else {
         return String::new();
@@ -47,7 +47,7 @@ fn voltages(section: &Section, electric: &ElectricRecovery) -> String {
     format!("Electrodes\n{}{note}", table(&rows, "lr"))
 }
 
-/// The largest field of each region that has one.
+/// The largest field of each region that has a field.
 fn fields(section: &Section, recovery: &Recovery, electric: &ElectricRecovery) -> String {
     let heading = [
         "region",
@@ -101,8 +101,8 @@ mod tests {
     use crate::section::piezo_samples::layer;
     use nalgebra::Vector6;
 
-    /// A pulled layer, held: a charge and no voltage; open: a voltage, and the charges are
-    /// nothing, not the round-off of what cancels.
+    /// A layer in tension. Held: a charge and no voltage; open: a voltage, and charges of
+    /// exactly zero instead of round-off.
     #[test]
     fn open_electrodes_have_no_charge() {
         let mut section = layer();
@@ -117,7 +117,7 @@ mod tests {
         };
         let (voltage, charge, text) = words(Circuit::Driven);
         assert_eq!(voltage, "0");
-        // -d31 F / h: on the conductor above, whose normal into the layer is -z
+        // -d31 F / h: on the upper conductor, whose normal into the layer is -z
         assert_eq!(charge, "1.37000e-6");
         assert!(
             text.contains("Electric field, its size at integration points"),

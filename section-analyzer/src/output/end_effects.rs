@@ -1,9 +1,9 @@
-//! How far ends and jumps are felt along the beam, in the report.
+//! Report of the decay of end effects along the beam.
 
 use super::text::{coordinate, number, table};
 use crate::solution::EndEffects;
 
-/// Part of an end effect that is left at the second distance.
+/// Fraction of an end effect that remains at the second distance.
 const LITTLE: f64 = 0.01;
 
 /// The part of the report about end effects.
@@ -19,7 +19,7 @@ pub fn end_effects(found: &EndEffects) -> String {
     }
     let status = match found.is_converged {
         true if found.modes.len() < found.wanted => {
-            "  These are all: the mesh has no more.\n".to_owned()
+            "  The mesh has no further end effects.\n".to_owned()
         }
         true => String::new(),
         false => format!(
@@ -36,13 +36,13 @@ pub fn end_effects(found: &EndEffects) -> String {
         )
     });
     format!(
-        "End effects: decaying solutions, those that reach farthest first, equal ones once\n\
+        "End effects: decaying solutions, slowest decay first, equal ones once\n\
          {}{words}{status}",
         table(&rows, "rrr")
     )
 }
 
-/// A length for a sentence.
+/// A length in plain notation if that is short.
 fn plain(length: f64) -> String {
     coordinate(length, length)
 }
@@ -79,9 +79,9 @@ mod tests {
             text.contains("1.25664") && !text.contains("not converged"),
             "{text}"
         );
-        assert!(!text.contains("no more"), "{text}");
+        assert!(!text.contains("no further"), "{text}");
         found.wanted = 3;
-        assert!(end_effects(&found).contains("These are all: the mesh has no more."));
+        assert!(end_effects(&found).contains("The mesh has no further end effects."));
         found.is_converged = false;
         found.change = 2e-5;
         let text = end_effects(&found);

@@ -1,4 +1,4 @@
-//! The engineering values of a section, read from its matrices at its centers.
+//! The engineering values of a section, from its matrices at its centers.
 
 use nalgebra::{Matrix6, Vector2, Vector3};
 use shared_geom::section::SectionProperties;
@@ -12,7 +12,7 @@ use crate::solution::SectionSolution;
 pub struct EngineeringValue {
     /// The usual symbol, as `GAy`.
     pub symbol: &'static str,
-    /// What it is, with the point.
+    /// Meaning, with the point.
     pub meaning: &'static str,
     /// Its unit.
     pub unit: &'static str,
@@ -40,9 +40,9 @@ pub fn engineering_values(solution: &SectionSolution) -> [EngineeringValue; 6] {
     )
 }
 
-/// As [`engineering_values`], from a property file, which holds no compliance: that
-/// about a center is the inverse of the stiffness there. `None` when the stiffness
-/// is not positive definite.
+/// As [`engineering_values`], from a property file, which contains no compliance: the
+/// compliance about a center is the inverse of the stiffness there. `None` if the
+/// stiffness is not positive definite.
 pub fn engineering_values_of(properties: &SectionProperties) -> Option<[EngineeringValue; 6]> {
     let about = |center: Vector2<f64>| {
         let d = Vector3::new(0.0, center.x, center.y);
@@ -103,9 +103,9 @@ mod tests {
     use shared_geom::section::InitialCurvature;
 
     /// A bar of 0.2 x 0.1 m, far from the reference point: E A, E h b^3 / 12,
-    /// E b h^3 / 12 wherever it lies; all values restrained or free are the same in
+    /// E b h^3 / 12 wherever it lies; restrained and free values are the same in
     /// an isotropic section with two axes of symmetry. Shear and torsion are only
-    /// compared with those of the bar at the reference point. Moving by ten widths
+    /// compared with the values of the bar at the reference point. Moving by ten widths
     /// loses three digits of the fifteen.
     #[test]
     fn values_do_not_depend_on_the_reference_point() {

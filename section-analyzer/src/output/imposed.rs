@@ -1,4 +1,4 @@
-//! Heat and other imposed strains in words: what a kelvin does, and the named states.
+//! Report of temperature and other imposed strains: force per kelvin, and named states.
 
 use nalgebra::Vector6;
 use shared_geom::section::{ImposedState, SectionProperties};
@@ -8,7 +8,7 @@ use super::round_off::without_round_off;
 use super::text::{number, table};
 use crate::properties::radius_of_gyration;
 
-/// What the properties say of heat and imposed strains; nothing where they do not.
+/// The part of the report on temperature and imposed strains; empty without them.
 pub fn imposed_report(properties: &SectionProperties) -> String {
     let length = radius_of_gyration(properties);
     let thermal = thermal(properties.thermal_force.as_ref(), length);
@@ -19,8 +19,8 @@ pub fn imposed_report(properties: &SectionProperties) -> String {
     }
 }
 
-/// The force per kelvin of an even rise; nothing without one. Moments over `length`, the
-/// size of the section \[m\], are comparable with forces.
+/// The force per kelvin of a uniform temperature rise; empty if unknown. Moments divided by
+/// `length`, the size of the section \[m\], are comparable with forces.
 fn thermal(force: Option<&Vector6<f64>>, length: f64) -> String {
     let Some(forces) = force else {
         return String::new();
@@ -35,7 +35,7 @@ fn thermal(force: Option<&Vector6<f64>>, length: f64) -> String {
     )
 }
 
-/// Free strain and restrained force of each state, side by side; nothing without any.
+/// Free strain and restrained force of each state, side by side; empty without states.
 fn states(states: &[ImposedState], length: f64) -> String {
     let of_state = |state: &ImposedState| {
         let heading = ["", "free strain [-, 1/m]", "restrained force [N, N m]"];

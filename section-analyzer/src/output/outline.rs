@@ -1,25 +1,25 @@
-//! Sides of cells as lines that can be drawn: curved sides curved, boundaries told
-//! from the sides between cells.
+//! Sides of cells as lines to draw: curved sides as curves, boundaries distinguished
+//! from sides between cells.
 
 use shared_geom::lagrange::line3;
 
 use crate::mesh::{SectionCell, polygon_area};
 use crate::section::Section;
 
-/// Pieces in which a curved side is drawn.
+/// Chords by which a curved side is drawn.
 const PIECES: usize = 8;
 /// Deviation of a middle node from the chord, relative to its length, below which
 /// a side is drawn straight.
 const STRAIGHT: f64 = 1e-4;
 
-/// What lies on the two sides of a side.
+/// Kind of a side, by its adjacent cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SideRole {
     /// One cell only.
     Boundary,
     /// Cells of different parts.
     Interface,
-    /// Cells of one part, whose number it holds.
+    /// Cells of one part, with its number.
     Inner(usize),
 }
 
@@ -29,11 +29,11 @@ pub(super) struct Side {
     pub ends: [u32; 2],
     pub middle: Option<u32>,
     pub role: SideRole,
-    /// The first of its cells, which is on its left.
+    /// The first adjacent cell, on its left.
     pub cell: usize,
-    /// Its number in that cell.
+    /// Number of the side in that cell.
     pub local: usize,
-    /// The other of its cells.
+    /// The second adjacent cell.
     pub other: Option<usize>,
 }
 
@@ -48,7 +48,7 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// Of the cells of `section`.
+    /// The outline of the cells of `section`.
     pub fn new(section: &Section) -> Self {
         let sides = sides_by(&section.mesh.cells, |cell| section.cells[cell].material);
         let (wall, cell) = widths(section, &sides);
@@ -56,7 +56,8 @@ impl Outline {
     }
 }
 
-/// Every side of the mesh, once, in the order of the cells, with cells parted by the number that `part` gives each.
+/// Every side of the mesh, once, in the order of the cells, with the part of each cell given by
+/// `part`.
 pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> Vec<Side> {
     let mut sides: Vec<Side> = Vec::new();
     let mut known = KnownSides::default();
@@ -84,19 +85,19 @@ pub(super) fn sides_by(cells: &[SectionCell], part: impl Fn(usize) -> usize) -> 
     sides
 }
 
-/// Numbers of sides by their ends, counted as they come.
+/// Numbers of sides by their ends, in the order of addition.
 ///
-/// Few sides meet in a node: those of which it is the lower end stand in a list.
+/// Few sides meet in a node: each node has a list of the sides whose lower end it is.
 #[derive(Debug, Default)]
 struct KnownSides {
     /// The last side of each node.
     last: Vec<Option<usize>>,
-    /// Upper end of each side, and the one before it in its list.
+    /// Upper end of each side, and the previous side in its list.
     entries: Vec<(u32, Option<usize>)>,
 }
 
 impl KnownSides {
-    /// The number of the side between these nodes; `None` for a new one, which is added.
+    /// The number of the side between these nodes; a new side is added and gives `None`.
     fn find_or_add(&mut self, [a, b]: [u32; 2]) -> Option<usize> {
         let (low, high) = (a.min(b) as usize, a.max(b));
         if self.last.len() <= low {
@@ -116,7 +117,7 @@ impl KnownSides {
     }
 }
 
-/// The points of a side, where `place` puts the nodes: two for a straight one.
+/// The points of a side, with the nodes at the positions `place`: two for a straight side.
 pub(super) fn side_points(
     ends: [u32; 2],
     middle: Option<u32>,
@@ -141,7 +142,7 @@ fn add_side(points: &mut Vec<[f64; 2]>, [a, b]: [[f64; 2]; 2], middle: Option<[f
     points.extend((0..=PIECES).map(point));
 }
 
-/// The corners of the polygon that a cell is drawn as.
+/// The corners of the polygon by which a cell is drawn.
 pub(super) fn cell_points(cell: &SectionCell, place: &impl Fn(u32) -> [f64; 2]) -> Vec<[f64; 2]> {
     let mut points = Vec::with_capacity(4);
     add_cell(&mut points, cell, place);
@@ -244,7 +245,7 @@ mod tests {
         let count =
             |role: fn(SideRole) -> bool| sides.iter().filter(|side| role(side.role)).count();
         assert_eq!(count(|role| role == SideRole::Boundary), 48);
-        // the halves meet at two places, each two cells thick
+        // the halves meet at two positions, each two cells thick
         assert_eq!(count(|role| role == SideRole::Interface), 4);
         assert_eq!(sides.len(), 24 * 3 + 24 * 2);
         assert_eq!(

@@ -1,4 +1,4 @@
-//! What is written of a section that is given by its matrices.
+//! Output of a section that is given by its matrices.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use super::properties::{Source, properties_of};
 use crate::section::OutsideSection;
 use crate::solution::SectionSolution;
 
-/// The properties of `section`, with the fingerprint of what they were made from.
+/// The properties of `section`, with the fingerprint of their input.
 pub fn outside_properties(
     section: &OutsideSection,
     solution: &SectionSolution,
@@ -25,13 +25,13 @@ pub fn outside_properties(
     properties_of(&source, solution)
 }
 
-/// The warping under each unit internal force: a row a node, with its number and place,
+/// The warping under each unit internal force: a row per node, with its number and position,
 /// then ux, uy, uz under N, Vy, Vz, Mx, My, Mz \[m/N, 1/N\].
 pub fn outside_warping_csv(section: &OutsideSection, solution: &SectionSolution) -> String {
     let mut text = "node,y,z".to_owned();
     for force in ["N", "Vy", "Vz", "Mx", "My", "Mz"] {
         for axis in ["x", "y", "z"] {
-            // writing to a text does not fail
+            // writing to a string cannot fail
             let _ = write!(text, ",u{axis} {force}");
         }
     }

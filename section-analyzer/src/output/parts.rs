@@ -1,4 +1,4 @@
-//! Parts that the reports of an analysis and of a property file share.
+//! Parts common to the reports of an analysis and of a property file.
 
 use nalgebra::Matrix6;
 use shared_geom::wrench::COMPONENTS;
@@ -7,11 +7,11 @@ use super::engineering::EngineeringValue;
 use super::text::{coordinate, number, table};
 use crate::properties::{Centers, PrincipalAxes};
 
-/// Couplings below this part of `sqrt(Kii Kjj)` are left out of the list.
+/// Couplings below this fraction of `sqrt(Kii Kjj)` are not listed.
 const COUPLING: f64 = 1e-6;
 
-/// The parts that are not empty, an empty line between them; a part in brackets
-/// belongs to the one before it.
+/// The parts that are not empty, separated by empty lines; a part in parentheses
+/// follows the previous part directly.
 pub(super) fn joined(parts: &[String]) -> String {
     let mut text = String::new();
     for part in parts.iter().filter(|part| !part.is_empty()) {
@@ -43,8 +43,8 @@ pub(super) fn engineering(values: &[EngineeringValue]) -> String {
     )
 }
 
-/// The centers; what is zero beside `scale`, the size of the section \[m\], is shown
-/// as zero.
+/// The centers; coordinates that are round-off compared with `scale`, the size of the
+/// section \[m\], are shown as zero.
 pub(super) fn centers(scale: f64, centers: &Centers) -> String {
     let mut rows = vec![["center", "y", "z", ""].map(str::to_owned).to_vec()];
     let mut add = |name: &str, [y, z]: [f64; 2], meaning: &str| {
@@ -71,7 +71,7 @@ pub(super) fn centers(scale: f64, centers: &Centers) -> String {
     )
 }
 
-/// The principal axes; without mass there are none of inertia.
+/// The principal axes; axes of inertia are omitted without mass.
 pub(super) fn principal_axes(bending: &PrincipalAxes, inertia: Option<&PrincipalAxes>) -> String {
     // Rounded first: a tiny negative angle is shown as zero, not as -0.0000.
     let degrees = |angle: f64| format!("{:.4}", (angle.to_degrees() * 1e4).round() / 1e4 + 0.0);
@@ -102,7 +102,7 @@ pub(super) fn principal_axes(bending: &PrincipalAxes, inertia: Option<&Principal
     )
 }
 
-/// The couplings of the stiffness that are more than round-off.
+/// The couplings of the stiffness above round-off.
 pub(super) fn couplings(stiffness: &Matrix6<f64>) -> String {
     let mut rows = Vec::new();
     for i in 0..6 {

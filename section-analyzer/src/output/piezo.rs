@@ -1,4 +1,4 @@
-//! What voltages do to a section, in words and as a table.
+//! Effect of voltages on a section, as a report and as a table.
 
 use nalgebra::Vector6;
 use shared_geom::section::SectionProperties;
@@ -19,8 +19,8 @@ fn circuit(electrode: &ElectrodeSolution) -> &'static str {
     }
 }
 
-/// The part of the report on voltages; nothing without electrodes. `solution` is at
-/// constant voltage, `properties` what is written.
+/// The part of the report on voltages; empty without electrodes. `solution` is at
+/// constant voltage, `properties` are the properties as written.
 pub fn piezo_report(solution: &SectionSolution, properties: &SectionProperties) -> String {
     let Some(piezo) = &solution.piezo else {
         return String::new();
@@ -37,7 +37,7 @@ pub fn piezo_report(solution: &SectionSolution, properties: &SectionProperties) 
     parts.join("\n")
 }
 
-/// Which electrodes are open, and what that changes; nothing where none is.
+/// The open electrodes and their effect; empty without open electrodes.
 fn in_circuit(piezo: &PiezoSolution, solution: &SectionSolution) -> String {
     if !solution.has_open_electrodes() {
         return String::new();
@@ -46,20 +46,20 @@ fn in_circuit(piezo: &PiezoSolution, solution: &SectionSolution) -> String {
     let open: Vec<_> = open.map(|known| known.name.as_str()).collect();
     format!(
         "Circuit\n  open, at no charge: {}\n  stiffness, engineering values, centers and axes \
-         above and in the property file are with\n  these open; what follows is at constant \
+         above and in the property file are with\n  these open; the following is at constant \
          voltage, one volt at one electrode at a time\n",
         open.join(", ")
     )
 }
 
-/// Electrodes that are not at ground, with their places.
+/// Electrodes that are not at ground, with their indices.
 fn free_electrodes(piezo: &PiezoSolution) -> Vec<(usize, &ElectrodeSolution)> {
     let all = piezo.electrodes.iter().enumerate();
     all.filter(|(_, known)| known.circuit != Circuit::Ground)
         .collect()
 }
 
-/// Coupling and free strain; moments over `length`, the size of the section \[m\], are
+/// Coupling and free strain; moments divided by `length`, the size of the section \[m\], are
 /// comparable with forces.
 fn per_volt(piezo: &PiezoSolution, length: f64) -> String {
     let electrodes = free_electrodes(piezo);
@@ -75,7 +75,7 @@ fn per_volt(piezo: &PiezoSolution, length: f64) -> String {
         format!("{title}\n{}", table(&rows, "lr"))
     };
     let coupling = block(
-        "Coupling, internal force per volt at no generalized strain [N/V, N m/V]",
+        "Coupling, internal force per volt at zero generalized strain [N/V, N m/V]",
         &|known| without_round_off(&known.coupling, 1.0 / length, 0.0),
     );
     let strain = block(
@@ -107,17 +107,17 @@ fn capacitances(piezo: &PiezoSolution) -> String {
         format!("{title}\n{}", table(&rows, "lr"))
     };
     let held = block(
-        "Capacitance, charge per length and volt at no generalized strain [F/m]",
+        "Capacitance, charge per length and volt at zero generalized strain [F/m]",
         &piezo.capacitance,
     );
     let free = block(
-        "The same at no internal force [F/m]",
+        "The same at zero internal force [F/m]",
         &piezo.free_capacitance,
     );
     format!("{held}\n{free}")
 }
 
-/// Stiffness at constant voltage beside that with all electrodes open.
+/// Stiffness at constant voltage, and with all electrodes except those at ground open.
 fn stiffnesses(piezo: &PiezoSolution, solution: &SectionSolution) -> String {
     let open = piezo.in_circuit(&solution.stiffness, |electrode| {
         match piezo.electrodes[electrode].circuit {
@@ -125,11 +125,11 @@ fn stiffnesses(piezo: &PiezoSolution, solution: &SectionSolution) -> String {
             _ => Circuit::Floating,
         }
     });
-    let title = "Stiffness at constant voltage (short circuit) and with all electrodes but those \
-                 at ground open\n";
+    let title = "Stiffness at constant voltage (short circuit) and with all electrodes except \
+                 those at ground open\n";
     let Some(open) = open else {
         return format!(
-            "{title}  not given: no electrode is at ground, so that a voltage of all is not determined\n"
+            "{title}  not given: no electrode is at ground, so a voltage common to all is undetermined\n"
         );
     };
     let heading = ["", "", "short", "open", "1 - short/open"];
@@ -162,7 +162,7 @@ fn checks(checks: &PiezoChecks) -> String {
         row("free strains by the work on the six solutions", checks.work),
         row("symmetry of the capacitance", checks.asymmetry),
         row(
-            "a voltage common to all conductors does nothing",
+            "no effect of a voltage common to all conductors",
             checks.common,
         ),
     ];
@@ -172,7 +172,7 @@ fn checks(checks: &PiezoChecks) -> String {
     )
 }
 
-/// A row for each electrode, at constant voltage of the others: circuit, coupling, free
+/// A row per electrode, at constant voltage of the others: circuit, coupling, free
 /// strain, and both capacitances with each electrode.
 pub fn electrodes_csv(piezo: &PiezoSolution) -> String {
     let with_unit = |what: &str, units: [&str; 2]| {
@@ -216,7 +216,7 @@ mod tests {
     use crate::section::piezo_samples::{bimorph, k31, layer};
     use crate::solution::ImposedSolutions;
 
-    /// EA of the layer stiffens by `1 / (1 - k31^2)`; the table has a row an electrode.
+    /// EA of the layer stiffens by `1 / (1 - k31^2)`; the table has a row per electrode.
     #[test]
     fn report_and_table_say_what_the_solution_holds() {
         let section = layer();
@@ -229,7 +229,7 @@ mod tests {
         assert_eq!(axial[0], ["axial", &number(coupling)]);
         assert_eq!(axial[2][4], format!("{:.6}", k31()));
         assert!(!text.contains("Circuit") && !text.contains("bottom"));
-        assert!(text.contains("a voltage common to all conductors does nothing"));
+        assert!(text.contains("no effect of a voltage common to all conductors"));
 
         let table = electrodes_csv(solution.piezo.as_ref().unwrap());
         let rows: Vec<Vec<_>> = table.lines().map(|l| l.split(',').collect()).collect();
@@ -249,8 +249,8 @@ mod tests {
         );
     }
 
-    /// With an open electrode, properties and report are those of the circuit: the driven
-    /// electrode is left, its coupling by (S-169).
+    /// With an open electrode, properties and report refer to the circuit: the driven
+    /// electrode remains, with its coupling by (S-169).
     #[test]
     fn open_electrodes_are_condensed_in_properties_and_told() {
         let mut section = bimorph();

@@ -7,9 +7,9 @@ use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks, tic
 
 use crate::input::InputSummary;
 
-/// Ink of frames and ticks.
+/// Color of frames and ticks.
 pub(super) const INK: RGBColor = RGBColor(40, 40, 40);
-/// Lines across the plot at the ticks.
+/// Color of the lines across the plot at the ticks.
 const GRID: RGBColor = RGBColor(226, 226, 226);
 /// Length of a tick mark [figure pixels].
 const TICK: f64 = 10.0;
@@ -54,7 +54,7 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// The box of these points; a unit box around the origin for none.
+    /// The box of these points; a unit box around the origin without points.
     pub fn of(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         let mut extent = Self {
             low: [f64::INFINITY; 2],
@@ -95,7 +95,7 @@ impl Extent {
         self.size(0).max(self.size(1))
     }
 
-    /// The box with `margin` more on every side [m].
+    /// The box enlarged by `margin` on every side [m].
     pub fn grown(self, margin: f64) -> Self {
         Self {
             low: self.low.map(|value| value - margin),
@@ -104,21 +104,21 @@ impl Extent {
     }
 }
 
-/// A frame on the figure, and the part of the plane in it.
+/// A frame on the figure, and the part of the plane that it shows.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plane {
     /// Left and upper edge of the frame [figure pixels].
     pub corner: [f64; 2],
     /// Width and height of the frame [figure pixels].
     pub frame: [f64; 2],
-    /// Figure pixels in a meter.
+    /// Scale [figure pixels per meter].
     pub scale: f64,
     extent: Extent,
 }
 
 impl Plane {
-    /// The largest frame for `extent` within `room` (width, height), its upper left
-    /// corner at `corner`, centered across the room.
+    /// The largest frame for `extent` within the space `room` (width, height) whose upper
+    /// left corner is `corner`, centered horizontally.
     pub fn fitted(extent: Extent, corner: [f64; 2], room: [f64; 2]) -> Self {
         let scale = (room[0] / extent.size(0)).min(room[1] / extent.size(1));
         let frame = [0, 1].map(|axis| scale * extent.size(axis));
@@ -130,7 +130,7 @@ impl Plane {
         }
     }
 
-    /// Where a point (y, z) of the section stands on the figure.
+    /// Position of a point (y, z) of the section on the figure.
     pub fn place(&self, [y, z]: [f64; 2]) -> [f64; 2] {
         [
             self.corner[0] + self.scale * (y - self.extent.low[0]),

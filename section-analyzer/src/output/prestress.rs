@@ -10,13 +10,14 @@ use super::text::{matrix, number, table};
 use crate::properties::radius_of_gyration;
 use crate::recovery::LoadCase;
 
-/// Entries below this part of what they are compared with are left out: round-off of
-/// the solution.
+/// Entries below this fraction of their reference size are left out: round-off of the
+/// solution.
 const ZERO: f64 = 1e-10;
 
-/// The table of a section and what follows from it: the change of the stiffness with an
-/// axial force, by heat and imposed states, and the stiffness under each load, given with
-/// whether it has forces along the beam. Empty without a table.
+/// The table of third derivatives of a section and its results: the change of the stiffness
+/// with axial force and moments, by temperature and imposed states, and the stiffness under
+/// each load. Each load is given with a flag: whether it has forces along the beam. Empty
+/// without a table.
 pub fn prestress_report(properties: &SectionProperties, loads: &[(&LoadCase, bool)]) -> String {
     let Some(prestress) = &properties.prestress else {
         return String::new();
@@ -62,14 +63,14 @@ pub fn prestress_report(properties: &SectionProperties, loads: &[(&LoadCase, boo
     text
 }
 
-/// An axial force of one at the tension center, about the reference point.
+/// A unit axial force at the tension center, about the reference point.
 fn at_tension_center(properties: &SectionProperties) -> Vector6<f64> {
     let center = properties.centers.tension;
     Vector6::new(1.0, 0.0, 0.0, 0.0, center.y, -center.x)
 }
 
-/// The change of the stiffness with each moment; round-off beside `sqrt(Kii Kjj/(K11 Kkk))`
-/// is shown as zero.
+/// The change of the stiffness with each moment; round-off compared with
+/// `sqrt(Kii Kjj/(K11 Kkk))` is shown as zero.
 fn by_moments(
     prestress: &Prestress,
     compliance: &Matrix6<f64>,
@@ -96,7 +97,7 @@ fn by_moments(
     text
 }
 
-/// The entries that are more than round-off, a line each.
+/// The entries above round-off, a line each.
 fn entries(properties: &SectionProperties, prestress: &Prestress) -> String {
     let root = properties.stiffness.diagonal().map(f64::sqrt);
     let mut rows = Vec::new();
@@ -116,14 +117,14 @@ fn entries(properties: &SectionProperties, prestress: &Prestress) -> String {
     table(&rows, "lrll")
 }
 
-/// A 4x4 matrix under the names of its components; round-off beside `sqrt(Kii Kjj)/K11`
-/// is shown as zero.
+/// A 4x4 matrix under the names of its components; round-off compared with
+/// `sqrt(Kii Kjj)/K11` is shown as zero.
 fn of_four(a: &Matrix4<f64>, properties: &SectionProperties) -> String {
     four(a, properties, 1.0 / properties.stiffness[(0, 0)])
 }
 
-/// The same of a change by an imposed state; round-off beside its largest entry, in terms
-/// of `sqrt(Kii Kjj)`, is shown as zero.
+/// As [`of_four`], for a change by an imposed state; round-off compared with its largest
+/// entry, relative to `sqrt(Kii Kjj)`, is shown as zero.
 fn change_of_free(change: &Matrix4<f64>, properties: &SectionProperties) -> String {
     let root = properties.stiffness.diagonal().map(f64::sqrt);
     let root = prestress_part(&root);
@@ -149,7 +150,8 @@ fn four(a: &Matrix4<f64>, properties: &SectionProperties, unit: f64) -> String {
     table(&rows, "lr")
 }
 
-/// The stiffness under a load and what is imposed with it, and whether it still is one.
+/// The stiffness under a load and its imposed states; a remark if it is not positive
+/// definite.
 fn under_load(properties: &SectionProperties, load: &LoadCase, is_along: bool) -> String {
     let Some(stiffness) = properties.stiffness_at(&load.force) else {
         return String::new();
@@ -160,13 +162,13 @@ fn under_load(properties: &SectionProperties, load: &LoadCase, is_along: bool) -
     let names = names.collect::<Vec<_>>().join(", ");
     let of_imposed = match by_imposed {
         _ if names.is_empty() => String::new(),
-        Some(_) => format!("  (with what {names} does to the section)\n"),
-        None => format!("  (without the stresses of {names}, which are not known here)\n"),
+        Some(_) => format!("  (with the effect of {names} on the section)\n"),
+        None => format!("  (without the stresses of {names}, which are unknown)\n"),
     };
     let of_forces_along = match is_along {
         true => {
-            "  (the load along the beam counts by its internal force alone: the stresses that it \
-             makes within the section beside that are left out)\n"
+            "  (of the load along the beam only the internal force is included: the stresses that \
+             it adds within the section are ignored)\n"
         }
         false => "",
     };
@@ -174,7 +176,7 @@ fn under_load(properties: &SectionProperties, load: &LoadCase, is_along: bool) -
     let remark = match least > 0.0 {
         true => "",
         false => {
-            "  (not positive definite: at this load the section is unstable by itself, or the \
+            "  (not positive definite: at this load the section itself is unstable, or the \
              load is too large for the first order)\n"
         }
     };

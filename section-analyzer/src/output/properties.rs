@@ -1,4 +1,4 @@
-//! The section properties in the form in which the two programs meet.
+//! The section properties in the form of the property file, common to both programs.
 
 use nalgebra::Vector2;
 use shared_geom::section::{
@@ -10,7 +10,7 @@ use crate::properties::{FreeState, NoPrestress, prestress, prestress_of_imposed}
 use crate::section::Section;
 use crate::solution::{ImposedSolution, ImposedSolutions, SectionSolution};
 
-/// What properties are of, and what they were made from.
+/// Section and input of the properties.
 #[derive(Debug)]
 pub(super) struct Source<'a> {
     pub name: &'a str,
@@ -20,13 +20,13 @@ pub(super) struct Source<'a> {
     pub input_hash: &'a str,
 }
 
-/// The properties of `section`, with the fingerprint of what they were made from. They are those
-/// in the circuit of its electrodes, [`SectionSolution::in_circuit`]; floating electrodes
-/// whose voltages that cannot determine stay at zero.
+/// The properties of `section` in the circuit of its electrodes,
+/// [`SectionSolution::in_circuit`], with the fingerprint of the input. Voltages of floating
+/// electrodes that the circuit leaves undetermined are set to zero.
 ///
-/// What a kelvin and imposed states do to a section with floating electrodes is not known,
-/// and left out. The reference point is the origin of the mesh. A section without mass has its
-/// center of mass, of no consequence, at the reference point.
+/// Thermal forces and imposed states of a section with floating electrodes are unknown and
+/// omitted. The reference point is the origin of the mesh. The mass center of a section
+/// without mass, which has no effect, is set to the reference point.
 pub fn properties(
     section: &Section,
     solution: &SectionSolution,
@@ -55,7 +55,7 @@ pub fn properties(
     }
 }
 
-/// Driven electrodes with the others at ground or open; `None` without any.
+/// Driven electrodes, with the others at ground or open; `None` without driven electrodes.
 fn piezo(solution: &SectionSolution) -> Option<Piezo> {
     let piezo = solution.piezo.as_ref()?;
     let circuit = |electrode: usize| piezo.electrodes[electrode].circuit;
@@ -69,8 +69,8 @@ fn piezo(solution: &SectionSolution) -> Option<Piezo> {
     })
 }
 
-/// Adds to `properties` of `section` how internal forces and imposed states change the
-/// stiffness.
+/// Adds to `properties` of `section` the changes of the stiffness by internal forces and
+/// imposed states.
 ///
 /// # Errors
 /// [`NoPrestress`].

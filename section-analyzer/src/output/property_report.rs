@@ -1,4 +1,4 @@
-//! The report of a property file: what it is, in which axes, and what it says of the
+//! The report of a property file: its origin, its axes, and the properties of the
 //! section.
 
 use nalgebra::DMatrix;
@@ -50,7 +50,7 @@ pub fn property_report(file: &str, properties: &SectionProperties) -> String {
     parts::joined(&parts)
 }
 
-/// Where the numbers come from.
+/// The origin of the numbers.
 fn head(file: &str, properties: &SectionProperties) -> String {
     let source = &properties.provenance;
     let mesh = match source.nodes {

@@ -46,7 +46,7 @@ pub(super) fn quality_by_region(summary: &InputSummary) -> String {
     )
 }
 
-/// The measures that the mesh has values of.
+/// The measures of which the mesh has values.
 fn measures(quality: &MeshQuality) -> impl Iterator<Item = (usize, ShapeMeasure)> {
     let has_middles = has_middles(quality);
     let all = ShapeMeasure::ALL.into_iter().enumerate();

@@ -1,5 +1,5 @@
-//! The record of an analysis: what it was made from and what it wrote, by which a
-//! later run knows that there is nothing to do.
+//! The record of an analysis: fingerprints of its input and its result files, by which
+//! a later run detects that nothing has changed.
 
 use std::path::Path;
 
@@ -10,10 +10,10 @@ use shared_geom::hash::sha256_of_file;
 use super::files::OutputFiles;
 
 const FORMAT: &str = "helicoid analysis record";
-/// Version of the record; another one counts as no record.
+/// Version of the record; a record of another version is ignored.
 const VERSION: u64 = 1;
 
-/// What an analysis that reached its goal was made from and what it wrote.
+/// Fingerprints of the input and the result files of a successful analysis.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AnalysisRecord {
@@ -33,20 +33,20 @@ struct RecordedFile {
 }
 
 impl AnalysisRecord {
-    /// The record of the last analysis of a section; `None` where there is none that
-    /// can be read.
+    /// The record of the last analysis of a section; `None` if it does not
+    /// exist or cannot be read.
     pub fn read(files: &OutputFiles) -> Option<Self> {
         let text = std::fs::read_to_string(files.record()).ok()?;
         let record: Self = serde_json::from_str(&text).ok()?;
         (record.format == FORMAT && record.version == VERSION).then_some(record)
     }
 
-    /// Writes the record of an analysis made from what has the fingerprint
-    /// `made_from`, with the content that the files `names` have now.
+    /// Writes the record of an analysis whose input has the fingerprint `made_from`, with
+    /// the current content of the files `names`.
     ///
     /// # Errors
-    /// [`OutputProblem::File`]: a file that has gone already, or a record that cannot
-    /// be written.
+    /// [`OutputProblem::File`]: a file of `names` cannot be read any more, or the record
+    /// cannot be written.
     pub fn write(
         files: &OutputFiles,
         made_from: &str,
@@ -55,7 +55,7 @@ impl AnalysisRecord {
         let recorded = names.iter().map(|name| {
             let content = content_of(files, name).ok_or_else(|| OutputProblem::File {
                 file: files.folder().join(name).display().to_string(),
-                reason: "it has gone again".to_owned(),
+                reason: "it cannot be read any more".to_owned(),
             })?;
             let name = name.clone();
             Ok(RecordedFile { name, content })
@@ -66,13 +66,13 @@ impl AnalysisRecord {
             made_from: made_from.to_owned(),
             files: recorded.collect::<Result<_, OutputProblem>>()?,
         };
-        // Words and lists of words always have a JSON form.
+        // strings and lists of strings always have a JSON form
         let text = serde_json::to_string_pretty(&record).unwrap_or_default();
         write_text(&files.record(), &(text + "\n"))
     }
 
-    /// Whether a run from what has the fingerprint `made_from` would write the files
-    /// that are there: none is missing and none has been changed.
+    /// Whether a run whose input has the fingerprint `made_from` would write the existing
+    /// files: none is missing and none has been changed.
     pub fn holds(&self, files: &OutputFiles, made_from: &str) -> bool {
         let is_intact = |file: &RecordedFile| {
             belongs(files, &file.name)
@@ -88,8 +88,8 @@ impl AnalysisRecord {
     }
 }
 
-/// Whether `name` is that of a result file of this section: one in the folder, and
-/// called NAME.something. A record that someone edited must not reach other files.
+/// Whether `name` is the name of a result file of this section: a file in the folder,
+/// called NAME.something. An edited record must not affect other files.
 fn belongs(files: &OutputFiles, name: &str) -> bool {
     let rest = name.strip_prefix(files.name());
     let is_alone = Path::new(name).file_name().is_some_and(|last| last == name);
@@ -152,6 +152,9 @@ mod tests {
         let files = files(folder.path());
         let problem = AnalysisRecord::write(&files, "x", &["a.report.txt".to_owned()]);
         let shown = problem.unwrap_err().to_string();
-        assert!(shown.ends_with("written: it has gone again"), "{shown}");
+        assert!(
+            shown.ends_with("written: it cannot be read any more"),
+            "{shown}"
+        );
     }
 }

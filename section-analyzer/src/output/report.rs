@@ -1,5 +1,4 @@
-//! The text report: what went in, what came out, in which axes, and what vouches
-//! for it.
+//! The text report of an analysis: input, conventions, results, and checks of the run.
 
 use super::areas::areas;
 use super::electric::{electric_law, electrodes};
@@ -26,8 +25,8 @@ Convention
   SI units: N, m, kg, rad.
 ";
 
-/// The report of an analysis that reached its goal; `on_request` are the parts on
-/// heat, prestress and derivatives, empty where there are none.
+/// The report of a successful analysis; `on_request` are the parts on temperature,
+/// prestress and derivatives, empty if not requested.
 pub fn report(
     section: &Section,
     summary: &InputSummary,
@@ -66,7 +65,7 @@ pub fn report(
     joined(&parts)
 }
 
-/// The report of an analysis that failed: what went in, and how it ended.
+/// The report of an analysis that failed: its input and the failure.
 pub fn failure_report(section: &Section, summary: &InputSummary, failure: &Failure) -> String {
     let help = failure
         .help()
@@ -83,7 +82,7 @@ pub fn failure_report(section: &Section, summary: &InputSummary, failure: &Failu
     joined(&parts)
 }
 
-/// What was read, for a check without analysis.
+/// The report of the input, for a check without analysis.
 pub fn input_report(section: &Section, summary: &InputSummary) -> String {
     let parts = [
         head(section, summary),
@@ -121,7 +120,7 @@ fn head(section: &Section, summary: &InputSummary) -> String {
     )
 }
 
-/// The undeformed beam, where it is not straight.
+/// The undeformed beam; empty if it is straight.
 fn curvature(section: &Section) -> String {
     let initial = &section.initial_curvature;
     match initial.is_straight() {
@@ -204,8 +203,7 @@ fn law(law: &ElasticLaw) -> (&'static str, String) {
     }
 }
 
-/// Isotropic materials have no directions but those of what they would strain by: their
-/// angles are left out where they are zero.
+/// The regions. Zero angles of isotropic materials without electric law are shown as `-`.
 fn regions(section: &Section, summary: &InputSummary) -> String {
     let is_isotropic = |name: &str| {
         let mut materials = section.materials.iter();
@@ -269,7 +267,7 @@ fn principal_axes(solution: &SectionSolution) -> String {
     )
 }
 
-/// What vouches for the numbers.
+/// The checks of the run.
 pub fn checks(checks: &Checks) -> String {
     let worst = checks
         .identities
@@ -282,14 +280,14 @@ pub fn checks(checks: &Checks) -> String {
         row("internal force of the six solutions", checks.equilibrium),
         row("symmetry of the compliance", checks.asymmetry),
         row("energy against mean strain", checks.decoupling),
-        row("condition number, from below", checks.condition),
+        row("condition number, lower bound", checks.condition),
         row(
-            "smallest pivot (1e-16: the section falls apart)",
+            "smallest pivot (1e-16: a part can move freely)",
             checks.smallest_pivot,
         ),
     ];
     format!(
-        "Checks of this run (relative errors, but for the last two)\n{}",
+        "Checks of this run (relative errors, except the last two)\n{}",
         table(&rows, "lr")
     )
 }
@@ -303,7 +301,7 @@ fn in_gpa(moduli: &[f64]) -> String {
     format!("{} GPa", shown.join(", "))
 }
 
-/// A number in at most six digits, without trailing zeros.
+/// A number with at most six digits, without trailing zeros.
 struct Digits(f64);
 
 impl std::fmt::Display for Digits {

@@ -4,8 +4,8 @@ use super::text::{ZERO, coordinate, csv, number, table};
 use crate::properties::{AreaTable, NoRestrainedWarping, RestrainedWarping};
 use crate::solution::SectionSolution;
 
-/// The part of the report, or why there is none. A warping that is round-off beside
-/// the area is shown as zero.
+/// The part of the report, or the reason why it is not given. A warping that is round-off
+/// compared with the area is shown as zero.
 pub(super) fn restrained_warping(
     restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
     solution: &SectionSolution,

@@ -1,4 +1,4 @@
-//! Sections with stresses in closed form, for the tests of what is written.
+//! Sections with stresses in closed form, for the tests of the output.
 
 use nalgebra::Vector6;
 use shared_geom::error::Place;
@@ -14,8 +14,8 @@ use crate::section::{CellMaterial, Section};
 /// Young's modulus of the samples \[Pa\].
 pub(super) const YOUNG: f64 = 70e9;
 
-/// A section of isotropic material on `mesh`, in meters; cells whose first node has
-/// z > 0 are a region of their own where `halves`.
+/// A section of isotropic material on `mesh`, in meters; if `halves`, cells whose corners
+/// have a mean z > 0 are a separate region.
 pub(super) fn section(mesh: &Mesh, name: &str, halves: bool) -> Section {
     let (mut mesh, _) =
         SectionMesh::from_mesh(mesh, 1.0, &Place::file("test")).expect("a sound mesh");
@@ -73,7 +73,7 @@ pub(super) fn bending(section: &Section, moment: f64, inertia: f64) -> Recovery 
     })
 }
 
-/// A recovery whose stress at a place of a region is `stress(region, place)`, with
+/// A recovery whose stress at a position in a region is `stress(region, position)`, with
 /// strains of uniaxial stress.
 pub(super) fn recovery(
     section: &Section,

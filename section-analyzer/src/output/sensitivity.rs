@@ -15,7 +15,7 @@ use crate::solution::SectionSolution;
 const SMALL: f64 = 5e-7;
 
 /// The derivatives with respect to `parameters` as JSON, in SI about the origin of the
-/// mesh; `input_hash` is the fingerprint of what they were made from.
+/// mesh; `input_hash` is the fingerprint of the input.
 pub fn sensitivity_json(
     section: &Section,
     parameters: &[Parameter],
@@ -51,7 +51,7 @@ pub fn sensitivity_json(
         "order": COMPONENTS,
         "parameters": list,
     });
-    // words, numbers and lists of them always have a JSON form
+    // strings, numbers and lists always have a JSON form
     serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
 }
 
@@ -109,7 +109,7 @@ fn unit(parameter: &Parameter) -> &'static str {
 }
 
 /// The part of the report: changes of the stiffnesses about their centers and of the mass
-/// in per cent, and of the centers; of many parameters those that change most.
+/// in per cent, and of the centers; of many parameters the ones that change most.
 pub fn sensitivity_table(
     section: &Section,
     solution: &SectionSolution,
@@ -148,14 +148,14 @@ pub fn sensitivity_table(
     format!(
         "Sensitivities: change by 1 % of a constant (of 1 for a Poisson's ratio of zero, of the\n\
          largest entry for an entry of a full stiffness that is zero), by 1 deg of an angle, or of\n\
-         a node by 1 % of the size of the section, {} m (first order; all else as it is)\n{left_out}  \
+         a node by 1 % of the size of the section, {} m (first order; all else unchanged)\n{left_out}  \
          Stiffnesses about their centers (as 1/C), and mass [%]\n{changes}\n  \
          Centers [% of that size]\n{centers}",
         tick_label(size, 0.0),
     )
 }
 
-/// Parameters of the table at most.
+/// Largest number of parameters in the table.
 const MOST: usize = 60;
 
 const STIFFNESSES: [&str; 7] = ["EA", "GAy", "GAz", "GJ", "EIy", "EIz", "mass"];
@@ -169,7 +169,7 @@ const CENTERS: [&str; 6] = [
     "mass z",
 ];
 
-/// A parameter in the table; `None` for what the section does not have.
+/// A parameter in the table; `None` for quantities that the section does not have.
 struct Row {
     name: String,
     changes: [Option<f64>; 7],
@@ -233,7 +233,7 @@ fn largest(rows: Vec<Row>) -> (Vec<Row>, usize) {
     (shown, left_out)
 }
 
-/// Amount of a parameter that the table is about.
+/// Change of a parameter to which the table refers.
 fn step(section: &Section, parameter: &Parameter, size: f64) -> f64 {
     match parameter {
         Parameter::Constant { material, constant } => {
@@ -283,7 +283,7 @@ fn table_of<'a>(
     table(&lines, "lr")
 }
 
-/// A change in per cent, with four digits behind the point or, if small, three in all.
+/// A change in per cent, with four digits after the point or, if small, three in all.
 fn shown(value: f64) -> String {
     match value.abs() {
         size if size < SMALL => "0".to_owned(),

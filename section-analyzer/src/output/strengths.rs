@@ -1,11 +1,11 @@
-//! The strengths of materials in words.
+//! Report of the strengths of materials.
 
 use crate::material::{
     DirectionalLimits, Material, MaterialLimits, StrainLimit, Strength, UniformLimits,
 };
 
-/// Strengths and strain limits of each material that has some, with those that follow
-/// from others; empty where none has.
+/// Strengths and strain limits of each material that has any, with values derived from
+/// others; empty if no material has any.
 pub(super) fn strengths(materials: &[Material], limits: &[MaterialLimits]) -> String {
     let mut text = String::new();
     for (material, limits) in materials.iter().zip(limits) {
@@ -63,7 +63,7 @@ fn directional(what: &str, limits: &DirectionalLimits, unit: (f64, &str)) -> Str
     )
 }
 
-/// Values times a factor, in at most six digits, and the unit that this gives.
+/// Values times a factor, in at most six digits, with the resulting unit.
 fn listed(values: &[f64], (factor, unit): (f64, &str)) -> String {
     let shown: Vec<_> = values
         .iter()

@@ -1,5 +1,5 @@
 //! The figures of a load case: axial stress, shear stress, von Mises stress, and the
-//! failure index where there are strengths.
+//! failure index if materials have strengths.
 
 use shared_geom::figure::tick_label;
 use shared_geom::wrench::COMPONENTS;
@@ -10,18 +10,18 @@ use crate::material::MaterialLimits;
 use crate::recovery::{Criterion, FailureIndex, NodalState, Recovery, Tensors, failure_indices};
 use crate::section::Section;
 
-/// A stress below this part of the largest of the load case is round-off.
+/// A stress below this fraction of the largest of the load case is round-off.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Letters on the load in one line of a figure at most.
+/// Largest number of characters in a line about the load in a figure.
 const LINE: usize = 85;
 
-/// The words that tell the figures of a load case.
+/// The parts of the file names that distinguish the figures of a load case.
 pub(super) const STRESS_PLOTS: [&str; 4] = ["stress_xx", "shear", "von_mises", "failure"];
 
 /// For each criterion that the limits of some material allow, its key and the index
-/// of each cell by its mean stress and strain; not a number where the limits of the
-/// cell's own material do not allow it. `limits` is parallel to the materials.
+/// of each cell by its mean stress and strain; not a number if the limits of the cell's
+/// own material do not allow it. `limits` is parallel to the materials.
 pub fn failure_indices_of_cells(
     section: &Section,
     limits: &[MaterialLimits],
@@ -43,10 +43,10 @@ pub fn failure_indices_of_cells(
     Criterion::ALL.into_iter().filter_map(indices).collect()
 }
 
-/// The figures of `recovery`, each with the word that tells it in the name of its
-/// file: `stress_xx`, `shear`, `von_mises`, and `failure` where there is a
-/// criterion. `failure` has for each criterion its key and the index of each cell,
-/// not a number in cells without strengths; the largest is shown.
+/// The figures of `recovery`, each with the part of its file name that distinguishes it:
+/// `stress_xx`, `shear`, `von_mises`, and `failure` if there is a criterion. `failure` has
+/// for each criterion its key and the index of each cell, not a number in cells without
+/// strengths; the largest is shown.
 pub fn stress_plots<'a>(
     section: &'a Section,
     summary: &InputSummary,
@@ -92,7 +92,7 @@ fn equivalent(recovery: &Recovery) -> Field {
 fn largest_index(section: &Section, failure: &[(String, Vec<f64>)]) -> Field {
     let largest = |cell: usize| {
         let indices = failure.iter().filter_map(|(_, indices)| indices.get(cell));
-        // not a number gives way to any number
+        // `max` ignores values that are not a number
         indices.copied().fold(f64::NAN, f64::max)
     };
     let values: Vec<_> = (0..section.mesh.cells.len()).map(largest).collect();
@@ -142,7 +142,8 @@ fn at_nodes<T: Copy + Default>(recovery: &Recovery, take: impl Fn(&Tensors) -> T
     recovery.cell_nodes.iter().map(of_cell).collect()
 }
 
-/// `load case "gust": shear z 1200 N, torsion -35 N m and what else acts`, in lines that fit.
+/// `load case "gust": shear z 1200 N, torsion -35 N m` and all further actions, in
+/// lines that fit.
 fn load_words(recovery: &Recovery) -> Vec<String> {
     let mut lines = vec![format!("load case \"{}\":", recovery.load.name)];
     let force = recovery.load.force.iter().enumerate();
@@ -188,7 +189,7 @@ mod tests {
     use super::*;
     use crate::output::samples::{recovery, rectangle};
 
-    /// All components are told, in as many lines as that takes.
+    /// All components are shown, in as many lines as necessary.
     #[test]
     fn load_is_told_in_lines_that_fit() {
         let section = rectangle(CellKind::Triangle6);

@@ -1,5 +1,5 @@
-//! The text report of a recovery: the load, what it comes to, the extreme stresses and
-//! the failure indices of each region.
+//! The text report of a recovery: the load, the resultants of the stresses, the extreme
+//! stresses and the failure indices of each region.
 
 use nalgebra::Vector6;
 use shared_geom::wrench::COMPONENTS;
@@ -20,7 +20,7 @@ Convention
   Moments are about the reference point, the origin of the mesh. SI units: N, m, Pa.
 ";
 
-/// Which of the 13 stresses are in material axes.
+/// Indices of the stresses in material axes among the 13 stresses.
 const MATERIAL_AXES: std::ops::Range<usize> = 6..12;
 
 /// The report of the stresses of `section` under one load; `limits` are the strengths
@@ -47,7 +47,7 @@ fn load(recovery: &Recovery, size: f64) -> String {
     let heading = ["", "load", "of the stresses", "generalized strain"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     let strain = without_round_off(&recovery.generalized_strain, size, recovery.strain_scale);
-    // without internal force, that of a load along the beam is round-off
+    // without internal force, the resultant of a load along the beam is round-off
     let has_force = recovery.load.force.amax() > 0.0;
     let resultant = match has_force {
         true => without_round_off(&recovery.resultant, size.recip(), 0.0),
@@ -75,7 +75,7 @@ fn load(recovery: &Recovery, size: f64) -> String {
     )
 }
 
-/// The imposed states of the load and what acts along the beam, if there is any.
+/// The imposed states of the load and the load along the beam, if there are any.
 fn acting_with(recovery: &Recovery) -> String {
     let states = &recovery.load.imposed;
     let mut words = match states.is_empty() {
@@ -83,7 +83,7 @@ fn acting_with(recovery: &Recovery) -> String {
         false => format!("  under the imposed strains of {}\n", states.join(", ")),
     };
     if recovery.is_distributed {
-        words += "  with a load along the beam, told at the end\n";
+        words += "  with a load along the beam, shown at the end\n";
     }
     words
 }
@@ -106,7 +106,7 @@ fn stresses(section: &Section, recovery: &Recovery) -> String {
     parts.join("\n")
 }
 
-/// Whether a material of the region has axes of its own.
+/// Whether a material of the region has material axes.
 fn has_material_axes(section: &Section, group: usize) -> bool {
     let mut cells = section.mesh.cells.iter().zip(&section.cells);
     cells.any(|(cell, made_of)| {
@@ -115,8 +115,8 @@ fn has_material_axes(section: &Section, group: usize) -> bool {
     })
 }
 
-/// Rows of the stresses, without those in material axes unless `has_axes`; `size` is the
-/// largest coordinate, and stresses that are nothing beside `least` are round-off.
+/// Rows of the stresses, in material axes only if `has_axes`; `size` is the largest
+/// coordinate, `least` the reference size for round-off of stresses.
 fn ranges(ranges: &[Range; 13], has_axes: bool, what: &str, (size, least): (f64, f64)) -> String {
     let heading = ["", "smallest", what, "y", "z", "largest", what, "y", "z"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
@@ -136,7 +136,7 @@ fn ranges(ranges: &[Range; 13], has_axes: bool, what: &str, (size, least): (f64,
     table(&rows, "lr")
 }
 
-/// Value, tag and place; round-off has no place.
+/// Value, tag and position; round-off has no position.
 fn extreme(extreme: &Extreme, scale: f64, size: f64) -> [String; 4] {
     if extreme.value.abs() <= ZERO * scale {
         return ["0", "", "", ""].map(str::to_owned);
@@ -199,7 +199,7 @@ fn failures(section: &Section, limits: &[MaterialLimits], recovery: &Recovery) -
     )
 }
 
-/// Whether the regions have any stress that is more than round-off.
+/// Whether each region has a stress above round-off.
 fn stressed_groups(section: &Section, recovery: &Recovery) -> Vec<bool> {
     let mut found = vec![false; section.mesh.groups.len()];
     for point in &recovery.points {

@@ -1,5 +1,5 @@
 //! Recovered strains and stresses as CSV: a row for each integration point, cell, or
-//! node of a region. All values are in SI units, which the columns name.
+//! node of a region. All values are in SI units, named in the headings of the columns.
 
 use crate::material::MaterialLimits;
 use crate::recovery::{
@@ -10,7 +10,7 @@ use crate::section::Section;
 const SECTION_AXES: [&str; 6] = ["xx", "yy", "zz", "yz", "xz", "xy"];
 const MATERIAL_AXES: [&str; 6] = ["11", "22", "33", "23", "13", "12"];
 
-/// The integration points: cell, region, place, area, stress and strain in section and
+/// The integration points: cell, region, position, area, stress and strain in section and
 /// in material axes, von Mises stress, and index, reserve factor and mode of each
 /// criterion that any of `limits` (parallel to the materials) allows.
 pub fn stress_points_csv(
@@ -73,9 +73,9 @@ pub fn stress_cells_csv(section: &Section, recovery: &Recovery) -> String {
     table(heading("cell", electric), rows)
 }
 
-/// The smoothed nodes, those on a border between regions once for each: node, region,
-/// place, stress and strain in section and in material axes, von Mises stress. With
-/// electrodes all tables have electric field and displacement, and this one the potential.
+/// The smoothed nodes, repeated for each region on a border: node, region, position,
+/// stress and strain in section and in material axes, von Mises stress. With
+/// electrodes all tables have electric field and displacement, and this table the potential.
 pub fn stress_nodes_csv(section: &Section, recovery: &Recovery) -> String {
     let electric = recovery.electric.as_ref();
     let rows = recovery.nodes.iter().enumerate().map(|(index, state)| {
@@ -157,8 +157,8 @@ fn tensor_values(tensors: &Tensors) -> impl Iterator<Item = String> {
     values.into_iter().map(number)
 }
 
-/// Empty where the criterion does not apply to the material; so is a reserve factor
-/// that is infinite.
+/// Empty if the criterion does not apply to the material; an infinite reserve factor is
+/// empty too.
 fn failure_columns(index: Option<&FailureIndex>) -> [String; 3] {
     let Some(index) = index else {
         return Default::default();
@@ -170,7 +170,7 @@ fn failure_columns(index: Option<&FailureIndex>) -> [String; 3] {
     [number(index.index), reserve, index.mode.name().to_owned()]
 }
 
-/// Nine digits: more than any stress is worth, enough to compare two runs.
+/// Nine digits: more than the accuracy of any stress, enough to compare two runs.
 fn number(value: f64) -> String {
     if value == 0.0 {
         "0".to_owned()
@@ -184,12 +184,10 @@ fn table(heading: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> Strin
     for row in std::iter::once(heading).chain(rows) {
         writer
             .write_record(&row)
-            .expect("rows of one length are written to memory");
+            .expect("rows of equal length, written to memory");
     }
-    let bytes = writer
-        .into_inner()
-        .expect("memory takes all that is written");
-    String::from_utf8(bytes).expect("only texts were written")
+    let bytes = writer.into_inner().expect("writing to memory cannot fail");
+    String::from_utf8(bytes).expect("only valid text was written")
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use nalgebra::Matrix6;
 use shared_geom::wrench::COMPONENTS;
 
-/// Entries of a matrix below this part of `sqrt(Aii Ajj)` are shown as zero:
+/// Entries of a matrix below this fraction of `sqrt(Aii Ajj)` are shown as zero:
 /// round-off of the solution.
 pub(super) const ZERO: f64 = 1e-12;
 
@@ -16,8 +16,8 @@ pub(super) fn number(value: f64) -> String {
     }
 }
 
-/// A coordinate with six digits at most, in plain notation where that is short.
-/// `scale` is the size of the section: what is zero beside it is shown as zero.
+/// A coordinate with at most six digits, in plain notation if that is short. Coordinates
+/// that are round-off compared with `scale`, the size of the section, are shown as zero.
 pub(super) fn coordinate(value: f64, scale: f64) -> String {
     shared_geom::figure::tick_label(
         if value.abs() < ZERO * scale {
@@ -29,7 +29,7 @@ pub(super) fn coordinate(value: f64, scale: f64) -> String {
     )
 }
 
-/// The value to two digits, for what is only about right.
+/// The value to two digits, for approximate values.
 pub(super) fn rounded(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
@@ -72,8 +72,8 @@ pub(super) fn csv(rows: impl IntoIterator<Item = Vec<String>>) -> String {
 }
 
 /// Rows in columns two spaces apart, each line indented by two. `sides` has a
-/// letter for each column: `l` flush left, `r` flush right; the last letter stands
-/// for all further columns.
+/// letter for each column: `l` flush left, `r` flush right; the last letter
+/// applies to all further columns.
 pub(super) fn table(rows: &[Vec<String>], sides: &str) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {

@@ -4,10 +4,10 @@ use shared_geom::section::InitialCurvature;
 
 use super::text::{number, table};
 
-/// A slope whose length differs from one by less is a unit vector.
+/// Difference of the length of a slope from one below which it is a unit vector.
 const UNIT: f64 = 1e-9;
 
-/// Twist, curvature and slope, and what the matrices of the section are per unit of.
+/// Twist, curvature and slope, and the length to which the matrices of the section refer.
 pub(super) fn undeformed_beam(initial: &InitialCurvature) -> String {
     let mut rows = vec![["", "x", "y", "z"].map(str::to_owned).to_vec()];
     let mut add = |name: &str, values: [f64; 3]| {

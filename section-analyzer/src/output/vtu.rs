@@ -1,6 +1,6 @@
 //! Field files: values on the mesh of a section as unstructured grids of VTK.
 //!
-//! A point (y, z) of the section stands at (0, y, z): x is along the beam, as in all
+//! A point (y, z) of the section is at (0, y, z): x is along the beam, as in all
 //! of this program. Coordinates are in meters, values in SI units.
 
 mod grid;

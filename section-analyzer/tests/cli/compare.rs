@@ -40,7 +40,8 @@ fn a_moved_section_is_the_same() {
         let run = place.run(&["compare", "a.json", "b.json", "--tolerance", "1e-14"]);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
         assert!(
-            run.out.contains(&format!("B is brought to A: {said}\n")),
+            run.out
+                .contains(&format!("B is transformed to A: {said}\n")),
             "{}",
             run.out
         );
@@ -126,7 +127,8 @@ fn what_only_one_has_is_told() {
         run.out
     );
     assert!(
-        run.out.contains("\nWhat both have is equal within 1e-6: "),
+        run.out
+            .contains("\nThe numbers of both are equal within 1e-6: "),
         "{}",
         run.out
     );

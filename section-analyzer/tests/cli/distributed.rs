@@ -56,7 +56,7 @@ fn loads_along_the_beam_are_recovered() {
             assert!(report.contains(line), "{command} {line}: {report}");
         }
         for words in [
-            "with a load along the beam, told at the end",
+            "with a load along the beam, shown at the end",
             "pressure 1000000 Pa on curve \"edge\", times 1 + 500 x",
             "force [1000, 0, 0] Pa on curve \"3\"",
             "acceleration [0, 0, -10] m/s^2 in region \"web\"",
@@ -253,12 +253,12 @@ fn end_effects_are_reported() {
         .skip(2)
         .take_while(|line| !line.contains("End effects"));
     assert_eq!(rows.count(), 3, "{part}");
-    assert!(!part.contains("no more"), "{part}");
+    assert!(!part.contains("no further"), "{part}");
     // the mesh has fewer than twenty
     place.write("a.section.toml", &format!("end_effects = 20\n{SECTION}"));
     let many = place.run(&["analyze", "a.section.toml"]);
     assert_eq!((many.code, many.err.as_str()), (0, ""));
-    let told = "These are all: the mesh has no more.";
+    let told = "The mesh has no further end effects.";
     assert!(many.out.contains(told), "{}", many.out);
     assert!(!run.out.is_empty());
 }

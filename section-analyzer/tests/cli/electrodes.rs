@@ -165,7 +165,7 @@ fn electric_laws_and_electrodes_are_shown() {
     for expected in [
         "e11 28.9269, e12 -11.0885, e13 -11.0885 C/m^2",
         "fibers driven interdigitated \"2\", \"upper\" 4 cells -2.00000e3 along axis 1, in 2 \
-         cells the other way",
+         cells reversed",
     ] {
         assert!(report.contains(expected), "{expected}: {report}");
     }

@@ -149,11 +149,11 @@ fn what_a_load_imposes_is_in_its_stiffness() {
     };
     let [pull, cured, pressed] = ["pull", "cured", "pressed"].map(under);
     assert!(
-        cured.contains("  (with what \"cure\" does to the section)"),
+        cured.contains("  (with the effect of \"cure\" on the section)"),
         "{cured}"
     );
     assert_ne!(pull.lines().nth(1), cured.lines().nth(1));
-    assert!(pressed.contains("  (the load along the beam counts by its internal force alone"));
+    assert!(pressed.contains("  (of the load along the beam only the internal force is included"));
     assert!(pressed.starts_with(pull.trim_end()), "{pull} {pressed}");
     let title = "Prestress, change of the stiffness by the imposed state \"cure\", without internal \
         force [N, N m, N m^2]\n";

@@ -12,18 +12,18 @@ use crate::solution::SectionSolution;
 const SECTION_AXES: [&str; 6] = ["xx", "yy", "zz", "yz", "xz", "xy"];
 /// Names of the components in material axes, order of [`Tensors`].
 const MATERIAL_AXES: [&str; 6] = ["11", "22", "33", "23", "13", "12"];
-/// Place of each component of a symmetric tensor of VTK (xx yy zz xy yz xz) in the
-/// order of [`Tensors`].
+/// Index in the order of [`Tensors`] of each component of a symmetric tensor of VTK
+/// (xx yy zz xy yz xz).
 const SYMMETRIC: [usize; 6] = [0, 1, 2, 5, 3, 4];
 
-/// Strain and stress of `recovery` on the mesh of `section`, whose points are doubled
-/// on the borders of regions, where stresses jump; its displacement; the means of
-/// the cells; and `failure`, for each criterion its name and the index of each cell,
-/// not a number in cells without strengths.
+/// Strain, stress and displacement of `recovery` on the mesh of `section`, and the means
+/// of the cells. Points on the borders of regions, where stresses jump, are repeated for
+/// each region. `failure` has for each criterion its name and the index of each cell, not
+/// a number in cells without strengths.
 ///
 /// The displacement is the warping under the internal force and voltages,
-/// `u = X theta + X_V V`: the rigid motion of the section is that of the beam. Sections with
-/// electrodes have potential, electric field and displacement too.
+/// `u = X theta + X_V V`, without the rigid motion of the section, which belongs to the beam.
+/// Sections with electrodes also have potential, electric field and electric displacement.
 pub fn stress_vtu(
     section: &Section,
     solution: &SectionSolution,
@@ -83,8 +83,8 @@ fn add_fields(states: &[ElectricState], prefix: &str, mut add: impl FnMut(&str, 
 }
 
 /// Adds each component of stress and strain in both systems of axes, the tensors in
-/// section axes, and the von Mises stress: some sixty numbers a point, in single
-/// precision, which is more than the mesh gives.
+/// section axes, and the von Mises stress: about sixty numbers per point, in single
+/// precision, which exceeds the accuracy of the mesh.
 fn add_tensors(tensors: &[Tensors], prefix: &str, mut add: impl FnMut(&str, u32, Vec<f32>)) {
     type Take = fn(&Tensors) -> Vector6<f64>;
     let kinds: [(&str, Take, [&str; 6]); 4] = [
@@ -104,7 +104,7 @@ fn add_tensors(tensors: &[Tensors], prefix: &str, mut add: impl FnMut(&str, u32,
     let tensor = |stress: Vector6<f64>| SYMMETRIC.map(|component| stress[component] as f32);
     let stresses = tensors.iter().flat_map(|t| tensor(t.stress));
     add(&format!("{prefix}stress"), 6, stresses.collect());
-    // a tensor has halves of the engineering shears
+    // the shears of a tensor are half of the engineering shears
     let whole = Vector6::new(1.0, 1.0, 1.0, 0.5, 0.5, 0.5);
     let strains = tensors
         .iter()

@@ -9,7 +9,7 @@ use crate::section::{OutsideSection, Section};
 use crate::solution::{PiezoSolution, SectionSolution};
 
 /// The warping under each unit internal force and each unit generalized strain, as
-/// vectors (x, y, z) at the nodes; what the cells are made of.
+/// vectors (x, y, z) at the nodes; region, material and directions of the cells.
 ///
 /// ```text
 /// warping_NAME = X        warping_per_strain_NAME = X K
@@ -29,7 +29,7 @@ pub fn warping_vtu(section: &Section, solution: &SectionSolution) -> FieldFile {
     file
 }
 
-/// As [`warping_vtu`], at the nodes of a section without cells: points.
+/// As [`warping_vtu`], for a section without cells: points at its nodes.
 pub fn outside_warping_vtu(section: &OutsideSection, solution: &SectionSolution) -> FieldFile {
     let mut file = FieldFile::new(section.nodes.iter().map(|&[y, z]| [0.0, y, z]));
     for node in 0..section.nodes.len() as u64 {
@@ -47,7 +47,7 @@ fn add_warping(file: &mut FieldFile, tags: &[u64], solution: &SectionSolution) {
     add_columns(file, "warping_per_strain", per_strain.as_view());
 }
 
-/// Potentials of forces, warping and potentials of electrodes.
+/// Adds the potentials per internal force, and warping and potentials per volt.
 fn add_potentials(file: &mut FieldFile, piezo: &PiezoSolution) {
     for (component, column) in COMPONENTS.iter().zip(piezo.potential.column_iter()) {
         let name = format!("potential_{}", component.replace(' ', "_"));
