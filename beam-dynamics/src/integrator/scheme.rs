@@ -64,8 +64,8 @@ impl Scheme {
              constraints oscillate from step to step";
         let off_center = "at this radius the multipliers do not converge when steps shrink: \
              reactions of constraints stay wrong";
-        let diverges = "this scheme is for systems without constraints: its stages do \
-             not determine the multipliers, or these grow from step to step";
+        let diverges = "this scheme is for systems without constraints: its stages do not \
+             determine the multipliers, or these grow from step to step";
         let warning = match *self {
             Self::CubicGauss => diverges,
             Self::CrankNicolson => does_not_damp,
