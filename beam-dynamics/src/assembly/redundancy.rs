@@ -1,7 +1,7 @@
-//! Redundant constraints: those that follow from others.
+//! Redundant constraints: constraints that follow from others.
 //!
 //! With `Phi_y` the derivatives of the constraints at a state by displacements and rotations
-//! (by velocities, for constraints of these), constraint i is redundant when
+//! (by velocities, for constraints of these), constraint i is redundant if
 //!
 //! ```text
 //! Phi_y,i = sum_{k before i} c_k Phi_y,k
@@ -67,7 +67,7 @@ pub struct Redundant {
 }
 
 impl Redundant {
-    /// The constraint, and those from which it follows.
+    /// The constraint, and the constraints from which it follows.
     pub fn group(&self) -> Vec<usize> {
         let parts = || self.combination.iter();
         let largest = parts().map(|part| part.1.abs()).fold(0.0, f64::max);
@@ -185,7 +185,7 @@ fn are_independent(rows: &[Row], columns: usize) -> bool {
     Echelon::of(entries, columns, MARGIN * ZERO).rank() == rows.len()
 }
 
-/// The rows of `Phi_y`, scaled; empty where the constraint was removed.
+/// The rows of `Phi_y`, scaled; empty if the constraint was removed.
 fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
     let mut rows: Vec<_> = system
         .elements()

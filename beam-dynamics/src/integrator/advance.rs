@@ -387,7 +387,7 @@ impl Integrator {
         self.corrector.is_doubtful()
     }
 
-    /// Change of the unknowns of the last stage of the latest step when `right` is subtracted from
+    /// Change of the unknowns of the last stage of the latest step if `right` is subtracted from
     /// its residual; overwrites `right`. `None` if the equations of the step are clearly not
     /// singular.
     pub fn response(&mut self, right: &mut [f64]) -> Option<()> {

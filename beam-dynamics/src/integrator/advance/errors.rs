@@ -82,7 +82,7 @@ impl Integrator {
             false => 0.0,
         };
         let [places, speeds] = [places, speeds].map(|error| error / control.tolerance);
-        // Steps do not grow by the little that is known of the first ones.
+        // Steps do not grow while too few previous states are known.
         (is_known || speeds > 1.0).then_some(Errors { places, speeds })
     }
 }

@@ -163,7 +163,7 @@ fn ends(member: &Member, frame: usize) -> Option<[usize; 2]> {
 type Square = [[f64; MOTION]; MOTION];
 
 /// Rows of a joint on its outer node, as an orthonormal basis q with `row_i = sum_j r_ij q_j`,
-/// j up to i; `None` where one of them nearly follows from the others.
+/// j up to i; `None` if one of them nearly follows from the others.
 fn factors(member: &Member, outer: usize) -> Option<[Square; 2]> {
     let (mut q, mut r) = (Square::default(), Square::default());
     for i in 0..member.constraints().len() {
