@@ -1,9 +1,8 @@
-//! Integration in time of differential-algebraic systems; knows nothing of nodes and
-//! elements.
+//! Integration in time of differential-algebraic systems; independent of nodes and elements.
 //!
-//! A system `F(y, y', t) = 0` is seen through [`Dae`]: it keeps its states, so that
-//! rotations stay matrices, and hands them to the formulas as numbers relative to its
-//! latest accepted state. An [`Integrator`] makes one accepted step after the other.
+//! A system `F(y, y', t) = 0` is accessed through [`Dae`]: it keeps its states, so that rotations
+//! stay matrices, and passes them to the integration schemes as numbers relative to its latest
+//! accepted state. An [`Integrator`] makes accepted steps.
 
 mod advance;
 mod corrector;

@@ -1,4 +1,4 @@
-//! Chains of rigid bodies on spherical joints, by the text of their files.
+//! Chains of rigid bodies on spherical joints, as text of input files.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -25,7 +25,7 @@ pub fn text(bodies: usize) -> String {
             0 => String::from("\"n0\""),
             _ => format!("\"n{}\", \"n{body}\"", body - 1),
         };
-        // A String takes whatever is written to it.
+        // Writing to a String cannot fail.
         let _ = writeln!(
             text,
             "[[node]]\nname = \"n{body}\"\nposition = [{center}, 0, 0]\n\
@@ -38,7 +38,7 @@ pub fn text(bodies: usize) -> String {
     text
 }
 
-/// Reads a file, and tells the processor time of it [s].
+/// Reads a file, and returns its processor time [s].
 pub fn read(path: &Path) -> Option<(Input, f64)> {
     let begin = ThreadTime::now();
     match input::read(path) {

@@ -1,4 +1,4 @@
-//! Residual and Jacobian of all elements of a model, as a step asks for them.
+//! Residual and Jacobian of all elements of a model, as in a time step.
 
 use std::hint::black_box;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use nalgebra::Matrix3;
 
 use crate::factors::Scattered;
 
-/// Change of a unit of all unknowns for central differences [-].
+/// Relative change of all unknowns for central differences [-].
 const DIFFERENCE: f64 = 1e-6;
 
 /// A model at a state.
@@ -19,7 +19,7 @@ pub struct Elements<'a> {
     model: &'a Model,
     state: &'a State,
     conditions: Conditions,
-    /// Rotations by their variations themselves.
+    /// Variations of the rotations.
     variations: Vec<Variation>,
 }
 
@@ -37,8 +37,8 @@ impl<'a> Elements<'a> {
         }
     }
 
-    /// The matrix of a step that weighs unknowns and rates, and the processor time of one such
-    /// evaluation with its residual [s].
+    /// The matrix of a step with the given weights of unknowns and rates, and the processor time of
+    /// one evaluation with its residual [s].
     pub fn evaluate(&self, weights: [f64; 2], repeats: u32) -> (Sparse, f64) {
         let system = &self.model.system;
         let mut matrix = Sparse::zero(Arc::clone(system.pattern()));

@@ -17,7 +17,7 @@ use crate::yardstick::Yardstick;
 
 const BEAMS: usize = 100;
 
-/// The cantilever that is bent to 45 degrees of a circle of 100 m, pushed out of its plane.
+/// The cantilever bent to 45 degrees of a circle of 100 m, with a load out of its plane.
 fn bend() -> Model {
     const RADIUS: f64 = 100.0;
     let mut parts = Parts::default();
@@ -51,8 +51,8 @@ fn bend() -> Model {
     Model::new("bend", System::new(parts.nodes, parts.elements))
 }
 
-/// Iterations of the bend to 600 N in ten steps, the rates of the path and the forces in the
-/// beams included. The tip is that of the exact rod, `exact_static_beams.json`.
+/// Iterations of the bend to 600 N in ten steps, including the rates of the path and the forces in
+/// the beams. The reference tip is the exact rod's, `exact_static_beams.json`.
 fn iteration(yardstick: &mut Yardstick) -> Option<Row> {
     let model = bend();
     let question = StaticQuestion {
@@ -83,8 +83,8 @@ fn iteration(yardstick: &mut Yardstick) -> Option<Row> {
     })
 }
 
-/// Twenty modes of a cantilever at rest. Its first frequency is that of a slender beam,
-/// `3.516015 sqrt(EI / (m L^4))`, but for shear and rotary inertia of some 1e-5 of it.
+/// Twenty modes of a cantilever at rest. Its first frequency is a slender beam's, `3.516015 sqrt(EI
+/// / (m L^4))`, except for shear and rotary inertia of about 1e-5 of it.
 fn frequencies(yardstick: &mut Yardstick) -> Option<Row> {
     const MODES: usize = 20;
     let mut parts = Parts::default();

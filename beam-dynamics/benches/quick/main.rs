@@ -1,14 +1,13 @@
-//! The quick bench: ratios of elements, factorization, steps, statics, modes and start-up, each with a
-//! limit; the exit code is 1 when a ratio is beyond it.
+//! The quick bench: ratios of elements, factorization, steps, statics, modes and start-up, each
+//! with a limit; the exit code is 1 if a ratio is beyond it.
 //!
-//! All times are processor times, the shortest of several runs, and each is divided by one
-//! that is measured in turns with it: by that of faer on the same matrix, by that of
-//! another size of the same model, or by the [`yardstick`]. Limits of times are about
-//! twice what a quiet machine gives: other work on the machine changes ratios by some tenths,
-//! while pivots that are not kept, a second Jacobian a step or a search through all of the
-//! model cost more than that. An exponent that is 0.2 larger is a time that is two to three
-//! times larger at the largest size; a start-up whose time grows with the square would be at
-//! 100 in place of 10.
+//! All times are processor times, the shortest of several runs, and each is divided by a time that
+//! is measured alternately with it: the time of faer on the same matrix, of another size of the
+//! same model, or of the [`yardstick`]. Limits of times are about twice the values of an idle
+//! machine: other work on the machine changes ratios by some tenths, while pivots that are not
+//! kept, a second Jacobian per step or a search through the whole model cost more. An exponent that
+//! is 0.2 larger is a time that is two to three times larger at the largest size; a start-up with
+//! quadratic time would have 100 instead of 10.
 //!
 //! `cargo bench -p beam-dynamics --bench quick`
 

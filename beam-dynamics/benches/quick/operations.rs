@@ -1,13 +1,13 @@
-//! Operations that an elimination of a matrix needs.
+//! Number of operations for the elimination of a matrix.
 
 use beam_dynamics::assembly::Sparse;
 use nalgebra::DMatrix;
 
-/// A pivot is at least this part of the largest entry of its column (D-131) [-].
+/// Least pivot as a fraction of the largest entry of its column (D-131) [-].
 const THRESHOLD: f64 = 0.1;
 
-/// Operations (divisions, products and sums) of the LU factorization whose pivots may fill
-/// the fewest places (D-132), those with zeros left out. Dense storage: for small matrices.
+/// Operations (divisions, products and sums) of the LU factorization whose pivots may fill the
+/// fewest entries (D-132), without operations on zeros. Dense storage: for small matrices.
 pub fn of(matrix: &Sparse) -> f64 {
     let n = matrix.pattern().size();
     let mut left = DMatrix::zeros(n, n);
@@ -45,7 +45,7 @@ fn scale(matrix: &mut DMatrix<f64>) {
     }
 }
 
-/// Row and column of the pivot among the rows and columns that are left.
+/// Row and column of the pivot among the remaining rows and columns.
 fn pivot(left: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> Option<(usize, usize)> {
     let mut in_row = vec![0_usize; left.nrows()];
     for &j in columns {

@@ -1,4 +1,4 @@
-//! What is measured: groups of rows of the table.
+//! Measurements: groups of rows of the table.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -20,17 +20,17 @@ use crate::runs::{Run, run};
 use crate::table::Row;
 use crate::yardstick::Yardstick;
 
-/// A figure of a factorization: its name, and the time of it.
+/// A figure of a factorization: its name, and its time.
 type Figure = (&'static str, fn(&Times) -> Duration);
 
-/// Rows that belong together; `None` when a run failed.
+/// Rows that belong together; `None` if a run failed.
 pub type Group = fn(&mut Yardstick) -> Option<Vec<Row>>;
 
 /// Step of the cantilevers [s].
 const STEP: f64 = 1e-3;
 /// Weights of unknowns and rates in a step of that length.
 const WEIGHTS: [f64; 2] = [0.5 * STEP, 1.0];
-/// How long each is repeated at least, three times in any case.
+/// Least duration of the repetitions of each measurement, with at least three repetitions.
 pub const SPAN: Duration = Duration::from_secs(1);
 /// A microsecond [s].
 pub const US: f64 = 1e-6;
@@ -45,8 +45,8 @@ fn swung(beams: usize, inertia: Inertia, steps: usize) -> Option<(Model, Run)> {
     Some((model, run))
 }
 
-/// Residual and Jacobian of one beam with its share of bodies, in a bent and moving
-/// cantilever of twenty.
+/// Residual and Jacobian of one beam with its share of bodies, in a bent and moving cantilever of
+/// twenty.
 pub fn element(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     const BEAMS: usize = 20;
     let mut rows = Vec::new();
@@ -70,7 +70,7 @@ pub fn element(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     Some(rows)
 }
 
-/// Our factorization beside faer's, of the matrices of swinging cantilevers.
+/// Our factorization compared with faer's, for the matrices of swinging cantilevers.
 pub fn factorization(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     let (mut rows, mut of_a_beam, mut operations) = (Vec::new(), Vec::new(), 0.0);
     for (beams, limits) in [(20, [0.5, 1.5]), (400, [0.45, 1.6]), (2000, [0.5, 4.0])] {
@@ -105,9 +105,9 @@ pub fn factorization(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     Some(rows)
 }
 
-/// Rows of one matrix, and our time of its factorization \[s\]. The library has two kinds,
-/// and of each figure the faster one counts: columns one by one solve faster, dense blocks
-/// factorize faster or alike.
+/// Rows of one matrix, and our time of its factorization \[s\]. faer has two kinds, and the faster
+/// one of each figure is used: separate columns solve faster, dense blocks factorize faster or
+/// equally fast.
 fn beside_faer(beams: usize, limits: [f64; 2], matrix: &Sparse) -> Option<(Vec<Row>, f64)> {
     let found = [
         ("blocks", SupernodalThreshold::FORCE_SUPERNODAL),
@@ -140,7 +140,7 @@ fn beside_faer(beams: usize, limits: [f64; 2], matrix: &Sparse) -> Option<(Vec<R
     Some((rows, own_times[0]))
 }
 
-/// By which power of the size the whole time grows.
+/// Exponent of the total time as a power of the size.
 fn growth(of: &str, sizes: [f64; 2], parts: [f64; 2], limit: f64) -> Row {
     let exponent = 1.0 + (parts[1] / parts[0]).ln() / (sizes[1] / sizes[0]).ln();
     Row {
@@ -155,8 +155,8 @@ fn growth(of: &str, sizes: [f64; 2], parts: [f64; 2], limit: f64) -> Row {
 
 /// Steps of swinging cantilevers.
 pub fn swinging(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
-    // At 1 s: the stored end, from which meshes and steps of ours that are finer end 2e-4
-    // away. At 0.2 s: the limit of fine meshes at this step, to 2e-6.
+    // At 1 s: the stored end; finer meshes and steps of ours end 2e-4 away from it. At 0.2 s: the
+    // limit of fine meshes at this step, to 2e-6.
     let cases = [
         (20, 1000, Vector3::new(0.767_28, 0.540_19, 0.167_97), 2e-4),
         (
@@ -176,7 +176,7 @@ pub fn swinging(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
             Some(run.steps)
         })?;
         let off = (tip - expected).norm();
-        // Both: iterations may become dearer while steps do not, and the other way round.
+        // Both: iterations may become slower while steps do not, and vice versa.
         for (word, meaning, count, limit) in [
             (
                 "iteration",
@@ -207,7 +207,7 @@ pub fn swinging(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     Some(rows)
 }
 
-/// A file beside this package.
+/// A file next to this package.
 fn beside(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }

@@ -1,4 +1,4 @@
-//! Runs in time, by processor time.
+//! Runs in time, and their processor time.
 
 use beam_dynamics::analysis::transient::transient;
 use beam_dynamics::case::{Model, TransientQuestion};
@@ -6,11 +6,11 @@ use beam_dynamics::model::State;
 use beam_dynamics::result::{Effort, Moment, Recorder};
 use cpu_time::ThreadTime;
 
-/// What a run leaves: its last state, and when its first step began.
+/// Results of a run: its last state, and the start of its first step.
 #[derive(Default)]
 struct Last {
     began: Option<ThreadTime>,
-    /// Every so many steps a state is kept.
+    /// Number of steps between two kept states.
     every: usize,
     states: Vec<(f64, State)>,
 }
@@ -37,7 +37,7 @@ pub struct Run {
     pub states: Vec<(f64, State)>,
 }
 
-/// Runs a model, and keeps a state every so many steps; `None` when the run fails.
+/// Runs a model, and keeps a state at every multiple of `every` steps; `None` if the run fails.
 pub fn run(model: &Model, question: &TransientQuestion, every: usize) -> Option<Run> {
     let mut last = Last {
         every,

@@ -1,16 +1,16 @@
-//! The table of ratios, and what is beyond its limit.
+//! The table of ratios, and the ratios beyond their limits.
 
-/// A ratio within this run, and how large it may be.
+/// A ratio within this run, and its limit.
 pub struct Row {
     pub name: String,
     /// The ratio, and the largest that passes [-].
     pub ratio: f64,
     pub limit: f64,
-    /// What the ratio is, in words.
+    /// Meaning of the ratio, as text.
     pub meaning: &'static str,
-    /// Time on this machine, in words.
+    /// Time on this machine, as text.
     pub time: String,
-    /// How exact the result is to which the time belongs, in words.
+    /// Accuracy of the result to which the time belongs, as text.
     pub accuracy: String,
 }
 
@@ -33,7 +33,7 @@ pub fn print(rows: &[Row]) {
     }
 }
 
-/// Rows beyond their limits, in words.
+/// Rows beyond their limits, as text.
 pub fn breaches(rows: &[Row]) -> Vec<String> {
     let beyond = rows.iter().filter(|row| !row.is_within());
     let words = |row: &Row| {

@@ -1,11 +1,11 @@
 //! The unit of time of the quick bench: the dense LU factorization with partial pivoting of
 //! a fixed 36 x 36 matrix by nalgebra.
 //!
-//! No line of ours is in it, so that it stays what it is when our code changes. It is
-//! compiled for the same processor as our elements, where a library that chooses wider
-//! registers as it runs would change the ratios from machine to machine. Its 10 KB stay in
-//! the first cache, as the matrices of an element do: three other processes that stream
-//! through memory changed it by 4 %, and the factorization and the product of faer by 14 %.
+//! It contains none of our code, so that it is independent of changes of our code. It is compiled
+//! for the same processor as our elements, whereas a library that chooses wider registers at run
+//! time would change the ratios from machine to machine. Its 10 KB remain in the L1 cache, like the
+//! matrices of an element: three other processes with continuous memory traffic changed it by 4 %,
+//! and the factorization and the product of faer by 14 %.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -16,9 +16,9 @@ use nalgebra::SMatrix;
 use crate::factors::Scattered;
 
 const SIZE: usize = 36;
-/// Factorizations between two looks at the clock: some tenths of a millisecond.
+/// Factorizations between two readings of the clock: some tenths of a millisecond.
 const REPEATS: u32 = 16;
-/// Turns of the yardstick for one of the work.
+/// Repetitions of the yardstick for one of the work.
 const TURNS: usize = 4;
 
 pub struct Yardstick {
@@ -55,8 +55,8 @@ impl Yardstick {
         2.0 / 3.0 * (SIZE as f64).powi(3) / self.time()
     }
 
-    /// Repeats `work`, which tells its own time, in turns with the yardstick for the time
-    /// `span`, three times at least; the shortest time, `None` when `work` fails once.
+    /// Repeats `work`, which returns its own time, alternately with the yardstick for the time
+    /// `span`, at least three times; returns the shortest time, `None` if `work` fails once.
     pub fn beside(&mut self, span: Duration, mut work: impl FnMut() -> Option<f64>) -> Option<f64> {
         let (begin, mut best, mut runs) = (Instant::now(), f64::INFINITY, 0);
         while runs < 3 || begin.elapsed() < span {

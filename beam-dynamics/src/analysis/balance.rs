@@ -1,4 +1,4 @@
-//! The balance of a model under given conditions, as Newton's method sees it.
+//! The balance of a model under given conditions, for Newton's method.
 
 use std::sync::Arc;
 
@@ -9,11 +9,11 @@ use crate::assembly::{Residual, ScalarScales, System};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 use crate::solver::{Equations, Factorization, Jacobian, LinearSolver, Worst};
 
-/// A sum this small beside its terms is round-off. Slender beams of many elements come
-/// down to 1e-10 or so.
+/// Sum relative to its terms below which it is round-off. Slender beams of many elements reach
+/// about 1e-10.
 const ROUND_OFF: f64 = 1e-13;
 
-/// Weight of a change of a scalar beside that of a place: what a voltage follows from is the
+/// Weight of a change of a scalar relative to a change of a position: a voltage follows from the
 /// difference of strains, with their round-off.
 const OF_SCALARS: f64 = 1e-3;
 
@@ -46,7 +46,7 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// The same equations under other conditions, from another state.
+    /// The same equations under other conditions, starting from another state.
     pub fn at(&self, conditions: Conditions, state: State) -> Self {
         Self {
             conditions,
@@ -62,14 +62,14 @@ impl<'a> Balance<'a> {
         self.scales.reach()
     }
 
-    /// The factorized derivative by the unknowns; `None` when it is singular.
+    /// The factorized derivative by the unknowns; `None` if it is singular.
     pub fn factorize(&self) -> Option<Factorization> {
         let tangent = self.system.by_unknowns(&self.state, &self.conditions);
         self.solver.factorize(tangent)
     }
 
-    /// How the state goes with the factor of the proportional loads,
-    /// `dy/d lambda = -F_y^-1 F_lambda`.
+    /// Derivative of the state by the factor of the proportional loads, `dy/d lambda = -F_y^-1
+    /// F_lambda`.
     pub fn rate(&self, tangent: &Factorization) -> Option<Vec<f64>> {
         let mut rate = self.system.by_factor(&self.state, &self.conditions);
         rate.iter_mut().for_each(|value| *value = -*value);
@@ -77,8 +77,8 @@ impl<'a> Balance<'a> {
         Some(rate)
     }
 
-    /// Whether nothing resists the motion `rate` that the loads drive: its image under the
-    /// tangent, which is the load, is round-off of the terms of which it is the sum.
+    /// Whether nothing resists the motion `rate` that the loads drive: its image under the tangent,
+    /// which is the load, is round-off of the terms summed in it.
     pub fn is_free(&self, rate: &[f64]) -> bool {
         let tangent = self.system.by_unknowns(&self.state, &self.conditions);
         let load = self.system.by_factor(&self.state, &self.conditions);
@@ -107,14 +107,14 @@ impl<'a> Balance<'a> {
         let scaled = residual.iter().zip(&largest);
         let reach = self.reach().max(1.0);
         let mut scaled = scaled.map(|(value, size)| {
-            // A slope without an end measures nothing.
+            // An infinite slope is no reference.
             size.is_finite() && value.abs() <= ROUND_OFF * size * reach
         });
         scaled.all(|is_small| is_small)
     }
 
-    /// Displacement and rotation of every node from `before` to the present state, in
-    /// the order of the unknowns; zero for all others.
+    /// Displacement and rotation of every node from `before` to the present state, in the order of
+    /// the unknowns; zero for all other unknowns.
     pub fn moved_from(&self, before: &State) -> Vec<f64> {
         let mut moved = vec![0.0; self.system.numbering().unknowns()];
         let nodes = self.state.nodes.iter().zip(&before.nodes);
@@ -161,7 +161,7 @@ impl Equations for Balance<'_> {
     }
 
     /// Largest displacement in sizes of the model, rotation in radians, and change of a scalar
-    /// by its scale.
+    /// relative to its scale.
     fn size(&self, correction: &[f64]) -> f64 {
         self.scales.size(correction, &self.state.scalars)
     }
@@ -171,14 +171,14 @@ impl Equations for Balance<'_> {
     }
 }
 
-/// Largest displacement in sizes of the model, and largest rotation in radians, of nodes
-/// by their displacements and rotations, whatever follows them; no number when one is none.
+/// Largest displacement in sizes of the model, and largest rotation in radians, of nodes whose
+/// numbers begin with their displacements and rotations; NaN if one is NaN.
 pub(super) fn largest_motion<'a>(nodes: impl Iterator<Item = &'a [f64]>, size: f64) -> f64 {
     let motions = nodes.flat_map(|node| {
         let part = |i: usize| Vector3::new(node[i], node[i + 1], node[i + 2]).norm();
         [part(0) / size, part(3)]
     });
-    // The greater of a number and none is the number: none must be asked for.
+    // The maximum of a number and NaN is the number: NaN must be checked.
     motions.fold(0.0, |largest: f64, motion| {
         match largest.is_nan() || motion.is_nan() {
             true => f64::NAN,
@@ -187,27 +187,27 @@ pub(super) fn largest_motion<'a>(nodes: impl Iterator<Item = &'a [f64]>, size: f
     })
 }
 
-/// An equation in words, and how far it is off.
+/// An equation and its residual, as text.
 pub(super) fn worst_equation(system: &System, worst: &Worst) -> String {
     let name = system.equation(worst.place);
     name.off_by(worst.relative, worst.scale)
 }
 
-/// By which residuals and corrections of a model are measured.
+/// References for residuals and corrections of a model.
 #[derive(Debug, Clone)]
 pub(super) struct Scales {
-    /// Place of the first multiplier, and of the first scalar.
+    /// Index of the first multiplier, and of the first scalar.
     first: [usize; 2],
     /// Size of the model [m].
     size: f64,
-    /// Distance of neighbors, as moments are taken about the nodes [m].
+    /// Distance of neighbors, the lever of moments, which are taken about the nodes [m].
     arm: f64,
     scalars: ScalarScales,
     equations: ScalarScales,
 }
 
 impl Scales {
-    /// Those of `system`.
+    /// The references of `system`.
     pub fn of(system: &System) -> Self {
         let nodes = system.nodes().len();
         let size = system.size();
@@ -225,10 +225,10 @@ impl Scales {
         self.size
     }
 
-    /// Size of a correction: the largest displacement in sizes of the model, rotation in
-    /// radians, and weighted change of a scalar by its scale; `scalars` are their values
-    /// before it. Momenta and multipliers stand in the equations linearly, so that the residual
-    /// shows them.
+    /// Size of a correction: the largest displacement in sizes of the model, rotation in radians,
+    /// and weighted change of a scalar relative to its scale; `scalars` are the values before the
+    /// correction. The equations are linear in momenta and multipliers, so that the residual shows
+    /// their errors.
     pub fn size(&self, correction: &[f64], scalars: &[f64]) -> f64 {
         let [nodes, first] = self.first;
         let moved = largest_motion(correction[..nodes].chunks(NODE_UNKNOWNS), self.size);
@@ -241,11 +241,11 @@ impl Scales {
         }
     }
 
-    /// The worst equation: residual against the largest term of its kind. Moments, and
-    /// angular momenta, have the largest force, or momentum, on a lever among their terms,
-    /// and forces the largest moment over it: on a straight blade that turns the moments are
-    /// the round-off of forces, and nothing else, and in pure bending the forces that of
-    /// moments. Equations of scalars are measured by those of the same unit.
+    /// The worst equation: residual relative to the largest term of its kind. The terms of moments,
+    /// and angular momenta, include the largest force, or momentum, on a lever, and the terms of
+    /// forces the largest moment over it: on a straight blade that turns the moments are only
+    /// round-off of forces, and in pure bending the forces are round-off of moments. Equations of
+    /// scalars are compared with equations of the same unit.
     pub fn worst(&self, residual: &Residual) -> Worst {
         const KINDS: usize = Equation::ALL.len();
         let [nodes, first] = self.first;
@@ -264,8 +264,8 @@ impl Scales {
                 largest[force as usize] = of_forces.max(of_moments / self.arm);
             }
         }
-        // The worst of each kind: those of a kind have one scale. The terms of a constraint
-        // vanish with it: they are measured against one.
+        // The worst of each kind: equations of a kind have one scale. The terms of a constraint
+        // vanish with it: its reference is one.
         let mut worst = [(0.0_f64, 0); KINDS];
         for (place, value) in residual.values[..nodes].iter().enumerate() {
             take_larger(&mut worst[kind(place)], (value.abs(), place));
@@ -301,8 +301,7 @@ impl Scales {
     }
 }
 
-/// Takes a size with its place where it is no smaller than the largest so far; one without a
-/// value is larger than all.
+/// Replaces the largest size and its index by another that is not smaller; NaN is larger than all.
 fn take_larger(largest: &mut (f64, usize), other: (f64, usize)) {
     if other.0.total_cmp(&largest.0).is_ge() {
         *largest = other;
@@ -313,7 +312,7 @@ fn take_larger(largest: &mut (f64, usize), other: (f64, usize)) {
 mod tests {
     use super::*;
 
-    // A displacement of 3 in a model of size 2, rotations of 1; then no number at each place.
+    // A displacement of 3 in a model of size 2, rotations of 1; then NaN at each index.
     #[test]
     fn a_motion_without_a_value_is_none() {
         let motion = |nodes: &[f64]| largest_motion(nodes.chunks(6), 2.0);

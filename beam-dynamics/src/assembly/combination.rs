@@ -1,4 +1,4 @@
-//! Sums of the derivatives of a system, by the unknowns of a formula of integration.
+//! Sums of the derivatives of a system, by the unknowns of an integration formula.
 
 use nalgebra::Matrix3;
 
@@ -11,9 +11,9 @@ pub struct Combination<'a> {
     pub by_unknowns: f64,
     /// Weight of the derivatives by the rates of the unknowns [-].
     pub by_rates: f64,
-    /// Weight of the columns of multipliers, which the other two leave out [-].
+    /// Weight of the columns of multipliers, to which the other two do not apply [-].
     pub by_algebraic: f64,
-    /// Where the sum is written.
+    /// The matrix of the sum.
     pub matrix: &'a mut Sparse,
 }
 
@@ -44,8 +44,8 @@ impl<'a> Combination<'a> {
     }
 }
 
-/// How the unknowns of a formula turn a node: with u the Gibbs-Rodrigues parameters of
-/// its correction and u' their rate,
+/// Rotation of a node by the unknowns of a formula: with u the Gibbs-Rodrigues parameters of its
+/// correction and u' their rate,
 ///
 /// ```text
 /// theta = G du          d omega = G du' + W du

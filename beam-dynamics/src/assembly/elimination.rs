@@ -1,11 +1,11 @@
-//! Sparse elimination of rows: which motions they leave free.
+//! Sparse elimination of rows, and the motions that they leave free.
 //!
 //! The rows of A are brought to echelon form, `A = L U` up to the order of rows and columns. Each
-//! pivot is taken in the column with the fewest rows that are left, in the shortest of these rows
-//! whose entry is large enough (the rule of Markowitz with threshold pivoting), so that the rows
-//! of trees of bodies fill in nothing: work and memory are linear in their number. A row of which
-//! nothing is left follows from the others. Columns without a pivot are free: with numbers xi for
-//! these, the others follow from
+//! pivot is chosen in the column with the fewest remaining rows, in the shortest of these rows
+//! whose entry is large enough (the rule of Markowitz with threshold pivoting), so that the rows of
+//! trees of bodies have no fill: work and memory are linear in their number. A row of which nothing
+//! remains follows from the others. Columns without a pivot are free: with numbers xi for these
+//! columns, the others follow from
 //!
 //! ```text
 //! U_kk x_k = - sum_{j after k} U_kj x_j ,      A x = 0
@@ -14,28 +14,28 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
-/// A row: column and entry of each number that is not zero, by ascending columns.
+/// A row: column and value of each nonzero entry, by ascending columns.
 pub(super) type SparseRow = Vec<(usize, f64)>;
 
-/// What is left by subtraction below this is round-off.
+/// Remainder of a subtraction below which it is round-off.
 const ROUND_OFF: f64 = 1e-14;
-/// Part of the largest entry of its column that a pivot has at least.
+/// Least pivot as a fraction of the largest entry of its column.
 const OF_COLUMN: f64 = 0.3;
-/// Part of the largest entry of its row that a pivot has at least.
+/// Least pivot as a fraction of the largest entry of its row.
 const OF_ROW: f64 = 0.03;
 
 /// Rows in echelon form.
 #[derive(Debug, Default)]
 pub(super) struct Echelon {
-    /// Column of each pivot, in the order in which they were taken, with its row.
+    /// Column of each pivot, in the order of elimination, with its row.
     pivots: Vec<(usize, SparseRow)>,
     /// Columns without a pivot.
     free: Vec<usize>,
 }
 
 impl Echelon {
-    /// That of rows of `columns` numbers, each row of size one or zero; what is left of a row
-    /// counts as zero up to `zero`.
+    /// The echelon form of rows of `columns` numbers, each row of size one or zero; remainders of a
+    /// row up to `zero` are zero.
     pub fn of(rows: Vec<SparseRow>, columns: usize, zero: f64) -> Self {
         let mut elimination = Elimination::new(rows, columns, zero);
         while let Some((row, column)) = elimination.next_pivot() {
@@ -51,7 +51,7 @@ impl Echelon {
         }
     }
 
-    /// Columns without a pivot: the null space has as many dimensions.
+    /// Columns without a pivot: their number is the dimension of the null space.
     pub fn free(&self) -> &[usize] {
         &self.free
     }
@@ -61,7 +61,7 @@ impl Echelon {
         self.pivots.len()
     }
 
-    /// The echelons of groups of columns that no row connects.
+    /// The echelon forms of groups of columns that no row connects.
     pub fn split(self, mut group_of: impl FnMut(usize) -> usize) -> BTreeMap<usize, Self> {
         let mut split = BTreeMap::new();
         for pivot in self.pivots {
@@ -75,7 +75,7 @@ impl Echelon {
         split
     }
 
-    /// Completes a vector of the null space, which has its numbers in the free columns.
+    /// Completes a vector of the null space, given its numbers in the free columns.
     pub fn complete(&self, x: &mut [f64]) {
         for (column, row) in self.pivots.iter().rev() {
             let (mut sum, mut pivot) = (0.0, 1.0);
@@ -90,18 +90,18 @@ impl Echelon {
     }
 }
 
-/// Rows on their way.
+/// An elimination in progress.
 struct Elimination {
-    /// Rows that are left; empty ones are done.
+    /// Remaining rows; finished ones are empty.
     rows: Vec<SparseRow>,
     /// Rows that have, or had, an entry in each column.
     of_column: Vec<Vec<usize>>,
     /// Columns by the number of their rows; entries may be out of date.
     waiting: BinaryHeap<Reverse<(usize, usize)>>,
     pivots: Vec<(usize, SparseRow)>,
-    /// What is left of a row up to this counts as zero.
+    /// Remainder of a row up to which it is zero.
     zero: f64,
-    /// For sums of rows.
+    /// Buffer for sums of rows.
     sum: SparseRow,
 }
 
@@ -151,7 +151,7 @@ impl Elimination {
         None
     }
 
-    /// The pivot in a column, or in another one where its entries are small in their rows.
+    /// The pivot in a column, or in another one if its entries are small in their rows.
     fn pivot_in(&self, column: usize) -> Option<(usize, usize)> {
         let own = self.of_column[column].iter();
         let entries = own.filter_map(|&row| Some((row, self.entry(row, column)?.abs())));
@@ -174,7 +174,7 @@ impl Elimination {
         }
     }
 
-    /// Takes a pivot, and its column out of the rows that are left.
+    /// Chooses a pivot, and eliminates its column from the remaining rows.
     fn eliminate(&mut self, row: usize, column: usize) {
         let Some(pivot) = self.entry(row, column) else {
             return;
@@ -194,7 +194,7 @@ impl Elimination {
         self.pivots.push((column, pivot_row));
     }
 
-    /// Subtracts `factor` times the row of a pivot from the row number `from`.
+    /// Subtracts `factor` times the row of a pivot from the row with index `from`.
     fn subtract(&mut self, (pivot, column): (&SparseRow, usize), factor: f64, from: usize) {
         let row = std::mem::take(&mut self.rows[from]);
         let mut sum = std::mem::take(&mut self.sum);
@@ -218,7 +218,7 @@ impl Elimination {
             }
             sum.push((next, value));
         }
-        // Nothing but round-off: the row follows from others.
+        // Only round-off remains: the row follows from others.
         if sum.iter().all(|entry| entry.1.abs() <= self.zero) {
             sum.clear();
         }
@@ -235,7 +235,7 @@ mod tests {
 
     const ZERO: f64 = 1e-9;
 
-    /// Numbers between -1 and 1, always the same.
+    /// Numbers between -1 and 1, the same in each run.
     struct Random(u64);
 
     impl Random {
@@ -274,8 +274,8 @@ mod tests {
         matrix
     }
 
-    // The singular values of the same matrix: those of random sparse rows are above 1e-7 or are
-    // zero. A vector of the null space is checked by the rows themselves.
+    // The singular values of the same matrix: for random sparse rows they are above 1e-7 or zero. A
+    // vector of the null space is checked with the rows themselves.
     #[test]
     fn the_null_space_is_that_of_the_singular_values() {
         let mut random = Random(7);
@@ -306,7 +306,7 @@ mod tests {
         assert!(seen.iter().all(|count| *count > 20), "{seen:?}");
     }
 
-    // A chain, in both orders of its rows: nothing fills in.
+    // A chain, in both orders of its rows: there is no fill.
     #[test]
     fn chains_stay_sparse() {
         let count = 20_000;

@@ -1,8 +1,8 @@
-//! Motions of nodes that nothing determines: without mass, stiffness, damping and joint.
+//! Undetermined motions of nodes: without mass, stiffness, damping and joint.
 //!
-//! With M the mass of a node, as its momentum depends on its velocities, and A the
-//! derivatives of all forces, moments and constraints by its position, its rotation and
-//! their rates, a motion r is not determined when
+//! With M the mass of a node, as its momentum depends on its velocities, and A the derivatives of
+//! all forces, moments and constraints by its position, its rotation and their rates, a motion r is
+//! undetermined if
 //!
 //! ```text
 //! M r = 0,   A r = 0,   r /= 0
@@ -17,27 +17,27 @@ use super::mechanism::finite;
 use super::{System, Tangent};
 use crate::model::{Conditions, Equation, MOTION_WORDS, NODE_UNKNOWNS, Variable};
 
-/// A mass below this part of the largest of its node is none.
+/// A mass below this fraction of the largest of its node is zero.
 const NO_MASS: f64 = 1e-15;
-/// Derivatives below this part of the largest of their row are round-off.
+/// Derivatives below this fraction of the largest of their row are round-off.
 const ROUND_OFF: f64 = 1e-12;
-/// Singular values below this part of one count as zero.
+/// Singular values below this fraction of one are zero.
 const ZERO: f64 = 1e-9;
 /// Unknowns of the motion of a node.
 pub(super) const MOTION: usize = 6;
 
-/// A node that can move, although nothing says how.
+/// A node with a motion that no mass, stiffness, damping or joint determines.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("node \"{node}\" has no {}, and nothing holds it: {}", self.lack(), .motions.join(", "))]
 pub struct MasslessNode {
     /// The node.
     pub node: String,
-    /// Its undetermined motions in words.
+    /// Its undetermined motions as text.
     pub motions: Vec<String>,
 }
 
 impl MasslessNode {
-    /// What it lacks.
+    /// The missing property.
     fn lack(&self) -> &'static str {
         let turns = |motion: &String| motion.starts_with("rotation");
         match self.motions.iter().all(turns) {
@@ -68,7 +68,8 @@ pub fn without_mass(system: &System, tangent: &Tangent, size: f64) -> Vec<DMatri
     masses.map(|mass| null(&mass)).collect()
 }
 
-/// The motions without mass: one node is not light because another one is heavy.
+/// The motions without mass; the masses of each node are compared among themselves only, so that a
+/// heavy node does not make another one massless.
 fn null(mass: &Matrix6<f64>) -> DMatrix<f64> {
     let largest = mass.amax();
     let parts = mass.map(finite).symmetric_eigen();
@@ -89,13 +90,13 @@ fn columns(found: &[DVector<f64>]) -> DMatrix<f64> {
     }
 }
 
-/// Metres of motion by metres and radians.
+/// Meters of motion by meters and radians.
 pub(super) fn scale(size: f64) -> Vector6<f64> {
     let turn = 1.0 / size;
     Vector6::new(1.0, 1.0, 1.0, turn, turn, turn)
 }
 
-/// Nodes of the undeformed model whose motion nothing determines.
+/// Nodes of the undeformed model with undetermined motions.
 pub fn find(system: &System) -> Vec<MasslessNode> {
     let rest = system.rest();
     let tangent = system.tangent(&rest, &Conditions::at_rest());
@@ -120,8 +121,8 @@ pub fn find(system: &System) -> Vec<MasslessNode> {
 /// A row of derivatives by the six motions of a node.
 type Row = Vector6<f64>;
 
-/// Rows of forces, moments and constraints by the motion of each node that has one
-/// without mass, each with a largest entry of one.
+/// Rows of forces, moments and constraints by the motion of each node that has a motion without
+/// mass, each with a largest entry of one.
 fn resisting(system: &System, tangent: &Tangent, size: f64) -> Vec<Vec<Row>> {
     let nodes = system.nodes().len();
     let scale = scale(size);
@@ -149,7 +150,7 @@ fn resisting(system: &System, tangent: &Tangent, size: f64) -> Vec<Vec<Row>> {
     rows
 }
 
-/// The part of the space of `basis` that no row sees.
+/// The part of the space of `basis` on which all rows are zero.
 fn undetermined(basis: &DMatrix<f64>, rows: &[Row]) -> DMatrix<f64> {
     if basis.ncols() == 0 {
         return DMatrix::zeros(MOTION, 0);
@@ -218,7 +219,7 @@ mod tests {
             (found[0].node.as_str(), found[0].motions.len()),
             ("loose", 6)
         );
-        // With a body nothing is left; a point of mass can still turn.
+        // With a body nothing remains; a point mass can still turn.
         let mut with_body = elements();
         with_body.push(body(2, &Matrix3::identity()));
         assert_eq!(find(&System::new(nodes.clone(), with_body)), []);
@@ -234,7 +235,7 @@ mod tests {
         );
     }
 
-    // Of two bodies one is 1e16 times as heavy: both have mass.
+    // One of two bodies is 1e16 times as heavy: both have mass.
     #[test]
     fn a_node_has_mass_however_heavy_another_one_is() {
         let nodes = vec![node("light", 0.0), node("heavy", 1.0)];

@@ -1,20 +1,20 @@
-//! Free mechanisms: motions that nothing resists.
+//! Free mechanisms: motions without resistance.
 //!
-//! Nodes joined by elastic elements move together as a rigid part when no strain
-//! arises. With H the six rigid motions of each part and `Phi_y` the derivatives of
-//! the constraints at the undeformed state, a motion is free when
+//! Nodes joined by elastic elements move as a rigid part if there is no strain. With H the six
+//! rigid motions of each part and `Phi_y` the derivatives of the constraints at the undeformed
+//! state, a motion is free if
 //!
 //! ```text
 //! Phi_y H r = 0,   r /= 0
 //! ```
 //!
-//! so that the mechanisms are the null space of a sparse matrix, whatever the
-//! stiffness of the beams. Rotations are scaled by the size of the part.
+//! so that the mechanisms are the null space of a sparse matrix, for any stiffness of the beams.
+//! Rotations are scaled by the size of the part.
 //!
-//! Motions that elements resist by springs are further rows. Those that hinges leave
-//! free on purpose are no mechanisms: what is free also with these rows (all hinges
-//! locked) has been forgotten; what is free only without them is the freedom of hinges.
-//! A hinge can move when it moves in a vector of the null space whose free numbers have no pattern.
+//! Motions that springs resist are further rows. Intended free motions of hinges are not
+//! mechanisms: a motion that is free even with their rows (all hinges locked) is a mechanism; a
+//! motion that is free only without them is a freedom of hinges. A hinge can move if it moves in a
+//! vector of the null space whose free numbers have no pattern.
 
 use std::collections::BTreeMap;
 
@@ -26,9 +26,9 @@ use super::elimination::{Echelon, SparseRow};
 use crate::elements::Queries;
 use crate::model::{Conditions, NODE_UNKNOWNS, Variable};
 
-/// What is left of rows of size one below this counts as zero: their round-off is 1e-16.
+/// Remainder of rows of size one below which it is zero: their round-off is 1e-16.
 const ZERO: f64 = 1e-9;
-/// Part of a unit motion of the model that counts as moving.
+/// Fraction of a unit motion of the model above which a part moves.
 const VISIBLE: f64 = 1e-6;
 
 /// The golden section.
@@ -42,7 +42,7 @@ pub struct Mechanism {
     pub node: String,
     /// Number of nodes in the part.
     pub nodes: usize,
-    /// The free motions in words.
+    /// The free motions as text.
     pub motions: Vec<String>,
 }
 
@@ -63,10 +63,10 @@ impl Explain for Mechanism {
     }
 }
 
-/// How a model can move without resistance, undeformed and unloaded.
+/// Motions of a model without resistance, undeformed and unloaded.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mobility {
-    /// Motions that nothing resists and no hinge allows; none in a sound model.
+    /// Motions that no element resists and no hinge permits; empty in a sound model.
     pub mechanisms: Vec<Mechanism>,
     /// Names of the hinges and other joints that can move.
     pub free_hinges: Vec<String>,
@@ -83,7 +83,7 @@ struct Part {
     size: f64,
 }
 
-/// How the undeformed, unloaded model can move.
+/// The motions of the undeformed, unloaded model without resistance.
 pub fn find(system: &System) -> Mobility {
     let parts = rigid_parts(system);
     if parts.is_empty() {
@@ -116,11 +116,11 @@ pub fn find(system: &System) -> Mobility {
     }
 }
 
-/// Names of the hinges whose motions, given with them, are part of the null space.
+/// Names of the hinges whose motions, given with them, are in the null space.
 fn moving(unlocked: &Echelon, columns: usize, free: &[(&str, SparseRow)]) -> Vec<String> {
     let mut motion = vec![0.0; columns];
     for (i, &column) in unlocked.free().iter().enumerate() {
-        // Numbers between 0.5 and 1 of which no two are alike.
+        // Numbers between 0.5 and 1, all different.
         motion[column] = 0.5 + 0.5 * (GOLDEN * (i + 1) as f64).fract();
     }
     unlocked.complete(&mut motion);
@@ -133,7 +133,7 @@ fn moving(unlocked: &Echelon, columns: usize, free: &[(&str, SparseRow)]) -> Vec
     free.map(|(label, _)| (*label).to_owned()).collect()
 }
 
-/// The parts that move while all hinges are locked, in each group of parts that rows connect.
+/// The parts that move if all hinges are locked, in each group of parts that rows connect.
 fn mechanisms(system: &System, parts: &[Part], rows: Vec<SparseRow>) -> Vec<Mechanism> {
     let mut groups = Groups::new(parts.len());
     for row in &rows {
@@ -208,7 +208,7 @@ fn rigid_motion(part: &Part, motion: usize, position: &Vector3<f64>) -> [Vector3
     }
 }
 
-/// `Phi_y H`: a row a constraint, six columns a part, each row scaled to one.
+/// `Phi_y H`: one row per constraint, six columns per part, each row scaled to one.
 fn constraints_by_rigid_motions(
     system: &System,
     (parts, part_of): (&[Part], &[usize]),
@@ -287,12 +287,12 @@ fn scaled_to_one(row: Form) -> SparseRow {
         .collect()
 }
 
-/// The number; zero for one that is not finite, on which decompositions do not end.
+/// The number; zero if it is not finite, since decompositions of such numbers do not end.
 pub(super) fn finite(value: f64) -> f64 {
     if value.is_finite() { value } else { 0.0 }
 }
 
-/// Things that are joined in pairs.
+/// Items that are joined in pairs.
 struct Groups(Vec<usize>);
 
 impl Groups {
@@ -300,7 +300,7 @@ impl Groups {
         Self((0..count).collect())
     }
 
-    /// The group of one: its first member.
+    /// The group of an item: its first member.
     fn of(&mut self, one: usize) -> usize {
         let mut at = one;
         while self.0[at] != at {
@@ -326,8 +326,8 @@ impl Groups {
     }
 }
 
-/// The free motions of one part in words. Unit motions that lie in the null space
-/// are named by their axis, others by their components.
+/// The free motions of one part as text. Unit motions in the null space are named by their axis,
+/// others by their components.
 fn describe(system: &System, part: &Part, motions: &DMatrix<f64>) -> Mechanism {
     const WORDS: [&str; 6] = [
         "translation along x",
@@ -337,7 +337,7 @@ fn describe(system: &System, part: &Part, motions: &DMatrix<f64>) -> Mechanism {
         "rotation about y",
         "rotation about z",
     ];
-    // A unit motion is free when its projection on the null space has length one.
+    // A unit motion is free if its projection on the null space has length one.
     let pure: Vec<_> = (0..6)
         .filter(|&i| (motions.row(i).norm() - 1.0).abs() < 1e-6)
         .collect();

@@ -1,4 +1,4 @@
-//! Momenta of motions without mass, taken out of the rates.
+//! Removes the momenta of motions without mass from the rates.
 //!
 //! Where n is a motion of a node that moves no mass, `M n = 0`, the equation of its
 //! momentum has no rates,
@@ -7,16 +7,16 @@
 //! n^T p + a x = 0                                                               (D-272)
 //! ```
 //!
-//! with a from the turning of the momenta that there are. It is put in place of the rate of
-//! that momentum in all balances: with `w^T n = 1`,
+//! with a from the rotation of the other momenta. It replaces the rate of that momentum in all
+//! balances: with `w^T n = 1`,
 //!
 //! ```text
 //! F_y'  <-  F_y' - F_y'p w ( n^T p + a x )                                      (D-273)
 //! ```
 //!
-//! No finite eigenvalue of `F_y + s F_y'` changes, nor its vector; the infinite ones of
-//! these motions, which were defective, are simple, and exactly infinite. Otherwise they
-//! come into a spectrum as large numbers by round-off.
+//! The finite eigenvalues of `F_y + s F_y'` and their vectors do not change; the infinite
+//! eigenvalues of these motions, which were defective, become simple and exactly infinite.
+//! Otherwise round-off makes them large numbers in a spectrum.
 
 use std::collections::BTreeMap;
 
@@ -26,7 +26,7 @@ use super::massless::{MOTION, scale, without_mass};
 use super::{System, Tangent};
 use crate::model::NODE_UNKNOWNS;
 
-/// What is left of an entry beside its terms below this part of them is round-off.
+/// Fraction of its terms below which an entry is round-off.
 const ROUND_OFF: f64 = 1e-14;
 
 /// The six motions or momenta of a node.
@@ -43,7 +43,7 @@ pub struct MasslessMotions {
 }
 
 impl MasslessMotions {
-    /// Those of a system with a tangent.
+    /// The motions of a system with a tangent.
     pub fn new(system: &System, tangent: &Tangent) -> Self {
         let size = system.size();
         let scale = scale(size);
@@ -60,7 +60,7 @@ impl MasslessMotions {
         }
     }
 
-    /// None, in a system of so many nodes.
+    /// No motions, in a system of `nodes` nodes.
     pub fn none(nodes: usize) -> Self {
         Self {
             nodes: vec![Vec::new(); nodes],
@@ -115,8 +115,8 @@ impl MasslessMotions {
         terms.flatten().collect()
     }
 
-    /// The node with motions without mass to whose six from `first` on a place belongs, and
-    /// the number there.
+    /// The node with motions without mass to whose six numbers from `first` on an index belongs,
+    /// and the number among the six.
     fn place(&self, place: usize, first: usize) -> Option<(usize, usize)> {
         let (node, number) = (place / NODE_UNKNOWNS, place % NODE_UNKNOWNS);
         let is_own = self.nodes.get(node).is_some_and(|own| !own.is_empty());
@@ -125,12 +125,12 @@ impl MasslessMotions {
     }
 }
 
-/// Entries that the momenta of a node take part in.
+/// Entries of the momenta of a node.
 #[derive(Clone, Default)]
 struct Momenta {
-    /// Of their equations by the unknowns: equation, column, value.
+    /// In their equations, by the unknowns: equation, column, value.
     equations: Vec<Entry>,
-    /// By their rates: row, momentum, value.
+    /// In the columns of their rates: row, momentum, value.
     rates: Vec<Entry>,
 }
 

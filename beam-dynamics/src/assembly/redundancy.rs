@@ -1,22 +1,22 @@
-//! Redundant constraints: those that follow from others.
+//! Redundant constraints: constraints that follow from others.
 //!
 //! With `Phi_y` the derivatives of the constraints at a state by displacements and rotations
-//! (by velocities, for constraints of these), constraint i is redundant when
+//! (by velocities, for constraints of these), constraint i is redundant if
 //!
 //! ```text
 //! Phi_y,i = sum_{k before i} c_k Phi_y,k
 //! ```
 //!
-//! Its multiplier and those of the others then share a load in no unique way, and the
-//! equations are singular. Rotations are scaled by the size of the model, and each row to
-//! one. In the order of the elements, each row is reduced by the rows before it, as the
-//! columns of `Phi_y^T` in a sparse LU decomposition with partial pivoting (pivots of at least
-//! `PIVOT` of the largest entry, in the column with fewest entries, which keeps it sparse):
-//! what is left of a redundant one is round-off. Work and room follow the fill: linear for
-//! chains and trees of any size, at worst cubic in the constraints of a closed net.
+//! Its multiplier and the others' then share a load in no unique way, and the equations are
+//! singular. Rotations are scaled by the size of the model, and each row to one. In the order of
+//! the elements, each row is reduced by the rows before it, as the columns of `Phi_y^T` in a sparse
+//! LU decomposition with partial pivoting (pivots of at least `PIVOT` of the largest entry, in the
+//! column with fewest entries, which keeps it sparse): only round-off remains of a redundant one.
+//! Work and memory follow the fill: linear for chains and trees of any size, at worst cubic in the
+//! constraints of a closed net.
 //!
-//! Whether a redundant constraint agrees with the others now is told by its residual. One that
-//! is driven otherwise than those it follows from contradicts them:
+//! The residual of a redundant constraint shows whether it currently agrees with the others. If it
+//! is driven at a rate other than the constraints from which it follows imply, it contradicts them:
 //!
 //! ```text
 //! Phi_t,i - sum_k c_k Phi_t,k != 0
@@ -32,33 +32,33 @@ use super::elimination::Echelon;
 use crate::elements::{Element, Level, Queries};
 use crate::model::{Conditions, NODE_UNKNOWNS, State, Variable};
 
-/// What is left of a row of size one counts as zero below this: the entries carry the
-/// tolerance of the assembly of positions, 1e-10 and less.
+/// Remainder of a row of size one below which it is zero: the entries have the tolerance of the
+/// assembly of positions, 1e-10 and less.
 const ZERO: f64 = 1e-8;
-/// Rows are independent when so many times [`ZERO`] is left of each, in whatever order.
+/// Rows are independent if, in any order, this multiple of [`ZERO`] remains of each.
 const MARGIN: f64 = 10.0;
-/// Part of the largest entry that a pivot has at least.
+/// Least pivot as a fraction of the largest entry.
 const PIVOT: f64 = 0.3;
-/// Part of the largest coefficient above which a constraint counts among those from which
-/// another follows.
+/// Fraction of the largest coefficient above which a constraint is listed among the constraints
+/// from which another follows.
 const SHARE: f64 = 1e-6;
 
-/// Part of the rates that is round-off.
+/// Fraction of the rates that is round-off.
 const UNLIKE: f64 = 1e-6;
-/// Rates below this are those of differences \[m/s or rad/s\].
+/// Rates below this are round-off of differences \[m/s or rad/s\].
 const STILL: f64 = 1e-8;
 
 /// A constraint that follows from others.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("constraint {number} ({direction}) of \"{joint}\" follows from {}", sources(.joint, .from))]
 pub struct Redundant {
-    /// Its number among the multipliers of the system.
+    /// The index of its multiplier in the system.
     pub constraint: usize,
     /// Name of the element.
     pub joint: String,
     /// Its number among the constraints of the element, from one.
     pub number: usize,
-    /// What it holds, in words: `along z`.
+    /// Constrained direction as text: `along z`.
     pub direction: String,
     /// Names of the elements from whose constraints it follows, each once.
     pub from: Vec<String>,
@@ -67,7 +67,7 @@ pub struct Redundant {
 }
 
 impl Redundant {
-    /// The constraint, and those from which it follows.
+    /// The constraint, and the constraints from which it follows.
     pub fn group(&self) -> Vec<usize> {
         let parts = || self.combination.iter();
         let largest = parts().map(|part| part.1.abs()).fold(0.0, f64::max);
@@ -77,8 +77,8 @@ impl Redundant {
             .collect()
     }
 
-    /// How much faster it is driven than those from which it follows, where they contradict;
-    /// `rates` are the constraints' own, `Phi_t` \[m/s or rad/s\].
+    /// Difference between its driven rate and the rate implied by the constraints from which it
+    /// follows, if they contradict; `rates` are the constraints' own, `Phi_t` \[m/s or rad/s\].
     pub fn contradiction(&self, rates: &[f64]) -> Option<f64> {
         let own = rates[self.constraint];
         let (mut off, mut size) = (own, own.abs());
@@ -89,14 +89,14 @@ impl Redundant {
         (off.abs() > UNLIKE * size && off.abs() > STILL).then_some(off.abs())
     }
 
-    /// Whether it, or one of those from which it follows, is driven at rates `Phi_t`
-    /// \[m/s or rad/s\].
+    /// Whether it, or a constraint from which it follows, is driven at rates `Phi_t` \[m/s or
+    /// rad/s\].
     pub fn is_driven(&self, rates: &[f64]) -> bool {
         let mut group = self.group().into_iter();
         group.any(|constraint| rates[constraint].abs() > STILL)
     }
 
-    /// A contradiction in words.
+    /// A contradiction as text.
     pub fn contradicting(&self, off: f64) -> String {
         let unit = match self.direction.starts_with("rotation") {
             true => "rad/s",
@@ -119,12 +119,12 @@ fn sources(joint: &str, from: &[String]) -> String {
     if others.len() < from.len() {
         let itself = match words.is_empty() {
             true => "its other constraints",
-            false => "others of its own",
+            false => "its other constraints",
         };
         words.push(itself.to_owned());
     }
     match &words[..] {
-        [] => "nothing: it holds nothing".to_owned(),
+        [] => "nothing: its derivatives are zero".to_owned(),
         [one] => one.clone(),
         [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
@@ -132,8 +132,8 @@ fn sources(joint: &str, from: &[String]) -> String {
 
 impl Explain for Redundant {
     fn help(&self) -> Option<String> {
-        let help = "take a joint of fewer constraints, or set redundant = \"remove\" in \
-            [transient]: the motion is the same, and the joints share what they carry";
+        let help = "use a joint of fewer constraints, or set redundant = \"remove\" in \
+            [transient]: the motion is the same, and the joints share the loads";
         Some(help.to_owned())
     }
 }
@@ -142,13 +142,13 @@ impl Explain for Redundant {
 struct Row {
     /// Entries (column, value), by ascending column, the largest of size one.
     entries: Vec<(usize, f64)>,
-    /// What they were divided by.
+    /// Divisor of the entries.
     scale: f64,
     element: usize,
     number: usize,
 }
 
-/// A reduced row and how it was made: `reduced = row - sum factor pivot`.
+/// A reduced row with its origin: `reduced = row - sum factor pivot`.
 struct Reduced {
     constraint: usize,
     column: usize,
@@ -178,14 +178,14 @@ pub fn find(system: &System, state: &State, conditions: &Conditions) -> Vec<Redu
     found
 }
 
-/// Whether no row follows from others by a margin: found in an order that keeps chains of any
+/// Whether no row follows from others by a margin: determined in an order that keeps chains of any
 /// length sparse.
 fn are_independent(rows: &[Row], columns: usize) -> bool {
     let entries = rows.iter().map(|row| row.entries.clone()).collect();
     Echelon::of(entries, columns, MARGIN * ZERO).rank() == rows.len()
 }
 
-/// The rows of `Phi_y`, scaled; empty where the constraint was removed.
+/// The rows of `Phi_y`, scaled; empty if the constraint was removed.
 fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
     let mut rows: Vec<_> = system
         .elements()
@@ -215,12 +215,12 @@ fn rows(system: &System, state: &State, conditions: &Conditions) -> Vec<Row> {
     rows
 }
 
-/// Whether an unknown of a node is one of its rotation.
+/// Whether an unknown of a node belongs to its rotation.
 fn is_turn(column: usize) -> bool {
     column % NODE_UNKNOWNS >= Variable::Rotation.column()
 }
 
-/// What the entries are divided by for the largest to be of size one.
+/// Divisor that makes the largest entry of size one.
 fn scale_to_one(entries: &mut [(usize, f64)]) -> f64 {
     let largest = entries
         .iter()
@@ -233,14 +233,14 @@ fn scale_to_one(entries: &mut [(usize, f64)]) -> f64 {
     largest
 }
 
-/// The decomposition as far as it has come.
+/// The decomposition so far.
 struct Search {
     pivots: Vec<Reduced>,
     /// The pivot of each column.
     pivot_of: Vec<Option<usize>>,
     /// Number of constraints with an entry in each column.
     counts: Vec<usize>,
-    /// The row that is being reduced, and the columns where it may have entries.
+    /// The row to be reduced, and the columns where it may have entries.
     work: Vec<f64>,
     filled: BTreeSet<usize>,
 }
@@ -260,7 +260,7 @@ impl Search {
         }
     }
 
-    /// Subtracts the pivots from a row, which is left in `work`; the pivots with their
+    /// Subtracts the pivots from a row, which remains in `work`; returns the pivots with their
     /// factors.
     fn reduce(&mut self, entries: &[(usize, f64)]) -> Vec<(usize, f64)> {
         let mut waiting = BTreeSet::new();
@@ -269,7 +269,7 @@ impl Search {
             self.filled.insert(column);
             waiting.extend(self.pivot_of[column]);
         }
-        // A pivot row has nothing in the columns of the pivots before it.
+        // A pivot row has no entries in the columns of the previous pivots.
         let mut made_with = Vec::new();
         while let Some(number) = waiting.pop_first() {
             let pivot = &self.pivots[number];
@@ -290,7 +290,7 @@ impl Search {
         made_with
     }
 
-    /// Makes a pivot of the row in `work`, unless nothing is left of it.
+    /// Makes a pivot of the row in `work`, unless nothing remains of it.
     fn take(&mut self, constraint: usize, made_with: &[(usize, f64)]) -> bool {
         let left: Vec<_> = std::mem::take(&mut self.filled)
             .into_iter()
@@ -320,7 +320,7 @@ impl Search {
         true
     }
 
-    /// The constraints, with their coefficients, of which a sum of pivots consists.
+    /// The constraints, with their coefficients, in a sum of pivots.
     fn sources(&self, made_with: Vec<(usize, f64)>) -> Vec<(usize, f64)> {
         let mut factors = std::collections::BTreeMap::from_iter(made_with);
         let mut found = Vec::new();
@@ -367,7 +367,7 @@ fn describe(
     }
 }
 
-/// What a constraint holds, in words: the direction of its force on the last node of the
+/// Constrained direction as text: the direction of the constraint's force on the last node of the
 /// element, or of its moment.
 fn direction(row: &Row, element: &dyn Element) -> String {
     let last = element.nodes().last().copied().unwrap_or(0);

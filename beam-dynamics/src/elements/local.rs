@@ -19,7 +19,7 @@ pub struct LocalSize {
 }
 
 impl LocalSize {
-    /// That of `element`.
+    /// The size of `element`.
     pub fn of<E: Element + ?Sized>(element: &E) -> Self {
         Self {
             nodes: element.nodes().len(),
@@ -28,7 +28,7 @@ impl LocalSize {
         }
     }
 
-    /// That of an element of `nodes` nodes and `multipliers` multipliers, without scalars.
+    /// The size of an element of `nodes` nodes and `multipliers` multipliers, without scalars.
     pub fn without_scalars(nodes: usize, multipliers: usize) -> Self {
         Self {
             nodes,
@@ -37,7 +37,7 @@ impl LocalSize {
         }
     }
 
-    /// Number of rows: twelve a node, then one a constraint, then one a scalar.
+    /// Number of rows: twelve per node, one per constraint, and one per scalar.
     pub fn rows(self) -> usize {
         self.scalar(self.scalars)
     }
@@ -53,7 +53,7 @@ impl LocalSize {
     }
 }
 
-/// Residual of one element: twelve rows a node, then one a constraint, then one a scalar.
+/// Residual of one element: twelve rows per node, then one per constraint, then one per scalar.
 #[derive(Debug, Clone)]
 pub struct LocalResidual {
     size: LocalSize,
@@ -62,7 +62,7 @@ pub struct LocalResidual {
 }
 
 impl LocalResidual {
-    /// Zero, for an element of the given size.
+    /// A residual of zeros for an element of the given size.
     pub fn new(size: LocalSize) -> Self {
         Self {
             size,
@@ -71,7 +71,7 @@ impl LocalResidual {
         }
     }
 
-    /// One that takes nothing.
+    /// A residual that ignores all terms.
     pub fn ignored() -> Self {
         Self {
             size: LocalSize::default(),
@@ -80,7 +80,7 @@ impl LocalResidual {
         }
     }
 
-    /// Whether it takes nothing.
+    /// Whether it ignores all terms.
     pub fn is_ignored(&self) -> bool {
         self.values.is_empty()
     }
@@ -117,7 +117,7 @@ impl LocalResidual {
         self.sizes[row] += value.abs();
     }
 
-    /// Makes it zero again.
+    /// Sets it to zero.
     pub fn clear(&mut self) {
         self.values.fill(0.0);
         self.sizes.fill(0.0);
@@ -134,14 +134,14 @@ impl LocalResidual {
         &self.values
     }
 
-    /// Sum of the absolute values of the terms of each equation: what a residual
-    /// must be small against [unit of each equation].
+    /// Sum of the absolute values of the terms of each equation: the reference of a residual [unit
+    /// of each equation].
     pub fn sizes(&self) -> &[f64] {
         &self.sizes
     }
 }
 
-/// Entries that follow each other in a column of a local Jacobian.
+/// Consecutive entries in a column of a local Jacobian.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LocalRun {
     /// First entry, column by column.
@@ -160,20 +160,19 @@ impl LocalRun {
 
 /// Jacobian of one element, by the unknowns and by their rates.
 ///
-/// Rows as in [`LocalResidual`]; columns: twelve a node, then the multipliers, then the
-/// scalars.
+/// Rows as in [`LocalResidual`]; columns: twelve per node, then the multipliers, then the scalars.
 #[derive(Debug, Clone)]
 pub struct LocalJacobian {
     size: LocalSize,
     by_unknowns: DMatrix<f64>,
     by_rates: DMatrix<f64>,
-    /// Empty where the pattern is known already.
+    /// Empty if the pattern is known already.
     touched: DMatrix<bool>,
     touches_rates: bool,
 }
 
 impl LocalJacobian {
-    /// Zero, for an element of the given size.
+    /// A Jacobian of zeros for an element of the given size.
     pub fn new(size: LocalSize) -> Self {
         let n = size.rows();
         Self {
@@ -182,7 +181,7 @@ impl LocalJacobian {
         }
     }
 
-    /// As [`Self::new`], without notes of what is touched.
+    /// As [`Self::new`], without recording touched entries.
     pub fn unmarked(size: LocalSize) -> Self {
         let n = size.rows();
         Self {
@@ -194,7 +193,7 @@ impl LocalJacobian {
         }
     }
 
-    /// Makes the given entries zero: all that are ever touched.
+    /// Sets the given entries to zero: all that are ever touched.
     pub fn clear(&mut self, touched: &[LocalRun]) {
         let clear = |matrix: &mut DMatrix<f64>| {
             let values = matrix.as_mut_slice();
@@ -257,7 +256,7 @@ impl LocalJacobian {
         self.add_row(self.size.multiplier(constraint), column, row);
     }
 
-    /// Adds `d equation / d scalar`, or by its rate where `scalar.1` says so.
+    /// Adds `d equation / d scalar`, or the derivative by the scalar's rate if `scalar.1` is set.
     pub fn add_by_scalar(
         &mut self,
         row: (usize, Equation),
@@ -285,14 +284,13 @@ impl LocalJacobian {
         self.add_row(self.size.scalar(scalar), column, row);
     }
 
-    /// Adds `d scalar equation / d scalar`, or by its rate.
+    /// Adds `d scalar equation / d scalar`, or the derivative by the scalar's rate.
     pub fn add_scalar(&mut self, row: usize, column: usize, value: f64, rate: bool) {
         let place = (self.size.scalar(row), self.size.scalar(column));
         self.add_column(place, &[value], rate);
     }
 
-    /// Adds a direction times the rows of an equation of a node, as they are now, to the row of
-    /// a scalar.
+    /// Adds a direction times the present rows of an equation of a node to the row of a scalar.
     pub fn add_equation_to_scalar(
         &mut self,
         scalar: usize,
@@ -336,7 +334,7 @@ impl LocalJacobian {
         }
     }
 
-    /// Adds to entries that follow each other in a column, from `place` on.
+    /// Adds to consecutive entries in a column, from `place` on.
     fn add_column(&mut self, place: (usize, usize), values: &[f64], rate: bool) {
         let n = self.by_unknowns.nrows();
         let first = place.0 + n * place.1;
@@ -353,9 +351,9 @@ impl LocalJacobian {
         sums.zip(values).for_each(|(sum, value)| *sum += value);
     }
 
-    /// Takes the derivatives by the rotation and angular velocity of a node as those by
-    /// u and u', with `theta = turn du`, `d omega = turn du' + spin du`; `touched` are the
-    /// entries in the first of these columns, beside which are those of the others.
+    /// Converts the derivatives by the rotation and angular velocity of a node into derivatives by
+    /// u and u', with `theta = turn du`, `d omega = turn du' + spin du`; `touched` are the entries
+    /// in the first of these columns, next to which are the other columns' entries.
     pub fn turn(
         &mut self,
         node: usize,
@@ -399,19 +397,19 @@ impl LocalJacobian {
         &self.by_rates
     }
 
-    /// Whether anything was added to the derivatives by rates.
+    /// Whether a term was added to the derivatives by rates.
     pub fn touches_rates(&self) -> bool {
         self.touches_rates
     }
 
-    /// Entries to which something was ever added.
+    /// Entries to which a term was ever added.
     pub fn touched(&self) -> &DMatrix<bool> {
         &self.touched
     }
 }
 
-/// Makes a run zero. Most are one or two equations of a node long: for these the length is
-/// known when this is compiled, and no call is made.
+/// Sets a run to zero. Most are one or two equations of a node long: for these the length is known
+/// at compile time, and no call is made.
 #[inline(always)]
 fn clear_run(values: &mut [f64]) {
     match values.len() {
@@ -421,7 +419,7 @@ fn clear_run(values: &mut [f64]) {
     }
 }
 
-/// `A <- A M` in the rows of `touched`, A being three columns from entry `first` on.
+/// `A <- A M` in the rows of `touched`, where A has three columns from entry `first` on.
 fn map_columns(a: &mut [f64], touched: &[LocalRun], first: usize, m: &Matrix3<f64>) {
     let n = a.len() / 3;
     for i in rows(touched, first) {
@@ -430,7 +428,7 @@ fn map_columns(a: &mut [f64], touched: &[LocalRun], first: usize, m: &Matrix3<f6
     }
 }
 
-/// `B <- B + A M` in the rows of `touched`, both being three columns from entry `first` on.
+/// `B <- B + A M` in the rows of `touched`, where both have three columns from entry `first` on.
 fn add_mapped(b: &mut [f64], a: &[f64], (touched, first): (&[LocalRun], usize), m: &Matrix3<f64>) {
     let n = a.len() / 3;
     for i in rows(touched, first) {

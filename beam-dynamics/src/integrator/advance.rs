@@ -1,4 +1,4 @@
-//! One accepted step after the other.
+//! Accepted steps of a run.
 
 use serde::{Deserialize, Serialize};
 
@@ -40,13 +40,13 @@ pub struct Integrator {
     /// Predicted changes and rates of one stage, and the rates of all.
     predicted: Vec<f64>,
     rates: [Vec<f64>; STAGES],
-    /// What the last stage was predicted to change by.
+    /// Predicted change at the last stage.
     end: Vec<f64>,
     difference: Vec<f64>,
 }
 
-/// All that an integrator knows of the steps behind it: with the two latest accepted
-/// states of the system, what a run needs to go on as if it had not been stopped.
+/// State of an integrator: together with the two latest accepted states of the system, the data
+/// with which a continued run is identical to an uninterrupted one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Progress {
     /// Time of the latest accepted state [s].
@@ -55,21 +55,21 @@ pub struct Progress {
     pub counters: Counters,
     /// Length of the last step; zero before the first [s].
     length: f64,
-    /// States behind the next step whose rates can be relied on: 0 to 2.
+    /// Previous states with reliable rates: 0 to 2.
     known: usize,
     /// The corner just after which the system is to be renewed.
     corner: Option<Corner>,
-    /// Steps in a row that corners made far shorter than was wished for.
+    /// Successive steps that corners made far shorter than wanted.
     #[serde(default)]
     crowded: usize,
     lengths: Lengths,
-    /// Velocities behind the next step, where steps are variable.
+    /// Velocities of the previous states, for variable steps.
     #[serde(default)]
     speeds: Speeds,
 }
 
 impl Progress {
-    /// Becomes the same as `other`, in the room that it has.
+    /// Copies `other` without allocating.
     fn copy_from(&mut self, other: &Self) {
         let mut speeds = std::mem::take(&mut self.speeds);
         speeds.copy_from(&other.speeds);
@@ -77,28 +77,28 @@ impl Progress {
     }
 }
 
-/// Corners crowd when they make steps shorter than this part of the wanted length,
-/// [`MOST_CROWDED`] times in a row.
+/// Corners are crowded if they make steps shorter than this fraction of the wanted length,
+/// [`MOST_CROWDED`] times in succession.
 const CROWDED: f64 = 1e-4;
 
-/// The cubic through two states does not reach farther than this, in steps before.
+/// Largest extrapolation of the cubic through two states, in previous steps.
 const REACH: f64 = 4.0;
 
-/// A jump of a rate that is a smaller part of its change in the step before, which is
-/// of the order of h, costs a two-step formula an error of the order of h^2, once: what it
-/// makes in a whole run.
+/// Jump of a rate, relative to its change in the previous step, below which it is ignored. That
+/// change is of the order of h: the jump adds once an error of the order of h^2 to a two-step
+/// scheme, the order of the scheme's error over a whole run.
 const SMALL_JUMP: f64 = 0.5;
 
-/// Jumps of a rate that are a smaller part of it do not count: where a rate has an
-/// extremum, the formula's own error is more than its change in a step.
+/// Jump of a rate, relative to the rate, below which it is ignored: at an extremum of a rate, the
+/// scheme's own error is more than the change of the rate in a step.
 const SLIGHT_JUMP: f64 = 1e-3;
 
-/// Nor do those that are a smaller part of the largest rate: what the iteration leaves.
+/// Jump of a rate, relative to the largest rate, below which it is ignored: the error left by the
+/// iteration.
 const ROUND_OFF: f64 = 1e-6;
 
-/// Whether a rate jumps from those `now` to those `after` more than it did change from
-/// those of the state `before`. Each is looked at by itself: a light body's is not hidden
-/// by the motion of a heavy one.
+/// Whether a rate jumps between `now` and `after` by more than its change since the state `before`.
+/// Each rate is judged separately: a light body's is not hidden by the motion of a heavy one.
 fn is_jump([before, now, after]: [&[f64]; 3]) -> bool {
     let largest = |rates: &[f64]| rates.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
     let least = ROUND_OFF * largest(now).max(largest(after));
@@ -112,8 +112,8 @@ fn is_jump([before, now, after]: [&[f64]; 3]) -> bool {
 }
 
 impl Integrator {
-    /// An integrator of `dae`, whose latest accepted state is that at time `from` \[s\],
-    /// rates included; states before it do not count.
+    /// An integrator of `dae`, whose latest accepted state is at time `from` \[s\], rates included;
+    /// earlier states are ignored.
     pub fn new(
         dae: &dyn Dae,
         scheme: Scheme,
@@ -150,14 +150,15 @@ impl Integrator {
         }
     }
 
-    /// Makes one accepted step, towards `until` \[s\] and not beyond, tried shorter where
-    /// it must; none when `until` is reached. It lands on `until` and on the corners of the
-    /// system to the last bit; what acts just before a corner acts at the end of such a
-    /// step. `clock` tells the time that passes \[s\], for the times of the phases.
+    /// Makes one accepted step towards `until` \[s\] and not beyond, with shorter trials if
+    /// necessary; returns no step once `until` is reached. `until` and the corners of the system
+    /// are reached exactly, to the last bit; at the end of a step to a corner, the conditions just
+    /// before the corner apply. `clock` returns the elapsed time \[s\], for the times of the
+    /// phases.
     ///
     /// # Errors
     ///
-    /// When the least step is reached; the latest accepted state is as before the call.
+    /// If the least step fails; the latest accepted state is unchanged.
     pub fn step(
         &mut self,
         dae: &mut dyn Dae,
@@ -213,8 +214,8 @@ impl Integrator {
         }
     }
 
-    /// After a corner, lets the system find what jumps there. Where next to nothing does,
-    /// as at a kink of a force, the states before it still serve the formula.
+    /// After a corner, lets the system determine the jumps. If they are negligible, as at a kink of
+    /// a force, the scheme continues to use the states before the corner.
     fn renew(&mut self, dae: &mut dyn Dae) {
         let Some(corner) = self.progress.corner.take() else {
             return;
@@ -242,7 +243,7 @@ impl Integrator {
         }
     }
 
-    /// The formula of a step of `length`, by what lies behind it.
+    /// The formula of a step of `length`, chosen from the previous states.
     fn formula(&self, length: f64) -> Formula {
         let known = self.progress.known;
         let ratio = self.ratio(length);
@@ -255,12 +256,12 @@ impl Integrator {
         }
     }
 
-    /// Ratio of a step to the one before.
+    /// Ratio of a step to the previous one.
     fn ratio(&self, length: f64) -> f64 {
         length / self.progress.length
     }
 
-    /// Predicts a step and iterates; the number of iterations.
+    /// Predicts a step and iterates; returns the number of iterations.
     fn attempt(
         &mut self,
         dae: &mut dyn Dae,
@@ -276,7 +277,7 @@ impl Integrator {
             .converge(dae, formula, plan.length, &self.limits, &mut meter)
     }
 
-    /// Predicts the rates of all stages, and by (D-100) their changes.
+    /// Predicts the rates of all stages, and their changes by (D-100).
     fn predict(&mut self, dae: &mut dyn Dae, formula: &Formula, plan: &Plan) {
         let (past, length) = (&mut self.past, plan.length);
         dae.past(0, &mut past.before, &mut past.latest_rates);
@@ -298,7 +299,7 @@ impl Integrator {
             self.predict_changes(dae.algebraic(), formula, stage, length);
             let time = match formula.places[stage] < 0.0 {
                 true => self.progress.time + (1.0 + formula.places[stage]) * length,
-                // At a corner, what acts before it.
+                // At a corner, the conditions before it.
                 false => plan.corner.map_or(plan.end, |corner| corner.before),
             };
             dae.predict(stage, time, &self.predicted, &self.rates[stage]);
@@ -353,7 +354,7 @@ impl Integrator {
             .follow(accepted, &self.stepping, &self.scheme, &self.limits);
     }
 
-    /// `error` is the local error by its tolerance, where one was found.
+    /// `error` is the local error relative to its tolerance, if it was computed.
     fn failure(
         &self,
         dae: &dyn Dae,
@@ -386,9 +387,9 @@ impl Integrator {
         self.corrector.is_doubtful()
     }
 
-    /// What the unknowns of the last stage of the latest step move by where its residual is
-    /// `right` less, which they replace; `None` where the equations of the step are in no
-    /// doubt of being singular.
+    /// Change of the unknowns of the last stage of the latest step if `right` is subtracted from
+    /// its residual; overwrites `right`. `None` if the equations of the step are clearly not
+    /// singular.
     pub fn response(&mut self, right: &mut [f64]) -> Option<()> {
         self.corrector.response(right)
     }
@@ -403,28 +404,27 @@ impl Integrator {
         &self.progress.counters
     }
 
-    /// What a run needs to go on from here, bit for bit. What would not come back, a kept
-    /// Jacobian and the order of its pivots, is dropped, so that this run goes on as one
-    /// that starts from the snapshot.
+    /// The data with which a run continues bit for bit. Data that are not restored, a kept Jacobian
+    /// and its order of pivots, are dropped, so that this run continues like one that starts from
+    /// the snapshot.
     pub fn snapshot(&mut self) -> Progress {
         self.corrector.forget();
         self.progress.clone()
     }
 
-    /// What the steps so far are known by, as [`Self::snapshot`], for a run that does not
-    /// go on itself.
+    /// The state of the integrator, as [`Self::snapshot`], for a run that does not continue itself.
     pub fn progress(&self) -> Progress {
         self.progress.clone()
     }
 
-    /// The same, in the room of what was known before.
+    /// Writes [`Self::progress`] to `known` without allocating.
     pub fn progress_into(&self, known: &mut Progress) {
         known.copy_from(&self.progress);
     }
 
-    /// Goes on from a snapshot; the system must have its two latest accepted states of that
-    /// time. With the same scheme and stepping the run goes on to the last bit; another
-    /// stepping begins its grid here.
+    /// Continues from a snapshot; the system must have the two latest accepted states of that time.
+    /// With the same scheme and stepping the run continues to the last bit; another stepping begins
+    /// its grid here.
     pub fn restore(&mut self, progress: &Progress) {
         self.corrector.forget();
         self.progress = progress.clone();
@@ -433,8 +433,8 @@ impl Integrator {
         lengths.resume(&self.stepping, time, length);
     }
 
-    /// The corner at which the latest accepted state stands, until the step after it is
-    /// made: what acts and what is driven may jump there.
+    /// The corner at the latest accepted state, until the next step is made: conditions and driven
+    /// motions may jump there.
     pub fn corner(&self) -> Option<Corner> {
         self.progress.corner
     }

@@ -1,15 +1,15 @@
-//! What the steps have cost so far.
+//! Work of the steps so far.
 
 use serde::{Deserialize, Serialize};
 
-/// The effort of all steps so far.
+/// Work of all steps so far.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Counters {
     /// Accepted steps.
     pub steps: usize,
-    /// Steps that were tried again with a shorter one.
+    /// Rejected steps that were tried again with a shorter one.
     pub rejected: usize,
-    /// Newton iterations, those of rejected steps included.
+    /// Newton iterations, including rejected steps.
     pub iterations: usize,
     /// Jacobians that were assembled and factorized.
     pub jacobians: usize,
@@ -19,7 +19,7 @@ pub struct Counters {
     pub least_step: f64,
     /// Longest accepted step [s].
     pub most_step: f64,
-    /// Time spent in predictions, and in how constraints share loads there [s].
+    /// Time spent in predictions, including the sharing of loads between constraints [s].
     #[serde(default)]
     pub prediction_time: f64,
     /// Time spent in residuals [s].

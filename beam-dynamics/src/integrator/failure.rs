@@ -1,4 +1,4 @@
-//! Why a step could not be made.
+//! Reasons of a failed step.
 
 use std::fmt;
 
@@ -6,25 +6,25 @@ use super::limits::MOST_CROWDED;
 use crate::model::Name;
 use crate::solver::{Iteration, Worst};
 
-/// What stood in the way of the shortest step that was tried.
+/// Failure of the shortest step that was tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// The iteration came no nearer in the iterations allowed.
+    /// The iteration did not converge in the iterations allowed.
     NotConverged,
     /// The corrections grew.
     Diverged,
     /// The Jacobian is singular.
     Singular,
-    /// A residual or a derivative is no finite number.
+    /// A residual or a derivative is not a finite number.
     NotFinite,
     /// The local error stayed too large.
     LocalError,
-    /// Corners of drives follow one another without end.
+    /// The drives have too many corners in succession.
     Corners,
 }
 
 impl Reason {
-    /// The reason in words.
+    /// The reason as text.
     pub fn words(self) -> &'static str {
         match self {
             Self::NotConverged => "the iteration did not converge",
@@ -32,17 +32,17 @@ impl Reason {
             Self::Singular => "the Jacobian is singular",
             Self::NotFinite => "a residual or a derivative is not a finite number",
             Self::LocalError => "the local error is too large",
-            Self::Corners => "corners of drives follow one another without end",
+            Self::Corners => "the drives have too many corners in succession",
         }
     }
 
-    /// What to try, the likeliest first.
+    /// Remedies, the likeliest first.
     pub fn remedies(self) -> &'static [&'static str] {
         match self {
             Self::NotConverged => &[
                 "allow shorter steps",
-                "take the exact Jacobian in every iteration",
-                "lower the asymptotic radius: it damps what the steps are too long for",
+                "use the exact Jacobian in every iteration",
+                "lower the asymptotic radius: motion too fast for the time step is then damped",
             ],
             Self::Diverged => &[
                 "allow shorter steps",
@@ -50,7 +50,7 @@ impl Reason {
                 "lower the asymptotic radius",
             ],
             Self::Singular => &[
-                "look for constraints that say the same, and for parts without mass",
+                "look for redundant constraints, and for parts without mass",
                 "look for a position at which the mechanism is locked or branches",
             ],
             Self::NotFinite => &[
@@ -58,34 +58,34 @@ impl Reason {
                 "allow shorter steps",
             ],
             Self::Corners => &[
-                "take a drive with fewer corners: longer intervals, or a random drive with a \
+                "use a drive with fewer corners: longer intervals, or a random drive with a \
                  \"band\", which has none",
-                "take shorter steps, if this is what is meant",
+                "use shorter steps, if the corners are intended",
             ],
             Self::LocalError => &[
                 "allow a larger local error or shorter steps",
-                "look for a jump that no drive tells as a corner",
+                "look for a jump that no drive reports as a corner",
             ],
         }
     }
 }
 
-/// A step that was cut until it became too short.
+/// A step that failed at the least length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepFailure {
-    /// What stood in the way.
+    /// Reason of the failure.
     pub reason: Reason,
     /// Time of the latest accepted state [s].
     pub time: f64,
     /// The step that was tried last [s].
     pub length: f64,
-    /// The shortest step that was allowed [s].
+    /// The least step allowed [s].
     pub least: f64,
     /// The worst equation of the last iteration.
     pub worst: Worst,
     /// Its name.
     pub equation: Box<Name>,
-    /// The local error of the step that was tried last, where it is what was too large.
+    /// The local error of the step that was tried last, if it was too large.
     pub local_error: Option<Box<LocalError>>,
     /// Iterations of the step that was tried last.
     pub history: Vec<Iteration>,
@@ -94,12 +94,12 @@ pub struct StepFailure {
 /// A local error that is too large.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LocalError {
-    /// The error, in sizes of the model and radians [-].
+    /// The error, relative to the size of the model and in radians [-].
     pub error: f64,
-    /// What was allowed of it [-].
+    /// The tolerance [-].
     pub tolerance: f64,
-    /// The unknown of the largest error in words: what, whose, its error, and by what that
-    /// is measured.
+    /// The unknown with the largest error as text: quantity, owner, error, and the reference of the
+    /// error.
     pub unknown: String,
 }
 
@@ -112,7 +112,7 @@ impl fmt::Display for StepFailure {
             "no step from {time} s: {reason} at a step of {length:.3e} s (least {least:.3e} s); "
         )?;
         if self.reason == Reason::Corners {
-            return write!(f, "the last {MOST_CROWDED} steps ended at one each");
+            return write!(f, "each of the last {MOST_CROWDED} steps ended at a corner");
         }
         match &self.local_error {
             Some(local) => write!(

@@ -1,21 +1,20 @@
-//! Coefficients of the formulas of integration.
+//! Coefficients of the integration formulas.
 //!
-//! All are of one form. In a step of length h that ends at t_n, a stage s stands at
-//! `t_n + xi_s h`; the last one is the end, xi = 0. With the ratio r of the step to the one
-//! before it,
+//! All are of one form. In a step of length h that ends at t_n, stage s is at `t_n + xi_s h`; the
+//! last one is the end, xi = 0. With the ratio r of the step to the previous one,
 //!
 //! ```text
 //! y_s = (1 - beta) y_{n-1} + beta y_{n-2}
 //!     + h ( e1_s y'_{n-1} + e2_s y'_{n-2} + sum_t a_st y'_t )                      (D-100)
 //! ```
 //!
-//! and the system holds at each stage, `F(y_s, y'_s, t_s) = 0`.
+//! and the system is fulfilled at each stage, `F(y_s, y'_s, t_s) = 0`.
 //!
 //! # References
 //!
 //! [Masarati], sections 4.1 and 4.2 and appendix B; [HairerWanner1996] for Radau IIA.
 
-/// Stages of a formula at most.
+/// Largest number of stages of a formula.
 pub const STAGES: usize = 3;
 
 /// Coefficients of a formula for one step.
@@ -23,15 +22,15 @@ pub const STAGES: usize = 3;
 pub struct Formula {
     /// Number of stages.
     pub stages: usize,
-    /// Place xi of each stage, in steps from the end [-].
+    /// Position xi of each stage, in steps from the end [-].
     pub places: [f64; STAGES],
-    /// beta: weight of the state before the latest [-].
+    /// beta: weight of the previous state [-].
     pub before: f64,
     /// e1: weights of the rates of the latest state [-].
     pub latest_rates: [f64; STAGES],
-    /// e2: weights of the rates of the state before it [-].
+    /// e2: weights of the rates of the previous state [-].
     pub rates_before: [f64; STAGES],
-    /// a: weights of the rates of the stages; a row a stage [-].
+    /// a: weights of the rates of the stages; one row per stage [-].
     pub weights: [[f64; STAGES]; STAGES],
     /// Order of convergence p for ordinary differential equations.
     pub order: usize,
@@ -39,20 +38,20 @@ pub struct Formula {
     pub error: f64,
 }
 
-/// A local error is not thought to have a smaller constant than this, that of the formula
-/// of fourth order: those of higher order than the estimate has are measured as if one
-/// time derivative were one step.
+/// Least constant assumed for a local error, the constant of the fourth-order formula: errors of
+/// formulas of an order higher than the estimate's are measured as if one time derivative were one
+/// step.
 const LEAST_CONSTANT: f64 = 1.0 / 720.0;
 
-/// A smaller |zeta| is not used: the weights of cubic and parabolic formulas grow as
-/// 1/zeta and cancel, so that 1e-3 costs three digits of round-off.
+/// Least |zeta|: the weights of cubic and parabolic formulas grow as 1/zeta and cancel, so that
+/// 1e-3 loses three digits to round-off.
 const LEAST_ZETA: f64 = 1e-3;
 
-/// The parabolic formula is of third order within this of zeta = -2/3.
+/// Distance from zeta = -2/3 within which the parabolic formula is of third order.
 const OPTIMAL: f64 = 1e-9;
 
 impl Formula {
-    /// The constant C of the local error, as it is counted.
+    /// The constant C of the local error, at least [`LEAST_CONSTANT`].
     pub(super) fn counted_constant(&self) -> f64 {
         match self.error.abs() < LEAST_CONSTANT {
             true => LEAST_CONSTANT,
@@ -88,8 +87,8 @@ impl Formula {
         formula
     }
 
-    /// Whether it is the trapezoid rule, by which what constraints hold alternates from step
-    /// to step without damping.
+    /// Whether it is the trapezoid rule, with which constrained quantities alternate from step to
+    /// step without damping.
     pub fn alternates(&self) -> bool {
         let is_of_one_step = self.before == 0.0 && self.rates_before[0] == 0.0;
         self.stages == 1 && is_of_one_step && self.latest_rates[0] == self.weights[0][0]
@@ -173,8 +172,8 @@ impl Formula {
         Self::two_stages(z, &shape, end, of_order)
     }
 
-    /// An inner stage on an interpolation through the end, and the end by weights of the
-    /// rates of the latest state, the inner stage and the end:
+    /// An inner stage on an interpolation through the end, and an end with weights of the rates of
+    /// the latest state, the inner stage and the end:
     ///
     /// ```text
     /// y_n    = y_{n-1} + h ( w1 y'_{n-1} + wz y'_zeta + w0 y'_n )
@@ -230,9 +229,9 @@ impl Formula {
     }
 }
 
-/// Shape functions of an interpolation from the latest state to the end, at one place.
+/// Shape functions of an interpolation from the latest state to the end, at one position.
 struct Shape {
-    /// m0: of the value at the end; that of the latest state is m1 = 1 - m0.
+    /// m0: of the value at the end; m1 = 1 - m0 is of the latest state.
     end: f64,
     /// n0: of the rate at the end, over h.
     end_rate: f64,

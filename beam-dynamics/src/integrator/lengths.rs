@@ -1,44 +1,43 @@
-//! How long the next step is, and where it ends.
+//! Length and end of the next step.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Corner, Dae, Scheme, StepControl, StepLimits, Stepping};
 
-/// A constant step is cut to no less than this part of it.
+/// Least fraction to which a constant step is reduced.
 const LEAST_PART: f64 = 1.0 / 1024.0;
 
-/// Times that are nearer to each other than this part of a step are the same.
+/// Difference of times, as a fraction of a step, below which they are the same.
 const SAME_TIME: f64 = 1e-9;
 
-/// A grid point this near to a corner or to the end, in steps, is that point.
+/// Distance from a corner or from the end, in steps, below which a grid point is that point.
 const SAME_POINT: f64 = 1e-6;
 
-/// Part of the step that the local error allows which is taken, so that few steps are
-/// tried in vain.
+/// Fraction that is used of the step allowed by the local error, so that few steps are rejected.
 const SAFETY: f64 = 0.9;
 
-/// Steps shrink by no more at once.
+/// Largest reduction of a step at once.
 const LARGEST_CUT: f64 = 0.2;
 
-/// Steps that could grow by less stay: the Jacobian is kept, the ratio is one.
+/// Growth below which a step is kept: the Jacobian is kept, the ratio is one.
 const NOT_WORTH: f64 = 1.1;
 
-/// Parts of the iterations allowed beyond which steps do not grow, and shrink.
+/// Fractions of the iterations allowed above which steps do not grow, and shrink.
 const MANY: f64 = 1.0 / 3.0;
 const TOO_MANY: f64 = 2.0 / 3.0;
 
-/// Cut of a variable step whose iteration failed, or took too many.
+/// Reduction of a variable step whose iteration failed, or took too many iterations.
 const FAILED: f64 = 0.25;
 const TIRED: f64 = 0.7;
 
-/// What the lengths of the next steps follow from.
+/// State from which the lengths of the next steps follow.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Lengths {
     /// Start of the grid of constant steps [s].
     pub from: f64,
     /// Grid points reached, without the start.
     pub points: u64,
-    /// The step wished for next [s].
+    /// The next step wanted [s].
     pub wish: f64,
 }
 
@@ -56,7 +55,7 @@ pub(super) struct Plan {
 }
 
 impl Lengths {
-    /// At the start of a run.
+    /// The state at the start of a run.
     pub fn new(stepping: &Stepping, from: f64) -> Self {
         let wish = match stepping {
             Stepping::Constant { step } => *step,
@@ -69,8 +68,8 @@ impl Lengths {
         }
     }
 
-    /// Goes on at `time` after a step of `last`; where the steps are others than before,
-    /// their grid begins here, and the first of them is no more than twice the last.
+    /// Continues at `time` after a step of `last`; if the stepping has changed, its grid begins
+    /// here, and the first step is at most twice the last.
     pub fn resume(&mut self, stepping: &Stepping, time: f64, last: f64) {
         match stepping {
             Stepping::Constant { step } => {
@@ -101,7 +100,7 @@ impl Lengths {
         }
     }
 
-    /// The next time to land on.
+    /// The next time that a step must reach exactly.
     fn stop(&self, dae: &dyn Dae, time: f64, until: f64) -> Plan {
         let same = SAME_TIME * self.wish;
         let corner = dae.next_corner(time + same);
@@ -118,7 +117,7 @@ impl Lengths {
                 corner
             };
             stop.length = stop.end - time;
-            // Corners that follow at once are passed with it.
+            // Corners that follow immediately are passed with it.
             let follows = dae.next_corner(corner) < corner + same;
             let after = if follows { corner + same } else { corner };
             stop.corner = Some(Corner {
@@ -142,7 +141,7 @@ impl Lengths {
                 corner: None,
             };
         }
-        // From grid point to grid point the step is the number given, to the last bit.
+        // From grid point to grid point the step is the given number, to the last bit.
         let round_off = 4.0 * f64::EPSILON * goal.end.abs().max(step);
         if (goal.length - step).abs() <= round_off {
             goal.length = step;
@@ -150,7 +149,8 @@ impl Lengths {
         self.towards(time, &goal)
     }
 
-    /// Towards a goal in steps of the wish; the last two are equal, so that none is tiny.
+    /// Divides the way to a goal into steps of at most the wanted length; the last two are equal,
+    /// so that none is tiny.
     fn towards(&self, time: f64, goal: &Plan) -> Plan {
         let steps = (goal.length / self.wish - SAME_POINT).ceil();
         if steps <= 1.0 || steps.is_nan() {
@@ -177,8 +177,8 @@ impl Lengths {
         }
     }
 
-    /// Wishes for a shorter step after one of `length` has failed; `false` when there is
-    /// none.
+    /// Reduces the wanted step after one of `length` has failed; `false` if no shorter one is
+    /// allowed.
     pub fn cut(&mut self, stepping: &Stepping, length: f64, by: f64) -> bool {
         let least = self.least(stepping);
         if length <= least {
@@ -188,14 +188,15 @@ impl Lengths {
         true
     }
 
-    /// Wishes after a jump.
+    /// Sets the wanted step after a jump.
     pub fn restart(&mut self, stepping: &Stepping) {
         if let Stepping::Variable(control) = stepping {
             self.wish = self.wish.min(control.first).max(control.least);
         }
     }
 
-    /// Wishes after an accepted step; `error` is its local error by the tolerance.
+    /// Sets the wanted step after an accepted step; `error` is its local error relative to the
+    /// tolerance.
     pub fn follow(
         &mut self,
         accepted: &Accepted,
@@ -238,7 +239,7 @@ impl Lengths {
     }
 }
 
-/// What an accepted step tells of the next.
+/// Data of an accepted step that determine the next.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Accepted {
     /// The step.
@@ -247,11 +248,11 @@ pub(super) struct Accepted {
     pub iterations: usize,
     /// Whether longer ones were tried before.
     pub was_cut: bool,
-    /// The next step by this one that its local errors allow, where they could be found [-].
+    /// Ratio of the next step to this one that the local errors allow, if they were computed [-].
     pub allowed: Option<f64>,
 }
 
-/// The step by the present one that brings the local error to its tolerance:
+/// Ratio of the next step to this one that brings the local error to its tolerance:
 ///
 /// ```text
 /// h_new / h = 0.9 ( tolerance / error )^(1 / (p + 1))                              (D-117)
@@ -263,7 +264,7 @@ pub(super) fn factor(error: f64, order: usize) -> f64 {
             .powf(-1.0 / (order as f64 + 1.0))
 }
 
-/// By how much to cut a step whose local error is too large, or whose iteration failed.
+/// Reduction of a step whose local error is too large, or whose iteration failed.
 pub(super) fn cut_by(error: Option<f64>, order: usize, stepping: &Stepping) -> f64 {
     match (error, stepping) {
         (Some(error), _) => factor(error, order).clamp(LARGEST_CUT, SAFETY),

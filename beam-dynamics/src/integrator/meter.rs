@@ -2,19 +2,19 @@
 
 use super::Counters;
 
-/// Counts the work of a step, and times its phases, each from the end of the one before: a
-/// look at the clock costs as much as a phase of a small model.
+/// Counts the work of a step, and times its phases, each from the end of the previous one: reading
+/// the clock costs as much as a phase of a small model.
 pub(super) struct Meter<'a> {
     /// The counters so far.
     pub counters: &'a mut Counters,
-    /// The time that passes [s].
+    /// The elapsed time [s].
     clock: &'a dyn Fn() -> f64,
-    /// When the phase began that is under way [s].
+    /// Start of the current phase [s].
     began: f64,
 }
 
 impl<'a> Meter<'a> {
-    /// The first phase began at the time `began` \[s\].
+    /// Starts the first phase at the time `began` \[s\].
     pub fn new(counters: &'a mut Counters, clock: &'a dyn Fn() -> f64, began: f64) -> Self {
         Self {
             counters,

@@ -1,18 +1,18 @@
-//! Where a step is expected to lead, from the two states behind it.
+//! Prediction of a step from the two previous states.
 
-/// What lies behind a step, as changes from the latest accepted state.
+/// The previous states of a step, as changes from the latest accepted state.
 #[derive(Debug)]
 pub(super) struct Past {
     /// Rates of the latest state.
     pub latest_rates: Vec<f64>,
-    /// The state before it.
+    /// The previous state.
     pub before: Vec<f64>,
     /// Its rates.
     pub rates_before: Vec<f64>,
 }
 
 impl Past {
-    /// Room for `size` unknowns.
+    /// Buffers for `size` unknowns.
     pub fn new(size: usize) -> Self {
         Self {
             latest_rates: vec![0.0; size],
@@ -39,9 +39,8 @@ impl Past {
         }
     }
 
-    /// The polynomial of degree `order` (1 to 3) through the latest state and its rates,
-    /// then the state before it, then the rates of that, at the end of a step of length h
-    /// and ratio r:
+    /// The polynomial of degree `order` (1 to 3) through the latest state and its rates, then the
+    /// state before it, then that state's rates, at the end of a step of length h and ratio r:
     ///
     /// ```text
     /// 1:  y_{n-1} + h y'_{n-1}
@@ -112,8 +111,8 @@ mod tests {
         }
     }
 
-    /// Of t^2 (t^3) the line (the parabola) misses 2 h^2 / 2 (6 h^3 C): other terms of the
-    /// cubic are followed exactly by degree 2, and t by degree 1.
+    /// The line misses t^2 by 2 h^2 / 2 and the parabola misses t^3 by 6 h^3 C; degree 2 follows
+    /// the other terms of the cubic exactly, and degree 1 follows t.
     #[test]
     fn lower_degrees_miss_by_their_constants() {
         let (length, ratio): (f64, f64) = (0.3, 1.5);

@@ -1,59 +1,60 @@
-//! The local error of velocities, where positions do not show it.
+//! The local error of velocities, for errors that positions do not show.
 //!
-//! A force that jumps, or has a kink, between the last inner stage and the end of a step
-//! moves the end of a stage formula by next to nothing: for Radau IIA the weight of the
-//! end force in the end position is zero. It does change the velocity there. With u the
-//! velocities at the ends of the steps, and the polynomials through the latest m of them,
+//! A force that jumps, or has a kink, between the last inner stage and the end of a step hardly
+//! moves the end of a stage formula: for Radau IIA the weight of the end force in the end position
+//! is zero. It does change the velocity at the end. With u the velocities at the ends of the steps,
+//! and the polynomials through the latest m of them,
 //!
 //! ```text
 //! d_m = u_n - u_m(t_n),    C_m = prod_{j=1..m} (t_n - t_{n-j}) / (m! h^m)          (D-118)
 //! ```
 //!
-//! a smooth velocity misses them by `(C_m - C) h^m d^m u/dt^m`, a jump by what it changes
-//! in the step, whatever m. So the error is, p being the order of the formula,
+//! a smooth velocity deviates from them by `(C_m - C) h^m d^m u/dt^m`, a jump by its change in the
+//! step, for any m. The error is therefore, p being the order of the formula,
 //!
 //! ```text
 //! max( |C / (C_{p+1} - C)| |d_{p+1}| ,  kappa min_m D_m ) ,  D_m = max( |d_m| , |d_{m+1}| )    (D-119)
 //! ```
 //!
-//! times the time for which it lasts: steps are short where forces jump, and grow again
-//! after it. With W the longest of the steps behind, each shorter by a part of the time
-//! that has passed since it,
+//! times the time for which it lasts: steps are short where forces jump, and grow again after it.
+//! With W the longest of the previous steps, each reduced by a fraction of the time elapsed since
+//! it,
 //!
 //! ```text
 //! W_n = max( h_n , W_{n-1} - delta h_n ),    T = W min( W / h , 10 )               (D-120)
 //! ```
 //!
-//! as up to ten short steps in the time of a long one add up their errors. Where steps are
-//! equal, T is the step.
+//! as the errors of up to ten short steps in the time of a long one add up. For equal steps, T is
+//! the step.
 //!
-//! Velocities of constraints by the trapezoid rule alternate from step to step about the true
-//! ones, by an amount that no step makes smaller; half the sum of two in a row does not. It
-//! takes their place there, at the middle of the step.
+//! With the trapezoid rule, constrained velocities alternate from step to step about the true ones,
+//! by an amount that no step reduces; the mean of two successive ones does not. It is used instead,
+//! at the middle of the step.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Dae, Formula};
 
-/// Velocities through which a polynomial is laid, at most.
+/// Largest number of velocities of a polynomial.
 const MOST: usize = 6;
 
-/// kappa: part of a change that nothing foretold which counts. More costs formulas of third
-/// order steps in smooth motion, where they are long: at this one 3 of 30, and none of 60.
+/// kappa: fraction of an unpredicted change that is an error. A larger one requires more steps of
+/// third-order formulas in smooth motion, where they are long: this one requires 3 more of 30, and
+/// none of 60.
 const UNFORESEEN: f64 = 0.2;
 
-/// delta: part of the time that passes by which a long step is forgotten.
+/// delta: fraction of the elapsed time by which the memory W of a long step decreases.
 const FORGOTTEN: f64 = 0.3;
 
-/// Errors of so many steps in the time of a long one add up.
+/// Largest number of short steps in the time of a long one whose errors add up.
 const ADDED: f64 = 10.0;
 
-/// Velocities of the accepted states behind a step, and how long an error of them lasts.
+/// Velocities of the previous accepted states, and the duration of their error.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Speeds {
     /// Times of the states, the latest first [s].
     times: Vec<f64>,
-    /// Their velocities, and room for those of the states to come.
+    /// Their velocities, and buffers for the states to come.
     values: [Vec<f64>; MOST],
     /// The largest so far.
     largest: Vec<f64>,
@@ -66,11 +67,11 @@ pub(super) struct Speeds {
 }
 
 impl Speeds {
-    /// Order in which the error of a long step grows, for the choice of the next.
+    /// Order in which the error of a long step grows, for the choice of the next step.
     pub const ORDER: usize = MOST;
 
-    /// Begins with the latest accepted state of `dae`, at `time` \[s\], and makes the room
-    /// that all later states take.
+    /// Begins with the latest accepted state of `dae`, at `time` \[s\], and allocates the buffers
+    /// of all later states.
     pub fn restart(&mut self, dae: &dyn Dae, time: f64) {
         self.times.clear();
         self.times.reserve(MOST + 1);
@@ -82,7 +83,7 @@ impl Speeds {
         }
     }
 
-    /// Becomes the same as `other`, in the room that it has.
+    /// Copies `other` without allocating.
     pub fn copy_from(&mut self, other: &Self) {
         self.times.clone_from(&other.times);
         self.values.clone_from(&other.values);
@@ -90,7 +91,7 @@ impl Speeds {
         self.memory = other.memory;
     }
 
-    /// Takes the latest accepted state of `dae`, to which a step of `length` led \[s\].
+    /// Takes the latest accepted state of `dae`, reached by a step of `length` \[s\].
     pub fn accept(&mut self, dae: &dyn Dae, time: f64, length: f64) {
         self.memory = length.max(self.memory - FORGOTTEN * length);
         self.add(dae, time);
@@ -108,8 +109,8 @@ impl Speeds {
         self.times.truncate(MOST);
     }
 
-    /// The error (D-119) of the end of a step under trial, by the sizes of the system; `None`
-    /// while too few states are known.
+    /// The error (D-119) of the end of a trial step, relative to the sizes of the system; `None` if
+    /// too few states are known.
     pub fn error(
         &mut self,
         dae: &dyn Dae,
@@ -144,7 +145,7 @@ impl Speeds {
         Some(dae.drift(&self.missed, [&self.trial, &self.largest], time))
     }
 
-    /// Number of the velocities, or of their means, behind a step.
+    /// Number of previous velocities, or of their means.
     fn known(&self, seen: Seen) -> usize {
         match seen {
             Seen::Values => self.times.len(),
@@ -152,14 +153,14 @@ impl Speeds {
         }
     }
 
-    /// Times of the velocities, or of their means: that under trial, and those behind it.
+    /// Times of the velocities, or of their means: at the trial state, and at the previous ones.
     fn times(&self, seen: Seen, end: f64) -> [f64; MOST + 1] {
         let mut times = [end; MOST + 1];
         times[1..=self.times.len()].copy_from_slice(&self.times);
         seen.of(times)
     }
 
-    /// `d_1, d_2, ...` of one number under trial, by Newton's divided differences.
+    /// `d_1, d_2, ...` of one number at the trial state, by Newton's divided differences.
     fn misses(&self, i: usize, seen: Seen, times: &[f64; MOST + 1]) -> [f64; MOST] {
         let known = self.known(seen);
         let mut values = [self.trial[i]; MOST + 1];
@@ -182,24 +183,24 @@ impl Speeds {
     }
 }
 
-/// The part of a change that none of the polynomials foretold: two in a row, as one alone
-/// may meet a jump by chance.
+/// The part of a change that none of the polynomials predicted: two in succession, as a single one
+/// may agree with a jump by chance.
 fn unforeseen(misses: &[f64]) -> f64 {
     let pairs = misses.windows(2).map(|two| two[0].abs().max(two[1].abs()));
     let one = misses.first().map_or(0.0, |miss| miss.abs());
     pairs.reduce(f64::min).unwrap_or(one)
 }
 
-/// What is seen of velocities.
+/// Form in which velocities are used.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Seen {
     Values,
-    /// Half the sum of each and the one before it.
+    /// The mean of each and the previous one.
     Means,
 }
 
 impl Seen {
-    /// What is seen of numbers, the latest first; the last has none before it.
+    /// The numbers in this form, the latest first; the last has no previous one.
     fn of(self, mut numbers: [f64; MOST + 1]) -> [f64; MOST + 1] {
         if self == Self::Means {
             for k in 0..MOST {

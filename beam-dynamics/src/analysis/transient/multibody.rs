@@ -1,8 +1,8 @@
 //! A multibody model as a differential-algebraic system.
 //!
-//! Orientations are matrices. What the formulas see are parameters relative to the latest
-//! accepted state (the updated-updated scheme): with `R_1, omega_1` that state and
-//! `R_2, omega_2` the one before it,
+//! Orientations are matrices. The integration schemes use parameters relative to the latest
+//! accepted state (the updated-updated scheme): with `R_1, omega_1` that state and `R_2, omega_2`
+//! the previous one,
 //!
 //! ```text
 //! history      g_1 = 0                    g_1' = omega_1
@@ -12,8 +12,8 @@
 //! variation    theta = G du               d omega = G du' + H(u, u') du + theta x R(u) w_0
 //! ```
 //!
-//! The simplified variation, `theta = du` and `d omega = du' - omega x du`, is that of a
-//! correction that vanishes.
+//! The simplified variation, `theta = du` and `d omega = du' - omega x du`, applies to a correction
+//! that vanishes.
 //!
 //! References: [Masarati], section 3.4.
 
@@ -48,9 +48,9 @@ use own_axes::OwnAxes;
 const KEPT: usize = 2;
 /// Numbers of the velocity of a node.
 const MOTION: usize = 6;
-/// Scalars are resolved down to this part of their scale, which is that of round-off.
+/// Least fraction of its scale to which a scalar is resolved; the scale is the scale of round-off.
 const SMALL: f64 = 1e-3;
-/// Scalars that grow by more in a step are not measured by those before.
+/// Growth in a step above which the previous scalars are no reference.
 const GROWN: f64 = 2.0;
 
 /// A state under trial.
@@ -65,11 +65,11 @@ struct Trial {
     turns: Vec<Increment>,
     /// Angular momenta as they are integrated, as predicted.
     gammas: Vec<Integrated>,
-    /// How redundant constraints share loads where it was predicted.
+    /// The sharing of loads between redundant constraints at the prediction.
     sharing: Sharing,
 }
 
-/// A multibody model as integrators see it.
+/// A multibody model as a system of the integrators.
 #[derive(Debug)]
 pub(super) struct Multibody<'a> {
     pub(super) model: &'a Model,
@@ -85,18 +85,18 @@ pub(super) struct Multibody<'a> {
     algebraic: Vec<bool>,
     is_simplified: bool,
     scales: Scales,
-    /// By which local errors of scalars that have a rate are measured.
+    /// References for local errors of scalars that have a rate.
     with_rate: ScalarScales,
-    /// The constraint of a loop that gives way most in the latest state.
+    /// The largest violation of a constraint of a loop in the latest state.
     slack: Option<Slack>,
-    /// How long variable steps may be for what is given over time, and where it has a corner.
+    /// Limits of variable steps from inputs prescribed in time, and the corners of these.
     pub(super) pace: Pace,
     corner: NextCorner,
 }
 
 impl<'a> Multibody<'a> {
-    /// The model with the accepted states `states`, the latest first, and as many trial states
-    /// as a formula has stages; exact derivatives unless they are to be simplified.
+    /// The model with the accepted states `states`, the latest first, and one trial state per
+    /// stage of the scheme; with exact derivatives unless `is_simplified`.
     pub fn new(
         model: &'a Model,
         states: [State; KEPT],
@@ -151,8 +151,8 @@ impl<'a> Multibody<'a> {
         }
     }
 
-    /// The constraint of a loop that gives way most in the latest state, where constraints
-    /// share loads.
+    /// The largest violation of a constraint of a loop in the latest state, if constraints share
+    /// loads.
     pub fn slack(&self) -> Option<&Slack> {
         self.slack.as_ref()
     }
@@ -162,8 +162,8 @@ impl<'a> Multibody<'a> {
         &self.states[0]
     }
 
-    /// An element without a value at a state that was tried last, whether it has none at the
-    /// latest accepted state either, at that time, and why, where it can tell.
+    /// An element without a value at a state that was tried last; whether it has no value at the
+    /// latest accepted state at that time either; and the reason, if the element knows it.
     pub fn without_value(&self) -> Option<(&dyn Element, bool, Option<String>)> {
         let system = &self.model.system;
         self.trials.iter().find_map(|trial| {
@@ -356,7 +356,7 @@ impl Dae for Multibody<'_> {
         for node in &mut self.states[0].nodes {
             node.rotation = orthogonal(&node.rotation);
         }
-        // At a corner what acts is that before it, and the time the corner itself.
+        // At a corner the conditions before it apply, at the time of the corner.
         let conditions = &self.trials[stage].conditions;
         let time = conditions.loading.time.next_up();
         let system = &self.model.system;
@@ -443,7 +443,7 @@ impl Dae for Multibody<'_> {
     }
 }
 
-/// Gives a residual the rows of loads that balance each other: they are fulfilled.
+/// Appends to a residual the rows of the loads that balance each other: they are fulfilled.
 fn complete(residual: &mut Residual, rows: usize) {
     residual.values.resize(rows, 0.0);
     residual.sizes.resize(rows, 0.0);

@@ -1,39 +1,38 @@
 //! Singular positions that a run passes.
 //!
-//! Where the derivatives of the constraints lose rank at one instant, as at a dead point, the
-//! motion goes on but reactions are not determined. Places that are off by round-off, `e` of
-//! the size of the model, change the multipliers by
+//! If the derivatives of the constraints lose rank at one instant, as at a dead point, the motion
+//! continues but reactions are undetermined. Round-off of positions, `e` of the size of the model,
+//! changes the multipliers by
 //!
 //! ```text
 //! dlambda = - (J^-1)_(lambda lambda) e                                           (D-155)
 //! ```
 //!
-//! J being the Jacobian of the step: some e m / h^2 where all is well, and without bound in a
-//! singular position.
+//! J being the Jacobian of the step: about e m / h^2 in a regular position, and unbounded in a
+//! singular one.
 
 use crate::assembly::System;
 use crate::integrator::Integrator;
 use crate::model::{NODE_UNKNOWNS, State};
 
-/// What round-off leaves of a constraint, in sizes of the model and radians.
+/// Round-off of a constraint, in sizes of the model and radians.
 const ROUND_OFF: f64 = 1e-15;
-/// Part of the largest reaction that round-off may change.
+/// Fraction of the largest reaction that round-off may change.
 const UNSURE: f64 = 1e-3;
-/// Positions that are told one by one.
+/// Number of positions that are reported individually.
 const TOLD: usize = 3;
 
 /// Singular positions that a run has passed.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Passed {
-    /// The reaction that is least sure, what round-off changes it by, and when \[s\].
+    /// The least accurate reaction, its change by round-off, and the time \[s\].
     told: Vec<(String, f64)>,
     count: usize,
     right: Vec<f64>,
 }
 
 impl Passed {
-    /// Looks at the latest step of `integrator`, given the accepted states, the latest
-    /// first.
+    /// Checks the latest step of `integrator`, given the accepted states, the latest first.
     pub fn watch(&mut self, system: &System, states: &[State], integrator: &mut Integrator) {
         let [state, before, ..] = states else {
             return;
@@ -46,14 +45,14 @@ impl Passed {
         self.right.resize(first + state.multipliers.len(), 0.0);
         let off = ROUND_OFF * system.size().min(1.0);
         for (i, value) in self.right[first..].iter_mut().enumerate() {
-            // Signs without a pattern that a mechanism could have.
+            // Signs without a pattern, unlike the constraints of a mechanism.
             let sign = (i.wrapping_mul(2_654_435_761) >> 7) & 1;
             *value = if sign == 0 { off } else { -off };
         }
         if integrator.response(&mut self.right).is_none() {
             return;
         }
-        // The latest may be nothing but the error.
+        // The latest multipliers may be only the error.
         let before = before.multipliers.iter();
         let largest = before.fold(0.0_f64, |most, one| most.max(one.abs()));
         let changes = self.right[first..].iter().map(|change| change.abs());
@@ -72,13 +71,13 @@ impl Passed {
         }
     }
 
-    /// What the reader must know.
+    /// Remarks for the user.
     pub fn remarks(&self) -> Vec<String> {
         let remark = |(reaction, time): &(String, f64)| {
             format!(
                 "at t = {time} s the constraints are in a singular position, or nearly so: \
                  reactions of this step are not determined (round-off changes most: {reaction}); \
-                 let no step end there"
+                 choose time steps that do not end there"
             )
         };
         let mut remarks: Vec<_> = self.told.iter().map(remark).collect();

@@ -14,7 +14,7 @@ fn link(label: &str, ends: [Vector3<f64>; 2]) -> Node {
     }
 }
 
-/// Revolutes (name, first link or the frame, second link, place, axis).
+/// Revolutes (name, first link or the frame, second link, position, axis).
 type Revolute<'a> = (&'a str, Option<usize>, usize, Vector3<f64>, Vector3<f64>);
 
 fn system(nodes: &[Node], revolutes: &[Revolute<'_>]) -> System {
@@ -33,7 +33,7 @@ fn find_at_rest(system: &System) -> Vec<Redundant> {
     find(system, &system.rest(), &Conditions::at_rest())
 }
 
-/// Nothing is redundant without what was found, and as many ways to move are left.
+/// Checks that nothing is redundant without the found constraints.
 fn check_removal(system: &System, found: &[Redundant]) {
     let removed: Vec<_> = found.iter().map(|found| found.constraint).collect();
     let reduced = system.without(&removed);
@@ -55,9 +55,9 @@ fn four_bar(third_axis: Vector3<f64>) -> (Vec<Node>, [Vector3<f64>; 4], Vector3<
     (nodes, [o, a, b, c], third_axis)
 }
 
-// A plane four-bar with four revolutes: 3 links have 18 freedoms, 20 constraints leave one
-// freedom, so that 3 are redundant: the closing joint holds the distance along z and the two
-// tilts once more.
+// A plane four-bar with four revolutes: 3 links have 18 freedoms, 20 constraints leave one freedom,
+// so that 3 are redundant: the closing joint constrains the distance along z and the two tilts
+// again.
 #[test]
 fn a_plane_four_bar_with_revolutes_has_three() {
     let (nodes, [o, a, b, c], z) = four_bar(Vector3::z());
@@ -87,7 +87,7 @@ fn a_plane_four_bar_with_revolutes_has_three() {
     check_removal(&system, &found);
 }
 
-// A second revolute at the same place doubles all five.
+// A second revolute at the same position doubles all five constraints.
 #[test]
 fn a_doubled_revolute_is_told_by_name() {
     let (nodes, [o, ..], z) = four_bar(Vector3::z());
@@ -130,8 +130,8 @@ fn a_door_on_hinges_out_of_line_has_four() {
     assert_eq!(found.len(), 4, "{found:?}");
 }
 
-/// A Bennett linkage by the placing of its axes: lengths a, b, a, b along the common normals
-/// and twists alpha, beta, alpha, beta with `a sin(beta) = b sin(alpha)`.
+/// A Bennett linkage by the positions of its axes: lengths a, b, a, b along the common normals and
+/// twists alpha, beta, alpha, beta with `a sin(beta) = b sin(alpha)`.
 fn bennett(angle: f64, error: f64) -> System {
     let (a, alpha, beta) = (1.0_f64, 0.6_f64, 1.1_f64);
     let b = a * beta.sin() / alpha.sin() * (1.0 + error);
@@ -177,7 +177,7 @@ fn bennetts_linkage_moves_and_has_three() {
     assert_eq!(find_at_rest(&bennett(1.0, 0.1)).len(), 2);
 }
 
-// A chain of 200 four-bars side by side, each on the coupler of the one before: all sparse.
+// A chain of 200 four-bars side by side, each on the coupler of the previous one: all sparse.
 #[test]
 fn thousands_of_constraints_are_searched() {
     let z = Vector3::z();
@@ -209,8 +209,8 @@ fn thousands_of_constraints_are_searched() {
     assert_eq!(found.len(), 3 * count);
 }
 
-// Two links that lie in one place, far from the origin, where places have a round-off of
-// 1e-8 m: their size is not that, and no constraint of the chain follows from others.
+// Two links in the same position, far from the origin, where positions have a round-off of 1e-8 m:
+// it is not their size, and no constraint of the chain follows from others.
 #[test]
 fn nothing_is_redundant_far_from_the_origin() {
     let far = Vector3::new(1e8, 1e8, 0.0);

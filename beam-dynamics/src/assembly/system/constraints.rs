@@ -15,9 +15,9 @@ impl System {
         self.elements().flat_map(of).collect()
     }
 
-    /// `Phi_y` by its entries: constraint, place of the unknown, value. Constraints of
-    /// positions are differentiated by displacements and rotations, those of velocities by
-    /// their rates; `wanted` are the levels that count.
+    /// Entries of `Phi_y`: constraint, index of the unknown, value. Constraints of positions are
+    /// differentiated by displacements and rotations, constraints of velocities by their rates;
+    /// `wanted` are the requested levels.
     pub fn constraint_rows(&self, tangent: &Tangent, wanted: &[Level]) -> Vec<(usize, usize, f64)> {
         let levels = self.levels();
         let first = NODE_UNKNOWNS * self.nodes.len();

@@ -11,7 +11,7 @@ impl System {
         self.elements.len()
     }
 
-    /// Energy of the element number `element` at a state.
+    /// Energy of the element with index `element` at a state.
     pub fn energy_of(
         &self,
         element: usize,
@@ -22,7 +22,7 @@ impl System {
         self.elements[element].energy(&at)
     }
 
-    /// Power of the forces of the element number `element` on its nodes \[W\],
+    /// Power of the forces of the element with index `element` on its nodes \[W\],
     ///
     /// ```text
     /// P = sum over nodes ( F . v + M . omega )

@@ -1,4 +1,4 @@
-//! How a system changes with the factor of the proportional loads.
+//! Derivatives of a system by the factor of the proportional loads.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Kinds of elements: those that touch the same entries of their Jacobians.
+//! Kinds of elements: elements with the same nonzero entries in their Jacobians.
 
 use std::collections::HashMap;
 
@@ -6,19 +6,19 @@ use crate::assembly::Variation;
 use crate::elements::{LocalJacobian, LocalRun, LocalSize};
 use crate::model::{NODE_UNKNOWNS, Variable};
 
-/// Entries that elements of a kind touch in their Jacobians.
+/// Nonzero entries in the Jacobians of the elements of a kind.
 #[derive(Debug, Clone)]
 pub(super) struct Kind {
     pub size: LocalSize,
     /// Whether they depend on rates.
     pub rates: bool,
-    /// Entries in the columns of nodes and of scalars with a rate, then those in the columns of
+    /// Entries in the columns of nodes and of scalars with a rate, then entries in the columns of
     /// multipliers and of scalars without.
     pub runs: Vec<LocalRun>,
     /// Number of the former.
     pub differential: usize,
-    /// Entries in the first column of the rotation of each node: those in the other two are
-    /// beside them.
+    /// Entries in the first column of the rotation of each node; the entries in the other two
+    /// columns are next to them.
     turned: Vec<Vec<LocalRun>>,
 }
 
@@ -60,15 +60,15 @@ impl Kind {
         jacobian.clear(&self.runs);
     }
 
-    /// Takes the derivatives by the rotation of node `i` of an element as those by the unknowns
-    /// of a formula (D-130).
+    /// Converts the derivatives by the rotation of node `i` of an element into derivatives by the
+    /// unknowns of a formula (D-130).
     pub fn turn(&self, i: usize, by: &Variation, jacobian: &mut LocalJacobian) {
         jacobian.turn(i, &self.turned[i], &by.turn, &by.spin);
     }
 }
 
 /// Touched entries of a column: of one node, of the multipliers, or of one scalar, each of which
-/// follow each other in the system too.
+/// are consecutive in the system too.
 fn runs(jacobian: &LocalJacobian, column: usize) -> Vec<LocalRun> {
     let size = jacobian.size();
     let rows = size.rows();
@@ -94,15 +94,15 @@ fn runs(jacobian: &LocalJacobian, column: usize) -> Vec<LocalRun> {
     runs
 }
 
-/// Kinds met so far.
+/// Kinds found so far.
 #[derive(Debug, Default)]
 pub(super) struct Kinds {
     pub all: Vec<Kind>,
     known: HashMap<Mark, usize>,
 }
 
-/// What makes elements of one kind: size, whether scalars have rates, whether derivatives by rates
-/// are touched, entries touched.
+/// Properties that elements of one kind share: size, whether scalars have rates, whether
+/// derivatives by rates are touched, entries touched.
 type Mark = (LocalSize, Vec<bool>, bool, Vec<bool>);
 
 impl Kinds {

@@ -1,4 +1,4 @@
-//! Rows and entries of an element in the system, found once, and the buffers in which elements
+//! Rows and entries of an element in the system, determined once, and the buffers in which elements
 //! are evaluated.
 
 use std::ops::Range;
@@ -11,23 +11,23 @@ use crate::assembly::Pattern;
 use crate::elements::{Element, LocalJacobian, LocalResidual, LocalRun, LocalSize, Queries};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, Numbering};
 
-/// Places of one element in the vectors and matrices of the system.
+/// Indices of one element in the vectors and matrices of the system.
 #[derive(Debug, Clone)]
 pub(super) struct Layout {
     /// Row in the system of each local row.
     pub rows: Vec<usize>,
     /// Index of the kind of the element.
     pub kind: usize,
-    /// The first node where the nodes follow each other.
+    /// The first node if the nodes are consecutive.
     pub consecutive: Option<usize>,
     /// Number of nodes.
     nodes: usize,
-    /// Place in the pattern of the first entry of each run of the kind.
+    /// Index in the pattern of the first entry of each run of the kind.
     places: Vec<u32>,
 }
 
 impl Layout {
-    /// Rows of element number `index`: those of its nodes, then its multipliers, then its
+    /// Rows of the element with index `index`: of its nodes, then its multipliers, then its
     /// scalars.
     pub fn rows(element: &dyn Element, index: usize, numbering: &Numbering) -> Vec<usize> {
         let of_nodes = element.nodes().iter().flat_map(|&node| {
@@ -41,7 +41,7 @@ impl Layout {
             .collect()
     }
 
-    /// The layout of an element of kind number `index` on `rows`.
+    /// The layout of an element of the kind with index `index` on `rows`.
     pub fn new(rows: Vec<usize>, (index, kind): (usize, &Kind), pattern: &Pattern) -> Self {
         let nodes = kind.size.nodes;
         let firsts = rows[..NODE_UNKNOWNS * nodes].iter().step_by(NODE_UNKNOWNS);
@@ -64,7 +64,7 @@ impl Layout {
         }
     }
 
-    /// Adds a local vector to that of the system, as far as `sum` has its rows.
+    /// Adds a local vector to the system's, for the rows that `sum` contains.
     pub fn add_vector(&self, local: &[f64], within: Within, sum: &mut [f64]) {
         if !within.is_whole {
             for (&row, value) in self.rows.iter().zip(local) {
@@ -94,9 +94,8 @@ impl Layout {
         }
     }
 
-    /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and of scalars
-    /// with a rate, and `by_algebraic F_y` in those of all others, as far as `sum` has the
-    /// entries.
+    /// Adds `by_unknowns F_y + by_rates F_y'` in the columns of nodes and of scalars with a rate,
+    /// and `by_algebraic F_y` in all other columns, for the entries that `sum` contains.
     pub fn add_weighted(
         &self,
         kind: &Kind,
@@ -120,8 +119,8 @@ impl Layout {
     }
 }
 
-/// Place in a vector of the first number that is given of it, and whether all that an element
-/// adds is among those that are given.
+/// Index in a vector of its first available number, and whether all entries of an element are
+/// available.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Within {
     pub first: usize,
@@ -129,16 +128,16 @@ pub(super) struct Within {
 }
 
 impl Within {
-    /// All is given.
+    /// All entries are available.
     pub const ALL: Self = Self {
         first: 0,
         is_whole: true,
     };
 }
 
-/// Most runs are one or two equations of a node long: for these the length is known when
-/// this is compiled. Of the sum the numbers from `first` on are given; all, or some of those
-/// that are added to. A run is of one column, of which all or none are given.
+/// Most runs are one or two equations of a node long: for these the length is known at compile
+/// time. The sum contains the numbers from `first` on: all to which is added if `WHOLE`, otherwise
+/// some of them. A run belongs to one column, of which all or no entries are available.
 fn add_runs<const WHOLE: bool>(
     (runs, places): (&[LocalRun], &[u32]),
     weight: f64,
@@ -175,12 +174,12 @@ fn add_some<const N: usize>(sums: &mut [f64], values: &[f64], add: impl Fn(f64, 
     }
 }
 
-/// Buffers for the evaluation of elements: each use writes them anew.
+/// Buffers for the evaluation of elements, overwritten by each use.
 #[derive(Debug, Clone)]
 pub struct Workspace {
-    /// Those of the parts that are summed side by side.
+    /// Buffers of the parts that are summed in parallel.
     pub(super) parts: Vec<Part>,
-    /// Those for single elements.
+    /// Buffers for single elements.
     pub(super) buffers: Buffers,
 }
 
@@ -188,8 +187,8 @@ pub struct Workspace {
 #[derive(Debug, Clone)]
 pub(super) struct Part {
     pub unknowns: Range<usize>,
-    /// Numbers of these elements, and whether all that they add to is in the range; `None`
-    /// where they are all elements.
+    /// Indices of these elements, and whether all their entries are in the range; `None` if they
+    /// are all elements.
     pub elements: Option<Vec<(u32, bool)>>,
     pub buffers: Buffers,
 }
@@ -202,7 +201,7 @@ pub(super) struct Buffers {
     pub of_kinds: Vec<Buffer>,
 }
 
-/// Copies of the motions and scalars of an element that do not follow each other in a state.
+/// Copies of the motions and scalars of an element that are not consecutive in a state.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Gathered {
     pub motions: Vec<NodeMotion>,
@@ -218,7 +217,7 @@ pub(super) struct Buffer {
 }
 
 impl Buffers {
-    /// For elements of the given kinds.
+    /// Buffers for elements of the given kinds.
     pub fn new(kinds: &[Kind]) -> Self {
         let most = |count: fn(&LocalSize) -> usize| {
             let counts = kinds.iter().map(|kind| count(&kind.size));

@@ -1,21 +1,21 @@
 //! Closed loops of joints with redundant constraints.
 //!
-//! Constraints follow from others only where joints close loops: multipliers with
-//! `Phi_y^T lambda = 0` are loads that balance each other at every node, and a joint that
-//! alone connects two parts carries none of them. Two joints are in one [`Loop`] when some
-//! ring of joints, that of the frame counted, leads through both.
+//! Constraints follow from others only if joints close loops: multipliers with `Phi_y^T lambda = 0`
+//! are loads that balance each other at every node, and a joint that is the only connection of two
+//! parts carries none of them. Two joints are in one [`Loop`] if a ring of joints, possibly through
+//! the frame, contains both.
 
 use std::collections::BTreeMap;
 
 use super::System;
 use crate::elements::Queries;
 
-/// Joints of loops that are closed together, some constraints of which follow from others.
+/// Joints of connected closed loops, some constraints of which follow from others.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Loop {
-    /// Numbers of the elements.
+    /// Indices of the elements.
     pub elements: Vec<usize>,
-    /// Constraints that follow from others, by the numbers of their multipliers.
+    /// Constraints that follow from others, by the indices of their multipliers.
     pub redundant: Vec<usize>,
 }
 
@@ -43,8 +43,7 @@ impl Sets {
     }
 }
 
-/// The loops of a system, by groups of constraints of which the first follows from the
-/// others.
+/// The loops of a system, from groups of constraints of which the first follows from the others.
 pub(super) fn find(system: &System, redundant: &[Vec<usize>]) -> Vec<Loop> {
     let edges = edges(system);
     let mut sets = Sets((0..system.elements.len()).collect());
@@ -93,7 +92,7 @@ fn edges(system: &System) -> Vec<Edge> {
 }
 
 /// Joins the elements of every ring that an edge closes in a tree of the others. These rings
-/// generate all others.
+/// generate all rings.
 fn join_rings(edges: &[Edge], vertices: usize, sets: &mut Sets) {
     let mut beside = vec![Vec::new(); vertices];
     for (number, edge) in edges.iter().enumerate() {
@@ -102,7 +101,7 @@ fn join_rings(edges: &[Edge], vertices: usize, sets: &mut Sets) {
     // The edge towards the root of the tree, and the distance from it.
     let mut up: Vec<Option<(usize, usize)>> = vec![None; vertices];
     let mut depth = vec![usize::MAX; vertices];
-    // From the frame, and from what is not held by it.
+    // From the frame, and from parts not connected to it.
     for root in (0..vertices).rev() {
         if depth[root] != usize::MAX {
             continue;

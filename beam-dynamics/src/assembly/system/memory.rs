@@ -1,11 +1,11 @@
-//! What elements remember of accepted steps.
+//! Memory of elements of accepted steps.
 
 use super::System;
 use super::layout::Workspace;
 use crate::model::{Conditions, State};
 
 impl System {
-    /// Begins the memory of a run in time from `state`.
+    /// Begins the elements' memory of a run in time from `state`.
     pub fn begin_memory(&self, state: &mut State, conditions: &Conditions) {
         let mut memory = std::mem::take(&mut state.memory);
         for (index, range) in self.numbering.remembering() {
@@ -17,8 +17,8 @@ impl System {
         state.memory = memory;
     }
 
-    /// Lets the elements take notice of the accepted `state`, the last one before `time` \[s\],
-    /// for which they see what acts. Without allocation.
+    /// Updates the elements' memory with the accepted `state`, the last one before `time` \[s\],
+    /// under the conditions at that time. Does not allocate.
     pub fn remember(
         &self,
         state: &mut State,

@@ -1,4 +1,4 @@
-//! What the unknowns and equations of a system are called, and their units.
+//! Names of the unknowns and equations of a system, and their units.
 
 use super::System;
 use crate::elements::{ConstraintWords, Queries};
@@ -7,7 +7,7 @@ use crate::model::{Equation, NODE_UNKNOWNS, Name, Scalar, Variable};
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl System {
-    /// The equation at a place of the residual.
+    /// The equation at an index of the residual.
     pub fn equation(&self, place: usize) -> Name {
         if let Some((node, row)) = self.of_node(place) {
             let equation = Equation::ALL[row / 3];
@@ -24,7 +24,7 @@ impl System {
         }
     }
 
-    /// The unknown at a place.
+    /// The unknown at an index.
     pub fn unknown(&self, place: usize) -> Name {
         if let Some((node, column)) = self.of_node(place) {
             let variable = Variable::UNKNOWNS[column / 3];
@@ -41,19 +41,19 @@ impl System {
         }
     }
 
-    /// The name of the node to which a place belongs, and the place in its rows.
+    /// The name of the node to which an index belongs, and the index in its rows.
     fn of_node(&self, place: usize) -> Option<(&str, usize)> {
         let node = self.nodes.get(place / NODE_UNKNOWNS)?;
         Some((&node.label, place % NODE_UNKNOWNS))
     }
 
-    /// The scalar at a place.
+    /// The scalar at an index.
     fn of_scalar(&self, place: usize) -> Option<&Scalar> {
         self.scalars
             .get(place.checked_sub(self.numbering.first_scalar())?)
     }
 
-    /// The label of the element to which the constraint at a place belongs, and its words.
+    /// The label of the element to which the constraint at an index belongs, and the terms for it.
     fn of_constraint(&self, place: usize) -> Option<(&str, ConstraintWords)> {
         let number = place.checked_sub(NODE_UNKNOWNS * self.nodes.len())?;
         let mut elements = self.elements.iter().enumerate();

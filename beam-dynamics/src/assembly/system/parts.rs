@@ -1,8 +1,8 @@
-//! Parts of a system that are summed side by side: ranges of unknowns, each with the elements
-//! that add to it.
+//! Parts of a system that are summed in parallel: ranges of unknowns, each with the elements that
+//! add to it.
 //!
-//! An element at the border of two parts is evaluated in both, and each takes what is its own.
-//! Every sum so has the same terms in the same order for any number of parts.
+//! An element at the border of two parts is evaluated in both, and each part takes its own entries.
+//! Every sum therefore has the same terms in the same order for any number of parts.
 
 use std::ops::Range;
 
@@ -13,13 +13,13 @@ use crate::assembly::{Combination, Variation};
 use crate::elements::LocalJacobian;
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 
-/// Unknowns from which on a system has parts: 400 beams of three nodes.
+/// Number of unknowns from which a system has parts: 400 beams of three nodes.
 const LARGE: usize = 800 * NODE_UNKNOWNS;
 
 impl Workspace {
-    /// Buffers for a system, in as many parts as rayon has threads where it is large.
+    /// Buffers for a system; a large system has as many parts as rayon has threads.
     pub(super) fn of(system: &System) -> Self {
-        // Threads are started where they are asked for.
+        // Threads are started on request.
         let count = match system.numbering.unknowns() >= LARGE {
             true => rayon::current_num_threads(),
             false => 1,
@@ -50,7 +50,7 @@ impl Workspace {
     }
 }
 
-/// Elements that have unknowns in a range, and whether these are all that they have.
+/// Elements with unknowns in a range, and whether all their unknowns are in it.
 fn elements(system: &System, unknowns: &Range<usize>) -> Vec<(u32, bool)> {
     let layouts = system.layouts.iter().enumerate();
     let found = layouts.filter_map(|(index, layout)| {
@@ -61,18 +61,18 @@ fn elements(system: &System, unknowns: &Range<usize>) -> Vec<(u32, bool)> {
     found.collect()
 }
 
-/// Which sums are made, and where.
+/// The sums to be made, and their range.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Task<'a> {
     pub at: (&'a State, &'a Conditions),
-    /// How the unknowns of a formula turn the nodes, for its derivatives; nothing where these
-    /// are by the spatial variations; `None` for the residual alone.
+    /// Rotations of the nodes by the unknowns of a formula, for its derivatives; empty if the
+    /// derivatives are by the spatial variations; `None` for the residual alone.
     pub derivatives: Option<&'a [Variation]>,
 }
 
-/// Where derivatives are summed.
+/// Destination of the sums of derivatives.
 pub(super) trait Sums {
-    /// Adds the Jacobian of an element; `is_whole` where all its entries are there.
+    /// Adds the Jacobian of an element; `is_whole` if all its entries are present.
     fn add(&mut self, layout: &Layout, of: (&Kind, &LocalJacobian), is_whole: bool);
 }
 
@@ -86,10 +86,10 @@ impl Sums for [Combination<'_>] {
     }
 }
 
-/// A sum of derivatives, as far as it is of a part.
+/// The part of a sum of derivatives.
 struct Share<'a> {
     weights: [f64; 3],
-    /// Place of the first entry in the whole.
+    /// Index of the first entry in the whole.
     first: usize,
     values: &'a mut [f64],
 }
@@ -106,7 +106,7 @@ impl Sums for [Share<'_>] {
     }
 }
 
-/// The first `count` numbers, which are taken off `rest`.
+/// Splits the first `count` numbers off `rest`.
 fn taken<'a>(rest: &mut &'a mut [f64], count: usize) -> &'a mut [f64] {
     let (first, others) = std::mem::take(rest).split_at_mut(count);
     *rest = others;
@@ -114,7 +114,7 @@ fn taken<'a>(rest: &mut &'a mut [f64], count: usize) -> &'a mut [f64] {
 }
 
 impl System {
-    /// Adds all elements to the sums, part by part, side by side.
+    /// Adds all elements to the sums, the parts in parallel.
     pub(super) fn sum(
         &self,
         task: &Task<'_>,
@@ -132,7 +132,7 @@ impl System {
             .map(|sum| (sum.weights(), sum.matrix.values_mut()))
             .collect();
         let mut residual = residual.map(|it| [&mut it.values[..], &mut it.sizes[..]]);
-        // The calling thread takes the last part, while the others are woken.
+        // The calling thread sums the last part, while the others wake.
         let last = work.parts.len() - 1;
         rayon::in_place_scope(|scope| {
             for (number, part) in work.parts.iter_mut().enumerate() {

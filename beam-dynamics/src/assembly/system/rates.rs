@@ -1,13 +1,13 @@
-//! How the constraints of a system change by themselves.
+//! Rates of the constraints of a system at fixed positions and velocities.
 
 use super::System;
 use crate::elements::{ConstraintRates, Element, Local, Queries};
 use crate::model::{Conditions, NodeMotion, Scalars, State};
 
 impl System {
-    /// `d Phi / d t` at fixed positions, and what is left of the last derivative without
-    /// accelerations, of all constraints in the order of the multipliers (see
-    /// [`ConstraintRates`]); `None` when some element does not know.
+    /// `d Phi / d t` at fixed positions, and the last derivative without accelerations, of all
+    /// constraints in the order of the multipliers (see [`ConstraintRates`]); `None` if an element
+    /// does not know them.
     pub fn constraint_rates(
         &self,
         state: &State,
@@ -29,7 +29,7 @@ impl System {
         Some((by_time, convective))
     }
 
-    /// The first element that holds a rotation that it drives half a turn off.
+    /// The first element with a rotation 180 deg away from its prescribed rotation.
     pub fn turned_over(&self, state: &State, conditions: &Conditions) -> Option<&dyn Element> {
         let held = self.elements.iter().enumerate();
         let mut held = held.filter(|(_, element)| element.multipliers() > 0);
@@ -40,8 +40,8 @@ impl System {
         over.map(|(_, element)| element.as_ref())
     }
 
-    /// The first element with a rotation that has passed half a turn between two states, each
-    /// with what acted then.
+    /// The first element with a rotation that has passed half a turn between two states, each with
+    /// its own conditions.
     pub fn wound(
         &self,
         before: (&State, &Conditions),
@@ -62,8 +62,8 @@ impl System {
         wound.map(|(_, element)| element.as_ref())
     }
 
-    /// Calls with what an element of one node or two, without scalars, sees; `None` for
-    /// others. Without allocation.
+    /// Calls with the data visible to an element of one node or two, without scalars; `None` for
+    /// others. Does not allocate.
     fn seen_by_few<T>(
         &self,
         index: usize,

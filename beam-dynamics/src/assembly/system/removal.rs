@@ -1,5 +1,5 @@
-//! A system without some of its constraints, with others, or in which constraints share
-//! their loads.
+//! A system without some of its constraints, with others, or with constraints that share their
+//! loads.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,9 +10,8 @@ use crate::elements::{Adapted, Element, Queries};
 use crate::model::NODE_UNKNOWNS;
 
 impl System {
-    /// The same system, but for constraints, given by the numbers of their multipliers:
-    /// "the multiplier is zero" stands in the place of each. The order of the unknowns is
-    /// the same.
+    /// The same system without the constraints given by the indices of their multipliers: each is
+    /// replaced by "the multiplier is zero". The order of the unknowns is the same.
     #[must_use]
     pub fn without(&self, constraints: &[usize]) -> Self {
         let mut removed: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -35,8 +34,8 @@ impl System {
         Self::of(self.nodes.clone(), elements)
     }
 
-    /// The same system with what is driven by velocities held in its undeformed place, see
-    /// [`Element::held`]; the order of the unknowns is the same. `None` where nothing is.
+    /// The same system with velocity-driven parts held in their undeformed position, see
+    /// [`Element::held`]; the order of the unknowns is the same. `None` if there are none.
     #[must_use]
     pub fn held(&self) -> Option<Self> {
         let rest = self.rest();
@@ -54,9 +53,9 @@ impl System {
         Some(Self::of(self.nodes.clone(), elements.collect()))
     }
 
-    /// The same system, with constraints of which `redundant` follow from others: those of
-    /// a loop share their loads (see [`super::Sharing`]), with a compliance \[m/N\] of the
-    /// order of what masses give way by in a step.
+    /// The same system, with constraints of which `redundant` follow from others: the constraints
+    /// of a loop share their loads (see [`super::Sharing`]), with a compliance \[m/N\] of the order
+    /// of a mass's motion per unit force in a step.
     #[must_use]
     pub fn with_shared_loads(&self, redundant: &[Redundant], compliance: f64) -> Self {
         let groups: Vec<_> = redundant.iter().map(Redundant::group).collect();
@@ -71,8 +70,7 @@ impl System {
         system
     }
 
-    /// The same system without the constraints that follow from others, where it has
-    /// such.
+    /// The same system without the constraints that follow from others, if there are any.
     pub fn independent(&self) -> Option<Self> {
         let redundant = self
             .loops
@@ -91,13 +89,13 @@ impl System {
         })
     }
 
-    /// Number of loads that balance each other, of all loops: the rows and columns of the
-    /// pattern after those of the unknowns (see [`super::Sharing`]).
+    /// Number of loads that balance each other in all loops: the number of rows and columns of the
+    /// pattern after the unknowns (see [`super::Sharing`]).
     pub fn surpluses(&self) -> usize {
         self.loops.iter().map(|of| of.redundant.len()).sum()
     }
 
-    /// Places of the matrix in which constraints share their loads.
+    /// Entries of the matrix through which constraints share their loads.
     pub(super) fn shared_entries(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         let of_constraints = NODE_UNKNOWNS * self.nodes.len();
         let mut next = self.numbering.unknowns();

@@ -1,28 +1,27 @@
-//! How constraints that say the same share a load.
+//! Minimum-norm multipliers of redundant constraints.
 //!
-//! Where constraints follow from others, the motion does not tell their multipliers apart
-//! from those of other loads that balance each other. With A the rows of `Phi_y` in a closed
-//! loop, each scaled to a unit displacement, and mu the forces along these displacements,
-//! the smallest are taken:
+//! If constraints follow from others, the motion determines their multipliers only up to loads that
+//! balance each other. With A the rows of `Phi_y` in a closed loop, each scaled to a unit
+//! displacement, and mu the forces along these displacements, the smallest are chosen:
 //!
 //! ```text
 //! minimize mu^T mu   with A^T mu given:      P mu = 0,    P = N N^T              (D-170)
 //! ```
 //!
-//! with N an orthonormal basis of the loads that balance each other, `A^T N = 0`. All
-//! constraints are kept, and
+//! with N an orthonormal basis of the loads that balance each other, `A^T N = 0`. All constraints
+//! are kept, and
 //!
 //! ```text
 //! Phi + s P mu = 0                                                               (D-171)
 //! ```
 //!
-//! stands in their place: since `P Phi` vanishes where the other constraints are fulfilled,
-//! both do. N is that of the places that a step predicts; as the rank of A is that of the
-//! start, P goes continuously with the motion.
+//! replaces them: since `P Phi` vanishes if the other constraints are fulfilled, both terms vanish.
+//! N is computed at the predicted positions of a step; as the rank of A is kept from the start, P
+//! varies continuously with the motion.
 //!
-//! N has few columns, one for each constraint that follows from others, but P has no zeros.
-//! In the matrix of a step the parts w of those loads are therefore unknowns of their own,
-//! after all others,
+//! N has few columns, one for each constraint that follows from others, but P is dense. In the
+//! matrix of a step the amplitudes w of these loads are therefore further unknowns, after all
+//! others,
 //!
 //! ```text
 //! Phi + s N w = 0 ,    w - N^T mu = 0                                            (D-281)
@@ -41,27 +40,26 @@ mod tree;
 
 use part::Part;
 
-/// Part of a constraint that is left to the loads that balance each other, below which it has
-/// no part in them.
+/// Part of a constraint in the loads that balance each other, below which it is ignored.
 const NO_PART: f64 = 1e-12;
 
-/// What a constraint of a loop gives way by.
+/// Violation of a redundant constraint of a closed loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slack {
-    /// The number of its multiplier.
+    /// The index of its multiplier.
     pub constraint: usize,
-    /// What it gives way by [unit of the constraint].
+    /// The violation [unit of the constraint].
     pub value: f64,
-    /// The same as a part of the size of the model, or as an angle [-].
+    /// The violation as a fraction of the size of the model, or as an angle [-].
     pub part: f64,
 }
 
-/// What a constraint of a loop is driven by otherwise than the others allow.
+/// Incompatible driven rate of a constraint of a closed loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contradiction {
-    /// The number of its multiplier.
+    /// The index of its multiplier.
     pub constraint: usize,
-    /// What it is off by [unit of the constraint/s].
+    /// Deviation from the rate that the other constraints allow [unit of the constraint/s].
     pub value: f64,
     /// The largest rate by which the loop is driven [unit of the constraint/s].
     pub size: f64,
@@ -73,12 +71,12 @@ pub struct Sharing {
     parts: Vec<Part>,
     /// Compliance s \[m/N\].
     compliance: f64,
-    /// By which rotations are scaled \[m\].
+    /// Scale of rotations \[m\].
     size: f64,
 }
 
 impl Sharing {
-    /// That of a system at the places of `state`.
+    /// The constraints of the loops of a system at the positions of `state`.
     pub fn new(system: &System, state: &State, conditions: &Conditions) -> Self {
         let mut next = system.numbering.unknowns();
         let parts = system.loops.iter().map(|of| {
@@ -95,7 +93,7 @@ impl Sharing {
         sharing
     }
 
-    /// Finds N at the places of `state`, by these alone.
+    /// Computes N at the positions of `state`.
     pub fn update(
         &mut self,
         system: &System,
@@ -108,8 +106,8 @@ impl Sharing {
         }
     }
 
-    /// Takes from multipliers the part that balances itself, `P mu`: it is no load, and no
-    /// element sees it. It stays known until the next call.
+    /// Removes from multipliers the part that balances itself, `P mu`: it is not a load, and no
+    /// element receives it. It is kept until the next call.
     pub fn take_surplus(&mut self, multipliers: &mut [f64]) {
         for part in &mut self.parts {
             part.project(|constraint, force| force * multipliers[constraint]);
@@ -120,15 +118,16 @@ impl Sharing {
         }
     }
 
-    /// Adds `s P mu` to the constraints of a residual, the first of which has the given number.
+    /// Adds `s P mu` to the constraints of a residual; the first constraint has the index `first`.
     pub fn add_residual(&self, first: usize, out: &mut Residual) {
         for slack in self.slack() {
             out.values[first + slack.constraint] += slack.value;
         }
     }
 
-    /// What each constraint of the loops gives way by, `s P mu` of the multipliers of
-    /// [`Self::take_surplus`]: next to nothing, as long as those that followed from others do.
+    /// Violation of each constraint of the loops, `s P mu` with the multipliers of
+    /// [`Self::take_surplus`]: negligible as long as the redundant constraints follow from the
+    /// others.
     pub fn slack(&self) -> impl Iterator<Item = Slack> + '_ {
         let (compliance, size) = (self.compliance, self.size);
         self.parts.iter().flat_map(move |part| {
@@ -141,8 +140,9 @@ impl Sharing {
         })
     }
 
-    /// How the constraints of the loops are driven otherwise than the others allow, by their
-    /// own rates `Phi_t` \[unit of the constraint/s\], if all others come as near as they can:
+    /// Deviations of the driven rates of the constraints of the loops from the rates that the
+    /// others allow, from their own rates `Phi_t` \[unit of the constraint/s\], with the least
+    /// deviation of the others:
     ///
     /// ```text
     /// mu^T A = 0  =>  mu^T Phi_t/s = 0,     off_i = s_i (P Phi_t/s)_i / P_ii         (D-172)
@@ -169,7 +169,7 @@ impl Sharing {
         })
     }
 
-    /// Adds the derivatives of [`Self::add_residual`] as (D-281), N being kept.
+    /// Adds the derivatives of [`Self::add_residual`] as (D-281), with N kept constant.
     pub fn add_jacobian(&self, out: &mut [Combination<'_>]) {
         for sum in out.iter_mut() {
             self.add_to(sum.by_algebraic, sum.matrix);

@@ -1,4 +1,4 @@
-//! How large a model is.
+//! Size of a model.
 
 use nalgebra::DMatrix;
 
@@ -6,10 +6,10 @@ use super::System;
 use crate::elements::{Element, LocalJacobian, Queries};
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 
-/// Offsets below this part of the radius of gyration are round-off.
+/// Offsets below this fraction of the radius of gyration are round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// Lengths that an element knows.
+/// Lengths known from the elements.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Lengths {
     /// The longest arm or distance [m].
@@ -19,7 +19,7 @@ pub(super) struct Lengths {
 }
 
 impl Lengths {
-    /// Takes those of an element with the derivatives `jacobian` in the undeformed model.
+    /// Includes the lengths of an element with the derivatives `jacobian` in the undeformed model.
     pub fn add(&mut self, element: &dyn Element, jacobian: &LocalJacobian) {
         let longer = |known: f64, own: f64| {
             if own.is_finite() {
@@ -39,8 +39,8 @@ impl Lengths {
     }
 }
 
-/// First moment over mass, and radius of gyration, of what an element moves with a node
-/// whose unknowns begin at `first` \[m\]; zero without mass.
+/// First moment over mass, and radius of gyration, of the mass that an element adds to a node whose
+/// unknowns begin at `first` \[m\]; zero without mass.
 fn of_mass(by_rates: &DMatrix<f64>, first: usize) -> [f64; 2] {
     let block = |row: Equation, column: Variable| {
         let place = (first + row.row(), first + column.column());
@@ -56,22 +56,22 @@ fn of_mass(by_rates: &DMatrix<f64>, first: usize) -> [f64; 2] {
 }
 
 impl System {
-    /// Size of the model, by which displacements are measured and rotations scaled: the
-    /// largest distance of an undeformed node from the first, or the longest arm of a
-    /// joint, a spring, a load or an eccentric mass. A model without any is as large as
-    /// its largest radius of gyration, and one of points without arms one meter \[m\].
+    /// Size of the model, the reference of displacements and the scale of rotations: the largest
+    /// distance of an undeformed node from the first, or the longest arm of a joint, a spring, a
+    /// load or an eccentric mass. If there is none, the size is the largest radius of gyration, and
+    /// one meter for points without arms \[m\].
     pub fn size(&self) -> f64 {
         self.size
     }
 
-    /// The same, with the lengths that the elements know.
+    /// The same, with the known lengths of the elements.
     pub(super) fn size_with(&self, lengths: &Lengths) -> f64 {
         let places = || self.nodes.iter().map(|node| node.position);
         let first = places().next().unwrap_or_default();
         let apart = places().map(|place| (place - first).norm());
         let farthest = places().map(|place| place.amax()).fold(0.0, f64::max);
         let size = apart.fold(lengths.arm, f64::max);
-        // Less is the round-off of places.
+        // Less is round-off of the positions.
         match size > 4.0 * f64::EPSILON * farthest {
             true => size,
             false if lengths.gyration > 0.0 => lengths.gyration,
@@ -103,7 +103,8 @@ mod tests {
         System::new(nodes.collect(), bodies.collect()).size()
     }
 
-    // 3, 4, 12 and 13; nodes in one place, and what round-off makes of it far away.
+    // 3, 4, 12 and 13; nodes in one position, exactly and with the round-off of a position far
+    // away.
     #[test]
     fn a_model_is_as_large_as_its_nodes_are_apart() {
         let far = [[7.0, 0.0, 0.0], [10.0, 4.0, 12.0], [8.0, 1.0, 0.0]];
@@ -115,8 +116,8 @@ mod tests {
         assert!((apart - 2.0).abs() < 1e-14);
     }
 
-    // A mass of 2 kg, 3 mm off in y; one with 8 kg m^2, whose radius of gyration is 2 m, and
-    // the two of them: an arm goes before a radius of gyration.
+    // A mass of 2 kg, 3 mm off in y; one with 8 kg m^2, whose radius of gyration is 2 m, and the
+    // two together: an arm has priority over a radius of gyration.
     #[test]
     fn one_node_is_as_large_as_its_mass_is_eccentric_or_extended() {
         let place = [[5.0, 0.0, 0.0]];

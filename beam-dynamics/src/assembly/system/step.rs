@@ -1,5 +1,4 @@
-//! Residual and Jacobian of a system as time integration asks for them, without
-//! allocation.
+//! Residual and Jacobian of a system for time integration, without allocation.
 
 use super::layout::{Buffers, Gathered, Part, Within, Workspace};
 use super::parts::{Sums, Task};
@@ -9,13 +8,13 @@ use crate::elements::{Local, LocalJacobian, Queries};
 use crate::model::{Conditions, Scalars, State};
 
 impl System {
-    /// Buffers for [`Self::residual_into`] and [`Self::combine`], which large systems sum on
-    /// all threads of rayon.
+    /// Buffers for [`Self::residual_into`] and [`Self::combine`], which sum large systems on all
+    /// threads of rayon.
     pub fn workspace(&self) -> Workspace {
         Workspace::of(self)
     }
 
-    /// The residual at a state, written to `out`, which takes the size of the system.
+    /// Writes the residual at a state to `out`, which is resized to the system.
     pub fn residual_into(
         &self,
         state: &State,
@@ -38,8 +37,8 @@ impl System {
         }
     }
 
-    /// Sums of the derivatives at a state, by the unknowns of a formula, and the residual where
-    /// that is wanted: rotations turn the nodes by `variations`, one a node. With G and W of
+    /// Sums of the derivatives at a state, by the unknowns of a formula, and the residual if it is
+    /// requested: rotations turn the nodes by `variations`, one per node. With G and W of
     /// [`Variation`],
     ///
     /// ```text
@@ -149,8 +148,8 @@ impl System {
         local
     }
 
-    /// What an element sees of a state; `gathered` takes copies of what does not follow each
-    /// other in the state.
+    /// The data of a state visible to an element; `gathered` holds copies of data that are not
+    /// consecutive in the state.
     pub(super) fn placed<'a>(
         &self,
         index: usize,
@@ -162,7 +161,7 @@ impl System {
         self.gather(index, (state, conditions), consecutive, gathered)
     }
 
-    /// The same, given the first node where those of the element follow each other.
+    /// The same, given the first node if the element's nodes are consecutive.
     pub(super) fn gather<'a>(
         &self,
         index: usize,
@@ -207,7 +206,7 @@ impl System {
         }
     }
 
-    /// Calls with what an element sees of a state.
+    /// Calls with the data of a state visible to an element.
     pub(super) fn seen<T>(
         &self,
         index: usize,
@@ -257,7 +256,7 @@ mod tests {
         System::new(nodes, elements)
     }
 
-    /// Numbers between -1 and 1 without order.
+    /// Pseudorandom numbers between -1 and 1.
     fn scattered(count: usize) -> Vec<f64> {
         (0..count)
             .map(|i| (2.3 * i as f64 + 0.7 * (i * i) as f64).sin())
@@ -302,7 +301,7 @@ mod tests {
             matrix: &mut matrix,
         }];
         let mut work = system.workspace();
-        // The second evaluation finds the room used, and makes the residual as well.
+        // The second evaluation reuses the buffers, and computes the residual as well.
         let mut residual = Residual::default();
         for both in [None, Some(&mut residual)] {
             let out = (&mut out[..], both);

@@ -1,4 +1,4 @@
-//! What single elements tell of a state, and the energy of all.
+//! Queries of single elements, and total energy.
 
 use super::System;
 use crate::elements::{
@@ -8,7 +8,7 @@ use crate::elements::{
 use crate::model::{Conditions, State};
 
 impl System {
-    /// Adds what the element number `element` tells of a state.
+    /// Adds the observations of the element with index `element` at a state.
     pub fn observe_element(
         &self,
         element: usize,
@@ -20,8 +20,7 @@ impl System {
         self.seen(element, state, conditions, call);
     }
 
-    /// The first element, with its number, whose residual or Jacobian has no value at a
-    /// state.
+    /// The first element, with its index, whose residual or Jacobian has no value at a state.
     pub fn without_value(
         &self,
         state: &State,
@@ -33,7 +32,7 @@ impl System {
         Some((index, element.as_ref()))
     }
 
-    /// Whether residual and Jacobian of the element number `element` have values at a state.
+    /// Whether residual and Jacobian of the element with index `element` have values at a state.
     pub fn has_value(&self, element: usize, state: &State, conditions: &Conditions) -> bool {
         let index = element;
         let element = self.elements[index].as_ref();
@@ -52,7 +51,8 @@ impl System {
         numbers.all(|number| number.is_finite())
     }
 
-    /// Why the element number `element` has no value at a state, in words, where it can tell.
+    /// The reason as text why the element with index `element` has no value at a state, if the
+    /// element knows it.
     pub fn why_without_value(
         &self,
         element: usize,
@@ -63,7 +63,7 @@ impl System {
         self.seen(element, state, conditions, |at| own.without_value(at))
     }
 
-    /// The first element that can say why it has no value at a state, and why.
+    /// The first element that reports a reason for having no value at a state, with the reason.
     pub fn first_without_value(
         &self,
         state: &State,
@@ -76,8 +76,8 @@ impl System {
         })
     }
 
-    /// The first jump of what an element holds in place, between two instants at a state, and the
-    /// element.
+    /// The first jump between two instants of a position that an element prescribes at a state, and
+    /// the element.
     pub fn place_jump(
         &self,
         state: &State,

@@ -1,8 +1,8 @@
 //! A joint: constraints between two ends.
 //!
-//! The rows of the algebra, with what they need: the ends with their points and axes, the
-//! rotation vector by which a drive turns the axes of a, and what the targets grow with.
-//! Which rows make which joint stands with its constructor.
+//! The rows of the algebra, with their data: the ends with their points and axes, the rotation
+//! vector by which a drive turns the axes of a, and the factors of the targets. The constructor of
+//! each joint lists its rows.
 //!
 //! References: [Masarati], appendix D: coincidence and orthogonality.
 
@@ -27,20 +27,20 @@ mod jump;
 pub struct ConstraintJoint {
     label: String,
     nodes: Vec<usize>,
-    /// Of end a (the first node, or the frame) and of end b.
+    /// The attachments of end a (the first node, or the frame) and of end b.
     attachments: [Attachment; 2],
-    /// The undeformed axes of a, standing in the frame.
+    /// The undeformed axes of a, fixed in the frame.
     axes: Matrix3<f64>,
     rows: Vec<Row>,
     /// Components of the rotation vector that turns the axes of a.
     turn: Option<[Signal; 3]>,
-    /// What the targets and that rotation grow with.
+    /// The load factor of the targets and of that rotation.
     factor: Option<LoadFactor>,
-    /// What both are multiplied with.
+    /// The multiplier of both.
     scale: Option<Signal>,
-    /// Those that the targets, the rotation and the scale read.
+    /// The scalars that the targets, the rotation and the scale read.
     scalars: Vec<Scalar>,
-    /// The axis about which b turns against a, where there is one.
+    /// The axis about which b turns relative to a, if there is one.
     angle_about: Option<usize>,
     /// Motions that are free on purpose.
     motions: Vec<Motion>,
@@ -51,14 +51,14 @@ pub struct ConstraintJoint {
 /// The ends of a joint in the undeformed model.
 #[derive(Debug, Clone, Copy)]
 pub struct JointEnds<'a> {
-    /// Number of the node of a and the node; `None` for the frame.
+    /// Index of the node of a, and the node; `None` for the frame.
     pub a: Option<(usize, &'a Node)>,
-    /// Number of the node of b, and the node.
+    /// Index of the node of b, and the node.
     pub b: (usize, &'a Node),
 }
 
 impl JointEnds<'_> {
-    /// Numbers of the nodes.
+    /// Indices of the nodes.
     fn nodes(&self) -> Vec<usize> {
         let a = self.a.iter().map(|a| a.0);
         a.chain([self.b.0]).collect()
@@ -76,7 +76,7 @@ impl JointEnds<'_> {
 pub(super) type Place = (Vector3<f64>, Matrix3<f64>);
 
 impl ConstraintJoint {
-    /// All that is given.
+    /// All given signals.
     fn given(&self) -> impl Iterator<Item = &Signal> {
         let targets = self.rows.iter().filter_map(|row| row.target.as_ref());
         targets.chain(self.turn.iter().flatten()).chain(&self.scale)
@@ -118,26 +118,26 @@ impl ConstraintJoint {
         joint
     }
 
-    /// With the axes of a turned by a rotation vector.
+    /// Turns the axes of a by a rotation vector.
     pub(super) fn turned_by(mut self, turn: [Signal; 3]) -> Self {
         self.turn = Some(turn.map(|signal| signal.bound(&mut self.scalars)));
         self
     }
 
-    /// With targets and rotation that grow with the loads.
+    /// Makes targets and rotation grow with the loads.
     pub(in crate::elements) fn growing_with(mut self, factor: LoadFactor) -> Self {
         self.factor = Some(factor);
         self
     }
 
-    /// With targets and rotation that are multiplied by a signal.
+    /// Multiplies targets and rotation by a signal.
     #[must_use]
     pub fn scaled_by(mut self, scale: impl Into<Signal>) -> Self {
         self.scale = Some(scale.into().bound(&mut self.scalars));
         self
     }
 
-    /// With an angle of b against a about an axis.
+    /// Adds an angle of b relative to a about an axis.
     pub(super) fn with_angle_about(mut self, axis: usize) -> Self {
         self.angle_about = Some(axis);
         self
@@ -153,7 +153,7 @@ impl ConstraintJoint {
         }
     }
 
-    /// What the targets are multiplied with, now.
+    /// The present multiplier of the targets.
     fn scale(&self, loading: &Loading, now: &Instant<'_>) -> DriveValue {
         let one = DriveValue::constant(1.0);
         let scale = self.scale.as_ref().map_or(one, |s| s.at(now));
@@ -163,7 +163,7 @@ impl ConstraintJoint {
         }
     }
 
-    /// What the rows need to know of a state.
+    /// The data of a state for the rows.
     pub(super) fn seen<'a>(
         &'a self,
         nodes: &[NodeMotion],
@@ -214,7 +214,7 @@ impl ConstraintJoint {
         sums
     }
 
-    /// Tells of a state, with a further moment on a, the opposite of that on b.
+    /// Writes observations of a state, with a further moment on a, and its opposite on b.
     pub(super) fn observe_with(&self, at: &Local<'_>, on_a: &Vector3<f64>, out: &mut Observations) {
         let mut reactions = self.reactions(at);
         reactions[0][1] += on_a;
@@ -235,7 +235,7 @@ impl ConstraintJoint {
 }
 
 impl ConstraintJoint {
-    /// w of the axes of a when the components of the rotation vector grow by `growth`.
+    /// w of the axes of a if the components of the rotation vector grow by `growth`.
     fn turn_by(&self, seen: &Seen<'_>, growth: impl Fn(&Signal) -> f64) -> Vector3<f64> {
         let turn = |turn: &[Signal; 3]| {
             let phi = by_axis(turn, &seen.now, &seen.scale)[0];
@@ -373,7 +373,7 @@ impl Constraints for ConstraintJoint {
         match (angles.count(), self.angle_about) {
             (3, _) => against.diagonal().min() < 0.0,
             (2, Some(axis)) => against[(axis, axis)] < 0.0,
-            // Another joint keeps the axis.
+            // Another joint constrains the axis.
             (1, Some(axis)) => {
                 let across = (axis + 1) % 3;
                 against[(axis, axis)] > 0.5 && against[(across, across)] < 0.0
@@ -468,7 +468,7 @@ impl Reports for ConstraintJoint {
     fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
 }
 
-/// Rows that hold all three distances of the points along the axes of `carrier`.
+/// Rows that constrain all three distances of the points along the axes of `carrier`.
 pub(super) fn same_point(carrier: Carrier) -> [Row; 3] {
     [0, 1, 2].map(|axis| Row::zero(Held::Along(carrier, axis)))
 }

@@ -1,10 +1,10 @@
-//! The local errors of a step under trial.
+//! The local errors of a trial step.
 
 use super::super::lengths::factor;
 use super::super::prediction::error_of_value;
 use super::{Dae, Formula, Integrator, Plan, Speeds, Stepping};
 
-/// Local errors of a trial by the tolerance [-].
+/// Local errors of a trial step relative to the tolerance [-].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Errors {
     /// Of positions and rotations.
@@ -14,8 +14,8 @@ pub(super) struct Errors {
 }
 
 impl Errors {
-    /// The larger; no number when one is none. A force that jumps without end must not end
-    /// a run: at the least step the positions alone count.
+    /// The larger; NaN if one is NaN. A force that jumps without end must not end a run: at the
+    /// least step the positions alone are used.
     pub fn counted(&self, is_least: bool) -> f64 {
         match is_least || self.speeds <= self.places || self.places.is_nan() {
             true => self.places,
@@ -23,23 +23,23 @@ impl Errors {
         }
     }
 
-    /// The next step by this one that both allow; `order` is that of the formula.
+    /// Ratio of the next step to this one that both allow; `order` is the order of the formula.
     pub fn allowed(&self, order: usize) -> f64 {
         factor(self.places, order).min(factor(self.speeds, Speeds::ORDER))
     }
 }
 
 impl Integrator {
-    /// The local error of the trial by the tolerance, where steps are variable and the
-    /// past is long enough: from the value y that a polynomial of the same order p
-    /// predicts, with the constants C of the formula and C_p of the polynomial,
+    /// The local error of the trial step relative to the tolerance, if steps are variable and
+    /// enough previous states exist: from the value y predicted by a polynomial of the same order
+    /// p, with the constants C of the formula and C_p of the polynomial,
     ///
     /// ```text
     /// y(t_n) - y_n = C / (C_p - C) ( y_n - y )                                   (D-116)
     /// ```
     ///
-    /// and that of the velocities and scalars (D-119). Scalars count from the first step on, by
-    /// a polynomial of first order where the past is not long enough for another.
+    /// and the local error (D-119) of the velocities and scalars. Scalars are included from the
+    /// first step on, with a polynomial of first order while there are too few previous states.
     pub(super) fn errors(
         &mut self,
         dae: &dyn Dae,
@@ -82,7 +82,7 @@ impl Integrator {
             false => 0.0,
         };
         let [places, speeds] = [places, speeds].map(|error| error / control.tolerance);
-        // Steps do not grow by what little is known of the first ones.
+        // Steps do not grow while too few previous states are known.
         (is_known || speeds > 1.0).then_some(Errors { places, speeds })
     }
 }

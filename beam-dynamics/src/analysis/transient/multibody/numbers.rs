@@ -1,4 +1,5 @@
-//! Motions of nodes, multipliers and scalars as the numbers that formulas see, and back.
+//! Conversion of motions of nodes, multipliers and scalars to the numbers of the integration
+//! schemes, and back.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::gibbs::{self, Attitude};
@@ -18,13 +19,13 @@ pub(super) fn attitude(node: &NodeMotion) -> Attitude {
     }
 }
 
-/// Numbers of all nodes, twelve each, and of the multipliers and the scalars.
+/// Numbers of all nodes, twelve per node, and of the multipliers and the scalars.
 pub(super) fn split(values: &[f64], nodes: usize) -> (std::slice::Chunks<'_, f64>, &[f64]) {
     let (of_nodes, of_multipliers) = values.split_at(NODE_UNKNOWNS * nodes);
     (of_nodes.chunks(NODE_UNKNOWNS), of_multipliers)
 }
 
-/// Multipliers and scalars of `base`, moved.
+/// Multipliers and scalars of `base`, plus their changes.
 pub(super) fn move_own(state: &mut State, base: &State, changes: &[f64]) {
     let bases = base.multipliers.iter().chain(&base.scalars);
     let numbers = state.multipliers.iter_mut().chain(&mut state.scalars);
@@ -33,21 +34,20 @@ pub(super) fn move_own(state: &mut State, base: &State, changes: &[f64]) {
     }
 }
 
-/// One step of Newton's iteration for the polar factor: takes away the round-off of many
-/// products.
+/// One Newton iteration for the polar factor: removes the round-off of many products.
 pub(super) fn orthogonal(r: &Matrix3<f64>) -> Matrix3<f64> {
     r * (1.5 * Matrix3::identity() - 0.5 * r.transpose() * r)
 }
 
-/// Where an angular momentum is integrated: in space, or in axes that follow a node from
-/// its latest accepted attitude.
+/// Axes in which an angular momentum is integrated: fixed in space, or following a node from its
+/// latest accepted attitude.
 type Axes<'a> = Option<(&'a OwnAxes, &'a Matrix3<f64>)>;
 
-/// Angular momentum and its rate as they are integrated: in the axes that follow the node, or in
+/// Angular momentum and its rate in the axes of integration: axes that follow the node, or fixed in
 /// space.
 pub(super) type Integrated = [Vector3<f64>; 2];
 
-/// The angular momentum of a node as it is integrated.
+/// The angular momentum of a node in its axes of integration.
 fn integrated(node: &NodeMotion, follows: Option<Following>) -> Integrated {
     let (gamma, rate) = (node.angular_momentum, node.angular_momentum_rate);
     let Some(Following { axes, spin }) = follows else {
@@ -57,13 +57,13 @@ fn integrated(node: &NodeMotion, follows: Option<Following>) -> Integrated {
     [back * gamma, back * (rate - spin.cross(&gamma))]
 }
 
-/// The same of the latest accepted state of a node, from which its axes follow it.
+/// The same for the latest accepted state of a node, from which its axes follow it.
 pub(super) fn integrated_latest(node: &NodeMotion, own: Option<&OwnAxes>) -> Integrated {
     let follows = own.map(|own| own.at_origin(&node.rotation, &node.angular_velocity));
     integrated(node, follows)
 }
 
-/// Changes of the latest accepted state from itself, which are zero, and its rates.
+/// Changes of the latest accepted state relative to itself, which are zero, and its rates.
 pub(super) fn write_latest(
     node: &NodeMotion,
     own: Option<&OwnAxes>,
@@ -114,9 +114,9 @@ fn write_variables(variables: [Vector3<f64>; 4], numbers: &mut [f64]) {
     }
 }
 
-/// A node moved from `base` by changes of its unknowns and of their rates; `turned` is
-/// its attitude after it, and `gamma` its angular momentum as it is integrated. The rates of
-/// `base` count as far as `kept`.
+/// A node moved from `base` by changes of its unknowns and of their rates; `turned` is its new
+/// attitude, and `gamma` its angular momentum in the axes of integration. The rates of `base` are
+/// multiplied by `kept`.
 pub(super) fn moved(
     (base, kept): (&NodeMotion, f64),
     turned: &Attitude,
@@ -144,8 +144,8 @@ pub(super) fn moved(
     }
 }
 
-/// An angular momentum as it is integrated, moved by changes of the unknowns and of their
-/// rates; its rate counts as far as `kept`.
+/// An angular momentum in its axes of integration, moved by changes of the unknowns and of their
+/// rates; its rate is multiplied by `kept`.
 pub(super) fn moved_momentum(
     [gamma, rate]: &Integrated,
     kept: f64,

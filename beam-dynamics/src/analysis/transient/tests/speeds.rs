@@ -217,7 +217,7 @@ fn corners_without_end_end_the_run() {
         panic!("{text}")
     };
     assert_eq!(trouble.failure.reason, Reason::Corners);
-    assert!(text.contains("follow one another without end"), "{text}");
+    assert!(text.contains("too many corners in succession"), "{text}");
     assert!(text.contains("a drive of gravity"), "{text}");
     assert!(failure.remedy().contains("fewer corners"));
 }

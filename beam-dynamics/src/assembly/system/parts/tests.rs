@@ -1,4 +1,4 @@
-//! Sums in parts against those in one, to the last bit.
+//! Sums in parts against the sum in one part, to the last bit.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlon
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, clamped};
 use crate::model::{Node, TurningFrame};
 
-/// Numbers between -1 and 1 without order.
+/// Pseudorandom numbers between -1 and 1.
 struct Numbers(u64);
 
 impl Numbers {
@@ -33,7 +33,7 @@ impl Numbers {
     }
 }
 
-/// A crooked chain of beams, some nodes of which are clamped and some held together.
+/// An irregular chain of beams; some nodes are clamped and some are joined.
 fn system(numbers: &mut Numbers) -> System {
     let beams = 1 + numbers.below(6);
     let nodes: Vec<_> = (0..=2 * beams)
@@ -98,7 +98,7 @@ fn sums(
     let [mut first, mut second] = [(); 2].map(|()| Sparse::zero(Arc::clone(system.pattern())));
     let mut residual = Residual::default();
     let mut alone = Residual::default();
-    // The second evaluation finds the buffers used.
+    // The second evaluation reuses the buffers.
     for _ in 0..2 {
         let mut out = [
             Combination {

@@ -1,15 +1,15 @@
-//! Orthonormal bases of columns by the method of Gram and Schmidt: each time from the
-//! longest of the columns that are left, and twice over.
+//! Orthonormal bases of columns by the Gram-Schmidt method: each time from the longest of the
+//! remaining columns, with reorthogonalization.
 
 use std::ops::Range;
 
 use nalgebra::DMatrix;
 
-/// What is left of a column, beside the longest of all, counts as zero below this [-].
+/// Length of a remaining column, relative to the longest of all, below which it is zero [-].
 const ZERO: f64 = 1e-10;
 
-/// Brings an orthonormal basis of the columns, of which `most` count at the most, to the first
-/// places; their number. What the others hold is left over.
+/// Moves an orthonormal basis of the columns, with at most `most` columns, to the front; returns
+/// their number. The remaining columns hold the remainders.
 pub(super) fn gather(columns: &mut DMatrix<f64>, most: usize) -> usize {
     let count = columns.ncols();
     let longest = |columns: &DMatrix<f64>, from: usize| {
@@ -35,7 +35,7 @@ pub(super) fn gather(columns: &mut DMatrix<f64>, most: usize) -> usize {
     found
 }
 
-/// Makes a column orthogonal to others of length one.
+/// Makes a column orthogonal to other columns of length one.
 fn take_from(columns: &mut DMatrix<f64>, column: usize, others: Range<usize>) {
     for other in others {
         let along = columns.column(other).dot(&columns.column(column));

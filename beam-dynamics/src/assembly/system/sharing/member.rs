@@ -14,19 +14,20 @@ pub(super) const MOTION: usize = 6;
 /// An element of a loop.
 #[derive(Debug, Clone)]
 pub(super) struct Member {
-    /// Number of the element.
+    /// Index of the element.
     element: usize,
-    /// Its first constraint among those of the loop.
+    /// The index of its first constraint in the loop.
     first: usize,
     levels: Vec<Level>,
-    /// Its nodes, by their numbers in the loop.
+    /// Its nodes, by their indices in the loop.
     pub nodes: Vec<usize>,
     /// Its rows of A, in the columns of its nodes, six each.
     pub rows: DMatrix<f64>,
 }
 
 impl Member {
-    /// Element number `element`, whose constraints begin at `first`, on these nodes of the loop.
+    /// The element with index `element`, whose constraints begin at `first`, on these nodes of the
+    /// loop.
     pub fn new(system: &System, element: usize, first: usize, nodes: Vec<usize>) -> Self {
         let own = &system.elements[element];
         let levels: Vec<_> = (0..own.multipliers()).map(|i| own.level(i)).collect();
@@ -39,13 +40,13 @@ impl Member {
         }
     }
 
-    /// Its constraints among those of the loop.
+    /// Its constraints by their indices in the loop.
     pub fn constraints(&self) -> Range<usize> {
         self.first..self.first + self.levels.len()
     }
 
     /// Writes its rows, and the force along a unit displacement of each constraint to `forces`,
-    /// those of the loop. Rotations are scaled by `size` \[m\].
+    /// which holds all of the loop. Rotations are scaled by `size` \[m\].
     pub fn read(
         &mut self,
         system: &System,

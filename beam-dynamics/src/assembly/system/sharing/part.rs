@@ -13,24 +13,24 @@ use crate::model::{Conditions, State};
 #[derive(Debug, Clone)]
 pub(super) struct Part {
     members: Vec<Member>,
-    /// Numbers of the multipliers.
+    /// Indices of the multipliers.
     pub constraints: Vec<usize>,
     /// Force along a unit displacement by the multiplier of each constraint [-, 1/m].
     pub forces: Vec<f64>,
-    /// What was found last for each constraint: `P mu`.
+    /// The latest result for each constraint: `P mu`.
     pub found: Vec<f64>,
-    /// `N^T mu` of it.
+    /// Its `N^T mu`.
     along: Vec<f64>,
     /// N, column by column.
     basis: DMatrix<f64>,
     tree: Tree,
-    /// A, and in its first columns Q; then P. Only where no tree serves.
+    /// A, and in its first columns Q; then P. Only if the tree method fails.
     all: Option<[DMatrix<f64>; 2]>,
     places: Places,
 }
 
-/// Entries of the pattern, those of a constraint by that of a load that balances itself one
-/// load after the other.
+/// Entries of the pattern for the loads that balance each other: load after load, and for each
+/// load constraint after constraint.
 #[derive(Debug, Clone)]
 struct Places {
     /// In the rows of the constraints.
@@ -42,8 +42,8 @@ struct Places {
 }
 
 impl Places {
-    /// The rows and columns of the constraints and of the loads, the first of which have these
-    /// numbers.
+    /// The rows and columns of the constraints and of the loads; `first` are the first indices of
+    /// both.
     fn new(pattern: &Pattern, constraints: &[usize], first: [usize; 2], loads: usize) -> Self {
         let pairs = || (0..loads).flat_map(|k| constraints.iter().map(move |i| (*i, k)));
         let place = |row: usize, column: usize| pattern.place(row, column);
@@ -62,7 +62,7 @@ impl Places {
 }
 
 impl Part {
-    /// That of a loop whose loads that balance each other have rows from `surplus` on.
+    /// The part of a loop whose loads that balance each other have rows from `surplus` on.
     pub fn new(system: &System, of: &Loop, surplus: usize) -> Self {
         let mut nodes: Vec<usize> = Vec::new();
         let mut constraints = Vec::new();
@@ -111,7 +111,7 @@ impl Part {
         }
     }
 
-    /// N from all columns of A together, which takes time with the number of constraints cubed.
+    /// N from all columns of A together; the time is cubic in the number of constraints.
     pub fn look_at_all(&mut self) {
         let (count, loads) = self.basis.shape();
         let nodes = self.members.iter().flat_map(|member| &member.nodes).max();
@@ -141,8 +141,8 @@ impl Part {
         basis.copy_from(&shares.columns(0, found));
     }
 
-    /// P times the numbers `of` each constraint, by its number and its force along a unit
-    /// displacement; in `found`.
+    /// P times the numbers `of` each constraint, given its index and its force along a unit
+    /// displacement; written to `found`.
     pub fn project(&mut self, of: impl Fn(usize, f64) -> f64) {
         let numbers = self.constraints.iter().zip(&self.forces);
         for (out, (&constraint, &force)) in self.found.iter_mut().zip(numbers) {
@@ -159,7 +159,7 @@ impl Part {
         }
     }
 
-    /// `P_ii` of the constraint with this number in the loop.
+    /// `P_ii` of the constraint with this index in the loop.
     pub fn own_share(&self, i: usize) -> f64 {
         self.basis.row(i).norm_squared()
     }
@@ -179,13 +179,13 @@ impl Part {
         }
     }
 
-    /// Whether no tree served.
+    /// Whether the tree method failed.
     #[cfg(test)]
     pub fn looks_at_all(&self) -> bool {
         self.all.is_some()
     }
 
-    /// Multipliers of a load that balances itself, by its number.
+    /// Multipliers of a load that balances itself, by its index.
     #[cfg(test)]
     pub fn balanced(&self, load: usize) -> Vec<f64> {
         let count = self.constraints.iter().max().map_or(0, |last| last + 1);

@@ -90,8 +90,8 @@ fn ring(numbers: &mut Numbers) -> System {
     System::new(nodes, joints)
 }
 
-/// Bodies that hang on others, or the frame, and are held at random once more: joints of all
-/// kinds, some about the same axes.
+/// Bodies attached to others, or to the frame, with further random joints: joints of all kinds,
+/// some about the same axes.
 fn net(numbers: &mut Numbers) -> System {
     let count = 2 + numbers.below(5);
     let nodes = nodes(numbers, count);
@@ -115,7 +115,7 @@ fn net(numbers: &mut Numbers) -> System {
     System::new(nodes, joints)
 }
 
-/// The system with loops in which constraints share loads; `None` where none is redundant.
+/// The system with loops in which constraints share loads; `None` if none is redundant.
 fn shared(system: &System) -> Option<System> {
     let found = redundancy::find(system, &system.rest(), &Conditions::at_rest());
     (!found.is_empty()).then(|| system.with_shared_loads(&found, 1e-3))
@@ -165,8 +165,8 @@ fn rows(system: &System) -> DMatrix<f64> {
     rows
 }
 
-/// How far a matrix is from the projector on the solutions of `A^T mu = 0`, of which there are
-/// `loads`: these products make it the only one.
+/// Deviation of a matrix from the projector on the solutions of `A^T mu = 0`, of which there are
+/// `loads`: these products determine the projector uniquely.
 fn off(found: &DMatrix<f64>, rows: &DMatrix<f64>, loads: usize) -> f64 {
     let errors = [
         (found.transpose() - found).amax(),
@@ -177,7 +177,7 @@ fn off(found: &DMatrix<f64>, rows: &DMatrix<f64>, loads: usize) -> f64 {
     errors.into_iter().fold(0.0, f64::max)
 }
 
-// Round-off of some fifty numbers of size one, in joints of a tree and in all rows at once.
+// Round-off of some fifty numbers of size one, for the tree method and for all rows together.
 #[test]
 fn loads_that_balance_each_other_are_those_of_a_dense_decomposition() {
     let (mut looked_at, mut loops) = (0, 0);
@@ -226,7 +226,7 @@ fn a_ring_has_three_loads_that_balance_each_other() {
     }
 }
 
-// What was found for one place does not hang on what was found for another before.
+// The result for one position does not depend on the result for a previous one.
 #[test]
 fn the_same_place_gives_the_same_bits() {
     let system = shared(&ring(&mut Numbers::new(8))).unwrap();
@@ -245,7 +245,7 @@ fn the_same_place_gives_the_same_bits() {
     assert_eq!(projector(&mut used, count), projector(&mut fresh, count));
 }
 
-// Without the parts of the loads, the entries of the matrix are the derivatives of what is
+// Without the amplitudes of the loads, the entries of the matrix are the derivatives of the term
 // added to the residual, which is linear in the multipliers.
 #[test]
 fn the_matrix_is_the_derivative_of_the_residual() {

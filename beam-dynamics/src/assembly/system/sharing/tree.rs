@@ -1,34 +1,33 @@
-//! The loads of a loop that balance each other, by a tree of its joints.
+//! The loads that balance each other in a loop, from a tree of its joints.
 //!
-//! Joints that close no ring make a tree: each holds one of its two nodes, the outer one, and
-//! its constraints on it are independent. All other joints are cut. One unit force after the
-//! other in the constraints of the cuts loads the nodes, and from the ends of the tree to its
-//! root each joint takes of the load l of its outer node what it can,
+//! Joints that close no ring form a tree: each holds one of its two nodes, the outer one, and its
+//! constraints on it are independent. All other joints are cut. Each unit force in the constraints
+//! of the cuts loads the nodes, and from the ends of the tree to its root each joint carries the
+//! part of the load l of its outer node that its constraints can balance,
 //!
 //! ```text
 //! A_o^T = Q R ,    mu = -R^-1 Q^T l                                                   (D-280)
 //! ```
 //!
-//! with A_o its rows in the columns of that node, and hands A_i^T mu to the inner one. What is
-//! left over, l - Q Q^T l, must vanish, and so must all at a root: combinations of the unit
-//! forces for which it does are the loads that balance each other. So a ring is a
-//! question of as many unknowns as the joint has constraints that closes it, and the work grows
-//! with the number of joints.
+//! with A_o its rows in the columns of that node, and transfers A_i^T mu to the inner one. The
+//! remainder, l - Q Q^T l, must vanish, and the whole load at a root: the combinations of the unit
+//! forces for which they do are the loads that balance each other. A ring thus has as many unknowns
+//! as the closing joint has constraints, and the work is linear in the number of joints.
 
 use nalgebra::DMatrix;
 
 use super::basis;
 use super::member::{MOTION, Member};
 
-/// Part of the length of a row that is left beside the others of its joint at least: of joints
-/// with less all constraints are looked at together.
+/// Least length of a row after orthogonalization to the others of its joint, as a fraction of its
+/// length before; if a joint of the tree has a shorter row, all constraints are treated together.
 const LEAST: f64 = 1e-3;
 
 /// A joint of the tree.
 #[derive(Debug, Clone)]
 struct Branch {
     member: usize,
-    /// Which of the nodes of the member is the outer one.
+    /// Which node of the member is the outer one.
     outer: usize,
 }
 
@@ -39,17 +38,17 @@ pub(super) struct Tree {
     branches: Vec<Branch>,
     /// Members that are cut.
     cuts: Vec<usize>,
-    /// Load of the nodes, a row for each constraint of the cuts; then what is left over.
+    /// Load of the nodes, a row for each constraint of the cuts; then the remainder.
     left: DMatrix<f64>,
     /// Forces in the constraints of the loop, a column for each of the cuts.
     forces: DMatrix<f64>,
-    /// Projection on the combinations that leave nothing over.
+    /// Projection on the combinations without a remainder.
     balanced: DMatrix<f64>,
 }
 
 impl Tree {
-    /// That of members on `nodes` nodes: of the tree are joints between two nodes, or a node
-    /// and the frame, of six constraints at the most, as near to the frame as they can be.
+    /// The tree of members on `nodes` nodes: it contains joints between two nodes, or a node and
+    /// the frame, with at most six constraints, as near to the frame as possible.
     pub fn new(members: &[Member], nodes: usize) -> Self {
         let frame = nodes;
         let mut beside = vec![Vec::new(); nodes + 1];
@@ -95,7 +94,7 @@ impl Tree {
     }
 
     /// Writes an orthonormal basis of the loads that balance each other, as many as `out` has
-    /// columns; whether there are so many, and all joints of the tree are sound.
+    /// columns; returns whether this number exists, and all joints of the tree are regular.
     pub fn find(&mut self, members: &[Member], out: &mut DMatrix<f64>) -> bool {
         let (units, wanted) = (self.balanced.ncols(), out.ncols());
         if units < wanted {
@@ -128,7 +127,7 @@ impl Tree {
         basis::gather(out, wanted) == wanted
     }
 
-    /// Unit forces in the constraints of the cuts, and what they load the nodes with.
+    /// Unit forces in the constraints of the cuts, and their loads on the nodes.
     fn load(&mut self, members: &[Member]) {
         self.left.fill(0.0);
         self.forces.fill(0.0);
@@ -149,7 +148,7 @@ impl Tree {
     }
 }
 
-/// The two ends of a joint that can be one of the tree.
+/// The two ends of a joint that can be in the tree.
 fn ends(member: &Member, frame: usize) -> Option<[usize; 2]> {
     let ends = match member.nodes[..] {
         [node] => [node, frame],
@@ -164,7 +163,7 @@ fn ends(member: &Member, frame: usize) -> Option<[usize; 2]> {
 type Square = [[f64; MOTION]; MOTION];
 
 /// Rows of a joint on its outer node, as an orthonormal basis q with `row_i = sum_j r_ij q_j`,
-/// j up to i; `None` where one of them nearly follows from the others.
+/// j up to i; `None` if one of them nearly follows from the others.
 fn factors(member: &Member, outer: usize) -> Option<[Square; 2]> {
     let (mut q, mut r) = (Square::default(), Square::default());
     for i in 0..member.constraints().len() {
@@ -196,8 +195,8 @@ fn dot(a: &[f64; MOTION], b: &[f64; MOTION]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// What a joint takes of the loads of its outer node, for each unit force, and hands to the
-/// inner one (D-280).
+/// The part of the loads of its outer node that a joint carries, for each unit force, and transfers
+/// to the inner one (D-280).
 fn carry(
     member: &Member,
     outer: usize,

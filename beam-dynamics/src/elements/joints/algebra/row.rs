@@ -1,4 +1,4 @@
-//! One constraint of a joint: a form and what it is held at.
+//! One constraint of a joint: a form and its target.
 //!
 //! ```text
 //! along, across     Phi = form - s(t)                 distance   Phi = form of l = s(t)
@@ -13,12 +13,12 @@ use crate::elements::{Instant, Level, LocalJacobian, LocalResidual, Signal};
 use crate::model::Equation::{Force, Moment};
 use crate::model::{DriveValue, Equation, Variable};
 
-/// A form by the numbers of its axes.
+/// A form by the indices of its axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::elements::joints) enum Held {
     /// The distance along axis `axis` of the carrier; for the frame, of `a` undeformed.
     Along(Carrier, usize),
-    /// The rate of that.
+    /// The rate of this distance.
     Velocity(Carrier, usize),
     /// The cosine between an axis of a, turned by the drive, and one of b.
     Across(usize, usize),
@@ -32,20 +32,20 @@ pub(in crate::elements::joints) enum Held {
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::elements::joints) struct Row {
     pub held: Held,
-    /// s; zero without.
+    /// s; zero if absent.
     pub target: Option<Signal>,
 }
 
-/// What rows need to know of a joint at a state.
+/// Data of a joint at a state for its rows.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::elements::joints) struct Seen<'a> {
     pub ends: Ends,
-    /// Axes that stand in the frame.
+    /// Axes fixed in the frame.
     pub frame: &'a Matrix3<f64>,
-    /// The axes of a as the drive turns them.
+    /// The axes of a as turned by the drive.
     pub turned: Turned,
     pub now: Instant<'a>,
-    /// What the targets are multiplied with.
+    /// The multiplier of the targets.
     pub scale: DriveValue,
 }
 
@@ -54,15 +54,15 @@ pub(in crate::elements::joints) struct Seen<'a> {
 pub(in crate::elements::joints) struct PlacedRow<'a> {
     seen: &'a Seen<'a>,
     pub form: Form,
-    /// Whether it holds a rate.
+    /// Whether it constrains a rate.
     of_rates: bool,
     target: DriveValue,
-    /// `e_a'` and `e_a''` of a form that the turned axes carry.
+    /// `e_a'` and `e_a''` of a form that depends on the turned axes.
     driven: [Vector3<f64>; 2],
 }
 
 impl Row {
-    /// A row that is held at zero.
+    /// A row with a target of zero.
     pub fn zero(held: Held) -> Self {
         Self { held, target: None }
     }
@@ -73,7 +73,7 @@ impl Row {
         Self { held, target }
     }
 
-    /// Whether what its multiplier does depends on the target, or on the rotation by which a
+    /// Whether the reaction of its multiplier depends on the target, or on the rotation by which a
     /// joint turns the axes of a.
     pub fn is_turned(&self) -> bool {
         matches!(self.held, Held::Across(..) | Held::Distance)
@@ -107,7 +107,7 @@ impl Row {
                 let b = axis(Carrier::B, b);
                 Form::Across { a, b }
             }
-            // At no length there is no value.
+            // The form has no value at zero length.
             Held::Distance => Form::Distance {
                 length: match target.value > 0.0 {
                     true => target.value,
@@ -155,8 +155,8 @@ impl PlacedRow<'_> {
         }
     }
 
-    /// Adds constraint number `row` and its reactions to a residual, and where they are wanted
-    /// their derivatives to a Jacobian.
+    /// Adds constraint number `row` and its reactions to a residual, and their derivatives to a
+    /// Jacobian if requested.
     pub fn evaluate(
         &self,
         row: usize,
@@ -212,8 +212,8 @@ impl PlacedRow<'_> {
         }
     }
 
-    /// `Phi_t` of a change of the target by `rate` and of the driven direction by `turn`,
-    /// and that of the gradient.
+    /// `Phi_t`, and the derivative of the gradient, for a change of the target by `rate` and of the
+    /// driven direction by `turn`.
     fn by_change(&self, rate: f64, turn: &Vector3<f64>) -> (f64, Parts) {
         let (ends, zero) = (self.ends(), [Vector3::zeros(); 4]);
         match self.form {
@@ -251,8 +251,8 @@ impl PlacedRow<'_> {
     }
 
     /// The derivative of [`Self::residual`] by a number on which the targets depend, of the
-    /// constraint and of the forces that `force` takes: `turn` is w of the axes for a rate of
-    /// that number of one, and `rate` the rate of the target.
+    /// constraint and of the forces, which are passed to `force`: `turn` is w of the axes for a
+    /// unit rate of that number, and `rate` the rate of the target.
     pub fn by_target(
         &self,
         lambda: f64,
