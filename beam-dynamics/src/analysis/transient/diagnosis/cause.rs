@@ -383,7 +383,7 @@ impl<'a> Scene<'a> {
         let mut remedies = vec!["allow shorter steps".to_owned()];
         let question = self.question;
         if question.simplified_jacobian || question.newton.jacobians == Jacobians::Modified {
-            remedies.push("take the exact Jacobian in every iteration".to_owned());
+            remedies.push("use the exact Jacobian in every iteration".to_owned());
         }
         let radius = match question.scheme {
             Scheme::TwoStep { radius } | Scheme::Cubic { radius } => radius,
