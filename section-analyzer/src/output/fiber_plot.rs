@@ -3,7 +3,7 @@
 //!
 //! ```text
 //!      ----> s      flag: the pole is the wall normal n, the arrow the wall
-//!     |             direction s, both at the plane angle; the foot stands in
+//!     |             direction s, both at the plane angle; the foot is in
 //!     | n           the cell and has its color
 //!     o
 //! ```

@@ -144,7 +144,7 @@ impl Ply {
     }
 }
 
-/// Numbers of the sides of each cell; those of triangles have one less.
+/// Numbers of the sides of each cell; triangles have one side less.
 fn sides_of_cells(section: &Section, sides: &[Side]) -> Vec<[Option<u32>; 4]> {
     let mut of_cells = vec![[None; 4]; section.mesh.cells.len()];
     for (side, number) in sides.iter().zip(0..) {
