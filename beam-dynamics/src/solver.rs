@@ -1,4 +1,4 @@
-//! Solution of systems of equations; knows nothing of nodes and elements.
+//! Solution of systems of equations, independent of nodes and elements.
 
 mod general;
 mod linear;

@@ -1,8 +1,8 @@
 //! Preprocessor of the book: formulas in LaTeX become MathML, which browsers show without a
 //! script, a font or a network.
 //!
-//! `mdbook build docs` runs it (see `docs/book.toml`): it reads the book as JSON and writes it
-//! again. A formula that is wrong stops the build with its page and line.
+//! `mdbook build docs` runs it (see `docs/book.toml`): it reads and writes the book as JSON. A
+//! wrong formula stops the build with its page and line.
 
 use std::io;
 use std::process::ExitCode;
@@ -11,7 +11,7 @@ use serde_json::Value;
 
 mod render;
 
-/// Replaces the formulas of every chapter; pages and lines of those that are wrong.
+/// Replaces the formulas of every chapter; adds pages and lines of wrong ones to `wrong`.
 fn render_chapters(value: &mut Value, wrong: &mut Vec<String>) {
     if let Value::Object(entries) = value {
         let path = entries.get("path").and_then(Value::as_str);
@@ -37,7 +37,9 @@ fn run() -> Result<(), String> {
     let input: Value = serde_json::from_reader(io::stdin()).map_err(|it| it.to_string())?;
     // The context, then the book.
     let Value::Array(mut parts) = input else {
-        return Err(String::from("the input is no list of a context and a book"));
+        return Err(String::from(
+            "the input is not a list of a context and a book",
+        ));
     };
     let mut book = parts.pop().ok_or("the input has no book")?;
     let mut wrong = Vec::new();

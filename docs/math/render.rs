@@ -13,7 +13,7 @@ const MATH: &str = "```math";
 const ALIGN: [&str; 2] = ["\\begin{align}", "\\end{align}"];
 const INLINE: [&str; 2] = ["$`", "`$"];
 
-/// A page with its formulas as MathML; all formulas that are wrong, with their lines (from one).
+/// A page with its formulas as MathML; or all wrong formulas with their lines (from one).
 pub fn rendered(page: &str) -> Result<String, Vec<(usize, String)>> {
     let mut out = String::with_capacity(2 * page.len());
     let mut wrong = Vec::new();
@@ -121,7 +121,7 @@ fn outside_of_environments<'a>(tex: &'a str, separator: &str) -> Vec<&'a str> {
             pieces.push(&tex[start..at]);
             start = at + separator.len();
         }
-        // A backslash takes the character after it along, so that "\&" is none.
+        // A backslash includes the next character, so that "\&" is not a separator.
         let characters = if rest.starts_with('\\') { 2 } else { 1 };
         at += rest
             .chars()

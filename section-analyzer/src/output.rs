@@ -1,5 +1,5 @@
-//! Reports, property files and figures. Output reads; it never computes what a
-//! user could call a result.
+//! Reports, property files and figures. Output only reads; it never computes a quantity that is
+//! a result.
 
 mod areas;
 mod blade_section;

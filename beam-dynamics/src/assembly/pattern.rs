@@ -12,7 +12,7 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// The pattern of the given places (row, column); repeated ones count once.
+    /// The pattern of the given entries (row, column); repeated ones count once.
     pub fn new(size: usize, places: Vec<(usize, usize)>) -> Self {
         Self::of(size, |add| {
             let places = places.iter();
@@ -20,8 +20,8 @@ impl Pattern {
         })
     }
 
-    /// The pattern of the places (row, column) that `each` adds, in any order; repeated ones
-    /// count once. `each` is called twice, so that no list of all places is needed.
+    /// The pattern of the entries (row, column) that `each` adds, in any order; repeated ones
+    /// count once. `each` is called twice, so that no list of all entries is needed.
     pub fn of(size: usize, each: impl Fn(&mut dyn FnMut(usize, usize))) -> Self {
         let mut ends = vec![0; size + 1];
         each(&mut |_, column| ends[column + 1] += 1);
@@ -29,7 +29,7 @@ impl Pattern {
             ends[column + 1] += ends[column];
         }
         let mut rows = vec![0_u32; ends[size]];
-        // Each column begins where the one before it ends, once all are filled.
+        // Each column begins where the previous one ends, once all are filled.
         each(&mut |row, column| {
             rows[ends[column]] = row as u32;
             ends[column] += 1;
@@ -69,12 +69,12 @@ impl Pattern {
         self.rows.len()
     }
 
-    /// Beginning of each column among the entries, and the end.
+    /// Start of each column among the entries, and the end.
     pub fn column_starts(&self) -> &[usize] {
         &self.column_starts
     }
 
-    /// Places of the entries of a column.
+    /// Indices of the entries of a column.
     pub fn column(&self, column: usize) -> Range<usize> {
         self.column_starts[column]..self.column_starts[column + 1]
     }
@@ -84,7 +84,7 @@ impl Pattern {
         &self.rows
     }
 
-    /// Place of (row, column) among the entries, where it is stored.
+    /// Index of (row, column) among the entries, if it is stored.
     pub fn place(&self, row: usize, column: usize) -> Option<usize> {
         let range = self.column(column);
         let found = self.rows[range.clone()].binary_search(&(row as u32)).ok()?;
@@ -116,12 +116,12 @@ impl Sparse {
         &self.values
     }
 
-    /// Stored values, to be changed.
+    /// Stored values, mutable.
     pub fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
     }
 
-    /// The entry at (row, column), zero where none is stored.
+    /// The entry at (row, column), zero if it is not stored.
     pub fn entry(&self, row: usize, column: usize) -> f64 {
         let place = self.pattern.place(row, column);
         place.map_or(0.0, |place| self.values[place])

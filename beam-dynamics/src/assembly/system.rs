@@ -42,7 +42,7 @@ pub struct System {
     /// Scalar unknowns by their numbers.
     scalars: Vec<Scalar>,
     pattern: Arc<Pattern>,
-    /// Places of each element.
+    /// Indices of the unknowns and equations of each element.
     layouts: Vec<Layout>,
     /// The different kinds of elements.
     kinds: Vec<Kind>,
@@ -53,7 +53,7 @@ pub struct System {
     size: f64,
 }
 
-/// Residual, and what each equation is to be measured against.
+/// Residual, and the terms relative to which each equation is measured.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Residual {
     /// The residual [unit of each equation].
@@ -83,7 +83,7 @@ impl System {
         Self::of(nodes, elements)
     }
 
-    /// The system of all its elements, the balances of the nodes first.
+    /// The system of all elements, the balances of the nodes first.
     fn of(nodes: Vec<Node>, elements: Vec<Arc<dyn Element>>) -> Self {
         let counts = elements.iter().map(|element| element.multipliers());
         let used = elements.iter().flat_map(|element| element.scalars());
@@ -109,7 +109,7 @@ impl System {
         system
     }
 
-    /// Lets every element add its Jacobian once, and notes where.
+    /// Adds the Jacobian of every element once, and stores the indices of its entries.
     fn find_pattern(&mut self) {
         let state = State::at_rest(&self.nodes, &self.numbering);
         let conditions = Conditions::at_rest();
@@ -155,8 +155,8 @@ impl System {
         &self.numbering
     }
 
-    /// The pattern of the Jacobian, found once: the unknowns, and after them the surpluses
-    /// (see [`Self::surpluses`]).
+    /// The pattern of the Jacobian, found once: the unknowns, then the surpluses (see
+    /// [`Self::surpluses`]).
     pub fn pattern(&self) -> &Arc<Pattern> {
         &self.pattern
     }
@@ -178,7 +178,7 @@ impl System {
         residual
     }
 
-    /// The Jacobian at a state, by the spatial variations of the unknowns.
+    /// The Jacobian at a state, with respect to the spatial variations of the unknowns.
     pub fn tangent(&self, state: &State, conditions: &Conditions) -> Tangent {
         let [mut by_unknowns, mut by_rates] =
             [(); 2].map(|()| Sparse::zero(Arc::clone(&self.pattern)));
@@ -193,7 +193,7 @@ impl System {
         }
     }
 
-    /// The part of [`Self::tangent`] that is by unknowns, `F_y`.
+    /// The part of [`Self::tangent`] with respect to the unknowns, `F_y`.
     pub fn by_unknowns(&self, state: &State, conditions: &Conditions) -> Sparse {
         let mut by_unknowns = Sparse::zero(Arc::clone(&self.pattern));
         let mut out = [Combination::by_unknowns(&mut by_unknowns)];
@@ -209,7 +209,7 @@ impl System {
         self.sum_all(&task, out, None, &mut self.workspace());
     }
 
-    /// What the elements tell of a state.
+    /// Observations of the elements at a state.
     pub fn observe(&self, state: &State, conditions: &Conditions) -> Observations {
         let mut observations = Observations::default();
         for (index, element) in self.elements.iter().enumerate() {

@@ -1,8 +1,8 @@
-//! The Newton iteration of a step, for all stages of a formula at once.
+//! The Newton iteration of a step, for all stages of a scheme at once.
 //!
-//! Unknowns are the corrections `d_t` of the rates of each stage, and of its algebraic
-//! unknowns themselves. A stage moves by `dy_s = h sum_t a_st d_t` and `dy'_s = d_s`, so
-//! that the block of row s and column t is
+//! Unknowns are the corrections `d_t` of the rates of each stage, and of the algebraic unknowns
+//! themselves. A stage changes by `dy_s = h sum_t a_st d_t` and `dy'_s = d_s`, so that the
+//! block of row s and column t is
 //!
 //! ```text
 //! h a_st F_y + delta_st F_y'        (columns of algebraic unknowns: delta_st F_y)    (D-112)
@@ -20,56 +20,56 @@ mod stages;
 
 use stages::StageMatrix;
 
-/// A residual or correction so far below its limit is nothing but round-off.
+/// Ratio to the limit below which a residual or correction is only round-off.
 const ROUND_OFF: f64 = 1e-3;
 
-/// A residual that falls by less has reached what round-off leaves of it.
+/// Ratio of successive residuals above which the residual has reached round-off.
 const STAGNATION: f64 = 0.5;
 
-/// A Jacobian that is kept over steps is computed anew when the corrections shrink by less.
+/// Ratio of corrections above which a Jacobian kept over steps is computed anew.
 const SLOW: f64 = 0.3;
 
-/// So is one that is kept in a step.
+/// The same for a Jacobian kept in a step.
 const SLOW_IN_STEP: f64 = 0.1;
 
-/// Part of the limit at which corrections with a kept Jacobian end: they shrink by more in one
-/// direction than in another, and a direction of little inertia, such as the spin of a slender
-/// link, takes a small correction for a large change of its rate.
+/// Ratio to the limit at which corrections with a kept Jacobian end: they decrease at different
+/// rates in different directions, and in a direction of little inertia, such as the spin of a
+/// slender link, a small correction is a large change of the rate.
 const OF_KEPT: f64 = 1e-2;
 
-/// Corrections with a kept Jacobian do not fall below this [-]: where they should, it is not
+/// Least size of corrections with a kept Jacobian [-]: if a smaller one is required, it is not
 /// kept.
 const FLOOR: f64 = 1e-13;
 
-/// A kept Jacobian is computed anew after so many corrections in a step: as many as one
-/// costs.
+/// Number of corrections in a step after which a kept Jacobian is computed anew: they then cost
+/// as much as a Jacobian.
 const USES: usize = 5;
 
-/// A kept Jacobian is computed anew when the weights of the formula times the step have
-/// changed by more: the corrections would shrink by no more than this.
+/// Change of the weights of the scheme times the step above which a kept Jacobian is computed
+/// anew: corrections would not decrease faster than this.
 const CHANGED: f64 = 0.1;
 
-/// A correction of this size, in sizes of the system or radians, leads elsewhere.
+/// Size above which a correction leads to another solution [sizes of the system, or rad].
 const BEYOND_REASON: f64 = 10.0;
 
-/// Corrections that grow so much, twice, do not come back.
+/// Growth of corrections that means divergence if it occurs twice.
 const GROWTH: f64 = 2.0;
 
-/// Room for the history of an iteration is made for so many at first.
+/// Initial capacity of the history of an iteration.
 const MOST_ROOM: usize = 100;
 
-/// What a Jacobian was computed for.
+/// The conditions for which a Jacobian was computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Kept {
-    /// Weights of the formula times the step [s].
+    /// Weights of the scheme times the step [s].
     weights: [[f64; STAGES]; STAGES],
-    /// Whether it was computed in the step under way.
+    /// Whether it was computed in the current step.
     is_of_this_step: bool,
-    /// Corrections found with it in this step.
+    /// Number of corrections found with it in this step.
     uses: usize,
 }
 
-/// Moves the stages of a step from their prediction until the system holds.
+/// Corrects the stages of a step, from their prediction, until the equations are satisfied.
 #[derive(Debug)]
 pub(super) struct Corrector {
     stages: usize,
@@ -78,7 +78,7 @@ pub(super) struct Corrector {
     solver: StepSolver,
     kept: Option<Kept>,
     residuals: Vec<Residual>,
-    /// Right side, then the correction: the stages of an unknown next to each other.
+    /// Right side, then the correction: the stages of an unknown are adjacent.
     solution: Vec<f64>,
     /// Corrections so far, and the last one, of each stage.
     corrections: Vec<Vec<f64>>,
@@ -86,13 +86,13 @@ pub(super) struct Corrector {
     moved: Vec<f64>,
     rates: Vec<f64>,
     history: Vec<Iteration>,
-    /// First iteration that counts for the speed of convergence.
+    /// First iteration used for the rate of convergence.
     first: usize,
     worst: Worst,
 }
 
 impl Corrector {
-    /// For formulas of `stages` stages.
+    /// A corrector for schemes of `stages` stages.
     pub fn new(dae: &dyn Dae, stages: usize, limits: &StepLimits) -> Self {
         let pattern = dae.pattern();
         let n = pattern.size();
@@ -120,7 +120,7 @@ impl Corrector {
         }
     }
 
-    /// Drops the Jacobian and all that is kept of it.
+    /// Removes the Jacobian and all data kept from it.
     pub fn forget(&mut self) {
         self.kept = None;
         self.solver.forget();
@@ -131,17 +131,17 @@ impl Corrector {
         &self.history
     }
 
-    /// The worst equation when the last step ended.
+    /// The worst equation at the end of the last step.
     pub fn worst(&self) -> Worst {
         self.worst
     }
 
-    /// What the last stage has moved from its prediction.
+    /// Change of the last stage from its prediction.
     pub fn moved(&self) -> &[f64] {
         &self.moved
     }
 
-    /// Iterates from the predicted stages; the number of iterations when they converge.
+    /// Iterates from the predicted stages; returns the number of iterations if they converge.
     pub fn converge(
         &mut self,
         dae: &mut dyn Dae,
@@ -153,7 +153,7 @@ impl Corrector {
         self.begin();
         let weights = formula.weights.map(|row| row.map(|weight| length * weight));
         loop {
-            // The first iterate is never the last: where its Jacobian is due, residuals and
+            // The first iterate is never the last: if its Jacobian is due, residuals and
             // derivatives come from one evaluation.
             let is_both = self.history.len() == self.first && self.is_due(&weights, limits);
             match is_both {
@@ -162,7 +162,7 @@ impl Corrector {
             }
             if let Err(reason) = self.find_worst(dae) {
                 if is_both {
-                    // The factors at hand are those of another matrix.
+                    // The current factors belong to another matrix.
                     self.kept = None;
                 }
                 return Err(reason);
@@ -207,7 +207,7 @@ impl Corrector {
         }
     }
 
-    /// Back to the prediction, without the Jacobian that led astray.
+    /// Returns to the prediction, without the Jacobian of the diverging corrections.
     fn begin_again(&mut self, dae: &mut dyn Dae, weights: &[[f64; STAGES]; STAGES]) {
         for last in &mut self.last {
             last.fill(0.0);
@@ -257,8 +257,8 @@ impl Corrector {
         }
     }
 
-    /// What corrections that shrink by theta leave, theta / (1 - theta) of the last one; full
-    /// Newton leaves less.
+    /// Estimate of the remaining error with corrections that decrease by theta: theta / (1 -
+    /// theta) times the last one; with full Newton steps it is smaller.
     fn left(&self, last: &Iteration) -> f64 {
         match self.shrinking() {
             Some(theta) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
@@ -267,12 +267,12 @@ impl Corrector {
         }
     }
 
-    /// Whether the last correction was found with a Jacobian of another iterate of the step.
+    /// Whether the last correction was found with the Jacobian of another iterate of the step.
     fn is_with_kept(&self, limits: &StepLimits) -> bool {
         limits.jacobians == Jacobians::Full && self.kept.is_some_and(|kept| kept.uses > 1)
     }
 
-    /// Whether the last correction is so small that its residual need not be looked at.
+    /// Whether the last correction is so small that its residual need not be checked.
     fn is_last(&self, size: f64, limits: &StepLimits) -> bool {
         let part = if self.is_with_kept(limits) {
             OF_KEPT
@@ -282,10 +282,10 @@ impl Corrector {
         size <= part * limits.correction
     }
 
-    /// Whether the last correction was the last one that is needed.
+    /// Whether no further correction is needed.
     ///
-    /// Where stiffness is high the residual has a floor of round-off above its limit: then a
-    /// small correction is enough.
+    /// With high stiffness the round-off of the residual is above its limit: then a small
+    /// correction is sufficient.
     fn is_settled(&self, limits: &StepLimits) -> bool {
         let Some(last) = self.history[self.first..].last() else {
             return false;
@@ -367,8 +367,8 @@ impl Corrector {
         self.solver.is_doubtful()
     }
 
-    /// What the unknowns of the last stage move by where its residual is `right` less, which
-    /// they replace; `None` where the last Jacobian is in no doubt, or not kept.
+    /// Replaces `right` by the change of the unknowns of the last stage that reduces its
+    /// residual by `right`; `None` if the last Jacobian is not doubtful, or not kept.
     pub fn response(&mut self, right: &mut [f64]) -> Option<()> {
         if !self.solver.is_doubtful() {
             return None;
@@ -385,7 +385,7 @@ impl Corrector {
         Some(())
     }
 
-    /// Why the Jacobian was not factorized.
+    /// The reason why the Jacobian was not factorized.
     fn why_singular(&self) -> Reason {
         match self.solver.is_finite() {
             true => Reason::Singular,
@@ -393,7 +393,7 @@ impl Corrector {
         }
     }
 
-    /// Solves for the last correction; its size.
+    /// Solves for the last correction; returns its size.
     fn find_correction(
         &mut self,
         dae: &dyn Dae,
@@ -422,7 +422,7 @@ impl Corrector {
         let mut size = 0.0_f64;
         for stage in 0..stages {
             self.move_by(stage, weights, Moves::Last);
-            // The greater of a number and none is the number: none must be asked for.
+            // `f64::max` ignores NaN: it must be checked separately.
             let is_finite = self.moved.iter().all(|moved| moved.is_finite());
             size = match is_finite {
                 true => size.max(dae.size(stage, &self.moved)),
@@ -433,7 +433,7 @@ impl Corrector {
         Ok(size)
     }
 
-    /// Whether the iteration must begin again, with a new Jacobian.
+    /// Whether the iteration must restart with a new Jacobian.
     fn leads_astray(&self, size: f64) -> Result<bool, Reason> {
         let is_kept = self.kept.is_some_and(|kept| !kept.is_of_this_step);
         let grows = |pair: &&[Iteration]| pair[1].correction > GROWTH * pair[0].correction;
@@ -449,7 +449,7 @@ impl Corrector {
         }
     }
 
-    /// Adds the last correction and moves the stages.
+    /// Adds the last correction and updates the stages.
     fn apply(&mut self, dae: &mut dyn Dae, weights: &[[f64; STAGES]; STAGES]) {
         for (sum, last) in self.corrections.iter_mut().zip(&self.last) {
             for (sum, last) in sum.iter_mut().zip(last) {
@@ -462,7 +462,7 @@ impl Corrector {
         }
     }
 
-    /// What a stage moves by a correction of the rates of all stages.
+    /// Change of a stage by a correction of the rates of all stages.
     fn move_by(&mut self, stage: usize, weights: &[[f64; STAGES]; STAGES], moves: Moves) {
         let corrections = match moves {
             Moves::Last => &self.last,
@@ -482,7 +482,7 @@ impl Corrector {
     }
 }
 
-/// Which corrections move a stage.
+/// The corrections that change a stage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Moves {
     Last,

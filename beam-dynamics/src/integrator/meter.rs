@@ -2,8 +2,8 @@
 
 use super::Counters;
 
-/// Counts the work of a step, and times its phases, each from the end of the previous one: reading
-/// the clock costs as much as a phase of a small model.
+/// Counts the work of a step, and times its phases, each from the end of the previous one:
+/// reading the clock costs as much as a phase of a small model.
 pub(super) struct Meter<'a> {
     /// The counters so far.
     pub counters: &'a mut Counters,
@@ -23,7 +23,7 @@ impl<'a> Meter<'a> {
         }
     }
 
-    /// Ends a phase, and adds its time to the counter that `of` picks.
+    /// Ends a phase, and adds its time to the counter selected by `of`.
     pub fn end_phase(&mut self, of: fn(&mut Counters) -> &mut f64) {
         let now = (self.clock)();
         *of(self.counters) += now - self.began;

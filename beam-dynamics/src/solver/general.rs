@@ -1,5 +1,5 @@
-//! The factorization that chooses pivots anew for every matrix, for those that no kept
-//! pivots serve.
+//! The factorization that chooses pivots for every matrix, used if no kept pivots are good
+//! enough.
 
 use std::sync::{Arc, OnceLock};
 
@@ -12,11 +12,11 @@ use super::lu::Number;
 use super::scales::{Scales, scaled, scales};
 use crate::assembly::Pattern;
 
-/// Analysis of a pattern, made when it is first needed.
+/// Analysis of a pattern, made at its first use.
 #[derive(Debug, Clone)]
 pub(super) struct GeneralSolver {
     pattern: Arc<Pattern>,
-    /// Rows of the pattern as the analysis takes them, and the analysis.
+    /// Rows of the pattern in the format of the analysis, and the analysis.
     symbolic: OnceLock<(Vec<usize>, Option<SymbolicLu<usize>>)>,
 }
 
@@ -35,7 +35,7 @@ impl GeneralSolver {
         }
     }
 
-    /// Factorizes the matrix of the given values; `None` when it is singular or not finite.
+    /// Factorizes the matrix of the given values; `None` if it is singular or not finite.
     pub fn factorize<T: Number>(&self, values: &[T]) -> Option<GeneralLu<T>> {
         let pattern = &self.pattern;
         let (n, starts) = (pattern.size(), pattern.column_starts());

@@ -1,9 +1,9 @@
-//! Linear systems on one pattern: each matrix gives factors of its own, to be solved with as
-//! often as one likes.
+//! Linear systems on one pattern: each matrix has its own factors, which can be used for any
+//! number of solutions.
 //!
-//! Pivots and the pattern of the factors are kept from matrix to matrix while they serve; a
-//! matrix that no pivots serve is factorized by `general`. Solutions of real systems
-//! are refined once.
+//! Pivots and the pattern of the factors are reused for the next matrices while they are good
+//! enough; a matrix for which no pivots are is factorized by `general`. Solutions of real
+//! systems are refined once.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -13,14 +13,14 @@ use super::general::{GeneralLu, GeneralSolver};
 use super::lu::{LANES, Lu, Number, Plan, Row};
 use crate::assembly::{Pattern, Sparse};
 
-/// Plans that are kept.
+/// Maximum number of stored plans.
 const KEPT: usize = 4;
 
-/// Factorizes matrices on one pattern. A clone keeps pivots of its own from there on.
+/// Factorizes matrices on one pattern. A clone has its own pivots from then on.
 #[derive(Debug)]
 pub struct LinearSolver {
     pattern: Arc<Pattern>,
-    /// Those that were made, the latest first.
+    /// The stored plans, the latest first.
     plans: Mutex<Vec<Arc<Plan>>>,
     general: GeneralSolver,
 }
@@ -55,7 +55,7 @@ impl Clone for LinearSolver {
 }
 
 impl LinearSolver {
-    /// For matrices on a pattern.
+    /// A solver for matrices on a pattern.
     pub fn new(pattern: &Arc<Pattern>) -> Self {
         Self {
             pattern: Arc::clone(pattern),
@@ -68,7 +68,7 @@ impl LinearSolver {
         self.plans.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Factorizes `matrix`; `None` when it is singular or not finite.
+    /// Factorizes `matrix`; `None` if it is singular or not finite.
     pub fn factorize(&self, matrix: Sparse) -> Option<Factorization> {
         debug_assert!(Arc::ptr_eq(&self.pattern, matrix.pattern()));
         Some(Factorization {
@@ -77,7 +77,7 @@ impl LinearSolver {
         })
     }
 
-    /// Factorizes `a + s b`; `None` when it is singular to working precision.
+    /// Factorizes `a + s b`; `None` if it is singular to working precision.
     pub fn factorize_complex(
         &self,
         a: &Sparse,
@@ -90,8 +90,7 @@ impl LinearSolver {
         Some(ComplexFactorization { factors })
     }
 
-    /// Factors by a plan that is kept, or by one that is made for this matrix and kept from
-    /// now on.
+    /// Factors by a stored plan, or by a new one made for this matrix and stored.
     fn factors<T: Number>(&self, values: &[T]) -> Option<Factors<T>> {
         let kept = self.plans().clone();
         let by_plan = |plan| Lu::by_plan(plan, values).filter(Lu::is_trusted);
@@ -117,7 +116,7 @@ impl LinearSolver {
 }
 
 impl ComplexFactorization {
-    /// Solves `A x = b`, `b` being replaced by x; `None` when x is not finite.
+    /// Solves `A x = b` and replaces `b` by x; `None` if x is not finite.
     pub fn solve(&self, b: &mut [c64]) -> Option<()> {
         match &self.factors {
             Factors::Kept(lu) => lu.solve(b, &mut vec![c64::ZERO; lu.plan().room()]),
@@ -133,15 +132,15 @@ impl Factorization {
         self.matrix.pattern().size()
     }
 
-    /// Solves `A x = b`, `b` being replaced by x, with the factors as they are; `None` when
-    /// the solution is not finite.
+    /// Solves `A x = b` with the factors as they are and replaces `b` by x; `None` if the
+    /// solution is not finite.
     pub fn respond(&self, b: &mut [f64]) -> Option<()> {
         self.solve_once(b);
         b.iter().all(|value| value.is_finite()).then_some(())
     }
 
-    /// Solves `A x = b`, `b` being replaced by x, with one step of refinement;
-    /// `None` when the solution is not finite.
+    /// Solves `A x = b` with one step of refinement and replaces `b` by x; `None` if the
+    /// solution is not finite.
     pub fn solve(&self, b: &mut [f64]) -> Option<()> {
         let mut x = b.to_vec();
         self.solve_once(&mut x);
@@ -151,7 +150,7 @@ impl Factorization {
         b.iter().all(|value| value.is_finite()).then_some(())
     }
 
-    /// Solves `A X = B` as [`Self::solve`] does, some columns at a time.
+    /// Solves `A X = B` like [`Self::solve`], several columns at a time.
     pub fn solve_columns(&self, b: &mut Mat<f64>) -> Option<()> {
         let Factors::Kept(lu) = &self.factors else {
             let mut columns = 0..b.ncols();

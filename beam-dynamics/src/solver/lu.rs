@@ -1,11 +1,10 @@
-//! Factorization of many matrices on one pattern: pivots are chosen once and kept while
-//! they serve.
+//! Factorization of many matrices on one pattern: pivots are chosen once and kept while they
+//! are good enough.
 //!
-//! The first matrix is scaled, its pivots are chosen ([`pivots`]) and brought into an
-//! order in which blocks follow each other ([`order`]); the pattern of the factors is
-//! found in dense blocks ([`structure`]). Each matrix then takes arithmetic alone
-//! ([`numbers`], [`elimination`], [`solution`]), of large ones side by side in branches
-//! ([`branches`]).
+//! The first matrix is scaled, and its pivots are chosen ([`pivots`]) and sorted so that the
+//! columns of a block are consecutive ([`order`]); the pattern of the factors is found in dense
+//! blocks ([`structure`]). Each matrix then needs arithmetic only ([`numbers`],
+//! [`elimination`], [`solution`]), for large matrices in parallel branches ([`branches`]).
 //!
 //! References: [DavisPalamadai2010], which also keeps pivots and pattern.
 
@@ -32,23 +31,23 @@ use structure::Structure;
 use super::scales::scales;
 use crate::assembly::Pattern;
 
-/// Growth of the factors up to which they are taken without a look at the residual of
-/// the solution: six of sixteen digits are lost at most.
+/// Growth of the factors up to which they are accepted without a check of the residual of the
+/// solution: at most six of sixteen digits are lost.
 const TRUSTED_GROWTH: f64 = 1e6;
 /// Growth of the factors above which other pivots are chosen.
 const LARGEST_GROWTH: f64 = 1e10;
-/// Part of the least pivot, when pivots were chosen, below which a pivot is round-off:
-/// the matrix has become singular, or needs others.
+/// Ratio to the least pivot at the choice of pivots, below which a pivot is round-off: the
+/// matrix has become singular, or needs other pivots.
 const SHRUNK: f64 = 0.1;
 
-/// All that is chosen and found once, for one matrix, and kept for others.
+/// All choices and patterns found once, for one matrix, and reused for others.
 #[derive(Debug)]
 pub(super) struct Plan {
     pivots: Pivots,
     /// Scales of rows and of columns, in the order of elimination.
     scales: [Vec<f64>; 2],
     structure: Structure,
-    /// Relative size below which a pivot is none.
+    /// Relative size below which a pivot is treated as zero.
     least_pivot: f64,
 }
 
@@ -63,7 +62,7 @@ pub(super) struct Lu<T: Number> {
 }
 
 impl Plan {
-    /// Chooses pivots for the matrix of the given values; `None` when it is singular.
+    /// Chooses pivots for the matrix of the given values; `None` if it is singular.
     fn new<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Self> {
         let scales = scales(pattern, values)?;
         let pivots = pivots::choose(pattern, values, (&scales.0, &scales.1))?;
@@ -89,15 +88,15 @@ impl Plan {
         rows.zip(self.scales[0].iter().copied())
     }
 
-    /// Numbers that a solution needs room for.
+    /// Size of the buffer of a solution [numbers].
     pub fn room(&self) -> usize {
         solution::room(&self.structure)
     }
 }
 
 impl<T: Number> Lu<T> {
-    /// Chooses pivots for the matrix of the given values, and factorizes it; `None` when it
-    /// is singular.
+    /// Chooses pivots for the matrix of the given values, and factorizes it; `None` if it is
+    /// singular.
     pub fn choose(pattern: &Pattern, values: &[T]) -> Option<Self> {
         let mut plan = Plan::new(pattern, values)?;
         let mut numbers = Numbers::new(&plan.structure);
@@ -111,7 +110,7 @@ impl<T: Number> Lu<T> {
         })
     }
 
-    /// Factorizes by a plan that was made for another matrix; `None` when it does not serve.
+    /// Factorizes by a plan made for another matrix; `None` if the plan does not suit.
     pub fn by_plan(plan: &Arc<Plan>, values: &[T]) -> Option<Self> {
         let mut numbers = Numbers::new(&plan.structure);
         let (growth, least) = compute(plan, &mut numbers, values)?;
@@ -123,13 +122,13 @@ impl<T: Number> Lu<T> {
         })
     }
 
-    /// Factorizes another matrix by the same plan; `None` when other pivots are needed.
+    /// Factorizes another matrix by the same plan; `None` if other pivots are needed.
     pub fn factorize(&mut self, values: &[T]) -> Option<()> {
         (self.growth, self.least) = compute(&self.plan, &mut self.numbers, values)?;
         (self.least >= self.plan.least_pivot).then_some(())
     }
 
-    /// By which the matrix was factorized.
+    /// The plan by which the matrix was factorized.
     pub fn plan(&self) -> &Arc<Plan> {
         &self.plan
     }
@@ -139,7 +138,7 @@ impl<T: Number> Lu<T> {
         self.least
     }
 
-    /// Whether the factors are as good as the matrix but for a few digits.
+    /// Whether the factors are accurate to all but a few digits.
     pub fn is_trusted(&self) -> bool {
         self.growth < TRUSTED_GROWTH
     }
@@ -163,14 +162,14 @@ impl<T: Number> Lu<T> {
         }
     }
 
-    /// Numbers that are stored for the factors.
+    /// Number of stored values of the factors.
     pub fn stored(&self) -> usize {
         let structure = &self.plan.structure;
         structure.panel_values + structure.segment_values * LANES
     }
 }
 
-/// Computes the factors: how they grow, and the least pivot, relative to the matrix.
+/// Computes the factors; returns their growth, and the least pivot relative to the matrix.
 fn compute<T: Number>(plan: &Plan, numbers: &mut Numbers<T>, values: &[T]) -> Option<(f64, f64)> {
     let matrix = Scaled {
         values,

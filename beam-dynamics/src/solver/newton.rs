@@ -1,13 +1,13 @@
-//! Newton's method with a status that says what stood in the way.
+//! Newton's method with a status that gives the reason of a failure.
 
-/// A system of equations as Newton's method sees it.
+/// The interface of a system of equations for Newton's method.
 pub trait Equations {
-    /// The residual in order of the equations, and its largest entry relative to the
-    /// terms of its kind with the place of that entry.
+    /// The residual in order of the equations, and its largest entry relative to the terms of
+    /// its kind with the index of that entry.
     fn residual(&mut self) -> (Vec<f64>, Worst);
 
-    /// The correction `-J^-1 residual` with the Jacobian at the present state, or with that
-    /// of the last correction; `None` when the Jacobian is singular.
+    /// The correction `-J^-1 residual` with the Jacobian at the present state, or with the
+    /// Jacobian of the last correction; `None` if the Jacobian is singular.
     fn correction(&mut self, residual: &[f64], jacobian: Jacobian) -> Option<Vec<f64>>;
 
     /// Size of a correction relative to the size of the system [-].
@@ -17,12 +17,12 @@ pub trait Equations {
     fn correct(&mut self, correction: &[f64]);
 }
 
-/// Which Jacobian a correction takes.
+/// The Jacobian used for a correction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Jacobian {
-    /// That of the present state.
+    /// The Jacobian at the present state.
     Own,
-    /// That of the last correction.
+    /// The Jacobian of the last correction.
     Kept,
 }
 
@@ -31,7 +31,7 @@ pub enum Jacobian {
 pub struct Worst {
     /// Residual relative to the largest term of its kind [-].
     pub relative: f64,
-    /// Place of the equation.
+    /// Index of the equation.
     pub place: usize,
     /// The largest term of its kind [unit of the equation].
     pub scale: f64,
@@ -40,13 +40,13 @@ pub struct Worst {
 /// Limits of the iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Newton {
-    /// Size of the last correction [-]. The convergence being quadratic, the error
-    /// left is about its square.
+    /// Size of the last correction [-]. The convergence is quadratic: the remaining error is
+    /// about its square.
     pub correction: f64,
-    /// Iterations at most.
+    /// Maximum number of iterations.
     pub iterations: usize,
-    /// Size of a correction that is no way to the solution sought, but may be one to
-    /// another [-].
+    /// Size above which a correction does not lead to the solution sought, but possibly to
+    /// another one [-].
     pub largest: f64,
 }
 
@@ -69,12 +69,12 @@ pub struct Iteration {
     pub correction: f64,
 }
 
-/// How the iteration ended.
+/// End of the iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NewtonStatus {
     /// The last correction is small enough.
     Converged,
-    /// Too many iterations, or corrections that grow beyond reason.
+    /// Too many iterations, or corrections that grow too much.
     NotConverged,
     /// The Jacobian is singular.
     Singular,
@@ -83,29 +83,30 @@ pub enum NewtonStatus {
 /// End and history of an iteration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewtonReport {
-    /// How it ended.
+    /// Reason of the end.
     pub status: NewtonStatus,
-    /// What happened.
+    /// The iterations.
     pub history: Vec<Iteration>,
     /// Worst equation at the end.
     pub worst: Worst,
 }
 
-/// A correction of this size, in parts of the system or radians, leads elsewhere.
+/// Size above which a correction leads to another solution [parts of the system, or rad].
 const BEYOND_REASON: f64 = 10.0;
 
-/// Size of a correction after which the next one keeps the Jacobian: it changes in about
-/// this proportion, so that the next correction but one is as small as with its own.
+/// Size of a correction after which the next one keeps the Jacobian: the Jacobian changes in
+/// about this proportion, so that the correction after next is as small as with a new one.
 const NEAR: f64 = 1e-3;
-/// Part of the limit below which the last correction must be, where the Jacobian is kept.
+/// Ratio to the limit below which the last correction must be with a kept Jacobian.
 const OF_KEPT: f64 = 1e-2;
-/// A kept Jacobian makes corrections smaller by this factor at least, or is replaced.
+/// Least factor by which corrections with a kept Jacobian must decrease; otherwise it is
+/// replaced.
 const SHRINKS: f64 = 0.1;
 
 /// Solves `equations` from their present state.
 ///
-/// Once corrections are small, the Jacobian is kept: the error that the last one leaves is
-/// its size times that of the one at which the Jacobian was taken.
+/// Once corrections are small, the Jacobian is kept: the error after the last one is its size
+/// times the size of the correction at which the Jacobian was computed.
 pub fn solve(equations: &mut impl Equations, limits: &Newton) -> NewtonReport {
     let mut history = Vec::new();
     let (mut residual, mut worst) = equations.residual();
@@ -122,8 +123,8 @@ pub fn solve(equations: &mut impl Equations, limits: &Newton) -> NewtonReport {
             break;
         };
         let size = equations.size(&correction);
-        // How fast corrections by a kept Jacobian shrink is not known: those of slender beams
-        // do not tell what is left in the directions in which they are stiff.
+        // The rate at which corrections with a kept Jacobian decrease is unknown: corrections
+        // of slender beams do not show the remaining error in their stiff directions.
         let limit = match is_kept {
             true => OF_KEPT * limits.correction,
             false => limits.correction,
@@ -201,8 +202,8 @@ mod tests {
         let report = solve(&mut root, &Newton::default());
         assert_eq!(report.status, NewtonStatus::Converged);
         assert!((root.x - 2.0_f64.sqrt()).abs() < 1e-15);
-        // Corrections of x^2 = 2 from 1: .5, .083, 2.5e-3, 2.1e-6, and 1.6e-12 by the slope
-        // that the last one had.
+        // Corrections of x^2 = 2 from 1: .5, .083, 2.5e-3, 2.1e-6, and 1.6e-12 by the slope of
+        // the last one.
         assert_eq!(report.history.len(), 5);
     }
 

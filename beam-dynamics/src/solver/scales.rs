@@ -1,6 +1,6 @@
-//! Scales of the rows and columns of a matrix: rows and then columns are brought to a
-//! largest entry of one, so that forces of 1e7 N and angles of 1e-3 rad meet on equal terms
-//! where pivots are chosen.
+//! Scales of the rows and columns of a matrix: rows and then columns are scaled to a largest
+//! entry of one, so that forces of 1e7 N and angles of 1e-3 rad are comparable in the choice of
+//! pivots.
 
 use super::lu::Number;
 use crate::assembly::Pattern;
@@ -8,7 +8,7 @@ use crate::assembly::Pattern;
 /// Scales of rows, and of columns.
 pub(super) type Scales = (Vec<f64>, Vec<f64>);
 
-/// Scales for the matrix of the given values; `None` when a row or column is zero.
+/// Scales for the matrix of the given values; `None` if a row or column is zero.
 pub(super) fn scales<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Scales> {
     let n = pattern.size();
     let mut rows = vec![0.0_f64; n];
@@ -30,7 +30,7 @@ pub(super) fn scales<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Scale
     Some((inverse(rows)?, inverse(columns)?))
 }
 
-/// The values times the scales of their row and column.
+/// The values multiplied by the scales of their rows and columns.
 pub(super) fn scaled<T: Number>(pattern: &Pattern, values: &[T], scales: &Scales) -> Vec<T> {
     let (rows, columns) = scales;
     let mut scaled = values.to_vec();

@@ -6,52 +6,52 @@ use super::general::{GeneralLu, GeneralSolver};
 use super::lu::Lu;
 use crate::assembly::{Pattern, Sparse};
 
-/// Part of the usual least pivot below which a matrix may be nearly singular.
+/// Ratio to the usual least pivot below which a matrix may be nearly singular.
 const DOUBTFUL: f64 = 1e-3;
-/// Residual of a solution, relative to the terms of each equation, above which it is
-/// refined: Newton's method does not need less [-].
+/// Residual of a solution, relative to the terms of each equation, above which it is refined:
+/// Newton's method does not need a smaller one [-].
 const REFINED_ABOVE: f64 = 1e-9;
-/// Residual below which the factors are taken for further solutions without another look.
+/// Residual below which the factors are used for further solutions without another check.
 const VOUCHED_BELOW: f64 = 1e-12;
-/// Residual above which a solution is not taken [-].
+/// Residual above which a solution is rejected [-].
 const WRONG_ABOVE: f64 = 1e-6;
-/// Terms of an equation that are smaller than this part of the largest ones are
-/// rounding [-].
+/// Size of terms of an equation, relative to the largest ones, below which they are rounding
+/// [-].
 const SMALL: f64 = 1e-12;
 
-/// How often a solver did what.
+/// Number of operations of a solver, by kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LinearCounts {
     /// Factorizations on pivots of an earlier matrix.
     pub refactorizations: usize,
     /// Choices of pivots.
     pub pivotings: usize,
-    /// Factorizations of the other kind, where no chosen pivots serve.
+    /// Factorizations by the general method, if no chosen pivots are good enough.
     pub fallbacks: usize,
     /// Refinements of solutions.
     pub refinements: usize,
 }
 
-/// Factorizes matrices on one pattern, one after the other, and solves with the last.
+/// Factorizes successive matrices on one pattern, and solves with the last.
 ///
-/// Pivots are kept from matrix to matrix while the factors do not grow and solutions
-/// fulfill their equations. Where that fails new ones are chosen, and where these fail
-/// too, a factorization that chooses them anew for every matrix takes over. Nothing is
-/// allocated while pivots are kept.
+/// Pivots are kept from matrix to matrix while the factors do not grow and solutions satisfy
+/// their equations. Otherwise new ones are chosen, and if these fail too, the general
+/// factorization is used, which chooses pivots for every matrix. Nothing is allocated while
+/// pivots are kept.
 ///
 /// References: [Arioli1989], the error of a solution.
 #[derive(Debug)]
 pub struct StepSolver {
     matrix: Sparse,
     factors: Factors,
-    /// Whether a solution with these factors left next to no residual.
+    /// Whether a solution with these factors had a negligible residual.
     is_vouched: bool,
     right_side: Vec<f64>,
     residual: Vec<f64>,
     /// Sum of the absolute values of the terms of each equation.
     sizes: Vec<f64>,
-    /// Largest of the least pivots of all choices since nothing was kept, each relative to
-    /// its matrix.
+    /// Largest of the least pivots of all choices since the last reset, each relative to its
+    /// matrix.
     usual_least: f64,
     /// Unknowns in the order of elimination.
     ordered: Vec<f64>,
@@ -82,7 +82,7 @@ impl Factors {
 }
 
 impl StepSolver {
-    /// Prepares for matrices on a pattern.
+    /// A solver for matrices on a pattern.
     pub fn new(pattern: &Arc<Pattern>) -> Self {
         let zeros = vec![0.0; pattern.size()];
         Self {
@@ -99,12 +99,12 @@ impl StepSolver {
         }
     }
 
-    /// How often what was done so far.
+    /// Number of operations so far, by kind.
     pub fn counts(&self) -> LinearCounts {
         self.counts
     }
 
-    /// Numbers that the factors on chosen pivots hold, zeros in their blocks included.
+    /// Number of stored values of the factors on chosen pivots, zeros in their blocks included.
     pub fn stored(&self) -> usize {
         match &self.factors {
             Factors::Kept(lu) | Factors::Chosen(lu) => lu.stored(),
@@ -112,19 +112,19 @@ impl StepSolver {
         }
     }
 
-    /// Factorizes `matrix`; `None` when it is singular or not finite.
+    /// Factorizes `matrix`; `None` if it is singular or not finite.
     pub fn factorize(&mut self, matrix: &Sparse) -> Option<()> {
         self.matrix.values_mut().copy_from_slice(matrix.values());
         self.factorize_written()
     }
 
-    /// The last matrix, in which the next one may be written. Nothing is to be solved for
-    /// until that is factorized.
+    /// The last matrix, in which the next one may be written. That one must be factorized
+    /// before any solution.
     pub fn matrix_mut(&mut self) -> &mut Sparse {
         &mut self.matrix
     }
 
-    /// Factorizes what was written to [`Self::matrix_mut`]; `None` when it is singular or not
+    /// Factorizes the matrix written to [`Self::matrix_mut`]; `None` if it is singular or not
     /// finite.
     pub fn factorize_written(&mut self) -> Option<()> {
         self.is_vouched = false;
@@ -147,15 +147,15 @@ impl StepSolver {
         self.matrix.values().iter().all(|value| value.is_finite())
     }
 
-    /// Forgets the last matrix and all that was kept of it, such as the order of its
-    /// pivots: the next one is factorized as the first.
+    /// Removes the last matrix and all data kept from it, such as the order of its pivots: the
+    /// next one is factorized like the first.
     pub fn forget(&mut self) {
         self.factors = Factors::None;
         self.usual_least = 0.0;
     }
 
-    /// Solves `A x = b` with the last matrix, `b` being replaced by x; `None` when there
-    /// is no matrix, or x is not finite.
+    /// Solves `A x = b` with the last matrix and replaces `b` by x; `None` if there is no
+    /// matrix, or x is not finite.
     pub fn solve(&mut self, b: &mut [f64]) -> Option<()> {
         if b.iter().any(|value| !value.is_finite()) {
             return None;
@@ -176,8 +176,8 @@ impl StepSolver {
         self.attempt(b)?.then_some(())
     }
 
-    /// Whether the last matrix may be nearly singular: its pivots are much smaller than
-    /// those that were chosen since nothing was kept.
+    /// Whether the last matrix may be nearly singular: its pivots are much smaller than the
+    /// pivots chosen since the last reset.
     pub fn is_doubtful(&self) -> bool {
         match &self.factors {
             Factors::None => false,
@@ -186,8 +186,8 @@ impl StepSolver {
         }
     }
 
-    /// Solves `A x = b` with the factors at hand as they are, `b` being replaced by x;
-    /// `None` when there are none.
+    /// Solves `A x = b` with the current factors as they are and replaces `b` by x; `None` if
+    /// there are no factors.
     pub fn respond(&mut self, b: &mut [f64]) -> Option<()> {
         self.factors.solve(b, &mut self.ordered)
     }
@@ -209,7 +209,7 @@ impl StepSolver {
         Some(())
     }
 
-    /// The other factorization; `None` when it does not solve `A x = A 1`.
+    /// The general factorization; `None` if it does not solve `A x = A 1`.
     fn fall_back(&mut self) -> Option<()> {
         self.counts.fallbacks += 1;
         self.factors = Factors::None;
@@ -224,7 +224,7 @@ impl StepSolver {
         Some(())
     }
 
-    /// Solves with the factors at hand; whether x fulfills the equations.
+    /// Solves with the current factors; returns whether x satisfies the equations.
     fn attempt(&mut self, b: &mut [f64]) -> Option<bool> {
         self.factors.solve(b, &mut self.ordered)?;
         let finite = |x: &[f64]| x.iter().all(|value| value.is_finite());
@@ -246,7 +246,7 @@ impl StepSolver {
     /// Corrects x by the solution for its residual.
     fn refine(&mut self, x: &mut [f64]) {
         self.counts.refinements += 1;
-        // There are factors: they gave x.
+        // There are factors: x was computed with them.
         let _ = self.factors.solve(&mut self.residual, &mut self.ordered);
         let corrections = x.iter_mut().zip(&self.residual);
         corrections.for_each(|(x, correction)| *x += correction);

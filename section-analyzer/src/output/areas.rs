@@ -50,7 +50,7 @@ fn named(row: &AreaProperties, cells: impl Iterator<Item = String>) -> Vec<Strin
     std::iter::once(row.name.clone()).chain(cells).collect()
 }
 
-/// `value`, or zero where it is round-off beside `scale`.
+/// `value`, or zero if it is round-off compared with `scale`.
 fn shown(value: f64, scale: f64) -> String {
     number(if value.abs() <= super::text::ZERO * scale {
         0.0
@@ -95,11 +95,10 @@ const HEADING: [&str; 18] = [
     "mass [kg/m]",
 ];
 
-/// A row a region and one of the whole section, called `total`, as CSV.
+/// One row per region and one for the whole section, called `total`, as CSV.
 ///
-/// `first_moment_y` is `int y dA`, `iyy` is `int z^2 dA`, `izz` is
-/// `int y^2 dA`, all about the reference point; those called central are about the
-/// centroid of the row.
+/// `first_moment_y` is `int y dA`, `iyy` is `int z^2 dA`, `izz` is `int y^2 dA`, all about the
+/// reference point; moments called central are about the centroid of the row.
 pub fn areas_csv(areas: &AreaTable) -> String {
     let rows = areas.regions.iter().chain([&areas.total]).map(csv_row);
     super::text::csv(std::iter::once(HEADING.map(str::to_owned).to_vec()).chain(rows))

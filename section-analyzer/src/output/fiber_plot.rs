@@ -1,9 +1,9 @@
-//! Where the fibers run: the wall direction and its normal in a choice of cells,
-//! and the fiber angle of every cell as its color.
+//! The fiber directions: the wall direction and its normal in a choice of cells, and the fiber
+//! angle of every cell as its color.
 //!
 //! ```text
 //!      ----> s      flag: the pole is the wall normal n, the arrow the wall
-//!     |             direction s, both at the plane angle; the foot stands in
+//!     |             direction s, both at the plane angle; the foot is in
 //!     | n           the cell and has its color
 //!     o
 //! ```
@@ -29,8 +29,8 @@ use crate::section::Section;
 /// Height of the legend, and of one of its lines [figure pixels].
 const LEGEND: f64 = 330.0;
 const LINE: f64 = 54.0;
-/// Feet of flags are at least this far apart [figure pixels]; less where their
-/// arrows point in other directions, as in a web and in the skins above and below.
+/// Least distance between feet of flags [figure pixels]; smaller if their arrows point in other
+/// directions, as in a web and in the adjacent skins.
 const SPACING: f64 = 105.0;
 const CLOSE: f64 = 48.0;
 /// Cosine of the angle from which arrows point in other directions.
@@ -38,11 +38,11 @@ const OTHER: f64 = 0.87;
 /// Length of the pole and of the arrow of a flag [figure pixels].
 const POLE: f64 = 34.0;
 const ARROW: f64 = 62.0;
-/// Width of the rim of a flag [figure pixels].
+/// Width of the white rim of a flag [figure pixels].
 const RIM: f64 = 2.5;
-/// Room around the section, for flags [figure pixels].
+/// Margin around the section, for flags [figure pixels].
 const MARGIN: f64 = 90.0;
-/// Ends of the scale of angles, of which the least that fits is taken [deg].
+/// Ends of the scale of angles, of which the least sufficient one is used [deg].
 const SCALES: [f64; 4] = [15.0, 30.0, 60.0, 90.0];
 /// Lines between cells [figure pixels].
 const FAINT: RGBColor = RGBColor(120, 120, 120);
@@ -58,9 +58,9 @@ pub struct FiberPlot<'a> {
     wall: f64,
     /// End of the scale of angles [deg].
     scale: f64,
-    /// Cells that bear a flag.
+    /// Cells with a flag.
     flags: Vec<usize>,
-    /// The plies of a wall, where they are too thin to be seen.
+    /// The plies of a wall, if they are too thin to be seen.
     layup: Option<LayupStrip>,
 }
 
@@ -70,7 +70,7 @@ fn has_directions(section: &Section, cell: usize) -> bool {
     !material.is_none_or(|material| matches!(material.law, ElasticLaw::Isotropic { .. }))
 }
 
-/// The fiber angle as that of a line, from -90 to 90 [deg].
+/// The fiber angle as the angle of a line, from -90 to 90 [deg].
 fn line_angle(angle: f64) -> f64 {
     let degrees = angle.to_degrees();
     let turned = degrees - 180.0 * (degrees / 180.0).round();
@@ -88,7 +88,7 @@ impl<'a> FiberPlot<'a> {
         let scale = SCALES.into_iter().find(|scale| largest <= scale + 1e-6);
         let bare = Extent::of(section.mesh.nodes.iter().copied());
         let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
-        // pixels become meters before the frame is known: those of the widest frame
+        // pixels are converted to meters before the frame is known: by the widest frame
         let pixel = (0..2).map(|axis| bare.size(axis) / (room[axis] - 2.0 * MARGIN));
         let margin = MARGIN * pixel.fold(0.0, f64::max);
         let plane = Plane::fitted(bare.grown(margin), [LEFT, TOP], room);
@@ -216,7 +216,7 @@ impl Drawing for FiberPlot<'_> {
             self.flags.len(),
             self.section.cells.len(),
             match self.wall < THINNEST {
-                true => "; walls are drawn wider than they are",
+                true => "; walls are drawn wider than in reality",
                 false => "",
             }
         );
@@ -266,18 +266,18 @@ impl Flag {
         (self.angle - other.angle).cos() < OTHER
     }
 
-    /// Whether the arrows of both can be told apart.
+    /// Whether the arrows of both can be distinguished.
     fn leaves_room(&self, other: &Self) -> bool {
         let distance = self.distance(other);
         distance >= SPACING || (distance >= CLOSE && self.points_elsewhere(other))
     }
 }
 
-/// Cells among `cells` that stand far enough from each other for a flag each, and
-/// one for each physical surface with directions that no flag near it shows.
+/// Cells among `cells` that are far enough from each other for a flag each, and one for each
+/// physical surface with directions that no flag near it shows.
 fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
     let mut chosen: Vec<Flag> = Vec::new();
-    // by squares as wide as the distance, with a rim of empty ones
+    // in squares as wide as the distance, with a border of empty ones
     let [columns, rows] = [0, 1].map(|axis| (plane.frame[axis] / SPACING) as usize + 3);
     let mut near: Vec<Vec<Flag>> = vec![Vec::new(); columns * rows];
     for &cell in cells {
@@ -323,8 +323,8 @@ fn center(section: &Section, cell: usize) -> [f64; 2] {
     }
 }
 
-/// A flag with its foot at a place of the figure and its arrow at `angle` from +y; its foot
-/// has a color, and all of it a white rim \[figure pixels\].
+/// A flag with its foot at a position of the figure and its arrow at `angle` from +y; its foot
+/// has a color, and the whole flag a white rim \[figure pixels\].
 fn draw_flag<B: DrawingBackend>(
     canvas: &Canvas<B>,
     foot: [f64; 2],
@@ -345,7 +345,7 @@ fn draw_flag<B: DrawingBackend>(
             at(ARROW - 22.0 - rim, POLE - 10.0 - 1.4 * rim),
         ]
     };
-    // a white rim keeps it apart from dark colors
+    // a white rim separates it from dark colors
     if rim > 0.0 {
         canvas.line(&line, 3.5 + 2.0 * rim, WHITE)?;
         canvas.polygon(&head(rim), WHITE)?;
@@ -362,10 +362,10 @@ mod tests {
     use super::*;
     use crate::section::samples::of_quadrilaterals;
 
-    /// A row of 40 squares with the arrow along it, and a square beside its middle
-    /// in a surface of its own: on the figure, 1560 pixels wide, the squares are 36
-    /// pixels wide, so that every third of the row bears a flag, and the one beside
-    /// it does only where its arrow points elsewhere.
+    /// A row of 40 squares with the arrow along it, and a square next to its middle in its own
+    /// surface: on the figure, 1560 pixels wide, the squares are 36 pixels wide, so that every
+    /// third of the row has a flag, and the one next to it only if its arrow points in another
+    /// direction.
     #[test]
     fn flags_leave_room_and_show_every_direction() {
         let flags = |angle: f64| {

@@ -28,26 +28,26 @@ use rim::Rim;
 use scale::Scale;
 use surface::Surface;
 
-/// Height of the frame at most [figure pixels].
+/// Maximum height of the frame [figure pixels].
 const HIGHEST: f64 = 1150.0;
-/// Room right of the frame [figure pixels].
+/// Margin right of the frame [figure pixels].
 const RIGHT: f64 = 70.0;
-/// Room above the frame, for the title and a line below it; height of a line more.
+/// Margin above the frame, for the title and a line below it; height of a further line.
 const TOP: f64 = 155.0;
 const NOTE: f64 = 50.0;
-/// Room between frame and color bar, for ticks and the name of the axis.
+/// Space between frame and color bar, for ticks and the name of the axis.
 const BELOW: f64 = 165.0;
-/// Room of the color bar with its ticks and its name.
+/// Space for the color bar with its ticks and its name.
 const BAR: f64 = 185.0;
 /// Height of a line of the legend [figure pixels].
 const LINE: f64 = 58.0;
-/// Walls thinner than this are drawn about as wide, so that their colors can be seen;
-/// those thinner by less than a quarter stay as they are.
+/// Width to which thinner walls are widened, so that their colors can be seen; a wall that is
+/// thinner by less than a quarter is not changed.
 const THINNEST: f64 = 14.0;
 const QUARTER: f64 = 0.8;
-/// Regions narrower than this are drawn without their borders.
+/// Width below which regions are drawn without their borders.
 const NARROWEST: f64 = 6.0;
-/// Room around the section, relative to its size.
+/// Margin around the section, relative to its size.
 const MARGIN: f64 = 0.05;
 
 /// The figure of a field over a section.
@@ -60,19 +60,19 @@ pub struct FieldPlot<'a> {
     plane: Plane,
     field: Field,
     scale: Scale,
-    /// Lowest and highest value; none where all are the same.
+    /// Lowest and highest value; empty if all are the same.
     extremes: Option<[Extreme; 2]>,
     sides: Vec<Side>,
     /// Width of the walls on the figure [figure pixels].
     wall: f64,
     /// Width of each region on the figure [figure pixels].
     regions: Vec<f64>,
-    /// Lines of words below the title: on the load case, then more, if any.
+    /// Lines of text below the title: the load case, then further lines, if any.
     words: Vec<String>,
 }
 
 impl<'a> FieldPlot<'a> {
-    /// The figure of `field` on `section`, under what the lines `load` say.
+    /// The figure of `field` on `section`, with the lines `load` below the title.
     pub(super) fn new(
         section: &'a Section,
         summary: &InputSummary,
@@ -130,7 +130,7 @@ impl<'a> FieldPlot<'a> {
         if self.extremes.is_some() { 2.0 } else { 1.0 }
     }
 
-    /// How far the rim of the section is drawn outside of where it is.
+    /// Distance by which the boundary of the section is drawn outside of its position.
     fn swelling(&self) -> f64 {
         match self.wall < QUARTER * THINNEST {
             true => 0.5 * (THINNEST - self.wall),
@@ -181,7 +181,7 @@ impl<'a> FieldPlot<'a> {
         }
     }
 
-    /// Lines between materials: the walls around a core are walls of their own.
+    /// Lines between materials: the walls around a core are separate walls.
     fn material_borders(&self) -> Vec<Vec<[f64; 2]>> {
         let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
         let material = |cell: usize| self.section.cells[cell].material;
@@ -192,7 +192,7 @@ impl<'a> FieldPlot<'a> {
             .collect()
     }
 
-    /// Lines between regions, where these are wide enough to be seen beside them.
+    /// Lines between regions, if these are wide enough compared with the lines.
     fn draw_borders<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
         let borders = self
@@ -219,7 +219,7 @@ impl<'a> FieldPlot<'a> {
         Ok(())
     }
 
-    /// Lowest and highest value with their places, below the color bar.
+    /// Lowest and highest value with their positions, below the color bar.
     fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let top = self.legend();
         let label = Label::new(0.94 * TEXT).colored(INK);
@@ -277,8 +277,8 @@ impl Figure for FieldPlot<'_> {
     }
 }
 
-/// Words on walls that are drawn thicker than they are: `wall` in the unit of the
-/// figure and in figure pixels.
+/// Note on walls that are drawn thicker than in reality: `wall` in the unit of the figure and
+/// in figure pixels.
 fn wall_words(wall: f64, pixels: f64, unit: &PlotUnit) -> Option<String> {
     let ratio = tick_label(rounded(THINNEST / pixels), 0.0);
     let wall = tick_label(rounded(wall), 0.0);

@@ -1,4 +1,4 @@
-//! What the figures of a section have in common: margins, title, cells, color bar.
+//! Common parts of the figures of a section: margins, title, cells, color bar.
 
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;
@@ -6,39 +6,39 @@ use shared_geom::figure::{Canvas, Drawing, FigureProblem, Label, TEXT};
 
 use super::plane::INK;
 
-/// Height of a frame at most, where nothing but a legend stands below it [figure pixels].
+/// Maximum height of a frame if only a legend is below it [figure pixels].
 pub(super) const HIGHEST: f64 = 1250.0;
-/// Room left of the frame, for ticks and the name of the axis [figure pixels].
+/// Margin left of the frame, for ticks and the name of the axis [figure pixels].
 pub(super) const LEFT: f64 = 190.0;
-/// Room right of the frame [figure pixels].
+/// Margin right of the frame [figure pixels].
 pub(super) const RIGHT: f64 = 50.0;
-/// Room above the frame, for the title and a line below it [figure pixels].
+/// Margin above the frame, for the title and a line below it [figure pixels].
 pub(super) const TOP: f64 = 150.0;
-/// Room between frame and legend, for ticks and the name of the axis [figure pixels].
+/// Space between frame and legend, for ticks and the name of the axis [figure pixels].
 pub(super) const BELOW: f64 = 135.0;
 
-/// Walls thinner than this cannot be seen: they are drawn as wide [figure pixels].
+/// Width to which walls too thin to be seen are widened [figure pixels].
 pub(super) const THINNEST: f64 = 5.0;
 
-/// Walls thinner than this have no white around what stands on them, which would erase
-/// them [figure pixels].
+/// Width below which marks on a wall have no white rim, which would hide the wall
+/// [figure pixels].
 pub(super) const SPARED: f64 = 30.0;
 
-/// Size of a title that stands alone above a frame.
+/// Size of a title that is alone above a frame.
 pub(super) const TITLE: f64 = 1.15 * TEXT;
-/// Letters are at most this much wider when they are bold.
+/// Largest ratio of the width of bold letters to others.
 const BOLD: f64 = 1.2;
 /// Pieces of a color bar, each of one color.
 const STEPS: u32 = 256;
 
-/// A drawing that knows how large it is.
+/// A drawing with a known size.
 pub trait Figure: Drawing {
     /// Width and height \[figure pixels\].
     fn size(&self) -> (u32, u32);
 }
 
-/// The name of the section, cut where it is too long for `room`, and `what` is shown of
-/// it; letters of `size` at `place` [figure pixels].
+/// The name of the section, cut if it is longer than the width `room`, and `what` is shown;
+/// letters of `size` at the position `place` [figure pixels].
 pub(super) fn draw_title<B: DrawingBackend>(
     canvas: &Canvas<B>,
     [name, what]: [&str; 2],
@@ -51,8 +51,7 @@ pub(super) fn draw_title<B: DrawingBackend>(
     canvas.text(&(canvas.shortened(name, label, left) + what), place, label)
 }
 
-/// Fills a cell, or a piece of one, and where `is_thin` its rim too, so that it can be
-/// seen.
+/// Fills a cell, or a piece of one, and if `is_thin` its rim too, so that it can be seen.
 pub(super) fn fill_cell<B: DrawingBackend>(
     canvas: &Canvas<B>,
     mut corners: Vec<[f64; 2]>,

@@ -6,7 +6,7 @@ use shared_geom::files::{OutputProblem, make_folder};
 
 use super::stress_plots::STRESS_PLOTS;
 
-/// Where the results of one section go: `FOLDER/NAME.properties.json` and so on.
+/// Paths of the results of one section: `FOLDER/NAME.properties.json` and so on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputFiles {
     folder: PathBuf,
@@ -14,8 +14,8 @@ pub struct OutputFiles {
 }
 
 impl OutputFiles {
-    /// The files of the section called `name` in `folder`, which is made if it does
-    /// not exist.
+    /// The files of the section called `name` in `folder`, which is created if it does not
+    /// exist.
     ///
     /// # Errors
     /// [`OutputProblem::Folder`].
@@ -32,7 +32,7 @@ impl OutputFiles {
         &self.folder
     }
 
-    /// The name of the section, with which the names of its files begin.
+    /// The name of the section, with which its file names begin.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -92,12 +92,12 @@ impl OutputFiles {
         self.path(&format!("{load}.stress.csv"))
     }
 
-    /// The table of the means of the cells under `load`.
+    /// The table of the cells' means under `load`.
     pub fn stress_cells(&self, load: &str) -> PathBuf {
         self.path(&format!("{load}.stress_cells.csv"))
     }
 
-    /// The table of the smoothed nodes under `load`.
+    /// The table of smoothed values at nodes under `load`.
     pub fn stress_nodes(&self, load: &str) -> PathBuf {
         self.path(&format!("{load}.stress_nodes.csv"))
     }
@@ -107,7 +107,7 @@ impl OutputFiles {
         self.path(&format!("{load}.stress.txt"))
     }
 
-    /// Removes the files of `load` of an earlier run.
+    /// Removes the files of `load` from an earlier run.
     pub fn remove_stresses(&self, load: &str) {
         remove([
             self.stress_report(load),
@@ -144,7 +144,7 @@ impl OutputFiles {
         self.path(&format!("field_{}.png", in_file(electrode)))
     }
 
-    /// Removes table and figures of the electrodes called `names` of an earlier run.
+    /// Removes table and figures of the electrodes called `names` from an earlier run.
     pub fn remove_electrodes<'a>(&self, names: impl IntoIterator<Item = &'a str>) {
         remove([self.electrodes()]);
         for name in names {
@@ -157,7 +157,7 @@ impl OutputFiles {
         self.path("sensitivity.json")
     }
 
-    /// Removes the derivatives of an earlier run, for one that does not ask for them.
+    /// Removes the derivatives of an earlier run, for a run that does not request them.
     pub fn remove_sensitivity(&self) {
         remove([self.sensitivity()]);
     }
@@ -166,8 +166,7 @@ impl OutputFiles {
         self.folder.join(format!("{}.{ending}", self.name))
     }
 
-    /// Removes the results of an earlier run that an analysis that failed does not
-    /// replace.
+    /// Removes the results of an earlier run that a failed analysis does not replace.
     pub fn remove_results(&self) {
         remove([
             self.properties(),
@@ -187,8 +186,8 @@ impl OutputFiles {
     }
 }
 
-/// The name of an electrode in that of a file: letters, digits, `-` and `_` stay, others
-/// are told by their code, so that two names make two files.
+/// The name of an electrode in a file name: letters, digits, `-` and `_` are kept, others are
+/// replaced by their codes, so that two names make two files.
 fn in_file(name: &str) -> String {
     let letter = |letter: char| match letter {
         'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' => letter.to_string(),
@@ -197,7 +196,7 @@ fn in_file(name: &str) -> String {
     name.chars().map(letter).collect()
 }
 
-/// Removes files, figures in both formats; one that does not exist is no problem.
+/// Removes files, figures in both formats; missing files are ignored.
 fn remove<const N: usize>(files: [PathBuf; N]) {
     for file in files {
         if file.extension().is_some_and(|ending| ending == "png") {
@@ -211,7 +210,7 @@ fn remove<const N: usize>(files: [PathBuf; N]) {
 mod tests {
     use super::*;
 
-    /// Names that a file system may not take, or take for another, keep files apart.
+    /// Names that a file system rejects or does not distinguish have different files.
     #[test]
     fn electrodes_of_any_name_have_files_of_their_own() {
         let files = OutputFiles {

@@ -1,7 +1,7 @@
-//! The plies of a wall one by one, where they are too thin to be seen in the figure.
+//! The plies of a wall one by one, if they are too thin to be seen in the figure.
 //!
-//! A straight cut runs from the middle of a side of the boundary along its normal to the
-//! other face of the wall; cells of one material and fiber angle behind each other are a ply.
+//! A straight cut runs from the middle of a side of the boundary along its normal to the other
+//! face of the wall; consecutive cells of one material and fiber angle are a ply.
 
 use plotters::backend::DrawingBackend;
 use plotters::style::RGBColor;
@@ -14,21 +14,21 @@ use super::text::rounded;
 use crate::mesh::distance;
 use crate::section::{CellMaterial, Section};
 
-/// Plies thinner than this are told beside the figure too [figure pixels].
+/// Thickness below which plies are also shown next to the figure [figure pixels].
 const THIN: f64 = 12.0;
-/// Cuts that are tried at most.
+/// Maximum number of cuts tried.
 const CUTS: usize = 400;
-/// Sine of the angle up to which a cut may cross a ply obliquely.
+/// Sine of the largest oblique angle between a cut and the normal of a ply.
 const OBLIQUE: f64 = 0.35;
-/// Height of a row, and of what stands above the first [figure pixels].
+/// Height of a row, and of the part above the first row [figure pixels].
 const ROW: f64 = 46.0;
 const HEADING: f64 = 80.0;
-/// Rows of a column, and columns, at most.
+/// Maximum number of rows of a column, and of columns.
 const ROWS: usize = 12;
 const COLUMNS: usize = 2;
 /// Width of a ply of the strip [figure pixels].
 const BOX: f64 = 110.0;
-/// How far the cut is drawn beyond the wall [figure pixels].
+/// Length of the drawn cut beyond the wall [figure pixels].
 const BEYOND: f64 = 26.0;
 
 /// A ply of a wall.
@@ -49,8 +49,8 @@ pub(super) struct LayupStrip {
 }
 
 impl LayupStrip {
-    /// The wall with the most plies, if it has more than two and one of them is too thin to
-    /// be seen where a meter is `scale` figure pixels.
+    /// The wall with the most plies, if it has more than two and one of them is too thin to be
+    /// seen, with `scale` figure pixels per meter.
     pub fn new(section: &Section, outline: &Outline, scale: f64) -> Option<Self> {
         let of_cells = sides_of_cells(section, &outline.sides);
         let boundary = outline.sides.iter().enumerate();
@@ -59,7 +59,7 @@ impl LayupStrip {
         let step = boundary.len().div_ceil(CUTS).max(1);
         let cuts = boundary.iter().step_by(step);
         let walls = cuts.filter_map(|&side| cut(section, &outline.sides, &of_cells, side));
-        // the first of those with as many
+        // the first of several with the same number
         let wall = walls.reduce(|best, wall| match wall.plies.len() > best.plies.len() {
             true => wall,
             false => best,
@@ -95,8 +95,8 @@ impl LayupStrip {
         canvas.text("1", at(a, -BEYOND - 0.6 * TEXT), label)
     }
 
-    /// Draws the plies below each other from the first end of the cut, each
-    /// in the color of its cells and as high as the others.
+    /// Draws the plies below each other from the first end of the cut, in the colors of their
+    /// cells and with equal heights.
     pub fn draw<B: DrawingBackend>(
         &self,
         canvas: &Canvas<B>,
@@ -144,7 +144,7 @@ impl Ply {
     }
 }
 
-/// Numbers of the sides of each cell; those of triangles have one less.
+/// Numbers of the sides of each cell; triangles have one side less.
 fn sides_of_cells(section: &Section, sides: &[Side]) -> Vec<[Option<u32>; 4]> {
     let mut of_cells = vec![[None; 4]; section.mesh.cells.len()];
     for (side, number) in sides.iter().zip(0..) {
@@ -158,8 +158,8 @@ fn sides_of_cells(section: &Section, sides: &[Side]) -> Vec<[Option<u32>; 4]> {
     of_cells
 }
 
-/// Cuts the wall from the side of the boundary with this number to its other face; `None`
-/// where the cut runs along plies or out of cells.
+/// Cuts the wall from the side of the boundary with this number to its other face; `None` if
+/// the cut runs along plies or out of cells.
 fn cut(
     section: &Section,
     sides: &[Side],
@@ -212,8 +212,8 @@ fn is_same(one: &CellMaterial, other: &CellMaterial) -> bool {
     one.material == other.material && (one.fiber_angle - other.fiber_angle).abs() < 1e-6
 }
 
-/// How far along the line from `origin` it crosses the straight side between these ends;
-/// `None` where it passes by.
+/// Distance along the line from `origin` to its crossing with the straight side between these
+/// ends; `None` if they do not cross.
 fn crossing(origin: [f64; 2], along: [f64; 2], [a, b]: [[f64; 2]; 2]) -> Option<f64> {
     let (side, to) = (
         [b[0] - a[0], b[1] - a[1]],
@@ -223,7 +223,7 @@ fn crossing(origin: [f64; 2], along: [f64; 2], [a, b]: [[f64; 2]; 2]) -> Option<
     let turn = cross(along, side);
     let part = cross(to, along) / turn;
     let depth = cross(to, side) / turn;
-    // through a node it crosses both sides there
+    // at a node it crosses both sides
     ((-1e-6..=1.0 + 1e-6).contains(&part) && depth.is_finite()).then_some(depth)
 }
 
@@ -232,8 +232,8 @@ mod tests {
     use super::*;
     use crate::section::samples::of_quadrilaterals;
 
-    /// A strip of 20 x 6 cells of 10 by 0.1: four plies, the middle two cells one of them,
-    /// and the same as ends of the strip, where cuts along it are none.
+    /// A strip of 20 x 6 cells of 10 by 0.1: five plies, the middle one two cells thick. Cuts
+    /// from the ends of the strip run along plies and are rejected.
     #[test]
     fn plies_are_told_from_one_face_to_the_other() {
         let nodes =

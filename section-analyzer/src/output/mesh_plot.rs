@@ -19,15 +19,15 @@ use crate::section::Section;
 
 /// Height of a line of the legend [figure pixels].
 const LINE: f64 = 62.0;
-/// Cells narrower than this are drawn without the lines between them.
+/// Width below which cells are drawn without the lines between them.
 const NARROWEST: f64 = 7.0;
-/// Centers farther from the section than this part of its size are not drawn.
+/// Distance above which centers are not drawn, relative to the size of the section.
 const REACH: f64 = 1.0;
 /// Lines between cells of one material are darker than the cells by this factor.
 const SHADE: f64 = 0.62;
 /// Width of the white rim of a mark [figure pixels].
 const RIM: f64 = 2.25;
-/// Materials in the legend at most.
+/// Maximum number of materials in the legend.
 const NAMES: usize = 12;
 
 /// The figure of a mesh.
@@ -40,9 +40,9 @@ pub struct MeshPlot<'a> {
     plane: Plane,
     sides: &'a [Side],
     marks: Vec<Mark>,
-    /// Number of the color of each material; those of no cell have none.
+    /// Color index of each material; materials of no cell have none.
     color_of: Vec<usize>,
-    /// Number of materials that cells are made of.
+    /// Number of materials used by cells.
     colors: usize,
     /// Width of the walls on the figure [figure pixels].
     wall: f64,
@@ -58,7 +58,7 @@ struct Mark {
     shape: Shape,
 }
 
-/// Shapes that can be told apart even where they lie on each other.
+/// Shapes that can be distinguished even if they overlap.
 #[derive(Debug, Clone, Copy)]
 enum Shape {
     Disc,
@@ -68,7 +68,7 @@ enum Shape {
 }
 
 impl<'a> MeshPlot<'a> {
-    /// The figure of `section`; without centers when the analysis failed.
+    /// The figure of `section`; without centers if the analysis failed.
     pub fn new(
         section: &'a Section,
         outline: &'a Outline,
@@ -102,7 +102,7 @@ impl<'a> MeshPlot<'a> {
         }
     }
 
-    /// Names of the materials that cells are made of, in the order of their colors.
+    /// Names of the materials used by cells, in the order of their colors.
     fn legend_names(&self) -> Vec<String> {
         let mut names = vec![String::new(); self.colors];
         for (material, &color) in self.section.materials.iter().zip(&self.color_of) {
@@ -131,12 +131,12 @@ impl<'a> MeshPlot<'a> {
         canvas.text(&line, [LEFT, 105.0], Label::new(0.88 * TEXT).colored(INK))
     }
 
-    /// Words on walls that are drawn wider than they are.
+    /// Note on walls that are drawn wider than in reality.
     fn true_scale(&self) -> String {
         let wall = self.wall / self.plane.scale;
         match self.wall < THINNEST {
             true => format!(
-                "; walls drawn {THINNEST} pixels wide, in truth about {} {} ({:.1} pixels)",
+                "; walls drawn {THINNEST} pixels wide, actual width about {} {} ({:.1} pixels)",
                 tick_label(rounded(wall / self.unit.meters), 0.0),
                 self.unit.name,
                 self.wall,
@@ -238,8 +238,8 @@ impl Figure for MeshPlot<'_> {
 }
 
 impl Shape {
-    /// Draws the shape in black with a white rim \[figure pixels\]. Ring, triangle and cross around
-    /// one point leave each other free.
+    /// Draws the shape in black with a white rim \[figure pixels\]. Ring, triangle and cross
+    /// around one point do not overlap.
     fn draw<B: DrawingBackend>(
         self,
         canvas: &Canvas<B>,
@@ -258,7 +258,7 @@ impl Shape {
         };
         match self {
             Self::Disc => {
-                // as wide as the dot can have it inside of the ring
+                // the largest width that the dot leaves inside of the ring
                 canvas.disc(center, 5.0 + rim.min(2.0), WHITE)?;
                 canvas.disc(center, 5.0, BLACK)
             }
@@ -299,8 +299,8 @@ impl Shape {
     }
 }
 
-/// Numbers of the colors of the materials, given in the order of their first
-/// cells' materials, and how many there are.
+/// Color indices of the materials, in the order of the first cells that use them, and the
+/// number of colors.
 fn colors(section: &Section) -> (Vec<usize>, usize) {
     let mut is_used = vec![false; section.materials.len()];
     for made_of in &section.cells {

@@ -1,4 +1,4 @@
-//! Writes the results of an analysis and remembers which files they are.
+//! Writes the results of an analysis and records the names of its files.
 
 use std::path::{Path, PathBuf};
 
@@ -8,10 +8,10 @@ use super::figure_parts::Figure;
 use super::files::OutputFiles;
 use super::record::AnalysisRecord;
 
-/// The result files of one run, noted where they are written.
+/// The result files of one run, recorded as they are written.
 ///
-/// The record of the run before is gone as soon as writing begins, so that a run that
-/// breaks off leaves none; files that it wrote and this run does not are removed.
+/// The record of the previous run is removed before writing, so that an interrupted run leaves
+/// no record; files of the previous run that this run does not write are removed.
 #[derive(Debug)]
 pub struct ResultWriter {
     files: OutputFiles,
@@ -20,7 +20,7 @@ pub struct ResultWriter {
     figures: Figures,
 }
 
-/// Which figures are drawn.
+/// The figures to be drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Figures {
     /// None.
@@ -32,7 +32,7 @@ pub enum Figures {
 }
 
 impl Figures {
-    /// Those of a command with the options `--no-figures` and `--svg`.
+    /// The figures of a command with the options `--no-figures` and `--svg`.
     pub fn asked(no_figures: bool, svg: bool) -> Self {
         match (no_figures, svg) {
             (true, _) => Self::None,
@@ -52,7 +52,7 @@ impl ResultWriter {
     pub fn new(files: OutputFiles) -> Self {
         let earlier = AnalysisRecord::read(&files);
         let earlier = earlier.map_or_else(Vec::new, |record| record.names(&files));
-        // One that does not exist is no problem.
+        // A missing file is ignored.
         let _ = std::fs::remove_file(files.record());
         Self {
             files,
@@ -62,7 +62,7 @@ impl ResultWriter {
         }
     }
 
-    /// Writes files beside the results of an earlier run, which stay as they are.
+    /// Adds files to the results of an earlier run, which are kept.
     pub fn beside(files: OutputFiles) -> Self {
         Self {
             files,
@@ -82,7 +82,7 @@ impl ResultWriter {
         self.figures.are_drawn()
     }
 
-    /// Where the files of the section lie.
+    /// The paths of the section's files.
     pub fn files(&self) -> &OutputFiles {
         &self.files
     }
@@ -95,8 +95,8 @@ impl ResultWriter {
         self.add(file, |file| write_text(file, text))
     }
 
-    /// Draws a figure, which is made only where figures are drawn; elsewhere that of an
-    /// earlier run goes.
+    /// Draws a figure, which is made only if figures are drawn; otherwise the figure of an
+    /// earlier run is removed.
     ///
     /// # Errors
     /// [`OutputProblem`].
@@ -108,7 +108,7 @@ impl ResultWriter {
         self.figure_where(file, || Some(figure()))
     }
 
-    /// As [`ResultWriter::figure`], for a figure that not every section has.
+    /// Like [`ResultWriter::figure`], for a figure that not every section has.
     ///
     /// # Errors
     /// [`OutputProblem`].
@@ -129,17 +129,17 @@ impl ResultWriter {
         for (file, is_wanted) in [file, vector].into_iter().zip(wanted) {
             match is_wanted && figure.is_some() {
                 true => self.add(file, draw)?,
-                // One that does not exist is no problem.
+                // A missing file is ignored.
                 false => drop(std::fs::remove_file(file)),
             }
         }
         Ok(())
     }
 
-    /// Notes a file of the section that `write` writes.
+    /// Records a file of the section that `write` writes.
     ///
     /// # Errors
-    /// Those of `write`.
+    /// The errors of `write`.
     pub fn add(
         &mut self,
         file: PathBuf,
@@ -150,9 +150,9 @@ impl ResultWriter {
         Ok(())
     }
 
-    /// Ends an analysis that reached its goal: writes its record; gives all files
-    /// written, and why the record could not be. `made_from` is the fingerprint of
-    /// inputs, options and program.
+    /// Ends a successful analysis: writes its record; returns all files written, and the reason
+    /// if the record could not be written. `made_from` is the fingerprint of inputs, options
+    /// and program.
     pub fn finish(mut self, made_from: &str) -> (Vec<PathBuf>, Option<OutputProblem>) {
         self.remove_earlier();
         match AnalysisRecord::write(&self.files, made_from, &self.names()) {
@@ -164,8 +164,8 @@ impl ResultWriter {
         }
     }
 
-    /// Ends a run that adds to the results or did not reach its goal, without a record;
-    /// gives all files written. Results of the run that it replaces are removed.
+    /// Ends a run that adds to the results or failed, without a record; returns all files
+    /// written. Results of the run that it replaces are removed.
     pub fn abandon(self) -> Vec<PathBuf> {
         self.remove_earlier();
         self.written
@@ -174,7 +174,7 @@ impl ResultWriter {
     fn remove_earlier(&self) {
         let names = self.names();
         for name in self.earlier.iter().filter(|name| !names.contains(name)) {
-            // One that has gone already is no problem.
+            // A missing file is ignored.
             let _ = std::fs::remove_file(self.files.folder().join(name));
         }
     }
@@ -193,8 +193,8 @@ impl ResultWriter {
 mod tests {
     use super::*;
 
-    /// The second run writes one file less: it goes, and the record of the first run
-    /// is away while the second one is under way.
+    /// The second run writes one file less: the file is removed, and the record of the first
+    /// run does not exist during the second one.
     #[test]
     fn files_of_an_earlier_run_that_are_not_replaced_go() {
         let folder = tempfile::tempdir().unwrap();

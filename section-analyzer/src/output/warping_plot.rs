@@ -18,27 +18,27 @@ use crate::solution::SectionSolution;
 
 /// Largest in-plane displacement on the figure, relative to the section's size.
 const EXAGGERATED: f64 = 0.07;
-/// Room around the displaced section, relative to its size.
+/// Margin around the displaced section, relative to its size.
 const MARGIN: f64 = 0.02;
-/// Warping below this part of the largest of the panel is none.
+/// Ratio to the largest warping of the panel below which warping is zero.
 const NONE: f64 = 1e-8;
-/// Height of the panels together at most [figure pixels].
+/// Maximum height of the panels together [figure pixels].
 const HIGHEST: f64 = 1900.0;
 const EDGE: f64 = 50.0;
 const GAP: f64 = 50.0;
-/// Room for the two lines above a panel [figure pixels].
+/// Space for the two lines above a panel [figure pixels].
 const HEADING: f64 = 115.0;
-/// Room for the title of the figure, and for the color bar below the panels.
+/// Space for the title of the figure, and for the color bar below the panels.
 const TITLE: f64 = 100.0;
 const BAR: f64 = 220.0;
-/// Size of the pieces of a cell that have one color each, where walls are so thin that
-/// their rims are drawn too [figure pixels].
+/// Size of the pieces of a cell that have one color each, for walls so thin that their rims are
+/// drawn too [figure pixels].
 const FLAT: f64 = 5.0;
-/// Sides shorter than this are drawn straight where they are as good as that: their middle
-/// this close to that of a straight one [figure pixels].
+/// Sides shorter than `SHORT` are drawn straight if their middle is within `AS_STRAIGHT` of a
+/// straight side's [figure pixels].
 const SHORT: f64 = 12.0;
 const AS_STRAIGHT: f64 = 0.05;
-/// Outline of the section before it warps.
+/// Color of the outline before warping.
 const FAINT: RGBColor = RGBColor(150, 150, 150);
 
 /// The figure of the warping of a section.
@@ -47,7 +47,7 @@ pub struct WarpingPlot<'a> {
     section: &'a Section,
     warping: &'a DMatrix<f64>,
     sides: &'a [Side],
-    /// Box of the section with room for its warping [m].
+    /// Box of the section including its warping [m].
     extent: Extent,
     /// Larger side of the section's box [m].
     size: f64,
@@ -58,7 +58,7 @@ pub struct WarpingPlot<'a> {
     room: [f64; 2],
 }
 
-/// What one panel shows.
+/// The contents of one panel.
 struct Panel<'p> {
     plane: &'p Plane,
     component: usize,
@@ -138,7 +138,7 @@ impl<'a> WarpingPlot<'a> {
         let mut points = Vec::new();
         let mut triangles = Vec::with_capacity(self.section.mesh.cells.len());
         for cell in &self.section.mesh.cells {
-            // place on the figure, and relative warping
+            // position on the figure, and relative warping
             let mut nodes = [[0.0; 3]; 9];
             for (at, &node) in nodes.iter_mut().zip(cell.nodes()) {
                 let [x, y] = panel.plane.place(self.section.mesh.nodes[node as usize]);
@@ -263,7 +263,7 @@ impl Panel<'_> {
         self.largest[1] > NONE * self.largest[0]
     }
 
-    /// Axial warping relative to the largest of the panel, zero where there is none.
+    /// Axial warping relative to the largest of the panel, zero if there is no warping.
     fn relative(&self, axial: f64) -> f64 {
         if self.has_axial() {
             axial / self.largest[0]
@@ -291,8 +291,7 @@ fn title(component: usize) -> String {
     format!("{}, {unit}", COMPONENTS[component])
 }
 
-/// The number of columns, and the room of a panel, in which the section is drawn
-/// largest.
+/// The number of columns, and the size of a panel, with the largest drawing of the section.
 fn layout(extent: &Extent) -> (usize, [f64; 2]) {
     let aspect = extent.size(1) / extent.size(0);
     let fit = |columns: usize| {
@@ -303,7 +302,7 @@ fn layout(extent: &Extent) -> (usize, [f64; 2]) {
         (columns, [width, height])
     };
     let drawn = |(_, room): &(usize, [f64; 2])| room[0].min(room[1] / aspect);
-    // Three columns leave enough room for the words above a panel; six do not.
+    // Three columns leave enough width for the text above a panel; six do not.
     let best = [1, 2, 3]
         .map(fit)
         .into_iter()

@@ -13,7 +13,7 @@ pub(super) struct Span {
     pub end: i32,
 }
 
-/// Corners of a polygon that is drawn without allocating.
+/// Maximum number of corners of a polygon that is drawn without allocating.
 const FEW: usize = 8;
 
 /// Calls `draw` with the spans of pixels (x from the left, y down; the center of pixel
@@ -86,11 +86,11 @@ fn each_row(
     }
 }
 
-/// Calls `draw` with the spans of pixels inside the region that these straight pieces of
-/// its border enclose, in any order, all with the region on the same hand.
+/// Calls `draw` with the spans of pixels inside the region that these straight pieces of its
+/// border enclose, in any order, all with the region on the same side.
 ///
-/// The pixels are those of the cells that make the region, if each is filled alone: what
-/// lies between two cells of one color needs no drawing.
+/// The pixels are the same as if each cell of the region is filled alone: borders between two
+/// cells of one color need no drawing.
 pub(super) fn each_span_within(
     border: &[[[f64; 2]; 2]],
     width: u32,
@@ -115,7 +115,7 @@ pub(super) fn each_span_within(
     for pair in crossings.windows(2) {
         let [(row, left, turn), (_, right, _)] = [pair[0], pair[1]];
         turns += turn;
-        // where the last of a row has been passed, none is left
+        // no crossing is left after the last one of a row
         if turns != 0 {
             let (start, end) = (first_center(left, width), first_center(right, width));
             if start < end {
@@ -137,8 +137,8 @@ struct Side {
 }
 
 impl Side {
-    /// The same end comes first for both directions of a side, so that neighbors find the
-    /// same crossing to the last digit.
+    /// The same end comes first for both directions of a side, so that neighbors find exactly
+    /// the same crossing.
     fn new(a: [f64; 2], b: [f64; 2]) -> Self {
         let (a, b) = if a[1] < b[1] { (a, b) } else { (b, a) };
         Self {
@@ -150,14 +150,14 @@ impl Side {
     }
 }
 
-/// The first of `count` pixels whose center is at or after `place`.
+/// The first of `count` pixels whose center is at or after the position `place`.
 fn first_center(place: f64, count: u32) -> i32 {
     let place = (place - 0.5).clamp(0.0, f64::from(count));
     let whole = place as i32;
     whole + i32::from(f64::from(whole) < place)
 }
 
-/// The corners of a line of `width` from `a` to `b`; none for a line without length.
+/// The corners of a line of `width` from `a` to `b`; empty for a line without length.
 pub(super) fn stroke(a: [f64; 2], b: [f64; 2], width: f64) -> Vec<[f64; 2]> {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let length = dx.hypot(dy);
@@ -173,7 +173,7 @@ pub(super) fn stroke(a: [f64; 2], b: [f64; 2], width: f64) -> Vec<[f64; 2]> {
     ]
 }
 
-/// The corners of a disc, accurate for its size.
+/// The corners of a disc, with an accuracy suited to its size.
 pub(super) fn disc(center: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
     let count = (4.0 * radius.max(1.0).sqrt()).ceil().clamp(6.0, 200.0) as u32 * 2;
     let angle = |k: u32| std::f64::consts::TAU * (f64::from(k) + 0.5) / f64::from(count);
@@ -219,8 +219,8 @@ mod tests {
         }
     }
 
-    /// Squares of a board beside each other: filled alone, and as one region with a hole, of
-    /// which the borders between squares are not drawn.
+    /// Adjacent squares of a board: filled alone, and as one region with a hole, without the
+    /// borders between squares.
     #[test]
     fn regions_have_the_pixels_of_their_cells() {
         let at = |i: usize, j: usize| {

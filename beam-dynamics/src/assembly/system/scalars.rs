@@ -4,30 +4,30 @@ use super::System;
 use crate::elements::{Charges, ElectrodeState, Local, Queries};
 use crate::model::{Conditions, Scalar, State};
 
-/// Scales by which changes of scalars, or residuals of their equations, are measured.
+/// Scales relative to which changes of scalars, or residuals of their equations, are measured.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ScalarScales {
     /// Units.
     count: usize,
-    /// The unit of each scalar by its number; `None` where it does not count.
+    /// The unit of each scalar by its number; `None` if the scalar is ignored.
     units: Vec<Option<usize>>,
     /// Least scale of each scalar [unit of it].
     least: Vec<f64>,
 }
 
-/// A change of a scalar that is the largest by its scale.
+/// The change of a scalar that is the largest relative to its scale.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ScalarChange {
     /// Number of the scalar.
     pub scalar: usize,
-    /// The change by the scale [-].
+    /// The change relative to the scale [-].
     pub part: f64,
     /// The scale [unit of the scalar].
     pub scale: f64,
 }
 
 impl ScalarScales {
-    /// The same with a `part` of the least scales.
+    /// The same with the least scales multiplied by `part`.
     #[must_use]
     pub fn finer(&self, part: f64) -> Self {
         Self {
@@ -36,7 +36,7 @@ impl ScalarScales {
         }
     }
 
-    /// Of scalars given by unit and least scale.
+    /// Scales of scalars given by unit and least scale.
     fn of<'a>(scalars: impl Iterator<Item = Option<(&'a str, f64)>>) -> Self {
         let mut known: Vec<&str> = Vec::new();
         let (mut units, mut least) = (Vec::new(), Vec::new());
@@ -63,8 +63,8 @@ impl ScalarScales {
         self.units.is_empty()
     }
 
-    /// The largest of `changes` by its scale: the largest `size` of the scalars of its unit,
-    /// given by their numbers, and at least its own. No number where a change is none.
+    /// The largest of `changes` relative to its scale: the largest `size` of the scalars of its
+    /// unit, given by their numbers, and at least its own. NaN if a change is NaN.
     pub fn largest(&self, changes: &[f64], size: impl Fn(usize) -> f64) -> ScalarChange {
         let mut most = ScalarChange::default();
         for unit in 0..self.count {
@@ -89,9 +89,9 @@ impl ScalarScales {
         most
     }
 
-    /// The largest of `errors` by the largest of each unit so far, `before`. While the values
-    /// `now` of a unit grow by more than `grown` times in a step there is nothing to measure
-    /// them by.
+    /// The largest of `errors` relative to the largest value of each unit so far, `before`.
+    /// While the values `now` of a unit grow by a factor of more than `grown` in a step, no
+    /// reference exists and the unit is ignored.
     pub fn error(&self, errors: &[f64], [now, before]: [&[f64]; 2], grown: f64) -> f64 {
         let of_unit = |unit: usize| {
             let own = self.of_unit(unit, errors);
@@ -104,7 +104,7 @@ impl ScalarScales {
         (0..self.count).map(of_unit).fold(0.0, f64::max)
     }
 
-    /// The numbers of the scalars of a unit; what follows the scalars does not count.
+    /// The numbers of the scalars of a unit; values after the scalars are ignored.
     fn of_unit<'a>(
         &'a self,
         unit: usize,

@@ -1,17 +1,17 @@
-//! The matrix of all stages of a formula.
+//! The matrix of all stages of a scheme.
 
 use super::{Arc, Combination, Dae, Pattern, Residual, STAGES, Sparse};
 
-/// How the blocks (D-112) of a formula make one matrix, in which the stages of an unknown stand
-/// next to each other: the order of the unknowns that suits one stage suits them all.
+/// Assembly of the blocks (D-112) of a scheme into one matrix, in which the stages of an
+/// unknown are adjacent: an order of the unknowns suited to one stage then suits all.
 #[derive(Debug)]
 pub(super) struct StageMatrix {
     stages: usize,
     /// Pattern of the matrix.
     pattern: Arc<Pattern>,
-    /// The blocks of one row of stages; none when there is one stage.
+    /// The blocks of one row of stages; empty with one stage.
     blocks: Vec<Sparse>,
-    /// For each block, row by row, the place in the matrix of each of its entries.
+    /// For each block, row by row, the index in the matrix of each of its entries.
     places: Vec<Vec<Option<u32>>>,
 }
 
@@ -57,9 +57,9 @@ impl StageMatrix {
         &self.pattern
     }
 
-    /// Fills a matrix, whatever is left in it, at the present stages of the system; `weights`
-    /// are those of the formula times the step, and `residuals` take those of the stages where
-    /// they are wanted.
+    /// Fills a matrix, with any previous values, at the present stages of the system; `weights`
+    /// are the weights of the scheme times the step, and `residuals`, if given, takes the
+    /// residuals of the stages.
     pub fn combine(
         &mut self,
         dae: &mut dyn Dae,
@@ -108,7 +108,7 @@ impl StageMatrix {
     }
 }
 
-/// A block (D-112), to be written to `matrix`.
+/// A block (D-112), written to `matrix`.
 fn block(weight: f64, is_diagonal: bool, matrix: &mut Sparse) -> Combination<'_> {
     let diagonal = if is_diagonal { 1.0 } else { 0.0 };
     Combination {

@@ -1,25 +1,25 @@
-//! Branches of a tree of elimination that do not depend on each other: their columns are
-//! eliminated side by side, and what is left of the tree, the trunk, after them.
+//! Independent branches of a tree of elimination: their columns are eliminated in parallel, and
+//! the rest of the tree, the trunk, after them.
 //!
-//! They are a matter of the tree alone: the numbers are the same on any number of threads.
+//! They depend only on the tree: the values are the same on any number of threads.
 
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-/// No parent.
+/// Index of a missing parent.
 pub(super) const NONE: u32 = u32::MAX;
-/// Pivots from which on a matrix has branches: those of 400 beams of three nodes.
+/// Number of pivots from which a matrix has branches: the pivots of 400 beams of three nodes.
 pub(super) const LARGE: usize = 9600;
-/// Most branches.
+/// Maximum number of branches.
 const MOST: usize = 16;
-/// Subtrees of fewer pivots, as parts of the whole, are of the trunk [-].
+/// Size below which a subtree belongs to the trunk, relative to the whole [-].
 const SMALL: f64 = 0.02;
-/// Trunk and longest branch together, as a part of the whole, from which on branches do not
-/// pay [-].
+/// Size of trunk and longest branch together, relative to the whole, from which branches do not
+/// save time [-].
 const LONG: f64 = 0.75;
 
-/// Independent subtrees of a tree in postorder, ascending; none where the tree is small, or
-/// hardly branches. The shortest way through the longest branch and the trunk counts.
+/// Independent subtrees of a tree in postorder, ascending; empty if the tree is small or hardly
+/// branches. The choice minimizes the longest branch and the trunk together.
 pub(super) fn of(parents: &[u32]) -> Vec<Range<usize>> {
     match parents.len() >= LARGE {
         true => found(parents),
@@ -27,7 +27,7 @@ pub(super) fn of(parents: &[u32]) -> Vec<Range<usize>> {
     }
 }
 
-/// The same whatever the size of the tree.
+/// The same for trees of any size.
 fn found(parents: &[u32]) -> Vec<Range<usize>> {
     let n = parents.len();
     let sizes = sizes(parents);
@@ -46,7 +46,7 @@ fn found(parents: &[u32]) -> Vec<Range<usize>> {
                 .map(|&(size, k)| k + 1 - size..k + 1)
                 .collect();
         }
-        // The longest branch gives its root to the trunk.
+        // The root of the longest branch moves to the trunk.
         subtrees.pop();
         trunk += 1 + add_subtrees(root + 1 - longest..root, least, &sizes, &mut subtrees);
     }
@@ -54,7 +54,7 @@ fn found(parents: &[u32]) -> Vec<Range<usize>> {
     best
 }
 
-/// Pivots in the subtree of each.
+/// Number of pivots in the subtree of each.
 fn sizes(parents: &[u32]) -> Vec<usize> {
     let mut sizes = vec![1; parents.len()];
     for (k, &parent) in parents.iter().enumerate() {
@@ -65,8 +65,8 @@ fn sizes(parents: &[u32]) -> Vec<usize> {
     sizes
 }
 
-/// Adds the subtrees that a range consists of, but for those that are smaller than `least`:
-/// the number of pivots in these.
+/// Adds the subtrees of a range, except those smaller than `least`; returns the number of
+/// pivots in the latter.
 fn add_subtrees(
     range: Range<usize>,
     least: usize,
@@ -85,7 +85,7 @@ fn add_subtrees(
     small
 }
 
-/// An order in which the branches come first, one after the other, and the trunk last.
+/// An order with the branches first, one after the other, and the trunk last.
 pub(super) fn first(branches: &[Range<usize>], order: &[u32]) -> Vec<u32> {
     let mut moved = Vec::with_capacity(order.len());
     for branch in branches {
@@ -117,7 +117,7 @@ mod tests {
         // Two trees without a common root.
         let apart = [chain(0, 50, NONE), chain(50, 50, NONE)].concat();
         assert_eq!(found(&apart), [0..50, 50..100]);
-        // Too short to help.
+        // Too short to save time.
         let uneven = [chain(0, 10, 100), chain(10, 90, 100), vec![NONE]].concat();
         assert!(found(&uneven).is_empty());
     }

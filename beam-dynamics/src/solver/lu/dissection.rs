@@ -1,29 +1,29 @@
-//! Where a long chain is cut in two, so that its halves can be eliminated side by side: from
+//! Division of a long chain by a cut, so that its halves can be eliminated in parallel: from
 //! both ends to the cut, without more fill than from one end to the other.
 //!
 //! Levels of unknowns, by their distance from an end of the chain, are found twice: the last
-//! of the first search is an end. Of the middle level those that have neighbors in the next
-//! one are the cut.
+//! unknown of the first search is an end. The unknowns of the middle level that have neighbors
+//! in the next level form the cut.
 //!
 //! References: [GeorgeLiu1981].
 
 use super::branches::LARGE;
 use crate::assembly::Pattern;
 
-/// Least part of the whole that is a half [-].
+/// Least size of a half, relative to the whole [-].
 const HALF: f64 = 0.4;
-/// Largest part of the whole that is a cut [-].
+/// Largest size of a cut, relative to the whole [-].
 const CUT: f64 = 0.02;
 
 const NONE: u32 = u32::MAX;
 
-/// For each unknown of a large chain whether it is of the cut; `None` for small matrices, and
-/// for those that are no chain: trees have branches of their own.
+/// For each unknown of a large chain whether it belongs to the cut; `None` for small matrices,
+/// and for matrices that are no chains: trees already have branches.
 pub(super) fn cut(pattern: &Pattern) -> Option<Vec<bool>> {
     (pattern.size() >= LARGE).then(|| found(pattern)).flatten()
 }
 
-/// The same whatever the size of the matrix.
+/// The same for matrices of any size.
 fn found(pattern: &Pattern) -> Option<Vec<bool>> {
     let n = pattern.size();
     let graph = symmetric(pattern);
@@ -59,8 +59,8 @@ fn symmetric(pattern: &Pattern) -> Pattern {
     })
 }
 
-/// All that is reached from an unknown without one that is `left_out`, the nearest first, and
-/// the distance of each.
+/// All unknowns that are reached from one without passing one that is `left_out`, the nearest
+/// first, and the distance of each.
 fn search(graph: &Pattern, from: u32, left_out: &[bool]) -> (Vec<u32>, Vec<u32>) {
     let mut levels = vec![NONE; graph.size()];
     let mut order = vec![from];
@@ -94,7 +94,7 @@ mod tests {
         let places: Vec<_> = (0..101).filter(|&i| cut[i]).collect();
         assert_eq!(places, [50]);
         assert!(found(&pattern(100, |i| i.saturating_sub(4))).is_none());
-        // Two chains that do not meet.
+        // Two separate chains.
         assert!(
             found(&pattern(100, |i| if i == 50 {
                 i

@@ -1,6 +1,7 @@
 //! The elimination: `A = L U` on a known pattern, without pivoting.
 //!
-//! Strip after strip of columns, with x the columns of the strip, first those of A:
+//! One strip of columns after another, with x the columns of the strip, initially the columns
+//! of A:
 //!
 //! ```text
 //! above:     u_p = x_p - sum_{j < p} l_pj u_j           rows p of the segments
@@ -8,15 +9,15 @@
 //! diagonal:  u_dd = x_d,  l_rd = x_r / u_dd             in the panel of the strip
 //! ```
 //!
-//! The numbers of a row of x lie side by side, so that each is one instruction or two;
-//! the rows of L are read as they are stored.
+//! The numbers of a row of x are contiguous, so that each operation is one instruction or two;
+//! the rows of L are read in the order of storage.
 
 use pulp::{Arch, Simd, WithSimd};
 
 use super::number::{Fused, LANES, Number, Plain, Product};
 use super::structure::{Panel, Part, Strip, Structure};
 
-/// Rows that are computed at once.
+/// Number of rows computed at once.
 const ROWS: usize = 4;
 
 /// A size for each column of a strip.
@@ -30,7 +31,7 @@ pub(super) struct Extremes {
 }
 
 impl Extremes {
-    /// Those of nothing.
+    /// The extremes of an empty part.
     pub const NONE: Self = Self {
         matrix: 0.0,
         least_pivot: f64::INFINITY,
@@ -44,8 +45,8 @@ impl Extremes {
     }
 }
 
-/// A matrix that is to be factorized: values in the order of its pattern, scales in the
-/// order of elimination.
+/// A matrix to be factorized: values in the order of its pattern, scales in the order of
+/// elimination.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scaled<'a, T> {
     pub values: &'a [T],
@@ -53,19 +54,19 @@ pub(super) struct Scaled<'a, T> {
     pub column_scales: &'a [f64],
 }
 
-/// The numbers of the factors that an elimination writes and reads, or those of some parts.
+/// The values of the factors that an elimination writes and reads, or the values of some parts.
 #[derive(Debug)]
 pub(super) struct Area<'a, T: Number> {
     pub lower: &'a mut [T],
     pub upper: &'a mut [T::Lanes],
     pub inverse_pivots: &'a mut [T],
     pub sizes: &'a mut [[Sizes; 2]],
-    /// Places of the first of each among those of the whole.
+    /// Index of the first value of each in the whole.
     pub first: [usize; 4],
 }
 
 impl<'a, T: Number> Area<'a, T> {
-    /// The same, to be used for some time.
+    /// Reborrows the same values.
     pub fn again(&mut self) -> Area<'_, T> {
         Area {
             lower: self.lower,
@@ -76,7 +77,7 @@ impl<'a, T: Number> Area<'a, T> {
         }
     }
 
-    /// What belongs to the parts before one, and the others.
+    /// The values of the parts before `at`, and the others.
     pub fn split(self, at: &Part) -> (Self, Self) {
         let starts = [&at.lower, &at.upper, &at.columns, &at.panels].map(|range| range.start);
         let count = |i: usize| starts[i] - self.first[i];
@@ -102,8 +103,8 @@ impl<'a, T: Number> Area<'a, T> {
     }
 }
 
-/// Computes the numbers of a part in the columns `columns`, which are zero before and after;
-/// `None` when a pivot is zero, or a number not finite.
+/// Computes the values of a part in the columns `columns`, which are zero before and after;
+/// `None` if a pivot is zero, or a value not finite.
 pub(super) fn eliminate<T: Number>(
     (structure, matrix): (&Structure, Scaled<'_, T>),
     part: &Part,
@@ -135,7 +136,7 @@ impl<T: Number> WithSimd for Elimination<'_, T> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-        // Registers of four numbers and more come with fused products, and so does ARM.
+        // Registers of four numbers and more have fused products, and so has ARM.
         match size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
             true => self.run::<Fused>(),
             false => self.run::<Plain>(),
@@ -143,7 +144,7 @@ impl<T: Number> WithSimd for Elimination<'_, T> {
     }
 }
 
-/// `x_r <- x_r - sum_j l_rj u_j` for some rows at once, which share the loads of u.
+/// `x_r <- x_r - sum_j l_rj u_j` for several rows at once, which share the loads of u.
 #[inline(always)]
 fn below_segment<T: Number, P: Product, const N: usize>(
     columns: &mut [T::Lanes],
@@ -170,7 +171,7 @@ fn enlarge(largest: &mut Sizes, sizes: &Sizes) {
     }
 }
 
-/// The greater of two numbers, the first where the second is none: one instruction.
+/// The greater of two numbers, the first if the second is NaN: one instruction.
 #[inline(always)]
 fn greater(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
@@ -199,7 +200,7 @@ impl<T: Number> Elimination<'_, T> {
         })
     }
 
-    /// The columns of the matrix; `sums` are zero as long as all its numbers are finite.
+    /// Loads the columns of the matrix; `sums` are zero as long as all its values are finite.
     #[inline(always)]
     fn load(&mut self, strip: &Strip, [sizes, sums]: &mut [Sizes; 2]) {
         let Self {
@@ -235,7 +236,7 @@ impl<T: Number> Elimination<'_, T> {
         }
     }
 
-    /// Rows of U above the strip, and what they take from the rows below.
+    /// Rows of U above the strip, and their terms in the rows below.
     #[inline(always)]
     fn above<P: Product>(&mut self, strip: &Strip) {
         let structure = self.structure;
@@ -282,8 +283,8 @@ impl<T: Number> Elimination<'_, T> {
         }
     }
 
-    /// The diagonal block of the strip and the rows below; `false` where a pivot is zero
-    /// or not finite.
+    /// The diagonal block of the strip and the rows below; `false` if a pivot is zero or not
+    /// finite.
     #[inline(always)]
     fn diagonal<P: Product>(&mut self, panel: &Panel, strip: &Strip) -> bool {
         let (first, end) = panel.columns();
@@ -295,7 +296,7 @@ impl<T: Number> Elimination<'_, T> {
         let [mut lower_size, mut upper_size] = self.area.sizes[strip.panel() - first_size];
         let at = panel.values - first_lower;
         let lower = &mut self.area.lower[at..at + rows.len() * width];
-        // Rows of U right of the diagonal, and inverse pivots; zero where there are none.
+        // Rows of U right of the diagonal, and inverse pivots; zero for missing columns.
         let (mut upper, mut inverse) = ([T::NONE; LANES], [T::ZERO; LANES]);
         let (of_diagonal, below) = lower[from * width..].split_at_mut(count * width);
         let (rows, rows_below) = rows[from..].split_at(count);
@@ -326,7 +327,7 @@ impl<T: Number> Elimination<'_, T> {
         }
         for (row, values) in rows_below.iter().zip(below.chunks_exact_mut(width)) {
             let mut x = std::mem::replace(&mut self.columns[*row as usize], T::NONE);
-            // Where the strip has fewer columns, all that belongs to the others is zero.
+            // If the strip has fewer columns, all values of the others are zero.
             for j in 0..LANES {
                 divide::<T, P>(&mut x, j, &inverse, &upper, &mut lower_size);
             }
@@ -348,7 +349,7 @@ fn store<T: Number>(values: &mut [T], x: &T::Lanes) {
     }
 }
 
-/// `l_j = x_j / u_jj`, and what it takes from the columns after j.
+/// `l_j = x_j / u_jj`, and its terms in the columns after j.
 #[inline(always)]
 fn divide<T: Number, P: Product>(
     x: &mut T::Lanes,

@@ -1,9 +1,9 @@
-//! The exact pattern of the factors, pivots being given.
+//! The exact pattern of the factors for given pivots.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Entries of a column of the matrix, which follow each other in its pattern.
+/// Entries of a column of the matrix, consecutive in its pattern.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Column {
     /// First entry in the pattern of the matrix.
@@ -55,9 +55,9 @@ pub(super) struct Fill {
 }
 
 impl Fill {
-    /// Column k has the rows of its entries, and for each row j of them above the
-    /// diagonal the rows of column j of L. The matrix is given by its columns in the order
-    /// of elimination, the last of which ends it, and the rows of their entries.
+    /// Column k has the rows of its entries, and for each row j of them above the diagonal the
+    /// rows of column j of L. The matrix is given by its columns in the order of elimination,
+    /// with one more as the end of the last, and the rows of their entries.
     pub fn new(columns: &[Column], rows: &[u32]) -> Self {
         let n = columns.len() - 1;
         let (mut lower, mut upper) = (Columns::new(n), Columns::new(n));

@@ -1,18 +1,18 @@
-//! Rows or columns by their number of entries, to find the shortest ones.
+//! Rows or columns sorted by their number of entries, to find the shortest ones.
 
 const NONE: u32 = u32::MAX;
 
-/// Which of the lines of one length comes first.
+/// Rule for the first line of each length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Turn {
-    /// The one that took this length last: elimination goes on where it is, through memory
-    /// that is at hand.
+    /// The line that got this length last: elimination continues in the same region of memory,
+    /// which is in the cache.
     LatestFirst,
-    /// The one that took it first: long chains then fill less.
+    /// The line that got this length first: long chains then fill less.
     EachInTurn,
 }
 
-/// Lines in chains of equal length.
+/// Lines in linked lists of equal length.
 #[derive(Debug)]
 pub(super) struct Lines {
     turn: Turn,
@@ -21,13 +21,13 @@ pub(super) struct Lines {
     next: Vec<u32>,
     previous: Vec<u32>,
     length: Vec<u32>,
-    /// Lines that are not to be found, but counted.
+    /// Lines that are counted but not found.
     is_hidden: Vec<bool>,
 }
 
 impl Lines {
-    /// Lines of the given lengths, those that are hidden not to be found; at first each chain
-    /// begins with the first one.
+    /// Lines of the given lengths; hidden ones are not found. At first each list begins with
+    /// the first line.
     pub fn new(lengths: impl Iterator<Item = usize>, turn: Turn, is_hidden: Vec<bool>) -> Self {
         let length: Vec<_> = lengths.map(|length| length as u32).collect();
         let n = length.len();
@@ -51,7 +51,7 @@ impl Lines {
         lines
     }
 
-    /// Lets all hidden lines be found from now on.
+    /// Makes all hidden lines visible from now on.
     pub fn show(&mut self) {
         for line in 0..self.length.len() {
             if std::mem::take(&mut self.is_hidden[line]) {
@@ -83,7 +83,7 @@ impl Lines {
         }
     }
 
-    /// Takes a line out.
+    /// Removes a line.
     pub fn remove(&mut self, line: usize) {
         let [head, tail] = &mut self.ends[self.length[line] as usize];
         let (next, previous) = (self.next[line], self.previous[line]);
@@ -97,7 +97,7 @@ impl Lines {
         }
     }
 
-    /// Gives a line another length.
+    /// Changes the length of a line.
     pub fn change(&mut self, line: usize, length: usize) {
         if self.is_hidden[line] {
             self.length[line] = length as u32;

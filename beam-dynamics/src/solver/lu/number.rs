@@ -1,15 +1,15 @@
-//! Numbers of a matrix, real or complex: one by one, and side by side in the columns of a
-//! strip.
+//! Numbers of a matrix, real or complex: single, and in the columns of a strip for parallel
+//! arithmetic.
 
 use std::fmt::Debug;
 use std::ops::{Div, Mul, Sub, SubAssign};
 
 use faer::c64;
 
-/// Columns that are computed side by side.
+/// Number of columns computed together.
 pub(in crate::solver) const LANES: usize = 4;
 
-/// A product that is taken from a sum.
+/// A product subtracted from a sum.
 pub(in crate::solver) trait Product {
     /// `c - a b`.
     fn take(c: f64, a: f64, b: f64) -> f64;
@@ -59,8 +59,8 @@ pub(in crate::solver) trait Number:
     /// One.
     const ONE: Self;
 
-    /// The magnitude, or for complex numbers the sum of those of the parts; not a number
-    /// where one of them is none.
+    /// The magnitude, or for complex numbers the sum of the magnitudes of the parts; NaN if one
+    /// of them is NaN.
     fn size(self) -> f64;
 
     /// The number in a column.
@@ -111,7 +111,7 @@ impl Number for f64 {
     }
 }
 
-/// Complex numbers side by side: real parts, imaginary parts.
+/// Complex numbers of several columns: real parts, imaginary parts.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::solver) struct ComplexLanes {
     re: [f64; LANES],
@@ -158,7 +158,7 @@ impl Number for c64 {
     }
 }
 
-/// Right-hand sides of a system: one number a row, or several side by side.
+/// Right-hand sides of a system: one number per row, or several.
 pub(in crate::solver) trait Row<T>: Copy + Send + Sync {
     /// Zero.
     const NONE: Self;

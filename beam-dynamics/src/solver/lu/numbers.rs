@@ -1,10 +1,10 @@
-//! The numbers of the factors, and how large they grow.
+//! The values of the factors, and their growth.
 
 use super::elimination::{Area, Extremes, Scaled, Sizes, eliminate};
 use super::number::{LANES, Number};
 use super::structure::{Part, Structure};
 
-/// Numbers of the factors.
+/// Values of the factors.
 #[derive(Debug)]
 pub(super) struct Numbers<T: Number> {
     /// Values of the panels, row by row.
@@ -13,14 +13,14 @@ pub(super) struct Numbers<T: Number> {
     pub upper: Vec<T::Lanes>,
     /// `1/u_dd` [-].
     pub inverse_pivots: Vec<T>,
-    /// Columns under work, zero between strips: those of the trunk, then those of each branch.
-    /// Of the latter only the rows of the branch and of the trunk are ever written.
+    /// Columns being computed, zero between strips: the columns of the trunk, then the columns
+    /// of each branch. Of the latter only the rows of the branch and of the trunk are written.
     columns: Vec<Vec<T::Lanes>>,
-    /// Largest numbers of each panel, by columns: of its columns of L, and of its rows of U.
+    /// Largest values of each panel, by columns: of its columns of L, and of its rows of U.
     sizes: Vec<[Sizes; 2]>,
 }
 
-/// Largest numbers of a factorization.
+/// Largest values of a factorization.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Growth {
     /// Of the matrix [-].
@@ -32,7 +32,8 @@ pub(super) struct Growth {
 }
 
 impl Growth {
-    /// By how much the rounding of the factors exceeds that of the matrix [-] (D-134).
+    /// Ratio of the rounding error of the factors to the rounding error of the matrix [-]
+    /// (D-134).
     pub fn factor(&self) -> f64 {
         self.product / self.matrix
     }
@@ -56,8 +57,8 @@ impl<T: Number> Numbers<T> {
         }
     }
 
-    /// Computes the factors, branches side by side; `None` when a pivot is zero, or a number
-    /// not finite.
+    /// Computes the factors, branches in parallel; `None` if a pivot is zero, or a value not
+    /// finite.
     pub fn factorize(&mut self, structure: &Structure, matrix: Scaled<'_, T>) -> Option<Growth> {
         let found = self.compute(structure, matrix);
         let Some(found) = found else {
@@ -91,7 +92,7 @@ impl<T: Number> Numbers<T> {
     }
 }
 
-/// Eliminates parts that do not depend on each other, each in columns of its own.
+/// Eliminates independent parts, each in its own columns.
 fn side_by_side<T: Number>(
     given: (&Structure, Scaled<'_, T>),
     parts: &[Part],

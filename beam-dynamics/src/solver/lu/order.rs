@@ -1,10 +1,10 @@
-//! The order of elimination, pivots being given: what belongs together is brought
-//! together, without other fill.
+//! The order of elimination for given pivots: connected pivots become consecutive, without
+//! additional fill.
 //!
-//! In the tree of elimination the parent of a pivot is the first later one that its
-//! elimination changes. Any order in which children stand before their parents leaves
-//! the same numbers in the same places; in postorder the pivots of a block follow each
-//! other, and branches that do not depend on each other can be eliminated side by side.
+//! In the tree of elimination the parent of a pivot is the first later one that its elimination
+//! changes. Any order with children before their parents gives the same numbers at the same
+//! indices; in postorder the pivots of a block are consecutive, and independent branches can be
+//! eliminated in parallel.
 //!
 //! References: [Liu1990].
 
@@ -14,8 +14,8 @@ use super::branches::{self, NONE};
 use super::pivots::Pivots;
 use crate::assembly::Pattern;
 
-/// Brings pivots into a postorder of their tree of elimination; of a large matrix those of
-/// independent branches come first, whose pivots are told.
+/// Sorts pivots into a postorder of their tree of elimination; in a large matrix the pivots of
+/// independent branches come first, and their ranges are returned.
 pub(super) fn ordered(pattern: &Pattern, pivots: &Pivots) -> (Pivots, Vec<Range<usize>>) {
     let parents = tree(pattern, pivots);
     let mut order = postorder(&parents);
@@ -38,7 +38,7 @@ pub(super) fn ordered(pattern: &Pattern, pivots: &Pivots) -> (Pivots, Vec<Range<
     (pivots, moved.collect())
 }
 
-/// Place of each row, or column, in the order of the pivots.
+/// Index of each row, or column, in the order of the pivots.
 pub(super) fn inverse(order: &[u32]) -> Vec<u32> {
     let mut places = vec![0; order.len()];
     for (place, &line) in order.iter().enumerate() {
@@ -64,7 +64,7 @@ fn tree(pattern: &Pattern, pivots: &Pivots) -> Vec<u32> {
         }
     });
     let mut parents = vec![NONE; n];
-    // The latest known ancestor of each, to shorten the ways.
+    // The latest known ancestor of each, to shorten the paths.
     let mut ancestors = vec![NONE; n];
     for k in 0..n {
         for &start in &earlier.rows()[earlier.column(k)] {
@@ -84,7 +84,7 @@ fn tree(pattern: &Pattern, pivots: &Pivots) -> Vec<u32> {
 /// Children before parents, subtree after subtree.
 fn postorder(parents: &[u32]) -> Vec<u32> {
     let n = parents.len();
-    // The children of each in a chain, ascending; those without a parent are open.
+    // The children of each as a linked list, ascending; those without a parent are open.
     let (mut first, mut next) = (vec![NONE; n], vec![NONE; n]);
     let mut open = Vec::new();
     for (k, &parent) in parents.iter().enumerate().rev() {
@@ -93,7 +93,7 @@ fn postorder(parents: &[u32]) -> Vec<u32> {
             None => open.push(k as u32),
         }
     }
-    // A parent is met again once its children are done; the first stand on top.
+    // A parent is reached again after its children; the first children are on top of the stack.
     let mut order = Vec::with_capacity(n);
     while let Some(&k) = open.last() {
         let mut child = std::mem::replace(&mut first[k as usize], NONE);
@@ -112,7 +112,7 @@ fn postorder(parents: &[u32]) -> Vec<u32> {
     order
 }
 
-/// The same tree, each pivot being called by its place in an order.
+/// The same tree, each pivot named by its index in an order.
 fn relabeled(parents: &[u32], order: &[u32]) -> Vec<u32> {
     let places = inverse(order);
     let parent = |&k: &u32| match parents[k as usize] {

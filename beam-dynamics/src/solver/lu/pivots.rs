@@ -1,13 +1,12 @@
 //! The choice of pivots: little fill, and no small pivots.
 //!
-//! Among the entries that are not small in what is left of their column,
-//! `|a_ij| >= u max_k |a_kj|` (D-131), the one that may fill the fewest places is taken, of
-//! count `(r_i - 1)(c_j - 1)` (D-132) with r_i and c_j the entries left in its row and column;
-//! where counts are equal, one of the diagonal, then the largest. The search looks at
-//! the shortest columns and rows alone. So the identities by which momenta are defined
-//! go first, multipliers are paired with the forces they cause, and chains of blocks
-//! are eliminated from their ends. Where a long chain is cut in two ([`dissection`]), what is
-//! of the cut comes last.
+//! Candidates are the entries that are not small in the remaining part of their column,
+//! `|a_ij| >= u max_k |a_kj|` (D-131). The one that may cause the least fill is chosen, of
+//! count `(r_i - 1)(c_j - 1)` (D-132), with r_i and c_j the remaining entries of its row and
+//! column; with equal counts an entry of the diagonal, then the largest. Only the shortest
+//! columns and rows are searched. So the identities that define momenta are eliminated first,
+//! multipliers are paired with the forces they cause, and chains of blocks are eliminated from
+//! their ends. If a long chain is divided ([`dissection`]), the cut comes last.
 //!
 //! [`dissection`]: super::dissection
 //!
@@ -21,10 +20,9 @@ use crate::assembly::Pattern;
 
 /// u: a pivot is at least this part of the largest entry of its column [-].
 const THRESHOLD: f64 = 0.1;
-/// Columns and rows that are searched for a pivot.
+/// Number of columns and rows searched for a pivot.
 const SEARCHED: usize = 4;
-/// A column is zero where no entry is larger, in a matrix scaled to largest entries of
-/// one [-].
+/// A column is zero if no entry is larger, in a matrix scaled to largest entries of one [-].
 const ZERO: f64 = 1e-17;
 
 /// Scales of rows, and of columns.
@@ -37,7 +35,7 @@ pub(super) struct Pivots {
     pub columns: Vec<u32>,
 }
 
-/// Chooses pivots for the matrix of the given values, scaled; `None` when it is singular.
+/// Chooses pivots for the matrix of the given values, scaled; `None` if it is singular.
 pub(super) fn choose<T: Number>(
     pattern: &Pattern,
     values: &[T],
@@ -58,12 +56,12 @@ pub(super) fn choose<T: Number>(
     Some(pivots)
 }
 
-/// What is left of a matrix during elimination.
+/// The remaining part of a matrix during elimination.
 struct Active<'a, T> {
     pattern: &'a Pattern,
     values: &'a [T],
     scales: Scales<'a>,
-    /// Whether elimination has not come to a column: it is still as given.
+    /// Whether elimination has not yet changed a column.
     is_given: Vec<bool>,
     /// Entries of each other column: row and value.
     columns: Vec<Vec<(u32, T)>>,
@@ -71,14 +69,14 @@ struct Active<'a, T> {
     rows: Vec<Vec<u32>>,
     by_columns: Lines,
     by_rows: Lines,
-    /// For each row its place among the multipliers of the pivot, counted from one.
+    /// For each row its index among the multipliers of the pivot, counted from one.
     slots: Vec<u32>,
 }
 
 #[derive(Clone, Copy)]
 struct Candidate {
     place: (usize, usize),
-    /// Places that may fill.
+    /// Entries that may fill.
     cost: usize,
     /// Size relative to the largest entry of the column [-].
     size: f64,
@@ -140,7 +138,7 @@ impl<'a, T: Number> Active<'a, T> {
         given.chain(self.columns[column].iter().copied())
     }
 
-    /// Gives a column entries of its own, which can be changed.
+    /// Copies the entries of a column, so that they can be changed.
     fn take_over(&mut self, column: usize) {
         if self.is_given[column] {
             self.columns[column] = self.entries(column).collect();
@@ -148,14 +146,14 @@ impl<'a, T: Number> Active<'a, T> {
         }
     }
 
-    /// Lets pivots be of the cut from now on.
+    /// Allows pivots of the cut from now on.
     fn show(&mut self) {
         self.by_columns.show();
         self.by_rows.show();
     }
 
-    /// The best pivot in the shortest columns and rows; `None` when all that is left is
-    /// zero, or of the cut.
+    /// The best pivot in the shortest columns and rows; `None` if all remaining entries are
+    /// zero, or in the cut.
     fn best(&self) -> Option<(usize, usize)> {
         let mut best: Option<Candidate> = None;
         let mut consider = |found: Option<Candidate>| {
@@ -192,7 +190,7 @@ impl<'a, T: Number> Active<'a, T> {
         self.rated(row, column, entry.1, self.largest(column))
     }
 
-    /// An entry as a pivot; `None` where it is too small, or of the cut.
+    /// An entry as a pivot; `None` if it is too small, or in the cut.
     fn rated(&self, row: usize, column: usize, value: T, largest: f64) -> Option<Candidate> {
         let is_late = self.by_rows.is_hidden(row) || self.by_columns.is_hidden(column);
         let fits = largest > ZERO && value.size() >= THRESHOLD * largest && !is_late;

@@ -1,8 +1,8 @@
 //! Solution with the factors: `L y = b`, then `U x = y`, in the order of elimination.
 //!
-//! Branches are solved side by side, each in its own rows of b. What a branch takes from
-//! the rows of the trunk is summed by itself, and these sums are added in the order of the
-//! branches: the numbers are the same on any number of threads.
+//! Branches are solved in parallel, each in its own rows of b. The terms that a branch
+//! subtracts from the rows of the trunk are summed separately, and these sums are added in the
+//! order of the branches: the values are the same on any number of threads.
 
 use pulp::{Arch, Simd, WithSimd};
 
@@ -10,13 +10,13 @@ use super::number::{LANES, Number, Row};
 use super::numbers::Numbers;
 use super::structure::{Panel, Part, Strip, Structure};
 
-/// Numbers that [`solve`] needs: those of b, and room behind them.
+/// Size of the buffer of [`solve`]: the numbers of b and the workspace after them.
 pub(super) fn room(structure: &Structure) -> usize {
     let trunk = &structure.trunk.columns;
     trunk.end + structure.branches.len() * trunk.len()
 }
 
-/// Replaces b by x; `all` is b and the [`room`] behind it.
+/// Replaces b by x; `all` is b followed by the workspace (see [`room`]).
 pub(super) fn solve<T: Number, R: Row<T>>(
     structure: &Structure,
     numbers: &Numbers<T>,
@@ -46,8 +46,8 @@ enum Pass {
     Backward,
 }
 
-/// A pass through parts that do not depend on each other: the rows from number `first` on,
-/// and for each part the sums for the rows of the trunk.
+/// A pass through independent parts: the rows from number `first` on, and for each part the
+/// sums for the rows of the trunk.
 fn side_by_side<T: Number, R: Row<T>>(
     given: (&Structure, &Numbers<T>),
     way: Pass,
@@ -95,12 +95,12 @@ fn pass<T: Number, R: Row<T>>(
     });
 }
 
-/// The rows of b that a part changes.
+/// The rows of b that a pass through a part changes.
 struct Rows<'a, R> {
-    /// Its own, or all, from number `first` on.
+    /// Rows of the part, or all rows, from number `first` on.
     b: &'a mut [R],
     first: usize,
-    /// What it takes from those of the trunk, where these are not its own.
+    /// Terms that the part subtracts from the rows of the trunk, if these are not its own.
     sums: &'a mut [R],
     /// The first row of the trunk.
     trunk: usize,
@@ -147,8 +147,8 @@ fn product<T: Number, R: Row<T>>(factors: &[T], known: &[R]) -> R {
 }
 
 impl<T: Number, R: Row<T>> Solution<'_, T, R> {
-    /// `y_r = b_r - sum_j l_rj y_j` for the columns j of a panel; `WHOLE` where all rows are
-    /// at hand.
+    /// `y_r = b_r - sum_j l_rj y_j` for the columns j of a panel; `WHOLE` if all rows are
+    /// available.
     #[inline(always)]
     fn forward<const WHOLE: bool>(&mut self, panel: &Panel) {
         let Rows {
@@ -177,8 +177,7 @@ impl<T: Number, R: Row<T>> Solution<'_, T, R> {
         }
     }
 
-    /// `x_d = (y_d - sum_{j > d} u_dj x_j) / u_dd` in a strip, and what its x take from the
-    /// rows above.
+    /// `x_d = (y_d - sum_{j > d} u_dj x_j) / u_dd` in a strip, and its terms in the rows above.
     #[inline(always)]
     fn backward(&mut self, strip: &Strip) {
         let (structure, numbers) = (self.structure, self.numbers);

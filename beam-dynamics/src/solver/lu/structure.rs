@@ -1,13 +1,13 @@
-//! The pattern of the factors, pivots being given, in blocks that the numbers fill.
+//! The pattern of the factors for given pivots, in dense blocks.
 //!
-//! Neighboring columns of L with (nearly) the same rows are one *panel*: a block of
-//! rows by columns, the upper triangle of its diagonal block being of U. The columns of
-//! a panel are computed in *strips* of [`LANES`]; above the panel, the columns of U in
-//! a strip are kept in *segments*, each of consecutive rows that belong to one panel.
-//! Places of a block that the exact pattern leaves out hold zeros.
+//! Neighboring columns of L with (nearly) the same rows are one *panel*: a block of rows by
+//! columns; the upper triangle of its diagonal block belongs to U. The columns of a panel are
+//! computed in *strips* of [`LANES`]; above the panel, the columns of U in a strip are stored
+//! in *segments*, each of consecutive rows that belong to one panel. Entries of a block outside
+//! the exact pattern are zeros.
 //!
-//! All lists are in one piece each, of small numbers: what is read with the factors takes
-//! time as they do.
+//! Each list is contiguous and has small numbers: reading it takes time, as reading the factors
+//! does.
 //!
 //! References: [Demmel1999], whose supernodes the panels are.
 
@@ -19,9 +19,9 @@ use super::order::inverse;
 use super::pivots::Pivots;
 use crate::assembly::Pattern;
 
-/// Most columns of a panel.
+/// Maximum number of columns of a panel.
 const WIDEST: usize = 16;
-/// Zeros of a panel, relative to its entries [-].
+/// Maximum number of zeros of a panel, relative to its entries [-].
 const SPARSE: f64 = 0.25;
 
 /// A block of columns of L.
@@ -43,7 +43,7 @@ impl Panel {
     }
 }
 
-/// Some columns of a panel, which are computed together.
+/// Columns of a panel that are computed together.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Strip {
     /// First column, and the one after the last.
@@ -97,8 +97,8 @@ impl Segment {
     }
 }
 
-/// What is computed by itself: a branch of the tree of elimination, or all that is left
-/// when the branches are done.
+/// An independent part of the computation: a branch of the tree of elimination, or the rest
+/// after the branches.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Part {
     pub columns: Range<usize>,
@@ -125,14 +125,14 @@ pub(super) struct Structure {
     pub panel_values: usize,
     /// Lanes in all segments.
     pub segment_values: usize,
-    /// Parts that do not depend on each other.
+    /// Independent parts.
     pub branches: Vec<Part>,
-    /// What comes after them.
+    /// The rest, computed after them.
     pub trunk: Part,
 }
 
 impl Structure {
-    /// The pattern for pivots, those of independent branches being the first.
+    /// The pattern for given pivots, the pivots of independent branches first.
     pub fn new(pattern: &Pattern, pivots: &Pivots, branches: &[Range<usize>]) -> Self {
         let mut structure = Self::default();
         structure.permute(pattern, pivots);
@@ -145,7 +145,7 @@ impl Structure {
         structure
     }
 
-    /// All rows of a panel, those of its columns first.
+    /// All rows of a panel, the rows of its columns first.
     #[inline(always)]
     pub fn rows_of(&self, panel: &Panel) -> &[u32] {
         &self.panel_rows[panel.rows[0] as usize..panel.rows[1] as usize]
@@ -175,7 +175,7 @@ impl Structure {
         self.columns.push(column(0, self.rows.len()));
     }
 
-    /// Joins columns to panels while few zeros have to be stored; none across the end of a
+    /// Joins columns to panels while few zeros have to be stored; no panel crosses the end of a
     /// branch.
     fn find_panels(&mut self, fill: &Fill, branches: &[Range<usize>]) {
         let n = fill.lower.count();
@@ -279,13 +279,13 @@ impl Structure {
             last.clone()
         };
         let parts: Vec<_> = branches.iter().map(|branch| next(branch.end)).collect();
-        // It sees the whole.
+        // It has access to all values.
         self.trunk = next(n);
         self.branches = parts;
     }
 }
 
-/// Both sorted lists in one, from row `from` on.
+/// Union of both sorted lists, from row `from` on.
 fn union(a: &[u32], b: &[u32], from: usize) -> Vec<u32> {
     let rows = a.iter().chain(b).copied();
     let mut all: Vec<_> = rows.filter(|&i| i as usize > from).collect();

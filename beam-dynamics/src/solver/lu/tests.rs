@@ -1,5 +1,5 @@
 //! Branches of large matrices: the same digits on any number of threads, and solutions that
-//! fulfill their equations.
+//! satisfy their equations.
 
 use super::*;
 use crate::assembly::Sparse;
@@ -7,19 +7,19 @@ use crate::assembly::Sparse;
 /// Unknowns of a block.
 const BLOCK: usize = 6;
 
-/// Numbers between -1 and 1 without order.
+/// Pseudo-random numbers between -1 and 1.
 struct Scattered(u64);
 
 impl Scattered {
     fn next(&mut self) -> f64 {
-        // The generator of Knuth's MMIX; its upper bits are the scattered ones.
+        // The generator of Knuth's MMIX; its upper bits are the most random ones.
         let (factor, sum) = (6_364_136_223_846_793_005, 1_442_695_040_888_963_407);
         self.0 = self.0.wrapping_mul(factor).wrapping_add(sum);
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }
 
-/// A pattern of blocks that hang on their parents, the first one on nothing.
+/// A pattern of blocks connected to their parents; the first one has no parent.
 fn tree(parents: &[usize]) -> Pattern {
     Pattern::of(BLOCK * parents.len(), |add| {
         for (block, &parent) in parents.iter().enumerate() {
@@ -34,7 +34,7 @@ fn tree(parents: &[usize]) -> Pattern {
     })
 }
 
-/// Values without order, with a diagonal that is larger than most of its column.
+/// Pseudo-random values, with a diagonal that is larger than most of its column.
 fn values(pattern: &Pattern, scattered: &mut Scattered) -> Vec<f64> {
     let of_column = |j: usize| {
         pattern.rows()[pattern.column(j)]
@@ -49,8 +49,8 @@ fn values(pattern: &Pattern, scattered: &mut Scattered) -> Vec<f64> {
     entries.map(value).collect()
 }
 
-/// Chooses pivots for one matrix and keeps them for another; the bits of both solutions, and
-/// the number of branches.
+/// Chooses pivots for one matrix and keeps them for another; returns the bits of both
+/// solutions, and the number of branches.
 fn solutions(pattern: &Arc<Pattern>, of: [&[f64]; 2], b: &[f64]) -> (Vec<u64>, usize) {
     let mut lu = Lu::choose(pattern, of[0]).unwrap();
     let mut buffer = vec![0.0; lu.plan().room()];
@@ -63,7 +63,7 @@ fn solutions(pattern: &Arc<Pattern>, of: [&[f64]; 2], b: &[f64]) -> (Vec<u64>, u
         matrix.values_mut().copy_from_slice(values);
         let mut product = vec![0.0; b.len()];
         matrix.multiply_add(&x, &mut product);
-        // Terms of size one, and factors that grow by some tens.
+        // Terms of size one, and factors that grow by a factor of some tens.
         let off = product.iter().zip(b).map(|(a, b)| (a - b).abs());
         assert!(off.fold(0.0, f64::max) < 1e-11);
         bits.extend(x.iter().map(|x| x.to_bits()));
@@ -75,7 +75,7 @@ fn solutions(pattern: &Arc<Pattern>, of: [&[f64]; 2], b: &[f64]) -> (Vec<u64>, u
 fn branches_have_the_same_digits_on_any_number_of_threads() {
     let count = branches::LARGE / BLOCK + 1;
     let mut scattered = Scattered(3);
-    // A chain, chains that hang on the first block, and a tree without order.
+    // A chain, chains connected to the first block, and a random tree.
     let mut trees: Vec<(Vec<usize>, usize)> = [(1, 2), (2, 2), (3, 3), (4, 4)]
         .map(|(chains, branches)| {
             let parents = (0..count).map(|block: usize| block.saturating_sub(chains));

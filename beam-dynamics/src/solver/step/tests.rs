@@ -1,8 +1,8 @@
-//! Solutions against those of the other factorization, on matrices of several kinds.
+//! Solutions compared with the general factorization, on matrices of several kinds.
 
 use super::*;
 
-/// Numbers between -1 and 1 without order.
+/// Pseudo-random numbers between -1 and 1.
 fn scattered(seed: usize, count: usize) -> Vec<f64> {
     (0..count)
         .map(|i| (1.7 + 3.1 * seed as f64 + 2.3 * i as f64 + 0.7 * (i * i % 1009) as f64).sin())
@@ -33,8 +33,8 @@ fn unsymmetric(n: usize, seed: usize, diagonal: f64) -> Vec<(usize, usize, f64)>
     entries
 }
 
-/// A tridiagonal stiffness of n freedoms, and a multiplier between every third and its
-/// next but one, whose diagonal is zero.
+/// A tridiagonal stiffness of n freedoms, and a multiplier between every third and the one
+/// after next, whose diagonal is zero.
 fn saddle(n: usize) -> Sparse {
     let mut entries = Vec::new();
     for i in 0..n {
@@ -52,12 +52,12 @@ fn saddle(n: usize) -> Sparse {
     matrix(n + (0..n - 2).step_by(3).count(), &entries)
 }
 
-/// Solves with both, and compares.
+/// Solves with both factorizations, and compares.
 fn check(solver: &mut StepSolver, matrix: &Sparse, tolerance: f64) {
     check_in_units(solver, matrix, tolerance, |_| 1.0);
 }
 
-/// As [`check`], each unknown being measured in its unit.
+/// Like [`check`], each unknown measured in its unit.
 fn check_in_units(
     solver: &mut StepSolver,
     matrix: &Sparse,
@@ -118,7 +118,7 @@ fn multipliers_with_zero_diagonals_are_solved() {
     assert_eq!(solver.counts().fallbacks, 0);
 }
 
-/// The doubled pattern of a formula of two stages, whose unknowns stand in pairs.
+/// The doubled pattern of a scheme of two stages, whose unknowns are in pairs.
 #[test]
 fn interleaved_stages_are_solved() {
     let one = saddle(60);
@@ -136,8 +136,8 @@ fn interleaved_stages_are_solved() {
     assert_eq!(solver.counts().fallbacks, 0);
 }
 
-/// Diagonal pivots are right for the first matrix; in the second the diagonal has all
-/// but vanished, so that the kept factors would grow without bound.
+/// Diagonal pivots are right for the first matrix; in the second the diagonal has nearly
+/// vanished, so that the kept factors would grow without bound.
 #[test]
 fn pivots_that_turn_bad_are_chosen_again() {
     let n = 80;
@@ -148,7 +148,7 @@ fn pivots_that_turn_bad_are_chosen_again() {
         let weak = matrix(n, &unsymmetric(n, 5, diagonal));
         let mut same_pattern = strong.clone();
         same_pattern.values_mut().copy_from_slice(weak.values());
-        // The condition of the second matrix is not under control: 1e6 at most.
+        // The condition number of the second matrix is not prescribed: at most 1e6.
         check(&mut solver, &same_pattern, 1e-8);
         assert!(solver.counts().pivotings >= pivotings);
     }
@@ -183,7 +183,7 @@ fn singular_and_undefined_matrices_have_no_solution() {
     check(&mut solver, &regular, TOLERANCE);
     assert!(solver.solve(&mut [f64::NAN, 2.0]).is_none());
 
-    // From the pivots of a regular matrix too.
+    // Starting from the pivots of a regular matrix too.
     assert!(solver.factorize(&singular).is_none());
     solver.factorize(&regular).unwrap();
     let mut undefined = regular.clone();

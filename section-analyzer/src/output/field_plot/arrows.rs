@@ -10,32 +10,31 @@ use super::sample::{SPACING, Sample, grid_point};
 use crate::mesh::distance;
 
 /// Least distance of two arrows, relative to [`SPACING`]: less than one, so that all points of
-/// the grid can have one, and more than half a diagonal, so that none stands between.
+/// the grid can have one, and more than half a diagonal, so that none is between them.
 const NEAREST: f64 = 0.95;
-/// The same for arrows that lie less deep in the section than this part of the
-/// distance: in thin walls, and on the rim of wide ones, where few are enough.
+/// The same for arrows whose depth in the section is less than this part of the distance: in
+/// thin walls, and at the boundary of wide ones, where few are enough.
 const NEAREST_SHALLOW: f64 = 1.3;
 const SHALLOW: f64 = 0.2;
 /// Radius of the means that arrows show [figure pixels].
 const MEAN: f64 = 0.4 * SPACING;
-/// A mean below this part of the mean length has no direction worth showing: where the
-/// two faces of a wall, or plies of opposite angles, shear against each other, it is the
-/// remainder of what nearly cancels, and depends on where exactly it is taken.
+/// Ratio to the mean length below which a mean has no meaningful direction: if the shear of the
+/// two faces of a wall, or of plies of opposite angles, is opposite, the mean is a small
+/// difference that depends on its exact position.
 const COHERENT: f64 = 0.5;
-/// What a pixel of depth is worth in pixels of distance from the grid.
+/// Weight of a pixel of depth, in pixels of distance from the grid.
 const DEEP: f64 = 4.0;
-/// Distance of the points of the rim [figure pixels].
+/// Distance of the points of the boundary [figure pixels].
 const CLOSE: f64 = 4.0;
 /// Length of the longest arrow, relative to the distance.
 const LONGEST: f64 = 0.92;
-/// Arrows shorter than this part of the longest are left out.
+/// Length below which arrows are omitted, relative to the longest.
 const SHORTEST: f64 = 0.06;
-/// Length of the head of an arrow at most [figure pixels].
+/// Maximum length of the head of an arrow [figure pixels].
 const HEAD: f64 = 17.0;
 
-/// Draws arrows at some of the samples, `rim` the lines around the section and between
-/// its materials; the longest
-/// is that of a vector of the length `largest`.
+/// Draws arrows at some of the samples; `rim` are the lines around the section and between its
+/// materials; the longest arrow is a vector of the length `largest`.
 pub(super) fn draw<B: DrawingBackend>(
     canvas: &Canvas<B>,
     samples: &[Sample],
@@ -48,7 +47,7 @@ pub(super) fn draw<B: DrawingBackend>(
         let size = y.hypot(z) / largest;
         if size >= SHORTEST {
             let length = (LONGEST * SPACING * size).max(0.25 * SPACING);
-            // z is up on the figure, where y counts down
+            // z is up on the figure, but the pixel coordinate y is down
             let direction = [y / y.hypot(z), -z / y.hypot(z)];
             draw_arrow(canvas, place, direction, length)?;
         }
@@ -56,8 +55,8 @@ pub(super) fn draw<B: DrawingBackend>(
     Ok(())
 }
 
-/// Mean vector around a place: in a wall that of its thickness, which is its flow. Zero
-/// where vectors of all directions meet, as in the wall of an open section in torsion.
+/// Mean vector around a position: in a wall the mean over its thickness, which is its flow.
+/// Zero if vectors of all directions meet, as in the wall of an open section in torsion.
 fn mean_vector(near: &BySquare<Sample>, place: [f64; 2]) -> [f64; 2] {
     let (mut sum, mut length, mut area) = ([0.0; 2], 0.0, 0.0);
     for sample in near.around(place) {
@@ -73,8 +72,8 @@ fn mean_vector(near: &BySquare<Sample>, place: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Places at the points of a grid where these lie deep in the section, in its walls
-/// those farthest from the rim; none too near to another.
+/// Positions at the points of a grid that are deep in the section, in its walls the positions
+/// farthest from the boundary; none too near to another.
 fn spread(samples: &[Sample], rim: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
     let farthest = 0.5 * SPACING;
     let rim = BySquare::new(points_along(rim).into_iter().map(|p| (p, p)), farthest);
@@ -122,7 +121,7 @@ fn points_along(lines: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
     points.filter(is_first).collect()
 }
 
-/// Values by the square that they lie in.
+/// Values by the squares that contain them.
 struct BySquare<T> {
     values: HashMap<[i64; 2], Vec<T>>,
     /// Size of a square [figure pixels].
@@ -150,8 +149,8 @@ impl<T> BySquare<T> {
         place.map(|value| (value / self.size).floor() as i64)
     }
 
-    /// The values in the square of `place` and those around it: all that are within
-    /// the size of a square, and some more.
+    /// The values in the square of `place` and in the squares around it: all within the size of
+    /// a square, and some more.
     fn around(&self, place: [f64; 2]) -> impl Iterator<Item = &T> {
         let [i, j] = self.square(place);
         (0..9)
@@ -213,8 +212,8 @@ mod tests {
         vec![corners.iter().cycle().take(5).copied().collect()]
     }
 
-    /// Along a wall of 1000 by 40 pixels: all arrows in its middle, no nearer than
-    /// allowed, and none missing where there is room for another.
+    /// Along a wall of 1000 by 40 pixels: all arrows in its middle, no nearer than allowed, and
+    /// no gap wide enough for another.
     #[test]
     fn arrows_stand_in_the_middle_of_a_wall_and_keep_their_distance() {
         let samples = samples(1000, 40);
@@ -235,7 +234,7 @@ mod tests {
         assert!(spread(&[], &[]).is_empty());
     }
 
-    /// In a wide section they stand on the grid.
+    /// In a wide section they are on the grid.
     #[test]
     fn arrows_in_the_open_stand_on_the_grid() {
         let kept = spread(&samples(320, 256), &frame(320.0, 256.0));

@@ -2,11 +2,11 @@
 
 use crate::section::Section;
 
-/// Values nearer to the extreme than this part of it are as extreme: the first of
-/// them is told, whatever round-off makes of symmetric fields.
+/// Relative difference to the extreme up to which values are equally extreme: the first of them
+/// is reported, independent of round-off in symmetric fields.
 const SAME: f64 = 1e-6;
 
-/// What is shown, which chooses unit and colors.
+/// The quantity shown, which determines unit and colors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::output) enum Quantity {
     /// A stress that may be negative [Pa].
@@ -26,29 +26,29 @@ pub(in crate::output) enum Quantity {
 pub(in crate::output) struct Field {
     /// Name for title and color bar.
     pub title: String,
-    /// More words, for the line below the load case.
+    /// More text, for the line below the load case.
     pub note: String,
     pub quantity: Quantity,
     /// Values of each cell at its nodes, the rest zero [SI].
     pub values: Vec<[f64; 9]>,
     /// Vectors (y, z) of each cell at its nodes, drawn as arrows [SI].
     pub vectors: Option<Vec<[[f64; 2]; 9]>>,
-    /// Values below this count as zero [SI].
+    /// Magnitude below which values are zero [SI].
     pub negligible: f64,
 }
 
-/// The lowest or highest value and where it is.
+/// The lowest or highest value and its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Extreme {
     pub value: f64,
-    /// Place (y, z) [m].
+    /// Position (y, z) [m].
     pub place: [f64; 2],
     /// Region: index of the physical surface.
     pub region: usize,
 }
 
 impl Field {
-    /// A field of one value a cell.
+    /// A field of one value per cell.
     pub fn of_cells(quantity: Quantity, title: String, values: &[f64]) -> Self {
         Self {
             title,
@@ -60,7 +60,7 @@ impl Field {
         }
     }
 
-    /// Lowest and highest value; cells without a number are passed over.
+    /// Lowest and highest value; cells without a number are ignored.
     pub(super) fn extremes(&self, section: &Section) -> [Extreme; 2] {
         let all = || {
             let cells = section.mesh.cells.iter().zip(&self.values).enumerate();
@@ -89,7 +89,7 @@ impl Field {
         [first(-1.0), first(1.0)]
     }
 
-    /// The node, or the middle of the corners for a cell of one value.
+    /// The node, or the mean of the corners for a cell of one value.
     fn place(&self, section: &Section, cell: usize, local: usize) -> [f64; 2] {
         let values = &self.values[cell];
         let mesh = &section.mesh;

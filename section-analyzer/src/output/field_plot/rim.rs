@@ -1,5 +1,5 @@
-//! The rim of a section: its outline, and where walls are too thin to be seen, a
-//! band outside of it in the colors of the surface that it lies on.
+//! The boundary of a section: its outline, and for walls too thin to be seen, a band outside of
+//! it in the colors of the adjacent surface.
 
 use std::collections::HashMap;
 
@@ -10,20 +10,20 @@ use crate::output::outline::{Side, SideRole};
 use crate::output::plane::Plane;
 use crate::section::Section;
 
-/// Pieces in which a quadratic side is drawn.
+/// Number of pieces in which a quadratic side is drawn.
 const PIECES: usize = 8;
-/// At corners the band grows by this factor at most.
+/// Largest growth of the band at corners.
 const MITER: f64 = 2.5;
 
 /// The outline of a section, and the bands outside of it.
 #[derive(Debug, Default)]
 pub(super) struct Rim {
-    /// Lines around the section as it is drawn, one a side of a cell [figure pixels].
+    /// Lines around the section as drawn, one per side of a cell [figure pixels].
     pub outlines: Vec<Vec<[f64; 2]>>,
     bands: Vec<Band>,
 }
 
-/// What lies outside of one side.
+/// The band outside of one side.
 #[derive(Debug)]
 struct Band {
     node: [u32; 2],
@@ -33,7 +33,7 @@ struct Band {
 }
 
 impl Rim {
-    /// With bands of `width` [figure pixels].
+    /// The boundary with bands of `width` [figure pixels].
     pub fn new(
         section: &Section,
         plane: &Plane,
@@ -82,7 +82,7 @@ impl Rim {
 }
 
 impl Band {
-    /// Without width: places and values along the side.
+    /// A band without width: positions and values along the side.
     fn new(section: &Section, plane: &Plane, field: &Field, side: &Side) -> Self {
         let cell = &section.mesh.cells[side.cell];
         let nodes = cell.kind.reference_nodes();
@@ -136,13 +136,13 @@ impl Band {
     }
 }
 
-/// The unit normal on the outside of a line that has the section on its left, as
-/// one looks at it: figure pixels count y down.
+/// The unit normal on the outside of a line that has the section on its left on the figure:
+/// figure pixels count y down.
 fn normal(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     unit([from[1] - to[1], to[0] - from[0]])
 }
 
-/// Along `shared`, as long as needed to be one unit away from the line of `own`.
+/// The multiple of `shared` that is one unit away from the line of `own`.
 fn miter(own: [f64; 2], shared: [f64; 2]) -> [f64; 2] {
     let shared = unit(shared);
     let cosine = own[0] * shared[0] + own[1] * shared[1];

@@ -1,21 +1,21 @@
-//! Places of a field at which arrows may stand, and the grid of arrows.
+//! Positions of a field for possible arrows, and the grid of arrows.
 
 /// Distance of the arrows [figure pixels].
 pub(super) const SPACING: f64 = 64.0;
 
-/// A place on the figure with the vector there.
+/// A position on the figure with the vector there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Sample {
-    /// Place [figure pixels].
+    /// Position [figure pixels].
     pub place: [f64; 2],
     /// Vector (y, z) [SI].
     pub vector: [f64; 2],
-    /// Area that it stands for [square figure pixels].
+    /// Area that it represents [square figure pixels].
     pub area: f64,
 }
 
 impl Sample {
-    /// The sample of a triangle: at the point of the grid of arrows, where that lies in
+    /// The sample of a triangle: at the point of the grid of arrows if the triangle contains
     /// it, else in its middle.
     pub fn of(places: [[f64; 2]; 3], vectors: [[f64; 2]; 3]) -> Self {
         let mean = [0, 1].map(|axis| places.iter().map(|place| place[axis]).sum::<f64>() / 3.0);
@@ -40,7 +40,7 @@ impl Sample {
     }
 }
 
-/// The point of the grid of arrows in whose square a place lies.
+/// The point of the grid of arrows whose square contains a position.
 pub(super) fn grid_point(place: [f64; 2]) -> [f64; 2] {
     place.map(|value| ((value / SPACING).floor() + 0.5) * SPACING)
 }

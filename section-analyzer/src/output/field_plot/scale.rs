@@ -12,23 +12,23 @@ use crate::output::plane::INK;
 
 /// Color of a field that is zero.
 const NOTHING: RGBColor = RGBColor(225, 225, 225);
-/// Spread below this part of the largest value is none.
+/// Spread below which values are equal, relative to the largest value.
 const UNIFORM: f64 = 1e-6;
-/// Values below this part of the largest are round-off.
+/// Size below which values are round-off, relative to the largest.
 const NOISE: f64 = 1e-9;
-/// Color of what fails, which is none of the others.
+/// Color of failure, different from all others.
 const FAILED: RGBColor = RGBColor(214, 20, 60);
-/// A value of what fails: all of it looks the same.
+/// A value of failure: all such values have the same color.
 const BEYOND: f64 = 2.0;
-/// Room at the end of the bar for what fails, and free of it before [figure pixels].
+/// Space at the end of the bar for failure, and gap before it [figure pixels].
 const BOX: f64 = 190.0;
 const GAP: f64 = 40.0;
 /// Height of the bar and length of a tick [figure pixels].
 const HEIGHT: f64 = 44.0;
 const TICK: f64 = 10.0;
 
-/// Units of stress, each for values from its size on [Pa]. Megapascals reach to ten
-/// thousand, as engineers write them.
+/// Units of stress, each for values from its size on [Pa]. Megapascals are used up to ten
+/// thousand, as usual in engineering.
 const UNITS: [(f64, f64, &str); 4] = [
     (1e10, 1e9, "GPa"),
     (1e6, 1e6, "MPa"),
@@ -36,7 +36,7 @@ const UNITS: [(f64, f64, &str); 4] = [
     (0.0, 1.0, "Pa"),
 ];
 
-/// Units of potential and of electric field, as those of stress [V], [V/m].
+/// Units of potential and of electric field, like the units of stress [V], [V/m].
 const POTENTIALS: [(f64, f64, &str); 4] = [
     (1e4, 1e3, "kV"),
     (1e-1, 1.0, "V"),
@@ -50,7 +50,7 @@ const FIELDS: [(f64, f64, &str); 4] = [
     (0.0, 1e-3, "mV/m"),
 ];
 
-/// How values become colors and numbers.
+/// Conversion of values to colors and numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scale {
     quantity: Quantity,
@@ -63,7 +63,7 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// For values between these ends; all below `negligible` is zero.
+    /// A scale for values between these ends; all below `negligible` are zero.
     pub fn new(quantity: Quantity, [lowest, highest]: [f64; 2], negligible: f64) -> Self {
         let largest = lowest.abs().max(highest.abs());
         let (low, high) = match largest > negligible {
@@ -90,7 +90,7 @@ impl Scale {
         }
     }
 
-    /// Whether there is nothing but round-off.
+    /// Whether all values are round-off.
     pub fn is_zero(&self) -> bool {
         self.low == self.high
     }
@@ -100,7 +100,7 @@ impl Scale {
         self.high
     }
 
-    /// Whether these lowest and highest values are worth telling apart.
+    /// Whether these lowest and highest values are different.
     pub fn tells(&self, [lowest, highest]: [f64; 2]) -> bool {
         highest - lowest > UNIFORM * self.largest() && !self.is_zero()
     }
@@ -109,8 +109,8 @@ impl Scale {
         self.high.max(-self.low)
     }
 
-    /// The value that is drawn in place of `value`: indices are shown from 0 to 1, whatever
-    /// their range, so that safe and failed are told apart in all figures.
+    /// The value drawn for `value`: indices are shown from 0 to 1, independent of their range,
+    /// so that safe and failed are distinguished in all figures.
     pub fn drawn(&self, value: f64) -> f64 {
         match self.quantity {
             Quantity::Index if value > 1.0 => BEYOND,
@@ -155,8 +155,7 @@ impl Scale {
         }
     }
 
-    /// What is told of a field without extremes, which `is_whole` where all cells have a
-    /// value.
+    /// The text for a field without extremes; `is_whole` if all cells have a value.
     pub fn uniform_words(&self, is_whole: bool) -> String {
         let place = match is_whole {
             true => "in the whole section",

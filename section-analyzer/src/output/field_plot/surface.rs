@@ -11,11 +11,11 @@ use crate::output::outline::{Side, SideRole, cell_points, length, side_points};
 use crate::output::plane::Plane;
 use crate::section::Section;
 
-/// What is drawn of the cells.
+/// The drawn parts of the cells.
 #[derive(Debug, Default)]
 pub(super) struct Surface {
     pub triangles: Vec<ValueTriangle>,
-    /// Places where an arrow may stand.
+    /// Possible positions of arrows.
     pub samples: Vec<Sample>,
 }
 
@@ -28,7 +28,7 @@ impl Surface {
             for (place, of_node) in places.iter_mut().zip(section.mesh.places(cell)) {
                 *place = plane.place(of_node);
             }
-            // as a quadratic one is curved even where it is small
+            // because a quadratic one is curved even if it is small
             let least = if cell.kind.is_quadratic() { 2 } else { 1 };
             let pattern = patterns.of(cell.kind, &places, least);
             let vectors = field.vectors.as_ref().map(|vectors| &vectors[index]);
@@ -53,7 +53,7 @@ impl Surface {
                 values: triangle.map(|corner| values[corner][0]),
             });
         }
-        // a cell without a value has no arrows, and takes their place from none
+        // a cell without a value has no arrows, and blocks no other arrow
         let Some(vectors) = vectors.filter(|_| !values[0][0].is_nan()) else {
             return;
         };

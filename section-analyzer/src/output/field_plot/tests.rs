@@ -1,4 +1,4 @@
-//! Figures of fields: what they tell, in which unit and color, and where.
+//! Figures of fields: their texts, units, colors and positions.
 
 use nalgebra::Vector6;
 use plotters::style::RGBColor;
@@ -31,7 +31,7 @@ fn summary(section: &Section) -> InputSummary {
     }
 }
 
-/// The figures of a load case as texts of SVG, by their words.
+/// The texts in the SVG figures of a load case.
 fn drawn(
     section: &Section,
     recovery: &Recovery,
@@ -62,7 +62,7 @@ fn bending_is_told_with_its_extremes_and_their_places() {
     holds(0, "axial stress xx [MPa]");
     holds(0, "max 3 MPa at (y, z) = (-50, 50) mm, region upper");
     holds(0, "min -3 MPa at (y, z) = (-100, -50) mm, region lower");
-    // shear is zero to the last digit here, and the magnitude has no sign
+    // shear is exactly zero here, and the magnitude has no sign
     holds(1, "zero in the whole section, up to round-off");
     holds(2, "min 0 MPa at (y, z) = (-50, 0) mm, region lower");
     holds(2, "max 3 MPa at (y, z) = (-100, -50) mm, region lower");
@@ -93,12 +93,12 @@ fn largest_failure_index_is_shown_where_there_is_one() {
     let place = format!("max 1.5 at (y, z) = ({}, {}) mm", shown(y), shown(z));
     assert!(text.contains(&place), "{place}");
     assert!(text.contains("min 0.5 at"));
-    // the cell that fails is marked, and so is its color
+    // the failed cell is marked, and so is its color
     assert!(text.contains("above 1: fails"));
     assert!(text.matches("fill=\"#D6143C\"").count() > 1);
 }
 
-/// An index has its color whatever the largest one is, and all that fail have another.
+/// An index has the same color for any largest index, and all that fail have another.
 #[test]
 fn indices_are_shown_from_0_to_1() {
     let color = |highest: f64, value: f64| {
@@ -112,8 +112,8 @@ fn indices_are_shown_from_0_to_1() {
     assert_ne!(color(50.0, 1.001), color(50.0, 1.0));
 }
 
-/// A stress that is the same everywhere has no places; one that is round-off of
-/// another is zero.
+/// A stress that is the same everywhere has no position; one that is round-off of another is
+/// zero.
 #[test]
 fn uniform_stress_is_told_as_such() {
     let section = rectangle(CellKind::Quadrilateral4);
@@ -151,8 +151,7 @@ fn unit_follows_the_largest_value() {
     );
 }
 
-/// Zero has the color of zero whatever the range, and equal magnitudes are equally
-/// far from it.
+/// Zero has the same color in any range, and equal magnitudes are equally far from it.
 #[test]
 fn colors_of_signed_values_are_centered_at_zero() {
     let color = |range, value| Scale::new(Quantity::SignedStress, range, 0.0).color(value);
@@ -163,8 +162,8 @@ fn colors_of_signed_values_are_centered_at_zero() {
     assert!(zero.is_zero() && zero.color(1e-9) == zero.color(0.0));
 }
 
-/// A tube of 1 mm wall on 200 mm: the band on both sides makes up for what it lacks
-/// of 14 pixels, and has the stress of the surface that it lies on.
+/// A tube of 1 mm wall on 200 mm: the band on both sides widens it to 14 pixels, and has the
+/// stress of the adjacent surface.
 #[test]
 fn thin_walls_are_drawn_thicker_on_both_sides() {
     let tube = Tube {

@@ -5,8 +5,8 @@ use shared_geom::vtk::{Cell, FieldFile};
 use crate::material::material_axes;
 use crate::section::{CellMaterial, Section};
 
-/// A grid of the cells of `section` on `points` (y, z); each cell has the points that
-/// `cell_points` gives, in the order of its nodes.
+/// A grid of the cells of `section` on `points` (y, z); `cell_points` returns the points of
+/// each cell in the order of its nodes.
 pub(super) fn section_grid(
     section: &Section,
     points: impl Iterator<Item = [f64; 2]>,
@@ -22,7 +22,7 @@ pub(super) fn section_grid(
     file
 }
 
-/// What the numbers of regions and materials mean.
+/// Names of the numbers of regions and materials.
 fn add_names(file: &mut FieldFile, section: &Section) {
     for (number, name) in section.mesh.groups.iter().enumerate() {
         file.field_number(&format!("region {name}"), number as i64);
@@ -32,7 +32,7 @@ fn add_names(file: &mut FieldFile, section: &Section) {
     }
 }
 
-/// What the cells are made of.
+/// Materials and orientations of the cells.
 fn add_cell_values(file: &mut FieldFile, section: &Section) {
     let cells = || section.mesh.cells.iter().zip(&section.cells);
     let regions = cells().map(|(cell, _)| cell.group as i64);

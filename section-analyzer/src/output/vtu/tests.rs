@@ -73,7 +73,7 @@ fn warping_is_that_of_the_solution_and_per_strain_of_its_stiffness() {
     assert_eq!((components, found.len()), (3, solution.warping.nrows()));
     assert_eq!(found, solution.warping.column(3).as_slice());
 
-    // under a unit rate of twist: the torsional stiffness times that of a unit torque
+    // under a unit rate of twist: the torsional stiffness times the warping of a unit torque
     let (_, twisted) = values(&grid.data.point, "warping_per_strain_torsion");
     let expected = &solution.warping * solution.stiffness.column(3);
     let scale = expected.amax();
@@ -104,7 +104,7 @@ fn stress_has_a_point_for_each_state_and_its_values() {
     let index = ("hashin".to_owned(), indices);
     let grid = read_back(stress_vtu(&section, &solution, &recovery, &[index]));
 
-    // two halves meet in 4 cells of 8 nodes: 9 nodes stand twice
+    // two halves meet in 4 cells of 8 nodes: 9 nodes occur twice
     let points: Vec<f64> = grid.points.clone().cast_into().unwrap();
     assert_eq!(points.len(), 3 * (section.mesh.nodes.len() + 9));
     let data = &grid.data;
@@ -143,7 +143,7 @@ fn stress_has_a_point_for_each_state_and_its_values() {
     );
 }
 
-/// An array a name, which holds the number that cells of that name have.
+/// One array per name, which contains the number of the cells with that name.
 #[test]
 fn regions_and_materials_are_named() {
     let section = rectangle(CellKind::Quadrilateral4);
