@@ -1,7 +1,6 @@
 //! Motion in time: initialization, then step after step, each passed to a recorder.
 //!
-//! 1. Positions and velocities are changed to fulfill the constraints, with the smallest weighted
-//!   change; momenta, their rates and the multipliers follow.
+//! 1. Positions and velocities are changed to fulfill the constraints, with the smallest
 //!    weighted change; momenta, their rates and the multipliers follow.
 //! 2. The integrator makes one accepted step after the other, to the last instant.
 //! 3. The reason for an early end is reported with the worst equation and the likely cause.

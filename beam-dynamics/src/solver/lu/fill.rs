@@ -65,7 +65,8 @@ impl Fill {
         let mut open = BinaryHeap::new();
         let (mut above, mut below) = (Vec::new(), Vec::new());
         for k in 0..n as u32 {
-            (above.clear(), below.clear());
+            above.clear();
+            below.clear();
             let mut add = |row: u32, open: &mut BinaryHeap<_>, below: &mut Vec<_>| {
                 if std::mem::replace(&mut met[row as usize], k) != k {
                     match row.cmp(&k) {
