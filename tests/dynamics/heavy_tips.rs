@@ -16,7 +16,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use crate::record;
 
 const FREEDOMS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
-const CASES: usize = 200;
+const CASES: usize = 80;
 /// Frequencies over the lowest beyond which stiffnesses have lost their digits: round-off of
 /// 1e-16 is then 1e-4 of the lowest stiffness.
 const KNOWN: f64 = 1e6;

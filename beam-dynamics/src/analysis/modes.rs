@@ -310,25 +310,10 @@ fn at_equilibrium(
     // At rest all terms of the equilibrium are round-off.
     let steady_residual = if speed == 0.0 { 0.0 } else { steady.residual };
     separate(&mut motions, &frequencies, &case.model.naming, case.rotor);
-    let mode = |(pair, motion): (&Eigenpair, ModeMotion)| {
-        let magnitude = pair.growth.hypot(pair.angular_frequency);
-        let point = ModePoint {
-            frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
-            damping_ratio: match magnitude > 0.0 {
-                true => -pair.growth / magnitude,
-                false => 0.0,
-            },
-            growth: pair.growth,
-            shares: [0.0; 4],
-            whirl: None,
-            assurance: None,
-            shape: None,
-        };
-        Mode {
-            motion,
-            point,
-            slope: None,
-        }
+    let mode = |(pair, motion): (&Eigenpair, ModeMotion)| Mode {
+        motion,
+        point: point(pair),
+        slope: None,
     };
     let own = &pairs[..pairs.len().min(case.question.count)];
     let at = format!("at {}", rpm(speed));
@@ -345,6 +330,23 @@ fn at_equilibrium(
             .collect(),
         residual: residual.fold(steady_residual, larger),
     })
+}
+
+/// A mode that nothing is known of but its pair.
+fn point(pair: &Eigenpair) -> ModePoint {
+    let magnitude = pair.growth.hypot(pair.angular_frequency);
+    ModePoint {
+        frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
+        damping_ratio: match magnitude > 0.0 {
+            true => -pair.growth / magnitude,
+            false => 0.0,
+        },
+        growth: pair.growth,
+        shares: [0.0; 4],
+        whirl: None,
+        assurance: None,
+        shape: None,
+    }
 }
 
 /// Modes of one frequency that a model may have: both bending directions of every blade.

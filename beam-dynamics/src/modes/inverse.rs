@@ -312,20 +312,23 @@ impl Operator for Inverse {
     }
 }
 
-/// First scales of the unknowns at `places`, by the mass of each motion: with a motion times
-/// the root of its mass, and a momentum over it, a light body weighs as much as a heavy one.
+/// First scales of the unknowns at `places`, by the mass of each node: with a motion times
+/// its root, and a momentum over it, a light body weighs as much as a heavy one. Rotations
+/// have the scale of their node: with that of a small inertia of their own, the round-off of
+/// large stiffnesses would count for more.
 fn scales(places: &[usize], masses: &[f64]) -> Vec<f64> {
-    let largest = masses.iter().fold(0.0_f64, |a, b| a.max(*b));
-    let scale = |&place: &usize| {
-        let of_motion = place % NODE_UNKNOWNS < NODE_UNKNOWNS / 2;
-        match masses.get(place) {
-            Some(_) if largest == 0.0 => 1.0,
-            Some(0.0) if of_motion => largest.sqrt().recip(),
-            Some(0.0) => largest.sqrt(),
-            Some(mass) if of_motion => mass.sqrt().recip(),
-            Some(mass) => mass.sqrt(),
-            None => 1.0,
+    let of_node = |node: &[f64]| node.iter().take(3).fold(0.0_f64, |a, b| a.max(*b));
+    let of_nodes: Vec<_> = masses.chunks(NODE_UNKNOWNS).map(of_node).collect();
+    let largest = of_nodes.iter().fold(0.0_f64, |a, b| a.max(*b));
+    let scale = |&place: &usize| match of_nodes.get(place / NODE_UNKNOWNS) {
+        Some(own) if largest > 0.0 => {
+            let root = if *own > 0.0 { own } else { &largest }.sqrt();
+            match place % NODE_UNKNOWNS < NODE_UNKNOWNS / 2 {
+                true => root.recip(),
+                false => root,
+            }
         }
+        _ => 1.0,
     };
     places.iter().map(scale).collect()
 }

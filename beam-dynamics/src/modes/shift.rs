@@ -20,8 +20,9 @@ const ABOVE: f64 = 3.0;
 const LOST: f64 = 10.0;
 /// Parts of the shift below which values are those of the round-off of the inversion.
 const INVERTED: f64 = 1e-6;
-/// Parts of the shift below which a value is looked at from nearer; and parts of the lowest
-/// value below which others are zero, where some are.
+/// Parts of the lowest value below which others are zero, where some are.
+const BESIDE: f64 = 0.02;
+/// Parts of the shift below which a value is looked at from nearer.
 const FAR: f64 = 0.1;
 /// Parts of itself in which a value is seen again from a shift beside it, where a split zero
 /// has moved toward zero with the shift.
@@ -31,7 +32,7 @@ const SEEN: f64 = 0.1;
 /// Factor to the next shift where a matrix is singular.
 const NEXT: f64 = 30.0;
 /// Looks at most.
-pub(super) const LOOKS: usize = 6;
+pub(super) const LOOKS: usize = 8;
 
 /// What is known of the values near zero.
 #[derive(Debug, Clone, Copy)]
@@ -46,8 +47,8 @@ pub(super) struct Search {
     rounded: f64,
     /// The lowest that is none [1/s].
     lowest: f64,
-    /// One that was seen from far above [1/s].
-    doubted: Option<f64>,
+    /// One that was seen from far above, and from where [1/s].
+    doubted: Option<(f64, f64)>,
 }
 
 /// What a look is good for.
@@ -101,22 +102,31 @@ impl Search {
             }
             self.rounded = self.rounded.max(size);
         }
-        self.judge(lowest.or(poor))
+        // From among the zeros nothing else is seen well, and what is seen is nothing.
+        self.judge(lowest.or(poor.filter(|_| self.rounded < FAR * from)))
     }
 
     fn judge(&mut self, lowest: Option<c64>) -> Look {
         let from = self.shift;
         let seen = lowest.map_or(self.highest, |s| s.norm());
-        if let Some(doubted) = self.doubted.take() {
-            if !STAYS.contains(&(seen / doubted)) {
-                self.zero = self.zero.max(STAYS.end * doubted);
+        if let Some((doubted, above)) = self.doubted.take() {
+            let is_confirmed = STAYS.contains(&(seen / doubted)) && self.rounded < from;
+            if !is_confirmed {
+                (self.shift, self.zero) = (above, self.zero.max(FAR * above));
+                return Look {
+                    is_near: false,
+                    is_certain: false,
+                };
             }
         }
         self.lowest = seen;
-        self.shift = (SHIFT * seen).max(ABOVE * self.rounded / LOST);
+        self.shift = match lowest {
+            None if self.rounded > 0.0 => (NEXT * from.max(self.rounded)).min(SHIFT * seen),
+            _ => (SHIFT * seen).max(ABOVE * self.rounded / LOST),
+        };
         let is_near = (0.1 * self.shift..10.0 * self.shift).contains(&from);
         if seen < FAR * from {
-            self.doubted = Some(seen);
+            self.doubted = Some((seen, from));
         }
         let is_certain = lowest.is_some() && self.doubted.is_none() && self.rounded < from;
         Look {
@@ -129,7 +139,7 @@ impl Search {
     pub fn zero_and_lowest(&self) -> (f64, f64) {
         // The lowest that is none has been seen: what is far below it is zero.
         let split = match self.rounded > 0.0 {
-            true => FAR * self.lowest,
+            true => BESIDE * self.lowest,
             false => 0.0,
         };
         (self.zero.max(split), self.lowest)
