@@ -3,6 +3,7 @@
 mod bending;
 pub mod buckling;
 mod critical;
+mod fewer_modes;
 mod first_order;
 mod growing;
 mod modal_damping;

@@ -9,11 +9,13 @@ mod inverse;
 mod krylov;
 mod motion;
 mod multiblade;
+mod round_off;
 mod separation;
+mod shift;
 mod sorted;
 mod tracking;
 
-pub use eigen::{EigenProblem, Eigenpair};
+pub use eigen::{EigenProblem, Eigenpair, Lowest};
 pub use factors::Factors;
 pub use motion::{MassMatrix, ModeMotion};
 pub use multiblade::Rotor;

@@ -18,6 +18,7 @@ mod equal_blades;
 mod formats;
 mod free_flight;
 mod heat;
+mod heavy_tips;
 mod in_time;
 mod integrators;
 mod joint_guides;

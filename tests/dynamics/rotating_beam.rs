@@ -6,7 +6,7 @@
 
 use beam_dynamics::assembly::MasslessMotions;
 use beam_dynamics::model::Conditions;
-use beam_dynamics::modes::EigenProblem;
+use beam_dynamics::modes::{EigenProblem, Lowest};
 use beam_dynamics::solver::LinearSolver;
 
 use crate::record;
@@ -195,7 +195,7 @@ fn a_free_beam_has_six_motions_without_stiffness() {
         let solver = LinearSolver::new(system.pattern());
         let massless = MasslessMotions::new(&system, &tangent);
         let problem = EigenProblem::new(&solver, &tangent, &massless, 6).unwrap();
-        let (pairs, real) = problem.lowest(10);
+        let Lowest { pairs, real, .. } = problem.lowest(10);
         assert!(real.is_empty(), "{real:?}");
         let found: Vec<_> = pairs.iter().map(|pair| pair.angular_frequency).collect();
         assert_eq!(found[..6], [0.0; 6]);

@@ -7,13 +7,14 @@ use crate::assembly::{MasslessMotions, System};
 use crate::case::{Model, ModesQuestion};
 use crate::model::State;
 use crate::modes::{
-    EigenProblem, Eigenpair, MassMatrix, ModeMotion, Rotor, align, assurances, closeness, follow,
-    separate,
+    EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, align, assurances, closeness,
+    follow, separate,
 };
 use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
 use super::bending::bending;
+use super::fewer_modes::why_no_more;
 use super::first_order::first_order;
 use super::growing;
 use super::modal_damping;
@@ -66,8 +67,8 @@ struct Modes {
     unstable: Vec<f64>,
     /// What is to be said of oscillations that grow.
     growing: Vec<String>,
-    /// Number of motions found that die out without oscillating.
-    overdamped: usize,
+    /// Why there are no more, where they are fewer than asked for.
+    why_no_more: String,
     /// Largest residual of the eigenpairs and of the equilibrium, relative.
     residual: f64,
 }
@@ -241,10 +242,7 @@ fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
         ));
     }
     if is_first && modes.found.len() < case.question.count {
-        let why = match modes.overdamped {
-            0 => "the model has no more".to_owned(),
-            n => format!("{n} motions are so damped that they do not oscillate"),
-        };
+        let why = &modes.why_no_more;
         found.push(format!(
             "{} modes were found of {}: {why}",
             modes.found.len(),
@@ -300,7 +298,8 @@ fn at_equilibrium(
         0 | 1 => copies(case.model) - 1,
         _ => SPARE,
     };
-    let (pairs, real) = problem.lowest(case.question.count + spare);
+    let lowest = problem.lowest(case.question.count + spare);
+    let Lowest { pairs, real, .. } = &lowest;
     let mass = MassMatrix::new(&tangent.by_rates, system.nodes().len());
     let mut motions: Vec<_> = pairs
         .iter()
@@ -311,25 +310,10 @@ fn at_equilibrium(
     // At rest all terms of the equilibrium are round-off.
     let steady_residual = if speed == 0.0 { 0.0 } else { steady.residual };
     separate(&mut motions, &frequencies, &case.model.naming, case.rotor);
-    let mode = |(pair, motion): (&Eigenpair, ModeMotion)| {
-        let magnitude = pair.growth.hypot(pair.angular_frequency);
-        let point = ModePoint {
-            frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
-            damping_ratio: match magnitude > 0.0 {
-                true => -pair.growth / magnitude,
-                false => 0.0,
-            },
-            growth: pair.growth,
-            shares: [0.0; 4],
-            whirl: None,
-            assurance: None,
-            shape: None,
-        };
-        Mode {
-            motion,
-            point,
-            slope: None,
-        }
+    let mode = |(pair, motion): (&Eigenpair, ModeMotion)| Mode {
+        motion,
+        point: point(pair),
+        slope: None,
     };
     let own = &pairs[..pairs.len().min(case.question.count)];
     let at = format!("at {}", rpm(speed));
@@ -338,10 +322,31 @@ fn at_equilibrium(
         speed,
         state: steady.state.clone(),
         found: pairs.iter().zip(motions).map(mode).collect(),
-        overdamped: real.iter().filter(|growth| **growth < 0.0).count(),
-        unstable: real.into_iter().filter(|growth| *growth > 0.0).collect(),
+        why_no_more: why_no_more(&lowest),
+        unstable: real
+            .iter()
+            .copied()
+            .filter(|growth| *growth > 0.0)
+            .collect(),
         residual: residual.fold(steady_residual, larger),
     })
+}
+
+/// A mode that nothing is known of but its pair.
+fn point(pair: &Eigenpair) -> ModePoint {
+    let magnitude = pair.growth.hypot(pair.angular_frequency);
+    ModePoint {
+        frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
+        damping_ratio: match magnitude > 0.0 {
+            true => -pair.growth / magnitude,
+            false => 0.0,
+        },
+        growth: pair.growth,
+        shares: [0.0; 4],
+        whirl: None,
+        assurance: None,
+        shape: None,
+    }
 }
 
 /// Modes of one frequency that a model may have: both bending directions of every blade.

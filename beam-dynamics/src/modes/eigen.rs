@@ -10,17 +10,16 @@
 
 use faer::{Mat, c64};
 
-use super::frequencies::{highest_of_a_node, lowest_oscillation};
-use super::inverse::{DENSE, Inverse};
+use super::frequencies::{fastest, highest_of_a_node, masses, undamped};
+use super::inverse::{DENSE, INFINITE, Inverse};
 use super::krylov::start_value;
-use super::sorted::Sorted;
+use super::round_off::RoundOff;
+use super::shift::{LOOKS, SHIFT, Search};
+use super::sorted::{Sorted, copies_at_front};
 use crate::assembly::{Entry, MasslessMotions, Tangent};
 use crate::model::NODE_UNKNOWNS;
 use crate::solver::{ComplexFactorization, LinearSolver};
 
-/// Values within this part of each other are copies of one value: far above the
-/// round-off of the eigenvalues of stiff models, far below what frequencies differ by.
-pub(super) const COPIES: f64 = 1e-6;
 /// Values within this part of each other cannot be told apart.
 const SAME: f64 = 1e-9;
 /// Two unit vectors of more overlap than this are one and the same.
@@ -28,19 +27,13 @@ const PARALLEL: f64 = 0.9;
 /// The matrix is inverted this part beside the eigenvalue: near enough that one
 /// iteration suffices, far enough that the factorization keeps its digits.
 const BESIDE: f64 = 1e-10;
-/// The shift of the inversion, in parts of the lowest frequency.
-const SHIFT: f64 = 0.3;
-/// Parts of the shift below which a value may be a zero that round-off has split: those of
-/// motions without stiffness are double, and come apart by the root of the round-off.
-const SPLIT: f64 = 0.1;
-/// Parts of itself in which a value is seen again from a shift beside it, where a split zero
-/// has moved toward zero with the shift.
-const STAYS: std::ops::Range<f64> = 0.7..1.5;
 /// Frequencies below this part of the highest frequency of a node on its own are zero:
 /// stiffness is known to 1e-16 of its largest, frequencies to the root of that.
 const ZERO: f64 = 3e-8;
 /// The shift for the vectors of such motions, in parts of the lowest other frequency.
 const FREE_SHIFT: f64 = 1e-2;
+/// A free body has six.
+const FREE: usize = 8;
 /// The first shift, in parts of the highest frequency of a node on its own.
 const BELOW: f64 = 1e-5;
 /// Eigenvalues that are asked for at most, in parts of the oscillations that are wanted.
@@ -69,6 +62,19 @@ pub struct Eigenpair {
     pub residual: f64,
 }
 
+/// The lowest modes of a system.
+#[derive(Debug, Clone, Default)]
+pub struct Lowest {
+    /// Pairs of oscillations and of motions without stiffness, by their frequency.
+    pub pairs: Vec<Eigenpair>,
+    /// Real eigenvalues that were found on the way [1/s].
+    pub real: Vec<f64>,
+    /// Oscillations that were seen but that no vector confirmed.
+    pub unconfirmed: usize,
+    /// Whether the model has no others, where these are fewer than asked for.
+    pub is_all: bool,
+}
+
 /// A linearized system, ready for its eigenvalues.
 #[derive(Debug)]
 pub struct EigenProblem<'a> {
@@ -82,8 +88,6 @@ pub struct EigenProblem<'a> {
     size: usize,
     /// Copies of one value that are looked for.
     copies: usize,
-    /// Magnitude below which an eigenvalue is zero [1/s].
-    zero: f64,
     /// Magnitude of the lowest that is not [1/s].
     lowest: f64,
 }
@@ -94,7 +98,7 @@ impl<'a> EigenProblem<'a> {
     /// stiffness determines.
     ///
     /// The shift is a part of the lowest frequency, which a coarse look from a shift
-    /// below all frequencies finds.
+    /// below all frequencies finds, and from others where that shows little.
     pub fn new(
         solver: &'a LinearSolver,
         tangent: &'a Tangent,
@@ -103,26 +107,36 @@ impl<'a> EigenProblem<'a> {
     ) -> Option<Self> {
         // Where nothing has stiffness, all frequencies are zero, in any unit.
         let highest = highest_of_a_node(tangent, massless.nodes()).unwrap_or(1.0);
-        let coarse = Self::shifted(solver, tangent, massless, copies, BELOW * highest)?;
-        let shift = coarse.inverse.shift();
-        let zero = ZERO * highest;
-        let values = coarse.inverse.coarse();
-        let above = |size: f64| lowest_oscillation(&values, size).unwrap_or(highest);
-        let mut lowest = above(3.0 * zero);
-        if lowest < SPLIT * shift {
-            let nearer = Self::shifted(solver, tangent, massless, copies, SHIFT * lowest);
-            let stays = |s: &c64| STAYS.contains(&(s.norm() / lowest));
-            if !nearer.is_some_and(|nearer| nearer.inverse.coarse().iter().any(stays)) {
-                lowest = above(SPLIT * shift);
+        let round_off = RoundOff::new(tangent, NODE_UNKNOWNS * massless.nodes());
+        let mut search = Search::new(BELOW * highest, highest, ZERO * highest);
+        let mut last = None;
+        let mut is_certain = false;
+        for _ in 0..LOOKS {
+            let found = Self::shifted(solver, tangent, massless, copies, search.shift);
+            let Some(mut problem) = found else {
+                search.singular();
+                is_certain = false;
+                continue;
+            };
+            problem.know(search.zero_and_lowest());
+            if is_certain {
+                return Some(problem);
             }
+            let look = search.look(&problem.inverse, &round_off);
+            problem.know(search.zero_and_lowest());
+            if look.is_near {
+                return Some(problem);
+            }
+            is_certain = look.is_certain;
+            last = Some(problem);
         }
-        let mut problem = if (SHIFT / 10.0 * lowest..10.0 * SHIFT * lowest).contains(&shift) {
-            coarse
-        } else {
-            Self::shifted(solver, tangent, massless, copies, SHIFT * lowest)?
-        };
-        (problem.zero, problem.lowest) = (zero, lowest);
-        Some(problem)
+        last
+    }
+
+    /// Takes values up to `zero` for zero, and the lowest other one for known.
+    fn know(&mut self, (zero, lowest): (f64, f64)) {
+        self.inverse.set_zero(zero);
+        self.lowest = lowest;
     }
 
     /// The same from a shift that is given.
@@ -136,37 +150,47 @@ impl<'a> EigenProblem<'a> {
         let matrix = tangent.by_unknowns.plus(shift, &tangent.by_rates);
         let size = NODE_UNKNOWNS * massless.nodes();
         let rates = massless.rates(tangent);
+        let masses = masses(tangent, size);
         Some(Self {
             solver,
             tangent,
             massless,
-            inverse: Inverse::new(solver.factorize(matrix)?, &rates, size, shift)?,
+            inverse: Inverse::new(solver.factorize(matrix)?, &rates, &masses, shift)?,
             rates,
             size,
             copies,
-            zero: 0.0,
             lowest: 0.0,
         })
     }
 
     /// The `count` eigenpairs of smallest angular frequency, ascending, where there are
-    /// so many, those without stiffness first; and the real eigenvalues found on the way.
-    pub fn lowest(&self, count: usize) -> (Vec<Eigenpair>, Vec<f64>) {
-        let (free, Sorted { real, above, .. }) = self.sorted(count);
+    /// so many, those without stiffness first; and what else is found on the way.
+    pub fn lowest(&self, count: usize) -> Lowest {
+        let (free, Sorted { real, above, .. }, is_all) = self.sorted(count);
         let mut pairs = self.free(free.min(count));
+        let mut unconfirmed = 0;
+        let fastest = fastest(self.tangent, self.size);
         let mut rest = &above[..];
         while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
             let copies = copies_at_front(rest);
-            let found = self.vectors(&rest[..copies]);
+            let mut found = self.vectors(&rest[..copies]);
             // Multipliers, whose values are infinite, come out as large ones by round-off,
             // which no vector confirms.
             let s = |pair: &Eigenpair| c64::new(pair.growth, pair.angular_frequency);
-            let confirmed = |pair: &Eigenpair| (s(pair) - first).norm() <= CONFIRMED * first.norm();
-            pairs.extend(found.into_iter().filter(confirmed));
+            found.retain(|pair| (s(pair) - first).norm() <= CONFIRMED * first.norm());
+            if first.norm() <= fastest {
+                unconfirmed += copies - found.len();
+            }
+            pairs.append(&mut found);
             rest = &rest[copies..];
         }
         pairs.truncate(count);
-        (pairs, self.confirmed(real))
+        Lowest {
+            pairs,
+            real: self.confirmed(real),
+            unconfirmed,
+            is_all: is_all && unconfirmed == 0,
+        }
     }
 
     /// Real values without those that no vector confirms.
@@ -181,16 +205,23 @@ impl<'a> EigenProblem<'a> {
 
     /// The values nearest to the shift, as many as hold `count` oscillations, where real
     /// ones of overdamped motions do not use up too many; and how many motions without
-    /// stiffness there are.
-    fn sorted(&self, count: usize) -> (usize, Sorted) {
+    /// stiffness there are. The last tells whether they are all that the system has.
+    fn sorted(&self, count: usize) -> (usize, Sorted, bool) {
+        let fastest = fastest(self.tangent, self.size);
         let mut asked = count;
+        let mut counted = None;
         loop {
             let values = self.inverse.smallest(asked, self.copies, DENSE);
             let is_all = values.len() < 2 * asked;
-            let sorted = Sorted::new(values, self.zero);
-            let free = self.free_motions(sorted.zeros, asked);
+            let distance = |s: &c64| (s - self.inverse.shift()).norm();
+            let nearest = values.iter().map(distance).fold(f64::INFINITY, f64::min);
+            let sorted = Sorted::new(values, self.inverse.zero());
+            let free = match sorted.zeros {
+                0 => 0,
+                zeros => *counted.get_or_insert_with(|| self.free_motions(zeros)),
+            };
             if free + sorted.above.len() >= count || is_all || asked >= MOST * count {
-                return (free, sorted);
+                return (free, sorted, is_all && nearest >= INFINITE * fastest);
             }
             asked *= 2;
         }
@@ -225,33 +256,43 @@ impl<'a> EigenProblem<'a> {
         let alone = self.without_circuits(self.tangent);
         let alone = alone.as_ref().and_then(|tangent| self.beside(tangent));
         let problem = alone.as_ref().unwrap_or(self);
-        let mut pairs = problem.vectors_beside(c64::new(FREE_SHIFT * self.lowest, 0.0), count);
+        let beside = (FREE_SHIFT * self.lowest).max(self.inverse.zero().min(SHIFT * self.lowest));
+        let mut pairs = problem.vectors_beside(c64::new(beside, 0.0), count);
         for pair in &mut pairs {
             (pair.growth, pair.angular_frequency, pair.residual) = (0.0, 0.0, 0.0);
         }
         pairs
     }
 
-    /// Number of motions without stiffness. The zero of one is double, but simple where a
-    /// damper acts on it, and a charge that leaks away slowly is no motion: they are counted
-    /// without dampers and circuits.
-    fn free_motions(&self, zeros: usize, count: usize) -> usize {
-        if zeros == 0 {
-            return 0;
-        }
+    /// Number of motions without stiffness, where so many values are zero. The zero of one
+    /// is double, but simple where a damper acts on it, and a charge that leaks away slowly
+    /// is no motion: they are counted without dampers and circuits.
+    fn free_motions(&self, zeros: usize) -> usize {
         let alone = self.without_circuits(self.tangent);
         let alone = match undamped(alone.as_ref().unwrap_or(self.tangent)) {
             Some(undamped) => Some(undamped),
             None => alone,
         };
-        let counted = alone.as_ref().and_then(|tangent| {
-            let values = self
-                .beside(tangent)?
-                .inverse
-                .smallest(count, self.copies, DENSE);
-            Some(values.iter().filter(|s| s.norm() <= self.zero).count())
-        });
-        counted.unwrap_or(zeros).div_ceil(2)
+        let beside = alone.as_ref().and_then(|tangent| self.beside(tangent));
+        let inverse = beside
+            .as_ref()
+            .map_or(&self.inverse, |beside| &beside.inverse);
+        // A block sees as many as it has vectors: those that it sees are all once they are
+        // fewer.
+        let mut block = self.copies.max(zeros.div_ceil(2) + 1).max(FREE);
+        loop {
+            let values = inverse.smallest(block, block, DENSE);
+            let zeros = values
+                .iter()
+                .filter(|s| s.norm() <= self.inverse.zero())
+                .count();
+            // A third one is of the round-off; a single one of a motion whose rate is held.
+            let free = if zeros > 1 { zeros / 2 } else { zeros };
+            if free < block || values.len() < 2 * block {
+                return free;
+            }
+            block *= 2;
+        }
     }
 
     /// The same question to another system of the same unknowns.
@@ -260,7 +301,11 @@ impl<'a> EigenProblem<'a> {
         'a: 'b,
     {
         let shift = self.inverse.shift();
-        EigenProblem::shifted(self.solver, tangent, self.massless, self.copies, shift)
+        let problem =
+            EigenProblem::shifted(self.solver, tangent, self.massless, self.copies, shift);
+        let mut problem = problem?;
+        problem.know((self.inverse.zero(), self.lowest));
+        Some(problem)
     }
 
     /// The same system with circuits as they are for what grows at a rate, the lowest
@@ -388,30 +433,6 @@ impl<'a> EigenProblem<'a> {
         }
         product
     }
-}
-
-/// Number of values from the first on that are copies of it, itself included.
-fn copies_at_front(values: &[c64]) -> usize {
-    let is_copy = |s: &&c64| (**s - values[0]).norm() <= COPIES * values[0].norm();
-    values.iter().take_while(is_copy).count().max(1)
-}
-
-/// The same system without dampers, which are the forces and moments by the velocities;
-/// `None` where it has none.
-fn undamped(tangent: &Tangent) -> Option<Tangent> {
-    let is_damping = |&(row, column, value): &(usize, usize, f64)| {
-        let half = NODE_UNKNOWNS / 2;
-        value != 0.0 && row % NODE_UNKNOWNS >= half && column % NODE_UNKNOWNS < half
-    };
-    let mut result = tangent.clone();
-    let places: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
-    let damping = places.iter().filter(|(_, entry)| is_damping(entry));
-    let mut is_damped = false;
-    for (place, _) in damping {
-        result.by_rates.values_mut()[*place] = 0.0;
-        is_damped = true;
-    }
-    is_damped.then_some(result)
 }
 
 /// Vectors of copies, and the factors by which the last iteration made them grow.

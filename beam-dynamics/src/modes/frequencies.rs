@@ -1,7 +1,5 @@
-//! Frequencies that say where to look for modes: the highest of a node, the lowest of a rough
-//! view.
-
-use faer::c64;
+//! Frequencies that say where to look for modes: the highest of a node, and one that no
+//! oscillation is above; and what of a tangent they are asked of.
 
 use crate::assembly::{Sparse, Tangent};
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
@@ -41,9 +39,52 @@ pub(super) fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> 
     found.max_by(f64::total_cmp)
 }
 
-/// Magnitude of the lowest eigenvalue above `zero`, among rough ones.
-pub(super) fn lowest_oscillation(values: &[c64], zero: f64) -> Option<f64> {
-    let sizes = values.iter().map(|s| s.norm());
-    let above = sizes.filter(|size| size.is_finite() && *size > zero);
-    above.min_by(f64::total_cmp)
+/// A frequency \[1/s\] that no oscillation of the nodes is above: the largest of all forces
+/// on an unknown by unit motions, in units of the roots of both masses. What is beyond it is
+/// an infinite value that round-off has made finite.
+pub(super) fn fastest(tangent: &Tangent, size: usize) -> f64 {
+    let half = NODE_UNKNOWNS / 2;
+    let of_motion =
+        |row: usize, column: usize| row.max(column) < size && column % NODE_UNKNOWNS < half;
+    let masses = masses(tangent, size);
+    let mut sums = vec![0.0_f64; size];
+    for (row, column, value) in tangent.by_unknowns.triplets() {
+        if of_motion(row, column) && row % NODE_UNKNOWNS >= half {
+            let mass = (masses[row - half] * masses[column]).sqrt();
+            if mass > 0.0 {
+                sums[row] += value.abs() / mass;
+            }
+        }
+    }
+    sums.into_iter().fold(0.0, f64::max).sqrt()
+}
+
+/// The mass of each unknown of the nodes, a momentum having that of its motion.
+pub(super) fn masses(tangent: &Tangent, size: usize) -> Vec<f64> {
+    let half = NODE_UNKNOWNS / 2;
+    let mut masses = vec![0.0; size];
+    for (row, column, value) in tangent.by_rates.triplets() {
+        if row == column && row < size && row % NODE_UNKNOWNS < half {
+            (masses[row], masses[row + half]) = (value.abs(), value.abs());
+        }
+    }
+    masses
+}
+
+/// The same system without dampers, which are the forces and moments by the velocities;
+/// `None` where it has none.
+pub(super) fn undamped(tangent: &Tangent) -> Option<Tangent> {
+    let is_damping = |&(row, column, value): &(usize, usize, f64)| {
+        let half = NODE_UNKNOWNS / 2;
+        value != 0.0 && row % NODE_UNKNOWNS >= half && column % NODE_UNKNOWNS < half
+    };
+    let mut result = tangent.clone();
+    let places: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
+    let damping = places.iter().filter(|(_, entry)| is_damping(entry));
+    let mut is_damped = false;
+    for (place, _) in damping {
+        result.by_rates.values_mut()[*place] = 0.0;
+        is_damped = true;
+    }
+    is_damped.then_some(result)
 }

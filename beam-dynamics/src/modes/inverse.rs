@@ -11,14 +11,15 @@
 //!
 //! Unknowns of T are those that have rates: positions and rotations q, momenta and angular
 //! momenta p, and charges and currents e of circuits. Multipliers, and what moves no mass,
-//! have no rates and drop out. p is scaled so that the blocks `T_qp` and `T_pq` are of the
-//! same size, and e likewise against both.
+//! have no rates and drop out. q is scaled by the root of its mass, so that light and heavy
+//! bodies weigh the same, p so that the blocks `T_qp` and `T_pq` are of the same size, and e
+//! likewise against both.
 
 use std::collections::BTreeSet;
 
 use faer::{Mat, c64};
 
-use super::dense::eigenvalues;
+use super::dense::{Eigenvectors, eigenvalues};
 use super::krylov::{Operator, largest, rough, start_value};
 use crate::assembly::Entry;
 use crate::model::NODE_UNKNOWNS;
@@ -29,7 +30,7 @@ use crate::solver::Factorization;
 pub(super) const DENSE: usize = 100;
 /// Parts of the largest eigenvalue of T below which one is taken for zero: those at
 /// zero are defective, and round-off moves them to the cube root of 1e-16 or so.
-const INFINITE: f64 = 1e-7;
+pub(super) const INFINITE: f64 = 1e-7;
 
 /// Vectors of a block and steps of a rough view.
 const ROUGH_BLOCK: usize = 4;
@@ -46,20 +47,23 @@ pub(super) struct Inverse {
     /// Places of the unknowns of T in the system, ascending.
     places: Vec<usize>,
     shift: f64,
+    /// Magnitude of s below which it is zero [1/s].
+    zero: f64,
     /// Scale of each unknown: value = scale times scaled value.
     scale: Vec<f64>,
 }
 
 impl Inverse {
-    /// T on all unknowns with a rate, of which those up to `size` are of nodes, for a
-    /// factorization at `shift` and the entries of `F_y'` that are not zero; `None` when T
+    /// T on all unknowns with a rate, of which the first have `masses` and are of nodes, for
+    /// a factorization at `shift` and the entries of `F_y'` that are not zero; `None` when T
     /// is not finite.
     pub fn new(
         factorization: Factorization,
         rates: &[Entry],
-        size: usize,
+        masses: &[f64],
         shift: f64,
     ) -> Option<Self> {
+        let size = masses.len();
         let places: BTreeSet<_> = rates.iter().map(|entry| entry.1).collect();
         let places: Vec<_> = places.into_iter().collect();
         // Every column of an entry is among the places.
@@ -71,9 +75,10 @@ impl Inverse {
             factorization,
             rates: rates.collect(),
             of_nodes: places.partition_point(|place| *place < size),
-            scale: vec![1.0; places.len()],
+            scale: scales(&places, masses),
             places,
             shift,
+            zero: 0.0,
         };
         inverse.balance()?;
         Some(inverse)
@@ -82,6 +87,16 @@ impl Inverse {
     /// The shift sigma [1/s].
     pub fn shift(&self) -> f64 {
         self.shift
+    }
+
+    /// Magnitude of s below which it is zero \[1/s\].
+    pub fn zero(&self) -> f64 {
+        self.zero
+    }
+
+    /// Takes s of a magnitude below `zero` for zero.
+    pub fn set_zero(&mut self, zero: f64) {
+        self.zero = zero;
     }
 
     /// Columns of `(F_y + sigma F_y')^-1` for right-hand sides of one in each of `rows`;
@@ -106,13 +121,45 @@ impl Inverse {
         2 * count + 10
     }
 
-    /// A rough view of the eigenvalues s nearest to the shift.
-    pub fn coarse(&self) -> Vec<c64> {
+    /// A rough view of the eigenvalues s nearest to the shift, of a pair the first, by
+    /// magnitude, with their vectors: real and imaginary part a column each.
+    pub fn coarse(&self) -> Vec<(c64, Mat<f64>)> {
         let inverted = match self.scale.len() <= DENSE {
-            true => self.all(),
+            true => {
+                let whole = self.whole();
+                let n = whole.nrows();
+                Eigenvectors::new(whole.as_ref()).firsts(Mat::<f64>::identity(n, n).as_ref())
+            }
             false => rough(self, ROUGH_BLOCK, ROUGH_STEPS),
         };
-        self.restored(inverted)
+        let sizes = inverted.iter().map(|(value, _)| value.norm());
+        let largest = sizes.fold(0.0, f64::max);
+        let finite = inverted.into_iter();
+        let finite = finite.filter(|(value, _)| value.norm() > INFINITE * largest);
+        let mut found: Vec<_> = finite
+            .map(|(value, vector)| (self.shift + value.inv(), vector))
+            .collect();
+        found.sort_by(|a, b| a.0.norm().total_cmp(&b.0.norm()));
+        found
+    }
+
+    /// The product of T with a vector, in all unknowns of the system: what has no rates is in
+    /// it too.
+    pub fn complete(&self, vector: &Mat<f64>) -> Mat<f64> {
+        self.product(vector)
+    }
+
+    /// Error of a rough value s with its vector and their product by [`Self::complete`],
+    /// relative.
+    pub fn error(&self, s: c64, vector: &Mat<f64>, product: &Mat<f64>) -> f64 {
+        let pairs = self.places.iter().zip(&self.scale).enumerate();
+        let parts = pairs.map(|(i, (&place, scale))| {
+            let expected = c64::new(vector[(i, 0)], vector[(i, 1)]) / (s - self.shift);
+            let found = c64::new(product[(place, 0)], product[(place, 1)]) / *scale;
+            [(found - expected).norm_sqr(), expected.norm_sqr()]
+        });
+        let [error, size] = parts.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+        (error / size).sqrt()
     }
 
     /// At least the `2 count` eigenvalues s nearest to the shift, conjugate pairs and up
@@ -194,18 +241,38 @@ impl Inverse {
         if rest_by_part > 0.0 && part_by_rest > 0.0 {
             let scale = (part_by_rest / rest_by_part).sqrt();
             for i in (0..self.scale.len()).filter(|&i| is_in_part[i]) {
-                self.scale[i] = scale;
+                self.scale[i] *= scale;
             }
         }
         Some(())
     }
 
+    /// T as a matrix.
+    fn whole(&self) -> Mat<f64> {
+        let mut matrix = Mat::identity(self.scale.len(), self.scale.len());
+        self.multiply(&mut matrix);
+        matrix
+    }
+
     /// All eigenvalues of T; empty when the iteration fails.
     fn all(&self) -> Vec<c64> {
-        let mut matrix = Mat::zeros(self.scale.len(), self.scale.len());
-        matrix.diagonal_mut().fill(1.0);
-        self.multiply(&mut matrix);
-        eigenvalues(matrix.as_ref())
+        eigenvalues(self.whole().as_ref())
+    }
+
+    /// `T x` column by column, in all unknowns of the system.
+    fn product(&self, x: &Mat<f64>) -> Mat<f64> {
+        let mut product = Mat::zeros(self.factorization.size(), x.ncols());
+        for j in 0..x.ncols() {
+            let (from, mut to) = (x.col(j), product.col_mut(j));
+            for &(row, column, value) in &self.rates {
+                to[row] -= value * self.scale[column] * from[column];
+            }
+        }
+        // A singular matrix was refused before; what is not finite shows as NaN.
+        if self.factorization.solve_columns(&mut product).is_none() {
+            product.fill(f64::NAN);
+        }
+        product
     }
 
     /// `|T v - v / (s - sigma)|` relative to `|v / (s - sigma)|`, v in all unknowns of the
@@ -227,26 +294,41 @@ impl Inverse {
 }
 
 impl Operator for Inverse {
+    fn is_in_cluster(&self, value: &c64) -> bool {
+        (value * self.shift + 1.0).norm() <= self.zero * value.norm()
+    }
+
     fn size(&self) -> usize {
         self.scale.len()
     }
 
     fn multiply(&self, x: &mut Mat<f64>) {
-        let mut product = Mat::zeros(self.factorization.size(), x.ncols());
-        for j in 0..x.ncols() {
-            let (from, mut to) = (x.col(j), product.col_mut(j));
-            for &(row, column, value) in &self.rates {
-                to[row] -= value * self.scale[column] * from[column];
-            }
-        }
-        // A singular matrix was refused before; what is not finite shows as NaN.
-        if self.factorization.solve_columns(&mut product).is_none() {
-            product.fill(f64::NAN);
-        }
+        let product = self.product(x);
         for j in 0..x.ncols() {
             for (i, &place) in self.places.iter().enumerate() {
                 x[(i, j)] = product[(place, j)] / self.scale[i];
             }
         }
     }
+}
+
+/// First scales of the unknowns at `places`, by the mass of each node: with a motion times
+/// its root, and a momentum over it, a light body weighs as much as a heavy one. Rotations
+/// have the scale of their node: with that of a small inertia of their own, the round-off of
+/// large stiffnesses would count for more.
+fn scales(places: &[usize], masses: &[f64]) -> Vec<f64> {
+    let of_node = |node: &[f64]| node.iter().take(3).fold(0.0_f64, |a, b| a.max(*b));
+    let of_nodes: Vec<_> = masses.chunks(NODE_UNKNOWNS).map(of_node).collect();
+    let largest = of_nodes.iter().fold(0.0_f64, |a, b| a.max(*b));
+    let scale = |&place: &usize| match of_nodes.get(place / NODE_UNKNOWNS) {
+        Some(own) if largest > 0.0 => {
+            let root = if *own > 0.0 { own } else { &largest }.sqrt();
+            match place % NODE_UNKNOWNS < NODE_UNKNOWNS / 2 {
+                true => root.recip(),
+                false => root,
+            }
+        }
+        _ => 1.0,
+    };
+    places.iter().map(scale).collect()
 }

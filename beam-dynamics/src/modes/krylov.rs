@@ -16,7 +16,7 @@
 
 use faer::{Mat, MatRef, c64};
 
-use super::dense::eigenvalues;
+use super::dense::{Eigenvectors, eigenvalues};
 
 /// Change of the wanted eigenvalues while the space grows by an eighth at which they
 /// count as found, relative: near enough for inverse iteration, which gives the last
@@ -49,10 +49,14 @@ pub(super) trait Operator {
 
     /// `x <- T x`, column by column.
     fn multiply(&self, x: &mut Mat<f64>);
+
+    /// Whether an eigenvalue is one of a cluster in which round-off moves them.
+    fn is_in_cluster(&self, value: &c64) -> bool;
 }
 
 /// The `sure` eigenvalues of largest magnitude, falling, from a space that is led by
 /// `wanted`, which are a few more; copies up to `block` of one eigenvalue are told apart from one.
+/// Those of which the operator knows no more than that they are in a cluster may move in it.
 pub(super) fn largest(
     operator: &impl Operator,
     wanted: usize,
@@ -73,7 +77,8 @@ pub(super) fn largest(
         let mut values = eigenvalues(space.projection());
         values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
         values.truncate(wanted);
-        if is_whole || stand_still(&values, &before, sure) {
+        let in_cluster = |value: &c64| operator.is_in_cluster(value);
+        if is_whole || stand_still(&values, &before, sure, in_cluster) {
             values.truncate(sure);
             return values;
         }
@@ -82,20 +87,31 @@ pub(super) fn largest(
     }
 }
 
-/// Approximations of the largest eigenvalues from `steps` products of a block.
-pub(super) fn rough(operator: &impl Operator, block: usize, steps: usize) -> Vec<c64> {
+/// Approximations of the largest eigenvalues from `steps` products of a block, of a pair the
+/// first, with real and imaginary part of their vectors.
+pub(super) fn rough(operator: &impl Operator, block: usize, steps: usize) -> Vec<(c64, Mat<f64>)> {
     let n = operator.size();
     let block = block.min(n);
     let mut space = Space::new(operator, block, (steps * block).min(n));
     for _ in 0..steps.min(n / block.max(1)) {
         space.grow(operator);
     }
-    eigenvalues(space.projection())
+    let basis = space.basis.subcols(0, space.dimension);
+    Eigenvectors::new(space.projection()).firsts(basis)
 }
 
-/// Whether the magnitudes of the first `sure` values have not changed.
-fn stand_still(now: &[c64], before: &[c64], sure: usize) -> bool {
-    let close = |(a, b): (&c64, &c64)| (a.norm() - b.norm()).abs() <= FOUND * b.norm();
+/// Whether the magnitudes of the first `sure` values have not changed, but for those in a
+/// cluster.
+fn stand_still(
+    now: &[c64],
+    before: &[c64],
+    sure: usize,
+    in_cluster: impl Fn(&c64) -> bool,
+) -> bool {
+    let close = |(a, b): (&c64, &c64)| {
+        let is_same = (a.norm() - b.norm()).abs() <= FOUND * b.norm();
+        is_same || (in_cluster(a) && in_cluster(b))
+    };
     let sure = sure.min(now.len());
     sure > 0 && before.len() >= sure && now.iter().zip(before).take(sure).all(close)
 }
@@ -210,6 +226,10 @@ mod tests {
     impl Operator for Diagonal {
         fn size(&self) -> usize {
             self.0.len()
+        }
+
+        fn is_in_cluster(&self, _: &c64) -> bool {
+            false
         }
 
         fn multiply(&self, x: &mut Mat<f64>) {

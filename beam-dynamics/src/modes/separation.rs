@@ -13,7 +13,7 @@ use std::collections::HashSet;
 
 use nalgebra::{Complex, DMatrix, SVD};
 
-use super::eigen::COPIES;
+use super::sorted::COPIES;
 use super::{ModeMotion, Rotor};
 use crate::model::NamingAxes;
 

@@ -10,6 +10,10 @@ const OVERDAMPED: f64 = 0.03;
 /// Real parts below this part of the magnitude are round-off of an undamped mode.
 pub(super) const OSCILLATING: f64 = 1e-9;
 
+/// Values within this part of each other are copies of one value: far above the
+/// round-off of the eigenvalues of stiff models, far below what frequencies differ by.
+pub(super) const COPIES: f64 = 1e-6;
+
 /// Eigenvalues by what they are.
 pub(super) struct Sorted {
     /// Number of those that are zero.
@@ -41,6 +45,12 @@ impl Sorted {
             above,
         }
     }
+}
+
+/// Number of values from the first on that are copies of it, itself included.
+pub(super) fn copies_at_front(values: &[c64]) -> usize {
+    let is_copy = |s: &&c64| (**s - values[0]).norm() <= COPIES * values[0].norm();
+    values.iter().take_while(is_copy).count().max(1)
 }
 
 #[cfg(test)]

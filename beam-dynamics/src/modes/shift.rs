@@ -1,0 +1,147 @@
+//! Where to invert from: a part of the lowest frequency that is more than round-off.
+//!
+//! The zeros of motions without stiffness are double, and round-off splits them: to the
+//! frequency that it gives the motion, (D-284), and from a shift to a small part of it. A
+//! rough view tells them by their motions from the lowest of the others, however light or
+//! heavy the bodies are; where they are near to the shift, the matrix is singular but for
+//! round-off and nothing is seen from there, so that the next look is from above them.
+
+use faer::c64;
+
+use super::inverse::Inverse;
+use super::round_off::RoundOff;
+
+/// The shift of the inversion, in parts of the lowest frequency.
+pub(super) const SHIFT: f64 = 0.3;
+/// The shift over the frequency of round-off, at least.
+const ABOVE: f64 = 3.0;
+/// Frequencies up to so many times that of the round-off of their motion are none: it is the
+/// sum of many.
+const LOST: f64 = 10.0;
+/// Parts of the shift below which values are those of the round-off of the inversion.
+const INVERTED: f64 = 1e-6;
+/// Parts of the lowest value below which others are zero, where some are.
+const BESIDE: f64 = 0.02;
+/// Parts of the shift below which a value is looked at from nearer.
+const FAR: f64 = 0.1;
+/// Parts of itself in which a value is seen again from a shift beside it, where a split zero
+/// has moved toward zero with the shift.
+const STAYS: std::ops::Range<f64> = 0.7..1.5;
+/// Error of a rough pair, relative, up to which it is one.
+const SEEN: f64 = 0.1;
+/// Factor to the next shift where a matrix is singular.
+const NEXT: f64 = 30.0;
+/// Looks at most.
+pub(super) const LOOKS: usize = 8;
+
+/// What is known of the values near zero.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Search {
+    /// Where to look from [1/s].
+    pub shift: f64,
+    /// The highest frequency of a node [1/s].
+    highest: f64,
+    /// Magnitude up to which a value is zero in any case [1/s].
+    zero: f64,
+    /// The largest value that is zero by its motion, and what round-off may make of it [1/s].
+    rounded: f64,
+    /// The lowest that is none [1/s].
+    lowest: f64,
+    /// One that was seen from far above, and from where [1/s].
+    doubted: Option<(f64, f64)>,
+}
+
+/// What a look is good for.
+pub(super) struct Look {
+    /// Whether the shift it was taken from serves.
+    pub is_near: bool,
+    /// Whether the next shift serves, without a look from there.
+    pub is_certain: bool,
+}
+
+impl Search {
+    /// Begins at a shift below all frequencies.
+    pub fn new(shift: f64, highest: f64, zero: f64) -> Self {
+        Self {
+            shift,
+            highest,
+            zero,
+            rounded: 0.0,
+            lowest: highest,
+            doubted: None,
+        }
+    }
+
+    /// The next shift where the matrix at this one is singular.
+    pub fn singular(&mut self) {
+        self.shift *= NEXT;
+    }
+
+    /// Takes a look from the shift, and sets the next one.
+    pub fn look(&mut self, inverse: &Inverse, round_off: &RoundOff) -> Look {
+        let from = self.shift;
+        self.rounded = 0.0;
+        let (mut lowest, mut poor) = (None, None);
+        for (s, vector) in inverse.coarse() {
+            let size = s.norm();
+            if size > self.zero.max(INVERTED * from) {
+                let product = inverse.complete(&vector);
+                let own = LOST * round_off.frequency(&product);
+                if !(size.is_finite() && own.is_finite()) {
+                    continue;
+                }
+                if size > own {
+                    if inverse.error(s, &vector, &product) <= SEEN {
+                        lowest = Some(s);
+                        break;
+                    }
+                    poor = poor.or(Some(s));
+                    continue;
+                }
+                self.rounded = self.rounded.max(own.min(self.highest));
+            }
+            self.rounded = self.rounded.max(size);
+        }
+        // From among the zeros nothing else is seen well, and what is seen is nothing.
+        self.judge(lowest.or(poor.filter(|_| self.rounded < FAR * from)))
+    }
+
+    fn judge(&mut self, lowest: Option<c64>) -> Look {
+        let from = self.shift;
+        let seen = lowest.map_or(self.highest, |s| s.norm());
+        if let Some((doubted, above)) = self.doubted.take() {
+            let is_confirmed = STAYS.contains(&(seen / doubted)) && self.rounded < from;
+            if !is_confirmed {
+                (self.shift, self.zero) = (above, self.zero.max(FAR * above));
+                return Look {
+                    is_near: false,
+                    is_certain: false,
+                };
+            }
+        }
+        self.lowest = seen;
+        self.shift = match lowest {
+            None if self.rounded > 0.0 => (NEXT * from.max(self.rounded)).min(SHIFT * seen),
+            _ => (SHIFT * seen).max(ABOVE * self.rounded / LOST),
+        };
+        let is_near = (0.1 * self.shift..10.0 * self.shift).contains(&from);
+        if seen < FAR * from {
+            self.doubted = Some((seen, from));
+        }
+        let is_certain = lowest.is_some() && self.doubted.is_none() && self.rounded < from;
+        Look {
+            is_near,
+            is_certain,
+        }
+    }
+
+    /// Magnitude below which an eigenvalue is zero, and that of the lowest that is not [1/s].
+    pub fn zero_and_lowest(&self) -> (f64, f64) {
+        // The lowest that is none has been seen: what is far below it is zero.
+        let split = match self.rounded > 0.0 {
+            true => BESIDE * self.lowest,
+            false => 0.0,
+        };
+        (self.zero.max(split), self.lowest)
+    }
+}
