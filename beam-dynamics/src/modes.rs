@@ -1,6 +1,7 @@
 //! Modes: eigenvalues of the linearized system, what each mode does, and which mode
 //! at one speed is which at the next.
 
+mod copies;
 mod dense;
 mod eigen;
 mod factors;
@@ -9,6 +10,7 @@ mod inverse;
 mod krylov;
 mod motion;
 mod multiblade;
+mod ritz;
 mod round_off;
 mod separation;
 mod shift;

@@ -34,8 +34,8 @@ impl Eigenvectors {
     }
 
     /// Real values, and the first of each pair, with real and imaginary part of the vector
-    /// as columns in the given basis.
-    pub fn firsts(&self, basis: MatRef<'_, f64>) -> Vec<(c64, Mat<f64>)> {
+    /// as columns.
+    pub fn firsts(&self) -> Vec<(c64, Mat<f64>)> {
         let n = self.columns.nrows();
         let mut found = Vec::new();
         let mut next = 0;
@@ -44,7 +44,7 @@ impl Eigenvectors {
             let mut parts = Mat::zeros(n, 2);
             let own = self.columns.subcols(next, of_pair);
             parts.subcols_mut(0, of_pair).copy_from(own);
-            found.push((*value, basis * &parts));
+            found.push((*value, parts));
             next += of_pair;
         }
         found

@@ -10,9 +10,11 @@
 
 use faer::{Mat, c64};
 
+use super::copies::{groups, is_independent, orthonormalize, product};
 use super::frequencies::{fastest, highest_of_a_node, masses, undamped};
 use super::inverse::{DENSE, INFINITE, Inverse};
-use super::krylov::start_value;
+use super::krylov::{Found, start_value};
+use super::ritz::Ready;
 use super::round_off::RoundOff;
 use super::shift::{LOOKS, SHIFT, Search};
 use super::sorted::{Sorted, copies_at_front};
@@ -20,10 +22,6 @@ use crate::assembly::{Entry, MasslessMotions, Tangent};
 use crate::model::NODE_UNKNOWNS;
 use crate::solver::{ComplexFactorization, LinearSolver};
 
-/// Values within this part of each other cannot be told apart.
-const SAME: f64 = 1e-9;
-/// Two unit vectors of more overlap than this are one and the same.
-const PARALLEL: f64 = 0.9;
 /// The matrix is inverted this part beside the eigenvalue: near enough that one
 /// iteration suffices, far enough that the factorization keeps its digits.
 const BESIDE: f64 = 1e-10;
@@ -166,14 +164,17 @@ impl<'a> EigenProblem<'a> {
     /// The `count` eigenpairs of smallest angular frequency, ascending, where there are
     /// so many, those without stiffness first; and what else is found on the way.
     pub fn lowest(&self, count: usize) -> Lowest {
-        let (free, Sorted { real, above, .. }, is_all) = self.sorted(count);
+        let (free, Sorted { real, above, .. }, is_all, space) = self.sorted(count);
         let mut pairs = self.free(free.min(count));
         let mut unconfirmed = 0;
         let fastest = fastest(self.tangent, self.size);
+        let first = above.len().min(count + self.copies);
+        let ready = Ready::new(&self.inverse, space.as_ref(), &above[..first], self.size);
         let mut rest = &above[..];
         while let Some(first) = rest.first().filter(|_| pairs.len() < count) {
             let copies = copies_at_front(rest);
-            let mut found = self.vectors(&rest[..copies]);
+            let found = ready.pairs(&rest[..copies]);
+            let mut found = found.unwrap_or_else(|| self.vectors(&rest[..copies]));
             // Multipliers, whose values are infinite, come out as large ones by round-off,
             // which no vector confirms.
             let s = |pair: &Eigenpair| c64::new(pair.growth, pair.angular_frequency);
@@ -205,13 +206,14 @@ impl<'a> EigenProblem<'a> {
 
     /// The values nearest to the shift, as many as hold `count` oscillations, where real
     /// ones of overdamped motions do not use up too many; and how many motions without
-    /// stiffness there are. The last tells whether they are all that the system has.
-    fn sorted(&self, count: usize) -> (usize, Sorted, bool) {
+    /// stiffness there are; whether they are all that the system has; and the space of their
+    /// vectors, if it was built.
+    fn sorted(&self, count: usize) -> (usize, Sorted, bool, Option<Found>) {
         let fastest = fastest(self.tangent, self.size);
         let mut asked = count;
         let mut counted = None;
         loop {
-            let values = self.inverse.smallest(asked, self.copies, DENSE);
+            let (values, space) = self.inverse.nearest(asked, self.copies, DENSE);
             let is_all = values.len() < 2 * asked;
             let distance = |s: &c64| (s - self.inverse.shift()).norm();
             let nearest = values.iter().map(distance).fold(f64::INFINITY, f64::min);
@@ -221,7 +223,8 @@ impl<'a> EigenProblem<'a> {
                 zeros => *counted.get_or_insert_with(|| self.free_motions(zeros)),
             };
             if free + sorted.above.len() >= count || is_all || asked >= MOST * count {
-                return (free, sorted, is_all && nearest >= INFINITE * fastest);
+                let is_all = is_all && nearest >= INFINITE * fastest;
+                return (free, sorted, is_all, space);
             }
             asked *= 2;
         }
@@ -437,58 +440,3 @@ impl<'a> EigenProblem<'a> {
 
 /// Vectors of copies, and the factors by which the last iteration made them grow.
 type Vectors = (Vec<Vec<c64>>, Vec<c64>);
-
-/// Values that are the same up to round-off, put together; ascending.
-fn groups(values: &[c64]) -> Vec<Vec<c64>> {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(|a, b| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
-    let mut groups: Vec<Vec<c64>> = Vec::new();
-    for value in sorted {
-        match groups.last_mut() {
-            Some(group) if (value - group[0]).norm() <= SAME * value.norm() => group.push(value),
-            _ => groups.push(vec![value]),
-        }
-    }
-    groups
-}
-
-/// Whether no two of the vectors are nearly parallel.
-fn is_independent(pairs: &[Eigenpair]) -> bool {
-    let complex = |pair: &Eigenpair| -> Vec<c64> {
-        let parts = pair.real.iter().zip(&pair.imaginary);
-        parts.map(|(re, im)| c64::new(*re, *im)).collect()
-    };
-    let vectors: Vec<_> = pairs.iter().map(complex).collect();
-    // The vectors are of unit size.
-    let overlap = |i: usize, j: usize| product(&vectors[i], &vectors[j], vectors[i].len()).norm();
-    (0..vectors.len()).all(|i| (0..i).all(|j| overlap(i, j) < PARALLEL))
-}
-
-/// `a^H b` over the positions and rotations of the nodes: the reactions, which follow
-/// from these, are larger by the stiffness and would hide them.
-fn product(a: &[c64], b: &[c64], size: usize) -> c64 {
-    let is_motion = |i: &usize| i % NODE_UNKNOWNS < NODE_UNKNOWNS / 2;
-    (0..size)
-        .filter(is_motion)
-        .map(|i| a[i].conj() * b[i])
-        .sum()
-}
-
-/// Orthonormalizes by Gram and Schmidt, twice for the round-off.
-fn orthonormalize(vectors: &mut [Vec<c64>], size: usize) {
-    for j in 0..vectors.len() {
-        let (before, rest) = vectors.split_at_mut(j);
-        let vector = &mut rest[0];
-        for other in before.iter().chain(before.iter()) {
-            let along = product(other, vector, size);
-            vector
-                .iter_mut()
-                .zip(other)
-                .for_each(|(v, o)| *v -= along * o);
-        }
-        let norm = product(vector, vector, size).re.sqrt();
-        if norm > 0.0 {
-            vector.iter_mut().for_each(|v| *v /= norm);
-        }
-    }
-}

@@ -17,10 +17,10 @@
 
 use std::collections::BTreeSet;
 
-use faer::{Mat, c64};
+use faer::{Mat, MatRef, c64};
 
 use super::dense::{Eigenvectors, eigenvalues};
-use super::krylov::{Operator, largest, rough, start_value};
+use super::krylov::{Found, Operator, largest, rough, start_value};
 use crate::assembly::Entry;
 use crate::model::NODE_UNKNOWNS;
 use crate::solver::Factorization;
@@ -125,11 +125,7 @@ impl Inverse {
     /// magnitude, with their vectors: real and imaginary part a column each.
     pub fn coarse(&self) -> Vec<(c64, Mat<f64>)> {
         let inverted = match self.scale.len() <= DENSE {
-            true => {
-                let whole = self.whole();
-                let n = whole.nrows();
-                Eigenvectors::new(whole.as_ref()).firsts(Mat::<f64>::identity(n, n).as_ref())
-            }
+            true => Eigenvectors::new(self.whole().as_ref()).firsts(),
             false => rough(self, ROUGH_BLOCK, ROUGH_STEPS),
         };
         let sizes = inverted.iter().map(|(value, _)| value.norm());
@@ -151,7 +147,7 @@ impl Inverse {
 
     /// Error of a rough value s with its vector and their product by [`Self::complete`],
     /// relative.
-    pub fn error(&self, s: c64, vector: &Mat<f64>, product: &Mat<f64>) -> f64 {
+    pub fn error(&self, s: c64, vector: MatRef<'_, f64>, product: MatRef<'_, f64>) -> f64 {
         let pairs = self.places.iter().zip(&self.scale).enumerate();
         let parts = pairs.map(|(i, (&place, scale))| {
             let expected = c64::new(vector[(i, 0)], vector[(i, 1)]) / (s - self.shift);
@@ -166,25 +162,33 @@ impl Inverse {
     /// to `copies` of one value included, where there are so many; all are computed of
     /// problems of up to `dense` unknowns.
     pub fn smallest(&self, count: usize, copies: usize, dense: usize) -> Vec<c64> {
+        self.nearest(count, copies, dense).0
+    }
+
+    /// As [`Self::smallest`], with the space of the vectors if it was built.
+    pub fn nearest(&self, count: usize, copies: usize, dense: usize) -> (Vec<c64>, Option<Found>) {
+        if self.is_small(count, dense) {
+            return (self.restored(&self.all()), None);
+        }
         // One more pair, so that none is cut apart; the others only lead the iteration.
         let sure = 2 * count + 2;
-        let inverted = match self.is_small(count, dense) {
-            true => self.all(),
-            false => largest(self, Self::wanted(count), sure, copies),
-        };
-        self.restored(inverted)
+        let found = largest(self, Self::wanted(count), sure, copies);
+        (self.restored(&found.values), Some(found))
+    }
+
+    /// The s of an eigenvalue of T.
+    pub fn value(&self, inverted: c64) -> c64 {
+        c64::new(self.shift, 0.0) + c64::new(1.0, 0.0) / inverted
     }
 
     /// The finite s of eigenvalues of T.
-    fn restored(&self, inverted: Vec<c64>) -> Vec<c64> {
+    fn restored(&self, inverted: &[c64]) -> Vec<c64> {
         let size = inverted.iter().map(|value| value.norm());
         let size = size.fold(0.0, f64::max);
         let finite = inverted
-            .into_iter()
+            .iter()
             .filter(|value| value.norm() > INFINITE * size);
-        finite
-            .map(|value| c64::new(self.shift, 0.0) + c64::new(1.0, 0.0) / value)
-            .collect()
+        finite.map(|value| self.value(*value)).collect()
     }
 
     /// `T x` for one scaled x, in place.

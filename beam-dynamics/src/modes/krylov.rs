@@ -16,16 +16,17 @@
 
 use faer::{Mat, MatRef, c64};
 
-use super::dense::{Eigenvectors, eigenvalues};
+use super::dense::Eigenvectors;
 
-/// Change of the wanted eigenvalues while the space grows by an eighth at which they
-/// count as found, relative: near enough for inverse iteration, which gives the last
-/// digits.
-const FOUND: f64 = 1e-10;
+/// Relative error of a vector up to which its value counts as found: near enough for inverse
+/// iteration, which gives the last digits, and for counting the copies of a value.
+const FOUND: f64 = 1e-7;
 /// Vectors of the space at most, in parts of the wanted number of eigenvalues.
 const MOST: usize = 8;
 /// A column that keeps less than this part of its size beside the space is inside it.
 const INSIDE: f64 = 1e-12;
+/// Vectors for which a space has memory at first.
+const FIRST: usize = 128;
 /// Products that purge the start vectors: the chains of the zero eigenvalues are not
 /// longer (a multiplier, a momentum, a place).
 const PURGES: usize = 3;
@@ -54,19 +55,42 @@ pub(super) trait Operator {
     fn is_in_cluster(&self, value: &c64) -> bool;
 }
 
-/// The `sure` eigenvalues of largest magnitude, falling, from a space that is led by
-/// `wanted`, which are a few more; copies up to `block` of one eigenvalue are told apart from one.
-/// Those of which the operator knows no more than that they are in a cluster may move in it.
-pub(super) fn largest(
-    operator: &impl Operator,
-    wanted: usize,
-    sure: usize,
-    block: usize,
-) -> Vec<c64> {
+/// Eigenvalues of an operator with approximations of their vectors.
+pub(super) struct Found {
+    /// The eigenvalues of largest magnitude, descending.
+    pub values: Vec<c64>,
+    /// Approximate vectors of the values, of a conjugate pair the first one only.
+    pub ritz: Vec<Ritz>,
+    basis: Mat<f64>,
+}
+
+/// An approximate eigenvector in a Krylov space.
+pub(super) struct Ritz {
+    /// Its eigenvalue.
+    pub value: c64,
+    /// `|T x - mu x| / |mu x|`.
+    pub error: f64,
+    /// Real and imaginary part of the coordinates in the basis.
+    coordinates: Mat<f64>,
+}
+
+impl Found {
+    /// Vectors of the operator from their coordinates: real and imaginary part of each, two
+    /// columns.
+    pub fn vectors(&self, ritz: &[&Ritz]) -> Mat<f64> {
+        let d = self.basis.ncols();
+        let part = |i: usize, j: usize| ritz[j / 2].coordinates[(i, j % 2)];
+        &self.basis * Mat::from_fn(d, 2 * ritz.len(), part)
+    }
+}
+
+/// The `sure` eigenvalues of largest magnitude, descending. Convergence is judged on them, the
+/// space is led by `wanted` values, which are a few more; multiplicities up to `block` are
+/// resolved. Values in a cluster, in which round-off moves them, count as converged.
+pub(super) fn largest(operator: &impl Operator, wanted: usize, sure: usize, block: usize) -> Found {
     let n = operator.size();
     let most = (MOST * wanted).min(n);
     let mut space = Space::new(operator, block.min(n), most);
-    let mut before: Vec<c64> = Vec::new();
     let mut check = 2 * wanted + block;
     loop {
         space.grow(operator);
@@ -74,19 +98,17 @@ pub(super) fn largest(
         if space.dimension < check && !is_whole {
             continue;
         }
-        let mut values = eigenvalues(space.projection());
-        values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
-        values.truncate(wanted);
-        let in_cluster = |value: &c64| operator.is_in_cluster(value);
-        if is_whole || stand_still(&values, &before, sure, in_cluster) {
-            values.truncate(sure);
-            return values;
+        let (values, ritz) = space.ritz(wanted);
+        let is_found = |ritz: &Ritz| ritz.error <= FOUND || operator.is_in_cluster(&ritz.value);
+        let least = values.get(sure.min(values.len()).saturating_sub(1));
+        let least = least.map_or(0.0, |value| value.norm());
+        let mut judged = ritz.iter().filter(|ritz| ritz.value.norm() >= least);
+        if is_whole || (values.len() >= sure.min(n) && judged.all(is_found)) {
+            return space.found((values, ritz), sure);
         }
-        before = values;
         check = space.dimension + space.dimension / 8;
     }
 }
-
 /// Approximations of the largest eigenvalues from `steps` products of a block, of a pair the
 /// first, with real and imaginary part of their vectors.
 pub(super) fn rough(operator: &impl Operator, block: usize, steps: usize) -> Vec<(c64, Mat<f64>)> {
@@ -97,23 +119,10 @@ pub(super) fn rough(operator: &impl Operator, block: usize, steps: usize) -> Vec
         space.grow(operator);
     }
     let basis = space.basis.subcols(0, space.dimension);
-    Eigenvectors::new(space.projection()).firsts(basis)
-}
-
-/// Whether the magnitudes of the first `sure` values have not changed, but for those in a
-/// cluster.
-fn stand_still(
-    now: &[c64],
-    before: &[c64],
-    sure: usize,
-    in_cluster: impl Fn(&c64) -> bool,
-) -> bool {
-    let close = |(a, b): (&c64, &c64)| {
-        let is_same = (a.norm() - b.norm()).abs() <= FOUND * b.norm();
-        is_same || (in_cluster(a) && in_cluster(b))
-    };
-    let sure = sure.min(now.len());
-    sure > 0 && before.len() >= sure && now.iter().zip(before).take(sure).all(close)
+    let firsts = Eigenvectors::new(space.projection()).firsts().into_iter();
+    firsts
+        .map(|(value, parts)| (value, basis * &parts))
+        .collect()
 }
 
 /// A growing orthonormal basis and the projection of the operator on it.
@@ -137,15 +146,66 @@ impl Space {
             operator.multiply(&mut start);
             start = start.qr().compute_thin_Q();
         }
-        let room = most + block;
-        let mut basis = Mat::zeros(n, room);
-        basis.subcols_mut(0, block).copy_from(&start);
-        Self {
-            basis,
-            projected: Mat::zeros(room, room),
+        let mut space = Self {
+            basis: start,
+            projected: Mat::new(),
             dimension: 0,
             block,
             drawn: n * block,
+        };
+        space.reserve(most.min(FIRST) + block);
+        space
+    }
+
+    /// Gives the space a capacity of at least `columns` vectors.
+    fn reserve(&mut self, columns: usize) {
+        if self.projected.ncols() < columns {
+            let n = self.basis.nrows();
+            self.basis.resize_with(n, columns, |_, _| 0.0);
+            self.projected.resize_with(columns, columns, |_, _| 0.0);
+        }
+    }
+
+    /// Relative error of a vector of the space, with real and imaginary part of its
+    /// coordinates as columns, as an eigenvector of `value`:
+    /// `|T x - mu x| = |R y|`, y the coordinates in the last block.
+    fn error(&self, value: c64, coordinates: &Mat<f64>) -> f64 {
+        let (d, first) = (self.dimension, self.dimension - self.block);
+        let last = coordinates.subrows(first, self.block);
+        let rest = self.projected.submatrix(d, first, self.block, self.block) * last;
+        rest.norm_l2() / (value.norm() * coordinates.norm_l2())
+    }
+
+    /// The `wanted` eigenvalues of largest magnitude of the projection, descending, and their
+    /// vectors.
+    fn ritz(&self, wanted: usize) -> (Vec<c64>, Vec<Ritz>) {
+        let all = Eigenvectors::new(self.projection());
+        let mut values = all.values.clone();
+        values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+        values.truncate(wanted);
+        let least = values.last().map_or(0.0, |value| value.norm());
+        let mut ritz: Vec<_> = all
+            .firsts()
+            .into_iter()
+            .filter(|(value, _)| value.norm() >= least)
+            .map(|(value, coordinates)| Ritz {
+                value,
+                error: self.error(value, &coordinates),
+                coordinates,
+            })
+            .collect();
+        ritz.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
+        (values, ritz)
+    }
+
+    /// The result: the first `sure` values, and the basis of their vectors.
+    fn found(mut self, (mut values, ritz): (Vec<c64>, Vec<Ritz>), sure: usize) -> Found {
+        values.truncate(sure);
+        self.basis.truncate(self.basis.nrows(), self.dimension);
+        Found {
+            values,
+            ritz,
+            basis: self.basis,
         }
     }
 
@@ -159,6 +219,9 @@ impl Space {
     fn grow(&mut self, operator: &impl Operator) {
         let (first, b) = (self.dimension, self.block);
         let known = first + b;
+        if known + b > self.projected.ncols() {
+            self.reserve(known + b + known / 4);
+        }
         let mut next = self.basis.subcols(first, b).to_owned();
         operator.multiply(&mut next);
         let sizes: Vec<_> = (0..b).map(|j| next.col(j).norm_l2()).collect();
@@ -246,7 +309,7 @@ mod tests {
     #[test]
     fn copies_are_all_found() {
         let values = (0..600).map(|i| ((1 + i / 3) as f64).powi(-2)).collect();
-        let found = largest(&Diagonal(values), 40, 30, 4);
+        let found = largest(&Diagonal(values), 40, 30, 4).values;
         assert!(found.len() >= 30);
         for (i, value) in found.iter().take(30).enumerate() {
             let expected = ((1 + i / 3) as f64).powi(-2);
@@ -258,7 +321,7 @@ mod tests {
     #[test]
     fn a_space_that_ends_is_no_trouble() {
         let values = (0..100).map(|i| if i < 5 { 2.0 + i as f64 } else { 0.0 });
-        let found = largest(&Diagonal(values.collect()), 8, 8, 3);
+        let found = largest(&Diagonal(values.collect()), 8, 8, 3).values;
         for (value, expected) in found.iter().zip([6.0, 5.0, 4.0, 3.0, 2.0, 0.0]) {
             assert!(
                 (value.norm() - expected).abs() < 1e-12,

@@ -91,7 +91,7 @@ impl Search {
                     continue;
                 }
                 if size > own {
-                    if inverse.error(s, &vector, &product) <= SEEN {
+                    if inverse.error(s, vector.as_ref(), product.as_ref()) <= SEEN {
                         lowest = Some(s);
                         break;
                     }
