@@ -247,13 +247,8 @@ impl Scales {
     /// round-off of forces, and in pure bending the forces are round-off of moments. Equations of
     /// scalars are compared with equations of the same unit.
     pub fn worst(&self, residual: &Residual) -> Worst {
-        const KINDS: usize = Equation::ALL.len();
         let [nodes, first] = self.first;
-        let kind = |place: usize| place % NODE_UNKNOWNS / 3;
-        let mut largest = [0.0_f64; KINDS];
-        for (place, size) in residual.sizes[..nodes].iter().enumerate() {
-            largest[kind(place)] = largest[kind(place)].max(*size);
-        }
+        let mut largest = largest_of_kinds(&residual.sizes[..nodes]);
         for (force, moment) in [
             (Equation::Force, Equation::Moment),
             (Equation::Momentum, Equation::AngularMomentum),
@@ -264,25 +259,25 @@ impl Scales {
                 largest[force as usize] = of_forces.max(of_moments / self.arm);
             }
         }
-        // The worst of each kind: equations of a kind have one scale. The terms of a constraint
-        // vanish with it: its reference is one.
-        let mut worst = [(0.0_f64, 0); KINDS];
-        for (place, value) in residual.values[..nodes].iter().enumerate() {
-            take_larger(&mut worst[kind(place)], (value.abs(), place));
-        }
-        let mut of_constraints = (0.0, nodes);
-        for (place, value) in residual.values[nodes..first].iter().enumerate() {
-            take_larger(&mut of_constraints, (value.abs(), nodes + place));
-        }
-        let of_nodes = worst.into_iter().zip(largest);
-        let of_nodes = of_nodes.map(|((value, place), scale)| Worst {
+        // Equations of a kind have one scale. The terms of a constraint vanish with it: its
+        // reference is one.
+        let values = &residual.values;
+        let of_nodes = largest_of_kinds(&values[..nodes]);
+        let of_nodes = of_nodes.iter().zip(largest).enumerate();
+        let of_nodes = of_nodes.map(|(kind, (&value, scale))| Worst {
             relative: if scale > 0.0 { value / scale } else { 0.0 },
-            place,
+            place: kind,
             scale,
         });
-        let of_constraints = (first > nodes).then_some(Worst {
-            relative: of_constraints.0,
-            place: of_constraints.1,
+        let of_nodes = of_nodes.max_by(|a, b| a.relative.total_cmp(&b.relative));
+        let of_nodes = of_nodes.filter(|_| nodes > 0).map(|worst| Worst {
+            place: largest_at(&values[..nodes], |place| kind_of(place) == worst.place),
+            ..worst
+        });
+        let of_constraints = &values[nodes..first];
+        let of_constraints = (first > nodes).then(|| Worst {
+            relative: of_constraints.iter().fold(0.0, |a, b| larger(a, b.abs())),
+            place: nodes + largest_at(of_constraints, |_| true),
             scale: 1.0,
         });
         let size = |i: usize| residual.sizes[first + i];
@@ -293,7 +288,7 @@ impl Scales {
             scale: of_scalars.scale,
         };
         let has_scalars = !self.equations.is_empty();
-        let worst = of_nodes.chain(of_constraints);
+        let worst = of_nodes.into_iter().chain(of_constraints);
         let worst = worst.chain(has_scalars.then_some(of_scalars));
         worst
             .max_by(|a, b| a.relative.total_cmp(&b.relative))
@@ -301,11 +296,37 @@ impl Scales {
     }
 }
 
-/// Replaces the largest size and its index by another that is not smaller; NaN is larger than all.
-fn take_larger(largest: &mut (f64, usize), other: (f64, usize)) {
-    if other.0.total_cmp(&largest.0).is_ge() {
-        *largest = other;
+/// Kinds of equations of a node.
+const KINDS: usize = Equation::ALL.len();
+
+/// Kind of an equation of a node, by its index in the system.
+fn kind_of(place: usize) -> usize {
+    place % NODE_UNKNOWNS / 3
+}
+
+/// The largest magnitude in the equations of each kind; NaN is larger than all.
+fn largest_of_kinds(nodes: &[f64]) -> [f64; KINDS] {
+    let mut largest = [0.0_f64; KINDS];
+    for node in nodes.chunks_exact(NODE_UNKNOWNS) {
+        for (largest, values) in largest.iter_mut().zip(node.chunks_exact(3)) {
+            let values = values.iter().map(|value| value.abs());
+            *largest = values.fold(*largest, larger);
+        }
     }
+    largest
+}
+
+/// The larger of two numbers; NaN is larger than all.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
+/// Index of the largest magnitude among the chosen values, the last of equal ones; NaN is larger
+/// than all.
+fn largest_at(values: &[f64], is_chosen: impl Fn(usize) -> bool) -> usize {
+    let chosen = (0..values.len()).filter(|&place| is_chosen(place));
+    let largest = chosen.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()));
+    largest.unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -193,12 +193,12 @@ impl LocalJacobian {
         }
     }
 
-    /// Sets the given entries to zero: all that are ever touched.
+    /// Sets the given entries to zero, among them all that are ever touched.
     pub fn clear(&mut self, touched: &[LocalRun]) {
         let clear = |matrix: &mut DMatrix<f64>| {
             let values = matrix.as_mut_slice();
             for run in touched {
-                clear_run(&mut values[run.range()]);
+                values[run.range()].fill(0.0);
             }
         };
         clear(&mut self.by_unknowns);
@@ -405,17 +405,6 @@ impl LocalJacobian {
     /// Entries to which a term was ever added.
     pub fn touched(&self) -> &DMatrix<bool> {
         &self.touched
-    }
-}
-
-/// Sets a run to zero. Most are one or two equations of a node long: for these the length is known
-/// at compile time, and no call is made.
-#[inline(always)]
-fn clear_run(values: &mut [f64]) {
-    match values.len() {
-        3 => values.copy_from_slice(&[0.0; 3]),
-        6 => values.copy_from_slice(&[0.0; 6]),
-        _ => values.fill(0.0),
     }
 }
 

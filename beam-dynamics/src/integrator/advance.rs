@@ -269,7 +269,7 @@ impl Integrator {
         plan: &Plan,
         clock: &dyn Fn() -> f64,
     ) -> Result<usize, Reason> {
-        let began = clock();
+        let began = Meter::start(&self.progress.counters, clock);
         self.predict(dae, formula, plan);
         let mut meter = Meter::new(&mut self.progress.counters, clock, began);
         meter.end_phase(|counters| &mut counters.prediction_time);

@@ -17,6 +17,8 @@ pub(super) struct Kind {
     pub runs: Vec<LocalRun>,
     /// Number of the former.
     pub differential: usize,
+    /// All entries, with the gaps of a few zeros between them: fewer and longer runs.
+    spans: Vec<LocalRun>,
     /// Entries in the first column of the rotation of each node; the entries in the other two
     /// columns are next to them.
     turned: Vec<Vec<LocalRun>>,
@@ -43,6 +45,7 @@ impl Kind {
             size,
             rates: jacobian.touches_rates(),
             turned: (0..size.nodes).map(of_rotation).collect(),
+            spans: spans(&all),
             runs: all,
             differential,
         }
@@ -57,7 +60,7 @@ impl Kind {
 
     /// Makes a Jacobian of the kind zero.
     pub fn clear(&self, jacobian: &mut LocalJacobian) {
-        jacobian.clear(&self.runs);
+        jacobian.clear(&self.spans);
     }
 
     /// Converts the derivatives by the rotation of node `i` of an element into derivatives by the
@@ -65,6 +68,27 @@ impl Kind {
     pub fn turn(&self, i: usize, by: &Variation, jacobian: &mut LocalJacobian) {
         jacobian.turn(i, &self.turned[i], &by.turn, &by.spin);
     }
+}
+
+/// Longest gap between two runs that are cleared together: storing zeros costs less than the
+/// next call.
+const GAP: u32 = 16;
+
+/// Runs that contain all the given ones, in ascending order.
+fn spans(runs: &[LocalRun]) -> Vec<LocalRun> {
+    let mut sorted = runs.to_vec();
+    sorted.sort_unstable_by_key(|run| run.first);
+    let mut spans: Vec<LocalRun> = Vec::new();
+    for run in sorted {
+        let end = run.first + run.count;
+        match spans.last_mut() {
+            Some(span) if run.first <= span.first + span.count + GAP => {
+                span.count = span.count.max(end - span.first);
+            }
+            _ => spans.push(run),
+        }
+    }
+    spans
 }
 
 /// Touched entries of a column: of one node, of the multipliers, or of one scalar, each of which

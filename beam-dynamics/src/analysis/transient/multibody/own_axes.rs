@@ -161,11 +161,7 @@ impl OwnAxes {
         rotation: &Matrix3<f64>,
         omega: &Vector3<f64>,
     ) -> Following {
-        let Bend { g, g_rate, .. } = self.bend(origin, rotation, omega);
-        Following {
-            axes: gibbs::to_rotation(&g) * origin,
-            spin: gibbs::tangent(&g) * g_rate,
-        }
+        self.bend(origin, rotation, omega).following(origin)
     }
 
     /// The same at the attitude where they begin.
@@ -211,8 +207,7 @@ impl OwnAxes {
     ) {
         let (a, b) = (sum.by_unknowns, sum.by_rates);
         let bend = self.bend(origin, &node.rotation, &node.angular_velocity);
-        let axes = &(gibbs::to_rotation(&bend.g) * origin);
-        let spin = gibbs::tangent(&bend.g) * bend.g_rate;
+        let Following { axes, spin } = bend.following(origin);
         let omega = skew(&spin);
         let gamma = skew(&node.angular_momentum);
         let rate = node.angular_momentum_rate - spin.cross(&node.angular_momentum);
@@ -232,6 +227,16 @@ impl OwnAxes {
         add(values, &self.definition_by_rotation, &-(gamma * turn));
         let of_balance = (skew(&rate) + omega * gamma) * turn + gamma * spin;
         add(values, &self.balance_by_rotation, &of_balance);
+    }
+}
+
+impl Bend {
+    /// The axes E that follow the long axis from the attitude `origin`.
+    fn following(&self, origin: &Matrix3<f64>) -> Following {
+        Following {
+            axes: gibbs::to_rotation(&self.g) * origin,
+            spin: gibbs::tangent(&self.g) * self.g_rate,
+        }
     }
 }
 
