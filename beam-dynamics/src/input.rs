@@ -141,6 +141,15 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     checked(&read_text(path)?, &file, &name_of(path))
 }
 
+/// Checks the dynamics input in `text`; `file` is its name for messages, and relative paths in it
+/// start at the folder of that name.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, file: &str) -> Result<Input, Diagnostics> {
+    checked(text, file, &name_of(Path::new(file)))
+}
+
 /// The input in the text of a file, whose results are called `name`.
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;

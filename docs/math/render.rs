@@ -23,7 +23,9 @@ pub fn rendered(page: &str) -> Result<String, Vec<(usize, String)>> {
             let is_inside = |line: &&str| !line.trim_start().starts_with(FENCE);
             let body = lines.by_ref().map(|(_, line)| line);
             let body: Vec<_> = body.take_while(is_inside).collect();
-            displayed(&body.join("\n"))
+            // A formula in an item of a list stays in it.
+            let indent = &line[..line.len() - line.trim_start().len()];
+            displayed(&body.join("\n")).map(|formula| format!("{indent}{formula}"))
         } else if line.trim_start().starts_with(FENCE) {
             let mut fence = format!("{line}\n");
             for (_, line) in lines.by_ref() {
@@ -35,14 +37,11 @@ pub fn rendered(page: &str) -> Result<String, Vec<(usize, String)>> {
             }
             Ok(fence)
         } else {
-            in_text(line)
+            in_text(line).map(|text| text + "\n")
         };
         match found {
             Ok(text) => out.push_str(&text),
             Err(problem) => wrong.push((number + 1, problem)),
-        }
-        if !out.ends_with('\n') {
-            out.push('\n');
         }
     }
     if wrong.is_empty() {
@@ -71,7 +70,8 @@ fn displayed(tex: &str) -> Result<String, String> {
     let rows: Vec<_> = rows.iter().map(row).collect();
     let tex = format!("\\begin{{aligned}}{}\\end{{aligned}}", rows.join("\\\\"));
     let math = mathml(&tex, DisplayMode::Block)?;
-    Ok(format!("<div class=\"formula\">{math}</div>\n"))
+    // An empty line ends the block of HTML, as the rest is Markdown again.
+    Ok(format!("<div class=\"formula\">{math}</div>\n\n"))
 }
 
 /// A line of text with its formulas as MathML.
@@ -100,7 +100,28 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> Result<String, String> {
     };
     push_mathml(&mut out, Parser::new(tex, &storage), config)
         .map_err(|problem| problem.to_string())?;
-    Ok(out.replace('\n', " "))
+    Ok(escaped(&out.replace('\n', " ")))
+}
+
+/// MathML with its text in character references where HTML or Markdown would take it for a tag, a
+/// cell of a table or a mark of emphasis.
+fn escaped(math: &str) -> String {
+    let mut out = String::with_capacity(math.len());
+    let mut rest = math;
+    while let Some(first) = rest.chars().next() {
+        let is_tag = rest.starts_with("</")
+            || first == '<' && rest[1..].starts_with(|c: char| c.is_ascii_alphabetic());
+        let end = rest.find('>').filter(|_| is_tag);
+        let length = end.map_or(first.len_utf8(), |end| end + 1);
+        match first {
+            '<' | '>' | '|' | '*' | '_' | '~' | '`' | '\\' | '[' | ']' if !is_tag => {
+                out.push_str(&format!("&#{};", u32::from(first)));
+            }
+            _ => out.push_str(&rest[..length]),
+        }
+        rest = &rest[length..];
+    }
+    out
 }
 
 /// Number of column separators of a row.
@@ -144,6 +165,28 @@ mod tests {
         assert!(found.contains("ω") && found.contains("(D-1)"), "{found}");
         assert!(found.contains("```text\n$`x`$\n```\n") && found.ends_with("end\n"));
         assert!(!found.contains("\\tag") && !found.contains("```math"));
+    }
+
+    #[test]
+    fn signs_are_no_tags_and_no_marks() {
+        let found = rendered("| $`a < \\vert \\tilde b\\vert * c`$ | $`d_e`$ |\n").unwrap();
+        let text: String = found
+            .split('<')
+            .filter_map(|it| it.split_once('>'))
+            .map(|it| it.1)
+            .collect();
+        assert!(text.contains("&#60;") && text.contains("&#124;"), "{found}");
+        assert_eq!(found.matches('|').count(), 3, "{found}");
+        assert!(!found.contains(['~', '*', '_']), "{found}");
+    }
+
+    // Without its empty lines a page is one paragraph, and after a formula all is HTML.
+    #[test]
+    fn empty_lines_stay_and_follow_formulas() {
+        let page = "a\n\n# b\n\n- c\n\n  ```math\n  d\n  ```\n  e\n";
+        let found = rendered(page).unwrap();
+        assert!(found.starts_with("a\n\n# b\n\n- c\n\n  <div"), "{found}");
+        assert!(found.ends_with("</div>\n\n  e\n"), "{found}");
     }
 
     #[test]

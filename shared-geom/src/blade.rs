@@ -4,6 +4,34 @@
 //! Components are ordered as in [`crate::wrench::COMPONENTS`], in section axes (twist
 //! included). The matrices of the stations are about the reference point of the blade,
 //! which need not lie on its line; [`Blade::at`] returns them about the line. SI units.
+//!
+//! # Example
+//!
+//! ```
+//! use nalgebra::{Matrix6, Vector2, Vector6};
+//! use shared_geom::blade::{Blade, Interpolation, Station};
+//! use shared_geom::line::{ReferenceLine, Side};
+//!
+//! // a uniform blade of 5 m and 2 kg/m
+//! let station = |arc_length| Station {
+//!     arc_length,
+//!     stiffness: Matrix6::from_diagonal(&Vector6::new(1e8, 1e7, 1e7, 1e4, 1e4, 1e5)),
+//!     mass: Matrix6::from_diagonal(&Vector6::new(2.0, 2.0, 2.0, 0.02, 0.01, 0.01)),
+//! };
+//! let blade = Blade {
+//!     name: "blade".into(),
+//!     line: ReferenceLine::straight(5.0),
+//!     reference_point: Vector2::zeros(),
+//!     stations: vec![station(0.0), station(5.0)],
+//!     interpolation: Interpolation::Linear,
+//!     damping: None,
+//!     provenance: Default::default(),
+//! };
+//! assert!(blade.problems().is_empty());
+//! assert!((blade.mass() - 10.0).abs() < 1e-12);
+//! let (stiffness, _) = blade.at(2.5, Side::Outer);
+//! assert!((stiffness[(4, 4)] - 1e4).abs() < 1e-8);
+//! ```
 
 use nalgebra::{Matrix6, Vector2};
 

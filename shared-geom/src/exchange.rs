@@ -3,6 +3,21 @@
 //! Every format is a file of this folder with the same three functions: `recognize`,
 //! `read` and `write`; absent if the format cannot do it. Only the list of doors knows
 //! all formats.
+//!
+//! # Example
+//!
+//! ```
+//! use std::path::Path;
+//!
+//! use shared_geom::exchange::{self, Format};
+//!
+//! // a blade of BeamDyn, written for HAWC2
+//! let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/exchange");
+//! let reading = exchange::read(&Path::new(folder).join("plain_BeamDyn.dat")).expect("a sound blade");
+//! assert!(reading.blade.mass() > 0.0);
+//! let written = exchange::write(&reading.blade, Format::Hawc2, "blade").expect("a blade to write");
+//! assert!(written.files[0].1.contains("c2_def"));
+//! ```
 
 use std::path::{Path, PathBuf};
 

@@ -7,6 +7,19 @@
 //! The reader is part of Helicoid, with some hundred lines: the crates with derivatives
 //! read `-2^2` as 4, do not know `abs`, `min` and `max`, have 0 times the logarithm of 0
 //! in the slope of a power, and do not report the position of a mistake.
+//!
+//! # Example
+//!
+//! ```
+//! use shared_geom::expression::{Expression, Jet, Names};
+//!
+//! let names = Names { variables: &["t"], constants: &[] };
+//! let law = Expression::parse("3 * sin(2 * t)", &names).expect("an expression");
+//! // the value, and its derivatives by t
+//! let now = law.at(|_| Jet::variable(0.0));
+//! assert_eq!((now.value, now.first, now.second), (0.0, 6.0, 0.0));
+//! assert!(Expression::parse("3 * sine(t)", &names).is_err());
+//! ```
 
 mod functions;
 mod jet;

@@ -2,6 +2,20 @@
 //!
 //! Points change by rotation and origin, vectors (forces, velocities, directions) only by
 //! rotation. A node, a section on its reference line, or a ply on its wall each have one.
+//!
+//! # Example
+//!
+//! ```
+//! use nalgebra::Vector3;
+//! use shared_geom::frame::Frame;
+//! use shared_geom::rotation::vector;
+//!
+//! let turn = vector::to_rotation(&Vector3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2));
+//! let hub = Frame::new(Vector3::new(0.0, 0.0, 3.0), turn);
+//! let tip = hub.point_to_parent(&Vector3::new(5.0, 0.0, 0.0));
+//! assert!((tip - Vector3::new(0.0, 5.0, 3.0)).norm() < 1e-15);
+//! assert!((hub.point_from_parent(&tip).x - 5.0).abs() < 1e-15);
+//! ```
 
 use nalgebra::{Matrix3, Vector3};
 

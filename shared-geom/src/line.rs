@@ -13,6 +13,21 @@
 //! line. The axes of a line given by its curvature follow from it (see [`Course::Arcs`]).
 //!
 //! Repeated queries of a line use its [`Curve`], which is prepared once.
+//!
+//! # Example
+//!
+//! ```
+//! use nalgebra::Vector3;
+//! use shared_geom::line::{LinePoint, ReferenceLine};
+//!
+//! // a quarter of a circle of 2 m radius: constant curvature about z
+//! let root = LinePoint { position: Vector3::zeros(), twist: 0.0 };
+//! let quarter = std::f64::consts::PI;
+//! let line = ReferenceLine::curved(root, &[(quarter, Vector3::new(0.0, 0.0, 0.5))]);
+//! let tip = line.at(quarter);
+//! assert!((tip.position - Vector3::new(2.0, 2.0, 0.0)).norm() < 1e-12);
+//! assert!((tip.tangent - Vector3::y()).norm() < 1e-12);
+//! ```
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -8,6 +8,18 @@
 //! into components in the parent frame. All angular velocities and virtual rotations are
 //! spatial, in parent components: `dR/dt = [omega]x R`, `dR = [theta]x R`.
 //!
+//! # Example
+//!
+//! ```
+//! use nalgebra::Vector3;
+//! use shared_geom::rotation::vector;
+//!
+//! // a quarter turn about z takes x to y
+//! let turn = vector::to_rotation(&Vector3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2));
+//! assert!((turn * Vector3::x() - Vector3::y()).norm() < 1e-15);
+//! assert!((vector::from_rotation(&turn).z - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+//! ```
+//!
 //! # References
 //! - P. Masarati, PhD thesis, Politecnico di Milano, chapter 3.
 //! - O. A. Bauchau, L. Trainelli, "The vectorial parameterization of rotation",

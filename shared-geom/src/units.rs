@@ -2,6 +2,17 @@
 //! that an input file declares.
 //!
 //! Everything inside the programs is SI; only input and output convert.
+//!
+//! # Example
+//!
+//! ```
+//! use shared_geom::units::{Dimension, parse_quantity};
+//!
+//! let stiffness = parse_quantity("73.1 GPa", Dimension::STRESS).expect("a stress");
+//! assert!((stiffness - 73.1e9).abs() < 1e-3);
+//! // a length is not a stress
+//! assert!(parse_quantity("73.1 mm", Dimension::STRESS).is_err());
+//! ```
 
 use crate::error::{Explain, nearest_name};
 

@@ -23,6 +23,20 @@
 //! The change of point is (S-31), the change of axes (S-32). Both preserve the energy
 //! `1/2 p^T K p` and the power `t^T p`.
 //!
+//! # Example
+//!
+//! ```
+//! use nalgebra::{Matrix6, Vector3, Vector6};
+//! use shared_geom::wrench::shift;
+//!
+//! // EA = 4 GN, EIy = EIz = 1 MN m^2, about a point 0.1 m from the elastic axis
+//! let k = Matrix6::from_diagonal(&Vector6::new(4e9, 1e9, 1e9, 1e6, 1e6, 1e6));
+//! let moved = shift(&k, &Vector3::new(0.0, 0.1, 0.0));
+//! // an axial strain now needs a moment about z, and EIz has the term EA d^2
+//! assert!((moved[(5, 5)] - (1e6 + 4e9 * 0.01)).abs() < 1.0);
+//! assert!((moved[(0, 5)].abs() - 4e8).abs() < 1.0);
+//! ```
+//!
 //! # References
 //! - V. Giavotto et al., "Anisotropic beam theory and applications", Computers and
 //!   Structures 16, 1983.

@@ -8,6 +8,47 @@
 //! (K_0 + lambda K_1) v = 0
 //! ```
 //!
+//! # Example
+//!
+//! ```
+//! use beam_dynamics::analysis::buckling::buckling;
+//! use beam_dynamics::input;
+//!
+//! // a clamped strip of 2 m under a force of 1 N along it
+//!
+//! let text = r#"
+//! units = "SI"
+//! [properties.strip]
+//! ea = 2.8e7
+//! gay = 9e6
+//! gaz = 9e6
+//! gj = 300
+//! eiy = 240
+//! eiz = 3700
+//! m = 1.08
+//! iy = 1e-6
+//! iz = 1e-6
+//! [[blade]]
+//! name = "blade"
+//! properties = "strip"
+//! [[blade.piece]]
+//! length = 2
+//! elements = 8
+//! [[load]]
+//! node = "blade/tip"
+//! force = [-1, 0, 0]
+//! [buckling]
+//! count = 1
+//! "#;
+//! let input = input::parse(text, "strip.dynamics.toml").expect("a sound file");
+//! let asked = input.buckling.as_ref().expect("a card [buckling]");
+//!
+//! let outcome = buckling(&input.model, asked);
+//! // pi^2 EI / (4 L^2)
+//! let slender = std::f64::consts::PI.powi(2) * 240.0 / 16.0;
+//! assert!((outcome.result.modes[0].factor / slender - 1.0).abs() < 1e-3);
+//! ```
+//!
 //! References: [Masarati], buckling by the prestress of the finite-volume beam.
 
 use nalgebra::Vector3;

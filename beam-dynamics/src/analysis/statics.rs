@@ -1,5 +1,47 @@
 //! Statics: equilibrium under rotation and constant loads, then along the path of the
 //! proportional loads.
+//!
+//! # Example
+//!
+//! ```
+//! use beam_dynamics::analysis::statics::statics;
+//! use beam_dynamics::input;
+//!
+//! // a clamped strip of 2 m under a small force at its tip
+//!
+//! let text = r#"
+//! units = "SI"
+//! [properties.strip]
+//! ea = 2.8e7
+//! gay = 9e6
+//! gaz = 9e6
+//! gj = 300
+//! eiy = 240
+//! eiz = 3700
+//! m = 1.08
+//! iy = 1e-6
+//! iz = 1e-6
+//! [[blade]]
+//! name = "blade"
+//! properties = "strip"
+//! [[blade.piece]]
+//! length = 2
+//! elements = 8
+//! [[load]]
+//! node = "blade/tip"
+//! force = [0, 0, 0.3]
+//! [static]
+//! "#;
+//! let input = input::parse(text, "strip.dynamics.toml").expect("a sound file");
+//! let asked = input.statics.as_ref().expect("a card [static]");
+//!
+//! let outcome = statics(&input.model, asked);
+//! assert!(outcome.failure.is_none());
+//! let last = outcome.result.steps.last().expect("an equilibrium");
+//! let tip = last.positions.last().expect("a node");
+//! // F L^3 / 3 EI
+//! assert!((tip.z / (0.3 * 8.0 / (3.0 * 240.0)) - 1.0).abs() < 1e-4);
+//! ```
 
 use crate::case::{Model, StaticQuestion};
 use crate::model::{Conditions, State};

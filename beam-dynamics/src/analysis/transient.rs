@@ -4,6 +4,49 @@
 //!    weighted change; momenta, their rates and the multipliers follow.
 //! 2. The integrator makes one accepted step after the other, to the last instant.
 //! 3. The reason for an early end is reported with the worst equation and the likely cause.
+//!
+//! # Example
+//!
+//! ```
+//! use beam_dynamics::analysis::transient::transient;
+//! use beam_dynamics::input;
+//! use beam_dynamics::result::{Moment, Recorder};
+//!
+//! /// Height and time of a falling body.
+//! struct Heights(Vec<(f64, f64)>);
+//!
+//! impl Recorder for Heights {
+//!     fn record(&mut self, step: &Moment<'_>) -> bool {
+//!         self.0.push((step.time, step.state.nodes[0].position.z));
+//!         true
+//!     }
+//! }
+//!
+//! let text = r#"
+//! units = "SI"
+//! [[node]]
+//! name = "stone"
+//! position = [0, 0, 0]
+//! [[body]]
+//! name = "stone"
+//! node = "stone"
+//! mass = 2
+//! inertia = [1, 1, 1]
+//! [gravity]
+//! acceleration = [0, 0, -9.81]
+//! [transient]
+//! to = 1
+//! step = 0.01
+//! "#;
+//! let input = input::parse(text, "stone.dynamics.toml").expect("a sound file");
+//! let asked = input.transient.as_ref().expect("a card [transient]");
+//!
+//! let mut heights = Heights(Vec::new());
+//! let outcome = transient(&input.model, asked, None, &mut heights, &|| 0.0);
+//! assert!(outcome.failure.is_none());
+//! let (time, height) = heights.0[100];
+//! assert!((height + 0.5 * 9.81 * time * time).abs() < 1e-9);
+//! ```
 
 use crate::assembly::Slack;
 use crate::assembly::massless;

@@ -1,6 +1,6 @@
 //! A composite box of 24 plies at three sizes, from the section file to the
-//! properties: time of each stage by criterion, then the shares and the growth of
-//! the total as ratios within the run.
+//! properties: time of each stage, then the shares and the growth of the total as ratios
+//! within the run.
 //!
 //! The mesh is `tests/reference/sections/box_CUS_45_m45.v41.msh` with each triangle
 //! cut into r x r: 2 000, 7 600 and 46 000 nodes for r = 1, 2, 5.
@@ -12,7 +12,6 @@ use std::time::{Duration, Instant};
 use std::{fs, io};
 
 use cpu_time::ThreadTime;
-use criterion::{BenchmarkId, Criterion};
 use nalgebra::{Matrix3, Matrix3x6, Matrix6xX, Vector3};
 use peak_alloc::PeakAlloc;
 use section_analyzer::analysis::{Analysis, analyze};
@@ -374,18 +373,5 @@ fn main() {
     let mesh = gmsh::read_file(Path::new(MESH)).expect("the reference mesh");
     let files = [1, 2, 5].map(|r| write_case(&mesh, r, folder.path()));
 
-    let mut criterion = Criterion::default().configure_from_args().sample_size(10);
-    let mut group = criterion.benchmark_group("box");
-    for file in &files {
-        let section = section(file);
-        let nodes = section.mesh.nodes.len();
-        group.bench_function(BenchmarkId::new("read", nodes), |b| {
-            b.iter(|| black_box(input::read(file).is_ok()));
-        });
-        group.bench_function(BenchmarkId::new("analyze", nodes), |b| {
-            b.iter(|| black_box(analyze(&section).is_ok()));
-        });
-    }
-    group.finish();
     ratios(&files);
 }

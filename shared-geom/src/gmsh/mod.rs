@@ -18,6 +18,22 @@
 //! With `Mesh.SaveAll = 1` MSH 4.1 has elements with and without groups, while
 //! gmsh writes no group at all into MSH 2.2.
 //!
+//! # Example
+//!
+//! ```
+//! use shared_geom::gmsh;
+//!
+//! let file = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
+//!     $PhysicalNames\n1\n2 1 \"spar\"\n$EndPhysicalNames\n\
+//!     $Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n\
+//!     $Elements\n1\n1 3 2 1 1 1 2 3 4\n$EndElements\n";
+//! let mesh = gmsh::read(&file.as_bytes(), "square.msh").expect("a sound mesh");
+//! assert_eq!((mesh.nodes.len(), mesh.cells.len()), (4, 1));
+//! // each problem of a file has its line
+//! let problems = gmsh::read(&"$Nodes\n".as_bytes(), "cut.msh").expect_err("no mesh");
+//! assert!(problems.to_string().contains("cut.msh"));
+//! ```
+//!
 //! # References
 //! - Gmsh reference manual, sections "MSH file format" (4.1) and
 //!   "MSH file format version 2 (Legacy)" (2.2).

@@ -1,4 +1,18 @@
 //! The property file: versioned JSON.
+//!
+//! # Example
+//!
+//! ```
+//! use std::path::Path;
+//!
+//! use shared_geom::section;
+//!
+//! let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../cases/section/two_materials/last_month.properties.json");
+//! let properties = section::read(Path::new(path)).expect("a property file");
+//! // written and read again, all digits are the same
+//! let again = section::parse(&section::write(&properties), "again.json").expect("a property file");
+//! assert_eq!(properties.stiffness, again.stiffness);
+//! ```
 
 use std::path::Path;
 
