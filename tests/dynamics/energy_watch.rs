@@ -5,6 +5,7 @@ use std::fs;
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::case::TransientQuestion;
 
+use crate::effort::cases;
 use crate::in_time::{Run, gain};
 use crate::record;
 
@@ -349,7 +350,7 @@ fn random_beam(numbers: &mut Numbers) -> String {
 fn no_beam_is_said_to_gain_energy() {
     let mut numbers = Numbers(7);
     let mut ended = 0;
-    for i in 0..150 {
+    for i in 0..cases(150) {
         let cards = random_beam(&mut numbers);
         let outcome = run(&cards, |_| {}).outcome;
         assert_eq!(

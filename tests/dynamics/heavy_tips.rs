@@ -13,6 +13,7 @@ use proptest::prelude::{Strategy, prop};
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
+use crate::effort::cases;
 use crate::record;
 
 const FREEDOMS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
@@ -137,7 +138,7 @@ fn motions_without_stiffness_are_counted_beside_any_tip() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.dynamics.toml");
     let (mut looked_at, mut largest) = (0, 0.0_f64);
-    for _ in 0..CASES {
+    for _ in 0..cases(CASES) {
         let setting = setting().new_tree(&mut runner).unwrap().current();
         std::fs::write(&path, setting.text()).unwrap();
         let input = input::read(&path).unwrap_or_else(|problems| panic!("{problems}"));
@@ -172,5 +173,5 @@ fn motions_without_stiffness_are_counted_beside_any_tip() {
         largest,
         1.0,
     );
-    assert!(looked_at > CASES / 3, "{looked_at}");
+    assert!(looked_at > cases(CASES) / 3, "{looked_at}");
 }

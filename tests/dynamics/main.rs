@@ -12,6 +12,8 @@ mod chain;
 mod control;
 mod damped_in_time;
 mod damping;
+#[path = "../common/effort.rs"]
+mod effort;
 mod elastic_pendulums;
 mod energy_watch;
 mod equal_blades;

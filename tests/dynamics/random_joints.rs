@@ -12,13 +12,14 @@ use proptest::prelude::{Strategy, prop};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use shared_geom::rotation::vector;
 
+use crate::effort::cases;
 use crate::joint_runs::{Mechanism, find};
 use crate::record;
 
 const HELD: f64 = 1e-9;
 const STEP: f64 = 2e-3;
 const STEPS: f64 = 50.0;
-const CASES: u32 = 6;
+const CASES: usize = 6;
 
 /// Two bodies, with their random loads and velocities.
 #[derive(Debug, Clone)]
@@ -312,7 +313,7 @@ fn errors(kind: &Kind, setting: &Setting) -> [f64; 3] {
 
 fn check(kind: &Kind) {
     let config = Config {
-        cases: CASES,
+        cases: cases(CASES) as u32,
         failure_persistence: None,
         max_shrink_iters: 20,
         ..Config::default()

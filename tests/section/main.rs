@@ -7,6 +7,8 @@ mod converged;
 mod curved_lines;
 mod curved_references;
 mod distributed_loads;
+#[path = "../common/effort.rs"]
+mod effort;
 mod end_effects;
 mod gmsh_formats;
 mod gmsh_pairs;

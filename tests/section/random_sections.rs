@@ -23,12 +23,13 @@ use shared_geom::mesh::CellKind;
 use shared_geom::section::InitialCurvature;
 use shared_geom::wrench;
 
+use crate::effort::cases;
 use crate::quads::{Quads, steps};
 use crate::record;
 use crate::sections::{scaled_error, section_mesh, solved};
 
 /// Number of sections for each property.
-const CASES: u32 = 200;
+const CASES: usize = 200;
 
 /// Tolerance for a moved and turned section: the errors of positions at three sizes from
 /// the origin, 1e-15, as amplified in sections down to 1:10 with moduli up to 1:2000.
@@ -250,7 +251,7 @@ fn recipes() -> impl Strategy<Value = Recipe> {
         )
 }
 
-/// Runs `property` on [`CASES`] recipes, each with additional data drawn by `more`.
+/// Runs `property` on [`CASES`] recipes (ten times as many in the long form), each with additional data drawn by `more`.
 fn check<M: Strategy>(
     name: &str,
     more: M,
@@ -258,7 +259,7 @@ fn check<M: Strategy>(
     limit: f64,
 ) {
     let config = Config {
-        cases: CASES,
+        cases: cases(CASES) as u32,
         failure_persistence: None,
         max_shrink_iters: 50,
         ..Config::default()
@@ -273,8 +274,9 @@ fn check<M: Strategy>(
             false => Err(TestCaseError::fail(format!("{name}: {error:e}"))),
         }
     });
-    println!("{name}: {CASES} sections, at most {:.1e}", worst.get());
-    let case = format!("{CASES} random sections");
+    let count = cases(CASES);
+    println!("{name}: {count} sections, at most {:.1e}", worst.get());
+    let case = format!("{count} random sections");
     record::largest("Invariance of the results", &case, name, worst.get(), limit);
     outcome.unwrap_or_else(|failure| panic!("{failure}"));
 }
@@ -498,7 +500,7 @@ fn pins_do_not_matter() {
         [-0.2..0.2, -0.2..0.2, -0.2..0.2].prop_map(|k: [f64; 3]| k)
     ];
     let nodes = [0..100_000_usize, 0..100_000_usize, 0..100_000_usize];
-    let undecoupled = std::cell::Cell::new(0_u32);
+    let undecoupled = std::cell::Cell::new(0_usize);
     let property = |section: &Section, (curvature, random): ([f64; 3], [usize; 3])| {
         let mut section = section.clone();
         section.initial_curvature.curvature = curvature.into();
@@ -515,5 +517,5 @@ fn pins_do_not_matter() {
     };
     check("random pins", (curved, nodes), property, PINS);
     // before decoupling, the strains of nearly all sections depend on the pins
-    assert!(undecoupled.get() > CASES * 9 / 10, "{undecoupled:?}");
+    assert!(undecoupled.get() > cases(CASES) * 9 / 10, "{undecoupled:?}");
 }

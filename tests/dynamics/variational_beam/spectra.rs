@@ -19,6 +19,7 @@ use beam_dynamics::model::{Conditions, Equation, Node, State, Variable};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Rotation3, Vector3, Vector6};
 
 use super::{mass, matrix, numbers, reference, stiffness, vector};
+use crate::effort::cases;
 use crate::chain::{DEAD, up_to};
 use crate::record;
 
@@ -294,7 +295,7 @@ fn spectra_of_general_beams() {
 #[test]
 fn no_mode_of_random_aluminum_strips_grows() {
     let mut random = Random(1);
-    for case in 0..120 {
+    for case in 0..cases(120) {
         let (b, h) = (random.between(5e-3, 0.06), random.between(1e-3, 0.02));
         let area = b * h;
         let [iy, iz] = [b * h.powi(3) / 12.0, h * b.powi(3) / 12.0];
@@ -369,7 +370,7 @@ fn general(random: &mut Random) -> Line {
 #[test]
 fn no_mode_of_random_curved_twisted_coupled_beams_grows() {
     let mut random = Random(2);
-    for case in 0..200 {
+    for case in 0..cases(200) {
         both(general(&mut random), &format!("beam {case}"));
     }
 }
@@ -380,7 +381,7 @@ fn no_mode_of_random_curved_twisted_coupled_beams_grows() {
 fn no_mode_of_loaded_beams_grows() {
     let mut random = Random(3);
     let mut bent = 0;
-    for case in 0..60 {
+    for case in 0..cases(60) {
         let mut line = general(&mut random);
         let tip = line.stiffness.diagonal().rows(3, 3).min();
         let force = random.vector(0.8 * tip);
