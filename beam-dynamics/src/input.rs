@@ -61,6 +61,7 @@ mod properties;
 mod questions;
 mod readings;
 mod rods;
+pub mod schema;
 mod speeds;
 mod springs;
 mod summary;
@@ -229,9 +230,9 @@ fn declare(document: &Document, root: &Table<'_>) {
 
 /// Reads every card, in an order in which each finds the names that it uses.
 fn cards(document: &Document, default_name: &str) -> Option<Input> {
-    let root = document.root();
+    let root = document.root_of(&schema::DYNAMICS_FILE);
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
-    let _declared = (root.has("units"), root.has("parameters"));
+    let _read = ["units", "parameters", "include"].map(|key| root.has(key));
     let mut drives = drives::read_named(&root);
     let control = control::declare(&root, &mut drives);
     let properties = properties::read(&root, &drives);

@@ -1,12 +1,33 @@
 //! Bodies: concentrated masses.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Positive, Text, Vector};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use super::moments::moments;
+use super::moments::{INERTIA, moments};
 use crate::elements::bodies::RigidInertia;
+
+keys! {
+    /// A concentrated mass on a node.
+    pub(super) CARD = "[[body]]";
+    /// Its name, for messages.
+    NAME: ByHand = "name", [Text], or "`body` and its number", "\"counterweight\"";
+    /// The name of a node.
+    NODE: String = "node", [Text], required, "\"tip\"";
+    with MASS.schema, OFFSET.schema, INERTIA.schema;
+}
+
+keys! {
+    /// Mass.
+    pub(super) MASS: f64 = "mass", [Positive(Dimension::MASS)], required, "12";
+    /// Position of its center relative to the node, in the node's axes; on a blade relative to
+    /// the line.
+    pub(super) OFFSET: Vector3<f64> = "offset", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0.2, 0]";
+}
 
 /// Adds every `[[body]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {

@@ -1,8 +1,17 @@
 //! Clamps.
 
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::Text;
+use shared_geom::keys;
 
 use super::draft::Draft;
+
+keys! {
+    /// A node that the frame of the model holds, or the hub if it has a support.
+    pub(super) CARD = "[[clamp]]";
+    /// The name of a node.
+    NODE: String = "node", [Text], required, "\"root\"";
+}
 
 /// Adds every `[[clamp]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {

@@ -7,15 +7,56 @@
 //! ```
 
 use nalgebra::DMatrix;
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Drive as OneDrive, NotNegative, Quantity, Text};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::document::{ByHand, Table};
 use shared_geom::error::{Explain, nearest_name};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::draft::{Draft, ElectrodeCard, electrode_names};
 use super::drives;
-use super::loads::beams;
+use super::loads::{BEAMS, BLADE, beams};
 use crate::elements::circuits::Circuit;
 use crate::model::Drive;
+
+/// An electrode and its circuit.
+pub(super) const CARD: TableSchema = TableSchema {
+    title: "[[electrode]]",
+    meaning: "An electrode of the property file over all beams of a blade, or over named beams, \
+              and its circuit.",
+    keys: &[NAME.schema, ELECTRODE.schema, BLADE.schema, BEAMS.schema],
+    families: &[
+        Family {
+            name: "open",
+            meaning: "Not connected: the charge is held, and the voltage follows.",
+            keys: &[CHARGE.schema],
+        },
+        Family {
+            name: "connected",
+            meaning: "At the voltage of a source, directly or through resistance and inductance; \
+                      at least one key.",
+            keys: &[VOLTAGE.schema, RESISTANCE.schema, INDUCTANCE.schema],
+        },
+    ],
+};
+
+keys! {
+    /// The name of the electrode, used by columns and reports.
+    NAME: ByHand = "name", [Text], or "`electrode` and its number", "\"afc\"";
+    /// Its name in the property file.
+    ELECTRODE: ByHand = "electrode", [Text], or "`name`", "\"sensor\"";
+    /// Held charge; zero is the charge of the undeformed beams without voltage.
+    CHARGE: f64 = "charge", [Quantity(Dimension::CHARGE)], required, "0";
+    /// Voltage of the source relative to ground.
+    VOLTAGE: ByHand = "voltage", [OneDrive(Dimension::VOLTAGE)], or "0", "\"= 250*sin(20*t)\"";
+    /// Resistance in series.
+    RESISTANCE: f64 = "resistance", [NotNegative(Dimension::RESISTANCE)], or "0" = 0.0,
+        "\"20 kOhm\"";
+    /// Inductance in series.
+    INDUCTANCE: f64 = "inductance", [NotNegative(Dimension::INDUCTANCE)], or "0" = 0.0,
+        "\"40 H\"";
+}
 
 /// Keys of a circuit without a prescribed charge.
 const OF_SOURCE: [&str; 3] = ["voltage", "resistance", "inductance"];

@@ -4,10 +4,26 @@
 //! of the thesis come as a set: forces, rigid portions and loads on portions.
 
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::Word;
+use shared_geom::keys;
 use shared_geom::rotation::parameters::Parametrization;
 
 use super::problem::InputProblem;
 use crate::elements::beams::Formulation;
+
+keys! {
+    /// Formulation of the beams: variational, or the finite volumes of the thesis, with their own
+    /// masses and loads.
+    pub(super) FORMULATION: usize = "formulation", [Word(&["variational", "finite-volume"])],
+        or "\"variational\"" = 0, "\"finite-volume\"";
+    /// Interpolation of rotations in finite-volume beams.
+    pub(super) INTERPOLATION: Option<usize> = "interpolation",
+        [Word(&["gibbs", "rotation-vector"])], optional, "\"rotation-vector\"";
+    /// Inertia of the beams: bodies at the nodes, or consistent, the latter only for the
+    /// variational beam.
+    pub(super) INERTIA: usize = "inertia", [Word(&["lumped", "consistent"])],
+        or "\"lumped\"" = 0, "\"consistent\"";
+}
 
 /// Motion of the mass of a beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

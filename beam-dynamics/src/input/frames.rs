@@ -4,16 +4,48 @@
 //! A point p of a frame at x with the axes A is at `x + A p`, a direction d points along
 //! `A d`; frames may be in frames.
 
+use shared_geom::document::schema::ValueKind::{Count, Quantity, Text, Vector};
+use shared_geom::keys;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::{Document, Table};
+use shared_geom::document::{ByHand, Document, Table};
 use shared_geom::error::{Explain, nearest_name};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
+
+keys! {
+    /// A frame in which cards are written; fixed in the undeformed model.
+    pub(super) CARD = "[[frame]]";
+    /// The name of the frame.
+    NAME: String = "name", [Text], required, "\"nacelle\"";
+    /// Position of its origin.
+    POSITION: Vector3<f64> = "position", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 80]";
+    /// Rotation vector of its axes.
+    ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, -5, 0]";
+    /// Rotation about an axis, in place of `orientation`.
+    TURN: ByHand = "turn", [Quantity(Dimension::ANGLE)], optional, "30";
+    with AXIS.schema, CENTER.schema, IN.schema;
+}
+
+keys! {
+    /// The name of the frame in which the card is written.
+    pub(super) IN: ByHand = "in", [Text], or "the frame of the model", "\"rotor\"";
+    /// Axis of the rotation, of any length.
+    pub(super) AXIS: ByHand = "axis", [Vector(3, Dimension::NUMBER)], or "[0, 0, 1]", "[1, 0, 0]";
+    /// A point on the axis.
+    pub(super) CENTER: Vector3<f64> = "center", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 80]";
+    /// The name of the copies' frames.
+    pub(super) REPEAT_NAME: ByHand = "name", [Text], or "`repeat` and its number", "\"arm\"";
+    /// Number of copies, evenly spaced over a turn.
+    pub(super) COPIES: usize = "count", [Count(usize::MAX)], required, "3";
+}
 
 /// Cards that may be written in a frame.
 pub(super) const FRAMED: [&str; 10] = [

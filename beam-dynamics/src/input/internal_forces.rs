@@ -1,14 +1,67 @@
 //! Forces between two nodes: `[[internal_force]]`.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Quantity, Text, Texts, Vector, Vectors, Word};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use super::frames::Frame;
+use super::frames::{Frame, IN};
 use super::laws::LawProblem;
+use super::loads::{CONSTANT, DRIVE};
 use super::{drives, ends};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
+
+/// A force between two nodes.
+pub(super) const CARD: TableSchema = TableSchema {
+    title: "[[internal_force]]",
+    meaning: "A force and a moment on a node, and the opposite ones on another.",
+    keys: &[
+        NAME.schema,
+        NODES.schema,
+        DRIVE.schema,
+        CONSTANT.schema,
+        IN.schema,
+    ],
+    families: &[
+        Family {
+            name: "along the line",
+            meaning: "Along the line between the two points.",
+            keys: &[TENSION.schema, OFFSETS.schema],
+        },
+        Family {
+            name: "in axes",
+            meaning: "By components, which turn with the first node; one of force and moment is \
+                      needed.",
+            keys: &[FORCE.schema, MOMENT.schema, OFFSET.schema, AXES.schema],
+        },
+    ],
+};
+
+keys! {
+    /// Its name, for messages.
+    NAME: ByHand = "name", [Text], or "`internal force` and its number", "\"jack\"";
+    /// The names of two nodes.
+    NODES: ByHand = "nodes", [Texts], required, "[\"foot\", \"hook\"]";
+    /// Tension along the line between the nodes.
+    TENSION: f64 = "tension", [Quantity(Dimension::FORCE)], required, "\"2 kN\"";
+    /// Offsets of the points from the two nodes, in their axes.
+    OFFSETS: ByHand = "offsets", [Vectors(3, Dimension::LENGTH)], or "zero",
+        "[[0, 0, 0], [0.1, 0, 0]]";
+    /// Force on the second node.
+    FORCE: Vector3<f64> = "force", [Vector(3, Dimension::FORCE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 120]";
+    /// Moment on the second node.
+    MOMENT: Vector3<f64> = "moment", [Vector(3, Dimension::MOMENT)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 5, 0]";
+    /// Point of application relative to the second node, in its axes.
+    OFFSET: Vector3<f64> = "offset", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0.1, 0]";
+    /// Axes of the components: the model, or the first node, both undeformed.
+    AXES: usize = "axes", [Word(&["model", "node"])], or "\"model\"" = 0, "\"node\"";
+}
 
 /// Adds every `[[internal_force]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {

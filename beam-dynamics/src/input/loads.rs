@@ -1,22 +1,110 @@
 //! Loads: on nodes and along beams, imposed motions, gravity.
 
+use shared_geom::document::schema::ValueKind::{
+    Boolean, Drive as OneDrive, Quantity, Table as OneTable, Text, Vector, Word,
+};
+use shared_geom::keys;
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::{ByHand, Table};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
 use super::drives;
+use super::frames::IN;
 use crate::elements::loads::{self, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 use crate::model::Drive;
 
 mod along_beams;
 mod problem;
 
-pub(super) use along_beams::beams;
+pub(super) use along_beams::{BEAMS, BLADE, CARD as DISTRIBUTED_LOAD, beams};
 pub use problem::LoadProblem;
+
+keys! {
+    /// A force and a moment on a node.
+    pub(super) LOAD = "[[load]]";
+    /// Its name, for messages.
+    NAME: ByHand = "name", [Text], or "`load` and its number", "\"thrust\"";
+    /// The name of a node.
+    NODE: String = "node", [Text], required, "\"tip\"";
+    /// Force; one of force and moment is needed.
+    FORCE: Vector3<f64> = "force", [Vector(3, Dimension::FORCE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 120]";
+    /// Moment.
+    MOMENT: Vector3<f64> = "moment", [Vector(3, Dimension::MOMENT)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 5, 0]";
+    /// Point of application relative to the node, in the node's axes.
+    OFFSET: Vector3<f64> = "offset", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0.1, 0]";
+    /// Axes of the components: the model, or the undeformed node.
+    AXES: usize = "axes", [Word(&["model", "node"])], or "\"model\"" = 0, "\"node\"";
+    with FOLLOWER.schema, CONSTANT.schema, DRIVE.schema, IN.schema;
+}
+
+keys! {
+    /// Whether the load turns with the node or the section; otherwise it is a dead load.
+    FOLLOWER: bool = "follower", [Boolean], or "false" = false, "true";
+    /// Whether the load is constant; otherwise it grows with the load factor of statics.
+    pub(super) CONSTANT: bool = "constant", [Boolean], or "false" = false, "true";
+    /// Factor of the load, which may depend on time and sensors.
+    pub(super) DRIVE: ByHand = "drive", [OneDrive(Dimension::NUMBER)], or "1", "\"= sin(t)\"";
+}
+
+keys! {
+    /// A prescribed motion of a node.
+    pub(super) IMPOSED = "[[imposed]]";
+    /// Its name, for messages.
+    IMPOSED_NAME: ByHand = "name", [Text], or "`imposed` and its number", "\"pin\"";
+    /// The name of a node that is not clamped.
+    IMPOSED_NODE: ByHand = "node", [Text], required, "\"end\"";
+    /// Prescribed displacements at load factor one; the others are free.
+    DISPLACEMENT: ByHand = "displacement",
+        [OneTable(&DISPLACEMENTS), Vector(3, Dimension::LENGTH)], optional, "{ y = 0, z = 0 }";
+    /// Prescribed components of the rotation vector; the others are free.
+    ROTATION: ByHand = "rotation", [OneTable(&ROTATIONS), Vector(3, Dimension::ANGLE)], optional,
+        "{ x = 5 }";
+    /// Rotation vector of the axes of these components.
+    ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 30]";
+    /// Factor of the motion, a function of time or a signal with known rates.
+    FACTOR: ByHand = "drive", [OneDrive(Dimension::NUMBER)], or "1", "\"= sin(t)\"";
+    with CONSTANT.schema, IN.schema;
+}
+
+keys! {
+    /// Prescribed displacements.
+    DISPLACEMENTS = "displacement = { ... } of [[imposed]]";
+    /// Along x.
+    X: ByHand = "x", [Quantity(Dimension::LENGTH)], or "free", "0";
+    /// Along y.
+    Y: ByHand = "y", [Quantity(Dimension::LENGTH)], or "free", "0";
+    /// Along z.
+    Z: ByHand = "z", [Quantity(Dimension::LENGTH)], or "free", "0.1";
+}
+
+keys! {
+    /// Prescribed components of the rotation vector.
+    ROTATIONS = "rotation = { ... } of [[imposed]]";
+    /// About x.
+    ABOUT_X: ByHand = "x", [Quantity(Dimension::ANGLE)], or "free", "5";
+    /// About y.
+    ABOUT_Y: ByHand = "y", [Quantity(Dimension::ANGLE)], or "free", "0";
+    /// About z.
+    ABOUT_Z: ByHand = "z", [Quantity(Dimension::ANGLE)], or "free", "0";
+}
+
+keys! {
+    /// Acceleration of gravity, a constant load.
+    pub(super) GRAVITY = "[gravity]";
+    /// Acceleration in the axes of the model.
+    ACCELERATION: Vector3<f64> = "acceleration", [Vector(3, Dimension::ACCELERATION)], required,
+        "[0, 0, -9.81]";
+    /// Factor that depends on time.
+    GRAVITY_DRIVE: ByHand = "drive", [OneDrive(Dimension::NUMBER)], or "1", "\"= min(t, 1)\"";
+}
 
 /// Reads `[gravity]` and its factor; zero if absent.
 pub(super) fn gravity(root: &Table<'_>, draft: &Draft) -> Option<(Vector3<f64>, Drive)> {

@@ -2,9 +2,17 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::Vector;
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
+
+keys! {
+    /// Moments of inertia about the center, `[jx, jy, jz]`, in the same axes.
+    pub(super) INERTIA: Vector3<f64> = "inertia", [Vector(3, Dimension::INERTIA)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0.1, 0.2, 0.3]";
+}
 
 /// Relative amount by which one moment of inertia may exceed the sum of the others: digits
 /// lost in the input.

@@ -1,14 +1,45 @@
 //! The requested modes: rotor speeds, the number of modes, and animated shapes.
 
+use shared_geom::document::schema::ValueKind::{
+    Boolean, Count, Quantities, Quantity, Table as OneTable,
+};
+use shared_geom::keys;
 use std::f64::consts::PI;
 
-use shared_geom::document::Table;
+use shared_geom::document::{ByHand, Table};
 use shared_geom::units::Dimension;
 
 use super::counts::at_most;
 use super::modal_damping;
 use super::problem::InputProblem;
 use crate::case::ModesQuestion;
+
+keys! {
+    /// Frequencies and modes of small motions about the equilibrium at each rotor speed.
+    pub(super) CARD = "[modes]";
+    /// Rotor speeds: one, a list, or a range.
+    SPEEDS: ByHand = "speeds", [Quantities(Dimension::ROTATION_SPEED), OneTable(&RANGE)],
+        required, "[0, 300]";
+    /// Number of modes to report.
+    COUNT: usize = "count", [Count(MOST_MODES)], or "10" = DEFAULT_COUNT, "8";
+    /// Whether to write animated mode shapes for ParaView.
+    SHAPES: bool = "shapes", [Boolean], or "false" = false, "true";
+    /// Speeds, among `speeds`, at which shapes are drawn and animated.
+    SHAPE_SPEEDS: ByHand = "shape_speeds", [Quantities(Dimension::ROTATION_SPEED)],
+        or "the first and the last", "[0, 300]";
+    with modal_damping::RATIO.schema;
+}
+
+keys! {
+    /// Speeds at equal distances, both ends included.
+    RANGE = "speeds = { ... }";
+    /// Lowest speed.
+    FROM: f64 = "from", [Quantity(Dimension::ROTATION_SPEED)], required, "0";
+    /// Highest speed.
+    TO: f64 = "to", [Quantity(Dimension::ROTATION_SPEED)], required, "750";
+    /// Number of speeds.
+    STEPS: usize = "steps", [Count(MOST_SPEEDS)], required, "6";
+}
 
 /// Radians per second in one revolution per minute.
 pub(super) const RPM: f64 = PI / 30.0;

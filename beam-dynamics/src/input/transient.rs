@@ -10,11 +10,15 @@ use super::number::short_number;
 use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
+mod keys;
 mod node;
 #[cfg(test)]
 mod tests;
 
-pub(super) use node::{check, initial_motion};
+pub(super) use keys::TRANSIENT;
+pub(super) use node::{
+    ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, check, initial_motion,
+};
 
 /// Largest accepted number of iterations of a step.
 const MOST_ITERATIONS: usize = 1000;

@@ -22,7 +22,9 @@ mod loads;
 mod materials;
 
 pub use keys::SECTION_FILE;
-pub use shared_geom::document::schema::{Family, KeySchema, Need, TableSchema, ValueKind, key};
+pub use shared_geom::document::schema::{
+    Family, KeySchema, Need, TableSchema, UNITS, ValueKind, key,
+};
 
 /// The opening of the reference page.
 const OPENING: &str = "\

@@ -58,7 +58,7 @@ macro_rules! keys {
             $crate::document::schema::TableSchema {
                 title: $title,
                 meaning: $crate::document::meaning(concat!($($about),+)),
-                keys: &[$($NAME.schema,)+ $($($other.schema),+)?],
+                keys: &[$($NAME.schema,)+ $($($other),+)?],
                 families: &[],
             };
     };

@@ -9,9 +9,11 @@ use crate::units::Dimension;
 
 mod json;
 mod reference;
+mod units;
 
 pub use json::{Numbers, json_schema};
 pub use reference::reference;
+pub use units::UNITS;
 
 /// A table of an input file.
 #[derive(Debug)]
@@ -120,7 +122,12 @@ pub enum ValueKind {
     Vector(usize, Dimension),
     /// A list of such arrays.
     Vectors(usize, Dimension),
-    /// A whole number from 1 to this number.
+    /// A quantity whose dimension depends on other keys.
+    Free,
+    /// A quantity, a list of quantities, or rows of numbers, whose dimension and size depend
+    /// on other keys.
+    FreeMatrix,
+    /// A whole number from 1 to this number, or to any if it is [`usize::MAX`].
     Count(usize),
     /// A list of one to this number of plain numbers.
     Numbers(usize),
@@ -130,8 +137,8 @@ pub enum ValueKind {
     Rows(usize, usize),
     /// Any number of rows of this number of quantities; any length of them if it is zero.
     Lines(usize),
-    /// A number that may change with time: a quantity, an expression, or a name. A table
-    /// is a kind of its own.
+    /// A number that may change with time: a quantity, an expression, a name, or a table
+    /// that is described elsewhere.
     Drive(Dimension),
     /// A list of such numbers.
     Drives(Dimension),

@@ -13,7 +13,9 @@
 //! offsets.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Quantity, Word};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::BladeProblem;
@@ -21,8 +23,19 @@ use super::seats::Seat;
 use crate::input::draft::Draft;
 use crate::input::drives::Catalog;
 use crate::input::hinge_card::HingeCard;
-use crate::input::joints::spring;
+use crate::input::joints::{ANGLE, DAMPING, STIFFNESS, spring};
 use crate::model::Node;
+
+keys! {
+    /// A hinge between hub and root.
+    pub(super) CARD = "hinges = [{ ... }]";
+    /// Motion: flap, positive up; lag, positive forward; pitch, positive nose up.
+    KIND: usize = "kind", [Word(&Kind::WORDS)], required, "\"flap\"";
+    /// Distance from the center of the hub along the blade.
+    OFFSET: ByHand = "offset", [Quantity(Dimension::LENGTH)],
+        or "the offset of the previous hinge, or the root", "0.5";
+    with STIFFNESS.schema, DAMPING.schema, ANGLE.schema;
+}
 
 /// Motion of the blade that a hinge allows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

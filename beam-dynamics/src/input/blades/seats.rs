@@ -9,7 +9,11 @@
 //! pitch bearing. R is the hub radius; `root` gives the position directly.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{
+    Count, NotNegative, Quantities, Quantity, Text, Texts, Vector,
+};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 use std::f64::consts::TAU;
@@ -17,6 +21,28 @@ use std::f64::consts::TAU;
 use super::problem::BladeProblem;
 use crate::input::draft::Draft;
 use crate::input::problem::InputProblem;
+
+keys! {
+    /// The name of the blade; its nodes are called `NAME/root`, `NAME/1`, ..., `NAME/tip`.
+    pub(super) NAME: String = "name", [Text], required, "\"blade\"";
+    /// Distance of the root from the center of the hub, along the blade with its precone.
+    pub(super) HUB_RADIUS: ByHand = "hub_radius", [NotNegative(Dimension::LENGTH)], or "0", "1.5";
+    /// Position of the root at azimuth zero, in place of `hub_radius`.
+    pub(super) ROOT: ByHand = "root", [Vector(3, Dimension::LENGTH)], optional, "[2.5, 0, 0]";
+    /// Azimuth of the first blade about the axis of the hub; zero is along +x for an axis along z.
+    pub(super) AZIMUTH: ByHand = "azimuth", [Quantity(Dimension::ANGLE)], or "0", "90";
+    /// Number of equal blades, evenly spaced about the axis; they are called `NAME 1` and so on.
+    pub(super) COUNT: ByHand = "count", [Count(MOST_BLADES)], or "1", "3";
+    /// Azimuth of each blade, in place of `count` and `azimuth`.
+    pub(super) AZIMUTHS: ByHand = "azimuths", [Quantities(Dimension::ANGLE)], optional,
+        "[0, 90, 180, 270]";
+    /// Names of the blades of `count` or `azimuths`.
+    pub(super) NAMES: Option<Vec<String>> = "names", [Texts], optional, "[\"a\", \"b\", \"c\"]";
+    /// Cone angle, positive up, less than a quarter turn.
+    pub(super) PRECONE: ByHand = "precone", [Quantity(Dimension::ANGLE)], or "0", "-2.5";
+    /// Rotation of the whole blade about its span at the root, positive nose up: the collective.
+    pub(super) PITCH: ByHand = "pitch", [Quantity(Dimension::ANGLE)], or "0", "8";
+}
 
 /// Blades of one card: more are treated as an error.
 const MOST_BLADES: usize = 100;

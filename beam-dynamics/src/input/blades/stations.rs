@@ -13,8 +13,11 @@
 
 use nalgebra::{Matrix6, Vector3};
 use shared_geom::blade::{self, Blade, BladeDamping, Side};
-use shared_geom::document::Table;
+use shared_geom::document::schema::Family;
+use shared_geom::document::schema::ValueKind::{Count, Positive, Text};
+use shared_geom::document::{ByHand, Table};
 use shared_geom::exchange::{self, Options};
+use shared_geom::keys;
 use shared_geom::line::{Course, Curve};
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
@@ -28,6 +31,28 @@ use crate::input::damping;
 use crate::input::draft::Draft;
 use crate::input::heat;
 use crate::input::problem::InputProblem;
+
+/// A blade of a blade file.
+pub(super) const STATIONS: Family = Family {
+    name: "file",
+    meaning: "From a blade file.",
+    keys: &[
+        FILE.schema,
+        ELEMENTS.schema,
+        LENGTH.schema,
+        damping::KEY.schema,
+    ],
+};
+
+keys! {
+    /// The blade file, with line, twist and stations, of any known format; a relative path is
+    /// relative to the folder of this file.
+    FILE: ByHand = "file", [Text], required, "\"nrel5mw.blade.json\"";
+    /// Number of elements.
+    ELEMENTS: Option<usize> = "elements", [Count(MOST_ELEMENTS)], optional, "30";
+    /// Length of a straight blade, for files of sections without a line.
+    LENGTH: Option<f64> = "length", [Positive(Dimension::LENGTH)], optional, "61.5";
+}
 
 /// Elements of one blade: more are treated as an error.
 const MOST_ELEMENTS: usize = 10_000;

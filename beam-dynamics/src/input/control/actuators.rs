@@ -2,7 +2,11 @@
 //!
 //! The name of a card is the name of its position, which expressions read.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{
+    Drive as OneDrive, NotNegative, Positive, Quantity, Text, Vector, Word,
+};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use crate::elements::Input;
@@ -11,6 +15,29 @@ use crate::input::draft::Draft;
 use crate::input::drives::{self, Catalog, Measure, Read};
 use crate::input::number::not_negative;
 use crate::model::{Scalar, ScalarStart};
+
+keys! {
+    /// A servo of second order, whose position joints can follow.
+    pub(in crate::input) CARD = "[[actuator]]";
+    /// A name, which expressions read: the position.
+    NAME: String = "name", [Text], required, "\"pitch\"";
+    /// Commanded position.
+    COMMAND: ByHand = "command", [OneDrive(Dimension::NUMBER)], required, "\"= 2*sin(t)\"";
+    /// Natural frequency.
+    FREQUENCY: f64 = "frequency", [Positive(Dimension::FREQUENCY)], required, "\"8 Hz\"";
+    /// Damping ratio; 0.7 is an overshoot of 5 %.
+    DAMPING_RATIO: f64 = "damping_ratio", [NotNegative(Dimension::NUMBER)], or "0.7" = DAMPING,
+        "1";
+    /// Smallest and largest command.
+    LIMITS: ByHand = "limits", [Vector(2, Dimension::NUMBER)], optional, "[-10, 20]";
+    /// Largest rate of the position, per second.
+    RATE_LIMIT: Option<f64> = "rate_limit", [Positive(Dimension::NUMBER)], optional, "60";
+    /// Unit of command, limits and position.
+    UNIT: ByHand = "unit", [Text], or "the unit of the key that uses it", "\"deg\"";
+    /// Initial position, at rest; `\"settled\"` is at the command.
+    START: ByHand = "start", [Quantity(Dimension::NUMBER), Word(&["settled"])], or "\"settled\"",
+        "5";
+}
 
 /// Default damping ratio: an overshoot of 5 %.
 const DAMPING: f64 = 0.7;

@@ -5,6 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
+use super::keys::FREEDOMS;
 use super::problem::JointProblem;
 use crate::elements::Signal;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
@@ -32,7 +33,6 @@ const KINDS: [&str; 15] = [
     "spin",
     "total",
 ];
-const FREEDOMS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
 /// Sine below which axes are treated as parallel, and part of the size of the model below which
 /// points coincide: digits lost in the input.
 const ROUNDING: f64 = 1e-9;

@@ -1,11 +1,30 @@
 //! Initial motion of a node.
 
+use nalgebra::Vector3;
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Positive, Vector};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::TransientProblem;
 use crate::case::InitialMotion;
 use crate::input::draft::Draft;
+
+keys! {
+    /// Initial velocity in runs in time, in the axes of the model or of the frame of the card.
+    pub(in crate::input) VELOCITY: Option<Vector3<f64>> = "velocity",
+        [Vector(3, Dimension::VELOCITY)], optional, "[0, -1, 0]";
+    /// Initial angular velocity in runs in time, in the same axes.
+    pub(in crate::input) ANGULAR_VELOCITY: Option<Vector3<f64>> = "angular_velocity",
+        [Vector(3, Dimension::ROTATION_SPEED)], optional, "[0, 0, \"-1 rad/s\"]";
+    /// Weight of position and attitude in the start-up of a run, from 1e-9 to 1e9: the larger,
+    /// the less they are changed to fulfill the constraints.
+    pub(in crate::input) INITIAL_WEIGHT: f64 = "initial_weight",
+        [Positive(Dimension::NUMBER)], or "1" = 1.0, "100";
+    /// The same for velocities.
+    pub(in crate::input) VELOCITY_WEIGHT: Option<f64> = "velocity_weight",
+        [Positive(Dimension::NUMBER)], optional, "100";
+}
 
 /// Reads `velocity`, `angular_velocity`, `initial_weight` and `velocity_weight` of a node.
 pub(in crate::input) fn initial_motion(table: &Table<'_>) -> Option<InitialMotion> {

@@ -121,10 +121,18 @@ impl Numbers {
             ValueKind::Vector(count, _) => vec![array(*count, self.number())],
             ValueKind::Vectors(count, _) => vec![list(array(*count, self.number()))],
             ValueKind::Named(_) => vec![open(self.number())],
-            ValueKind::Count(most) => {
-                let mut forms = vec![json!({ "type": "integer", "minimum": 1, "maximum": most })];
-                forms.extend(self.expression());
+            ValueKind::Free => self.quantity(json!({ "type": "number" })),
+            ValueKind::FreeMatrix => {
+                let mut forms = self.forms(&ValueKind::Quantities(Dimension::NUMBER));
+                forms.extend(self.forms(&ValueKind::Lines(0)));
                 forms
+            }
+            ValueKind::Count(most) => {
+                let mut count = json!({ "type": "integer", "minimum": 1 });
+                if *most < usize::MAX {
+                    count["maximum"] = (*most).into();
+                }
+                [count].into_iter().chain(self.expression()).collect()
             }
             ValueKind::Numbers(most) => {
                 let items = self.number();
@@ -133,7 +141,11 @@ impl Numbers {
             ValueKind::Rows(rows, columns) => vec![array(*rows, array(*columns, self.number()))],
             ValueKind::Lines(0) => vec![list(list(self.number()))],
             ValueKind::Lines(columns) => vec![list(array(*columns, self.number()))],
-            ValueKind::Drive(_) => vec![json!({ "type": "number" }), text()],
+            ValueKind::Drive(_) => vec![
+                json!({ "type": "number" }),
+                text(),
+                json!({ "type": "object" }),
+            ],
             ValueKind::Drives(_) => {
                 vec![list(json!({ "type": ["number", "string", "object"] }))]
             }

@@ -84,6 +84,9 @@ fn words(kind: &ValueKind) -> String {
             format!("list of arrays of {count} quantities, each {dimension}")
         }
         ValueKind::Named(dimension) => format!("quantities by name, each {dimension}"),
+        ValueKind::Free => "quantity".to_owned(),
+        ValueKind::FreeMatrix => "quantity, list of quantities, or rows of numbers".to_owned(),
+        ValueKind::Count(usize::MAX) => "whole number of at least 1".to_owned(),
         ValueKind::Count(most) => format!("whole number from 1 to {most}"),
         ValueKind::Numbers(most) => format!("1 to {most} numbers"),
         ValueKind::Rows(rows, columns) => format!("{rows} rows of {columns} numbers"),
