@@ -29,7 +29,6 @@ mod bodies;
 mod clamps;
 mod columns;
 mod control;
-mod counts;
 mod csv_rows;
 mod curved;
 mod curved_fit;
@@ -145,7 +144,7 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 /// The input in the text of a file, whose results are called `name`.
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
-    declare(&document, &document.root());
+    declare(&document, &document.root_of(&schema::DYNAMICS_FILE));
     if !frames::repeat(&mut document) {
         return document.finish(None);
     }

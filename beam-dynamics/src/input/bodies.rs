@@ -37,7 +37,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
             .unwrap_or_else(|| format!("body {}", number + 1));
         let is_new = draft.take_label("body", &label, table);
         let words = format!("body \"{label}\"");
-        let name = table.require_text("node", "the name of a node");
+        let name = table.get(&NODE);
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
         let lump = lump(table, &label);
         table.finish();
@@ -71,11 +71,7 @@ impl Lump {
 
 /// Reads `mass`, `offset` and `inertia`.
 pub(super) fn lump(table: &Table<'_>, label: &str) -> Option<Lump> {
-    let mass = table.require_positive("mass", Dimension::MASS);
-    let offset = match table.has("offset") {
-        true => table.vector("offset", Dimension::LENGTH),
-        false => Some(Vector3::zeros()),
-    };
+    let (mass, offset) = (table.get(&MASS), table.get(&OFFSET));
     let moments = moments(table, label);
     Some(Lump {
         mass: mass?,

@@ -17,7 +17,7 @@ keys! {
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("clamp").iter().enumerate() {
         let words = format!("clamp {}", number + 1);
-        let name = table.require_text("node", "the name of a node");
+        let name = table.get(&NODE);
         table.finish();
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
         match node {

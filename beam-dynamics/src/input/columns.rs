@@ -94,15 +94,7 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
         true => every(table, "restart_every").map(Some),
         false => Some(None),
     };
-    let switch = |key: &str| match table.has(key) {
-        true => table.boolean(key),
-        false => Some(true),
-    };
-    let (csv, netcdf) = (switch("csv"), switch("netcdf"));
-    let vtu = match table.has("vtu") {
-        true => table.count("vtu").map(Some),
-        false => Some(None),
-    };
+    let (csv, netcdf, vtu) = (table.get(&CSV), table.get(&NETCDF), table.get(&VTU));
     let columns = column::read(table, draft);
     table.finish();
     Some(OutputQuestion {

@@ -8,7 +8,6 @@ use shared_geom::keys;
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
 
-use super::number::not_negative;
 use super::problem::InputProblem;
 
 /// Internal damping.
@@ -51,9 +50,7 @@ pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
     let inner = table.table("damping")?;
     let given = KEYS.map(|key| inner.has(key));
     let damping = match given {
-        [true, false] => {
-            not_negative(&inner, "time", Dimension::TIME).map(Damping::StiffnessProportional)
-        }
+        [true, false] => inner.get(&TIME).map(Damping::StiffnessProportional),
         [false, true] => matrix(&inner).map(Damping::Viscous),
         _ => {
             table.note("damping", &InputProblem::OneDamping);

@@ -308,7 +308,7 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
     let electrode = label.to_owned();
     let given = OF_SOURCE.map(|key| table.has(key));
     if table.has("charge") {
-        let charge = table.quantity("charge", Dimension::CHARGE);
+        let charge = table.get(&CHARGE);
         if let Some(other) = given.iter().position(|given| *given) {
             let key = OF_SOURCE[other];
             table.note(key, &ElectrodeProblem::ChargeAnd { electrode, key });
@@ -324,8 +324,7 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
         true => drives::read_signal(table, "voltage", Dimension::VOLTAGE, draft.drives()),
         false => Some(Drive::Constant(0.0).into()),
     };
-    let resistance = not_negative(table, "resistance", Dimension::RESISTANCE);
-    let inductance = not_negative(table, "inductance", Dimension::INDUCTANCE);
+    let (resistance, inductance) = (table.get(&RESISTANCE), table.get(&INDUCTANCE));
     let (source, resistance, inductance) = (source?, resistance?, inductance?);
     if given == [true, false, false] {
         return Some(Circuit::Held(source));
@@ -340,19 +339,6 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
         resistance,
         inductance,
     })
-}
-
-/// A number, zero or more; zero if absent.
-fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-    if !table.has(key) {
-        return Some(0.0);
-    }
-    let value = table.quantity(key, dimension)?;
-    if value < 0.0 {
-        table.wrong(key, &format!("{dimension}, zero or more"));
-        return None;
-    }
-    Some(value)
 }
 
 /// Notes electrodes whose voltage does not follow from their charge.

@@ -47,17 +47,14 @@ pub(super) fn read(table: &Table<'_>) -> Option<(Formulation, Inertia)> {
 }
 
 fn formulation(table: &Table<'_>) -> Option<Formulation> {
-    let is_volume = match table.has("formulation") {
-        true => table.word("formulation", &["variational", "finite-volume"])? == 1,
-        false => false,
-    };
-    if !table.has("interpolation") {
+    let (formulation, interpolation) = (table.get(&FORMULATION), table.get(&INTERPOLATION));
+    let is_volume = formulation? == 1;
+    let Some(word) = interpolation? else {
         return Some(match is_volume {
             true => Formulation::FiniteVolume(Parametrization::Gibbs),
             false => Formulation::Variational,
         });
-    }
-    let word = table.word("interpolation", &["gibbs", "rotation-vector"])?;
+    };
     if !is_volume {
         table.note("interpolation", &InputProblem::OwnInterpolation);
         return None;
@@ -67,11 +64,7 @@ fn formulation(table: &Table<'_>) -> Option<Formulation> {
 }
 
 fn inertia(table: &Table<'_>) -> Option<Inertia> {
-    if !table.has("inertia") {
-        return Some(Inertia::Lumped);
-    }
-    let word = table.word("inertia", &["lumped", "consistent"])?;
-    Some([Inertia::Lumped, Inertia::Consistent][word])
+    Some([Inertia::Lumped, Inertia::Consistent][table.get(&INERTIA)?])
 }
 
 #[cfg(test)]

@@ -181,9 +181,9 @@ pub(super) fn read(root: &Table<'_>) -> Frames {
     for table in root.tables("repeat") {
         let _ = table.has("in");
         let _ = table.text("name");
-        let _ = table.require_count("count");
+        let _ = table.get(&COPIES);
         let _ = axis(&table);
-        let _ = point(&table, "center");
+        let _ = table.get(&CENTER);
         table.finish();
     }
     let tables = root.tables("frame");
@@ -202,7 +202,7 @@ pub(super) fn read(root: &Table<'_>) -> Frames {
 fn named<'a, 'd>(tables: &'a [Table<'d>]) -> BTreeMap<String, &'a Table<'d>> {
     let mut named: BTreeMap<String, &Table<'_>> = BTreeMap::new();
     for table in tables {
-        let Some(name) = table.require_text("name", "the name of the frame") else {
+        let Some(name) = table.get(&NAME) else {
             continue;
         };
         if let Some(first) = named.get(&name) {
@@ -264,8 +264,7 @@ impl Reader<'_, '_> {
 /// The frame of a card, in the frame that contains it: at `position` with `orientation`,
 /// or turned by `turn` about an `axis` through a `center`.
 fn frame(table: &Table<'_>) -> Option<Frame> {
-    let position = point(table, "position");
-    let orientation = point_of(table, "orientation", Dimension::ANGLE);
+    let (position, orientation) = (table.get(&POSITION), table.get(&ORIENTATION));
     if !table.has("turn") {
         return Some(Frame {
             position: position?,
@@ -277,7 +276,7 @@ fn frame(table: &Table<'_>) -> Option<Frame> {
         return None;
     }
     let turn = table.quantity("turn", Dimension::ANGLE);
-    let (axis, center) = (axis(table), point(table, "center"));
+    let (axis, center) = (axis(table), table.get(&CENTER));
     let (turn, center) = (turn?, center?);
     let rotation = match turn == 0.0 {
         true => Matrix3::identity(),
@@ -299,15 +298,4 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
         table.note("axis", &InputProblem::NoAxis);
     }
     unit
-}
-
-fn point(table: &Table<'_>, key: &str) -> Option<Vector3<f64>> {
-    point_of(table, key, Dimension::LENGTH)
-}
-
-fn point_of(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
-    match table.has(key) {
-        true => table.vector(key, dimension),
-        false => Some(Vector3::zeros()),
-    }
 }

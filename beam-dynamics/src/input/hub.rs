@@ -193,10 +193,7 @@ impl MovingHub {
             }
             return useless.is_empty().then_some(None);
         }
-        let mass = match table.has("mass") {
-            true => not_negative(table, "mass", Dimension::MASS),
-            false => Some(0.0),
-        };
+        let mass = table.get(&MASS);
         let moments = moments(table, HUB);
         let stiffness = [Dimension::SPRING_STIFFNESS, Dimension::MOMENT];
         let stiffness = directions(table, "support", stiffness);

@@ -10,7 +10,6 @@ use shared_geom::units::Dimension;
 
 use super::beam_section::{Properties, usable};
 use super::damping;
-use super::number::not_negative;
 use super::problem::InputProblem;
 
 /// Properties given by numbers.
@@ -68,36 +67,13 @@ keys! {
         "[-80, 0, 0, 0, 0.4, 0]";
 }
 
-/// Keys of properties given in the card.
-pub(super) const KEYS: [&str; 13] = [
-    "ea",
-    "gay",
-    "gaz",
-    "gj",
-    "eiy",
-    "eiz",
-    "m",
-    "iy",
-    "iz",
-    "tension_center",
-    "shear_center",
-    "mass_center",
-    "thermal_force",
-];
-
 /// Reads a table `[properties.NAME]` without a file.
 pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
-    const FORCE: Dimension = Dimension::FORCE;
-    const MOMENT: Dimension = Dimension::BENDING_STIFFNESS;
-    let dimensions = [FORCE, FORCE, FORCE, MOMENT, MOMENT, MOMENT];
     // All keys are read, so that all problems are reported.
-    let stiffness: [_; 6] = std::array::from_fn(|i| table.require_positive(KEYS[i], dimensions[i]));
-    let mass = [
-        not_negative(table, "m", Dimension::MASS_PER_LENGTH),
-        not_negative(table, "iy", Dimension::INERTIA_PER_LENGTH),
-        not_negative(table, "iz", Dimension::INERTIA_PER_LENGTH),
-    ];
-    let centers = ["tension_center", "shear_center", "mass_center"].map(|key| center(table, key));
+    let stiffness = [&EA, &GAY, &GAZ, &GJ, &EIY, &EIZ].map(|key| table.get(key));
+    let mass = [&M, &IY, &IZ].map(|key| table.get(key));
+    let centers = [&TENSION_CENTER, &SHEAR_CENTER, &MASS_CENTER];
+    let centers = centers.map(|key| center(table, key.name()));
     let damping = damping::read(table);
     let thermal_force = thermal_force(table);
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
@@ -125,7 +101,7 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
 /// Internal force per kelvin of the restrained beam, about the reference point;
 /// `Some(None)` if absent.
 fn thermal_force(table: &Table<'_>) -> Option<Option<Vector6<f64>>> {
-    const KEY: &str = "thermal_force";
+    const KEY: &str = THERMAL_FORCE.name();
     if !table.has(KEY) {
         return Some(None);
     }

@@ -81,10 +81,7 @@ fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalFo
     let words = format!("internal force \"{label}\"");
     let nodes = ends::nodes(table, draft, &words, false);
     let signal = drives::read_factor(table, "drive", draft.drives());
-    let factor = match table.has("constant") {
-        true => table.boolean("constant"),
-        false => Some(false),
-    };
+    let factor = table.get(&CONSTANT);
     let frame = draft.frames().of(table);
     let between = match table.has("tension") {
         true => along_line(table, nodes.as_deref()),
@@ -104,7 +101,7 @@ fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalFo
 }
 
 fn along_line(table: &Table<'_>, nodes: Option<&[usize]>) -> Option<Between> {
-    let tension = table.require_quantity("tension", Dimension::FORCE);
+    let tension = table.get(&TENSION);
     if let Some(second) = ["force", "moment"].into_iter().find(|key| table.has(key)) {
         let first = "tension";
         table.note(second, &LawProblem::Twice { first, second });
@@ -129,18 +126,9 @@ fn in_axes(
     nodes: Option<&[usize]>,
     (draft, frame): (&Draft, Option<Frame>),
 ) -> Option<Between> {
-    let vector = |key: &str, dimension: Dimension| match table.has(key) {
-        true => table.vector(key, dimension),
-        false => Some(Vector3::zeros()),
-    };
-    let force = vector("force", Dimension::FORCE);
-    let moment = vector("moment", Dimension::MOMENT);
-    let offset = vector("offset", Dimension::LENGTH);
-    let in_node = match table.has("axes") {
-        true => table.word("axes", &["model", "node"]),
-        false => Some(0),
-    };
-    if !table.has("force") && !table.has("moment") {
+    let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
+    let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
+    if !table.holds(&FORCE) && !table.holds(&MOMENT) {
         table.note("", &LawProblem::NoForce);
         return None;
     }

@@ -13,7 +13,6 @@ use super::drives::{self, Catalog};
 use super::ends::{label, pair};
 use super::frames::IN;
 use super::hinge_card::HingeCard;
-use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::elements::Signal;
 use crate::elements::joints::HingeSpring;
@@ -75,15 +74,9 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
         let nodes = pair(table, draft, &format!("hinge \"{label}\""));
         let axis = axis(table);
         let frame = draft.frames().of(table);
-        let offset = match table.has("offset") {
-            true => table.vector("offset", Dimension::LENGTH),
-            false => Some(Vector3::zeros()),
-        };
+        let offset = table.get(&OFFSET);
         let spring = spring(table, draft.drives());
-        let in_node = match table.has("axis_in") {
-            true => table.word("axis_in", &["model", "node"]),
-            false => Some(0),
-        };
+        let in_node = table.get(&AXIS_IN);
         table.finish();
         match (nodes, axis.zip(frame), offset, spring, in_node) {
             (Some(nodes), Some((axis, frame)), Some(offset), Some(spring), Some(in_node))
@@ -133,12 +126,7 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
 
 /// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.
 pub(super) fn spring(table: &Table<'_>, drives: &Catalog) -> Option<HingeCard> {
-    let number = |key: &str, dimension: Dimension| match table.has(key) {
-        true => not_negative(table, key, dimension),
-        false => Some(0.0),
-    };
-    let stiffness = number("stiffness", Dimension::MOMENT);
-    let damping = number("damping", Dimension::TURNING_DAMPER);
+    let (stiffness, damping) = (table.get(&STIFFNESS), table.get(&DAMPING));
     let angle = match table.has("angle") {
         true => drives::read_signal(table, "angle", Dimension::ANGLE, drives),
         false => Some(Drive::Constant(0.0).into()),

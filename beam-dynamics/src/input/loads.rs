@@ -6,7 +6,7 @@ use shared_geom::document::schema::ValueKind::{
 use shared_geom::keys;
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 use shared_geom::document::{ByHand, Table};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
@@ -112,13 +112,7 @@ pub(super) fn gravity(root: &Table<'_>, draft: &Draft) -> Option<(Vector3<f64>, 
         return Some((Vector3::zeros(), Drive::Constant(1.0)));
     }
     let table = root.table("gravity")?;
-    let _ = table.has("acceleration");
-    let found = match table.has("acceleration") {
-        true => table.vector("acceleration", Dimension::ACCELERATION),
-        false => table
-            .require_quantity("acceleration", Dimension::ACCELERATION)
-            .map(|_| Vector3::zeros()),
-    };
+    let found = table.get(&ACCELERATION);
     let drive = match table.has("drive") {
         true => drives::read(&table, "drive", Dimension::NUMBER, draft.drives()),
         false => Some(Drive::Constant(1.0)),
@@ -162,18 +156,16 @@ fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
 }
 
 fn node(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<usize> {
-    let name = table.require_text("node", "the name of a node")?;
+    let name = table.get(&NODE)?;
     draft.find_node(&name, table, "node", &format!("\"{label}\""))
 }
 
 /// The load of a card, and whether it is in the axes of its node.
 fn nodal(table: &Table<'_>) -> Option<(NodalForce, bool)> {
-    let force = vector_or_zero(table, "force", Dimension::FORCE);
-    let moment = vector_or_zero(table, "moment", Dimension::MOMENT);
-    let offset = vector_or_zero(table, "offset", Dimension::LENGTH);
-    let in_node = axes(table, "node");
+    let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
+    let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
     let kind = kind(table);
-    if !table.has("force") && !table.has("moment") {
+    if !table.holds(&FORCE) && !table.holds(&MOMENT) {
         table.note("", &LoadProblem::NoLoad);
         return None;
     }
@@ -185,27 +177,12 @@ fn nodal(table: &Table<'_>) -> Option<(NodalForce, bool)> {
         turning,
         factor,
     };
-    Some((load, in_node?))
-}
-
-fn vector_or_zero(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
-    match table.has(key) {
-        true => table.vector(key, dimension),
-        false => Some(Vector3::zeros()),
-    }
-}
-
-/// Whether the components are in the axes called `own` instead of the model's.
-fn axes(table: &Table<'_>, own: &str) -> Option<bool> {
-    match table.has("axes") {
-        true => Some(table.word("axes", &["model", own])? == 1),
-        false => Some(false),
-    }
+    Some((load, in_node? == 1))
 }
 
 /// Dead or follower, constant or proportional.
 fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
-    let follower = flag(table, "follower");
+    let follower = table.get(&FOLLOWER);
     let factor = factor(table);
     let turning = match follower? {
         true => Turning::Follower,
@@ -215,18 +192,10 @@ fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
 }
 
 fn factor(table: &Table<'_>) -> Option<LoadFactor> {
-    Some(match flag(table, "constant")? {
+    Some(match table.get(&CONSTANT)? {
         true => LoadFactor::Constant,
         false => LoadFactor::Proportional,
     })
-}
-
-/// A truth value, false when absent.
-pub(super) fn flag(table: &Table<'_>, key: &str) -> Option<bool> {
-    match table.has(key) {
-        true => table.boolean(key),
-        false => Some(false),
-    }
 }
 
 fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
@@ -275,12 +244,7 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
 fn imposed(table: &Table<'_>) -> Option<ImposedMotion> {
     let displacement = components(table, "displacement", Dimension::LENGTH);
     let rotation = components(table, "rotation", Dimension::ANGLE);
-    let axes = match table.has("orientation") {
-        true => table
-            .vector("orientation", Dimension::ANGLE)
-            .map(|phi| vector::to_rotation(&phi)),
-        false => Some(Matrix3::identity()),
-    };
+    let axes = table.get(&ORIENTATION).map(|phi| vector::to_rotation(&phi));
     let factor = factor(table);
     let (displacement, rotation) = (displacement?, rotation?);
     if displacement.iter().chain(&rotation).all(Option::is_none) {

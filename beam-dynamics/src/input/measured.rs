@@ -70,7 +70,7 @@ fn kinds(table: &Table<'_>) -> Option<Vec<ModeKind>> {
 }
 
 fn points(table: &Table<'_>) -> Option<Vec<MeasuredPoint>> {
-    let written = table.require_text("file", "a CSV file of measured frequencies")?;
+    let written = table.get(&FILE)?;
     let path = table.path("file", &written);
     let file = path.display().to_string();
     if !path.is_file() {

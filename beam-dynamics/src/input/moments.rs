@@ -20,10 +20,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// Moments of inertia about three axes under `inertia`; zeros when absent.
 pub(super) fn moments(table: &Table<'_>, label: &str) -> Option<Vector3<f64>> {
-    let moments = match table.has("inertia") {
-        true => table.vector("inertia", Dimension::INERTIA),
-        false => Some(Vector3::zeros()),
-    };
+    let moments = table.get(&INERTIA);
     moments.filter(|moments| {
         let possible = is_possible(moments);
         if !possible {

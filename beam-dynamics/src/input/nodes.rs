@@ -1,6 +1,6 @@
 //! Explicit nodes.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{Text, Vector};
 use shared_geom::keys;
@@ -32,7 +32,7 @@ keys! {
 /// Adds every `[[node]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for table in root.tables("node") {
-        let label = table.require_text("name", "the name of the node");
+        let label = table.get(&NAME);
         let frame = draft.frames().of(&table);
         let node = node(&table, label.clone(), frame);
         let initial = initial_motion(&table).zip(frame).map(|(motion, frame)| {
@@ -58,19 +58,8 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 
 /// The node of a card; `None` for the frame if it is wrong.
 fn node(table: &Table<'_>, label: Option<String>, frame: Option<Frame>) -> Option<Node> {
-    let position = match table.has("position") {
-        true => table.vector("position", Dimension::LENGTH),
-        // Notes that it is absent.
-        false => table
-            .require_quantity("position", Dimension::LENGTH)
-            .map(|_| Vector3::zeros()),
-    };
-    let rotation = match table.has("orientation") {
-        true => table
-            .vector("orientation", Dimension::ANGLE)
-            .map(|phi| vector::to_rotation(&phi)),
-        false => Some(Matrix3::identity()),
-    };
+    let position = table.get(&POSITION);
+    let rotation = table.get(&ORIENTATION).map(|phi| vector::to_rotation(&phi));
     let frame = frame?;
     Some(Node {
         label: label?,

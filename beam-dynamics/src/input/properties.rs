@@ -14,7 +14,7 @@ use shared_geom::units::Dimension;
 use super::beam_section::{Properties, usable};
 use super::curved::Curved;
 use super::heat;
-use super::in_place::{self, KEYS};
+use super::in_place;
 use super::laws::{self, LawProblem};
 use super::problem::InputProblem;
 use super::{damping, drives};
@@ -182,7 +182,8 @@ fn with_law(
 }
 
 fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
-    if let Some(key) = KEYS.into_iter().find(|key| table.has(key)) {
+    let mut numbers = in_place::NUMBERS.keys.iter().map(|key| key.name);
+    if let Some(key) = numbers.find(|key| table.has(key)) {
         let table_words = table.title().to_owned();
         table.note(
             key,
@@ -191,7 +192,8 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
                 key,
             },
         );
-        for key in KEYS {
+        // The others are keys of such a table too.
+        for key in numbers {
             let _ = table.has(key);
         }
         return None;
@@ -208,10 +210,7 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
         return None;
     }
     let damping = damping::read(table);
-    let is_prestressed = match table.has("prestress") {
-        true => table.boolean("prestress"),
-        false => Some(false),
-    };
+    let is_prestressed = table.get(&PRESTRESS);
     let found = table.document().keep(section::read(&path))?;
     let mut properties = found.per_arc_length();
     // The damping of the card replaces the damping of the file.

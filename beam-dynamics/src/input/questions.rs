@@ -6,8 +6,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::counts::at_most;
-use super::loads::{LoadProblem, flag};
+use super::loads::LoadProblem;
 use super::problem::InputProblem;
 use super::speeds::{self, RPM};
 use super::transient;
@@ -87,19 +86,8 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticQuestion>> {
     }
     let table = root.table("static")?;
     let speed = speed(&table);
-    let to = match table.has("to") {
-        true => table.quantity("to", Dimension::NUMBER),
-        false => Some(1.0),
-    };
-    let steps = match table.has("steps") {
-        true => at_most(&table, "steps", table.count("steps"), MOST_STEPS).map(Some),
-        false => Some(None),
-    };
-    let arc_length = flag(&table, "arc_length");
-    let most_steps = match table.has("most_steps") {
-        true => at_most(&table, "most_steps", table.count("most_steps"), MOST_STEPS),
-        false => Some(DEFAULT_MOST_STEPS),
-    };
+    let (to, steps) = (table.get(&TO), table.get(&STEPS));
+    let (arc_length, most_steps) = (table.get(&ARC_LENGTH), table.get(&MOST));
     table.finish();
     let steps = steps?;
     Some(Some(StaticQuestion {
@@ -119,10 +107,7 @@ fn buckling(root: &Table<'_>) -> Option<Option<BucklingQuestion>> {
     }
     let table = root.table("buckling")?;
     let speed = speed(&table);
-    let count = match table.has("count") {
-        true => at_most(&table, "count", table.count("count"), MOST_LOADS),
-        false => Some(DEFAULT_COUNT),
-    };
+    let count = table.get(&COUNT);
     table.finish();
     Some(Some(BucklingQuestion {
         speed: speed?,

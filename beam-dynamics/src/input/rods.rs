@@ -59,16 +59,9 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
     let ends = match nodes.as_deref() {
         Some(&[a, b]) => ends::points(table, [a, b]),
         Some(&[node]) => ends::frame_and_point(table, node, &words),
-        _ => {
-            // Their shape is unknown without the nodes.
-            let _ = (table.has("offsets"), table.has("at"));
-            None
-        }
+        _ => None,
     };
-    let measure = match table.has("measure") {
-        true => table.word("measure", &["strain", "elongation"]),
-        false => Some(0),
-    };
+    let measure = table.get(&MEASURE);
     let relaxed = match table.has("length") {
         true => drives::read_length(table, "length", draft.drives()).map(Some),
         false => Some(None),

@@ -130,7 +130,7 @@ In place of any number, a text that begins with `=` is an expression of paramete
 /// It does not check names, the dimensions of units, expressions, and values that depend on
 /// other keys; `beam-dynamics check` does.
 pub fn json_schema() -> Value {
-    schema::json_schema(&DYNAMICS_FILE, schema::Numbers::Expressions)
+    schema::shared_json_schema(&DYNAMICS_FILE, schema::Numbers::Expressions)
 }
 
 /// The reference page of the dynamics file, in Markdown.

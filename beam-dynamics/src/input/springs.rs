@@ -97,7 +97,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
             continue;
         }
         let words = format!("spring \"{label}\"");
-        let name = table.require_text("node", "the name of a node");
+        let name = table.get(&NODE);
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
         let spring = spring(table).zip(draft.frames().of(table));
         let spring = spring.map(|(spring, frame)| Spring {
@@ -113,10 +113,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 }
 
 fn spring(table: &Table<'_>) -> Option<Spring> {
-    let axes = match table.has("orientation") {
-        true => table.vector("orientation", Dimension::ANGLE),
-        false => Some(Vector3::zeros()),
-    };
+    let axes = table.get(&ORIENTATION);
     let stiffness = six(
         table,
         ["stiffness", "rotational_stiffness"],
@@ -127,10 +124,7 @@ fn spring(table: &Table<'_>) -> Option<Spring> {
         ["damping", "rotational_damping"],
         [Dimension::DAMPER, Dimension::TURNING_DAMPER],
     );
-    let stand = match table.has("stands_in") {
-        true => table.word("stands_in", &["frame", "world"]),
-        false => Some(0),
-    };
+    let stand = table.get(&STANDS_IN);
     Some(Spring {
         axes: vector::to_rotation(&axes?),
         stiffness: stiffness?,

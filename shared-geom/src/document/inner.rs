@@ -96,18 +96,22 @@ impl<'a> Table<'a> {
         table
     }
 
-    /// The keys of the table: the requested ones, of which a description may have only
-    /// some, in its order.
+    /// The keys of the table, in the order of its descriptions: those of each description,
+    /// and of its families those that were requested. Without description, the requested
+    /// keys.
     fn known_keys(&self) -> Vec<String> {
         let asked = self.asked.borrow();
         if self.schemas.is_empty() {
             return asked.clone();
         }
         let mut known: Vec<String> = Vec::new();
-        for key in self.schemas.iter().flat_map(|schema| schema.all_keys()) {
-            let is_asked = asked.iter().any(|own| own == key.name);
-            if is_asked && !known.iter().any(|own| own == key.name) {
-                known.push(key.name.to_owned());
+        for schema in &self.schemas {
+            let families = schema.families.iter().flat_map(|family| family.keys);
+            let of_form = families.filter(|key| asked.iter().any(|own| own == key.name));
+            for key in schema.keys.iter().chain(of_form) {
+                if !known.iter().any(|own| own == key.name) {
+                    known.push(key.name.to_owned());
+                }
             }
         }
         known

@@ -171,11 +171,19 @@ impl Value for bool {
     }
 }
 
-/// The index of a word, or a count, which may be above its limit.
+/// The index of a word, or a count up to its limit.
 impl Value for usize {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         match key.kinds[0] {
             ValueKind::Word(words) => table.word(key.name, words),
+            ValueKind::Count(limit) => {
+                let found = table.count(key.name)?;
+                if found > limit {
+                    table.wrong(key.name, &format!("at most {limit}"));
+                    return None;
+                }
+                Some(found)
+            }
             _ => table.count(key.name),
         }
     }

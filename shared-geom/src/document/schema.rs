@@ -3,15 +3,17 @@
 //!
 //! A description is a constant: tables of keys, and tables in them. The JSON schema for
 //! editors ([`json_schema`]) and a reference page ([`reference`]) are made from it, and a
-//! [`Table`](super::Table) that is read by it refuses every key that it does not have.
+//! [`Table`](super::Table) that is read by it refuses every key that it does not have, and
+//! every key of a family that its reader did not request.
 
 use crate::units::Dimension;
 
 mod json;
 mod reference;
+mod share;
 mod units;
 
-pub use json::{Numbers, json_schema};
+pub use json::{Numbers, json_schema, shared_json_schema};
 pub use reference::reference;
 pub use units::UNITS;
 

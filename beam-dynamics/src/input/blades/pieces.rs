@@ -159,14 +159,7 @@ fn piece_properties(
 }
 
 fn piece(table: &Table<'_>) -> Option<Piece> {
-    let length = table.require_positive("length", Dimension::LENGTH);
-    let elements = table.require_count("elements").filter(|&found| {
-        let (key, limit) = ("elements", MOST_ELEMENTS);
-        if found > limit {
-            table.note(key, &InputProblem::TooMany { key, found, limit });
-        }
-        found <= limit
-    });
+    let (length, elements) = (table.get(&LENGTH), table.get(&ELEMENTS));
     let sweep = shallow(table, "sweep");
     let dihedral = shallow(table, "dihedral");
     let twist = twist(table);

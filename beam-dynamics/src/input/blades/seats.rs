@@ -32,7 +32,7 @@ keys! {
     /// Azimuth of the first blade about the axis of the hub; zero is along +x for an axis along z.
     pub(super) AZIMUTH: ByHand = "azimuth", [Quantity(Dimension::ANGLE)], or "0", "90";
     /// Number of equal blades, evenly spaced about the axis; they are called `NAME 1` and so on.
-    pub(super) COUNT: ByHand = "count", [Count(MOST_BLADES)], or "1", "3";
+    pub(super) COUNT: Option<usize> = "count", [Count(MOST_BLADES)], optional, "3";
     /// Azimuth of each blade, in place of `count` and `azimuth`.
     pub(super) AZIMUTHS: ByHand = "azimuths", [Quantities(Dimension::ANGLE)], optional,
         "[0, 90, 180, 270]";
@@ -96,12 +96,9 @@ pub(super) type Places = Vec<(String, f64)>;
 
 /// Names and azimuths; `None` if they are wrong, which is noted.
 pub(super) fn places(table: &Table<'_>) -> Option<Places> {
-    let name = table.require_text("name", "the name of the blade");
+    let name = table.get(&NAME);
     let azimuths = azimuths(table, name.as_deref().unwrap_or_default());
-    let names = match table.has("names") {
-        true => Some(table.texts("names")?),
-        false => None,
-    };
+    let names = table.get(&NAMES)?;
     let (name, azimuths) = (name?, azimuths?);
     let is_several = table.has("count") || table.has("azimuths");
     let names = match names {
@@ -121,10 +118,7 @@ pub(super) fn places(table: &Table<'_>) -> Option<Places> {
 
 fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
     let first = angle(table, "azimuth");
-    let count = match table.has("count") {
-        true => Some(count(table)?),
-        false => None,
-    };
+    let count = table.get(&COUNT)?;
     if !table.has("azimuths") {
         let (first, count) = (first?, count.unwrap_or(1));
         return Some(
@@ -157,15 +151,6 @@ fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
         }
     }
     Some(angles)
-}
-
-fn count(table: &Table<'_>) -> Option<usize> {
-    let (key, limit) = ("count", MOST_BLADES);
-    let found = table.count(key)?;
-    if found > limit {
-        table.note(key, &InputProblem::TooMany { key, found, limit });
-    }
-    (found <= limit).then_some(found)
 }
 
 /// The seats of the blades of a card at `places`.

@@ -30,7 +30,6 @@ use crate::input::along::Along;
 use crate::input::damping;
 use crate::input::draft::Draft;
 use crate::input::heat;
-use crate::input::problem::InputProblem;
 
 /// A blade of a blade file.
 pub(super) const STATIONS: Family = Family {
@@ -76,16 +75,7 @@ pub(super) struct StationLine {
 
 /// Reads the file named by `file` of a card.
 pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> {
-    let elements = match table.has("elements") {
-        true => elements(table).map(Some),
-        false => Some(None),
-    };
-    let length = match table.has("length") {
-        true => table
-            .require_positive("length", Dimension::LENGTH)
-            .map(Some),
-        false => Some(None),
-    };
+    let (elements, length) = (table.get(&ELEMENTS), table.get(&LENGTH));
     let damping = damping::read(table);
     let words = "blade from a file".to_owned();
     heat::refuse_without_properties(table, &words);
@@ -113,15 +103,6 @@ fn everywhere(damping: Damping, stations: usize) -> BladeDamping {
         Damping::StiffnessProportional(time) => BladeDamping::Proportional(time),
         Damping::Viscous(matrix) => BladeDamping::Viscous(vec![matrix; stations]),
     }
-}
-
-fn elements(table: &Table<'_>) -> Option<usize> {
-    let (key, limit) = ("elements", MOST_ELEMENTS);
-    let found = table.count(key)?;
-    if found > limit {
-        table.note(key, &InputProblem::TooMany { key, found, limit });
-    }
-    (found <= limit).then_some(found)
 }
 
 /// The eigenvalue of `K_to v = ratio K_from v` with the largest absolute logarithm:

@@ -74,10 +74,7 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
         user: &user,
     };
     let parts = reading.parts(kind?);
-    let unit = match table.has("unit") {
-        true => table.text("unit").map(Some),
-        false => Some(None),
-    };
+    let unit = table.get(&UNIT);
     let (name, parts, unit) = (name?, parts?, unit?);
     let is_alone = parts.len() == 1;
     let columns = parts.into_iter().map(|part| {
@@ -107,7 +104,7 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
 }
 
 fn name(table: &Table<'_>) -> Option<String> {
-    let name = table.require_text("name", "the name of the column")?;
+    let name = table.get(&NAME)?;
     let problem = match name.as_str() {
         "time" => ColumnProblem::Time,
         _ if !is_name(&name) => ColumnProblem::NoName { name },

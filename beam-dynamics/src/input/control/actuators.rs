@@ -13,7 +13,6 @@ use crate::elements::Input;
 use crate::elements::control::{Actuator, Servo};
 use crate::input::draft::Draft;
 use crate::input::drives::{self, Catalog, Measure, Read};
-use crate::input::number::not_negative;
 use crate::model::{Scalar, ScalarStart};
 
 keys! {
@@ -52,7 +51,7 @@ pub(super) struct Named<'a> {
 /// Makes the position of every `[[actuator]]` readable by expressions.
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'a>> {
     let declare = |table: Table<'a>| {
-        let name = table.require_text("name", "a name, which expressions read");
+        let name = table.get(&NAME);
         let (start, measure) = (start(&table), Measure::of_table(&table));
         let name = name.filter(|name| drives.is_free(name, &table, "name"));
         let position = name.clone().zip(start);
@@ -116,21 +115,12 @@ pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
 }
 
 fn servo(table: &Table<'_>) -> Option<Servo> {
-    let frequency = table.require_positive("frequency", Dimension::FREQUENCY);
-    let damping = match table.has("damping_ratio") {
-        true => not_negative(table, "damping_ratio", Dimension::NUMBER),
-        false => Some(DAMPING),
-    };
+    let (frequency, damping) = (table.get(&FREQUENCY), table.get(&DAMPING_RATIO));
     let limits = match table.has("limits") {
         true => limits(table).map(Some),
         false => Some(None),
     };
-    let rate_limit = match table.has("rate_limit") {
-        true => table
-            .require_positive("rate_limit", Dimension::NUMBER)
-            .map(Some),
-        false => Some(None),
-    };
+    let rate_limit = table.get(&RATE_LIMIT);
     Some(Servo {
         frequency: std::f64::consts::TAU * frequency?,
         damping: damping?,

@@ -6,7 +6,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::{CONSTANT, DRIVE, FOLLOWER, LoadProblem, axes, kind, label};
+use super::{CONSTANT, DRIVE, FOLLOWER, LoadProblem, kind, label};
 use crate::elements::Signal;
 use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
 use crate::elements::loads::{LoadFactor, Turning};
@@ -90,7 +90,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 
 fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
     let beams = beams(table, draft, label);
-    let in_section = axes(table, "section");
+    let in_section = table.get(&AXES);
     let kind = kind(table);
     let frame = draft.frames().of(table);
     let signal = drives::read_factor(table, "drive", draft.drives());
@@ -106,7 +106,7 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
         force: force?,
         moment: moment?,
         kind: kind?,
-        in_section: in_section?,
+        in_section: in_section? == 1,
         frame: frame?,
         signal: signal?,
     };

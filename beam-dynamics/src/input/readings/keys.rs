@@ -232,9 +232,9 @@ keys! {
     /// The same, or `\"first\"` or `\"second\"` for the axes of the joint that turn with that end.
     IN_JOINT: ByHand = "in", [Text], or "\"model\"", "\"first\"";
     /// Order of the three axes: `\"zyx\"` are yaw, pitch and roll.
-    SEQUENCE: ByHand = "sequence", [Text], or "\"zyx\"", "\"zxz\"";
+    pub(super) SEQUENCE: String = "sequence", [Text], or "\"zyx\"" = "zyx".to_owned(), "\"zxz\"";
     /// The point about which the angular momentum is taken.
-    ABOUT: Vector3<f64> = "about", [Vector(3, Dimension::LENGTH)],
+    pub(super) ABOUT: Vector3<f64> = "about", [Vector(3, Dimension::LENGTH)],
         or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 1]";
     /// Evaluation point: 1 is near the first node.
     POINT: ByHand = "point", [Count(2)], or "1", "2";

@@ -8,7 +8,7 @@ use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::six;
+use super::{ORIENTATION, six};
 use crate::elements::laws::{Law, LawKind};
 use crate::elements::springs::{Spring, SpringLaw};
 use crate::input::draft::Draft;
@@ -74,14 +74,7 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<
     if table.has("stands_in") {
         table.note("stands_in", &LawProblem::Stand);
     }
-    let turn = match table.has("orientation") {
-        true => table.vector("orientation", Dimension::ANGLE),
-        false => Some(Vector3::zeros()),
-    };
-    let place = match table.has("at") {
-        true => table.vector("at", Dimension::LENGTH).map(Some),
-        false => Some(None),
-    };
+    let (turn, place) = (table.get(&ORIENTATION), table.get(&AT));
     let frame = draft.frames().of(table);
     let law = spring_law(table, draft, &words);
     let (nodes, frame) = (nodes?, frame?);

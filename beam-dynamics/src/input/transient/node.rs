@@ -28,15 +28,11 @@ keys! {
 
 /// Reads `velocity`, `angular_velocity`, `initial_weight` and `velocity_weight` of a node.
 pub(in crate::input) fn initial_motion(table: &Table<'_>) -> Option<InitialMotion> {
-    let vector = |key: &str, dimension: Dimension| match table.has(key) {
-        true => table.vector(key, dimension).map(Some),
-        false => Some(None),
-    };
-    let velocity = vector("velocity", Dimension::VELOCITY);
-    let angular_velocity = vector("angular_velocity", Dimension::ROTATION_SPEED);
+    let velocity = table.get(&VELOCITY);
+    let angular_velocity = table.get(&ANGULAR_VELOCITY);
     let (weight, velocity_weight) = (
-        weight(table, "initial_weight"),
-        weight(table, "velocity_weight"),
+        weight(table, INITIAL_WEIGHT.name()),
+        weight(table, VELOCITY_WEIGHT.name()),
     );
     Some(InitialMotion {
         velocity: velocity?,

@@ -104,6 +104,17 @@ fn absent_keys_have_their_defaults_or_are_reported() {
 }
 
 #[test]
+fn counts_have_a_limit() {
+    let shown = problems("name = \"a\"\ncopies = 10\n", |table| {
+        assert_eq!(table.get(&COPIES), None);
+    });
+    assert!(
+        shown.contains("a.toml:3: \"copies\" is 10, expected at most 9"),
+        "{shown}"
+    );
+}
+
+#[test]
 fn wrong_values_are_none_and_reported() {
     let text = "name = 3\nmass = 0\nfriction = -1\naxes = \"nod\"\ncopies = 0\nfixed = 1\n";
     let shown = problems(text, |table| {
@@ -127,18 +138,23 @@ fn wrong_values_are_none_and_reported() {
 }
 
 // A reader cannot use a key that is not declared: it is refused, although it was requested.
+// A declared key is accepted, also if the reader stopped before it.
 #[test]
 fn only_declared_keys_are_keys() {
-    let shown = problems("name = \"a\"\nzqj = 1\nfrictoin = 2\n", |table| {
-        table.get(&FRICTION);
-        table.get(&NAME);
-        assert!(table.has("zqj"));
-    });
+    let shown = problems(
+        "name = \"a\"\nzqj = 1\nfrictoin = 2\nshape = \"round\"\n",
+        |table| {
+            table.get(&FRICTION);
+            table.get(&NAME);
+            assert!(table.has("zqj"));
+        },
+    );
     assert!(
-        shown.contains("unknown key \"zqj\" in part \"p\"\n  help: known keys: name, friction"),
+        shown.contains("unknown key \"zqj\" in part \"p\"\n  help: known keys: name, mass, center, friction, axes"),
         "{shown}"
     );
     assert!(shown.contains("did you mean \"friction\"?"), "{shown}");
+    assert_eq!(shown.matches("unknown key").count(), 2, "{shown}");
     // Also in a table of a table.
     let shown = problems("shape = { friction = 1, zqj = 2 }\n", |table| {
         let shape = table.table(SHAPE.name()).unwrap();

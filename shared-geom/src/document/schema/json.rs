@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use super::share::share;
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
 use crate::units::Dimension;
 
@@ -21,8 +22,7 @@ pub enum Numbers {
 
 /// The JSON schema of a file, draft 2020-12.
 ///
-/// It contains no references, which editors resolve in different ways. It does not check
-/// the names of other tables and the dimensions of units.
+/// It does not check the names of other tables and the dimensions of units.
 pub fn json_schema(file: &'static TableSchema, numbers: Numbers) -> Value {
     let mut schema = Map::new();
     let draft = "https://json-schema.org/draft/2020-12/schema";
@@ -32,6 +32,12 @@ pub fn json_schema(file: &'static TableSchema, numbers: Numbers) -> Value {
         schema.extend(table);
     }
     schema.into()
+}
+
+/// As [`json_schema`], for a file of many equal tables: parts that occur repeatedly are
+/// under `$defs`, with references to them.
+pub fn shared_json_schema(file: &'static TableSchema, numbers: Numbers) -> Value {
+    share(json_schema(file, numbers))
 }
 
 impl Numbers {
@@ -45,7 +51,7 @@ impl Numbers {
             schema
         };
         let families: Vec<_> = table.families.iter().map(family).collect();
-        json!({ "description": table.meaning, "type": "object", "oneOf": families })
+        json!({ "description": table.meaning, "type": "object", "anyOf": families })
     }
 
     fn of_keys(self, meaning: &str, common: &[KeySchema], own: &[KeySchema]) -> Value {

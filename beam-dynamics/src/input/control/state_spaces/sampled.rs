@@ -50,10 +50,7 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
         };
     }
     let period = table.require_positive("sample_time", Dimension::TIME);
-    let offset = match table.has("offset") {
-        true => table.quantity("offset", Dimension::TIME),
-        false => Some(0.0),
-    };
+    let offset = table.get(&OFFSET);
     let delay = match table.has("delay") {
         true => delay(table),
         false => Some(0),
