@@ -16,7 +16,7 @@ mod tests;
 
 pub(super) use keys::TRANSIENT;
 use keys::{
-    FIRST, FROM, ITERATIONS, JACOBIAN, METHOD, REDUNDANT, SCHEME, SPEED, START,
+    FIRST, FROM, ITERATIONS, JACOBIAN, LEAST, METHOD, MOST, REDUNDANT, SCHEME, SPEED, START,
     START_ACCELERATIONS, TO, TOLERANCE,
 };
 pub(super) use node::{
@@ -224,11 +224,7 @@ fn is_possible(table: &Table<'_>, key: &'static str, step: f64, length: Option<f
 
 fn variable(table: &Table<'_>, length: Option<f64>) -> Option<StepControl> {
     let first = table.get(&FIRST);
-    let optional = |key: &str| match table.has(key) {
-        true => table.require_positive(key, Dimension::TIME).map(Some),
-        false => Some(None),
-    };
-    let (least, most) = (optional("least"), optional("most"));
+    let (least, most) = (table.get(&LEAST), table.get(&MOST));
     let tolerance = table.get(&TOLERANCE);
     table.finish();
     let first = first?;

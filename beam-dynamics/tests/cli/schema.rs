@@ -231,7 +231,7 @@ fn visit(path: &[&'static str], table: &'static TableSchema, embed: Embed<'_>, l
     for sample in Sample::all(table) {
         look(path, &sample, embed);
         for key in sample.keys() {
-            // The cards in a repeat are those of the file.
+            // The cards in a repeat are the cards of the file.
             if table.title == "[[repeat]]" {
                 continue;
             }
@@ -363,7 +363,7 @@ fn every_declared_key_is_read() {
     let (mut seen, mut faults) = (0, Vec::new());
     visit_all(&mut |path, sample, embed| {
         for key in sample.keys() {
-            // The cards in a repeat are those of the file.
+            // The cards in a repeat are the cards of the file.
             let is_card = sample.table.title == "[[repeat]]" && key.example.is_empty();
             if is_card {
                 continue;

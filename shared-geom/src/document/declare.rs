@@ -8,7 +8,7 @@ pub const fn meaning(doc: &'static str) -> &'static str {
 /// Declares keys as constants, and a table that has them.
 ///
 /// The documentation of a key is its meaning. A key is `required`, `optional`, or has a
-/// default, `or "TEXT"` in words, with a value, `or "TEXT" = VALUE`, if it is read by
+/// default, as text `or "TEXT"`, and with a value, `or "TEXT" = VALUE`, if it is read by
 /// [`Table::get`]. After `with`, further keys of the table that are declared elsewhere.
 ///
 /// ```

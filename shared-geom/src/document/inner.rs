@@ -96,9 +96,8 @@ impl<'a> Table<'a> {
         table
     }
 
-    /// The keys of the table, in the order of its descriptions: those of each description,
-    /// and of its families those that were requested. Without description, the requested
-    /// keys.
+    /// The keys of the table, in the order of its descriptions: all common keys, and the
+    /// requested keys of families. Without description, the requested keys.
     fn known_keys(&self) -> Vec<String> {
         let asked = self.asked.borrow();
         if self.schemas.is_empty() {

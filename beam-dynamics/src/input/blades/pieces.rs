@@ -44,9 +44,9 @@ keys! {
     ELEMENTS: usize = "elements", [Count(MOST_ELEMENTS)], required, "8";
     /// Direction of the piece in the rotor plane from the span, positive aft, less than a quarter
     /// turn.
-    SWEEP: ByHand = "sweep", [Quantity(Dimension::ANGLE)], or "0", "45";
+    SWEEP: f64 = "sweep", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "45";
     /// Direction out of the rotor plane, positive up, less than a quarter turn.
-    DIHEDRAL: ByHand = "dihedral", [Quantity(Dimension::ANGLE)], or "0", "5";
+    DIHEDRAL: f64 = "dihedral", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "5";
     /// Nose-up angle of the sections: one, or at the inner and the outer end.
     TWIST: ByHand = "twist", [Quantity(Dimension::ANGLE), Vector(2, Dimension::ANGLE)], or "0",
         "[10, 2]";
@@ -160,8 +160,8 @@ fn piece_properties(
 
 fn piece(table: &Table<'_>) -> Option<Piece> {
     let (length, elements) = (table.get(&LENGTH), table.get(&ELEMENTS));
-    let sweep = shallow(table, "sweep");
-    let dihedral = shallow(table, "dihedral");
+    let sweep = shallow(table, &SWEEP);
+    let dihedral = shallow(table, &DIHEDRAL);
     let twist = twist(table);
     Some(Piece {
         length: length?,

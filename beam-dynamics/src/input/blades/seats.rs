@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::schema::ValueKind::{
     Count, NotNegative, Quantities, Quantity, Text, Texts, Vector,
 };
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{ByHand, Key, Table};
 use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
@@ -30,7 +30,7 @@ keys! {
     /// Position of the root at azimuth zero, in place of `hub_radius`.
     pub(super) ROOT: ByHand = "root", [Vector(3, Dimension::LENGTH)], optional, "[2.5, 0, 0]";
     /// Azimuth of the first blade about the axis of the hub; zero is along +x for an axis along z.
-    pub(super) AZIMUTH: ByHand = "azimuth", [Quantity(Dimension::ANGLE)], or "0", "90";
+    pub(super) AZIMUTH: f64 = "azimuth", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "90";
     /// Number of equal blades, evenly spaced about the axis; they are called `NAME 1` and so on.
     pub(super) COUNT: Option<usize> = "count", [Count(MOST_BLADES)], optional, "3";
     /// Azimuth of each blade, in place of `count` and `azimuth`.
@@ -39,9 +39,9 @@ keys! {
     /// Names of the blades of `count` or `azimuths`.
     pub(super) NAMES: Option<Vec<String>> = "names", [Texts], optional, "[\"a\", \"b\", \"c\"]";
     /// Cone angle, positive up, less than a quarter turn.
-    pub(super) PRECONE: ByHand = "precone", [Quantity(Dimension::ANGLE)], or "0", "-2.5";
+    pub(super) PRECONE: f64 = "precone", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "-2.5";
     /// Rotation of the whole blade about its span at the root, positive nose up: the collective.
-    pub(super) PITCH: ByHand = "pitch", [Quantity(Dimension::ANGLE)], or "0", "8";
+    pub(super) PITCH: f64 = "pitch", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "8";
 }
 
 /// Blades of one card: more are treated as an error.
@@ -117,7 +117,7 @@ pub(super) fn places(table: &Table<'_>) -> Option<Places> {
 }
 
 fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
-    let first = angle(table, "azimuth");
+    let first = table.get(&AZIMUTH);
     let count = table.get(&COUNT)?;
     if !table.has("azimuths") {
         let (first, count) = (first?, count.unwrap_or(1));
@@ -157,8 +157,8 @@ fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
 pub(super) fn read(table: &Table<'_>, draft: &Draft, places: Option<&Places>) -> Option<Vec<Seat>> {
     let name = table.text("name").unwrap_or_default();
     let root = root_place(table, &name);
-    let precone = shallow(table, "precone");
-    let pitch = angle(table, "pitch");
+    let precone = shallow(table, &PRECONE);
+    let pitch = table.get(&PITCH);
     let (hub, places, root) = (draft.hub()?, places?, root?);
     let cone = about(Vector3::new(0.0, -precone?, 0.0));
     let mut seats = Vec::with_capacity(places.len());
@@ -213,20 +213,13 @@ fn root_place(table: &Table<'_>, name: &str) -> Option<RootPlace> {
     }
 }
 
-/// An angle; zero when absent.
-pub(super) fn angle(table: &Table<'_>, key: &str) -> Option<f64> {
-    match table.has(key) {
-        true => table.quantity(key, Dimension::ANGLE),
-        false => Some(0.0),
-    }
-}
-
 /// An angle of less than a quarter turn; a line that turns back inward is an error.
-pub(super) fn shallow(table: &Table<'_>, key: &'static str) -> Option<f64> {
-    let found = angle(table, key)?.to_degrees();
+pub(super) fn shallow(table: &Table<'_>, key: &Key<f64>) -> Option<f64> {
+    let found = table.get(key)?.to_degrees();
     if found.abs() < 90.0 {
         return Some(found.to_radians());
     }
+    let key = key.name();
     table.note(key, &InputProblem::SteepAngle { key, found });
     None
 }

@@ -8,7 +8,7 @@ use shared_geom::document::schema::{Family, KeySchema, Need, TableSchema, key};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::kinds::MOST_TERMS;
+use super::kinds::{DEFAULT_TERMS, MOST_TERMS};
 
 /// The kind of a drive.
 macro_rules! kind {
@@ -148,27 +148,27 @@ keys! {
     /// Value after.
     TO: ByHand = "to", [Free], required, "3";
     /// Time of the beginning.
-    START: ByHand = "start", [Quantity(Dimension::TIME)], or "0", "1";
+    pub(super) START: f64 = "start", [Quantity(Dimension::TIME)], or "0" = 0.0, "1";
     /// Time of the end of a ramp; either this or `duration`.
     END: ByHand = "end", [Quantity(Dimension::TIME)], optional, "2";
     /// Time from start to end; either this or `end`.
     RAMP_DURATION: ByHand = "duration", [Quantity(Dimension::TIME)], optional, "1";
     /// Shape of a ramp: the first and second derivatives of the smooth one vanish at both ends.
-    SHAPE: ByHand = "shape", [Word(&["linear", "smooth"])], or "\"linear\"", "\"smooth\"";
+    pub(super) SHAPE: usize = "shape", [Word(&["linear", "smooth"])], or "\"linear\"" = 0, "\"smooth\"";
     /// Time of the jump.
-    TIME: ByHand = "time", [Quantity(Dimension::TIME)], required, "1";
+    pub(super) TIME: f64 = "time", [Quantity(Dimension::TIME)], required, "1";
     /// Mean value.
     MEAN: ByHand = "mean", [Free], or "0", "1";
     /// Amplitude.
     AMPLITUDE: ByHand = "amplitude", [Free], required, "5";
     /// Frequency.
-    FREQUENCY: ByHand = "frequency", [Positive(Dimension::FREQUENCY)], required, "0.5";
+    pub(super) FREQUENCY: f64 = "frequency", [Positive(Dimension::FREQUENCY)], required, "0.5";
     /// Phase at the start.
-    PHASE: ByHand = "phase", [Quantity(Dimension::ANGLE)], or "0", "-90";
+    pub(super) PHASE: f64 = "phase", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "-90";
     /// Number of cycles.
-    CYCLES: ByHand = "cycles", [Positive(Dimension::NUMBER)], or "unlimited", "3";
+    pub(super) CYCLES: f64 = "cycles", [Positive(Dimension::NUMBER)], or "unlimited" = f64::INFINITY, "3";
     /// Length in time.
-    DURATION: ByHand = "duration", [Positive(Dimension::TIME)], required, "2";
+    pub(super) DURATION: f64 = "duration", [Positive(Dimension::TIME)], required, "2";
     /// A CSV file with a heading, in place of `rows`.
     FILE: ByHand = "file", [Text], optional, "\"gust.csv\"";
     /// Columns of the file, of the times and of the values.
@@ -176,10 +176,10 @@ keys! {
     /// Rows of a time and a value, in place of `file`.
     ROWS: ByHand = "rows", [Lines(2)], optional, "[[0, 0], [1, 50]]";
     /// Interpolation between the rows.
-    INTERPOLATION: ByHand = "interpolation", [Word(&["linear", "spline"])], or "\"linear\"",
+    pub(super) INTERPOLATION: usize = "interpolation", [Word(&["linear", "spline"])], or "\"linear\"" = 0,
         "\"spline\"";
     /// Beyond the rows: an error, or the first and the last value.
-    OUTSIDE: ByHand = "outside", [Word(&["error", "hold"])], or "\"error\"", "\"hold\"";
+    pub(super) OUTSIDE: usize = "outside", [Word(&["error", "hold"])], or "\"error\"" = 0, "\"hold\"";
     /// Expression of `t` in the declared unit of time, and of parameters.
     EXPRESSION: ByHand = "expression", [Text], required, "\"3*sin(2*pi*t)\"";
     /// The summands.
@@ -189,11 +189,11 @@ keys! {
     /// Standard deviation, zero or more.
     DEVIATION: ByHand = "deviation", [Free], required, "2";
     /// Seed of the random numbers: equal seeds give equal values.
-    SEED: ByHand = "seed", [Count(usize::MAX)], required, "7";
+    pub(super) SEED: usize = "seed", [Count(usize::MAX)], required, "7";
     /// Lowest and highest frequency.
     BAND: ByHand = "band", [Vector(2, Dimension::FREQUENCY)], required, "[0.1, 2]";
     /// Number of sines.
-    TERMS: ByHand = "terms", [Count(MOST_TERMS)], or "64", "128";
+    pub(super) TERMS: usize = "terms", [Count(MOST_TERMS)], or "64" = DEFAULT_TERMS, "128";
     /// Time between independent values.
-    INTERVAL: ByHand = "interval", [Positive(Dimension::TIME)], required, "0.5";
+    pub(super) INTERVAL: f64 = "interval", [Positive(Dimension::TIME)], required, "0.5";
 }

@@ -136,12 +136,11 @@ keys! {
     NAME: ByHand = "name", [Text], or "`joint` and its number", "\"crank\"";
     /// The names of two nodes, or of one, which is joined to the frame.
     NODES: ByHand = "nodes", [Texts], required, "[\"hub\", \"root\"]";
-    /// The point of the joint in the undeformed model. For the distance of one node from a fixed
+    /// The point of the joint in the undeformed model; without it the last node. For the distance of one node from a fixed
     /// point it is the point of the frame.
     pub(super) AT: Option<Vector3<f64>> = "at", [Vector(3, Dimension::LENGTH)], optional,
         "[0, 0, 1]";
-    /// The point on the first end; for `distance` the first node unless given, for other kinds the
-    /// point `at`.
+    /// The point on the first end; without it the point `at`, or for `distance` the first node.
     pub(super) FROM: Option<Vector3<f64>> = "from", [Vector(3, Dimension::LENGTH)], optional,
         "[0, 0, 0]";
     /// The axis on the first end, and the axis on the second.

@@ -173,11 +173,11 @@ keys! {
     /// Expression of `e`, `e_rate`, `t` and parameters.
     FORCE: ByHand = "force", [Text], required, "\"= 2e4*e + 30*e_rate\"";
     /// Interpolation between the points.
-    INTERPOLATION: ByHand = "interpolation", [Word(&["linear", "spline"])], or "\"linear\"",
-        "\"spline\"";
+    pub(super) INTERPOLATION: usize = "interpolation", [Word(&["linear", "spline"])],
+        or "\"linear\"" = 0, "\"spline\"";
     /// Beyond the points: their last slope, the last force, or no solution, at which a run fails.
-    OUTSIDE: ByHand = "outside", [Word(&["extend", "hold", "error"])], or "\"extend\"",
-        "\"hold\"";
+    pub(super) OUTSIDE: usize = "outside", [Word(&["extend", "hold", "error"])],
+        or "\"extend\"" = 0, "\"hold\"";
 }
 
 keys! {

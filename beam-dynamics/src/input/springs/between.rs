@@ -47,7 +47,7 @@ keys! {
     NODES: ByHand = "nodes", [Texts], required, "[\"hub\", \"gearbox\"]";
     /// The name of a node.
     NODE: ByHand = "node", [Text], required, "\"engine\"";
-    /// Position of the spring in the undeformed model.
+    /// Position of the spring in the undeformed model; without it the last node.
     AT: Option<Vector3<f64>> = "at", [Vector(3, Dimension::LENGTH)], optional, "[0, 0, 1]";
     /// Law of the displacement, in place of `stiffness` and `damping`.
     LAW: ByHand = "law",

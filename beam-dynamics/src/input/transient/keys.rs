@@ -50,11 +50,10 @@ keys! {
     VARIABLE_STEP = "step = { ... }";
     /// Length of the first step.
     pub(super) FIRST: f64 = "first", [Positive(Dimension::TIME)], required, "1e-4";
-    /// Smallest length.
-    pub(super) LEAST: ByHand = "least", [Positive(Dimension::TIME)], or "1e-6 of `first`", "1e-9";
-    /// Largest length.
-    pub(super) MOST: ByHand = "most", [Positive(Dimension::TIME)], or "a fiftieth of the run",
-        "1e-2";
+    /// Smallest length, 1e-6 of `first` unless given.
+    pub(super) LEAST: Option<f64> = "least", [Positive(Dimension::TIME)], optional, "1e-9";
+    /// Largest length, a fiftieth of the run unless given.
+    pub(super) MOST: Option<f64> = "most", [Positive(Dimension::TIME)], optional, "1e-2";
     /// Local error of a step, in sizes of the model and radians.
     pub(super) TOLERANCE: f64 = "tolerance", [Positive(Dimension::NUMBER)], or "1e-4" = 1e-4,
         "1e-5";
@@ -66,7 +65,7 @@ keys! {
     /// A Jacobian in every step, or one that is kept over steps.
     pub(super) METHOD: usize = "method", [Word(&["full", "modified"])], or "\"full\"" = 0,
         "\"modified\"";
-    /// Largest number of iterations in a step.
+    /// Largest number of iterations in a step, 15 unless given.
     pub(super) ITERATIONS: Option<usize> = "iterations", [Count(MOST_ITERATIONS)], optional, "30";
     /// Remaining error after the last correction, in sizes of the model and radians, from 1e-13
     /// to 0.01.

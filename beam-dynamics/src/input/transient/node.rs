@@ -21,7 +21,7 @@ keys! {
     /// the less they are changed to fulfill the constraints.
     pub(in crate::input) INITIAL_WEIGHT: f64 = "initial_weight",
         [Positive(Dimension::NUMBER)], or "1" = 1.0, "100";
-    /// The same for velocities.
+    /// The same for velocities; without it 1 for given velocities, and almost zero for others.
     pub(in crate::input) VELOCITY_WEIGHT: Option<f64> = "velocity_weight",
         [Positive(Dimension::NUMBER)], optional, "100";
 }
