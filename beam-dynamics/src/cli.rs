@@ -22,6 +22,7 @@ mod files;
 mod places;
 mod plot;
 mod progress;
+mod schema;
 mod statics;
 mod terminal;
 mod transient;
@@ -126,6 +127,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
             format,
             length,
         } => convert::convert(&from, &to, format.as_deref(), length, terminal),
+        Command::Schema { format, out } => schema::write_schema(format, out.as_deref(), terminal),
     }
 }
 

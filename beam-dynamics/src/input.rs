@@ -29,7 +29,6 @@ mod bodies;
 mod clamps;
 mod columns;
 mod control;
-mod counts;
 mod csv_rows;
 mod curved;
 mod curved_fit;
@@ -61,6 +60,7 @@ mod properties;
 mod questions;
 mod readings;
 mod rods;
+pub mod schema;
 mod speeds;
 mod springs;
 mod summary;
@@ -153,7 +153,7 @@ pub fn parse(text: &str, file: &str) -> Result<Input, Diagnostics> {
 /// The input in the text of a file, whose results are called `name`.
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
-    declare(&document, &document.root());
+    declare(&document, &document.root_of(&schema::DYNAMICS_FILE));
     if !frames::repeat(&mut document) {
         return document.finish(None);
     }
@@ -238,9 +238,9 @@ fn declare(document: &Document, root: &Table<'_>) {
 
 /// Reads every card, in an order in which each finds the names that it uses.
 fn cards(document: &Document, default_name: &str) -> Option<Input> {
-    let root = document.root();
+    let root = document.root_of(&schema::DYNAMICS_FILE);
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
-    let _declared = (root.has("units"), root.has("parameters"));
+    let _read = ["units", "parameters", "include"].map(|key| root.has(key));
     let mut drives = drives::read_named(&root);
     let control = control::declare(&root, &mut drives);
     let properties = properties::read(&root, &drives);

@@ -32,7 +32,7 @@ impl ModeKind {
     pub const PURE: [Self; 4] = [Self::Flap, Self::Lag, Self::Torsion, Self::Axial];
 
     /// The word for the kind.
-    pub fn word(self) -> &'static str {
+    pub const fn word(self) -> &'static str {
         match self {
             Self::Flap => "flap",
             Self::Lag => "lag",

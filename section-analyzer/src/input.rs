@@ -171,7 +171,7 @@ struct WrittenSection {
 
 impl WrittenSection {
     fn read(document: &Document) -> Self {
-        let root = document.root();
+        let root = document.root_of(&schema::SECTION_FILE);
         document.declare_units(&root);
         let name = name(&root).unwrap_or_else(|| name_of(Path::new(document.file())));
         let mesh = root.require_text("mesh", "the path of a gmsh file, from this file's folder");

@@ -2,7 +2,8 @@
 //!
 //! A [`Document`] is read once; a [`Table`] returns the values of one table, notes every
 //! problem with file and line, and at [`Table::finish`] reports the keys that were not
-//! requested, with the nearest name that was. A request returns `None` both if an
+//! requested or that its description does not have, with the nearest name. A [`Key`] is
+//! the declaration of a key, by which [`Table::get`] reads it. A request returns `None` both if an
 //! optional key is absent and if it is wrong; in the latter case the problem has been
 //! noted and [`Document::finish`] fails.
 
@@ -15,21 +16,28 @@ use crate::error::{Diagnostics, Explain, Place};
 use crate::files::read_bytes;
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
+mod declare;
 mod include;
+mod inner;
 mod item;
+mod key;
 mod nested;
 mod parameters;
 mod problem;
 mod repeat;
+pub mod schema;
 mod syntax;
 mod table;
 mod tree;
 
+pub use declare::meaning;
 pub use item::Item;
+pub use key::{ByHand, Declared, Key, Value};
 pub use problem::DocumentProblem;
 pub use table::Table;
 
 use parameters::Parameters;
+use schema::TableSchema;
 use syntax::syntax_problems;
 use tree::{Entry, Lines};
 
@@ -80,6 +88,11 @@ impl Document {
     /// The top table of the file.
     pub fn root(&self) -> Table<'_> {
         Table::new(self, &self.root, "the file".to_owned(), 1)
+    }
+
+    /// The top table of a file that has only the keys of `schema`.
+    pub fn root_of(&self, schema: &'static TableSchema) -> Table<'_> {
+        self.root().described(schema)
     }
 
     /// The file name, as shown in messages.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::blade_options::BladeOptions;
 use super::plot::PlotOptions;
@@ -194,6 +194,27 @@ Examples:
   beam-dynamics convert nrel.blade.json nrel.st
   beam-dynamics convert nrel.blade.json table.dat --to dymore";
 
+const SCHEMA: &str = "\
+Writes the description of the dynamics file
+
+As a JSON schema (draft 2020-12), editors complete the keys of a dynamics file and mark \
+mistakes; as Markdown it is the reference page of all keys.";
+
+const SCHEMA_EXAMPLE: &str = "\
+Example, for the editors that use Taplo (Even Better TOML): write the schema
+  beam-dynamics schema --out dynamics.schema.json
+and name it in the first line of the dynamics file:
+  #:schema ./dynamics.schema.json";
+
+/// Formats of the description.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum SchemaFormat {
+    /// A JSON schema
+    Json,
+    /// The reference page
+    Markdown,
+}
+
 /// A length above zero, for files that contain none.
 fn length(text: &str) -> Result<f64, String> {
     let value: Option<f64> = text.parse().ok();
@@ -304,5 +325,14 @@ pub(super) enum Command {
         /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file
         #[arg(long, value_name = "METERS", value_parser = length, allow_negative_numbers = true)]
         length: Option<f64>,
+    },
+    #[command(about = first_line(SCHEMA), long_about = SCHEMA, after_help = SCHEMA_EXAMPLE)]
+    Schema {
+        /// Format of the description
+        #[arg(long, value_enum, default_value_t = SchemaFormat::Json)]
+        format: SchemaFormat,
+        /// File to write instead of printing
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
     },
 }

@@ -1,7 +1,9 @@
 //! Explicit beams.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Rows, Table as OneTable, Tables, Text, Texts};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
@@ -16,6 +18,28 @@ use super::heat;
 use super::laws::{self, LawProblem};
 use super::problem::InputProblem;
 use crate::elements::beams::{BeamGeometry, BeamNode};
+
+keys! {
+    /// A beam of three nodes.
+    pub(super) CARD = "[[beam]]";
+    /// Its name, for messages and output.
+    NAME: ByHand = "name", [Text], or "`beam` and its number", "\"arm\"";
+    /// The names of three nodes along the beam, the middle one within 5 % of the middle.
+    NODES: ByHand = "nodes", [Texts], required, "[\"root\", \"mid\", \"tip\"]";
+    /// The name of properties; needed unless the beam has a `law`.
+    PROPERTIES: ByHand = "properties", [Text], optional, "\"strip\"";
+    /// Law of the section in place of stiffness and damping of the properties, which then give
+    /// only the mass.
+    LAW: ByHand = "law", [OneTable(&laws::SECTION), Tables(&laws::SECTION)], optional, "";
+    /// Offsets of the beam from its three nodes, in the axes of the nodes.
+    OFFSETS: ByHand = "offsets", [Rows(3, 3)], or "zero", "[[0, 0, 0], [0, 0.1, 0], [0, 0.1, 0]]";
+    /// Rotation vectors from the axes of the three nodes to the axes of the section, x along the
+    /// beam.
+    SECTION_AXES: ByHand = "section_axes", [Rows(3, 3)], or "zero",
+        "[[0, 0, 90], [0, 0, 90], [0, 0, 90]]";
+    with formulation::FORMULATION.schema, formulation::INTERPOLATION.schema,
+        formulation::INERTIA.schema, heat::HEAT[0], heat::HEAT[1];
+}
 
 /// Adds every `[[beam]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {

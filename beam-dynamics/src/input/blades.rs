@@ -1,12 +1,15 @@
 //! Blades: a card for whole lines of beams, their roots and their masses.
 
 use nalgebra::Vector3;
-use shared_geom::document::Table;
+use shared_geom::document::schema::TableSchema;
+use shared_geom::document::schema::ValueKind::{Boolean, Tables};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 
 use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
 use super::draft::Draft;
-use super::formulation::{self, Inertia};
+use super::formulation::{self, FORMULATION, INERTIA, INTERPOLATION, Inertia};
 use crate::case::BladeNodes;
 use crate::elements::beams::{BeamGeometry, BeamNode, Formulation};
 use crate::elements::bodies::RigidInertia;
@@ -33,6 +36,39 @@ use laid::Laid;
 use masses::PointMass;
 use seats::Seat;
 use source::Source;
+
+/// Blades of a rotor.
+pub(super) const CARD: TableSchema = TableSchema {
+    title: "[[blade]]",
+    meaning: "One blade or several equal ones, with nodes, beams, root and masses.",
+    keys: &[
+        seats::NAME.schema,
+        seats::HUB_RADIUS.schema,
+        seats::ROOT.schema,
+        seats::AZIMUTH.schema,
+        seats::COUNT.schema,
+        seats::AZIMUTHS.schema,
+        seats::NAMES.schema,
+        seats::PRECONE.schema,
+        seats::PITCH.schema,
+        FORMULATION.schema,
+        INTERPOLATION.schema,
+        INERTIA.schema,
+        CLAMP_ROOT.schema,
+        HINGES.schema,
+        MASS.schema,
+    ],
+    families: &[pieces::PIECES, stations::STATIONS],
+};
+
+keys! {
+    /// Whether the root is clamped to the frame, or to the hub if it has a support.
+    CLAMP_ROOT: ByHand = "clamp_root", [Boolean], or "true without `hinges`", "false";
+    /// Hinges between hub and root, from the hub outward.
+    HINGES: ByHand = "hinges", [Tables(&hinges::CARD)], optional, "";
+    /// Point masses on every blade of the card.
+    MASS: ByHand = "mass", [Tables(&masses::CARD)], optional, "";
+}
 
 /// Attachment of the root of a blade.
 enum Root {

@@ -1,12 +1,33 @@
 //! Bodies: concentrated masses.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Positive, Text, Vector};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use super::moments::moments;
+use super::moments::{INERTIA, moments};
 use crate::elements::bodies::RigidInertia;
+
+keys! {
+    /// A concentrated mass on a node.
+    pub(super) CARD = "[[body]]";
+    /// Its name, for messages.
+    NAME: ByHand = "name", [Text], or "`body` and its number", "\"counterweight\"";
+    /// The name of a node.
+    NODE: String = "node", [Text], required, "\"tip\"";
+    with MASS.schema, OFFSET.schema, INERTIA.schema;
+}
+
+keys! {
+    /// Mass.
+    pub(super) MASS: f64 = "mass", [Positive(Dimension::MASS)], required, "12";
+    /// Position of its center relative to the node, in the node's axes; on a blade relative to
+    /// the line.
+    pub(super) OFFSET: Vector3<f64> = "offset", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0.2, 0]";
+}
 
 /// Adds every `[[body]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
@@ -16,7 +37,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
             .unwrap_or_else(|| format!("body {}", number + 1));
         let is_new = draft.take_label("body", &label, table);
         let words = format!("body \"{label}\"");
-        let name = table.require_text("node", "the name of a node");
+        let name = table.get(&NODE);
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
         let lump = lump(table, &label);
         table.finish();
@@ -50,11 +71,7 @@ impl Lump {
 
 /// Reads `mass`, `offset` and `inertia`.
 pub(super) fn lump(table: &Table<'_>, label: &str) -> Option<Lump> {
-    let mass = table.require_positive("mass", Dimension::MASS);
-    let offset = match table.has("offset") {
-        true => table.vector("offset", Dimension::LENGTH),
-        false => Some(Vector3::zeros()),
-    };
+    let (mass, offset) = (table.get(&MASS), table.get(&OFFSET));
     let moments = moments(table, label);
     Some(Lump {
         mass: mass?,

@@ -1,14 +1,23 @@
 //! Clamps.
 
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::Text;
+use shared_geom::keys;
 
 use super::draft::Draft;
+
+keys! {
+    /// A node that the frame of the model holds, or the hub if it has a support.
+    pub(super) CARD = "[[clamp]]";
+    /// The name of a node.
+    NODE: String = "node", [Text], required, "\"root\"";
+}
 
 /// Adds every `[[clamp]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("clamp").iter().enumerate() {
         let words = format!("clamp {}", number + 1);
-        let name = table.require_text("node", "the name of a node");
+        let name = table.get(&NODE);
         table.finish();
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
         match node {

@@ -1,6 +1,8 @@
 //! `[output]`: output of a run in time, and the columns of its tables.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Boolean, Count, Positive, Tables};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
@@ -15,6 +17,26 @@ mod problem;
 mod tests;
 
 pub use problem::ColumnProblem;
+
+keys! {
+    /// Files that a run in time writes.
+    pub(super) CARD = "[output]";
+    /// Interval of the rows: a number of steps, or a time with its unit. The last state is always
+    /// written.
+    EVERY: ByHand = "every", [Count(usize::MAX), Positive(Dimension::TIME)], or "1", "10";
+    /// Whether to write the CSV table.
+    CSV: bool = "csv", [Boolean], or "true" = true, "false";
+    /// Whether to write the NetCDF table.
+    NETCDF: bool = "netcdf", [Boolean], or "true" = true, "false";
+    /// A field file every this number of rows.
+    VTU: Option<usize> = "vtu", [Count(usize::MAX)], optional, "5";
+    /// Interval of the saved states: a number of steps, or a time with its unit.
+    RESTART_EVERY: ByHand = "restart_every", [Count(usize::MAX), Positive(Dimension::TIME)],
+        or "only the last state", "\"0.5 s\"";
+    /// Columns of the tables.
+    COLUMN: ByHand = "column", [Tables(&column::CARD)],
+        or "positions of the nodes, electric quantities and energies", "";
+}
 
 /// Largest number of values in a table: some thirty gigabytes of text and binary.
 const MOST_NUMBERS: f64 = 1e9;
@@ -72,15 +94,7 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
         true => every(table, "restart_every").map(Some),
         false => Some(None),
     };
-    let switch = |key: &str| match table.has(key) {
-        true => table.boolean(key),
-        false => Some(true),
-    };
-    let (csv, netcdf) = (switch("csv"), switch("netcdf"));
-    let vtu = match table.has("vtu") {
-        true => table.count("vtu").map(Some),
-        false => Some(None),
-    };
+    let (csv, netcdf, vtu) = (table.get(&CSV), table.get(&NETCDF), table.get(&VTU));
     let columns = column::read(table, draft);
     table.finish();
     Some(OutputQuestion {

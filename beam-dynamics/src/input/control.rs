@@ -15,6 +15,9 @@ mod state_spaces;
 #[cfg(test)]
 mod tests;
 
+pub(super) use actuators::CARD as ACTUATOR;
+pub(super) use sensors::CARD as SENSOR;
+pub(super) use state_spaces::STATE_SPACE;
 pub use state_spaces::StateSpaceProblem;
 
 /// The cards whose names expressions may read.

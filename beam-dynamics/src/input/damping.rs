@@ -1,12 +1,44 @@
 //! Internal damping of a section: `damping = { time = ... }` or `{ matrix = [...] }`.
 
 use nalgebra::Matrix6;
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{NotNegative, Rows, Table as OneTable};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
 
-use super::number::not_negative;
 use super::problem::InputProblem;
+
+/// Internal damping.
+pub(super) const DAMPING: TableSchema = TableSchema {
+    title: "damping = { ... }",
+    meaning: "Internal damping, an internal force per rate of strain.",
+    keys: &[],
+    families: &[
+        Family {
+            name: "proportional",
+            meaning: "Proportional to the stiffness.",
+            keys: &[TIME.schema],
+        },
+        Family {
+            name: "viscous",
+            meaning: "By its matrix.",
+            keys: &[MATRIX.schema],
+        },
+    ],
+};
+
+keys! {
+    /// Ratio of damping to stiffness; a mode of angular frequency w has the damping ratio
+    /// `time` w / 2.
+    TIME: f64 = "time", [NotNegative(Dimension::TIME)], required, "1e-3";
+    /// Symmetric matrix of six rows, in the units of the file.
+    MATRIX: ByHand = "matrix", [Rows(6, 6)], required,
+        "[[9, 0, 0, 0, 0, 0], [0, 9, 0, 0, 0, 0], [0, 0, 9, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]";
+    /// Internal damping; of a file it replaces the damping in the file.
+    pub(super) KEY: ByHand = "damping", [OneTable(&DAMPING)], optional, "";
+}
 
 /// The damping of a table of properties: `None` if it is wrong, `Some(None)` if there is
 /// none.
@@ -18,9 +50,7 @@ pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
     let inner = table.table("damping")?;
     let given = KEYS.map(|key| inner.has(key));
     let damping = match given {
-        [true, false] => {
-            not_negative(&inner, "time", Dimension::TIME).map(Damping::StiffnessProportional)
-        }
+        [true, false] => inner.get(&TIME).map(Damping::StiffnessProportional),
         [false, true] => matrix(&inner).map(Damping::Viscous),
         _ => {
             table.note("damping", &InputProblem::OneDamping);

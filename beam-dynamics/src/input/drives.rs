@@ -12,6 +12,7 @@ use shared_geom::expression::{Names, written};
 use shared_geom::units::Dimension;
 
 mod columns;
+mod keys;
 mod kinds;
 mod measure;
 mod positive;
@@ -21,6 +22,7 @@ mod signals;
 mod tests;
 
 pub(super) use columns::from_file;
+pub(super) use keys::DRIVE;
 pub(super) use measure::Measure;
 pub use problem::DriveProblem;
 pub(super) use signals::{
@@ -131,6 +133,7 @@ type Find<'a> = dyn Fn(&str) -> Option<Named> + 'a;
 /// A drive in `measure`.
 fn drive(item: &Item<'_>, measure: Measure, find: &Find<'_>) -> Option<Drive> {
     if let Some(table) = item.table(&format!("the drive under \"{}\"", item.key())) {
+        let table = table.described(&DRIVE);
         let drive = kinds::read(&table, measure, find);
         if kinds::is_known(&table) {
             table.finish();

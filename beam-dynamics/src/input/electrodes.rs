@@ -7,15 +7,56 @@
 //! ```
 
 use nalgebra::DMatrix;
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Drive as OneDrive, NotNegative, Quantity, Text};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::document::{ByHand, Table};
 use shared_geom::error::{Explain, nearest_name};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::draft::{Draft, ElectrodeCard, electrode_names};
 use super::drives;
-use super::loads::beams;
+use super::loads::{BEAMS, BLADE, beams};
 use crate::elements::circuits::Circuit;
 use crate::model::Drive;
+
+/// An electrode and its circuit.
+pub(super) const CARD: TableSchema = TableSchema {
+    title: "[[electrode]]",
+    meaning: "An electrode of the property file over all beams of a blade, or over named beams, \
+              and its circuit.",
+    keys: &[NAME.schema, ELECTRODE.schema, BLADE.schema, BEAMS.schema],
+    families: &[
+        Family {
+            name: "open",
+            meaning: "Not connected: the charge is held, and the voltage follows.",
+            keys: &[CHARGE.schema],
+        },
+        Family {
+            name: "connected",
+            meaning: "At the voltage of a source, directly or through resistance and inductance; \
+                      at least one key.",
+            keys: &[VOLTAGE.schema, RESISTANCE.schema, INDUCTANCE.schema],
+        },
+    ],
+};
+
+keys! {
+    /// The name of the electrode, used by columns and reports.
+    NAME: ByHand = "name", [Text], or "`electrode` and its number", "\"afc\"";
+    /// Its name in the property file.
+    ELECTRODE: ByHand = "electrode", [Text], or "`name`", "\"sensor\"";
+    /// Held charge; zero is the charge of the undeformed beams without voltage.
+    CHARGE: f64 = "charge", [Quantity(Dimension::CHARGE)], required, "0";
+    /// Voltage of the source relative to ground.
+    VOLTAGE: ByHand = "voltage", [OneDrive(Dimension::VOLTAGE)], or "0", "\"= 250*sin(20*t)\"";
+    /// Resistance in series.
+    RESISTANCE: f64 = "resistance", [NotNegative(Dimension::RESISTANCE)], or "0" = 0.0,
+        "\"20 kOhm\"";
+    /// Inductance in series.
+    INDUCTANCE: f64 = "inductance", [NotNegative(Dimension::INDUCTANCE)], or "0" = 0.0,
+        "\"40 H\"";
+}
 
 /// Keys of a circuit without a prescribed charge.
 const OF_SOURCE: [&str; 3] = ["voltage", "resistance", "inductance"];
@@ -267,7 +308,7 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
     let electrode = label.to_owned();
     let given = OF_SOURCE.map(|key| table.has(key));
     if table.has("charge") {
-        let charge = table.quantity("charge", Dimension::CHARGE);
+        let charge = table.get(&CHARGE);
         if let Some(other) = given.iter().position(|given| *given) {
             let key = OF_SOURCE[other];
             table.note(key, &ElectrodeProblem::ChargeAnd { electrode, key });
@@ -283,8 +324,7 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
         true => drives::read_signal(table, "voltage", Dimension::VOLTAGE, draft.drives()),
         false => Some(Drive::Constant(0.0).into()),
     };
-    let resistance = not_negative(table, "resistance", Dimension::RESISTANCE);
-    let inductance = not_negative(table, "inductance", Dimension::INDUCTANCE);
+    let (resistance, inductance) = (table.get(&RESISTANCE), table.get(&INDUCTANCE));
     let (source, resistance, inductance) = (source?, resistance?, inductance?);
     if given == [true, false, false] {
         return Some(Circuit::Held(source));
@@ -299,19 +339,6 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
         resistance,
         inductance,
     })
-}
-
-/// A number, zero or more; zero if absent.
-fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-    if !table.has(key) {
-        return Some(0.0);
-    }
-    let value = table.quantity(key, dimension)?;
-    if value < 0.0 {
-        table.wrong(key, &format!("{dimension}, zero or more"));
-        return None;
-    }
-    Some(value)
 }
 
 /// Notes electrodes whose voltage does not follow from their charge.

@@ -4,10 +4,26 @@
 //! of the thesis come as a set: forces, rigid portions and loads on portions.
 
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::Word;
+use shared_geom::keys;
 use shared_geom::rotation::parameters::Parametrization;
 
 use super::problem::InputProblem;
 use crate::elements::beams::Formulation;
+
+keys! {
+    /// Formulation of the beams: variational, or the finite volumes of the thesis, with their own
+    /// masses and loads.
+    pub(super) FORMULATION: usize = "formulation", [Word(&["variational", "finite-volume"])],
+        or "\"variational\"" = 0, "\"finite-volume\"";
+    /// Interpolation of rotations in finite-volume beams.
+    pub(super) INTERPOLATION: Option<usize> = "interpolation",
+        [Word(&["gibbs", "rotation-vector"])], optional, "\"rotation-vector\"";
+    /// Inertia of the beams: bodies at the nodes, or consistent, the latter only for the
+    /// variational beam.
+    pub(super) INERTIA: usize = "inertia", [Word(&["lumped", "consistent"])],
+        or "\"lumped\"" = 0, "\"consistent\"";
+}
 
 /// Motion of the mass of a beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,17 +47,14 @@ pub(super) fn read(table: &Table<'_>) -> Option<(Formulation, Inertia)> {
 }
 
 fn formulation(table: &Table<'_>) -> Option<Formulation> {
-    let is_volume = match table.has("formulation") {
-        true => table.word("formulation", &["variational", "finite-volume"])? == 1,
-        false => false,
-    };
-    if !table.has("interpolation") {
+    let (formulation, interpolation) = (table.get(&FORMULATION), table.get(&INTERPOLATION));
+    let is_volume = formulation? == 1;
+    let Some(word) = interpolation? else {
         return Some(match is_volume {
             true => Formulation::FiniteVolume(Parametrization::Gibbs),
             false => Formulation::Variational,
         });
-    }
-    let word = table.word("interpolation", &["gibbs", "rotation-vector"])?;
+    };
     if !is_volume {
         table.note("interpolation", &InputProblem::OwnInterpolation);
         return None;
@@ -51,11 +64,7 @@ fn formulation(table: &Table<'_>) -> Option<Formulation> {
 }
 
 fn inertia(table: &Table<'_>) -> Option<Inertia> {
-    if !table.has("inertia") {
-        return Some(Inertia::Lumped);
-    }
-    let word = table.word("inertia", &["lumped", "consistent"])?;
-    Some([Inertia::Lumped, Inertia::Consistent][word])
+    Some([Inertia::Lumped, Inertia::Consistent][table.get(&INERTIA)?])
 }
 
 #[cfg(test)]

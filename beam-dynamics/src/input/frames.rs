@@ -4,16 +4,48 @@
 //! A point p of a frame at x with the axes A is at `x + A p`, a direction d points along
 //! `A d`; frames may be in frames.
 
+use shared_geom::document::schema::ValueKind::{Count, Quantity, Text, Vector};
+use shared_geom::keys;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::{Document, Table};
+use shared_geom::document::{ByHand, Document, Table};
 use shared_geom::error::{Explain, nearest_name};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
+
+keys! {
+    /// A frame in which cards are written; fixed in the undeformed model.
+    pub(super) CARD = "[[frame]]";
+    /// The name of the frame.
+    NAME: String = "name", [Text], required, "\"nacelle\"";
+    /// Position of its origin.
+    POSITION: Vector3<f64> = "position", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 80]";
+    /// Rotation vector of its axes.
+    ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, -5, 0]";
+    /// Rotation about an axis, in place of `orientation`.
+    TURN: ByHand = "turn", [Quantity(Dimension::ANGLE)], optional, "30";
+    with AXIS.schema, CENTER.schema, IN.schema;
+}
+
+keys! {
+    /// The name of the frame in which the card is written.
+    pub(super) IN: ByHand = "in", [Text], or "the frame of the model", "\"rotor\"";
+    /// Axis of the rotation, of any length.
+    pub(super) AXIS: ByHand = "axis", [Vector(3, Dimension::NUMBER)], or "[0, 0, 1]", "[1, 0, 0]";
+    /// A point on the axis.
+    pub(super) CENTER: Vector3<f64> = "center", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 80]";
+    /// The name of the copies' frames.
+    pub(super) REPEAT_NAME: ByHand = "name", [Text], or "`repeat` and its number", "\"arm\"";
+    /// Number of copies, evenly spaced over a turn.
+    pub(super) COPIES: usize = "count", [Count(usize::MAX)], required, "3";
+}
 
 /// Cards that may be written in a frame.
 pub(super) const FRAMED: [&str; 10] = [
@@ -149,9 +181,9 @@ pub(super) fn read(root: &Table<'_>) -> Frames {
     for table in root.tables("repeat") {
         let _ = table.has("in");
         let _ = table.text("name");
-        let _ = table.require_count("count");
+        let _ = table.get(&COPIES);
         let _ = axis(&table);
-        let _ = point(&table, "center");
+        let _ = table.get(&CENTER);
         table.finish();
     }
     let tables = root.tables("frame");
@@ -170,7 +202,7 @@ pub(super) fn read(root: &Table<'_>) -> Frames {
 fn named<'a, 'd>(tables: &'a [Table<'d>]) -> BTreeMap<String, &'a Table<'d>> {
     let mut named: BTreeMap<String, &Table<'_>> = BTreeMap::new();
     for table in tables {
-        let Some(name) = table.require_text("name", "the name of the frame") else {
+        let Some(name) = table.get(&NAME) else {
             continue;
         };
         if let Some(first) = named.get(&name) {
@@ -232,8 +264,7 @@ impl Reader<'_, '_> {
 /// The frame of a card, in the frame that contains it: at `position` with `orientation`,
 /// or turned by `turn` about an `axis` through a `center`.
 fn frame(table: &Table<'_>) -> Option<Frame> {
-    let position = point(table, "position");
-    let orientation = point_of(table, "orientation", Dimension::ANGLE);
+    let (position, orientation) = (table.get(&POSITION), table.get(&ORIENTATION));
     if !table.has("turn") {
         return Some(Frame {
             position: position?,
@@ -245,7 +276,7 @@ fn frame(table: &Table<'_>) -> Option<Frame> {
         return None;
     }
     let turn = table.quantity("turn", Dimension::ANGLE);
-    let (axis, center) = (axis(table), point(table, "center"));
+    let (axis, center) = (axis(table), table.get(&CENTER));
     let (turn, center) = (turn?, center?);
     let rotation = match turn == 0.0 {
         true => Matrix3::identity(),
@@ -267,15 +298,4 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
         table.note("axis", &InputProblem::NoAxis);
     }
     unit
-}
-
-fn point(table: &Table<'_>, key: &str) -> Option<Vector3<f64>> {
-    point_of(table, key, Dimension::LENGTH)
-}
-
-fn point_of(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
-    match table.has(key) {
-        true => table.vector(key, dimension),
-        false => Some(Vector3::zeros()),
-    }
 }

@@ -9,8 +9,11 @@
 //!
 //! Without these keys nothing is heated, whatever the property file contains.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::KeySchema;
+use shared_geom::document::schema::ValueKind::{Drive as OneDrive, NamedDrives};
+use shared_geom::document::{ByHand, Table};
 use shared_geom::error::{Explain, nearest_name};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::beam_section::{Acting, Heat, Properties, TEMPERATURE};
@@ -19,6 +22,16 @@ use super::number::short_number;
 use crate::elements::laws::Driven;
 use crate::elements::{Instant, Signal};
 use crate::model::Drive;
+
+keys! {
+    /// Uniform rise of temperature; needs the thermal force of the properties.
+    TEMPERATURE_RISE: ByHand = "temperature", [OneDrive(Dimension::TEMPERATURE)], optional, "50";
+    /// Factors of the named imposed states of the property file.
+    IMPOSED: ByHand = "imposed", [NamedDrives(Dimension::NUMBER)], optional, "{ cure = 1 }";
+}
+
+/// The keys of heat, for the descriptions of cards that have them.
+pub(super) const HEAT: [KeySchema; 2] = [TEMPERATURE_RISE.schema, IMPOSED.schema];
 
 /// The keys, as cards have them.
 const KEYS: [&str; 2] = ["temperature", "imposed"];

@@ -1,15 +1,60 @@
 //! The hub: axis of rotation, direction of azimuth zero, and support.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{NotNegative, Table as OneTable, Vector};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::moments::moments;
+use super::moments::{INERTIA, moments};
 use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::case::Spin;
 use crate::elements::bodies::RigidInertia;
+
+keys! {
+    /// Rotation of the model, and the support of the hub.
+    pub(super) CARD = "[hub]";
+    /// Axis of rotation, of any length.
+    AXIS: ByHand = "axis", [Vector(3, Dimension::NUMBER)], or "[0, 0, 1]", "[0, 0, -1]";
+    /// A point on the axis, the center of the hub.
+    CENTER: ByHand = "center", [Vector(3, Dimension::LENGTH)], or "[0, 0, 0]", "[0, 0, 80]";
+    /// Stiffnesses of the support; the hub is then the node `hub`. Directions that are not named
+    /// are fixed.
+    SUPPORT: ByHand = "support", [OneTable(&SUPPORT_TABLE)], optional, "";
+    /// Dampers of the support.
+    SUPPORT_DAMPING: ByHand = "support_damping", [OneTable(&DAMPING_TABLE)], optional, "";
+    /// Mass of the hub; only with `support`.
+    MASS: f64 = "mass", [NotNegative(Dimension::MASS)], or "0" = 0.0, "2500";
+    with INERTIA.schema;
+}
+
+keys! {
+    /// Stiffness in each direction.
+    SUPPORT_TABLE = "support = { ... }";
+    /// Across the axis.
+    IN_PLANE: ByHand = "in_plane", [NotNegative(Dimension::SPRING_STIFFNESS)], or "fixed", "4e6";
+    /// Along the axis.
+    AXIAL: ByHand = "axial", [NotNegative(Dimension::SPRING_STIFFNESS)], or "fixed", "9e6";
+    /// About the diameters, moment per radian.
+    TILT: ByHand = "tilt", [NotNegative(Dimension::MOMENT)], or "fixed", "2e7";
+    /// About the axis, moment per radian.
+    TORSION: ByHand = "torsion", [NotNegative(Dimension::MOMENT)], or "fixed", "2e7";
+}
+
+keys! {
+    /// Damping in each direction that the support has.
+    DAMPING_TABLE = "support_damping = { ... }";
+    /// Across the axis.
+    IN_PLANE_DAMPER: ByHand = "in_plane", [NotNegative(Dimension::DAMPER)], or "0", "3e4";
+    /// Along the axis.
+    AXIAL_DAMPER: ByHand = "axial", [NotNegative(Dimension::DAMPER)], or "0", "3e4";
+    /// About the diameters.
+    TILT_DAMPER: ByHand = "tilt", [NotNegative(Dimension::TURNING_DAMPER)], or "0", "1e4";
+    /// About the axis.
+    TORSION_DAMPER: ByHand = "torsion", [NotNegative(Dimension::TURNING_DAMPER)], or "0", "1e4";
+}
 
 /// Name of the node of a hub that moves.
 pub(super) const HUB: &str = "hub";
@@ -148,10 +193,7 @@ impl MovingHub {
             }
             return useless.is_empty().then_some(None);
         }
-        let mass = match table.has("mass") {
-            true => not_negative(table, "mass", Dimension::MASS),
-            false => Some(0.0),
-        };
+        let mass = table.get(&MASS);
         let moments = moments(table, HUB);
         let stiffness = [Dimension::SPRING_STIFFNESS, Dimension::MOMENT];
         let stiffness = directions(table, "support", stiffness);

@@ -1,45 +1,79 @@
 //! Properties given in the card, by stiffnesses and inertias about their centers.
 
 use nalgebra::{Vector2, Vector6};
-use shared_geom::document::Table;
+use shared_geom::document::schema::Family;
+use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Vector};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::section::{Centers, Engineering, Provenance, SectionProperties};
 use shared_geom::units::Dimension;
 
 use super::beam_section::{Properties, usable};
 use super::damping;
-use super::number::not_negative;
 use super::problem::InputProblem;
 
-/// Keys of properties given in the card.
-pub(super) const KEYS: [&str; 13] = [
-    "ea",
-    "gay",
-    "gaz",
-    "gj",
-    "eiy",
-    "eiz",
-    "m",
-    "iy",
-    "iz",
-    "tension_center",
-    "shear_center",
-    "mass_center",
-    "thermal_force",
-];
+/// Properties given by numbers.
+pub(super) const NUMBERS: Family = Family {
+    name: "numbers",
+    meaning: "By stiffnesses and inertias about their centers.",
+    keys: &[
+        EA.schema,
+        GAY.schema,
+        GAZ.schema,
+        GJ.schema,
+        EIY.schema,
+        EIZ.schema,
+        M.schema,
+        IY.schema,
+        IZ.schema,
+        TENSION_CENTER.schema,
+        SHEAR_CENTER.schema,
+        MASS_CENTER.schema,
+        THERMAL_FORCE.schema,
+    ],
+};
+
+keys! {
+    /// Axial stiffness.
+    EA: f64 = "ea", [Positive(Dimension::FORCE)], required, "3e6";
+    /// Shear stiffness along y.
+    GAY: f64 = "gay", [Positive(Dimension::FORCE)], required, "9.5e5";
+    /// Shear stiffness along z.
+    GAZ: f64 = "gaz", [Positive(Dimension::FORCE)], required, "9.5e5";
+    /// Torsional stiffness.
+    GJ: f64 = "gj", [Positive(Dimension::BENDING_STIFFNESS)], required, "2.8";
+    /// Bending stiffness about y, flap.
+    EIY: f64 = "eiy", [Positive(Dimension::BENDING_STIFFNESS)], required, "0.64";
+    /// Bending stiffness about z, lag.
+    EIZ: f64 = "eiz", [Positive(Dimension::BENDING_STIFFNESS)], required, "160";
+    /// Mass per length.
+    M: f64 = "m", [NotNegative(Dimension::MASS_PER_LENGTH)], required, "0.11";
+    /// Moment of inertia per length about y through the mass center.
+    IY: f64 = "iy", [NotNegative(Dimension::INERTIA_PER_LENGTH)], required, "2.4e-8";
+    /// Moment of inertia per length about z through the mass center; the polar one is the sum.
+    IZ: f64 = "iz", [NotNegative(Dimension::INERTIA_PER_LENGTH)], required, "5.9e-6";
+    /// Tension center, y and z from the reference point.
+    TENSION_CENTER: ByHand = "tension_center", [Vector(2, Dimension::LENGTH)], or "[0, 0]",
+        "[0.3, -0.1]";
+    /// Shear center, y and z from the reference point.
+    SHEAR_CENTER: ByHand = "shear_center", [Vector(2, Dimension::LENGTH)], or "[0, 0]",
+        "[-0.2, 0.05]";
+    /// Mass center, y and z from the reference point.
+    MASS_CENTER: ByHand = "mass_center", [Vector(2, Dimension::LENGTH)], or "[0, 0]",
+        "[0.1, 0.02]";
+    /// Internal force of the restrained beam per declared unit of temperature, forces and moments
+    /// in declared units.
+    THERMAL_FORCE: ByHand = "thermal_force", [Vector(6, Dimension::NUMBER)], optional,
+        "[-80, 0, 0, 0, 0.4, 0]";
+}
 
 /// Reads a table `[properties.NAME]` without a file.
 pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
-    const FORCE: Dimension = Dimension::FORCE;
-    const MOMENT: Dimension = Dimension::BENDING_STIFFNESS;
-    let dimensions = [FORCE, FORCE, FORCE, MOMENT, MOMENT, MOMENT];
     // All keys are read, so that all problems are reported.
-    let stiffness: [_; 6] = std::array::from_fn(|i| table.require_positive(KEYS[i], dimensions[i]));
-    let mass = [
-        not_negative(table, "m", Dimension::MASS_PER_LENGTH),
-        not_negative(table, "iy", Dimension::INERTIA_PER_LENGTH),
-        not_negative(table, "iz", Dimension::INERTIA_PER_LENGTH),
-    ];
-    let centers = ["tension_center", "shear_center", "mass_center"].map(|key| center(table, key));
+    let stiffness = [&EA, &GAY, &GAZ, &GJ, &EIY, &EIZ].map(|key| table.get(key));
+    let mass = [&M, &IY, &IZ].map(|key| table.get(key));
+    let centers = [&TENSION_CENTER, &SHEAR_CENTER, &MASS_CENTER];
+    let centers = centers.map(|key| center(table, key.name()));
     let damping = damping::read(table);
     let thermal_force = thermal_force(table);
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
@@ -67,7 +101,7 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
 /// Internal force per kelvin of the restrained beam, about the reference point;
 /// `Some(None)` if absent.
 fn thermal_force(table: &Table<'_>) -> Option<Option<Vector6<f64>>> {
-    const KEY: &str = "thermal_force";
+    const KEY: &str = THERMAL_FORCE.name();
     if !table.has(KEY) {
         return Some(None);
     }

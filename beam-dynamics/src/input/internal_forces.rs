@@ -1,14 +1,67 @@
 //! Forces between two nodes: `[[internal_force]]`.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Quantity, Text, Texts, Vector, Vectors, Word};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use super::frames::Frame;
+use super::frames::{Frame, IN};
 use super::laws::LawProblem;
+use super::loads::{CONSTANT, DRIVE};
 use super::{drives, ends};
 use crate::elements::loads::{Between, InternalForce, LoadFactor};
+
+/// A force between two nodes.
+pub(super) const CARD: TableSchema = TableSchema {
+    title: "[[internal_force]]",
+    meaning: "A force and a moment on a node, and the opposite ones on another.",
+    keys: &[
+        NAME.schema,
+        NODES.schema,
+        DRIVE.schema,
+        CONSTANT.schema,
+        IN.schema,
+    ],
+    families: &[
+        Family {
+            name: "along the line",
+            meaning: "Along the line between the two points.",
+            keys: &[TENSION.schema, OFFSETS.schema],
+        },
+        Family {
+            name: "in axes",
+            meaning: "By components, which turn with the first node; one of force and moment is \
+                      needed.",
+            keys: &[FORCE.schema, MOMENT.schema, OFFSET.schema, AXES.schema],
+        },
+    ],
+};
+
+keys! {
+    /// Its name, for messages.
+    NAME: ByHand = "name", [Text], or "`internal force` and its number", "\"jack\"";
+    /// The names of two nodes.
+    NODES: ByHand = "nodes", [Texts], required, "[\"foot\", \"hook\"]";
+    /// Tension along the line between the nodes.
+    TENSION: f64 = "tension", [Quantity(Dimension::FORCE)], required, "\"2 kN\"";
+    /// Offsets of the points from the two nodes, in their axes.
+    OFFSETS: ByHand = "offsets", [Vectors(3, Dimension::LENGTH)], or "zero",
+        "[[0, 0, 0], [0.1, 0, 0]]";
+    /// Force on the second node.
+    FORCE: Vector3<f64> = "force", [Vector(3, Dimension::FORCE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 120]";
+    /// Moment on the second node.
+    MOMENT: Vector3<f64> = "moment", [Vector(3, Dimension::MOMENT)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 5, 0]";
+    /// Point of application relative to the second node, in its axes.
+    OFFSET: Vector3<f64> = "offset", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0.1, 0]";
+    /// Axes of the components: the model, or the first node, both undeformed.
+    AXES: usize = "axes", [Word(&["model", "node"])], or "\"model\"" = 0, "\"node\"";
+}
 
 /// Adds every `[[internal_force]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
@@ -28,10 +81,7 @@ fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalFo
     let words = format!("internal force \"{label}\"");
     let nodes = ends::nodes(table, draft, &words, false);
     let signal = drives::read_factor(table, "drive", draft.drives());
-    let factor = match table.has("constant") {
-        true => table.boolean("constant"),
-        false => Some(false),
-    };
+    let factor = table.get(&CONSTANT);
     let frame = draft.frames().of(table);
     let between = match table.has("tension") {
         true => along_line(table, nodes.as_deref()),
@@ -51,7 +101,7 @@ fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalFo
 }
 
 fn along_line(table: &Table<'_>, nodes: Option<&[usize]>) -> Option<Between> {
-    let tension = table.require_quantity("tension", Dimension::FORCE);
+    let tension = table.get(&TENSION);
     if let Some(second) = ["force", "moment"].into_iter().find(|key| table.has(key)) {
         let first = "tension";
         table.note(second, &LawProblem::Twice { first, second });
@@ -76,18 +126,9 @@ fn in_axes(
     nodes: Option<&[usize]>,
     (draft, frame): (&Draft, Option<Frame>),
 ) -> Option<Between> {
-    let vector = |key: &str, dimension: Dimension| match table.has(key) {
-        true => table.vector(key, dimension),
-        false => Some(Vector3::zeros()),
-    };
-    let force = vector("force", Dimension::FORCE);
-    let moment = vector("moment", Dimension::MOMENT);
-    let offset = vector("offset", Dimension::LENGTH);
-    let in_node = match table.has("axes") {
-        true => table.word("axes", &["model", "node"]),
-        false => Some(0),
-    };
-    if !table.has("force") && !table.has("moment") {
+    let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
+    let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
+    if !table.holds(&FORCE) && !table.holds(&MOMENT) {
         table.note("", &LawProblem::NoForce);
         return None;
     }

@@ -1,27 +1,70 @@
 //! Joints: hinges and rigid connections between two nodes, and joints of every kind.
 
 use nalgebra::Vector3;
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{
+    Drive as OneDrive, NotNegative, Text, Texts, Vector, Word,
+};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
 use super::drives::{self, Catalog};
 use super::ends::{label, pair};
+use super::frames::IN;
 use super::hinge_card::HingeCard;
-use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::elements::Signal;
 use crate::elements::joints::HingeSpring;
 use crate::model::Drive;
 
+mod keys;
 mod kinds;
 mod problem;
 
 #[cfg(test)]
 mod tests;
 
+pub(super) use keys::JOINT;
 pub(super) use kinds::read as read_joints;
 pub use problem::JointProblem;
+
+keys! {
+    /// A revolute joint with a spring and a damper.
+    pub(super) HINGE = "[[hinge]]";
+    /// Its name, for messages and output.
+    NAME: ByHand = "name", [Text], or "`hinge` and its number", "\"flap\"";
+    /// The names of two nodes; the second turns relative to the first.
+    NODES: ByHand = "nodes", [Texts], required, "[\"hub\", \"root\"]";
+    /// The direction of the axis, of any length.
+    AXIS: ByHand = "axis", [Vector(3, Dimension::NUMBER)], required, "[0, 1, 0]";
+    /// Axes of `axis`: the model, or the last node.
+    AXIS_IN: usize = "axis_in", [Word(&["model", "node"])], or "\"model\"" = 0, "\"node\"";
+    /// Position of the hinge relative to the second node, in its axes.
+    OFFSET: Vector3<f64> = "offset", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[-0.1, 0, 0]";
+    with STIFFNESS.schema, DAMPING.schema, ANGLE.schema, IN.schema;
+}
+
+keys! {
+    /// Stiffness of the spring, moment per radian.
+    pub(super) STIFFNESS: f64 = "stiffness", [NotNegative(Dimension::MOMENT)], or "0" = 0.0,
+        "\"40 kN*m\"";
+    /// Damper, moment per angular velocity in radians per time.
+    pub(super) DAMPING: f64 = "damping", [NotNegative(Dimension::TURNING_DAMPER)], or "0" = 0.0,
+        "\"900 N*m*s\"";
+    /// Angle at which the spring is relaxed; zero is the undeformed model.
+    pub(super) ANGLE: ByHand = "angle", [OneDrive(Dimension::ANGLE)], or "0", "4";
+}
+
+keys! {
+    /// Two nodes that move as one body.
+    pub(super) RIGID = "[[rigid]]";
+    /// Its name, for messages and output.
+    RIGID_NAME: ByHand = "name", [Text], or "`rigid connection` and its number", "\"bracket\"";
+    /// The names of two nodes, at any distance.
+    RIGID_NODES: ByHand = "nodes", [Texts], required, "[\"mast\", \"hub\"]";
+}
 
 /// Adds every `[[hinge]]` to the model.
 pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
@@ -31,15 +74,9 @@ pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
         let nodes = pair(table, draft, &format!("hinge \"{label}\""));
         let axis = axis(table);
         let frame = draft.frames().of(table);
-        let offset = match table.has("offset") {
-            true => table.vector("offset", Dimension::LENGTH),
-            false => Some(Vector3::zeros()),
-        };
+        let offset = table.get(&OFFSET);
         let spring = spring(table, draft.drives());
-        let in_node = match table.has("axis_in") {
-            true => table.word("axis_in", &["model", "node"]),
-            false => Some(0),
-        };
+        let in_node = table.get(&AXIS_IN);
         table.finish();
         match (nodes, axis.zip(frame), offset, spring, in_node) {
             (Some(nodes), Some((axis, frame)), Some(offset), Some(spring), Some(in_node))
@@ -89,12 +126,7 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
 
 /// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.
 pub(super) fn spring(table: &Table<'_>, drives: &Catalog) -> Option<HingeCard> {
-    let number = |key: &str, dimension: Dimension| match table.has(key) {
-        true => not_negative(table, key, dimension),
-        false => Some(0.0),
-    };
-    let stiffness = number("stiffness", Dimension::MOMENT);
-    let damping = number("damping", Dimension::TURNING_DAMPER);
+    let (stiffness, damping) = (table.get(&STIFFNESS), table.get(&DAMPING));
     let angle = match table.has("angle") {
         true => drives::read_signal(table, "angle", Dimension::ANGLE, drives),
         false => Some(Drive::Constant(0.0).into()),

@@ -11,6 +11,7 @@ use super::drives::{self, Catalog};
 use crate::elements::laws::{Driven, Law, Term};
 use crate::elements::{Instant, Signal, Smoothness};
 
+mod keys;
 mod kinds;
 mod numbers;
 mod problem;
@@ -18,6 +19,7 @@ mod problem;
 #[cfg(test)]
 mod tests;
 
+pub(super) use keys::{BOTH, DISPLACEMENT, ROD, SECTION};
 pub use problem::LawProblem;
 
 /// Least eigenvalue of the stiffness of a law, scaled to a unit diagonal, that is treated

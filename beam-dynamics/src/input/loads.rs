@@ -1,22 +1,110 @@
 //! Loads: on nodes and along beams, imposed motions, gravity.
 
+use shared_geom::document::schema::ValueKind::{
+    Boolean, Drive as OneDrive, Quantity, Table as OneTable, Text, Vector, Word,
+};
+use shared_geom::keys;
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use nalgebra::Vector3;
+use shared_geom::document::{ByHand, Table};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
 use super::drives;
+use super::frames::IN;
 use crate::elements::loads::{self, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 use crate::model::Drive;
 
 mod along_beams;
 mod problem;
 
-pub(super) use along_beams::beams;
+pub(super) use along_beams::{BEAMS, BLADE, CARD as DISTRIBUTED_LOAD, beams};
 pub use problem::LoadProblem;
+
+keys! {
+    /// A force and a moment on a node.
+    pub(super) LOAD = "[[load]]";
+    /// Its name, for messages.
+    NAME: ByHand = "name", [Text], or "`load` and its number", "\"thrust\"";
+    /// The name of a node.
+    NODE: String = "node", [Text], required, "\"tip\"";
+    /// Force; one of force and moment is needed.
+    FORCE: Vector3<f64> = "force", [Vector(3, Dimension::FORCE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 120]";
+    /// Moment.
+    MOMENT: Vector3<f64> = "moment", [Vector(3, Dimension::MOMENT)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 5, 0]";
+    /// Point of application relative to the node, in the node's axes.
+    OFFSET: Vector3<f64> = "offset", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0.1, 0]";
+    /// Axes of the components: the model, or the undeformed node.
+    AXES: usize = "axes", [Word(&["model", "node"])], or "\"model\"" = 0, "\"node\"";
+    with FOLLOWER.schema, CONSTANT.schema, DRIVE.schema, IN.schema;
+}
+
+keys! {
+    /// Whether the load turns with the node or the section; otherwise it is a dead load.
+    FOLLOWER: bool = "follower", [Boolean], or "false" = false, "true";
+    /// Whether the load is constant; otherwise it grows with the load factor of statics.
+    pub(super) CONSTANT: bool = "constant", [Boolean], or "false" = false, "true";
+    /// Factor of the load, which may depend on time and sensors.
+    pub(super) DRIVE: ByHand = "drive", [OneDrive(Dimension::NUMBER)], or "1", "\"= sin(t)\"";
+}
+
+keys! {
+    /// A prescribed motion of a node.
+    pub(super) IMPOSED = "[[imposed]]";
+    /// Its name, for messages.
+    IMPOSED_NAME: ByHand = "name", [Text], or "`imposed` and its number", "\"pin\"";
+    /// The name of a node that is not clamped.
+    IMPOSED_NODE: ByHand = "node", [Text], required, "\"end\"";
+    /// Prescribed displacements at load factor one; the others are free.
+    DISPLACEMENT: ByHand = "displacement",
+        [OneTable(&DISPLACEMENTS), Vector(3, Dimension::LENGTH)], optional, "{ y = 0, z = 0 }";
+    /// Prescribed components of the rotation vector; the others are free.
+    ROTATION: ByHand = "rotation", [OneTable(&ROTATIONS), Vector(3, Dimension::ANGLE)], optional,
+        "{ x = 5 }";
+    /// Rotation vector of the axes of these components.
+    ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 30]";
+    /// Factor of the motion, a function of time or a signal with known rates.
+    FACTOR: ByHand = "drive", [OneDrive(Dimension::NUMBER)], or "1", "\"= sin(t)\"";
+    with CONSTANT.schema, IN.schema;
+}
+
+keys! {
+    /// Prescribed displacements.
+    DISPLACEMENTS = "displacement = { ... } of [[imposed]]";
+    /// Along x.
+    X: ByHand = "x", [Quantity(Dimension::LENGTH)], or "free", "0";
+    /// Along y.
+    Y: ByHand = "y", [Quantity(Dimension::LENGTH)], or "free", "0";
+    /// Along z.
+    Z: ByHand = "z", [Quantity(Dimension::LENGTH)], or "free", "0.1";
+}
+
+keys! {
+    /// Prescribed components of the rotation vector.
+    ROTATIONS = "rotation = { ... } of [[imposed]]";
+    /// About x.
+    ABOUT_X: ByHand = "x", [Quantity(Dimension::ANGLE)], or "free", "5";
+    /// About y.
+    ABOUT_Y: ByHand = "y", [Quantity(Dimension::ANGLE)], or "free", "0";
+    /// About z.
+    ABOUT_Z: ByHand = "z", [Quantity(Dimension::ANGLE)], or "free", "0";
+}
+
+keys! {
+    /// Acceleration of gravity, a constant load.
+    pub(super) GRAVITY = "[gravity]";
+    /// Acceleration in the axes of the model.
+    ACCELERATION: Vector3<f64> = "acceleration", [Vector(3, Dimension::ACCELERATION)], required,
+        "[0, 0, -9.81]";
+    /// Factor that depends on time.
+    GRAVITY_DRIVE: ByHand = "drive", [OneDrive(Dimension::NUMBER)], or "1", "\"= min(t, 1)\"";
+}
 
 /// Reads `[gravity]` and its factor; zero if absent.
 pub(super) fn gravity(root: &Table<'_>, draft: &Draft) -> Option<(Vector3<f64>, Drive)> {
@@ -24,13 +112,7 @@ pub(super) fn gravity(root: &Table<'_>, draft: &Draft) -> Option<(Vector3<f64>, 
         return Some((Vector3::zeros(), Drive::Constant(1.0)));
     }
     let table = root.table("gravity")?;
-    let _ = table.has("acceleration");
-    let found = match table.has("acceleration") {
-        true => table.vector("acceleration", Dimension::ACCELERATION),
-        false => table
-            .require_quantity("acceleration", Dimension::ACCELERATION)
-            .map(|_| Vector3::zeros()),
-    };
+    let found = table.get(&ACCELERATION);
     let drive = match table.has("drive") {
         true => drives::read(&table, "drive", Dimension::NUMBER, draft.drives()),
         false => Some(Drive::Constant(1.0)),
@@ -74,18 +156,16 @@ fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
 }
 
 fn node(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<usize> {
-    let name = table.require_text("node", "the name of a node")?;
+    let name = table.get(&NODE)?;
     draft.find_node(&name, table, "node", &format!("\"{label}\""))
 }
 
 /// The load of a card, and whether it is in the axes of its node.
 fn nodal(table: &Table<'_>) -> Option<(NodalForce, bool)> {
-    let force = vector_or_zero(table, "force", Dimension::FORCE);
-    let moment = vector_or_zero(table, "moment", Dimension::MOMENT);
-    let offset = vector_or_zero(table, "offset", Dimension::LENGTH);
-    let in_node = axes(table, "node");
+    let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
+    let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
     let kind = kind(table);
-    if !table.has("force") && !table.has("moment") {
+    if !table.holds(&FORCE) && !table.holds(&MOMENT) {
         table.note("", &LoadProblem::NoLoad);
         return None;
     }
@@ -97,27 +177,12 @@ fn nodal(table: &Table<'_>) -> Option<(NodalForce, bool)> {
         turning,
         factor,
     };
-    Some((load, in_node?))
-}
-
-fn vector_or_zero(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
-    match table.has(key) {
-        true => table.vector(key, dimension),
-        false => Some(Vector3::zeros()),
-    }
-}
-
-/// Whether the components are in the axes called `own` instead of the model's.
-fn axes(table: &Table<'_>, own: &str) -> Option<bool> {
-    match table.has("axes") {
-        true => Some(table.word("axes", &["model", own])? == 1),
-        false => Some(false),
-    }
+    Some((load, in_node? == 1))
 }
 
 /// Dead or follower, constant or proportional.
 fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
-    let follower = flag(table, "follower");
+    let follower = table.get(&FOLLOWER);
     let factor = factor(table);
     let turning = match follower? {
         true => Turning::Follower,
@@ -127,18 +192,10 @@ fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
 }
 
 fn factor(table: &Table<'_>) -> Option<LoadFactor> {
-    Some(match flag(table, "constant")? {
+    Some(match table.get(&CONSTANT)? {
         true => LoadFactor::Constant,
         false => LoadFactor::Proportional,
     })
-}
-
-/// A truth value, false when absent.
-pub(super) fn flag(table: &Table<'_>, key: &str) -> Option<bool> {
-    match table.has(key) {
-        true => table.boolean(key),
-        false => Some(false),
-    }
 }
 
 fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
@@ -187,12 +244,7 @@ fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
 fn imposed(table: &Table<'_>) -> Option<ImposedMotion> {
     let displacement = components(table, "displacement", Dimension::LENGTH);
     let rotation = components(table, "rotation", Dimension::ANGLE);
-    let axes = match table.has("orientation") {
-        true => table
-            .vector("orientation", Dimension::ANGLE)
-            .map(|phi| vector::to_rotation(&phi)),
-        false => Some(Matrix3::identity()),
-    };
+    let axes = table.get(&ORIENTATION).map(|phi| vector::to_rotation(&phi));
     let factor = factor(table);
     let (displacement, rotation) = (displacement?, rotation?);
     if displacement.iter().chain(&rotation).all(Option::is_none) {

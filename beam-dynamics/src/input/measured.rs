@@ -1,14 +1,37 @@
 //! Measured frequencies: a CSV file with the columns `speed_rpm,frequency_hz,order`.
 
+use shared_geom::document::schema::ValueKind::{Text, Words};
+use shared_geom::keys;
 use std::collections::BTreeMap;
 
-use shared_geom::document::{DocumentProblem, Table, read_text};
+use shared_geom::document::{ByHand, DocumentProblem, Table, read_text};
 use shared_geom::error::Diagnostics;
 
 use super::csv_rows;
 use super::problem::InputProblem;
 use super::speeds::RPM;
 use crate::result::{Measured, MeasuredPoint, ModeKind};
+
+/// Kinds of modes that `leave_out` may name.
+const KINDS: [&str; ModeKind::PURE.len()] = {
+    let mut words = [""; ModeKind::PURE.len()];
+    let mut i = 0;
+    while i < words.len() {
+        words[i] = ModeKind::PURE[i].word();
+        i += 1;
+    }
+    words
+};
+
+keys! {
+    /// Measured frequencies, drawn in the fan plot and compared with the modes.
+    pub(super) CARD = "[measured]";
+    /// A CSV file of measured frequencies with the header speed_rpm,frequency_hz,order; a relative
+    /// path is relative to the folder of this file.
+    FILE: String = "file", [Text], required, "\"experiment.csv\"";
+    /// Kinds of modes that were not measured: they do not count in `order`.
+    LEAVE_OUT: ByHand = "leave_out", [Words(&KINDS)], or "none", "[\"lag\"]";
+}
 
 const HEADING: [&str; 3] = ["speed_rpm", "frequency_hz", "order"];
 
@@ -47,7 +70,7 @@ fn kinds(table: &Table<'_>) -> Option<Vec<ModeKind>> {
 }
 
 fn points(table: &Table<'_>) -> Option<Vec<MeasuredPoint>> {
-    let written = table.require_text("file", "a CSV file of measured frequencies")?;
+    let written = table.get(&FILE)?;
     let path = table.path("file", &written);
     let file = path.display().to_string();
     if !path.is_file() {

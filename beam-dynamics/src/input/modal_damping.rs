@@ -1,11 +1,21 @@
 //! Damping ratios of modes that are given: `damping_ratio` of `[modes]`.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Named, Quantities};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
 use crate::case::ModalDamping;
 use crate::result::ModeKind;
+
+keys! {
+    /// Damping ratios from 0 to below 1 that replace the model's: one for all modes, a list in the
+    /// order of the modes at the first speed, or by the names of the modes.
+    pub(super) RATIO: ByHand = "damping_ratio",
+        [Quantities(Dimension::NUMBER), Named(Dimension::NUMBER)], or "damping of the model",
+        "{ \"flap 1\" = 0.01, \"lag 1\" = 0.004 }";
+}
 
 const KEY: &str = "damping_ratio";
 

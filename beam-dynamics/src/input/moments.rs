@@ -2,9 +2,17 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::Vector;
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
+
+keys! {
+    /// Moments of inertia about the center, `[jx, jy, jz]`, in the same axes.
+    pub(super) INERTIA: Vector3<f64> = "inertia", [Vector(3, Dimension::INERTIA)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0.1, 0.2, 0.3]";
+}
 
 /// Relative amount by which one moment of inertia may exceed the sum of the others: digits
 /// lost in the input.
@@ -12,10 +20,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// Moments of inertia about three axes under `inertia`; zeros when absent.
 pub(super) fn moments(table: &Table<'_>, label: &str) -> Option<Vector3<f64>> {
-    let moments = match table.has("inertia") {
-        true => table.vector("inertia", Dimension::INERTIA),
-        false => Some(Vector3::zeros()),
-    };
+    let moments = table.get(&INERTIA);
     moments.filter(|moments| {
         let possible = is_possible(moments);
         if !possible {

@@ -1,20 +1,38 @@
 //! Explicit nodes.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Text, Vector};
+use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
-use super::frames::Frame;
-use super::transient::initial_motion;
+use super::frames::{Frame, IN};
+use super::transient::{
+    ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
+};
 use crate::case::InitialMotion;
 use crate::model::Node;
+
+keys! {
+    /// A point with axes, to which beams, bodies, joints and loads refer by its name.
+    pub(super) CARD = "[[node]]";
+    /// The name of the node.
+    NAME: String = "name", [Text], required, "\"tip\"";
+    /// Position in the undeformed model.
+    POSITION: Vector3<f64> = "position", [Vector(3, Dimension::LENGTH)], required, "[1, 0, 0]";
+    /// Rotation vector of the axes of the node.
+    ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, -90, 0]";
+    with VELOCITY.schema, ANGULAR_VELOCITY.schema, INITIAL_WEIGHT.schema, VELOCITY_WEIGHT.schema,
+        IN.schema;
+}
 
 /// Adds every `[[node]]` to the model.
 pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for table in root.tables("node") {
-        let label = table.require_text("name", "the name of the node");
+        let label = table.get(&NAME);
         let frame = draft.frames().of(&table);
         let node = node(&table, label.clone(), frame);
         let initial = initial_motion(&table).zip(frame).map(|(motion, frame)| {
@@ -40,19 +58,8 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 
 /// The node of a card; `None` for the frame if it is wrong.
 fn node(table: &Table<'_>, label: Option<String>, frame: Option<Frame>) -> Option<Node> {
-    let position = match table.has("position") {
-        true => table.vector("position", Dimension::LENGTH),
-        // Notes that it is absent.
-        false => table
-            .require_quantity("position", Dimension::LENGTH)
-            .map(|_| Vector3::zeros()),
-    };
-    let rotation = match table.has("orientation") {
-        true => table
-            .vector("orientation", Dimension::ANGLE)
-            .map(|phi| vector::to_rotation(&phi)),
-        false => Some(Matrix3::identity()),
-    };
+    let position = table.get(&POSITION);
+    let rotation = table.get(&ORIENTATION).map(|phi| vector::to_rotation(&phi));
     let frame = frame?;
     Some(Node {
         label: label?,

@@ -108,16 +108,6 @@ pub enum InputProblem {
         /// Expected number, as text.
         expected: &'static str,
     },
-    /// A number above the program's limit.
-    #[error("\"{key}\" is {found}, expected at most {limit}")]
-    TooMany {
-        /// The key.
-        key: &'static str,
-        /// The number found.
-        found: usize,
-        /// The largest number accepted.
-        limit: usize,
-    },
     /// An angle of a quarter turn or more.
     #[error("\"{key}\" is {} deg, expected less than 90 deg to either side", six(*.found))]
     SteepAngle {

@@ -1,9 +1,12 @@
 //! Named properties of beams: from property files, or given in the card.
 
+use shared_geom::document::schema::ValueKind::{Boolean, Table as OneTable, Tables, Text};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::keys;
 use std::path::Path;
 
 use shared_geom::blade::{section_remark, written_section_remark};
-use shared_geom::document::Table;
+use shared_geom::document::{ByHand, Table};
 use shared_geom::files::names_beside;
 use shared_geom::section::{self, CubicTable, SectionProperties};
 use shared_geom::units::Dimension;
@@ -11,10 +14,39 @@ use shared_geom::units::Dimension;
 use super::beam_section::{Properties, usable};
 use super::curved::Curved;
 use super::heat;
-use super::in_place::{self, KEYS};
+use super::in_place;
 use super::laws::{self, LawProblem};
 use super::problem::InputProblem;
 use super::{damping, drives};
+
+/// Properties of beams.
+pub(super) const CARD: TableSchema = TableSchema {
+    title: "[properties.NAME]",
+    meaning: "Section properties of beams, by a property file or by numbers.",
+    keys: &[
+        damping::KEY.schema,
+        LAW.schema,
+        heat::HEAT[0],
+        heat::HEAT[1],
+    ],
+    families: &[
+        Family {
+            name: "file",
+            meaning: "From a property file.",
+            keys: &[FILE.schema, PRESTRESS.schema],
+        },
+        in_place::NUMBERS,
+    ],
+};
+
+keys! {
+    /// The property file, relative to this file.
+    FILE: ByHand = "file", [Text], required, "\"strip.properties.json\"";
+    /// Whether the internal forces change the stiffness, by the table of the file.
+    PRESTRESS: bool = "prestress", [Boolean], or "false" = false, "true";
+    /// Law of the section in place of stiffness and damping.
+    LAW: ByHand = "law", [OneTable(&laws::SECTION), Tables(&laws::SECTION)], optional, "";
+}
 
 /// Ending of the names of property files.
 const PROPERTY_FILE: &str = ".properties.json";
@@ -150,7 +182,8 @@ fn with_law(
 }
 
 fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
-    if let Some(key) = KEYS.into_iter().find(|key| table.has(key)) {
+    let mut numbers = in_place::NUMBERS.keys.iter().map(|key| key.name);
+    if let Some(key) = numbers.find(|key| table.has(key)) {
         let table_words = table.title().to_owned();
         table.note(
             key,
@@ -159,7 +192,8 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
                 key,
             },
         );
-        for key in KEYS {
+        // The others are keys of such a table too.
+        for key in numbers {
             let _ = table.has(key);
         }
         return None;
@@ -176,10 +210,7 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
         return None;
     }
     let damping = damping::read(table);
-    let is_prestressed = match table.has("prestress") {
-        true => table.boolean("prestress"),
-        false => Some(false),
-    };
+    let is_prestressed = table.get(&PRESTRESS);
     let found = table.document().keep(section::read(&path))?;
     let mut properties = found.per_arc_length();
     // The damping of the card replaces the damping of the file.

@@ -1,17 +1,46 @@
 //! The requested equilibria under loads and critical loads.
 
 use nalgebra::Vector3;
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Boolean, Count, NotNegative, Quantity};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::counts::at_most;
-use super::loads::{LoadProblem, flag};
+use super::loads::LoadProblem;
 use super::problem::InputProblem;
 use super::speeds::{self, RPM};
 use super::transient;
 use crate::case::{
     BucklingQuestion, ModesQuestion, Spin, Start, StaticQuestion, TransientQuestion,
 };
+
+keys! {
+    /// Equilibria under rotation and loads.
+    pub(super) STATIC = "[static]";
+    /// Load factor at the end of the path.
+    TO: f64 = "to", [Quantity(Dimension::NUMBER)], or "1" = 1.0, "2.5";
+    /// Number of equal steps to report.
+    STEPS: Option<usize> = "steps", [Count(MOST_STEPS)], optional, "20";
+    /// Whether to follow the path by its length, past limit points; no step is then longer than
+    /// the first, `to` / `steps`.
+    ARC_LENGTH: bool = "arc_length", [Boolean], or "false" = false, "true";
+    /// Largest number of steps.
+    MOST: usize = "most_steps", [Count(MOST_STEPS)], or "500" = DEFAULT_MOST_STEPS, "2000";
+    with SPEED.schema;
+}
+
+keys! {
+    /// Factors of the proportional loads at which the model buckles, and the shapes.
+    pub(super) BUCKLING = "[buckling]";
+    /// Critical loads to report, nearest to zero first.
+    COUNT: usize = "count", [Count(MOST_LOADS)], or "4" = DEFAULT_COUNT, "8";
+    with SPEED.schema;
+}
+
+keys! {
+    /// Rotor speed.
+    SPEED: ByHand = "speed", [NotNegative(Dimension::ROTATION_SPEED)], or "0", "300";
+}
 
 /// Default of the largest number of steps along a path.
 const DEFAULT_MOST_STEPS: usize = 500;
@@ -57,19 +86,8 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticQuestion>> {
     }
     let table = root.table("static")?;
     let speed = speed(&table);
-    let to = match table.has("to") {
-        true => table.quantity("to", Dimension::NUMBER),
-        false => Some(1.0),
-    };
-    let steps = match table.has("steps") {
-        true => at_most(&table, "steps", table.count("steps"), MOST_STEPS).map(Some),
-        false => Some(None),
-    };
-    let arc_length = flag(&table, "arc_length");
-    let most_steps = match table.has("most_steps") {
-        true => at_most(&table, "most_steps", table.count("most_steps"), MOST_STEPS),
-        false => Some(DEFAULT_MOST_STEPS),
-    };
+    let (to, steps) = (table.get(&TO), table.get(&STEPS));
+    let (arc_length, most_steps) = (table.get(&ARC_LENGTH), table.get(&MOST));
     table.finish();
     let steps = steps?;
     Some(Some(StaticQuestion {
@@ -89,10 +107,7 @@ fn buckling(root: &Table<'_>) -> Option<Option<BucklingQuestion>> {
     }
     let table = root.table("buckling")?;
     let speed = speed(&table);
-    let count = match table.has("count") {
-        true => at_most(&table, "count", table.count("count"), MOST_LOADS),
-        false => Some(DEFAULT_COUNT),
-    };
+    let count = table.get(&COUNT);
     table.finish();
     Some(Some(BucklingQuestion {
         speed: speed?,

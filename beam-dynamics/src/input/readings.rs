@@ -3,10 +3,14 @@
 use shared_geom::document::{DocumentProblem, Table};
 use shared_geom::units::{Dimension, Unit};
 
+mod keys;
 mod kind;
 mod problem;
 mod reading;
 
+pub(super) use keys::{
+    ANGLES, ELECTRODES, ENERGIES, JOINTS, MOMENTA, NODES, OF_COLUMNS, REACTIONS, SECTIONS, SPRINGS,
+};
 use kind::KINDS;
 pub(super) use kind::{Kind, Source, dimension_of, unit_of};
 pub use problem::ReadingProblem;

@@ -1,6 +1,11 @@
 //! Rods: `[[rod]]`.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{
+    Drive, Table as OneTable, Tables, Text, Texts, Vector, Vectors, Word,
+};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
+use shared_geom::units::Dimension;
 
 use super::draft::Draft;
 use super::laws::{self, Components, LawProblem};
@@ -8,6 +13,27 @@ use super::{drives, ends};
 use crate::elements::springs::{End, Measure, Rod};
 use crate::elements::{Element, Smoothness};
 use crate::model::NodeMotion;
+
+keys! {
+    /// A straight rod between two nodes, or between a point of the frame and a node.
+    pub(super) CARD = "[[rod]]";
+    /// Its name, for messages and output.
+    NAME: ByHand = "name", [Text], or "`rod` and its number", "\"stay\"";
+    /// The names of two nodes, or of one with `at`.
+    NODES: ByHand = "nodes", [Texts], required, "[\"foot\", \"hook\"]";
+    /// With one node: the first end of the rod, a point of the frame.
+    AT: ByHand = "at", [Vector(3, Dimension::LENGTH)], optional, "[0, 0, 3]";
+    /// Offset of each end from its node, in the node's axes.
+    OFFSETS: ByHand = "offsets", [Vectors(3, Dimension::LENGTH), Vector(3, Dimension::LENGTH)],
+        or "zero", "[[0, 0, 0], [0.1, 0, 0]]";
+    /// Relaxed length, above zero at all times.
+    LENGTH: ByHand = "length", [Drive(Dimension::LENGTH)], or "the undeformed length", "2.5";
+    /// Deformation of the law: strain, or elongation.
+    MEASURE: usize = "measure", [Word(&["strain", "elongation"])], or "\"strain\"" = 0,
+        "\"elongation\"";
+    /// The law of the tension.
+    LAW: ByHand = "law", [OneTable(&laws::ROD), Tables(&laws::ROD)], required, "";
+}
 
 /// Part of the largest coordinate below which a length is treated as zero: digits lost in
 /// the input.
@@ -33,16 +59,9 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
     let ends = match nodes.as_deref() {
         Some(&[a, b]) => ends::points(table, [a, b]),
         Some(&[node]) => ends::frame_and_point(table, node, &words),
-        _ => {
-            // Their shape is unknown without the nodes.
-            let _ = (table.has("offsets"), table.has("at"));
-            None
-        }
+        _ => None,
     };
-    let measure = match table.has("measure") {
-        true => table.word("measure", &["strain", "elongation"]),
-        false => Some(0),
-    };
+    let measure = table.get(&MEASURE);
     let relaxed = match table.has("length") {
         true => drives::read_length(table, "length", draft.drives()).map(Some),
         false => Some(None),

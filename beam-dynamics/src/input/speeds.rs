@@ -1,14 +1,44 @@
 //! The requested modes: rotor speeds, the number of modes, and animated shapes.
 
+use shared_geom::document::schema::ValueKind::{
+    Boolean, Count, Quantities, Quantity, Table as OneTable,
+};
+use shared_geom::keys;
 use std::f64::consts::PI;
 
-use shared_geom::document::Table;
+use shared_geom::document::{ByHand, Table};
 use shared_geom::units::Dimension;
 
-use super::counts::at_most;
 use super::modal_damping;
 use super::problem::InputProblem;
 use crate::case::ModesQuestion;
+
+keys! {
+    /// Frequencies and modes of small motions about the equilibrium at each rotor speed.
+    pub(super) CARD = "[modes]";
+    /// Rotor speeds: one, a list, or a range.
+    SPEEDS: ByHand = "speeds", [Quantities(Dimension::ROTATION_SPEED), OneTable(&RANGE)],
+        required, "[0, 300]";
+    /// Number of modes to report.
+    COUNT: usize = "count", [Count(MOST_MODES)], or "10" = DEFAULT_COUNT, "8";
+    /// Whether to write animated mode shapes for ParaView.
+    SHAPES: bool = "shapes", [Boolean], or "false" = false, "true";
+    /// Speeds, among `speeds`, at which shapes are drawn and animated.
+    SHAPE_SPEEDS: ByHand = "shape_speeds", [Quantities(Dimension::ROTATION_SPEED)],
+        or "the first and the last", "[0, 300]";
+    with modal_damping::RATIO.schema;
+}
+
+keys! {
+    /// Speeds at equal distances, both ends included.
+    RANGE = "speeds = { ... }";
+    /// Lowest speed.
+    FROM: f64 = "from", [Quantity(Dimension::ROTATION_SPEED)], required, "0";
+    /// Highest speed.
+    TO: f64 = "to", [Quantity(Dimension::ROTATION_SPEED)], required, "750";
+    /// Number of speeds.
+    STEPS: usize = "steps", [Count(MOST_SPEEDS)], required, "6";
+}
 
 /// Radians per second in one revolution per minute.
 pub(super) const RPM: f64 = PI / 30.0;
@@ -26,10 +56,7 @@ const SAME_SPEED: f64 = 1e-9;
 pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
     let table = root.require_table("modes", "the rotor speeds: [modes] with \"speeds\"")?;
     let speeds = speeds(&table);
-    let count = match table.has("count") {
-        true => at_most(&table, "count", table.count("count"), MOST_MODES),
-        false => Some(DEFAULT_COUNT),
-    };
+    let count = table.get(&COUNT);
     let shapes = shapes(&table, speeds.as_deref());
     let damping = modal_damping::read(&table);
     table.finish();
@@ -57,12 +84,9 @@ fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
 
 /// `steps` speeds at equal distances, both ends included.
 fn range(table: &Table<'_>) -> Option<Vec<f64>> {
-    let from = table.require_quantity("from", Dimension::ROTATION_SPEED);
-    let to = table.require_quantity("to", Dimension::ROTATION_SPEED);
-    let steps = table.require_count("steps");
+    let (from, to, steps) = (table.get(&FROM), table.get(&TO), table.get(&STEPS));
     table.finish();
     let (from, to, steps) = (from?, to?, steps?);
-    let steps = at_most(table, "steps", Some(steps), MOST_SPEEDS)?;
     if to <= from {
         let (from, to) = (from / RPM, to / RPM);
         table.note("to", &InputProblem::FallingRange { from, to });
@@ -104,10 +128,7 @@ fn ascending(table: &Table<'_>, mut speeds: Vec<f64>) -> Option<Vec<f64>> {
 /// Reads `shapes` and `shape_speeds` of `[modes]`: whether shapes are animated, and the
 /// speeds chosen for shapes, of `speeds`; empty if none are chosen.
 fn shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<(bool, Vec<f64>)> {
-    let animate = match table.has("shapes") {
-        true => table.boolean("shapes"),
-        false => Some(false),
-    };
+    let animate = table.get(&SHAPES);
     let chosen = match table.has("shape_speeds") {
         true => chosen_shapes(table, speeds),
         false => Some(Vec::new()),

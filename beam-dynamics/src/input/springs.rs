@@ -1,16 +1,70 @@
 //! Springs and dampers between two nodes, or between a node and the frame or the ground.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Text, Vector, Word};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::rotation::{skew, vector};
 use shared_geom::units::Dimension;
 
 use super::draft::Draft;
+use super::frames::IN;
 use super::laws::LawProblem;
 use super::problem::InputProblem;
 use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
 
 mod between;
+
+/// Words of `stands_in`.
+const STANDS: [&str; 2] = ["frame", "world"];
+
+/// A spring between a node and the frame or the ground, or between two nodes.
+pub(super) const CARD: TableSchema = TableSchema {
+    title: "[[spring]]",
+    meaning: "A spring and damper of displacements and rotations.",
+    keys: &[
+        NAME.schema,
+        ORIENTATION.schema,
+        STIFFNESS.schema,
+        ROTATIONAL_STIFFNESS.schema,
+        DAMPING.schema,
+        ROTATIONAL_DAMPING.schema,
+        IN.schema,
+    ],
+    families: &[
+        Family {
+            name: "support",
+            meaning: "Between a node and the frame or the ground.",
+            keys: &[NODE.schema, STANDS_IN.schema],
+        },
+        between::OF_TWO_NODES,
+        between::OF_ONE_NODE,
+    ],
+};
+
+keys! {
+    /// Its name, for messages and output.
+    NAME: ByHand = "name", [Text], or "`spring` and its number", "\"mount\"";
+    /// The name of a node; the spring is between it and the frame.
+    NODE: String = "node", [Text], required, "\"engine\"";
+    /// Rotation vector of the axes of the spring, in the undeformed model.
+    ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 30]";
+    /// Stiffnesses along the axes, zero or more.
+    STIFFNESS: ByHand = "stiffness", [Vector(3, Dimension::SPRING_STIFFNESS)], or "[0, 0, 0]",
+        "[4e6, 4e6, 9e6]";
+    /// Stiffnesses about the axes, moment per radian, zero or more.
+    ROTATIONAL_STIFFNESS: ByHand = "rotational_stiffness", [Vector(3, Dimension::MOMENT)],
+        or "[0, 0, 0]", "[2e4, 2e4, 0]";
+    /// Dampers along the axes, zero or more.
+    DAMPING: ByHand = "damping", [Vector(3, Dimension::DAMPER)], or "[0, 0, 0]", "[300, 300, 0]";
+    /// Dampers about the axes, moment per angular velocity in radians per time, zero or more.
+    ROTATIONAL_DAMPING: ByHand = "rotational_damping", [Vector(3, Dimension::TURNING_DAMPER)],
+        or "[0, 0, 0]", "[5, 5, 0]";
+    /// Fixed end: the frame of the model, which turns with the hub, or the ground.
+    STANDS_IN: usize = "stands_in", [Word(&STANDS)], or "\"frame\"" = 0, "\"world\"";
+}
 
 /// Part of the largest entry below which a matrix, and part of the largest coordinate below
 /// which a distance from the axis, is treated as zero: digits lost in the input.
@@ -43,7 +97,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
             continue;
         }
         let words = format!("spring \"{label}\"");
-        let name = table.require_text("node", "the name of a node");
+        let name = table.get(&NODE);
         let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
         let spring = spring(table).zip(draft.frames().of(table));
         let spring = spring.map(|(spring, frame)| Spring {
@@ -59,10 +113,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 }
 
 fn spring(table: &Table<'_>) -> Option<Spring> {
-    let axes = match table.has("orientation") {
-        true => table.vector("orientation", Dimension::ANGLE),
-        false => Some(Vector3::zeros()),
-    };
+    let axes = table.get(&ORIENTATION);
     let stiffness = six(
         table,
         ["stiffness", "rotational_stiffness"],
@@ -73,10 +124,7 @@ fn spring(table: &Table<'_>) -> Option<Spring> {
         ["damping", "rotational_damping"],
         [Dimension::DAMPER, Dimension::TURNING_DAMPER],
     );
-    let stand = match table.has("stands_in") {
-        true => table.word("stands_in", &["frame", "world"]),
-        false => Some(0),
-    };
+    let stand = table.get(&STANDS_IN);
     Some(Spring {
         axes: vector::to_rotation(&axes?),
         stiffness: stiffness?,

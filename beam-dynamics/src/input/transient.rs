@@ -4,17 +4,24 @@ use shared_geom::document::Table;
 use shared_geom::error::Explain;
 use shared_geom::units::Dimension;
 
-use super::counts::at_most;
 use super::elsewhere::OF_TRANSIENT;
 use super::number::short_number;
 use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
+mod keys;
 mod node;
 #[cfg(test)]
 mod tests;
 
-pub(super) use node::{check, initial_motion};
+pub(super) use keys::TRANSIENT;
+use keys::{
+    FIRST, FROM, ITERATIONS, JACOBIAN, LEAST, METHOD, MOST, REDUNDANT, SCHEME, SPEED, START,
+    START_ACCELERATIONS, TO, TOLERANCE,
+};
+pub(super) use node::{
+    ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, check, initial_motion,
+};
 
 /// Largest accepted number of iterations of a step.
 const MOST_ITERATIONS: usize = 1000;
@@ -158,14 +165,10 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
     let stepping = stepping(table, times.map(|[from, to]| to - from));
     let scheme = scheme(table);
     let newton = newton(table);
-    let jacobian = word(table, "jacobian", &["exact", "simplified"]);
+    let jacobian = table.get(&JACOBIAN);
     let start = start(table);
-    let accelerations = word(
-        table,
-        "start_accelerations",
-        &["consistent", "zero", "dummy", "at-rest"],
-    );
-    let redundant = word(table, "redundant", &["error", "remove"]);
+    let accelerations = table.get(&START_ACCELERATIONS);
+    let redundant = table.get(&REDUNDANT);
     let [from, to] = times?;
     Some(TransientQuestion {
         from,
@@ -185,20 +188,8 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
     })
 }
 
-/// The index of the word under `key` among `known`; the first if it is absent.
-fn word(table: &Table<'_>, key: &str, known: &[&str]) -> Option<usize> {
-    match table.has(key) {
-        true => table.word(key, known),
-        false => Some(0),
-    }
-}
-
 fn times(table: &Table<'_>) -> Option<[f64; 2]> {
-    let from = match table.has("from") {
-        true => table.quantity("from", Dimension::TIME),
-        false => Some(0.0),
-    };
-    let to = table.require_quantity("to", Dimension::TIME);
+    let (from, to) = (table.get(&FROM), table.get(&TO));
     let (from, to) = (from?, to?);
     if to <= from {
         table.note("to", &TransientProblem::EndsBefore { from, to });
@@ -232,16 +223,9 @@ fn is_possible(table: &Table<'_>, key: &'static str, step: f64, length: Option<f
 }
 
 fn variable(table: &Table<'_>, length: Option<f64>) -> Option<StepControl> {
-    let first = table.require_positive("first", Dimension::TIME);
-    let optional = |key: &str| match table.has(key) {
-        true => table.require_positive(key, Dimension::TIME).map(Some),
-        false => Some(None),
-    };
-    let (least, most) = (optional("least"), optional("most"));
-    let tolerance = match table.has("tolerance") {
-        true => table.require_positive("tolerance", Dimension::NUMBER),
-        false => Some(1e-4),
-    };
+    let first = table.get(&FIRST);
+    let (least, most) = (table.get(&LEAST), table.get(&MOST));
+    let tolerance = table.get(&TOLERANCE);
     table.finish();
     let first = first?;
     if !is_possible(table, "first", first, length) {
@@ -287,7 +271,7 @@ const SCHEMES: [&str; 8] = [
 ];
 
 fn scheme(table: &Table<'_>) -> Option<Scheme> {
-    let number = word(table, "scheme", &SCHEMES);
+    let number = table.get(&SCHEME);
     let radius = number_in(table, "radius", (0.0, 1.0), "a number from 0 to 1");
     let zeta = number_in(table, "zeta", (-1.0, 0.0), "a number above -1 and below 0");
     let (number, radius, zeta) = (number?, radius?, zeta?);
@@ -352,16 +336,8 @@ fn newton(table: &Table<'_>) -> Option<StepLimits> {
         return Some(standard);
     }
     let table = table.table("newton")?;
-    let method = word(&table, "method", &["full", "modified"]);
-    let iterations = match table.has("iterations") {
-        true => at_most(
-            &table,
-            "iterations",
-            table.count("iterations"),
-            MOST_ITERATIONS,
-        ),
-        false => Some(standard.iterations),
-    };
+    let method = table.get(&METHOD);
+    let iterations = table.get(&ITERATIONS);
     let tolerance = match table.has("tolerance") {
         true => number_in(
             &table,
@@ -374,18 +350,14 @@ fn newton(table: &Table<'_>) -> Option<StepLimits> {
     table.finish();
     Some(StepLimits {
         jacobians: [Jacobians::Full, Jacobians::Modified][method?],
-        iterations: iterations?,
+        iterations: iterations?.unwrap_or(standard.iterations),
         correction: tolerance?.unwrap_or(standard.correction),
         ..standard
     })
 }
 
 fn start(table: &Table<'_>) -> Option<Start> {
-    let number = word(table, "start", &["given", "equilibrium", "rotating"]);
-    let speed = match table.has("speed") {
-        true => table.quantity("speed", Dimension::ROTATION_SPEED).map(Some),
-        false => Some(None),
-    };
+    let (number, speed) = (table.get(&START), table.get(&SPEED));
     match (number?, speed?) {
         (2, Some(speed)) => Some(Start::Rotating { speed }),
         (2, None) => {

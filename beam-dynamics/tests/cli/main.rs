@@ -24,6 +24,7 @@ mod loads;
 mod messages;
 mod netcdf;
 mod prestress;
+mod schema;
 mod several;
 mod transient;
 

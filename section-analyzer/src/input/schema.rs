@@ -9,132 +9,44 @@
 //! `schema/limits.rs` for the limits of materials, `schema/electric.rs` for electric laws
 //! and electrodes, or `schema/laminae.rs` for laminates along curves.
 
-use shared_geom::units::Dimension;
+use serde_json::Value;
+use shared_geom::document::schema;
 
 mod distributed;
 mod electric;
 mod imposed;
-mod json;
 mod keys;
 mod laminae;
 mod limits;
 mod loads;
 mod materials;
-mod reference;
 
-pub use json::json_schema;
 pub use keys::SECTION_FILE;
-pub use reference::reference;
+pub use shared_geom::document::schema::{
+    Family, KeySchema, Need, TableSchema, UNITS, ValueKind, key,
+};
 
-/// A table of the section file.
-#[derive(Debug)]
-pub struct TableSchema {
-    /// The table as it is written: `[material.NAME]`.
-    pub title: &'static str,
-    /// Its purpose.
-    pub meaning: &'static str,
-    /// Its keys, except the keys of its families.
-    pub keys: &'static [KeySchema],
-    /// Sets of keys that exclude each other, of which the table has exactly one;
-    /// empty if it has no alternatives.
-    pub families: &'static [Family],
+/// The opening of the reference page.
+const OPENING: &str = "\
+# Section input reference
+
+Every key of a section file, `NAME.section.toml`.
+Made by `section-analyzer schema --format markdown`; do not edit.
+The use of the keys is described in [Section input](section-input.md).
+
+A *quantity* is a number in the declared units, or a text with its own unit, such as `\"73.1 GPa\"`.
+A *name* is a text, or a whole number that represents one: the tag of a physical group.
+";
+
+/// The JSON schema of a section file, draft 2020-12.
+///
+/// It does not check the names of groups, the dimensions of units and the admissibility of
+/// laws; `section-analyzer check` does.
+pub fn json_schema() -> Value {
+    schema::json_schema(&SECTION_FILE, schema::Numbers::Plain)
 }
 
-/// Keys that belong together and exclude the keys of other families.
-#[derive(Debug)]
-pub struct Family {
-    /// The name of the family: `isotropic`.
-    pub name: &'static str,
-    /// Its purpose.
-    pub meaning: &'static str,
-    /// Its keys.
-    pub keys: &'static [KeySchema],
-}
-
-/// One key of a table.
-#[derive(Debug)]
-pub struct KeySchema {
-    /// The key.
-    pub name: &'static str,
-    /// Allowed values: one kind, or one of several.
-    pub kinds: &'static [ValueKind],
-    /// Whether it is required, and its default.
-    pub need: Need,
-    /// Its meaning.
-    pub meaning: &'static str,
-    /// A value in TOML; empty if the value is a table.
-    pub example: &'static str,
-}
-
-/// A key; a value that is a table has no example.
-const fn key(
-    name: &'static str,
-    kinds: &'static [ValueKind],
-    need: Need,
-    example: &'static str,
-    meaning: &'static str,
-) -> KeySchema {
-    KeySchema {
-        name,
-        kinds,
-        need,
-        meaning,
-        example,
-    }
-}
-
-/// Whether a key is required.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Need {
-    /// Required.
-    Required,
-    /// Optional, without default.
-    Optional,
-    /// Optional, with this value or rule as default.
-    Default(&'static str),
-}
-
-/// Allowed values of a key.
-#[derive(Debug)]
-pub enum ValueKind {
-    /// A text.
-    Text,
-    /// A text, or a whole number that represents it: a physical group.
-    Name,
-    /// A name, or a list of names.
-    Names,
-    /// One of these words.
-    Word(&'static [&'static str]),
-    /// True or false.
-    Boolean,
-    /// A text that is a unit of this dimension.
-    Unit(Dimension),
-    /// A number in the declared units, or a text with a unit of its own.
-    Quantity(Dimension),
-    /// An array of this number of quantities.
-    Vector(usize, Dimension),
-    /// A whole number from 1 to this number.
-    Count(usize),
-    /// A list of one to this number of plain numbers.
-    Numbers(usize),
-    /// A table of quantities with names chosen by the user.
-    Named(Dimension),
-    /// Rows and columns of plain numbers.
-    Rows(usize, usize),
-    /// A table, `[key]`.
-    Table(&'static TableSchema),
-    /// Tables with names chosen by the user, `[key.NAME]`.
-    NamedTables(&'static TableSchema),
-    /// A list of tables, `[[key]]`.
-    Tables(&'static TableSchema),
-}
-
-impl ValueKind {
-    /// The table of the key, if its value is a table.
-    pub fn table(&self) -> Option<&'static TableSchema> {
-        match self {
-            Self::Table(table) | Self::NamedTables(table) | Self::Tables(table) => Some(table),
-            _ => None,
-        }
-    }
+/// The reference page of the section file, in Markdown.
+pub fn reference() -> String {
+    schema::reference(&SECTION_FILE, OPENING)
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
 
+use super::schema::TableSchema;
 use super::tree::{Entry, Kind, Value};
 use super::{Document, DocumentProblem, Item};
 use crate::error::Explain;
@@ -18,12 +19,15 @@ const COUNTS: f64 = 9e15;
 /// A table of a [`Document`]. Each reading method notes its own problems.
 #[derive(Debug)]
 pub struct Table<'a> {
-    document: &'a Document,
-    entries: &'a [Entry],
+    pub(super) document: &'a Document,
+    pub(super) entries: &'a [Entry],
     /// The title of the table, for messages: `material "steel"`.
-    title: String,
+    pub(super) title: String,
     line: usize,
-    asked: RefCell<Vec<String>>,
+    /// Its descriptions: several if its key has several kinds of tables. Without any, every
+    /// requested key is a key of the table.
+    pub(super) schemas: Vec<&'static TableSchema>,
+    pub(super) asked: RefCell<Vec<String>>,
 }
 
 impl<'a> Table<'a> {
@@ -38,8 +42,15 @@ impl<'a> Table<'a> {
             entries,
             title,
             line,
+            schemas: Vec::new(),
             asked: RefCell::default(),
         }
+    }
+
+    /// The table with a description: it then has only the described keys.
+    pub fn described(mut self, schema: &'static TableSchema) -> Self {
+        self.schemas.push(schema);
+        self
     }
 
     /// The file that holds the table.
@@ -96,17 +107,6 @@ impl<'a> Table<'a> {
     pub fn require_item(&self, key: &str, expected: &str) -> Option<Item<'a>> {
         self.require(key, expected)?;
         self.item(key)
-    }
-
-    /// Whether `key` holds a table.
-    pub fn is_table(&self, key: &str) -> bool {
-        matches!(
-            self.ask(key),
-            Some(Value {
-                kind: Kind::Table(_),
-                ..
-            })
-        )
     }
 
     /// Whether `key` holds a list of lists.
@@ -365,95 +365,11 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The table under `key`.
-    pub fn table(&self, key: &str) -> Option<Table<'a>> {
-        let entry = self.ask_entry(key)?;
-        match &entry.value.kind {
-            Kind::Table(entries) => {
-                let title = format!("[{key}]");
-                Some(Table::new(self.document, entries, title, entry.line))
-            }
-            _ => self.wrong_value(key, &entry.value, "a table"),
-        }
-    }
-
-    /// As [`Table::table`], and required.
-    pub fn require_table(&self, key: &str, expected: &str) -> Option<Table<'a>> {
-        self.require(key, expected)?;
-        self.table(key)
-    }
-
-    /// The tables of an array of tables, `[[key]]`; empty when absent.
-    pub fn tables(&self, key: &str) -> Vec<Table<'a>> {
-        let Some(value) = self.ask(key) else {
-            return Vec::new();
-        };
-        let Kind::Array(items) = &value.kind else {
-            let _: Option<()> = self.wrong_value(key, value, &format!("tables [[{key}]]"));
-            return Vec::new();
-        };
-        // Of [output], the tables are [[output.column]].
-        let outer = self
-            .title
-            .strip_prefix('[')
-            .and_then(|t| t.strip_suffix(']'));
-        let within = match outer.filter(|outer| !outer.starts_with('[')) {
-            Some(outer) => format!("{outer}."),
-            None => String::new(),
-        };
-        let table = |(i, item): (usize, &'a Value)| match &item.kind {
-            Kind::Table(entries) => {
-                let title = format!("[[{within}{key}]] number {}", i + 1);
-                Some(Table::new(self.document, entries, title, item.line))
-            }
-            _ => self.wrong_value(key, item, &format!("a table [[{key}]]")),
-        };
-        items.iter().enumerate().filter_map(table).collect()
-    }
-
-    /// The tables `[key.name]` with their names; empty when absent.
-    pub fn named_tables(&self, key: &str) -> Vec<(String, Table<'a>)> {
-        let Some(outer) = self.table(key) else {
-            return Vec::new();
-        };
-        let names = outer.entries.iter().map(|entry| entry.key.clone());
-        names
-            .filter_map(|name| {
-                let mut table = outer.table(&name)?;
-                table.title = format!("{key} \"{name}\"");
-                Some((name, table))
-            })
-            .collect()
-    }
-
-    /// Notes every key that was not requested.
-    pub fn finish(&self) {
-        self.finish_beside(&[]);
-    }
-
-    /// Notes every key that was not requested; `others` are keys of other tables, as they
-    /// are written there.
-    pub fn finish_beside(&self, others: &[(&str, &'static str)]) {
-        let asked = self.asked.borrow();
-        for entry in self.entries {
-            if !asked.contains(&entry.key) {
-                let elsewhere = others.iter().find(|(key, _)| *key == entry.key);
-                let problem = DocumentProblem::UnknownKey {
-                    key: entry.key.clone(),
-                    table: self.title.clone(),
-                    known: asked.clone(),
-                    elsewhere: elsewhere.map(|(_, place)| *place),
-                };
-                self.document.note(entry.line, &problem);
-            }
-        }
-    }
-
     fn entry(&self, key: &str) -> Option<&'a Entry> {
         self.entries.iter().find(|entry| entry.key == key)
     }
 
-    fn ask_entry(&self, key: &str) -> Option<&'a Entry> {
+    pub(super) fn ask_entry(&self, key: &str) -> Option<&'a Entry> {
         let mut asked = self.asked.borrow_mut();
         if !asked.iter().any(|known| known == key) {
             asked.push(key.to_owned());
@@ -461,11 +377,11 @@ impl<'a> Table<'a> {
         self.entry(key)
     }
 
-    fn ask(&self, key: &str) -> Option<&'a Value> {
+    pub(super) fn ask(&self, key: &str) -> Option<&'a Value> {
         self.ask_entry(key).map(|entry| &entry.value)
     }
 
-    fn require(&self, key: &str, expected: &str) -> Option<()> {
+    pub(super) fn require(&self, key: &str, expected: &str) -> Option<()> {
         if self.ask(key).is_none() {
             let problem = DocumentProblem::MissingKey {
                 key: key.to_owned(),
@@ -482,7 +398,7 @@ impl<'a> Table<'a> {
         Item::new(self.document, key, value).quantity(dimension)
     }
 
-    fn wrong_value<T>(&self, key: &str, value: &Value, expected: &str) -> Option<T> {
+    pub(super) fn wrong_value<T>(&self, key: &str, value: &Value, expected: &str) -> Option<T> {
         Item::new(self.document, key, value).wrong(expected)
     }
 }

@@ -14,6 +14,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Quantity, Word};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::BladeProblem;
@@ -21,8 +23,19 @@ use super::seats::Seat;
 use crate::input::draft::Draft;
 use crate::input::drives::Catalog;
 use crate::input::hinge_card::HingeCard;
-use crate::input::joints::spring;
+use crate::input::joints::{ANGLE, DAMPING, STIFFNESS, spring};
 use crate::model::Node;
+
+keys! {
+    /// A hinge between hub and root.
+    pub(super) CARD = "hinges = [{ ... }]";
+    /// Motion: flap, positive up; lag, positive forward; pitch, positive nose up.
+    KIND: usize = "kind", [Word(&Kind::WORDS)], required, "\"flap\"";
+    /// Distance from the center of the hub along the blade; without it the offset of the previous
+    /// hinge, or of the root.
+    OFFSET: Option<f64> = "offset", [Quantity(Dimension::LENGTH)], optional, "0.5";
+    with STIFFNESS.schema, DAMPING.schema, ANGLE.schema;
+}
 
 /// Motion of the blade that a hinge allows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,17 +81,7 @@ pub(super) fn read(table: &Table<'_>, drives: &Catalog) -> Option<Vec<BladeHinge
 }
 
 fn hinge(table: &Table<'_>, drives: &Catalog) -> Option<BladeHinge> {
-    let kind = match table.has("kind") {
-        true => table.word("kind", &Kind::WORDS),
-        false => {
-            let _ = table.require_text("kind", "\"flap\", \"lag\" or \"pitch\"");
-            None
-        }
-    };
-    let offset = match table.has("offset") {
-        true => table.quantity("offset", Dimension::LENGTH).map(Some),
-        false => Some(None),
-    };
+    let (kind, offset) = (table.get(&KIND), table.get(&OFFSET));
     let card = spring(table, drives);
     table.finish();
     Some(BladeHinge {

@@ -1,6 +1,8 @@
 //! Point masses on a blade.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Quantity, Word};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::laid::Laid;
@@ -8,7 +10,16 @@ use super::problem::BladeProblem;
 use super::source::Source;
 use crate::elements::bodies::RigidInertia;
 use crate::input::bodies::{self, Lump};
+use crate::input::moments::INERTIA;
 use crate::input::number::short_number;
+
+keys! {
+    /// A point mass on every blade of the card.
+    pub(super) CARD = "[[blade.mass]]";
+    /// Arc length from the root along the line, or the tip.
+    AT: ByHand = "at", [Quantity(Dimension::LENGTH), Word(&["tip"])], required, "\"tip\"";
+    with bodies::MASS.schema, bodies::OFFSET.schema, INERTIA.schema;
+}
 
 /// A mass beyond an end of the line by less than this part of its length is at the end:
 /// digits lost in the input.

@@ -1,6 +1,9 @@
 //! Blades of straight pieces.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::Family;
+use shared_geom::document::schema::ValueKind::{Count, Positive, Quantity, Tables, Text, Vector};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::laid::Laid;
@@ -12,6 +15,45 @@ use crate::input::curved_fit;
 use crate::input::draft::Draft;
 use crate::input::heat;
 use crate::input::problem::InputProblem;
+
+/// A blade of straight pieces.
+pub(super) const PIECES: Family = Family {
+    name: "pieces",
+    meaning: "Straight pieces.",
+    keys: &[
+        DEFAULT_PROPERTIES.schema,
+        heat::HEAT[0],
+        heat::HEAT[1],
+        PIECE.schema,
+    ],
+};
+
+keys! {
+    /// The name of properties of the pieces that name none.
+    DEFAULT_PROPERTIES: ByHand = "properties", [Text], optional, "\"strip\"";
+    /// The pieces, from the root outward.
+    PIECE: ByHand = "piece", [Tables(&CARD)], required, "";
+}
+
+keys! {
+    /// A straight piece of a blade.
+    CARD = "[[blade.piece]]";
+    /// Length of the piece.
+    LENGTH: f64 = "length", [Positive(Dimension::LENGTH)], required, "31.5";
+    /// Number of beams of three nodes.
+    ELEMENTS: usize = "elements", [Count(MOST_ELEMENTS)], required, "8";
+    /// Direction of the piece in the rotor plane from the span, positive aft, less than a quarter
+    /// turn.
+    SWEEP: f64 = "sweep", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "45";
+    /// Direction out of the rotor plane, positive up, less than a quarter turn.
+    DIHEDRAL: f64 = "dihedral", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "5";
+    /// Nose-up angle of the sections: one, or at the inner and the outer end.
+    TWIST: ByHand = "twist", [Quantity(Dimension::ANGLE), Vector(2, Dimension::ANGLE)], or "0",
+        "[10, 2]";
+    /// The name of the properties; needed unless the blade has some.
+    PROPERTIES: ByHand = "properties", [Text], optional, "\"strip\"";
+    with heat::HEAT[0], heat::HEAT[1];
+}
 
 /// Beams of one piece: more are treated as an error.
 const MOST_ELEMENTS: usize = 1000;
@@ -117,16 +159,9 @@ fn piece_properties(
 }
 
 fn piece(table: &Table<'_>) -> Option<Piece> {
-    let length = table.require_positive("length", Dimension::LENGTH);
-    let elements = table.require_count("elements").filter(|&found| {
-        let (key, limit) = ("elements", MOST_ELEMENTS);
-        if found > limit {
-            table.note(key, &InputProblem::TooMany { key, found, limit });
-        }
-        found <= limit
-    });
-    let sweep = shallow(table, "sweep");
-    let dihedral = shallow(table, "dihedral");
+    let (length, elements) = (table.get(&LENGTH), table.get(&ELEMENTS));
+    let sweep = shallow(table, &SWEEP);
+    let dihedral = shallow(table, &DIHEDRAL);
     let twist = twist(table);
     Some(Piece {
         length: length?,

@@ -9,7 +9,11 @@
 //! pitch bearing. R is the hub radius; `root` gives the position directly.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{
+    Count, NotNegative, Quantities, Quantity, Text, Texts, Vector,
+};
+use shared_geom::document::{ByHand, Key, Table};
+use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 use std::f64::consts::TAU;
@@ -17,6 +21,28 @@ use std::f64::consts::TAU;
 use super::problem::BladeProblem;
 use crate::input::draft::Draft;
 use crate::input::problem::InputProblem;
+
+keys! {
+    /// The name of the blade; its nodes are called `NAME/root`, `NAME/1`, ..., `NAME/tip`.
+    pub(super) NAME: String = "name", [Text], required, "\"blade\"";
+    /// Distance of the root from the center of the hub, along the blade with its precone.
+    pub(super) HUB_RADIUS: ByHand = "hub_radius", [NotNegative(Dimension::LENGTH)], or "0", "1.5";
+    /// Position of the root at azimuth zero, in place of `hub_radius`.
+    pub(super) ROOT: ByHand = "root", [Vector(3, Dimension::LENGTH)], optional, "[2.5, 0, 0]";
+    /// Azimuth of the first blade about the axis of the hub; zero is along +x for an axis along z.
+    pub(super) AZIMUTH: f64 = "azimuth", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "90";
+    /// Number of equal blades, evenly spaced about the axis; they are called `NAME 1` and so on.
+    pub(super) COUNT: Option<usize> = "count", [Count(MOST_BLADES)], optional, "3";
+    /// Azimuth of each blade, in place of `count` and `azimuth`.
+    pub(super) AZIMUTHS: ByHand = "azimuths", [Quantities(Dimension::ANGLE)], optional,
+        "[0, 90, 180, 270]";
+    /// Names of the blades of `count` or `azimuths`.
+    pub(super) NAMES: Option<Vec<String>> = "names", [Texts], optional, "[\"a\", \"b\", \"c\"]";
+    /// Cone angle, positive up, less than a quarter turn.
+    pub(super) PRECONE: f64 = "precone", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "-2.5";
+    /// Rotation of the whole blade about its span at the root, positive nose up: the collective.
+    pub(super) PITCH: f64 = "pitch", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "8";
+}
 
 /// Blades of one card: more are treated as an error.
 const MOST_BLADES: usize = 100;
@@ -70,12 +96,9 @@ pub(super) type Places = Vec<(String, f64)>;
 
 /// Names and azimuths; `None` if they are wrong, which is noted.
 pub(super) fn places(table: &Table<'_>) -> Option<Places> {
-    let name = table.require_text("name", "the name of the blade");
+    let name = table.get(&NAME);
     let azimuths = azimuths(table, name.as_deref().unwrap_or_default());
-    let names = match table.has("names") {
-        true => Some(table.texts("names")?),
-        false => None,
-    };
+    let names = table.get(&NAMES)?;
     let (name, azimuths) = (name?, azimuths?);
     let is_several = table.has("count") || table.has("azimuths");
     let names = match names {
@@ -94,11 +117,8 @@ pub(super) fn places(table: &Table<'_>) -> Option<Places> {
 }
 
 fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
-    let first = angle(table, "azimuth");
-    let count = match table.has("count") {
-        true => Some(count(table)?),
-        false => None,
-    };
+    let first = table.get(&AZIMUTH);
+    let count = table.get(&COUNT)?;
     if !table.has("azimuths") {
         let (first, count) = (first?, count.unwrap_or(1));
         return Some(
@@ -133,21 +153,12 @@ fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
     Some(angles)
 }
 
-fn count(table: &Table<'_>) -> Option<usize> {
-    let (key, limit) = ("count", MOST_BLADES);
-    let found = table.count(key)?;
-    if found > limit {
-        table.note(key, &InputProblem::TooMany { key, found, limit });
-    }
-    (found <= limit).then_some(found)
-}
-
 /// The seats of the blades of a card at `places`.
 pub(super) fn read(table: &Table<'_>, draft: &Draft, places: Option<&Places>) -> Option<Vec<Seat>> {
     let name = table.text("name").unwrap_or_default();
     let root = root_place(table, &name);
-    let precone = shallow(table, "precone");
-    let pitch = angle(table, "pitch");
+    let precone = shallow(table, &PRECONE);
+    let pitch = table.get(&PITCH);
     let (hub, places, root) = (draft.hub()?, places?, root?);
     let cone = about(Vector3::new(0.0, -precone?, 0.0));
     let mut seats = Vec::with_capacity(places.len());
@@ -202,20 +213,13 @@ fn root_place(table: &Table<'_>, name: &str) -> Option<RootPlace> {
     }
 }
 
-/// An angle; zero when absent.
-pub(super) fn angle(table: &Table<'_>, key: &str) -> Option<f64> {
-    match table.has(key) {
-        true => table.quantity(key, Dimension::ANGLE),
-        false => Some(0.0),
-    }
-}
-
 /// An angle of less than a quarter turn; a line that turns back inward is an error.
-pub(super) fn shallow(table: &Table<'_>, key: &'static str) -> Option<f64> {
-    let found = angle(table, key)?.to_degrees();
+pub(super) fn shallow(table: &Table<'_>, key: &Key<f64>) -> Option<f64> {
+    let found = table.get(key)?.to_degrees();
     if found.abs() < 90.0 {
         return Some(found.to_radians());
     }
+    let key = key.name();
     table.note(key, &InputProblem::SteepAngle { key, found });
     None
 }

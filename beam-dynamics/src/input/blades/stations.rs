@@ -13,8 +13,11 @@
 
 use nalgebra::{Matrix6, Vector3};
 use shared_geom::blade::{self, Blade, BladeDamping, Side};
-use shared_geom::document::Table;
+use shared_geom::document::schema::Family;
+use shared_geom::document::schema::ValueKind::{Count, Positive, Text};
+use shared_geom::document::{ByHand, Table};
 use shared_geom::exchange::{self, Options};
+use shared_geom::keys;
 use shared_geom::line::{Course, Curve};
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
@@ -27,7 +30,28 @@ use crate::input::along::Along;
 use crate::input::damping;
 use crate::input::draft::Draft;
 use crate::input::heat;
-use crate::input::problem::InputProblem;
+
+/// A blade of a blade file.
+pub(super) const STATIONS: Family = Family {
+    name: "file",
+    meaning: "From a blade file.",
+    keys: &[
+        FILE.schema,
+        ELEMENTS.schema,
+        LENGTH.schema,
+        damping::KEY.schema,
+    ],
+};
+
+keys! {
+    /// The blade file, with line, twist and stations, of any known format; a relative path is
+    /// relative to the folder of this file.
+    FILE: ByHand = "file", [Text], required, "\"nrel5mw.blade.json\"";
+    /// Number of elements.
+    ELEMENTS: Option<usize> = "elements", [Count(MOST_ELEMENTS)], optional, "30";
+    /// Length of a straight blade, for files of sections without a line.
+    LENGTH: Option<f64> = "length", [Positive(Dimension::LENGTH)], optional, "61.5";
+}
 
 /// Elements of one blade: more are treated as an error.
 const MOST_ELEMENTS: usize = 10_000;
@@ -51,16 +75,7 @@ pub(super) struct StationLine {
 
 /// Reads the file named by `file` of a card.
 pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> {
-    let elements = match table.has("elements") {
-        true => elements(table).map(Some),
-        false => Some(None),
-    };
-    let length = match table.has("length") {
-        true => table
-            .require_positive("length", Dimension::LENGTH)
-            .map(Some),
-        false => Some(None),
-    };
+    let (elements, length) = (table.get(&ELEMENTS), table.get(&LENGTH));
     let damping = damping::read(table);
     let words = "blade from a file".to_owned();
     heat::refuse_without_properties(table, &words);
@@ -88,15 +103,6 @@ fn everywhere(damping: Damping, stations: usize) -> BladeDamping {
         Damping::StiffnessProportional(time) => BladeDamping::Proportional(time),
         Damping::Viscous(matrix) => BladeDamping::Viscous(vec![matrix; stations]),
     }
-}
-
-fn elements(table: &Table<'_>) -> Option<usize> {
-    let (key, limit) = ("elements", MOST_ELEMENTS);
-    let found = table.count(key)?;
-    if found > limit {
-        table.note(key, &InputProblem::TooMany { key, found, limit });
-    }
-    (found <= limit).then_some(found)
 }
 
 /// The eigenvalue of `K_to v = ratio K_from v` with the largest absolute logarithm:

@@ -1,11 +1,30 @@
 //! `[[output.column]]`: names, units and quantities of columns.
 
 use shared_geom::document::Table;
+use shared_geom::document::schema::TableSchema;
+use shared_geom::document::schema::ValueKind::Text;
+use shared_geom::keys;
 
 use super::problem::ColumnProblem;
 use crate::case::Column;
 use crate::input::draft::Draft;
 use crate::input::readings::{self, Reading};
+
+/// A quantity of the tables.
+pub(super) const CARD: TableSchema = TableSchema {
+    title: "[[output.column]]",
+    meaning: "A quantity of the tables; one column for each of its components.",
+    keys: &[NAME.schema, UNIT.schema],
+    families: &readings::OF_COLUMNS,
+};
+
+keys! {
+    /// The name of the column: letters, digits, `_`, `.` and `-`, beginning with a letter. Names of
+    /// several components end in `_x` and so on.
+    NAME: String = "name", [Text], required, "\"tip\"";
+    /// Unit of the numbers; energies may be in J, kJ or MJ.
+    UNIT: Option<String> = "unit", [Text], optional, "\"mm\"";
+}
 
 /// Reads every `[[output.column]]`; a card of several components is several columns.
 pub(super) fn read(output: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
@@ -55,10 +74,7 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
         user: &user,
     };
     let parts = reading.parts(kind?);
-    let unit = match table.has("unit") {
-        true => table.text("unit").map(Some),
-        false => Some(None),
-    };
+    let unit = table.get(&UNIT);
     let (name, parts, unit) = (name?, parts?, unit?);
     let is_alone = parts.len() == 1;
     let columns = parts.into_iter().map(|part| {
@@ -88,7 +104,7 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
 }
 
 fn name(table: &Table<'_>) -> Option<String> {
-    let name = table.require_text("name", "the name of the column")?;
+    let name = table.get(&NAME)?;
     let problem = match name.as_str() {
         "time" => ColumnProblem::Time,
         _ if !is_name(&name) => ColumnProblem::NoName { name },

@@ -2,15 +2,41 @@
 //!
 //! The name of a card is the name of its position, which expressions read.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{
+    Drive as OneDrive, NotNegative, Positive, Quantity, Text, Vector, Word,
+};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use crate::elements::Input;
 use crate::elements::control::{Actuator, Servo};
 use crate::input::draft::Draft;
 use crate::input::drives::{self, Catalog, Measure, Read};
-use crate::input::number::not_negative;
 use crate::model::{Scalar, ScalarStart};
+
+keys! {
+    /// A servo of second order, whose position joints can follow.
+    pub(in crate::input) CARD = "[[actuator]]";
+    /// A name, which expressions read: the position.
+    NAME: String = "name", [Text], required, "\"pitch\"";
+    /// Commanded position.
+    COMMAND: ByHand = "command", [OneDrive(Dimension::NUMBER)], required, "\"= 2*sin(t)\"";
+    /// Natural frequency.
+    FREQUENCY: f64 = "frequency", [Positive(Dimension::FREQUENCY)], required, "\"8 Hz\"";
+    /// Damping ratio; 0.7 is an overshoot of 5 %.
+    DAMPING_RATIO: f64 = "damping_ratio", [NotNegative(Dimension::NUMBER)], or "0.7" = DAMPING,
+        "1";
+    /// Smallest and largest command.
+    LIMITS: ByHand = "limits", [Vector(2, Dimension::NUMBER)], optional, "[-10, 20]";
+    /// Largest rate of the position, per second.
+    RATE_LIMIT: Option<f64> = "rate_limit", [Positive(Dimension::NUMBER)], optional, "60";
+    /// Unit of command, limits and position.
+    UNIT: ByHand = "unit", [Text], or "the unit of the key that uses it", "\"deg\"";
+    /// Initial position, at rest; `\"settled\"` is at the command.
+    START: ByHand = "start", [Quantity(Dimension::NUMBER), Word(&["settled"])], or "\"settled\"",
+        "5";
+}
 
 /// Default damping ratio: an overshoot of 5 %.
 const DAMPING: f64 = 0.7;
@@ -25,7 +51,7 @@ pub(super) struct Named<'a> {
 /// Makes the position of every `[[actuator]]` readable by expressions.
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'a>> {
     let declare = |table: Table<'a>| {
-        let name = table.require_text("name", "a name, which expressions read");
+        let name = table.get(&NAME);
         let (start, measure) = (start(&table), Measure::of_table(&table));
         let name = name.filter(|name| drives.is_free(name, &table, "name"));
         let position = name.clone().zip(start);
@@ -89,21 +115,12 @@ pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
 }
 
 fn servo(table: &Table<'_>) -> Option<Servo> {
-    let frequency = table.require_positive("frequency", Dimension::FREQUENCY);
-    let damping = match table.has("damping_ratio") {
-        true => not_negative(table, "damping_ratio", Dimension::NUMBER),
-        false => Some(DAMPING),
-    };
+    let (frequency, damping) = (table.get(&FREQUENCY), table.get(&DAMPING_RATIO));
     let limits = match table.has("limits") {
         true => limits(table).map(Some),
         false => Some(None),
     };
-    let rate_limit = match table.has("rate_limit") {
-        true => table
-            .require_positive("rate_limit", Dimension::NUMBER)
-            .map(Some),
-        false => Some(None),
-    };
+    let rate_limit = table.get(&RATE_LIMIT);
     Some(Servo {
         frequency: std::f64::consts::TAU * frequency?,
         damping: damping?,

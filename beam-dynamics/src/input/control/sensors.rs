@@ -2,7 +2,10 @@
 //!
 //! A sensor reads one of the quantities of columns, by the same keys.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::TableSchema;
+use shared_geom::document::schema::ValueKind::Text;
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 
 use crate::case::{ElectrodeQuantity, Quantity};
 use crate::elements::circuits::Circuit;
@@ -13,6 +16,29 @@ use crate::input::draft::Draft;
 use crate::input::drives::{self, Measure, Read};
 use crate::input::readings::{self, Kind, Reading, ReadingProblem, Source};
 use crate::model::{Quantity as ScalarQuantity, Scalar};
+
+/// A quantity of the state that expressions read by its name.
+pub(in crate::input) const CARD: TableSchema = TableSchema {
+    title: "[sensors.NAME]",
+    meaning: "A number of the state that expressions read by the name.",
+    keys: &[UNIT.schema],
+    families: &[
+        readings::NODES,
+        readings::MOMENTA,
+        readings::SECTIONS,
+        readings::REACTIONS,
+        readings::JOINTS,
+        readings::ANGLES,
+        readings::SPRINGS,
+        readings::ELECTRODES,
+        readings::ENERGIES,
+    ],
+};
+
+keys! {
+    /// Unit of its value in expressions.
+    UNIT: ByHand = "unit", [Text], or "the declared unit", "\"rad\"";
+}
 
 /// A sensor whose name expressions may read.
 pub(super) struct Declared<'a> {

@@ -16,9 +16,11 @@ use crate::input::drives::{self, Catalog, Measure, Read};
 use crate::input::ends;
 use crate::model::{Scalar, ScalarStart};
 
+mod keys;
 mod problem;
 mod sampled;
 
+pub(in crate::input) use keys::STATE_SPACE;
 pub use problem::StateSpaceProblem;
 
 /// Largest number of samples of a run.

@@ -7,6 +7,7 @@ use shared_geom::error::{Diagnostics, Place};
 use shared_geom::units::Dimension;
 
 use super::DriveProblem;
+use super::keys::{INTERPOLATION, OUTSIDE};
 use super::measure::Measure;
 use crate::input::csv_rows;
 use crate::model::{Drive, DriveTable, Interpolation, Outside, TableProblem};
@@ -16,14 +17,7 @@ pub(in crate::input) type Row = (usize, [f64; 2]);
 
 /// Reads a table of times and values.
 pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
-    let interpolation = match table.has("interpolation") {
-        true => table.word("interpolation", &["linear", "spline"]),
-        false => Some(0),
-    };
-    let outside = match table.has("outside") {
-        true => table.word("outside", &["error", "hold"]),
-        false => Some(0),
-    };
+    let (interpolation, outside) = (table.get(&INTERPOLATION), table.get(&OUTSIDE));
     let second = table.document().factor(Dimension::TIME);
     let factor = measure.factor(table.document());
     let (file, rows) = match (table.has("file"), table.has("rows")) {

@@ -6,6 +6,7 @@ use shared_geom::document::{Item, Table};
 use shared_geom::expression::written;
 use shared_geom::units::Dimension;
 
+use super::keys::{CYCLES, DURATION, FREQUENCY, INTERVAL, PHASE, SEED, SHAPE, START, TERMS, TIME};
 use super::measure::Measure;
 use super::{DriveProblem, Find, columns, drive, formula};
 use crate::model::{BandNoise, Doublet, Drive, Harmonic, Ramp, Step, SteppedNoise};
@@ -23,8 +24,8 @@ const KINDS: [&str; 10] = [
     "random",
 ];
 /// Default and largest number of sines of a random drive.
-const DEFAULT_TERMS: usize = 64;
-const MOST_TERMS: usize = 10_000;
+pub(super) const DEFAULT_TERMS: usize = 64;
+pub(super) const MOST_TERMS: usize = 10_000;
 
 /// Whether the kind of a table is known; otherwise its keys are not checked.
 pub(super) fn is_known(table: &Table<'_>) -> bool {
@@ -79,17 +80,10 @@ fn value_or_zero(table: &Table<'_>, key: &str, measure: Measure) -> Option<f64> 
     }
 }
 
-fn quantity_or(table: &Table<'_>, key: &str, dimension: Dimension, other: f64) -> Option<f64> {
-    match table.has(key) {
-        true => table.quantity(key, dimension),
-        false => Some(other),
-    }
-}
-
 fn ramp(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     let from = value_or_zero(table, "from", measure);
     let to = value(table, "to", measure);
-    let start = quantity_or(table, "start", Dimension::TIME, 0.0);
+    let start = table.get(&START);
     let has = ["end", "duration"].map(|key| table.has(key));
     let end = match has {
         [true, false] => table.quantity("end", Dimension::TIME),
@@ -106,12 +100,7 @@ fn ramp(table: &Table<'_>, measure: Measure) -> Option<Drive> {
             None
         }
     };
-    let smooth = match table.has("shape") {
-        true => table
-            .word("shape", &["linear", "smooth"])
-            .map(|word| word == 1),
-        false => Some(false),
-    };
+    let smooth = table.get(&SHAPE).map(|word| word == 1);
     let (start, end) = (start?, end?);
     if end <= start {
         table.note("", &DriveProblem::Backward { start, end });
@@ -129,7 +118,7 @@ fn ramp(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 fn step(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     let from = value_or_zero(table, "from", measure);
     let to = value(table, "to", measure);
-    let time = table.require_quantity("time", Dimension::TIME);
+    let time = table.get(&TIME);
     Some(Drive::Step(Step {
         from: from?,
         to: to?,
@@ -140,13 +129,10 @@ fn step(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 fn harmonic(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     let mean = value_or_zero(table, "mean", measure);
     let amplitude = value(table, "amplitude", measure);
-    let frequency = table.require_positive("frequency", Dimension::FREQUENCY);
-    let phase = quantity_or(table, "phase", Dimension::ANGLE, 0.0);
-    let start = quantity_or(table, "start", Dimension::TIME, 0.0);
-    let cycles = match table.has("cycles") {
-        true => table.require_positive("cycles", Dimension::NUMBER),
-        false => Some(f64::INFINITY),
-    };
+    let frequency = table.get(&FREQUENCY);
+    let phase = table.get(&PHASE);
+    let start = table.get(&START);
+    let cycles = table.get(&CYCLES);
     Some(Drive::Harmonic(Harmonic {
         mean: mean?,
         amplitude: amplitude?,
@@ -159,8 +145,8 @@ fn harmonic(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 
 fn doublet(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     let amplitude = value(table, "amplitude", measure);
-    let start = quantity_or(table, "start", Dimension::TIME, 0.0);
-    let duration = table.require_positive("duration", Dimension::TIME);
+    let start = table.get(&START);
+    let duration = table.get(&DURATION);
     Some(Drive::Doublet(Doublet {
         amplitude: amplitude?,
         start: start?,
@@ -178,11 +164,11 @@ fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
         }
         is_right
     });
-    let seed = table.require_count("seed").map(|seed| seed as u64);
+    let seed = table.get(&SEED).map(|seed| seed as u64);
     let keys = ["band", "interval"];
     match keys.map(|key| table.has(key)) {
         [false, true] => {
-            let interval = table.require_positive("interval", Dimension::TIME);
+            let interval = table.get(&INTERVAL);
             Some(Drive::Noise(SteppedNoise {
                 mean: mean?,
                 deviation: deviation?,
@@ -191,7 +177,7 @@ fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
             }))
         }
         [true, false] => {
-            let terms = terms(table);
+            let terms = table.get(&TERMS);
             let band = band(table);
             let noise = BandNoise::new([mean?, deviation?], band?, terms?, seed?);
             Some(Drive::Band(Arc::new(noise)))
@@ -204,19 +190,6 @@ fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
             None
         }
     }
-}
-
-/// The number of sines of a random drive.
-fn terms(table: &Table<'_>) -> Option<usize> {
-    let terms = match table.has("terms") {
-        true => table.count("terms")?,
-        false => DEFAULT_TERMS,
-    };
-    if terms > MOST_TERMS {
-        table.wrong("terms", "a number of at most 10000");
-        return None;
-    }
-    Some(terms)
 }
 
 /// The least and the largest frequency of a random drive \[Hz\].

@@ -5,6 +5,8 @@ use shared_geom::document::Table;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
+use super::AXIS_IN;
+use super::keys::{AT, FREEDOMS, FROM, ORIENTATION};
 use super::problem::JointProblem;
 use crate::elements::Signal;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
@@ -32,7 +34,6 @@ const KINDS: [&str; 15] = [
     "spin",
     "total",
 ];
-const FREEDOMS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
 /// Sine below which axes are treated as parallel, and part of the size of the model below which
 /// points coincide: digits lost in the input.
 const ROUNDING: f64 = 1e-9;
@@ -301,10 +302,6 @@ fn locked(table: &Table<'_>) -> Option<[bool; 6]> {
 }
 
 fn points(kind: &str, table: &Table<'_>) -> Option<Points> {
-    let point = |key: &str| match table.has(key) {
-        true => table.vector(key, Dimension::LENGTH).map(Some),
-        false => Some(None),
-    };
     let same = [
         "clamp",
         "spherical",
@@ -314,10 +311,10 @@ fn points(kind: &str, table: &Table<'_>) -> Option<Points> {
         "spin",
         "plane-rotation",
     ];
-    let at = point("at");
+    let at = table.get(&AT);
     let from = match same.contains(&kind) {
         true => Some(None),
-        false => point("from"),
+        false => table.get(&FROM),
     };
     Some(Points {
         at: at?,
@@ -326,12 +323,7 @@ fn points(kind: &str, table: &Table<'_>) -> Option<Points> {
 }
 
 fn axes(kind: &str, table: &Table<'_>) -> Option<Axes> {
-    let in_node = || match table.has("axis_in") {
-        true => table
-            .word("axis_in", &["model", "node"])
-            .map(|word| word == 1),
-        false => Some(false),
-    };
+    let in_node = || table.get(&AXIS_IN).map(|word| word == 1);
     match kind {
         "clamp" | "spherical" | "distance" => Some(Axes {
             of_ends: [Matrix3::identity(); 2],
@@ -345,10 +337,7 @@ fn axes(kind: &str, table: &Table<'_>) -> Option<Axes> {
             })
         }
         "position" | "rotation" | "velocity" | "total" => {
-            let turned = match table.has("orientation") {
-                true => table.vector("orientation", Dimension::ANGLE)?,
-                false => Vector3::zeros(),
-            };
+            let turned = table.get(&ORIENTATION)?;
             Some(Axes {
                 of_ends: [vector::to_rotation(&turned); 2],
                 in_node: false,

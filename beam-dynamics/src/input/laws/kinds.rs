@@ -8,6 +8,7 @@ use shared_geom::expression::{Names, written};
 use shared_geom::units::Dimension;
 
 use super::Components;
+use super::keys::{INTERPOLATION, OUTSIDE};
 use super::numbers::{each, each_positive, matrix, slope};
 use super::problem::LawProblem;
 use crate::elements::laws::{Between, Bilinear, Cubic, Curve, ExpressionLaw, LawKind, Outside};
@@ -152,14 +153,7 @@ fn by_component<const N: usize, T>(
 }
 
 fn curves<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
-    let between = match table.has("interpolation") {
-        true => table.word("interpolation", &["linear", "spline"]),
-        false => Some(0),
-    };
-    let outside = match table.has("outside") {
-        true => table.word("outside", &["extend", "hold", "error"]),
-        false => Some(0),
-    };
+    let (between, outside) = (table.get(&INTERPOLATION), table.get(&OUTSIDE));
     let points = by_component(table, "points", of, |table, key, i| {
         points(table, key, [of.strain[i], of.force[i]])
     });

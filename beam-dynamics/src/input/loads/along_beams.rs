@@ -1,18 +1,48 @@
 //! Loads along blades and beams.
 
 use nalgebra::Vector3;
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Quantities, Text, Texts, Vector, Vectors, Word};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::{LoadProblem, axes, kind, label};
+use super::{CONSTANT, DRIVE, FOLLOWER, LoadProblem, kind, label};
 use crate::elements::Signal;
 use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
 use crate::elements::loads::{LoadFactor, Turning};
 use crate::input::beam_card::Beam;
 use crate::input::draft::Draft;
 use crate::input::drives;
-use crate::input::frames::Frame;
+use crate::input::frames::{Frame, IN};
 use crate::model::Node;
+
+keys! {
+    /// A load along a blade or along beams.
+    pub(in crate::input) CARD = "[[distributed_load]]";
+    /// Its name, for messages.
+    NAME: ByHand = "name", [Text], or "`distributed load` and its number", "\"lift\"";
+    /// Force per undeformed length: a vector, or at most six coefficients of the powers of the arc
+    /// length over the length of the line, or with `at` a row for each position.
+    FORCE: ByHand = "force",
+        [Vector(3, Dimension::FORCE_PER_LENGTH), Vectors(3, Dimension::FORCE_PER_LENGTH)],
+        optional, "[[0, 0, 0], [0, 0, 10]]";
+    /// Moment per undeformed length, in the same form; one of force and moment is needed.
+    MOMENT: ByHand = "moment", [Vector(3, Dimension::FORCE), Vectors(3, Dimension::FORCE)],
+        optional, "[0, 2, 0]";
+    /// Ascending arc lengths of a table, linear between them and zero beyond; a repeated one is a
+    /// jump.
+    AT: ByHand = "at", [Quantities(Dimension::LENGTH)], optional, "[0, 10]";
+    /// Axes of the components: the model, or the undeformed section.
+    AXES: usize = "axes", [Word(&["model", "section"])], or "\"model\"" = 0, "\"section\"";
+    with BLADE.schema, BEAMS.schema, FOLLOWER.schema, CONSTANT.schema, DRIVE.schema, IN.schema;
+}
+
+keys! {
+    /// The name of a blade; either this or `beams`.
+    pub(in crate::input) BLADE: ByHand = "blade", [Text], optional, "\"blade\"";
+    /// The names of beams, in the order of the line.
+    pub(in crate::input) BEAMS: ByHand = "beams", [Texts], optional, "[\"arm\", \"blade/beam 3\"]";
+}
 
 /// Coefficients of a polynomial: the fifth degree is integrated exactly.
 const COEFFICIENTS: usize = 6;
@@ -60,7 +90,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 
 fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
     let beams = beams(table, draft, label);
-    let in_section = axes(table, "section");
+    let in_section = table.get(&AXES);
     let kind = kind(table);
     let frame = draft.frames().of(table);
     let signal = drives::read_factor(table, "drive", draft.drives());
@@ -76,7 +106,7 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
         force: force?,
         moment: moment?,
         kind: kind?,
-        in_section: in_section?,
+        in_section: in_section? == 1,
         frame: frame?,
         signal: signal?,
     };

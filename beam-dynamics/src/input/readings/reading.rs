@@ -5,6 +5,7 @@ use shared_geom::document::{DocumentProblem, Table};
 use shared_geom::units::{Dimension, parse};
 use shared_geom::wrench::COMPONENTS;
 
+use super::keys::{ABOUT, SEQUENCE};
 use super::kind::{CURVATURE, Kind, SIX, Source};
 use super::problem::ReadingProblem;
 use crate::case::{ElectrodeQuantity, Quantity};
@@ -155,7 +156,7 @@ impl Reading<'_> {
             false => Some(None),
         };
         if let NodeVector::Euler(_) = vector {
-            return self.turns(kind, (node?, against?));
+            return self.turns(kind, (node, against));
         }
         let (parts, axes) = (self.vector_parts(), self.axes(false));
         let ((name, node), against, parts, (axes, frame)) = (node?, against?, parts?, axes?);
@@ -183,12 +184,10 @@ impl Reading<'_> {
     fn turns(
         &self,
         kind: &Kind,
-        ((name, node), against): ((String, usize), Option<(usize, String)>),
+        (node, against): (Option<(String, usize)>, Option<Option<(usize, String)>>),
     ) -> Option<Vec<Found>> {
-        let sequence = match self.table.has("sequence") {
-            true => self.table.text("sequence")?,
-            false => "zyx".to_owned(),
-        };
+        let (sequence, places) = (self.table.get(&SEQUENCE), self.components(&TURNS));
+        let ((name, node), against, sequence) = (node?, against?, sequence?);
         let axes: Vec<_> = sequence.chars().filter_map(|c| "xyz".find(c)).collect();
         let axes = match axes[..] {
             [i, j, k] if i != j && j != k && sequence.len() == 3 => [i, j, k],
@@ -199,8 +198,7 @@ impl Reading<'_> {
                 return None;
             }
         };
-        let places = self.components(&TURNS)?;
-        let found = places.into_iter().map(|place| Found {
+        let found = places?.into_iter().map(|place| Found {
             word: TURNS[place],
             words: format!("{} angle {sequence} of {name}", TURNS[place]),
             quantity: Quantity::Node(NodeQuantity {
@@ -217,8 +215,8 @@ impl Reading<'_> {
     }
 
     fn of_model(&self, kind: &Kind, is_angular: bool) -> Option<Vec<Found>> {
-        let about = match is_angular && self.table.has("about") {
-            true => self.table.vector("about", Dimension::LENGTH),
+        let about = match is_angular {
+            true => self.table.get(&ABOUT),
             false => Some(Vector3::zeros()),
         };
         let parts = self.vector_parts();

@@ -1,16 +1,63 @@
 //! Springs with laws, between two nodes or between the frame and a node.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::Family;
+use shared_geom::document::schema::ValueKind::{Table as OneTable, Tables, Text, Texts, Vector};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::six;
+use super::{ORIENTATION, six};
 use crate::elements::laws::{Law, LawKind};
 use crate::elements::springs::{Spring, SpringLaw};
 use crate::input::draft::Draft;
 use crate::input::ends;
 use crate::input::laws::{self, Components, LawProblem};
+
+/// Keys of a spring between two nodes.
+pub(super) const OF_TWO_NODES: Family = Family {
+    name: "two nodes",
+    meaning: "Between two nodes: the displacement and rotation of the second relative to the \
+              first, in whose axes the spring acts.",
+    keys: &[
+        NODES.schema,
+        AT.schema,
+        LAW.schema,
+        ROTATIONAL_LAW.schema,
+        COUPLED_LAW.schema,
+    ],
+};
+
+/// Keys of a spring with a law between the frame and a node.
+pub(super) const OF_ONE_NODE: Family = Family {
+    name: "law",
+    meaning: "Between a node and the frame, with at least one law.",
+    keys: &[
+        NODE.schema,
+        AT.schema,
+        LAW.schema,
+        ROTATIONAL_LAW.schema,
+        COUPLED_LAW.schema,
+    ],
+};
+
+keys! {
+    /// The names of two nodes.
+    NODES: ByHand = "nodes", [Texts], required, "[\"hub\", \"gearbox\"]";
+    /// The name of a node.
+    NODE: ByHand = "node", [Text], required, "\"engine\"";
+    /// Position of the spring in the undeformed model; without it the last node.
+    AT: Option<Vector3<f64>> = "at", [Vector(3, Dimension::LENGTH)], optional, "[0, 0, 1]";
+    /// Law of the displacement, in place of `stiffness` and `damping`.
+    LAW: ByHand = "law",
+        [OneTable(&laws::DISPLACEMENT), Tables(&laws::DISPLACEMENT)], optional, "";
+    /// Law of the rotation vector, in place of `rotational_stiffness` and `rotational_damping`.
+    ROTATIONAL_LAW: ByHand = "rotational_law",
+        [OneTable(&laws::DISPLACEMENT), Tables(&laws::DISPLACEMENT)], optional, "";
+    /// Law of displacement and rotation together, in place of all others.
+    COUPLED_LAW: ByHand = "coupled_law", [OneTable(&laws::BOTH), Tables(&laws::BOTH)], optional, "";
+}
 
 /// Keys of laws: for the displacement, for the rotation, and for both.
 const LAWS: [&str; 3] = ["law", "rotational_law", "coupled_law"];
@@ -27,14 +74,7 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<
     if table.has("stands_in") {
         table.note("stands_in", &LawProblem::Stand);
     }
-    let turn = match table.has("orientation") {
-        true => table.vector("orientation", Dimension::ANGLE),
-        false => Some(Vector3::zeros()),
-    };
-    let place = match table.has("at") {
-        true => table.vector("at", Dimension::LENGTH).map(Some),
-        false => Some(None),
-    };
+    let (turn, place) = (table.get(&ORIENTATION), table.get(&AT));
     let frame = draft.frames().of(table);
     let law = spring_law(table, draft, &words);
     let (nodes, frame) = (nodes?, frame?);

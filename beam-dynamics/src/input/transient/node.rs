@@ -1,23 +1,38 @@
 //! Initial motion of a node.
 
+use nalgebra::Vector3;
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Positive, Vector};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::TransientProblem;
 use crate::case::InitialMotion;
 use crate::input::draft::Draft;
 
+keys! {
+    /// Initial velocity in runs in time, in the axes of the model or of the frame of the card.
+    pub(in crate::input) VELOCITY: Option<Vector3<f64>> = "velocity",
+        [Vector(3, Dimension::VELOCITY)], optional, "[0, -1, 0]";
+    /// Initial angular velocity in runs in time, in the same axes.
+    pub(in crate::input) ANGULAR_VELOCITY: Option<Vector3<f64>> = "angular_velocity",
+        [Vector(3, Dimension::ROTATION_SPEED)], optional, "[0, 0, \"-1 rad/s\"]";
+    /// Weight of position and attitude in the start-up of a run, from 1e-9 to 1e9: the larger,
+    /// the less they are changed to fulfill the constraints.
+    pub(in crate::input) INITIAL_WEIGHT: f64 = "initial_weight",
+        [Positive(Dimension::NUMBER)], or "1" = 1.0, "100";
+    /// The same for velocities; without it 1 for given velocities, and almost zero for others.
+    pub(in crate::input) VELOCITY_WEIGHT: Option<f64> = "velocity_weight",
+        [Positive(Dimension::NUMBER)], optional, "100";
+}
+
 /// Reads `velocity`, `angular_velocity`, `initial_weight` and `velocity_weight` of a node.
 pub(in crate::input) fn initial_motion(table: &Table<'_>) -> Option<InitialMotion> {
-    let vector = |key: &str, dimension: Dimension| match table.has(key) {
-        true => table.vector(key, dimension).map(Some),
-        false => Some(None),
-    };
-    let velocity = vector("velocity", Dimension::VELOCITY);
-    let angular_velocity = vector("angular_velocity", Dimension::ROTATION_SPEED);
+    let velocity = table.get(&VELOCITY);
+    let angular_velocity = table.get(&ANGULAR_VELOCITY);
     let (weight, velocity_weight) = (
-        weight(table, "initial_weight"),
-        weight(table, "velocity_weight"),
+        weight(table, INITIAL_WEIGHT.name()),
+        weight(table, VELOCITY_WEIGHT.name()),
     );
     Some(InitialMotion {
         velocity: velocity?,

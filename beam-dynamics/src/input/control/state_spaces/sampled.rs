@@ -1,10 +1,31 @@
 //! Keys of systems that sample.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{
+    Lines, NotNegative, Positive, Quantities, Quantity, Vector,
+};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::StateSpaceProblem;
 use crate::elements::control::{Limits, Sampling};
+
+keys! {
+    /// Interval between samples: the matrices map the states of one sample to the next, and
+    /// transfer functions are in z.
+    pub(super) SAMPLE_TIME: ByHand = "sample_time", [Positive(Dimension::TIME)], or "continuous",
+        "0.01";
+    /// Time of a sample.
+    pub(super) OFFSET: f64 = "offset", [Quantity(Dimension::TIME)], or "0" = 0.0, "0.005";
+    /// Number of samples between an input and the output computed from it.
+    pub(super) DELAY: ByHand = "delay", [NotNegative(Dimension::NUMBER)], or "0", "1";
+    /// Smallest and largest value of all outputs, or a pair for each.
+    pub(super) LIMITS: ByHand = "limits", [Vector(2, Dimension::NUMBER), Lines(2)], or "none",
+        "[-10, 10]";
+    /// Largest rate of each output, per second.
+    pub(super) RATE_LIMITS: ByHand = "rate_limits", [Quantities(Dimension::NUMBER)], or "none",
+        "[60]";
+}
 
 /// Keys only for systems that sample.
 const KEYS: [&str; 4] = ["offset", "delay", "limits", "rate_limits"];
@@ -29,10 +50,7 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
         };
     }
     let period = table.require_positive("sample_time", Dimension::TIME);
-    let offset = match table.has("offset") {
-        true => table.quantity("offset", Dimension::TIME),
-        false => Some(0.0),
-    };
+    let offset = table.get(&OFFSET);
     let delay = match table.has("delay") {
         true => delay(table),
         false => Some(0),

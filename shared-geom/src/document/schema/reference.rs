@@ -2,28 +2,17 @@
 
 use std::fmt::Write;
 
-use super::{KeySchema, Need, SECTION_FILE, TableSchema, ValueKind};
+use super::{KeySchema, Need, TableSchema, ValueKind};
 
-const OPENING: &str = "\
-# Section input reference
-
-Every key of a section file, `NAME.section.toml`.
-Made by `section-analyzer schema --format markdown`; do not edit.
-The use of the keys is described in [Section input](section-input.md).
-
-A *quantity* is a number in the declared units, or a text with its own unit, such as `\"73.1 GPa\"`.
-A *name* is a text, or a whole number that represents one: the tag of a physical group.
-";
-
-/// The reference page of the section file, in Markdown.
-pub fn reference() -> String {
-    let mut page = OPENING.to_owned();
-    write_table(&mut page, &SECTION_FILE);
+/// The reference page of a file, in Markdown: the `opening`, then every table once.
+pub fn reference(file: &'static TableSchema, opening: &str) -> String {
+    let mut page = opening.to_owned();
+    write_table(&mut page, file);
     page
 }
 
 /// A table, then the tables in it, each once.
-fn write_table(page: &mut String, table: &TableSchema) {
+fn write_table(page: &mut String, table: &'static TableSchema) {
     let heading = format!("\n## `{}`\n", table.title);
     if page.contains(&heading) {
         return;
@@ -43,8 +32,7 @@ fn write_table(page: &mut String, table: &TableSchema) {
         let _ = writeln!(page, "\n*{name}*: {}", family.meaning);
         write_keys(page, family.keys);
     }
-    let own = table.families.iter().flat_map(|family| family.keys);
-    let kinds = table.keys.iter().chain(own).flat_map(|key| key.kinds);
+    let kinds = table.all_keys().flat_map(|key| key.kinds);
     for inner in kinds.filter_map(ValueKind::table) {
         write_table(page, inner);
     }
@@ -80,20 +68,42 @@ fn words(kind: &ValueKind) -> String {
         ValueKind::Text => "text".to_owned(),
         ValueKind::Name => "name".to_owned(),
         ValueKind::Names => "name, or a list of names".to_owned(),
-        ValueKind::Word(known) => {
-            let quoted: Vec<_> = known.iter().map(|word| format!("`\"{word}\"`")).collect();
-            quoted.join(", ")
-        }
+        ValueKind::Texts => "text, or a list of texts".to_owned(),
+        ValueKind::Word(known) => quoted(known),
+        ValueKind::Words(known) => format!("{}, or a list of these", quoted(known)),
         ValueKind::Boolean => "`true`, `false`".to_owned(),
         ValueKind::Unit(dimension) => format!("unit of {dimension}"),
         ValueKind::Quantity(dimension) => format!("quantity: {dimension}"),
+        ValueKind::Positive(dimension) => format!("quantity: {dimension}, greater than zero"),
+        ValueKind::NotNegative(dimension) => format!("quantity: {dimension}, zero or more"),
+        ValueKind::Quantities(dimension) => {
+            format!("quantity, or a list of quantities, each {dimension}")
+        }
         ValueKind::Vector(count, dimension) => format!("{count} quantities, each {dimension}"),
+        ValueKind::Vectors(count, dimension) => {
+            format!("list of arrays of {count} quantities, each {dimension}")
+        }
         ValueKind::Named(dimension) => format!("quantities by name, each {dimension}"),
+        ValueKind::Free => "quantity".to_owned(),
+        ValueKind::FreeMatrix => "quantity, list of quantities, or rows of numbers".to_owned(),
+        ValueKind::Count(usize::MAX) => "whole number of at least 1".to_owned(),
         ValueKind::Count(most) => format!("whole number from 1 to {most}"),
         ValueKind::Numbers(most) => format!("1 to {most} numbers"),
         ValueKind::Rows(rows, columns) => format!("{rows} rows of {columns} numbers"),
+        ValueKind::Lines(0) => "rows of numbers".to_owned(),
+        ValueKind::Lines(columns) => format!("rows of {columns} numbers"),
+        ValueKind::Drive(dimension) => format!("drive: {dimension}"),
+        ValueKind::Drives(dimension) => format!("list of drives, each {dimension}"),
+        ValueKind::NamedDrives(dimension) => format!("drives by name, each {dimension}"),
         ValueKind::Table(table) => format!("table `{}`", table.title),
         ValueKind::NamedTables(table) => format!("tables `{}`", table.title),
         ValueKind::Tables(table) => format!("tables `{}`", table.title),
+        ValueKind::OtherTables => "tables".to_owned(),
     }
+}
+
+/// Words in quotes.
+fn quoted(words: &[&str]) -> String {
+    let quoted: Vec<_> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
+    quoted.join(", ")
 }

@@ -1,0 +1,243 @@
+//! The keys of quantities, for columns and sensors.
+
+use nalgebra::Vector3;
+use shared_geom::document::ByHand;
+use shared_geom::document::schema::ValueKind::{Count, Text, Vector, Word, Words};
+use shared_geom::document::schema::{Family, KeySchema, Need, key};
+use shared_geom::keys;
+use shared_geom::units::Dimension;
+
+use super::kind::SIX;
+
+/// Components of a vector.
+const PARTS: [&str; 4] = ["x", "y", "z", "magnitude"];
+/// Angles about three axes.
+const TURNS: [&str; 3] = ["first", "second", "third"];
+
+/// The quantity, one of the words.
+macro_rules! quantity {
+    ($first:literal $(, $word:literal)*) => {
+        key(
+            "quantity",
+            &[Word(&[$first $(, $word)*])],
+            Need::Required,
+            concat!("\"", $first, "\""),
+            "The quantity.",
+        )
+    };
+}
+
+/// Object of a quantity.
+const fn of(example: &'static str, meaning: &'static str) -> KeySchema {
+    key("of", &[Text], Need::Required, example, meaning)
+}
+
+/// Components of a quantity.
+const fn component(
+    kinds: &'static [shared_geom::document::schema::ValueKind],
+    example: &'static str,
+) -> KeySchema {
+    let meaning = "One component, or a list; a sensor has one.";
+    key("component", kinds, Need::Default("all"), example, meaning)
+}
+
+const PART: KeySchema = component(&[Words(&PARTS)], "\"z\"");
+
+/// Motions of nodes.
+pub(in crate::input) const NODES: Family = Family {
+    name: "motion of a node",
+    meaning: "A vector of a node.",
+    keys: &[
+        quantity!(
+            "position",
+            "displacement",
+            "velocity",
+            "velocity_in_space",
+            "rotation",
+            "attitude",
+            "angular_velocity",
+            "angular_velocity_in_space"
+        ),
+        of("\"tip\"", "The name of a node."),
+        AGAINST.schema,
+        PART,
+        IN.schema,
+    ],
+};
+/// Momenta of nodes.
+pub(in crate::input) const MOMENTA: Family = Family {
+    name: "momentum of a node",
+    meaning: "The momentum of the bodies on a node, the angular one about the node.",
+    keys: &[
+        quantity!("momentum", "angular_momentum"),
+        of("\"tip\"", "The name of a node."),
+        AGAINST.schema,
+        PART,
+        IN.schema,
+    ],
+};
+/// Sections of beams.
+pub(in crate::input) const SECTIONS: Family = Family {
+    name: "section of a beam",
+    meaning: "Internal force and moment, or strain and curvature, in section axes.",
+    keys: &[
+        quantity!("internal_force", "strain"),
+        of("\"blade/beam 1\"", "The name of a beam."),
+        POINT.schema,
+        component(&[Words(&SIX)], "\"bending_y\""),
+    ],
+};
+/// Reactions of joints.
+pub(in crate::input) const REACTIONS: Family = Family {
+    name: "reaction",
+    meaning: "The load of a joint on a node, about the node.",
+    keys: &[
+        quantity!("reaction_force", "reaction_moment"),
+        of(
+            "\"pin\"",
+            "The name of a joint, a support or an imposed motion; a clamp is called \
+             `clamp of NODE`.",
+        ),
+        NODE.schema,
+        PART,
+        IN_JOINT.schema,
+    ],
+};
+/// Motions of joints.
+pub(in crate::input) const JOINTS: Family = Family {
+    name: "motion of a joint",
+    meaning: "The motion of the second end relative to the first, in the axes of the joint that \
+              turn with the first.",
+    keys: &[
+        quantity!(
+            "joint_displacement",
+            "joint_rotation",
+            "joint_velocity",
+            "joint_angular_velocity"
+        ),
+        of("\"pin\"", "The name of a joint."),
+        PART,
+    ],
+};
+/// Angles of joints.
+pub(in crate::input) const ANGLES: Family = Family {
+    name: "angle of a joint",
+    meaning: "The angle about the axis of a joint.",
+    keys: &[
+        quantity!("joint_angle"),
+        of("\"pin\"", "The name of a joint with an axis."),
+    ],
+};
+/// Springs and rods.
+pub(in crate::input) const SPRINGS: Family = Family {
+    name: "rod or spring",
+    meaning: "Deformation and force of a rod or a spring between two nodes.",
+    keys: &[
+        quantity!(
+            "spring_displacement",
+            "spring_rotation",
+            "spring_force",
+            "spring_moment"
+        ),
+        of("\"stay\"", "The name of a rod or a spring."),
+        PART,
+    ],
+};
+/// Electrodes.
+pub(in crate::input) const ELECTRODES: Family = Family {
+    name: "electrode",
+    meaning: "Voltage relative to ground, free charge, or current into an electrode.",
+    keys: &[
+        quantity!("voltage", "charge", "current"),
+        of("\"afc\"", "The name of an electrode."),
+    ],
+};
+/// Energies that sensors read.
+pub(in crate::input) const ENERGIES: Family = Family {
+    name: "energy",
+    meaning: "An energy of the whole model; `energy` is the sum.",
+    keys: &[quantity!(
+        "kinetic_energy",
+        "elastic_energy",
+        "gravity_energy",
+        "energy"
+    )],
+};
+
+/// All quantities of columns.
+pub(in crate::input) const OF_COLUMNS: [Family; 15] = [
+    NODES,
+    Family {
+        name: "Euler angles",
+        meaning: "The attitude as rotations about the axes of the node, each moved by the \
+                  previous ones.",
+        keys: &[
+            quantity!("euler_angles"),
+            of("\"tip\"", "The name of a node."),
+            AGAINST.schema,
+            SEQUENCE.schema,
+            component(&[Words(&TURNS)], "\"first\""),
+        ],
+    },
+    MOMENTA,
+    Family {
+        name: "momentum of the model",
+        meaning: "The momentum of the whole model.",
+        keys: &[quantity!("momentum"), PART],
+    },
+    Family {
+        name: "angular momentum of the model",
+        meaning: "The angular momentum of the whole model about a point.",
+        keys: &[quantity!("angular_momentum"), PART, ABOUT.schema],
+    },
+    SECTIONS,
+    REACTIONS,
+    JOINTS,
+    ANGLES,
+    SPRINGS,
+    ELECTRODES,
+    Family {
+        name: "drive",
+        meaning: "The value of a drive, in the `unit` of the column.",
+        keys: &[
+            quantity!("drive"),
+            of(
+                "\"swing\"",
+                "The name of a drive, or an expression of time.",
+            ),
+        ],
+    },
+    Family {
+        name: "signal",
+        meaning: "The value of a sensor, an output, or an expression of them and of time.",
+        keys: &[
+            quantity!("signal"),
+            of("\"torque\"", "The name of a signal, or an expression."),
+        ],
+    },
+    ENERGIES,
+    Family {
+        name: "model and step",
+        meaning: "The electric energy, and length and iterations of the step.",
+        keys: &[quantity!("electric_energy", "step_length", "iterations")],
+    },
+];
+
+keys! {
+    /// Another node to which the quantity is relative: vectors are subtracted, rotations are seen
+    /// by it.
+    AGAINST: ByHand = "against", [Text], optional, "\"mast\"";
+    /// Axes of the components: `\"model\"`, the name of a node for its current axes, or of a frame.
+    IN: ByHand = "in", [Text], or "\"model\"", "\"mast\"";
+    /// The same, or `\"first\"` or `\"second\"` for the axes of the joint that turn with that end.
+    IN_JOINT: ByHand = "in", [Text], or "\"model\"", "\"first\"";
+    /// Order of the three axes: `\"zyx\"` are yaw, pitch and roll.
+    pub(super) SEQUENCE: String = "sequence", [Text], or "\"zyx\"" = "zyx".to_owned(), "\"zxz\"";
+    /// The point about which the angular momentum is taken.
+    pub(super) ABOUT: Vector3<f64> = "about", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 1]";
+    /// Evaluation point: 1 is near the first node.
+    POINT: ByHand = "point", [Count(2)], or "1", "2";
+    /// The node on which the reaction acts.
+    NODE: ByHand = "node", [Text], or "the last node of the joint", "\"root\"";
+}

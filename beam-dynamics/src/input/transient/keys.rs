@@ -1,0 +1,73 @@
+//! The keys of `[transient]`.
+
+use shared_geom::document::ByHand;
+use shared_geom::document::schema::ValueKind::{
+    Count, NotNegative, Positive, Quantity, Table, Word,
+};
+use shared_geom::keys;
+use shared_geom::units::Dimension;
+
+use super::{MOST_ITERATIONS, SCHEMES};
+
+keys! {
+    /// The motion of the model in time.
+    pub(in crate::input) TRANSIENT = "[transient]";
+    /// First instant.
+    pub(super) FROM: f64 = "from", [Quantity(Dimension::TIME)], or "0" = 0.0, "1";
+    /// Last instant.
+    pub(super) TO: f64 = "to", [Quantity(Dimension::TIME)], required, "2";
+    /// Length of the steps, shortened if the iteration fails; or steps by the local error.
+    pub(super) STEP: ByHand = "step", [Positive(Dimension::TIME), Table(&VARIABLE_STEP)], required,
+        "1e-3";
+    /// Integration scheme.
+    pub(super) SCHEME: usize = "scheme", [Word(&SCHEMES)], or "\"two-step\"" = 0, "\"bdf2\"";
+    /// Asymptotic spectral radius of the schemes `two-step` and `cubic`, from 0 to 1: the part of
+    /// the fastest motions that remains after a step.
+    pub(super) RADIUS: ByHand = "radius", [NotNegative(Dimension::NUMBER)], or "0.6", "0.8";
+    /// Position of the inner stage of the scheme `parabolic`, between -1 and 0.
+    pub(super) ZETA: ByHand = "zeta", [Quantity(Dimension::NUMBER)], or "-2/3", "-0.5";
+    /// Jacobian: exact, or rotations linearized as at their prediction.
+    pub(super) JACOBIAN: usize = "jacobian", [Word(&["exact", "simplified"])],
+        or "\"exact\"" = 0, "\"simplified\"";
+    /// Settings of the iteration of a step.
+    pub(super) NEWTON: ByHand = "newton", [Table(&ITERATION)], optional, "";
+    /// Start: the given positions and velocities of the nodes, at rest under the loads at `from`,
+    /// or turning steadily about the axis of the hub at `speed`.
+    pub(super) START: usize = "start", [Word(&["given", "equilibrium", "rotating"])],
+        or "\"given\"" = 0, "\"rotating\"";
+    /// Angular velocity of a rotating start.
+    pub(super) SPEED: Option<f64> = "speed", [Quantity(Dimension::ROTATION_SPEED)], optional, "300";
+    /// Accelerations at the start.
+    pub(super) START_ACCELERATIONS: usize = "start_accelerations",
+        [Word(&["consistent", "zero", "dummy", "at-rest"])], or "\"consistent\"" = 0, "\"dummy\"";
+    /// Redundant constraints: an error, or sharing of the loads with the smallest reactions.
+    pub(super) REDUNDANT: usize = "redundant", [Word(&["error", "remove"])],
+        or "\"error\"" = 0, "\"remove\"";
+}
+
+keys! {
+    /// Steps by the local error.
+    VARIABLE_STEP = "step = { ... }";
+    /// Length of the first step.
+    pub(super) FIRST: f64 = "first", [Positive(Dimension::TIME)], required, "1e-4";
+    /// Smallest length, 1e-6 of `first` unless given.
+    pub(super) LEAST: Option<f64> = "least", [Positive(Dimension::TIME)], optional, "1e-9";
+    /// Largest length, a fiftieth of the run unless given.
+    pub(super) MOST: Option<f64> = "most", [Positive(Dimension::TIME)], optional, "1e-2";
+    /// Local error of a step, in sizes of the model and radians.
+    pub(super) TOLERANCE: f64 = "tolerance", [Positive(Dimension::NUMBER)], or "1e-4" = 1e-4,
+        "1e-5";
+}
+
+keys! {
+    /// Settings of the iteration of a step.
+    ITERATION = "newton = { ... }";
+    /// A Jacobian in every step, or one that is kept over steps.
+    pub(super) METHOD: usize = "method", [Word(&["full", "modified"])], or "\"full\"" = 0,
+        "\"modified\"";
+    /// Largest number of iterations in a step, 15 unless given.
+    pub(super) ITERATIONS: Option<usize> = "iterations", [Count(MOST_ITERATIONS)], optional, "30";
+    /// Remaining error after the last correction, in sizes of the model and radians, from 1e-13
+    /// to 0.01.
+    pub(super) CORRECTION: ByHand = "tolerance", [Positive(Dimension::NUMBER)], optional, "1e-9";
+}

@@ -1,0 +1,141 @@
+//! Tables in a table, and the keys that a table may have.
+
+use super::schema::TableSchema;
+use super::tree::{Kind, Value};
+use super::{DocumentProblem, Table};
+
+impl<'a> Table<'a> {
+    /// Whether `key` holds a table.
+    pub fn is_table(&self, key: &str) -> bool {
+        matches!(
+            self.ask(key),
+            Some(Value {
+                kind: Kind::Table(_),
+                ..
+            })
+        )
+    }
+
+    /// The table under `key`.
+    pub fn table(&self, key: &str) -> Option<Table<'a>> {
+        let entry = self.ask_entry(key)?;
+        match &entry.value.kind {
+            Kind::Table(entries) => {
+                let title = format!("[{key}]");
+                let table = Table::new(self.document, entries, title, entry.line);
+                Some(self.describe(key, table))
+            }
+            _ => self.wrong_value(key, &entry.value, "a table"),
+        }
+    }
+
+    /// As [`Table::table`], and required.
+    pub fn require_table(&self, key: &str, expected: &str) -> Option<Table<'a>> {
+        self.require(key, expected)?;
+        self.table(key)
+    }
+
+    /// The tables of an array of tables, `[[key]]`; empty when absent.
+    pub fn tables(&self, key: &str) -> Vec<Table<'a>> {
+        let Some(value) = self.ask(key) else {
+            return Vec::new();
+        };
+        let Kind::Array(items) = &value.kind else {
+            let _: Option<()> = self.wrong_value(key, value, &format!("tables [[{key}]]"));
+            return Vec::new();
+        };
+        // Of [output], the tables are [[output.column]].
+        let outer = self
+            .title
+            .strip_prefix('[')
+            .and_then(|t| t.strip_suffix(']'));
+        let within = match outer.filter(|outer| !outer.starts_with('[')) {
+            Some(outer) => format!("{outer}."),
+            None => String::new(),
+        };
+        let table = |(i, item): (usize, &'a Value)| match &item.kind {
+            Kind::Table(entries) => {
+                let title = format!("[[{within}{key}]] number {}", i + 1);
+                let table = Table::new(self.document, entries, title, item.line);
+                Some(self.describe(key, table))
+            }
+            _ => self.wrong_value(key, item, &format!("a table [[{key}]]")),
+        };
+        items.iter().enumerate().filter_map(table).collect()
+    }
+
+    /// The tables `[key.name]` with their names; empty when absent.
+    pub fn named_tables(&self, key: &str) -> Vec<(String, Table<'a>)> {
+        let Some(outer) = self.table(key) else {
+            return Vec::new();
+        };
+        let names = outer.entries.iter().map(|entry| entry.key.clone());
+        names
+            .filter_map(|name| {
+                let mut table = outer.table(&name)?;
+                table.title = format!("{key} \"{name}\"");
+                table.schemas.clone_from(&outer.schemas);
+                Some((name, table))
+            })
+            .collect()
+    }
+
+    /// The table under `key` with the descriptions of the key.
+    fn describe(&self, key: &str, mut table: Table<'a>) -> Table<'a> {
+        let keys = self.schemas.iter().flat_map(|schema| schema.all_keys());
+        let keys = keys.filter(|own| own.name == key);
+        for schema in keys
+            .flat_map(|own| own.kinds)
+            .filter_map(|kind| kind.table())
+        {
+            let is_there = |other: &&TableSchema| std::ptr::eq(*other, schema);
+            if !table.schemas.iter().any(is_there) {
+                table.schemas.push(schema);
+            }
+        }
+        table
+    }
+
+    /// The keys of the table, in the order of its descriptions: all common keys, and the
+    /// requested keys of families. Without description, the requested keys.
+    fn known_keys(&self) -> Vec<String> {
+        let asked = self.asked.borrow();
+        if self.schemas.is_empty() {
+            return asked.clone();
+        }
+        let mut known: Vec<String> = Vec::new();
+        for schema in &self.schemas {
+            let families = schema.families.iter().flat_map(|family| family.keys);
+            let of_form = families.filter(|key| asked.iter().any(|own| own == key.name));
+            for key in schema.keys.iter().chain(of_form) {
+                if !known.iter().any(|own| own == key.name) {
+                    known.push(key.name.to_owned());
+                }
+            }
+        }
+        known
+    }
+
+    /// Notes every key that the table does not have.
+    pub fn finish(&self) {
+        self.finish_beside(&[]);
+    }
+
+    /// Notes every key that the table does not have; `others` are keys of other tables, as
+    /// they are written there.
+    pub fn finish_beside(&self, others: &[(&str, &'static str)]) {
+        let known = self.known_keys();
+        for entry in self.entries {
+            if !known.contains(&entry.key) {
+                let elsewhere = others.iter().find(|(key, _)| *key == entry.key);
+                let problem = DocumentProblem::UnknownKey {
+                    key: entry.key.clone(),
+                    table: self.title.clone(),
+                    known: known.clone(),
+                    elsewhere: elsewhere.map(|(_, place)| *place),
+                };
+                self.document.note(entry.line, &problem);
+            }
+        }
+    }
+}

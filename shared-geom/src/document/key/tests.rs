@@ -1,0 +1,169 @@
+use nalgebra::Vector3;
+
+use crate::document::schema::ValueKind::{
+    Boolean, Count, NamedTables, NotNegative, Positive, Quantity, Table as OneTable, Text, Texts,
+    Vector, Word,
+};
+use crate::document::schema::{Need, TableSchema};
+use crate::document::{ByHand, Document};
+use crate::keys;
+use crate::units::Dimension;
+
+keys! {
+    /// A part.
+    PART = "[[part]]";
+    /// The name of the part; used elsewhere.
+    NAME: String = "name", [Text], required, "\"a\"";
+    /// Its
+    /// mass.
+    MASS: f64 = "mass", [Positive(Dimension::MASS)], required, "2";
+    /// Place of its center.
+    CENTER: Vector3<f64> = "center", [Vector(3, Dimension::LENGTH)], or "[0, 0, 0]" = Vector3::zeros(), "[1, 0, 0]";
+    /// Friction.
+    FRICTION: Option<f64> = "friction", [NotNegative(Dimension::NUMBER)], optional, "0.1";
+    /// Axes.
+    AXES: usize = "axes", [Word(&["model", "node"])], or "\"model\"" = 0, "\"node\"";
+    /// Whether it stays.
+    FIXED: bool = "fixed", [Boolean], or "false" = false, "true";
+    /// Number of copies.
+    COPIES: usize = "copies", [Count(9)], or "1" = 1, "3";
+    /// Others.
+    OTHERS: Option<Vec<String>> = "others", [Texts], optional, "[\"b\"]";
+    /// Anything.
+    SHAPE: ByHand = "shape", [Text, OneTable(&SHAPE_TABLE)], or "the usual one", "\"round\"";
+}
+
+const SHAPE_TABLE: TableSchema = TableSchema {
+    title: "shape = { ... }",
+    meaning: "A shape.",
+    keys: &[FRICTION.schema],
+    families: &[],
+};
+
+keys! {
+    /// The file.
+    FILE = "a.toml";
+    /// Parts.
+    PARTS: ByHand = "part", [NamedTables(&PART)], optional, "";
+    /// Speed.
+    SPEED: f64 = "speed", [Quantity(Dimension::VELOCITY)], or "0" = 0.0, "2";
+}
+
+/// The problems of a file with one part, of which `read` reads the keys.
+fn problems(text: &str, read: impl Fn(&crate::document::Table<'_>)) -> String {
+    let document = Document::parse(&format!("[part.p]\n{text}"), "a.toml").unwrap();
+    let root = document.root_of(&FILE);
+    for (_, table) in root.named_tables("part") {
+        read(&table);
+        table.finish();
+    }
+    root.finish();
+    document
+        .finish(Some(()))
+        .map_or_else(|problems| problems.to_string(), |()| String::new())
+}
+
+#[test]
+fn values_come_by_their_declaration() {
+    let text = "name = \"a\"\nmass = \"2 g\"\naxes = \"node\"\nfixed = true\ncopies = 3\n\
+                others = \"b\"\ncenter = [1, \"2 mm\", 0]\nfriction = 0\n";
+    let shown = problems(text, |table| {
+        assert_eq!(table.get(&NAME).as_deref(), Some("a"));
+        assert_eq!(table.get(&MASS), Some(0.002));
+        assert_eq!(table.get(&CENTER), Some(Vector3::new(1.0, 0.002, 0.0)));
+        assert_eq!(table.get(&FRICTION), Some(Some(0.0)));
+        assert_eq!(table.get(&AXES), Some(1));
+        assert_eq!(table.get(&FIXED), Some(true));
+        assert_eq!(table.get(&COPIES), Some(3));
+        assert_eq!(table.get(&OTHERS), Some(Some(vec!["b".to_owned()])));
+    });
+    assert_eq!(shown, "");
+}
+
+#[test]
+fn absent_keys_have_their_defaults_or_are_reported() {
+    let shown = problems("shape = \"round\"\n", |table| {
+        assert_eq!(table.get(&NAME), None);
+        assert_eq!(table.get(&MASS), None);
+        assert_eq!(table.get(&CENTER), Some(Vector3::zeros()));
+        assert_eq!(table.get(&FRICTION), Some(None));
+        assert_eq!(table.get(&AXES), Some(0));
+        assert_eq!(table.get(&COPIES), Some(1));
+        assert!(table.holds(&SHAPE));
+    });
+    // The message names the opening of the meaning, or the quantity.
+    for expected in [
+        "part \"p\" has no \"name\", expected the name of the part",
+        "part \"p\" has no \"mass\", expected a mass",
+    ] {
+        assert!(shown.contains(expected), "{expected} is not in\n{shown}");
+    }
+    assert_eq!(MASS.schema.meaning, "Its mass.");
+    assert_eq!(CENTER.schema.need, Need::Default("[0, 0, 0]"));
+    assert_eq!(SHAPE.schema.need, Need::Default("the usual one"));
+}
+
+#[test]
+fn counts_have_a_limit() {
+    let shown = problems("name = \"a\"\ncopies = 10\n", |table| {
+        assert_eq!(table.get(&COPIES), None);
+    });
+    assert!(
+        shown.contains("a.toml:3: \"copies\" is 10, expected at most 9"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn wrong_values_are_none_and_reported() {
+    let text = "name = 3\nmass = 0\nfriction = -1\naxes = \"nod\"\ncopies = 0\nfixed = 1\n";
+    let shown = problems(text, |table| {
+        assert_eq!(table.get(&NAME), None);
+        assert_eq!(table.get(&MASS), None);
+        assert_eq!(table.get(&FRICTION), None);
+        assert_eq!(table.get(&AXES), None);
+        assert_eq!(table.get(&COPIES), None);
+        assert_eq!(table.get(&FIXED), None);
+    });
+    for expected in [
+        "a.toml:2: \"name\" is 3, expected a text in quotes",
+        "a.toml:3: \"mass\" is 0, expected a mass greater than zero",
+        "a.toml:4: \"friction\" is -1, expected a pure number, zero or more",
+        "a.toml:5: \"axes\" is \"nod\", expected one of \"model\", \"node\"",
+        "a.toml:6: \"copies\" is 0, expected a whole number of at least 1",
+        "a.toml:7: \"fixed\" is 1, expected true or false",
+    ] {
+        assert!(shown.contains(expected), "{expected} is not in\n{shown}");
+    }
+}
+
+// A reader cannot use a key that is not declared: it is refused, although it was requested.
+// A declared key is accepted, also if the reader stopped before it.
+#[test]
+fn only_declared_keys_are_keys() {
+    let shown = problems(
+        "name = \"a\"\nzqj = 1\nfrictoin = 2\nshape = \"round\"\n",
+        |table| {
+            table.get(&FRICTION);
+            table.get(&NAME);
+            assert!(table.has("zqj"));
+        },
+    );
+    assert!(
+        shown.contains("unknown key \"zqj\" in part \"p\"\n  help: known keys: name, mass, center, friction, axes"),
+        "{shown}"
+    );
+    assert!(shown.contains("did you mean \"friction\"?"), "{shown}");
+    assert_eq!(shown.matches("unknown key").count(), 2, "{shown}");
+    // Also in a table of a table.
+    let shown = problems("shape = { friction = 1, zqj = 2 }\n", |table| {
+        let shape = table.table(SHAPE.name()).unwrap();
+        assert_eq!(shape.get(&FRICTION), Some(Some(1.0)));
+        assert!(shape.has("zqj"));
+        shape.finish();
+    });
+    assert!(
+        shown.contains("unknown key \"zqj\" in [shape]\n  help: known keys: friction"),
+        "{shown}"
+    );
+}
