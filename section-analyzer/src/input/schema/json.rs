@@ -5,8 +5,9 @@ use shared_geom::units::Dimension;
 
 use super::{Family, KeySchema, Need, SECTION_FILE, TableSchema, ValueKind};
 
-/// A number, a space, and a unit.
-const QUANTITY: &str = r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)? +\S(.*\S)?\s*$";
+/// A number and a unit, with or without space between them.
+const QUANTITY: &str =
+    r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?(\s*[/%°A-Za-zµμΩ]| +1).*$";
 
 /// The JSON schema of a section file, draft 2020-12.
 ///
