@@ -17,8 +17,12 @@
 use crate::error::{Explain, nearest_name};
 
 mod dimension;
+mod read;
 
 pub use dimension::Dimension;
+pub use read::parse;
+
+use read::{products, split_quantity};
 
 /// A unit: its dimension and the number of SI units in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,6 +60,7 @@ const NAMES: &[(&str, Dimension, f64)] = &[
     ("slug", Dimension::MASS, LBF / FOOT),
     ("s", Dimension::TIME, 1.0),
     ("ms", Dimension::TIME, 1e-3),
+    ("us", Dimension::TIME, 1e-6),
     ("min", Dimension::TIME, 60.0),
     ("h", Dimension::TIME, 3600.0),
     ("rad", Dimension::ANGLE, 1.0),
@@ -63,9 +68,11 @@ const NAMES: &[(&str, Dimension, f64)] = &[
     ("rev", Dimension::ANGLE, REV),
     ("rpm", Dimension::ROTATION_SPEED, REV / 60.0),
     ("Hz", Dimension::FREQUENCY, 1.0),
+    ("kHz", Dimension::FREQUENCY, 1e3),
     ("N", Dimension::FORCE, 1.0),
     ("kN", Dimension::FORCE, 1e3),
     ("MN", Dimension::FORCE, 1e6),
+    ("mN", Dimension::FORCE, 1e-3),
     ("lbf", Dimension::FORCE, LBF),
     ("kip", Dimension::FORCE, 1e3 * LBF),
     ("Pa", Dimension::STRESS, 1.0),
@@ -104,6 +111,15 @@ const NAMES: &[(&str, Dimension, f64)] = &[
 /// same unit follow the first.
 const COMPOUND: &[(Dimension, &[&str])] = &[
     (Dimension::CURVATURE, &["deg/m", "rad/m"]),
+    (Dimension::MOMENT, &["N m", "kN m", "lbf in", "lbf ft"]),
+    (
+        Dimension::DENSITY,
+        &["kg/m^3", "g/cm^3", "lb/in^3", "slug/ft^3"],
+    ),
+    (
+        Dimension::BENDING_STIFFNESS,
+        &["N m^2", "N mm^2", "lbf in^2"],
+    ),
     (Dimension::CHARGE_PER_AREA, &["C/m^2", "N/V/m", "psi in/V"]),
     (Dimension::STRAIN_PER_FIELD, &["m/V", "pC/N", "in/V"]),
     (Dimension::PERMITTIVITY, &["F/m", "pF/m", "lbf/V^2"]),
@@ -158,12 +174,12 @@ fn quantity_words(expected: Option<Dimension>) -> String {
         return "a number".to_owned();
     }
     if let Some([unit, ..]) = expected.and_then(compound) {
-        return format!("a number, a space and a unit, as in \"5 {unit}\"");
+        return format!("a number and a unit, as in \"5 {unit}\"");
     }
     let unit = expected.filter(|expected| *expected != Dimension::STRESS);
     let unit = unit.and_then(|expected| NAMES.iter().find(|unit| unit.1 == expected));
     let example = unit.map_or("73.1 GPa".to_owned(), |unit| format!("3 {}", unit.0));
-    format!("a number, a space and a unit, as in \"{example}\"")
+    format!("a number and a unit, as in \"{example}\"")
 }
 
 impl Explain for UnitProblem {
@@ -193,8 +209,13 @@ impl Explain for UnitProblem {
 /// The nearest name among the units of the quantity `expected`, else all of them; among
 /// all units if no quantity is expected, or one without a named unit.
 fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
+    let products = products(found);
+    if !products.is_empty() {
+        return format!("separate the factors: \"{}\"", products.join("\" or \""));
+    }
     let fitting = NAMES.iter().filter(|unit| Some(unit.1) == expected);
     let mut names: Vec<_> = fitting.map(|unit| unit.0).collect();
+    names.extend(expected.and_then(compound).unwrap_or_default());
     let what = match names.is_empty() {
         true => "known units",
         false => "units of it",
@@ -209,80 +230,6 @@ fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
         Some(near) => format!("did you mean \"{near}\"?"),
         None => format!("{what}: {}", names.join(", ")),
     }
-}
-
-/// Reads a simple or compound unit: factors joined by `*`, a space or `/`, each
-/// with an optional whole power, as in `lbf*s^2/in^4`, `kg/m^3`, `N m^2`.
-/// Each `/` divides by the one factor after it. `1` is no unit.
-///
-/// # Errors
-/// [`UnitProblem`] for an unknown name or a text that is no product of units.
-pub fn parse(text: &str) -> Result<Unit, UnitProblem> {
-    let malformed = || UnitProblem::Malformed { found: text.into() };
-    let mut unit = Unit {
-        dimension: Dimension::NUMBER,
-        factor: 1.0,
-    };
-    let mut sign = 1;
-    let mut after_operator = true;
-    for token in tokens(text) {
-        match token {
-            "*" | "/" if after_operator => return Err(malformed()),
-            "*" => after_operator = true,
-            "/" => {
-                after_operator = true;
-                sign = -1;
-            }
-            name => {
-                let (factor, power) = simple(name).ok_or_else(malformed)??;
-                let power = sign * power;
-                unit.dimension = unit.dimension.times(factor.dimension, power);
-                unit.factor *= factor.factor.powi(i32::from(power));
-                (sign, after_operator) = (1, false);
-            }
-        }
-    }
-    if after_operator || !unit.factor.is_normal() {
-        return Err(malformed());
-    }
-    Ok(unit)
-}
-
-/// Splits at spaces, `*` and `/`, and keeps the operators.
-fn tokens(text: &str) -> impl Iterator<Item = &str> {
-    text.split_inclusive([' ', '*', '/'])
-        .flat_map(|piece| match piece.strip_suffix(['*', '/']) {
-            Some(name) => [name, &piece[name.len()..]],
-            None => [piece, ""],
-        })
-        .map(str::trim)
-        .filter(|token| !token.is_empty())
-}
-
-/// A name with an optional power: `s^2`; `None` if the power is no number.
-fn simple(token: &str) -> Option<Result<(Unit, i8), UnitProblem>> {
-    let (name, power) = match token.split_once('^') {
-        Some((name, power)) => (name, power.parse::<i8>().ok().filter(|p| p.abs() <= 9)?),
-        None => (token, 1),
-    };
-    if name == "1" {
-        let dimension = Dimension::NUMBER;
-        return Some(Ok((
-            Unit {
-                dimension,
-                factor: 1.0,
-            },
-            1,
-        )));
-    }
-    let found = NAMES.iter().find(|unit| unit.0 == name);
-    Some(match found {
-        Some(&(_, dimension, factor)) => Ok((Unit { dimension, factor }, power)),
-        None => Err(UnitProblem::Unknown {
-            found: name.into(),
-            expected: None,
-        }),
-    })
 }
 
 /// As [`parse`], for a unit that must measure `expected`.
@@ -404,7 +351,7 @@ impl Units {
     }
 }
 
-/// Reads a quantity with its unit, such as `10.6e6 psi` or `0.063 in`; the value
+/// Reads a quantity with its unit, such as `10.6e6 psi`, `0.063 in` or `5kN`; the value
 /// is in SI units.
 ///
 /// # Errors
@@ -414,10 +361,8 @@ pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, UnitProble
         found: text.into(),
         expected: Some(expected),
     };
-    let trimmed = text.trim();
-    let (number, unit) = trimmed.split_once(' ').ok_or_else(malformed)?;
-    let number: f64 = number.parse().map_err(|_| malformed())?;
-    Ok(number * parse_as(unit, expected)?.factor)
+    let (number, unit) = split_quantity(text).ok_or_else(malformed)?;
+    Ok(number * parse_as(&unit, expected)?.factor)
 }
 
 /// Reads a quantity of any kind with its unit; the value is in SI units.
@@ -429,9 +374,8 @@ pub fn parse_any(text: &str) -> Result<(f64, Dimension), UnitProblem> {
         found: text.into(),
         expected: None,
     };
-    let (number, unit) = text.trim().split_once(' ').ok_or_else(malformed)?;
-    let number: f64 = number.parse().map_err(|_| malformed())?;
-    let unit = parse(unit)?;
+    let (number, unit) = split_quantity(text).ok_or_else(malformed)?;
+    let unit = parse(&unit)?;
     match (number * unit.factor).is_finite() {
         true => Ok((number * unit.factor, unit.dimension)),
         false => Err(malformed()),

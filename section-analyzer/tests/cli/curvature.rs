@@ -33,8 +33,8 @@ fn wrong_tables_are_told() {
         "  help: units of it: deg/m, rad/m; the inverse of a radius in m is in rad/m",
     ]);
     with("curvature = [\"five\", 0, 0]").is_refused(&[
-        "error: a.section.toml:23: \"curvature\": \"five\" cannot be read, expected a number, a \
-         space and a unit, as in \"5 deg/m\"",
+        "error: a.section.toml:23: \"curvature\": \"five\" cannot be read, expected a number \
+         and a unit, as in \"5 deg/m\"",
     ]);
     with("curvature = [0, 0, 0]\nslop = [1, 0, 0]").is_refused(&[
         "error: a.section.toml:24: unknown key \"slop\" in [initial_curvature]",

@@ -331,7 +331,7 @@ fn wrong_files_do_not_fit() {
         ("poisson = 0.3", "poisson = 0.3\ne1 = 2"),
         ("poisson = 0.3", "nu = 0.3"),
         ("\"210 GPa\"", "\"GPa\""),
-        ("\"210 GPa\"", "\"210GPa\""),
+        ("\"210 GPa\"", "\"210,5GPa\""),
         ("\"210 GPa\"", "true"),
         ("density = 7850", ""),
         ("density = 7850", "stiffness = [[1]]"),

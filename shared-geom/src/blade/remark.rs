@@ -8,6 +8,8 @@
 //! ```
 //!
 //! With a table of weight instead of mass it is too small by the acceleration of gravity.
+//! A solid blade of plastic is as slow; it is recognized by its size, density and modulus
+//! (see [`is_solid_plastic`]).
 
 use nalgebra::Matrix6;
 
@@ -21,6 +23,17 @@ const FAST: f64 = 20_000.0;
 /// Usual speed of sound of a blade: the factor that leads nearest to it is reported
 /// [m/s].
 const USUAL: f64 = 4000.0;
+/// Unfilled and filled plastics: speeds of sound [m/s], densities [kg/m^3] and moduli
+/// [Pa]. The slowest, polyethylene of 0.9 GPa and 950 kg/m^3, has 970 m/s; the lightest is
+/// a printed one with a third of voids; fluoropolymers have 2200 kg/m^3, filled
+/// polyamides 10 GPa. The density is a lower bound, which is 10 to 25 % less than the density
+/// of an airfoil.
+const PLASTIC_SPEED: f64 = 900.0;
+const PLASTIC_DENSITIES: (f64, f64) = (500.0, 2300.0);
+const PLASTIC_MODULUS: f64 = 10e9;
+/// Largest radius of gyration of a solid plastic blade, a chord of 0.4 m [m]. Larger
+/// blades are hollow.
+const PLASTIC_RADIUS: f64 = 0.12;
 /// Gravity in the units of tables, the unit of length [m] if only that one fits, and the
 /// unit of the weights.
 const GRAVITY: [(f64, Option<f64>, &str); 3] = [
@@ -68,6 +81,11 @@ impl Blade {
         let bending = self.median(|at| bending_square(&at.stiffness, &at.mass));
         // Mass without stiffness makes each of them smaller: the larger one is used.
         let square = axial.into_iter().chain(bending).reduce(f64::max)?;
+        let plastic = self.stations.iter();
+        let plastic = plastic.filter(|at| is_solid_plastic(square, &at.stiffness, &at.mass));
+        if 2 * plastic.count() > self.stations.len() {
+            return None;
+        }
         let of = "median of the stations, the larger of EA / m and EI / I";
         square_remark(square, of, unit)
     }
@@ -141,7 +159,11 @@ impl Blade {
 /// Likely mistake in the stiffness and the mass of one section about one point, as text:
 /// inconsistent units.
 pub fn section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
-    square_remark(section_square(stiffness, mass)?, SECTION, None)
+    let square = section_square(stiffness, mass)?;
+    if is_solid_plastic(square, stiffness, mass) {
+        return None;
+    }
+    square_remark(square, SECTION, None)
 }
 
 /// As [`section_remark`], for numbers that were written for the model itself and in
@@ -150,6 +172,9 @@ pub fn written_section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> 
     let square = section_square(stiffness, mass)?;
     if square.sqrt() >= SLOW {
         return square_remark(square, SECTION, None);
+    }
+    if is_solid_plastic(square, stiffness, mass) {
+        return None;
     }
     Some(format!(
         "stiffness over mass is {square:.3e} m^2/s^2 ({SECTION}), for blades above {:.1e}: \
@@ -169,6 +194,33 @@ fn section_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<f64> 
     ];
     let squares = squares.into_iter().filter(|x| x.is_finite() && *x > 0.0);
     squares.reduce(f64::max)
+}
+
+/// Whether a section whose square of the speed of sound is `square` [m^2/s^2] can be a solid
+/// one of plastic, which is no slower than a heavier material whose mass is a weight.
+///
+/// The area of a section with given radii of gyration is at most that of a solid ellipse,
+///
+/// ```text
+/// A <= 4 pi ry rz,    (ry rz)^2 = det(K_bending about the tension center) / EA^2
+/// ```
+///
+/// and an airfoil has 0.75 to 0.9 of it. So mass and stiffness have lower bounds of density
+/// and modulus, which are near to those of a solid section, and far below those of a thin
+/// wall.
+fn is_solid_plastic(square: f64, stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> bool {
+    let ea = stiffness[(0, 0)];
+    let about_center =
+        |i: usize, j: usize| stiffness[(i, j)] - stiffness[(0, i)] * stiffness[(0, j)] / ea;
+    let (y, z, yz) = (about_center(4, 4), about_center(5, 5), about_center(4, 5));
+    let area = 4.0 * std::f64::consts::PI * (y * z - yz * yz).sqrt() / ea;
+    let radius = ((y + z) / ea).sqrt();
+    let (light, heavy) = PLASTIC_DENSITIES;
+    square.sqrt() >= PLASTIC_SPEED
+        && square.sqrt() < SLOW
+        && radius <= PLASTIC_RADIUS
+        && (light..=heavy).contains(&(mass[(0, 0)] / area))
+        && ea / area <= PLASTIC_MODULUS
 }
 
 /// EA / m.

@@ -404,6 +404,35 @@ fn a_weight_in_place_of_a_mass_is_remarked() {
     assert!(light.remarks()[0].contains("lighter than any material: check the units"));
 }
 
+// Solid ellipses, a bound of airfoils, of a propeller of nylon (3 GPa, 1150 kg/m^3, 1.6 km/s) and
+// of polyethylene (0.9 GPa, 950 kg/m^3): no weights. The same speeds in a chord of 3 m, which is
+// hollow, and solid glass, aluminum and nylon with their weight as mass are remarked. Areas: pi a b, radii of gyration a/2 and b/2.
+#[test]
+fn solid_plastic_is_no_weight() {
+    let remark = |[young, density]: [f64; 2], [a, b]: [f64; 2], filled: f64, offset: f64| {
+        let area = filled * std::f64::consts::PI * a * b;
+        let (flap, lag) = (area * b * b / 4.0, area * (a * a / 4.0 + offset * offset));
+        let mut stiffness = Matrix6::from_diagonal(
+            &[1.0, 0.3, 0.3, 0.1 * flap / area, flap / area, lag / area].into(),
+        );
+        stiffness[(0, 5)] = -offset;
+        stiffness[(5, 0)] = -offset;
+        let mass = mass(1.0, 0.0, 0.0, flap / area, lag / area);
+        section_remark(&(young * area * stiffness), &(density * area * mass))
+    };
+    let (small, large) = ([0.0125, 0.0015], [1.5, 0.3]);
+    for material in [[3e9, 1150.0], [0.9e9, 950.0], [3.5e9, 1240.0]] {
+        for offset in [0.0, 0.006] {
+            assert_eq!(remark(material, small, 1.0, offset), None);
+            assert_eq!(remark(material, small, 0.8, offset), None);
+        }
+        assert!(remark(material, large, 1.0, 0.0).is_some());
+    }
+    assert!(remark([40e9, 9.80665 * 1950.0], small, 1.0, 0.0).is_some());
+    assert!(remark([70e9, 9.80665 * 2700.0], small, 1.0, 0.0).is_some());
+    assert!(remark([3e9, 9.80665 * 1150.0], small, 1.0, 0.0).is_some());
+}
+
 // Numbers that were written for the model may be soft: they are reported without a guess;
 // values that no material has are reported as before.
 #[test]

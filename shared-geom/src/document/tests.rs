@@ -95,7 +95,7 @@ error: a.toml:3: \"mixed\" is true, expected a text in quotes";
 
 #[test]
 fn numbers_and_units_that_cannot_be_read_are_shown_short() {
-    let text = "units = \"imperial\"\nhuge = 1e308\njoined = \"70GPa\"\n";
+    let text = "units = \"imperial\"\nhuge = 1e308\njoined = \"70,5GPa\"\n";
     let shown = problems(text, |root| {
         root.document().declare_units(root);
         assert_eq!(root.word("huge", &["a"]), None);
@@ -104,7 +104,7 @@ fn numbers_and_units_that_cannot_be_read_are_shown_short() {
     let expected = "\
 error: a.toml:1: \"units\" is the text \"imperial\", expected \"SI\", or a table of units
 error: a.toml:2: \"huge\" is 1e308, expected a text in quotes
-error: a.toml:3: \"joined\": \"70GPa\" cannot be read, expected a number, a space and a unit, as in \"73.1 GPa\"";
+error: a.toml:3: \"joined\": \"70,5GPa\" cannot be read, expected a number and a unit, as in \"73.1 GPa\"";
     assert_eq!(shown, expected);
 }
 

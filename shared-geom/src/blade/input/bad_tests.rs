@@ -442,7 +442,7 @@ fn curvatures_of_arcs_are_told_in_their_units() {
         ),
         (
             with("[0, \"a\", \"b\"]"),
-            "\"b\" cannot be read, expected a number, a space and a unit, as in \"5 deg/m\"",
+            "\"b\" cannot be read, expected a number and a unit, as in \"5 deg/m\"",
         ),
     ]);
 }

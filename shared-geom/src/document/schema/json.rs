@@ -6,8 +6,9 @@ use super::share::share;
 use super::{Family, KeySchema, Need, TableSchema, ValueKind};
 use crate::units::Dimension;
 
-/// A number, a space, and a unit.
-const QUANTITY: &str = r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)? +\S(.*\S)?\s*$";
+/// A number and a unit, with or without space between them.
+const QUANTITY: &str =
+    r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?(\s*[/%°A-Za-zµμΩ]| +1).*$";
 /// An expression of parameters.
 const EXPRESSION: &str = r"^\s*=\s*\S";
 
