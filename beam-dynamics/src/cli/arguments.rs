@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use shared_geom::command_help::Shell;
 
 use super::blade_options::BladeOptions;
 use super::plot::PlotOptions;
@@ -194,6 +195,27 @@ Examples:
   beam-dynamics convert nrel.blade.json nrel.st
   beam-dynamics convert nrel.blade.json table.dat --to dymore";
 
+const COMPLETIONS: &str = "\
+Prints the completion script of a shell for commands and options
+
+The folder for the script depends on the shell.";
+
+const COMPLETIONS_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics completions bash > ~/.local/share/bash-completion/completions/beam-dynamics
+  beam-dynamics completions zsh > ~/.zfunc/_beam-dynamics
+  beam-dynamics completions fish > ~/.config/fish/completions/beam-dynamics.fish";
+
+const MANUAL: &str = "\
+Writes the manual pages, one for each command
+
+Without DIR all pages are printed one after the other.";
+
+const MANUAL_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics manual | man -l -
+  beam-dynamics manual --out ~/.local/share/man/man1";
+
 /// A length above zero, for files that contain none.
 fn length(text: &str) -> Result<f64, String> {
     let value: Option<f64> = text.parse().ok();
@@ -304,5 +326,17 @@ pub(super) enum Command {
         /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file
         #[arg(long, value_name = "METERS", value_parser = length, allow_negative_numbers = true)]
         length: Option<f64>,
+    },
+    #[command(about = first_line(COMPLETIONS), long_about = COMPLETIONS, after_help = COMPLETIONS_EXAMPLE)]
+    Completions {
+        /// The shell
+        #[arg(value_enum)]
+        shell: Shell,
+    },
+    #[command(about = first_line(MANUAL), long_about = MANUAL, after_help = MANUAL_EXAMPLE)]
+    Manual {
+        /// Folder for the pages
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
 }

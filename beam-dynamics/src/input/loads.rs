@@ -44,22 +44,31 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("load").iter().enumerate() {
         let label = label(table, "load", number);
         let is_new = draft.take_label("load", &label, table);
-        let node = node(table, draft, &label);
+        let nodes = nodes(table, draft, &label);
         let load = nodal(table);
         let frame = draft.frames().of(table);
         let signal = drives::read_factor(table, "drive", draft.drives());
         table.finish();
-        match (node, load, frame, signal) {
-            (Some(node), Some((mut load, in_node)), Some(frame), Some(signal)) if is_new => {
-                let on = &draft.nodes()[node];
-                let turn = |vector: Vector3<f64>| match in_node {
-                    true => on.rotation * vector,
-                    false => frame.direction(&vector),
-                };
-                load.force = turn(load.force);
-                load.moment = turn(load.moment);
-                let load = NodalLoad::new(label, node, on, load).driven(signal);
-                draft.add_load(Box::new(load));
+        match (nodes, load, frame, signal) {
+            (Some(nodes), Some((load, in_node)), Some(frame), Some(signal)) if is_new => {
+                for &node in &nodes {
+                    let on = &draft.nodes()[node];
+                    let turn = |vector: Vector3<f64>| match in_node {
+                        true => on.rotation * vector,
+                        false => frame.direction(&vector),
+                    };
+                    let load = NodalForce {
+                        force: turn(load.force),
+                        moment: turn(load.moment),
+                        ..load
+                    };
+                    let label = match nodes.len() {
+                        1 => label.clone(),
+                        _ => format!("{label} on {}", on.label),
+                    };
+                    let load = NodalLoad::new(label, node, on, load).driven(signal.clone());
+                    draft.add_load(Box::new(load));
+                }
             }
             _ => draft.note_broken(),
         }
@@ -76,6 +85,18 @@ fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
 fn node(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<usize> {
     let name = table.require_text("node", "the name of a node")?;
     draft.find_node(&name, table, "node", &format!("\"{label}\""))
+}
+
+/// The node of a load, or one node of each blade of a card.
+fn nodes(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Vec<usize>> {
+    let name = table.require_text("node", "the name of a node")?;
+    let user = format!("\"{label}\"");
+    let names = draft.node_names(&name);
+    let found = names
+        .iter()
+        .map(|name| draft.find_node(name, table, "node", &user));
+    // The first unknown name ends the search: the others differ only in the blade.
+    found.collect()
 }
 
 /// The load of a card, and whether it is in the axes of its node.
@@ -115,10 +136,19 @@ fn axes(table: &Table<'_>, own: &str) -> Option<bool> {
     }
 }
 
-/// Dead or follower, constant or proportional.
+/// Dead or follower; constant, proportional, or released at the start of a run in time.
 fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
     let follower = flag(table, "follower");
+    let release = flag(table, "release");
     let factor = factor(table);
+    if release == Some(true) && table.has("constant") {
+        table.note("release", &LoadProblem::ReleasedAndConstant);
+        return None;
+    }
+    let factor = match release? {
+        true => factor.map(|_| LoadFactor::Released),
+        false => factor,
+    };
     let turning = match follower? {
         true => Turning::Follower,
         false => Turning::Dead,

@@ -7,7 +7,7 @@ use shared_geom::units::Dimension;
 use super::counts::at_most;
 use super::elsewhere::OF_TRANSIENT;
 use super::number::short_number;
-use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
+use crate::case::{Redundant, Start, StartAccelerations, StartShape, TransientQuestion};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
 mod node;
@@ -20,6 +20,8 @@ pub(super) use node::{check, initial_motion};
 const MOST_ITERATIONS: usize = 1000;
 /// Largest number of steps of a run: more are treated as an error.
 const MOST_STEPS: f64 = 1e9;
+/// Largest number of a mode whose shape a start has.
+const MOST_MODES: usize = 100;
 /// Smallest tolerance of the iteration that round-off allows.
 const LEAST_TOLERANCE: f64 = 1e-13;
 /// Default smallest variable step, as a part of the first step.
@@ -103,6 +105,9 @@ pub enum TransientProblem {
     /// A speed without rotation.
     #[error("\"speed\" is the speed of a rotating start, but \"start\" is not \"rotating\"")]
     IdleSpeed,
+    /// A shape without an equilibrium to which it is added.
+    #[error("\"shape\" is added to an equilibrium, but \"start\" is \"given\"")]
+    IdleShape,
     /// Initial velocities without `[transient]`.
     #[error("node \"{node}\" has a \"{key}\", but there is no [transient]")]
     IdleVelocity {
@@ -131,6 +136,7 @@ impl Explain for TransientProblem {
                  radius = 1, which conserves energy best"
             }
             Self::IdleSpeed => "write start = \"rotating\", or remove \"speed\"",
+            Self::IdleShape => "write start = \"equilibrium\", or remove \"shape\"",
             Self::IdleVelocity { .. } => "add [transient] with \"to\" and \"step\", or remove it",
             Self::Range { .. } => return None,
         };
@@ -160,6 +166,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
     let newton = newton(table);
     let jacobian = word(table, "jacobian", &["exact", "simplified"]);
     let start = start(table);
+    let shape = shape(table, start);
     let accelerations = word(
         table,
         "start_accelerations",
@@ -175,6 +182,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
         newton: newton?,
         simplified_jacobian: jacobian? == 1,
         start: start?,
+        shape: shape?,
         start_accelerations: [
             StartAccelerations::Consistent,
             StartAccelerations::Zero,
@@ -399,4 +407,24 @@ fn start(table: &Table<'_>) -> Option<Start> {
         (0, None) => Some(Start::Given),
         (_, None) => Some(Start::Equilibrium),
     }
+}
+
+/// Reads `shape`; `Some(None)` without it.
+fn shape(table: &Table<'_>, start: Option<Start>) -> Option<Option<StartShape>> {
+    if !table.has("shape") {
+        return Some(None);
+    }
+    let inner = table.table("shape")?;
+    let mode = inner.require_count("mode");
+    let mode = at_most(&inner, "mode", mode, MOST_MODES);
+    let displacement = inner.require_quantity("displacement", Dimension::LENGTH);
+    inner.finish();
+    if start == Some(Start::Given) {
+        table.note("shape", &TransientProblem::IdleShape);
+        return None;
+    }
+    Some(Some(StartShape {
+        mode: mode?,
+        displacement: displacement?,
+    }))
 }
