@@ -10,7 +10,9 @@ mod columns;
 mod transient;
 
 pub use columns::{Column, ElectrodeQuantity, Every, OutputQuestion, Quantity};
-pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
+pub use transient::{
+    InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientQuestion,
+};
 
 /// Rotation of the model's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,6 +111,7 @@ impl Model {
                 gravity: constant * self.gravity_at(0.0),
                 constant,
                 proportional,
+                released: 0.0,
                 time: 0.0,
                 turns: 1.0,
                 voltages: 1.0,

@@ -19,6 +19,7 @@ mod blade_options;
 mod convert;
 mod describe;
 mod files;
+mod help;
 mod places;
 mod plot;
 mod progress;
@@ -121,6 +122,8 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Plot { results, options } => plot::plot_files(&results, &options, terminal),
         Command::Check { files } => check_files(&files, terminal),
         Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
+        Command::Completions { shell } => help::completions(shell, terminal),
+        Command::Manual { out } => help::manual(out.as_deref(), terminal),
         Command::Convert {
             from,
             to,

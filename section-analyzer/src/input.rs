@@ -103,6 +103,8 @@ pub struct Input {
 
 /// The ending of the name of a section file.
 const ENDING: &str = ".section.toml";
+/// The ending of the name of a file of the other program.
+const DYNAMICS: &str = ".dynamics.toml";
 
 /// Reads and checks the section file at `path`, its mesh and its tables.
 ///
@@ -115,6 +117,10 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
         command: "matrices",
     };
     require_kind(path, problem)?;
+    let name = path.display().to_string();
+    if name.ends_with(DYNAMICS) {
+        return Err(Diagnostics::one(Place::file(name), &InputProblem::Dynamics));
+    }
     parse(&read_text(path)?, path)
 }
 

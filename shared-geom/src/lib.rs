@@ -6,6 +6,7 @@
 //! bending z (see [`wrench`]).
 
 pub mod blade;
+pub mod command_help;
 pub mod document;
 pub mod error;
 pub mod exchange;

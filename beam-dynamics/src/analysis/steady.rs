@@ -88,6 +88,7 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
             gravity: a.gravity.lerp(&b.gravity, part),
             constant: mix(a.constant, b.constant),
             proportional: mix(a.proportional, b.proportional),
+            released: mix(a.released, b.released),
             time: to.loading.time,
             turns: to.loading.turns,
             voltages: mix(a.voltages, b.voltages),

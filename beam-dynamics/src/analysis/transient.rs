@@ -62,15 +62,18 @@ mod diagnosis;
 mod dummy;
 mod energy;
 mod failure;
+mod gravity;
 mod multibody;
 mod placing;
 mod rates;
 mod redundant;
 mod saddle;
 mod scalars;
+mod shape;
 mod singular;
 mod snapshot;
 mod start;
+mod turning;
 
 #[cfg(test)]
 mod tests;
@@ -79,12 +82,14 @@ pub use change::{Changed, StartChange};
 pub use energy::EnergyBalance;
 pub use failure::{StepTrouble, TransientFailure};
 pub use snapshot::difference;
+pub use turning::LargestTurn;
 
 use diagnosis::trouble;
 use energy::{EnergyWatch, Finding};
 use multibody::Multibody;
 use singular::Passed;
 use start::{Started, start};
+use turning::Turns;
 
 /// Rotation of a node in a step above which a remark is given \[rad\]: the relative error of the
 /// rotation formula is then half a percent.
@@ -113,6 +118,8 @@ pub struct TransientOutcome {
     pub remarks: Vec<String>,
     /// Energy input, and energy balance.
     pub energy: EnergyBalance,
+    /// The largest rotation of a node in the steps of this run; `None` if nothing turned.
+    pub turned: Option<LargestTurn>,
     /// Reason if the run ended early.
     pub failure: Option<TransientFailure>,
 }
@@ -135,6 +142,8 @@ struct Run<'a> {
     passed: Passed,
     /// Energy input.
     energy: EnergyWatch,
+    /// Rotations of the nodes.
+    turns: Turns,
     /// Redundant constraints.
     redundant: &'a [Redundant],
 }
@@ -157,6 +166,7 @@ pub fn transient(
         changes: Vec::new(),
         remarks: doubts(model, question),
         energy: EnergyBalance::default(),
+        turned: None,
         failure: None,
     };
     let shared = match redundant::independent(model, question) {
@@ -192,6 +202,7 @@ pub fn transient(
     let is_told = matches!(outcome.failure, Some(TransientFailure::Step(_)));
     outcome.remarks.extend(run.remarks(is_told));
     outcome.energy = run.energy.balance();
+    outcome.turned = run.turns.largest(&model.system);
     outcome.time = run.integrator.time();
     outcome.effort = effort(run.integrator.counters(), run.output_time);
     outcome.effort.total_time = clock() - run.began;
@@ -265,6 +276,7 @@ fn run<'a>(
         far_turn: None,
         passed: Passed::default(),
         energy,
+        turns: Turns::new(model.system.nodes().len()),
         redundant: &[],
     })
 }
@@ -323,6 +335,8 @@ impl Run<'_> {
             self.check_attitudes(&conditions)?;
             self.check_springs(before.time, &conditions)?;
             self.watch_turns(stepped.length);
+            let at = (stepped.time, stepped.length);
+            self.turns.add(self.dae.states(), at);
             let system = &self.model.system;
             self.passed
                 .watch(system, self.dae.states(), &mut self.integrator);

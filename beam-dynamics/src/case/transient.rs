@@ -50,6 +50,15 @@ pub enum Start {
     },
 }
 
+/// A mode whose shape is added to the equilibrium of the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StartShape {
+    /// Number of the mode by ascending frequency, from one.
+    pub mode: usize,
+    /// The largest component of the displacement of a node [m].
+    pub displacement: f64,
+}
+
 /// Method for the accelerations and the reactions of the first instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StartAccelerations {
@@ -91,6 +100,8 @@ pub struct TransientQuestion {
     pub simplified_jacobian: bool,
     /// Initial state of the run.
     pub start: Start,
+    /// Shape that is added to an equilibrium.
+    pub shape: Option<StartShape>,
     /// Method for the first accelerations and reactions.
     pub start_accelerations: StartAccelerations,
     /// Treatment of redundant constraints.
@@ -109,6 +120,7 @@ impl TransientQuestion {
             newton: StepLimits::default(),
             simplified_jacobian: false,
             start: Start::Given,
+            shape: None,
             start_accelerations: StartAccelerations::Consistent,
             redundant: Redundant::Error,
         }
@@ -128,6 +140,7 @@ impl Model {
                 gravity: self.gravity_at(time),
                 constant: 1.0,
                 proportional: 1.0,
+                released: 0.0,
                 time,
                 turns: 1.0,
                 voltages: 1.0,

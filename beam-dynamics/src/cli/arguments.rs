@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use shared_geom::command_help::Shell;
 
 use super::blade_options::BladeOptions;
 use super::plot::PlotOptions;
@@ -214,6 +215,26 @@ pub(super) enum SchemaFormat {
     /// The reference page
     Markdown,
 }
+const COMPLETIONS: &str = "\
+Prints the completion script of a shell for commands and options
+
+The folder for the script depends on the shell.";
+
+const COMPLETIONS_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics completions bash > ~/.local/share/bash-completion/completions/beam-dynamics
+  beam-dynamics completions zsh > ~/.zfunc/_beam-dynamics
+  beam-dynamics completions fish > ~/.config/fish/completions/beam-dynamics.fish";
+
+const MANUAL: &str = "\
+Writes the manual pages, one for each command
+
+Without DIR all pages are printed one after the other.";
+
+const MANUAL_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics manual | man -l -
+  beam-dynamics manual --out ~/.local/share/man/man1";
 
 /// A length above zero, for files that contain none.
 fn length(text: &str) -> Result<f64, String> {
@@ -333,6 +354,18 @@ pub(super) enum Command {
         format: SchemaFormat,
         /// File to write instead of printing
         #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
+    },
+    #[command(about = first_line(COMPLETIONS), long_about = COMPLETIONS, after_help = COMPLETIONS_EXAMPLE)]
+    Completions {
+        /// The shell
+        #[arg(value_enum)]
+        shell: Shell,
+    },
+    #[command(about = first_line(MANUAL), long_about = MANUAL, after_help = MANUAL_EXAMPLE)]
+    Manual {
+        /// Folder for the pages
+        #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
 }

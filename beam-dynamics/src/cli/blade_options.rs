@@ -18,7 +18,7 @@ pub(super) enum RootWord {
 #[command(next_help_heading = "Options for blade files")]
 pub(super) struct BladeOptions {
     /// Rotor speeds in rpm, with commas between; at rest if not given
-    #[arg(long, value_parser = finite, value_name = "RPM", value_delimiter = ',')]
+    #[arg(long, value_parser = speed, value_name = "RPM", value_delimiter = ',')]
     speeds: Option<Vec<f64>>,
     /// Number of modes to report at each speed
     #[arg(long, value_name = "N")]
@@ -44,6 +44,11 @@ pub(super) struct BladeOptions {
     /// Number of elements; ends of elements at the stations if not given
     #[arg(long, value_name = "N")]
     elements: Option<usize>,
+}
+
+/// One of the rotor speeds.
+fn speed(text: &str) -> Result<f64, String> {
+    finite(text).map_err(|_| "expected numbers with commas between, as in 0,4,8".to_owned())
 }
 
 /// A finite number.

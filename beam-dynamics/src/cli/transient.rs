@@ -36,9 +36,9 @@ enum RestartProblem {
     /// A state of other nodes or joints.
     #[error("\"{file}\" is the state of another model: {difference}")]
     OtherModel { file: String, difference: String },
-    /// No time is left to run.
-    #[error("\"{file}\" is at {at} s, and the run ends at {to} s")]
-    AtEnd { file: String, at: f64, to: f64 },
+    /// The run ends before the state.
+    #[error("\"{file}\" is at {at} s, after the end of the run at {to} s")]
+    AfterEnd { file: String, at: f64, to: f64 },
 }
 
 impl Explain for RestartProblem {
@@ -49,7 +49,9 @@ impl Explain for RestartProblem {
                 "nodes, elements, laws, drives, gravity and hub must be the same as in the \
                  run that wrote it; \"to\", \"step\", \"scheme\" and [output] may differ"
             }
-            Self::AtEnd { .. } => "give [transient] a later \"to\" to continue",
+            Self::AfterEnd { .. } => {
+                "give [transient] a \"to\" that is not before the state: a later one continues the run"
+            }
         };
         Some(text.to_owned())
     }
@@ -124,7 +126,7 @@ fn resumed(
     let file = path.display().to_string();
     let problem = match other_model(&snapshot, input) {
         Some(difference) => RestartProblem::OtherModel { file, difference },
-        None if snapshot.progress.time >= question.to => RestartProblem::AtEnd {
+        None if snapshot.progress.time > question.to => RestartProblem::AfterEnd {
             file,
             at: snapshot.progress.time,
             to: question.to,
@@ -242,6 +244,11 @@ fn heading(input: &Input, question: &TransientQuestion, resumed: Option<&Snapsho
     let system = &input.model.system;
     let seconds = |time: f64| format!("{} s", short_number(time, 9));
     let start = match resumed {
+        Some(snapshot) if snapshot.progress.time >= question.to => format!(
+            "is complete (step {}), writes its report and figures; from {}",
+            snapshot.step,
+            seconds(question.from)
+        ),
         Some(snapshot) => format!(
             "continues at {} (step {})",
             seconds(snapshot.progress.time),
@@ -309,8 +316,10 @@ fn outcome_text(input: &Input, question: &TransientQuestion, outcome: &Transient
     }
     let reached = short_number(outcome.time, 9);
     let to = short_number(question.to, 9);
+    let turned = outcome.turned.as_ref().map(|turned| format!("{turned}\n"));
     text + &format!(
-        "\nreached {reached} s of {to} s\n\n{}",
+        "\nreached {reached} s of {to} s\n{}\n{}",
+        turned.unwrap_or_default(),
         effort_text(&outcome.effort)
     )
 }

@@ -152,6 +152,7 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
                 gravity: random.vector(1.0),
                 constant: random.number(),
                 proportional: random.number(),
+                released: random.number(),
                 time: random.number(),
                 turns: 1.0,
                 voltages: 1.0,

@@ -10,7 +10,10 @@ use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
 use super::draft::Draft;
 use super::formulation::{self, FORMULATION, INERTIA, INTERPOLATION, Inertia};
-use crate::case::BladeNodes;
+use super::transient::{
+    ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
+};
+use crate::case::{BladeNodes, InitialMotion};
 use crate::elements::beams::{BeamGeometry, BeamNode, Formulation};
 use crate::elements::bodies::RigidInertia;
 use crate::model::Node;
@@ -57,6 +60,10 @@ pub(super) const CARD: TableSchema = TableSchema {
         CLAMP_ROOT.schema,
         HINGES.schema,
         MASS.schema,
+        VELOCITY.schema,
+        ANGULAR_VELOCITY.schema,
+        INITIAL_WEIGHT.schema,
+        VELOCITY_WEIGHT.schema,
     ],
     families: &[pieces::PIECES, stations::STATIONS],
 };
@@ -82,10 +89,13 @@ enum Root {
 
 /// The blades of a card.
 struct Card {
+    name: String,
     seats: Vec<Seat>,
     laid: Laid,
     formulation: (Formulation, Inertia),
     root: Root,
+    /// Motion at the start.
+    initial: InitialMotion,
     /// Index of the node that carries it, and the inertia about that node.
     masses: Vec<(usize, RigidInertia)>,
 }
@@ -105,6 +115,8 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
                 for seat in &card.seats {
                     add(&card, seat, &table, draft);
                 }
+                let names = card.seats.iter().map(|seat| seat.name.clone()).collect();
+                draft.add_blade_card(card.name, names);
             }
             Some(_) => draft.note_broken(),
             None => note_broken(places, &table, draft),
@@ -130,13 +142,16 @@ fn card(table: &Table<'_>, draft: &mut Draft, places: Option<&seats::Places>) ->
     let formulation = formulation::read(table);
     let root = root(table, &name, draft);
     let masses = masses::read(table);
+    let initial = initial_motion(table);
     let source = source::read(table, draft, &name)?;
     let (laid, masses) = lay(&source, &masses?, table, &name, draft)?;
     Some(Card {
+        name,
         seats: seats?,
         laid,
         formulation: formulation?,
         root: root?,
+        initial: initial?,
         masses,
     })
 }
@@ -199,6 +214,7 @@ fn add(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) {
     if !add_beams(card, seat, &nodes, table, draft) {
         return draft.note_loose_end();
     }
+    set_initial(&card.initial, &nodes, draft);
     for (number, (node, inertia)) in card.masses.iter().enumerate() {
         let label = format!("{}/mass {}", seat.name, number + 1);
         draft.add_body(label, nodes[*node], *inertia);
@@ -216,6 +232,29 @@ fn add(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) {
         azimuth: seat.azimuth,
         nodes,
     });
+}
+
+/// Gives the nodes of a blade the motion of a rigid body: its velocity at the center of rotation,
+/// and its angular velocity.
+fn set_initial(initial: &InitialMotion, nodes: &[usize], draft: &mut Draft) {
+    let center = draft
+        .hub()
+        .map_or_else(Vector3::zeros, |hub| hub.spin().center);
+    for &node in nodes {
+        let arm = draft.nodes()[node].position - center;
+        let spin = initial.angular_velocity;
+        let velocity = match (initial.velocity, spin) {
+            (None, None) => None,
+            (velocity, spin) => {
+                Some(velocity.unwrap_or_default() + spin.unwrap_or_default().cross(&arm))
+            }
+        };
+        let initial = InitialMotion {
+            velocity,
+            ..*initial
+        };
+        draft.set_initial(node, initial);
+    }
 }
 
 /// Adds the nodes of a blade; fewer if a name is taken already.

@@ -59,6 +59,8 @@ pub(super) struct Draft {
     blade_axes: Vec<Option<Matrix3<f64>>>,
     names: BTreeMap<String, Named>,
     broken_blades: BTreeSet<String>,
+    /// Names of the blades of each card of several blades, by the name of the card.
+    blade_cards: BTreeMap<String, Vec<String>>,
     used: BTreeSet<usize>,
     beams: Vec<Beam>,
     clamps: BTreeMap<usize, usize>,
@@ -100,6 +102,7 @@ impl Draft {
             blade_axes: Vec::new(),
             names: BTreeMap::new(),
             broken_blades: BTreeSet::new(),
+            blade_cards: BTreeMap::new(),
             used: BTreeSet::new(),
             beams: Vec::new(),
             clamps: BTreeMap::new(),

@@ -1,7 +1,9 @@
 //! Keys in the wrong table, and the right tables.
 
 /// Keys of other cards that are written at the top of a file by mistake.
-pub(super) const OF_FILE: [(&str, &str); 23] = [
+pub(super) const OF_FILE: [(&str, &str); 25] = [
+    ("mode", "[modes]"),
+    ("statics", "[static]"),
     ("column", "[[output.column]]"),
     ("columns", "[[output.column]]"),
     ("piece", "[[blade.piece]]"),

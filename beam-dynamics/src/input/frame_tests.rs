@@ -55,6 +55,7 @@ fn conditions(time: f64) -> Conditions {
             gravity: Vector3::zeros(),
             constant: 1.0,
             proportional: 1.0,
+            released: 0.0,
             time,
             turns: 1.0,
             voltages: 1.0,

@@ -65,6 +65,9 @@ keys! {
     /// The names of two nodes, at any distance.
     RIGID_NODES: ByHand = "nodes", [Texts], required, "[\"mast\", \"hub\"]";
 }
+/// Largest constant relaxed angle of a hinge \[deg\]: 15 degrees remain beyond the undeformed and
+/// the relaxed state before the angle is ambiguous.
+const MOST_RELAXED: f64 = 330.0;
 
 /// Adds every `[[hinge]]` to the model.
 pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
@@ -133,9 +136,9 @@ pub(super) fn spring(table: &Table<'_>, drives: &Catalog) -> Option<HingeCard> {
     };
     let constant = angle.as_ref().and_then(Signal::constant);
     if let Some(found) = constant.map(f64::to_degrees)
-        && found.abs() >= 180.0
+        && found.abs() > MOST_RELAXED
     {
-        table.note("angle", &InputProblem::HalfTurn { found });
+        table.note("angle", &InputProblem::FullTurn { found });
         return None;
     }
     if table.has("angle") && stiffness == Some(0.0) {

@@ -41,7 +41,7 @@ keys! {
         or "[0, 0, 0]" = Vector3::zeros(), "[0, 0.1, 0]";
     /// Axes of the components: the model, or the undeformed node.
     AXES: usize = "axes", [Word(&["model", "node"])], or "\"model\"" = 0, "\"node\"";
-    with FOLLOWER.schema, CONSTANT.schema, DRIVE.schema, IN.schema;
+    with FOLLOWER.schema, CONSTANT.schema, RELEASE.schema, DRIVE.schema, IN.schema;
 }
 
 keys! {
@@ -49,6 +49,8 @@ keys! {
     FOLLOWER: bool = "follower", [Boolean], or "false" = false, "true";
     /// Whether the load is constant; otherwise it grows with the load factor of statics.
     pub(super) CONSTANT: bool = "constant", [Boolean], or "false" = false, "true";
+    /// Whether the load acts in the equilibrium of the start only, and is released there.
+    pub(super) RELEASE: bool = "release", [Boolean], or "false" = false, "true";
     /// Factor of the load, which may depend on time and sensors.
     pub(super) DRIVE: ByHand = "drive", [OneDrive(Dimension::NUMBER)], or "1", "\"= sin(t)\"";
 }
@@ -126,22 +128,31 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
     for (number, table) in root.tables("load").iter().enumerate() {
         let label = label(table, "load", number);
         let is_new = draft.take_label("load", &label, table);
-        let node = node(table, draft, &label);
+        let nodes = nodes(table, draft, &label);
         let load = nodal(table);
         let frame = draft.frames().of(table);
         let signal = drives::read_factor(table, "drive", draft.drives());
         table.finish();
-        match (node, load, frame, signal) {
-            (Some(node), Some((mut load, in_node)), Some(frame), Some(signal)) if is_new => {
-                let on = &draft.nodes()[node];
-                let turn = |vector: Vector3<f64>| match in_node {
-                    true => on.rotation * vector,
-                    false => frame.direction(&vector),
-                };
-                load.force = turn(load.force);
-                load.moment = turn(load.moment);
-                let load = NodalLoad::new(label, node, on, load).driven(signal);
-                draft.add_load(Box::new(load));
+        match (nodes, load, frame, signal) {
+            (Some(nodes), Some((load, in_node)), Some(frame), Some(signal)) if is_new => {
+                for &node in &nodes {
+                    let on = &draft.nodes()[node];
+                    let turn = |vector: Vector3<f64>| match in_node {
+                        true => on.rotation * vector,
+                        false => frame.direction(&vector),
+                    };
+                    let load = NodalForce {
+                        force: turn(load.force),
+                        moment: turn(load.moment),
+                        ..load
+                    };
+                    let label = match nodes.len() {
+                        1 => label.clone(),
+                        _ => format!("{label} on {}", on.label),
+                    };
+                    let load = NodalLoad::new(label, node, on, load).driven(signal.clone());
+                    draft.add_load(Box::new(load));
+                }
             }
             _ => draft.note_broken(),
         }
@@ -158,6 +169,18 @@ fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
 fn node(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<usize> {
     let name = table.get(&NODE)?;
     draft.find_node(&name, table, "node", &format!("\"{label}\""))
+}
+
+/// The node of a load, or one node of each blade of a card.
+fn nodes(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Vec<usize>> {
+    let name = table.require_text("node", "the name of a node")?;
+    let user = format!("\"{label}\"");
+    let names = draft.node_names(&name);
+    let found = names
+        .iter()
+        .map(|name| draft.find_node(name, table, "node", &user));
+    // The first unknown name ends the search: the others differ only in the blade.
+    found.collect()
 }
 
 /// The load of a card, and whether it is in the axes of its node.
@@ -180,10 +203,19 @@ fn nodal(table: &Table<'_>) -> Option<(NodalForce, bool)> {
     Some((load, in_node? == 1))
 }
 
-/// Dead or follower, constant or proportional.
+/// Dead or follower; constant, proportional, or released at the start of a run in time.
 fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
     let follower = table.get(&FOLLOWER);
+    let release = table.get(&RELEASE);
     let factor = factor(table);
+    if release == Some(true) && table.holds(&CONSTANT) {
+        table.note("release", &LoadProblem::ReleasedAndConstant);
+        return None;
+    }
+    let factor = match release? {
+        true => factor.map(|_| LoadFactor::Released),
+        false => factor,
+    };
     let turning = match follower? {
         true => Turning::Follower,
         false => Turning::Dead,

@@ -116,9 +116,9 @@ pub enum InputProblem {
         /// The angle found \[deg\].
         found: f64,
     },
-    /// An angle of a hinge of half a turn or more.
-    #[error("\"angle\" is {} deg, expected less than 180 deg to either side", six(*.found))]
-    HalfTurn {
+    /// A relaxed angle of a hinge near a full turn or more.
+    #[error("\"angle\" is {} deg, expected at most 330 deg to either side", six(*.found))]
+    FullTurn {
         /// The angle found \[deg\].
         found: f64,
     },

@@ -6,7 +6,7 @@ use shared_geom::units::Dimension;
 
 use super::elsewhere::OF_TRANSIENT;
 use super::number::short_number;
-use crate::case::{Redundant, Start, StartAccelerations, TransientQuestion};
+use crate::case::{Redundant, Start, StartAccelerations, StartShape, TransientQuestion};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
 mod keys;
@@ -16,8 +16,8 @@ mod tests;
 
 pub(super) use keys::TRANSIENT;
 use keys::{
-    FIRST, FROM, ITERATIONS, JACOBIAN, LEAST, METHOD, MOST, REDUNDANT, SCHEME, SPEED, START,
-    START_ACCELERATIONS, TO, TOLERANCE,
+    DISPLACEMENT, FIRST, FROM, ITERATIONS, JACOBIAN, LEAST, METHOD, MODE, MOST, REDUNDANT, SCHEME,
+    SHAPE, SPEED, START, START_ACCELERATIONS, TO, TOLERANCE,
 };
 pub(super) use node::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, check, initial_motion,
@@ -27,6 +27,8 @@ pub(super) use node::{
 const MOST_ITERATIONS: usize = 1000;
 /// Largest number of steps of a run: more are treated as an error.
 const MOST_STEPS: f64 = 1e9;
+/// Largest number of a mode whose shape a start has.
+const MOST_MODES: usize = 100;
 /// Smallest tolerance of the iteration that round-off allows.
 const LEAST_TOLERANCE: f64 = 1e-13;
 /// Default smallest variable step, as a part of the first step.
@@ -110,6 +112,9 @@ pub enum TransientProblem {
     /// A speed without rotation.
     #[error("\"speed\" is the speed of a rotating start, but \"start\" is not \"rotating\"")]
     IdleSpeed,
+    /// A shape without an equilibrium to which it is added.
+    #[error("\"shape\" is added to an equilibrium, but \"start\" is \"given\"")]
+    IdleShape,
     /// Initial velocities without `[transient]`.
     #[error("node \"{node}\" has a \"{key}\", but there is no [transient]")]
     IdleVelocity {
@@ -138,6 +143,7 @@ impl Explain for TransientProblem {
                  radius = 1, which conserves energy best"
             }
             Self::IdleSpeed => "write start = \"rotating\", or remove \"speed\"",
+            Self::IdleShape => "write start = \"equilibrium\", or remove \"shape\"",
             Self::IdleVelocity { .. } => "add [transient] with \"to\" and \"step\", or remove it",
             Self::Range { .. } => return None,
         };
@@ -167,6 +173,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
     let newton = newton(table);
     let jacobian = table.get(&JACOBIAN);
     let start = start(table);
+    let shape = shape(table, start);
     let accelerations = table.get(&START_ACCELERATIONS);
     let redundant = table.get(&REDUNDANT);
     let [from, to] = times?;
@@ -178,6 +185,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
         newton: newton?,
         simplified_jacobian: jacobian? == 1,
         start: start?,
+        shape: shape?,
         start_accelerations: [
             StartAccelerations::Consistent,
             StartAccelerations::Zero,
@@ -371,4 +379,22 @@ fn start(table: &Table<'_>) -> Option<Start> {
         (0, None) => Some(Start::Given),
         (_, None) => Some(Start::Equilibrium),
     }
+}
+
+/// Reads `shape`; `Some(None)` without it.
+fn shape(table: &Table<'_>, start: Option<Start>) -> Option<Option<StartShape>> {
+    if !table.has(SHAPE.name()) {
+        return Some(None);
+    }
+    let inner = table.table(SHAPE.name())?;
+    let (mode, displacement) = (inner.get(&MODE), inner.get(&DISPLACEMENT));
+    inner.finish();
+    if start == Some(Start::Given) {
+        table.note("shape", &TransientProblem::IdleShape);
+        return None;
+    }
+    Some(Some(StartShape {
+        mode: mode?,
+        displacement: displacement?,
+    }))
 }

@@ -13,6 +13,8 @@ pub struct Loading {
     pub constant: f64,
     /// Factor of the loads that grow in proportion [-].
     pub proportional: f64,
+    /// Factor of the loads of the start alone: one in its equilibrium, else zero [-].
+    pub released: f64,
     /// Time; statics and modes are at time zero [s].
     pub time: f64,
     /// Part of the prescribed rotations that is applied: one, except while positions are
@@ -30,6 +32,7 @@ impl Loading {
             gravity: Vector3::zeros(),
             constant: 0.0,
             proportional: 0.0,
+            released: 0.0,
             time: 0.0,
             turns: 1.0,
             voltages: 1.0,

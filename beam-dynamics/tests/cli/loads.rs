@@ -200,13 +200,13 @@ fn a_hinge_goes_where_its_spring_is_relaxed() {
     for (found, expected) in values.iter().zip(expected) {
         assert!((found - expected).abs() < 1e-4, "{tip}");
     }
-    let card = card.replace("30", "190");
+    let card = card.replace("30", "340");
     let blade = STRIP.replace("name = \"blade\"", &card);
     folder.write("a.dynamics.toml", &format!("{blade}[static]\n"));
     let run = folder.run(&["static", "a.dynamics.toml"]);
     assert_eq!(run.code, 2, "{}", run.out);
     assert!(
-        run.err.contains("is 190 deg, expected less than 180 deg"),
+        run.err.contains("is 340 deg, expected at most 330 deg"),
         "{}",
         run.err
     );

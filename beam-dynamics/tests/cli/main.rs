@@ -8,6 +8,7 @@ mod curvature;
 mod electrodes;
 mod exchange;
 mod figures;
+mod help;
 mod keys;
 
 use std::fs;
@@ -266,7 +267,7 @@ fn a_check_says_what_was_read() {
 #[test]
 fn an_unknown_key_is_told() {
     let message = "\
-error: a.dynamics.toml:14: unknown key \"swep\" in [[piece]] number 2
+error: a.dynamics.toml:14: unknown key \"swep\" in [[blade.piece]] number 2
   help: did you mean \"sweep\"?";
     Folder::new().refuses(&BLADE.replace("sweep", "swep"), message);
 }
@@ -367,7 +368,7 @@ error: a.dynamics.toml:7: unknown properties \"stripp\" in blade \"blade\"
   help: did you mean \"strip\"?
 error: a.dynamics.toml:9: \"length\": unknown unit \"mmm\"
   help: did you mean \"mm\"?
-error: a.dynamics.toml:14: unknown key \"swep\" in [[piece]] number 2
+error: a.dynamics.toml:14: unknown key \"swep\" in [[blade.piece]] number 2
   help: did you mean \"sweep\"?
 error: a.dynamics.toml:16: \"speeds\" has the speed -750 rpm, expected zero or more
 error: a.dynamics.toml:17: \"count\" is -4, expected a whole number of at least 1";

@@ -150,6 +150,30 @@ fn a_killed_run_goes_on_to_the_last_bit() {
     }
 }
 
+// Killed after the last state and before the figure: the tables are complete.
+#[test]
+fn a_complete_run_without_figures_and_report_gets_them_by_a_restart() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", &beam(0.1));
+    let arguments = ["transient", "a.dynamics.toml", "--out", "parts"];
+    assert_eq!(folder.run(&arguments).code, 0);
+    let later = ["png", "svg", "txt"].map(|end| folder.path(&format!("parts/a.transient.{end}")));
+    let table = folder.path("parts/a.transient.csv");
+    let before = fs::read(&table).unwrap();
+    let figure = fs::read(&later[1]).unwrap();
+    for file in &later {
+        fs::remove_file(file).unwrap();
+    }
+    let restart = ["--restart", "parts/a.restart.json"];
+    let again = folder.run(&[&arguments[..], &restart[..]].concat());
+    assert_eq!(again.code, 0, "{}", again.err);
+    assert!(again.out.contains("is complete (step 50)"), "{}", again.out);
+    assert!(later.iter().all(|file| file.exists()));
+    assert!(fs::read(&table).unwrap() == before);
+    assert!(fs::read(&later[1]).unwrap() == figure);
+    assert!(!folder.path("parts/a.transient.lock").exists());
+}
+
 #[test]
 fn a_state_that_does_not_fit_is_refused() {
     let folder = Folder::new();
@@ -157,12 +181,14 @@ fn a_state_that_does_not_fit_is_refused() {
     let arguments = ["transient", "a.dynamics.toml", "--out", "parts"];
     let restart = ["--restart", "parts/a.restart.json"];
     assert_eq!(folder.run(&arguments).code, 0);
+    folder.write("a.dynamics.toml", &beam(0.05));
     let again = folder.run(&[&arguments[..], &restart[..]].concat());
     assert_eq!(again.code, 2);
     assert_eq!(
         again.err,
-        "error: \"parts/a.restart.json\" is at 0.1 s, and the run ends at 0.1 s\n  \
-         help: give [transient] a later \"to\" to continue\n"
+        "error: \"parts/a.restart.json\" is at 0.1 s, after the end of the run at 0.05 s\n  \
+         help: give [transient] a \"to\" that is not before the state: a later one continues \
+         the run\n"
     );
     folder.write(
         "a.dynamics.toml",

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use clap_complete::Shell;
+use shared_geom::command_help::Shell;
 use shared_geom::mesh::CellKind;
 
 mod analyze;

@@ -16,6 +16,9 @@ use words::{known_groups, listed, strength_keys};
 /// A problem of a section input, of its tables, or of its references to the mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum InputProblem {
+    /// A file of the program for blades and rotors.
+    #[error("this is a .dynamics.toml file, expected a .section.toml file")]
+    Dynamics,
     /// A file named in the input cannot be read.
     #[error("{what} \"{file}\" cannot be read: {reason}")]
     Unreadable {
@@ -359,6 +362,7 @@ pub enum InputProblem {
 impl Explain for InputProblem {
     fn help(&self) -> Option<String> {
         match self {
+            Self::Dynamics => Some("use \"beam-dynamics\"".to_owned()),
             Self::UnknownMaterial {
                 material, known, ..
             } => Some(nearest_or_all(material, known, "materials of the file")),

@@ -44,13 +44,10 @@ impl<'a> Table<'a> {
             let _: Option<()> = self.wrong_value(key, value, &format!("tables [[{key}]]"));
             return Vec::new();
         };
-        // Of [output], the tables are [[output.column]].
-        let outer = self
-            .title
-            .strip_prefix('[')
-            .and_then(|t| t.strip_suffix(']'));
-        let within = match outer.filter(|outer| !outer.starts_with('[')) {
-            Some(outer) => format!("{outer}."),
+        // Of [output], the tables are [[output.column]], of [[blade]] [[blade.piece]].
+        let outer = self.title.trim_start_matches('[').split_once(']');
+        let within = match outer.filter(|_| self.title.starts_with('[')) {
+            Some((outer, _)) => format!("{outer}."),
             None => String::new(),
         };
         let table = |(i, item): (usize, &'a Value)| match &item.kind {

@@ -19,8 +19,8 @@ use beam_dynamics::model::{Conditions, Equation, Node, State, Variable};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Rotation3, Vector3, Vector6};
 
 use super::{mass, matrix, numbers, reference, stiffness, vector};
-use crate::effort::cases;
 use crate::chain::{DEAD, up_to};
+use crate::effort::cases;
 use crate::record;
 
 /// Growth over frequency above which a motion grows: the round-off of eigenvalues, 1e-16 of the

@@ -66,6 +66,12 @@ pub enum TransientFailure {
     /// No equilibrium to start from.
     #[error("start: {0}")]
     Equilibrium(#[from] Box<NoEquilibrium>),
+    /// No mode whose shape the start has.
+    #[error("start: \"shape\" has no mode: {reason}")]
+    NoShape {
+        /// The reason, as text.
+        reason: String,
+    },
     /// No positions fulfill the constraints.
     #[error(
         "start: no positions of the nodes were found that fulfill the constraints; the worst at \
@@ -204,6 +210,9 @@ impl TransientFailure {
             }
             Self::Equilibrium(_) => {
                 "constrain the free motion, or remove the load that nothing carries"
+            }
+            Self::NoShape { .. } => {
+                "see the modes with `beam-dynamics modes`, and give \"mode\" a number of its table"
             }
             Self::Places {
                 is_singular: true, ..

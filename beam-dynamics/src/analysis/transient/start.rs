@@ -7,16 +7,18 @@ use crate::analysis::steady::equilibrium;
 use crate::assembly::{MasslessMotions, System};
 use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
 use crate::elements::{Level, Queries};
-use crate::model::{Conditions, NODE_UNKNOWNS, State, TurningFrame};
+use crate::model::{Conditions, Drive, NODE_UNKNOWNS, State, TurningFrame};
 use crate::modes::EigenProblem;
 use crate::solver::LinearSolver;
 
 use super::change::{Changed, StartChange};
 use super::dummy::dummy_rates;
 use super::failure::TransientFailure;
+use super::gravity;
 use super::placing::{Unfulfilled, place, set_moving};
 use super::rates::{consistent_rates, find_momenta};
 use super::scalars::{self, Settling};
+use super::shape;
 
 /// Changes below this part of the size of the model, or of the fastest motion, are
 /// round-off.
@@ -58,10 +60,7 @@ pub(super) fn start(
 ) -> Result<Started, TransientFailure> {
     let system = &model.system;
     let conditions = model.conditions_at(question.from);
-    let (kind, unstable) = given(model, question, &conditions)?;
-    if let Start::Rotating { speed } = question.start {
-        turns_as_a_whole(model, &conditions, &kind, speed)?;
-    }
+    let (kind, remarks) = given(model, question, &conditions)?;
     let given = with_velocities(kind, &model.initial);
     let (mut state, remark) = placed(model, question, &conditions, &given)?;
     let changes = changes(model, &given, &state);
@@ -79,7 +78,7 @@ pub(super) fn start(
     let mut started = Started {
         state,
         changes,
-        remarks: unstable.into_iter().chain(remark).collect(),
+        remarks: remarks.into_iter().chain(remark).collect(),
     };
     find_rates(model, question, &conditions, &mut started)?;
     Ok(started)
@@ -162,14 +161,12 @@ fn moved(
     set_moving(system, &placed, conditions, &model.initial).map_err(not_moving)
 }
 
-/// Positions and velocities of the requested kind of start, and a remark if its equilibrium is
-/// unstable.
+/// Positions and velocities of the requested kind of start, and its remarks.
 fn given(
     model: &Model,
     question: &TransientQuestion,
     conditions: &Conditions,
-) -> Result<(State, Option<String>), TransientFailure> {
-    let rest = model.system.rest();
+) -> Result<(State, Vec<String>), TransientFailure> {
     let alone;
     let model = match model.system.independent() {
         None => model,
@@ -181,30 +178,112 @@ fn given(
             &alone
         }
     };
-    let speed = match question.start {
-        Start::Given => return Ok((rest, None)),
-        Start::Equilibrium => 0.0,
-        Start::Rotating { speed } => speed,
+    match question.start {
+        Start::Given => Ok((model.system.rest(), Vec::new())),
+        Start::Equilibrium => {
+            let turning = turning(model, conditions, 0.0);
+            let (mut state, unstable) = steady(model, question, &turning)?;
+            add_shape(model, question, &turning, &mut state)?;
+            into_space(&mut state, &turning.frame);
+            Ok((state, unstable.into_iter().collect()))
+        }
+        Start::Rotating { speed } => rotating(model, question, conditions, speed),
+    }
+}
+
+/// Conditions of the equilibrium in axes that turn with the model at `speed` \[rad/s\].
+fn turning(model: &Model, conditions: &Conditions, speed: f64) -> Conditions {
+    let mut turning = *conditions;
+    turning.loading.released = 1.0;
+    turning.frame = TurningFrame {
+        angular_velocity: speed * model.spin.axis,
+        center: model.spin.center,
     };
-    let turning = Conditions {
-        frame: TurningFrame {
-            angular_velocity: speed * model.spin.axis,
-            center: model.spin.center,
-        },
-        ..*conditions
-    };
+    turning
+}
+
+/// The steady rotation at `speed` \[rad/s\], with the periodic response to gravity across the axis,
+/// and its remarks.
+fn rotating(
+    model: &Model,
+    question: &TransientQuestion,
+    conditions: &Conditions,
+    speed: f64,
+) -> Result<(State, Vec<String>), TransientFailure> {
+    let mut turning = turning(model, conditions, speed);
+    let gravity::Parts { axial, across } = gravity::parts(&model.gravity, &model.spin.axis);
+    let factor = model.gravity_drive.at(question.from).value;
+    let is_across = speed != 0.0 && across != Vector3::zeros();
+    if is_across {
+        turning.loading.gravity = factor * axial;
+    }
     if let Some((joint, off)) = driven_otherwise(&model.system, conditions, &turning.frame) {
         return Err(TransientFailure::DrivenOtherwise { joint, off, speed });
     }
-    let held = model.system.held().map(|system| Model {
+    let (mut state, unstable) = steady(model, question, &turning)?;
+    let mut remarks: Vec<_> = unstable.into_iter().collect();
+    let mut mean = state.clone();
+    into_space(&mut mean, &turning.frame);
+    turns_as_a_whole(model, conditions, &mean, speed)?;
+    if is_across && factor == 0.0 {
+        remarks.push(gravity::later());
+    } else if is_across {
+        let held = held(model);
+        let model = held.as_ref().unwrap_or(model);
+        let solver = LinearSolver::new(model.system.pattern());
+        let at = (&mut state, &turning);
+        remarks.push(gravity::add_response(
+            model,
+            &solver,
+            at,
+            &(factor * across),
+        ));
+    }
+    add_shape(model, question, &turning, &mut state)?;
+    into_space(&mut state, &turning.frame);
+    Ok((state, remarks))
+}
+
+/// Adds the requested shape of a mode to an equilibrium, at rest in the axes of `turning`.
+fn add_shape(
+    model: &Model,
+    question: &TransientQuestion,
+    turning: &Conditions,
+    state: &mut State,
+) -> Result<(), TransientFailure> {
+    let Some(requested) = question.shape else {
+        return Ok(());
+    };
+    let omega = turning.frame.angular_velocity;
+    let mut model = held(model).unwrap_or_else(|| model.clone());
+    model.gravity = turning.loading.gravity;
+    model.gravity_drive = Drive::Constant(1.0);
+    let speed = omega.dot(&model.spin.axis);
+    shape::add(&model, (requested, speed), state)
+}
+
+/// The model with velocity-driven parts held, if it has some.
+fn held(model: &Model) -> Option<Model> {
+    model.system.held().map(|system| Model {
         system,
         ..model.clone()
-    });
+    })
+}
+
+/// The equilibrium under the conditions `turning`, at rest in their axes, and a remark if it is
+/// unstable.
+fn steady(
+    model: &Model,
+    question: &TransientQuestion,
+    turning: &Conditions,
+) -> Result<(State, Option<String>), TransientFailure> {
+    let rest = model.system.rest();
+    let held = held(model);
     let model = held.as_ref().unwrap_or(model);
     let solver = LinearSolver::new(model.system.pattern());
     let from = (&Conditions::at_rest(), &rest);
-    let mut state = equilibrium(model, &solver, from, &turning)?.state;
-    let growth = growth(model, &solver, (&state, &turning));
+    let state = equilibrium(model, &solver, from, turning)?.state;
+    let growth = growth(model, &solver, (&state, turning));
     let is_seen = |growth: &f64| growth * (question.to - question.from) > SEEN;
     let remark = growth.filter(is_seen).map(|growth| {
         format!(
@@ -212,15 +291,19 @@ fn given(
              the model leaves it after any disturbance"
         )
     });
-    // At this instant the turning axes and the fixed axes coincide.
+    Ok((state, remark))
+}
+
+/// Velocities and rates in the axes of the turning `frame` become those in space: at this instant
+/// its axes and the fixed axes coincide.
+fn into_space(state: &mut State, frame: &TurningFrame) {
     for node in &mut state.nodes {
-        node.velocity = node.velocity_in_space(&turning.frame);
-        node.angular_velocity = node.angular_velocity_in_space(&turning.frame);
-        let omega = turning.frame.angular_velocity;
+        node.velocity = node.velocity_in_space(frame);
+        node.angular_velocity = node.angular_velocity_in_space(frame);
+        let omega = frame.angular_velocity;
         node.momentum_rate = omega.cross(&node.momentum);
         node.angular_momentum_rate = omega.cross(&node.angular_momentum);
     }
-    Ok((state, remark))
 }
 
 /// The fastest growth without oscillation of a small motion about an equilibrium, among the

@@ -9,6 +9,7 @@ mod corners;
 mod failing;
 mod flexible;
 mod following;
+mod gravity;
 mod jacobian;
 mod linkages;
 mod models;

@@ -12,7 +12,8 @@
 //! ```
 //!
 //! phi - phi_0 is reduced to between minus and plus half a turn: phi_0 may be driven over full
-//! turns.
+//! turns. If a constant phi_0 is far from the undeformed state ([`FAR`]), the full turn is centered
+//! between the two, at `phi - phi_0 = -phi_0 / 2`, so that phi_0 may be half a turn and more.
 //!
 //! Variations, with s = v_a . u_b and c = u_a . u_b:
 //!
@@ -48,6 +49,10 @@ use crate::elements::{
 use crate::model::Equation::Moment;
 use crate::model::{Loading, Node, NodeMotion, Scalar, Scalars, Variable};
 
+/// Constant relaxed angle from which on the range of the angle is centered between the undeformed
+/// and the relaxed state \[rad\]: 150 deg.
+const FAR: f64 = 5.0 * TAU / 12.0;
+
 /// Spring and damper of a hinge.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct HingeSpring {
@@ -55,7 +60,8 @@ pub struct HingeSpring {
     pub stiffness: f64,
     /// Moment per rate of the angle [N m s].
     pub damping: f64,
-    /// Angle at which the spring is relaxed, zero in the undeformed state [rad].
+    /// Angle at which the spring is relaxed, zero in the undeformed state, less than a full turn
+    /// [rad].
     pub angle: f64,
 }
 
@@ -114,11 +120,15 @@ impl Hinge {
         self
     }
 
-    /// Angle relative to the relaxed spring, at most half a turn.
+    /// Angle relative to the relaxed spring, at most half a turn from its mean.
     fn turned(&self, state: &State, now: &Instant<'_>) -> f64 {
         let driven = self.relaxed.as_ref().map(|signal| signal.value(now));
+        let mean = match driven {
+            None if self.spring.angle.abs() > FAR => -0.5 * self.spring.angle,
+            _ => 0.0,
+        };
         let apart = state.angle() - driven.unwrap_or(self.spring.angle);
-        apart - TAU * (apart / TAU).round()
+        apart - TAU * ((apart - mean) / TAU).round()
     }
 
     fn state(&self, nodes: &[NodeMotion]) -> State {

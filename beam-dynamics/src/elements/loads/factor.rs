@@ -9,6 +9,8 @@ pub enum LoadFactor {
     Constant,
     /// Factor of the loads that grow in proportion.
     Proportional,
+    /// Factor of the loads that act in the equilibrium of the start of a run in time alone.
+    Released,
 }
 
 impl LoadFactor {
@@ -17,13 +19,14 @@ impl LoadFactor {
         match self {
             Self::Constant => loading.constant,
             Self::Proportional => loading.proportional,
+            Self::Released => loading.released,
         }
     }
 
     /// Its derivative by the factor of the proportional loads [-].
     pub fn derivative(self) -> f64 {
         match self {
-            Self::Constant => 0.0,
+            Self::Constant | Self::Released => 0.0,
             Self::Proportional => 1.0,
         }
     }

@@ -44,4 +44,38 @@ impl Draft {
     pub fn add_blade(&mut self, blade: BladeNodes) {
         self.blades.push(blade);
     }
+
+    /// Notes that the card called `card` has the blades `blades`.
+    pub fn add_blade_card(&mut self, card: String, blades: Vec<String>) {
+        self.blade_cards.insert(card, blades);
+    }
+
+    /// The blades called `name`: the blade of this name, or else all blades of the card of this
+    /// name; empty if neither exists.
+    pub fn blades_called(&self, name: &str) -> Vec<&BladeNodes> {
+        let of = |name: &str| self.blades.iter().find(|blade| blade.name == name);
+        if let Some(blade) = of(name) {
+            return vec![blade];
+        }
+        let names = self.blade_cards.get(name).into_iter().flatten();
+        names.filter_map(|name| of(name)).collect()
+    }
+
+    /// Names of the nodes meant by `name`: if there is no node `CARD/END`, but a card called
+    /// `CARD`, those of all its blades.
+    pub fn node_names(&self, name: &str) -> Vec<String> {
+        let one = || vec![name.to_owned()];
+        if self.names.contains_key(name) {
+            return one();
+        }
+        let blades = name
+            .split_once('/')
+            .and_then(|(card, end)| Some((self.blade_cards.get(card)?, end)));
+        blades.map_or_else(one, |(blades, end)| {
+            blades
+                .iter()
+                .map(|blade| format!("{blade}/{end}"))
+                .collect()
+        })
+    }
 }

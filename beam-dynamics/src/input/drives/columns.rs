@@ -30,7 +30,8 @@ pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
             let _ = table.has("columns");
             let found = if both { "both" } else { "none" };
             let keys = ["file", "rows"];
-            table.note("", &DriveProblem::OneOf { keys, found });
+            let drive = table.title().to_owned();
+            table.note("", &DriveProblem::OneOf { drive, keys, found });
             return None;
         }
     };

@@ -96,7 +96,8 @@ fn ramp(table: &Table<'_>, measure: Measure) -> Option<Drive> {
         [both, _] => {
             let found = if both { "both" } else { "none" };
             let keys = ["end", "duration"];
-            table.note("", &DriveProblem::OneOf { keys, found });
+            let drive = table.title().to_owned();
+            table.note("", &DriveProblem::OneOf { drive, keys, found });
             None
         }
     };
@@ -186,7 +187,8 @@ fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
             let found = if both { "both" } else { "none" };
             // Terms may belong to a missing band.
             table.item("terms");
-            table.note("", &DriveProblem::OneOf { keys, found });
+            let drive = table.title().to_owned();
+            table.note("", &DriveProblem::OneOf { drive, keys, found });
             None
         }
     }

@@ -89,8 +89,10 @@ pub enum DriveProblem {
         end: f64,
     },
     /// Two keys of which one is needed.
-    #[error("the drive has {found} of \"{}\" and \"{}\", expected one", .keys[0], .keys[1])]
+    #[error("{drive} has {found} of \"{}\" and \"{}\", expected one", .keys[0], .keys[1])]
     OneOf {
+        /// The table of the drive, as text.
+        drive: String,
         /// The keys.
         keys: [&'static str; 2],
         /// `both` or `none`.

@@ -198,7 +198,7 @@ q = \"= p\"
         "a.toml:11: the drive ends at 1 s, expected a time after its start at 2 s",
         "a.toml:16: unknown key \"ends\" in drives \"c\"",
         "a.toml:19: the time 1 is not after 1",
-        "a.toml:20: the drive has none of \"band\" and \"interval\", expected one",
+        "a.toml:20: drives \"e\" has none of \"band\" and \"interval\", expected one",
         "a.toml:26: \"expression\": unknown name \"lenght\" at letter 8 of \"2*(t + lenght\"\n  \
          help: did you mean \"length\"?",
         "a.toml:29: the parameter \"p\" depends on itself: p -> q -> p",

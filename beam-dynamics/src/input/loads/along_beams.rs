@@ -6,7 +6,8 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::{CONSTANT, DRIVE, FOLLOWER, LoadProblem, kind, label};
+use super::{CONSTANT, DRIVE, FOLLOWER, LoadProblem, RELEASE, kind, label};
+use crate::case::BladeNodes;
 use crate::elements::Signal;
 use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
 use crate::elements::loads::{LoadFactor, Turning};
@@ -34,7 +35,8 @@ keys! {
     AT: ByHand = "at", [Quantities(Dimension::LENGTH)], optional, "[0, 10]";
     /// Axes of the components: the model, or the undeformed section.
     AXES: usize = "axes", [Word(&["model", "section"])], or "\"model\"" = 0, "\"section\"";
-    with BLADE.schema, BEAMS.schema, FOLLOWER.schema, CONSTANT.schema, DRIVE.schema, IN.schema;
+    with BLADE.schema, BEAMS.schema, FOLLOWER.schema, CONSTANT.schema, RELEASE.schema,
+        DRIVE.schema, IN.schema;
 }
 
 keys! {
@@ -61,7 +63,8 @@ enum Course {
 
 /// The load of a card.
 struct Card {
-    beams: Vec<usize>,
+    /// The beams of each line.
+    lines: Vec<Vec<usize>>,
     force: Course,
     moment: Course,
     kind: (Turning, LoadFactor),
@@ -79,8 +82,10 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
         table.finish();
         match card {
             Some(card) if is_new => {
-                for load in elements(&label, &card, draft) {
-                    draft.add_load(Box::new(load));
+                for beams in &card.lines {
+                    for load in elements(&label, &card, beams, draft) {
+                        draft.add_load(Box::new(load));
+                    }
                 }
             }
             _ => draft.note_broken(),
@@ -89,7 +94,7 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
 }
 
 fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
-    let beams = beams(table, draft, label);
+    let lines = lines(table, draft, label);
     let in_section = table.get(&AXES);
     let kind = kind(table);
     let frame = draft.frames().of(table);
@@ -102,7 +107,7 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
         return None;
     }
     let card = Card {
-        beams: beams?,
+        lines: lines?,
         force: force?,
         moment: moment?,
         kind: kind?,
@@ -110,7 +115,8 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
         frame: frame?,
         signal: signal?,
     };
-    let length = length(&card.beams, draft);
+    // All blades of a card have the same length.
+    let length = card.lines.first().map_or(0.0, |line| length(line, draft));
     let beyond = places.flatten().unwrap_or_default();
     let beyond = beyond
         .into_iter()
@@ -177,8 +183,20 @@ fn course(
     Some(Course::Table(places.iter().copied().zip(rows).collect()))
 }
 
-/// The beams of a card, in order along it.
+/// The beams of a card, in order along one line.
 pub(in crate::input) fn beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usize>> {
+    let name = table.has("blade").then(|| table.text("blade")).flatten();
+    let is_of_card = |name: &String| draft.blades_called(name).len() > 1;
+    if let Some(name) = name.filter(is_of_card) {
+        note_unknown_blade(table, draft, label, name);
+        return None;
+    }
+    lines(table, draft, label)?.into_iter().next()
+}
+
+/// The beams of each line of a card, in order along it: of a blade, of all blades of a `[[blade]]`,
+/// or of a list of beams.
+fn lines(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<Vec<usize>>> {
     match (table.has("blade"), table.has("beams")) {
         (false, false) => table.note("", &LoadProblem::NoLine),
         (true, true) => table.note("beams", &LoadProblem::BladeAndBeams),
@@ -187,26 +205,37 @@ pub(in crate::input) fn beams(table: &Table<'_>, draft: &Draft, label: &str) -> 
             if draft.is_broken_blade(&name) {
                 return None;
             }
-            let Some(blade) = draft.blades().iter().find(|blade| blade.name == name) else {
-                let known = draft.blades().iter().map(|blade| blade.name.clone());
-                let problem = LoadProblem::UnknownLine {
-                    kind: "blade",
-                    name,
-                    user: label.to_owned(),
-                    known: known.collect(),
-                };
-                table.note("blade", &problem);
+            let blades = draft.blades_called(&name);
+            if blades.is_empty() {
+                note_unknown_blade(table, draft, label, name);
                 return None;
-            };
-            let place = |node: usize| blade.nodes.iter().position(|own| *own == node);
-            let mut found: Vec<_> = draft.beams().iter().enumerate().collect();
-            found.retain(|(_, beam)| beam.nodes.iter().all(|node| place(*node).is_some()));
-            found.sort_by_key(|(_, beam)| beam.nodes.map(place).into_iter().min());
-            return Some(found.into_iter().map(|(index, _)| index).collect());
+            }
+            let lines = blades.iter().map(|blade| beams_of(blade, draft));
+            return Some(lines.collect());
         }
-        (false, true) => return named_beams(table, draft, label),
+        (false, true) => return named_beams(table, draft, label).map(|line| vec![line]),
     }
     None
+}
+
+fn note_unknown_blade(table: &Table<'_>, draft: &Draft, label: &str, name: String) {
+    let known = draft.blades().iter().map(|blade| blade.name.clone());
+    let problem = LoadProblem::UnknownLine {
+        kind: "blade",
+        name,
+        user: label.to_owned(),
+        known: known.collect(),
+    };
+    table.note("blade", &problem);
+}
+
+/// The beams of a blade, from the root to the tip.
+fn beams_of(blade: &BladeNodes, draft: &Draft) -> Vec<usize> {
+    let place = |node: usize| blade.nodes.iter().position(|own| *own == node);
+    let mut found: Vec<_> = draft.beams().iter().enumerate().collect();
+    found.retain(|(_, beam)| beam.nodes.iter().all(|node| place(*node).is_some()));
+    found.sort_by_key(|(_, beam)| beam.nodes.map(place).into_iter().min());
+    found.into_iter().map(|(index, _)| index).collect()
 }
 
 fn named_beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usize>> {
@@ -249,11 +278,11 @@ fn length(beams: &[usize], draft: &Draft) -> f64 {
     beams.iter().map(of_beam).sum()
 }
 
-fn elements(label: &str, card: &Card, draft: &Draft) -> Vec<DistributedLoad> {
-    let whole = length(&card.beams, draft);
+fn elements(label: &str, card: &Card, beams: &[usize], draft: &Draft) -> Vec<DistributedLoad> {
+    let whole = length(beams, draft);
     let mut start = 0.0;
-    let mut loads = Vec::with_capacity(card.beams.len());
-    for &index in &card.beams {
+    let mut loads = Vec::with_capacity(beams.len());
+    for &index in beams {
         let beam = &draft.beams()[index];
         let ends = ends(beam, draft);
         let arc = |xi: f64| start + beam.geometry.arc_length(&ends, xi);

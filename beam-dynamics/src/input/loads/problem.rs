@@ -110,6 +110,15 @@ pub enum LoadProblem {
         /// Length of the line \[m\].
         length: f64,
     },
+    /// A load that is constant and released.
+    #[error("the load has \"release\" and \"constant\", expected one of them")]
+    ReleasedAndConstant,
+    /// A load of the start without an equilibrium at the start.
+    #[error(
+        "\"release\" is for a run in time that starts from an equilibrium, which the file does not \
+         have"
+    )]
+    IdleRelease,
     /// Gravity across the axis of a rotating model.
     #[error(
         "gravity has {} m/s^2 across the axis of rotation, and the model turns at {} rpm: \
@@ -142,7 +151,15 @@ impl Explain for LoadProblem {
             }
             Self::ImposedTwice { .. } => "put all components of the motion into one [[imposed]]",
             Self::GravityGoesRound { .. } => {
-                "give gravity along the axis, or analyze speed 0, at one azimuth after the other"
+                "give gravity along the axis, or analyze speed 0, at one azimuth after the other, \
+                 or the motion in time: [transient] with start = \"rotating\" contains the response \
+                 to gravity"
+            }
+            Self::ReleasedAndConstant => {
+                "a released load acts in the equilibrium of the start and never later"
+            }
+            Self::IdleRelease => {
+                "add [transient] with start = \"equilibrium\", or remove \"release\""
             }
             Self::OnePlace { .. } => "a load at one position is a [[load]] at a node",
             Self::Degree { .. } => "give a table: \"at\" with a row for each position",

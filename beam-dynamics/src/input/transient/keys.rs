@@ -7,7 +7,7 @@ use shared_geom::document::schema::ValueKind::{
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::{MOST_ITERATIONS, SCHEMES};
+use super::{MOST_ITERATIONS, MOST_MODES, SCHEMES};
 
 keys! {
     /// The motion of the model in time.
@@ -37,12 +37,24 @@ keys! {
         or "\"given\"" = 0, "\"rotating\"";
     /// Angular velocity of a rotating start.
     pub(super) SPEED: Option<f64> = "speed", [Quantity(Dimension::ROTATION_SPEED)], optional, "300";
+    /// Shape of a mode that is added to the equilibrium of the start.
+    pub(super) SHAPE: ByHand = "shape", [Table(&START_SHAPE)], optional, "";
     /// Accelerations at the start.
     pub(super) START_ACCELERATIONS: usize = "start_accelerations",
         [Word(&["consistent", "zero", "dummy", "at-rest"])], or "\"consistent\"" = 0, "\"dummy\"";
     /// Redundant constraints: an error, or sharing of the loads with the smallest reactions.
     pub(super) REDUNDANT: usize = "redundant", [Word(&["error", "remove"])],
         or "\"error\"" = 0, "\"remove\"";
+}
+
+keys! {
+    /// The shape of a mode as a start.
+    START_SHAPE = "shape = { ... }";
+    /// Number of the mode, by frequency.
+    pub(super) MODE: usize = "mode", [Count(MOST_MODES)], required, "2";
+    /// Largest displacement of a node.
+    pub(super) DISPLACEMENT: f64 = "displacement", [Quantity(Dimension::LENGTH)], required,
+        "\"10 mm\"";
 }
 
 keys! {

@@ -1,5 +1,7 @@
 //! Initial motion of a node.
 
+use std::collections::BTreeSet;
+
 use nalgebra::Vector3;
 use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{Positive, Vector};
@@ -9,6 +11,7 @@ use shared_geom::units::Dimension;
 use super::TransientProblem;
 use crate::case::InitialMotion;
 use crate::input::draft::Draft;
+use crate::input::loads::LoadProblem;
 
 keys! {
     /// Initial velocity in runs in time, in the axes of the model or of the frame of the card.
@@ -62,20 +65,50 @@ fn weight(table: &Table<'_>, key: &'static str) -> Option<Option<f64>> {
     Some(Some(found))
 }
 
-/// Notes initial velocities of nodes without `[transient]`.
+/// Notes initial velocities of nodes without `[transient]`, and loads of an equilibrium of the
+/// start that does not exist.
 pub(in crate::input) fn check(root: &Table<'_>, draft: &Draft) {
+    check_released(root);
     if root.has("transient") {
         return;
     }
+    let mut told = BTreeSet::new();
     for (initial, node, line) in draft.initial() {
         for (key, is_said) in [
             ("velocity", initial.velocity.is_some()),
             ("angular_velocity", initial.angular_velocity.is_some()),
         ] {
-            if is_said {
+            // The nodes of a blade have one card.
+            if is_said && told.insert((line, key)) {
                 let node = node.to_owned();
                 let problem = TransientProblem::IdleVelocity { node, key };
                 root.document().note(line, &problem);
+            }
+        }
+    }
+}
+
+fn check_released(root: &Table<'_>) {
+    let start = match root.has("transient") && root.is_table("transient") {
+        true => root
+            .table("transient")
+            .and_then(|run| match run.is_text("start") {
+                true => run.text("start"),
+                false => None,
+            }),
+        false => None,
+    };
+    if start.is_some_and(|start| start != "given") {
+        return;
+    }
+    for kind in ["load", "distributed_load"] {
+        let cards = match root.is_list(kind) {
+            true => root.tables(kind),
+            false => Vec::new(),
+        };
+        for load in cards {
+            if load.has("release") && load.boolean("release") == Some(true) {
+                load.note("release", &LoadProblem::IdleRelease);
             }
         }
     }

@@ -6,6 +6,7 @@ use shared_geom::files::make_folder;
 
 use super::csv_rows::CsvRows;
 use super::grids::{FIELDS, Grids, SERIES};
+use super::lock::RunLock;
 use super::netcdf_rows::NetcdfRows;
 use super::restart::write_snapshot;
 use super::{Heading, RowWriter, RunFileProblem, TimePlot, TimeTable};
@@ -17,6 +18,7 @@ use crate::result::{ColumnValues, Moment, Recorder, Snapshot};
 const CSV: &str = "transient.csv";
 const NETCDF: &str = "transient.nc";
 const RESTART: &str = "restart.json";
+const LOCK: &str = "transient.lock";
 const TEXT: &str = "transient.txt";
 const PLOT: [&str; 2] = ["transient.png", "transient.svg"];
 /// Numbers of a table up to which a figure is drawn without a request.
@@ -44,6 +46,8 @@ pub struct RunFiles<'a> {
     /// Identification of the model.
     fingerprint: String,
     problem: Option<RunFileProblem>,
+    /// Keeps other runs from the files, until this one ends.
+    _lock: RunLock,
 }
 
 impl<'a> RunFiles<'a> {
@@ -51,7 +55,7 @@ impl<'a> RunFiles<'a> {
     /// from `resumed` keeps them up to its time.
     ///
     /// # Errors
-    /// [`RunFileProblem`]: the folder or a file cannot be made, or has other columns.
+    /// [`RunFileProblem`]: the folder or a file cannot be made, is in use, or has other columns.
     pub fn new(
         model: &'a Model,
         question: &'a OutputQuestion,
@@ -60,6 +64,7 @@ impl<'a> RunFiles<'a> {
     ) -> Result<Self, RunFileProblem> {
         make_folder(&place.folder)?;
         let results = Results::new(place);
+        let lock = RunLock::new(&results.path(LOCK))?;
         let mut files = Self {
             values: ColumnValues::new(model, question),
             tables: Vec::new(),
@@ -74,6 +79,7 @@ impl<'a> RunFiles<'a> {
             fingerprint: model.fingerprint(),
             problem: None,
             results,
+            _lock: lock,
         };
         files.results.remove(PLOT);
         files.results.remove([TEXT]);

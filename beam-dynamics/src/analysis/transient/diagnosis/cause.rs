@@ -344,6 +344,9 @@ impl<'a> Scene<'a> {
                 &["remove \"tolerance\" of newton, or increase it"],
             );
         }
+        if let Some(scheme) = self.scheme_without_joints() {
+            return scheme;
+        }
         let has_joints = self.model.system.numbering().multipliers() > 0;
         if has_joints && self.failure.length < CUT * self.wished {
             return self.locked();
@@ -401,14 +404,22 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Equations without a unique solution.
-    fn singular(&self) -> Cause {
+    /// A scheme that cannot enforce the constraints of the model.
+    fn scheme_without_joints(&self) -> Option<Cause> {
         let has_joints = self.model.system.numbering().multipliers() > 0;
-        if has_joints && self.question.scheme == Scheme::CubicGauss {
-            return Cause::new(
+        let is_it = has_joints && self.question.scheme == Scheme::CubicGauss;
+        is_it.then(|| {
+            Cause::new(
                 "the scheme: stages at Gauss' points cannot enforce constraints, as of joints",
                 &["take scheme = \"two-step\" or \"radau-iia\""],
-            );
+            )
+        })
+    }
+
+    /// Equations without a unique solution.
+    fn singular(&self) -> Cause {
+        if let Some(scheme) = self.scheme_without_joints() {
+            return scheme;
         }
         Cause::new(
             "a mechanism that is locked or can go two ways here, redundant constraints, \

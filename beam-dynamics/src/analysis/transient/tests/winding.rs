@@ -173,3 +173,28 @@ fn a_prestress_about_a_free_axis_turns_on() {
     let time = wound_at(run(&model(1.0, 10.0, spring(across)), &question).1);
     assert!((time - 0.32).abs() < 0.02, "{time}");
 }
+
+// A boom that is folded by half a turn and more: k = 20, J = 1, at rest at phi = 0, swings about
+// phi_0 as phi = phi_0 (1 - cos(w t)), w = sqrt(20), to 2 phi_0: its range ends at
+// phi_0/2 + pi. With 200 deg = 3.491 rad this is at 4.887 rad, cos(w t) = -0.4, t = 0.4432 s; the
+// step of 1 ms shifts the motion by less than (w h)^2/12 of the time. The speed at phi_0 is
+// phi_0 w = 15.61 rad/s, at pi/(2 w) = 0.3512 s.
+#[test]
+fn a_spring_relaxed_beyond_half_a_turn_unfolds() {
+    let relaxed = 200.0_f64.to_radians();
+    for sense in [1.0, -1.0] {
+        let model = model(1.0, 0.0, hinge(20.0, Some(sense * relaxed)));
+        let (kept, outcome) = run(&model, &TransientQuestion::new(1.0, 0.001));
+        let speed = |time: f64| {
+            let step = kept.times.iter().position(|own| *own >= time - 1e-9);
+            kept.states[step.unwrap()].nodes[1].angular_velocity.z
+        };
+        let most = sense * relaxed * 20.0_f64.sqrt();
+        for time in [0.1, 0.2, 0.351] {
+            let expected = most * (20.0_f64.sqrt() * time).sin();
+            assert!((speed(time) / expected - 1.0).abs() < 2e-4, "{time}");
+        }
+        let time = wound_at(outcome);
+        assert!((time - 0.4432).abs() < 1.5e-3, "{time}");
+    }
+}
