@@ -190,7 +190,7 @@ fn no_mechanism_is_said_to_gain_energy() {
         model.gravity = GRAVITY;
         let question = TransientQuestion::new(0.4, [4e-3, 2e-3, 1e-3][length]);
         let run = Run::of_any(model, &question, usize::MAX);
-        ended.set(ended.get() + u32::from(run.outcome.failure.is_none()));
+        ended.set(ended.get() + usize::from(run.outcome.failure.is_none()));
         match gain(&run.outcome) {
             None => Ok(()),
             Some(gain) => Err(TestCaseError::fail(gain)),
