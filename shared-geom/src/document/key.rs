@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use super::Table;
 use super::schema::{KeySchema, Need, ValueKind};
+use crate::error::quoted;
 use crate::units::Dimension;
 
 /// A key whose value is a `T`: its description, and its default.
@@ -239,7 +240,9 @@ fn dimension_of(key: &KeySchema) -> Dimension {
 /// Expected content of a key, for the message about its absence.
 fn expected(key: &KeySchema) -> String {
     match key.kinds[0] {
-        ValueKind::Word(words) => format!("one of {}", words.join(", ")),
+        ValueKind::Word([others @ .., last]) if !others.is_empty() => {
+            format!("{} or \"{last}\"", quoted(others))
+        }
         ValueKind::Count(_) => "a whole number of at least 1".to_owned(),
         ValueKind::Quantity(dimension)
         | ValueKind::Positive(dimension)

@@ -33,7 +33,7 @@ keys! {
     RATE_LIMIT: Option<f64> = "rate_limit", [Positive(Dimension::NUMBER)], optional, "60";
     /// Unit of command, limits and position.
     UNIT: ByHand = "unit", [Text], or "the unit of the key that uses it", "\"deg\"";
-    /// Initial position, at rest; `\"settled\"` is at the command.
+    /// Initial position, at rest; `"settled"` is at the command.
     START: ByHand = "start", [Quantity(Dimension::NUMBER), Word(&["settled"])], or "\"settled\"",
         "5";
 }

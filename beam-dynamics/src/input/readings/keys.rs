@@ -227,11 +227,11 @@ keys! {
     /// Another node to which the quantity is relative: vectors are subtracted, rotations are seen
     /// by it.
     AGAINST: ByHand = "against", [Text], optional, "\"mast\"";
-    /// Axes of the components: `\"model\"`, the name of a node for its current axes, or of a frame.
+    /// Axes of the components: `"model"`, the name of a node for its current axes, or of a frame.
     IN: ByHand = "in", [Text], or "\"model\"", "\"mast\"";
-    /// The same, or `\"first\"` or `\"second\"` for the axes of the joint that turn with that end.
+    /// The same, or `"first"` or `"second"` for the axes of the joint that turn with that end.
     IN_JOINT: ByHand = "in", [Text], or "\"model\"", "\"first\"";
-    /// Order of the three axes: `\"zyx\"` are yaw, pitch and roll.
+    /// Order of the three axes: `"zyx"` are yaw, pitch and roll.
     pub(super) SEQUENCE: String = "sequence", [Text], or "\"zyx\"" = "zyx".to_owned(), "\"zxz\"";
     /// The point about which the angular momentum is taken.
     pub(super) ABOUT: Vector3<f64> = "about", [Vector(3, Dimension::LENGTH)],

@@ -19,6 +19,8 @@ keys! {
     MASS: f64 = "mass", [Positive(Dimension::MASS)], required, "2";
     /// Place of its center.
     CENTER: Vector3<f64> = "center", [Vector(3, Dimension::LENGTH)], or "[0, 0, 0]" = Vector3::zeros(), "[1, 0, 0]";
+    /// Side of the part.
+    SIDE: usize = "side", [Word(&["left", "middle", "right"])], required, "\"left\"";
     /// Friction.
     FRICTION: Option<f64> = "friction", [NotNegative(Dimension::NUMBER)], optional, "0.1";
     /// Axes.
@@ -85,6 +87,7 @@ fn absent_keys_have_their_defaults_or_are_reported() {
     let shown = problems("shape = \"round\"\n", |table| {
         assert_eq!(table.get(&NAME), None);
         assert_eq!(table.get(&MASS), None);
+        assert_eq!(table.get(&SIDE), None);
         assert_eq!(table.get(&CENTER), Some(Vector3::zeros()));
         assert_eq!(table.get(&FRICTION), Some(None));
         assert_eq!(table.get(&AXES), Some(0));
@@ -95,6 +98,7 @@ fn absent_keys_have_their_defaults_or_are_reported() {
     for expected in [
         "part \"p\" has no \"name\", expected the name of the part",
         "part \"p\" has no \"mass\", expected a mass",
+        "part \"p\" has no \"side\", expected \"left\", \"middle\" or \"right\"",
     ] {
         assert!(shown.contains(expected), "{expected} is not in\n{shown}");
     }
@@ -150,7 +154,7 @@ fn only_declared_keys_are_keys() {
         },
     );
     assert!(
-        shown.contains("unknown key \"zqj\" in part \"p\"\n  help: known keys: name, mass, center, friction, axes"),
+        shown.contains("unknown key \"zqj\" in part \"p\"\n  help: known keys: name, mass, center, side, friction, axes"),
         "{shown}"
     );
     assert!(shown.contains("did you mean \"friction\"?"), "{shown}");
