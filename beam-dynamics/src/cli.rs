@@ -16,12 +16,14 @@ use crate::output::{self, ResultPlace, Written};
 
 mod arguments;
 mod blade_options;
+mod compare;
 mod convert;
 mod describe;
 mod files;
 mod places;
 mod plot;
 mod progress;
+mod reading_options;
 mod statics;
 mod terminal;
 mod transient;
@@ -119,13 +121,9 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         } => transient::transient_of_files(&files, &results, restart.as_deref(), terminal),
         Command::Plot { results, options } => plot::plot_files(&results, &options, terminal),
         Command::Check { files } => check_files(&files, terminal),
-        Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
-        Command::Convert {
-            from,
-            to,
-            format,
-            length,
-        } => convert::convert(&from, &to, format.as_deref(), length, terminal),
+        Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
+        Command::Describe { files, reading } => describe::describe_files(&files, reading, terminal),
+        Command::Convert(arguments) => convert::convert(&arguments, terminal),
     }
 }
 

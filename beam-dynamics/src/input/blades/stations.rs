@@ -61,6 +61,10 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
             .map(Some),
         false => Some(None),
     };
+    let rigid_shear = match table.has("rigid_shear") {
+        true => table.boolean("rigid_shear"),
+        false => Some(false),
+    };
     let damping = damping::read(table);
     let words = "blade from a file".to_owned();
     heat::refuse_without_properties(table, &words);
@@ -69,6 +73,9 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
     let path = table.existing("file", &written)?;
     let options = Options { length: length? };
     let (_, mut reading) = document.keep(exchange::read_with(&path, &options))?;
+    if rigid_shear? {
+        reading.make_shear_rigid();
+    }
     // The damping of the card replaces the damping of the file.
     if let Some(damping) = damping? {
         reading.blade.damping = Some(everywhere(damping, reading.blade.stations.len()));
