@@ -16,6 +16,7 @@ use crate::output::{self, ResultPlace, Written};
 
 mod arguments;
 mod blade_options;
+mod compare;
 mod convert;
 mod describe;
 mod files;
@@ -23,6 +24,7 @@ mod help;
 mod places;
 mod plot;
 mod progress;
+mod reading_options;
 mod schema;
 mod statics;
 mod terminal;
@@ -121,16 +123,12 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         } => transient::transient_of_files(&files, &results, restart.as_deref(), terminal),
         Command::Plot { results, options } => plot::plot_files(&results, &options, terminal),
         Command::Check { files } => check_files(&files, terminal),
-        Command::Describe { files, length } => describe::describe_files(&files, length, terminal),
         Command::Completions { shell } => help::completions(shell, terminal),
         Command::Manual { out } => help::manual(out.as_deref(), terminal),
-        Command::Convert {
-            from,
-            to,
-            format,
-            length,
-        } => convert::convert(&from, &to, format.as_deref(), length, terminal),
         Command::Schema { format, out } => schema::write_schema(format, out.as_deref(), terminal),
+        Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
+        Command::Describe { files, reading } => describe::describe_files(&files, reading, terminal),
+        Command::Convert(arguments) => convert::convert(&arguments, terminal),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Output of results: tables for people and for programs, the comparison with measurements, and the
 //! fan plot. Output only reads results; it computes nothing.
 
+mod blade_comparison;
 mod blade_text;
 mod buckling;
 mod comparison;
@@ -23,6 +24,7 @@ mod views;
 #[cfg(test)]
 mod samples;
 
+pub use blade_comparison::blade_comparison;
 pub use blade_text::{blade_text, list};
 pub use buckling::{
     BUCKLING_CONVENTION, BucklingPlot, buckling_csv, buckling_text, write_buckling,

@@ -39,6 +39,7 @@ use crate::line::ReferenceLine;
 use crate::section::Provenance;
 
 mod check;
+mod compare;
 mod curved;
 mod evaluate;
 mod file;
@@ -47,9 +48,12 @@ mod moments;
 mod problem;
 mod reading;
 mod remark;
+mod rigid;
+mod shared;
 mod transform;
 
 pub use crate::line::Side;
+pub use compare::BladeDifference;
 pub(crate) use curved::CurvedStation;
 pub use file::{VERSION, parse, read, write};
 pub use input::InputProblem;
@@ -57,6 +61,7 @@ pub use moments::MassMoments;
 pub use problem::BladeProblem;
 pub use reading::Reading;
 pub use remark::{section_remark, written_section_remark};
+pub(crate) use rigid::{rigid_force, rigid_torsion};
 
 /// A blade: its line and the properties of its sections.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,5 +115,9 @@ pub enum BladeDamping {
     Viscous(Vec<Matrix6<f64>>),
 }
 
+#[cfg(test)]
+mod compare_tests;
+#[cfg(test)]
+mod rigid_tests;
 #[cfg(test)]
 mod tests;

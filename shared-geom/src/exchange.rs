@@ -30,13 +30,17 @@ use crate::section::unusable;
 mod beamdyn;
 mod csv;
 mod dymore;
+mod elastodyn;
 pub mod frame;
 mod hawc2;
 mod header;
 mod mbdyn;
+mod named;
+mod openfast;
 mod own;
 mod plain;
 mod problem;
+mod qblade;
 mod stations;
 mod text;
 mod vabs;
@@ -68,10 +72,10 @@ impl Reading {
     ///
     /// # Errors
     /// The problems of the blade (see [`Blade::problems`]), with the location of their
-    /// station; of many, the first.
+    /// station, and those that many stations share as one; of many, the first.
     pub fn check(&self, file: &Path) -> Result<(), Diagnostics> {
         let whole = || Place::file(file.display().to_string());
-        let found = self.blade.placed_problems();
+        let found = self.blade.shared_problems();
         let mut problems = Diagnostics::new();
         for (station, problem) in found.iter().take(PROBLEMS_SHOWN) {
             let place = station.and_then(|station| self.places.get(station));
@@ -110,6 +114,10 @@ pub enum Format {
     BeamDyn,
     /// The same in the layout of OpenFAST 3 and 4.
     BeamDyn4,
+    /// ElastoDyn of OpenFAST: blade file, or primary file.
+    ElastoDyn,
+    /// Main file of OpenFAST, which leads to one of the former.
+    OpenFast,
     /// HAWC2 structural file.
     Hawc2,
     /// windIO, first version.
@@ -122,22 +130,27 @@ pub enum Format {
     Vabs,
     /// MBDyn constitutive laws and bodies.
     MbDyn,
+    /// QBlade structural file with full matrices.
+    QBlade,
     /// Helicoid's table.
     Csv,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 13] = [
         Self::Helicoid,
         Self::BeamDyn,
         Self::BeamDyn4,
+        Self::ElastoDyn,
+        Self::OpenFast,
         Self::Hawc2,
         Self::WindIo1,
         Self::WindIo2,
         Self::Dymore,
         Self::Vabs,
         Self::MbDyn,
+        Self::QBlade,
         Self::Csv,
     ];
 
@@ -147,12 +160,15 @@ impl Format {
             Self::Helicoid => "helicoid",
             Self::BeamDyn => "beamdyn",
             Self::BeamDyn4 => "beamdyn4",
+            Self::ElastoDyn => "elastodyn",
+            Self::OpenFast => "openfast",
             Self::Hawc2 => "hawc2",
             Self::WindIo1 => "windio1",
             Self::WindIo2 => "windio2",
             Self::Dymore => "dymore",
             Self::Vabs => "vabs",
             Self::MbDyn => "mbdyn",
+            Self::QBlade => "qblade",
             Self::Csv => "csv",
         }
     }
@@ -163,12 +179,15 @@ impl Format {
             Self::Helicoid => "Helicoid blade file",
             Self::BeamDyn => "BeamDyn (OpenFAST) blade",
             Self::BeamDyn4 => "BeamDyn blade for OpenFAST 3 and 4",
+            Self::ElastoDyn => "ElastoDyn (OpenFAST) blade",
+            Self::OpenFast => "OpenFAST main file",
             Self::Hawc2 => "HAWC2 structural file",
             Self::WindIo1 => "windIO blade, version 1",
             Self::WindIo2 => "windIO blade, version 2",
             Self::Dymore => "DYMORE table of sectional properties",
             Self::Vabs => "VABS section output",
             Self::MbDyn => "MBDyn constitutive laws and bodies",
+            Self::QBlade => "QBlade structural file",
             Self::Csv => "Helicoid blade table (CSV)",
         }
     }
@@ -192,7 +211,9 @@ impl Format {
             Self::Helicoid => &[".json", ".toml"],
             Self::BeamDyn => &[".inp"],
             Self::Hawc2 => &[".htc", ".st"],
-            Self::WindIo1 | Self::BeamDyn4 => &[],
+            Self::WindIo1 | Self::BeamDyn4 | Self::ElastoDyn => &[],
+            Self::OpenFast => &[".fst"],
+            Self::QBlade => &[".str"],
             Self::WindIo2 => &[".yaml", ".yml"],
             Self::Dymore => &[".dym"],
             Self::Vabs => &[".k"],
@@ -205,7 +226,13 @@ impl Format {
     pub fn convention(self) -> Convention {
         match self {
             Self::Helicoid | Self::Csv => Convention::Helicoid,
-            Self::BeamDyn | Self::BeamDyn4 | Self::WindIo1 | Self::WindIo2 => Convention::BeamDyn,
+            Self::BeamDyn
+            | Self::BeamDyn4
+            | Self::ElastoDyn
+            | Self::OpenFast
+            | Self::QBlade
+            | Self::WindIo1
+            | Self::WindIo2 => Convention::BeamDyn,
             Self::Hawc2 => Convention::Hawc2,
             Self::Dymore | Self::Vabs | Self::MbDyn => Convention::Vabs,
         }
@@ -217,6 +244,9 @@ impl Format {
             Self::Helicoid | Self::Csv => "the reference line, or the point that the file states",
             Self::BeamDyn | Self::BeamDyn4 => "the reference line through the key points",
             Self::WindIo1 | Self::WindIo2 => "the reference axis",
+            Self::ElastoDyn => "the straight axis of the blade; there are no offsets",
+            Self::OpenFast => "as in the file of the blade: see the remarks",
+            Self::QBlade => "the axis of the blade",
             Self::Hawc2 => {
                 "the line c2_def for offsets and mass; the elastic center, in axes turned by \
                  the structural pitch, for fully populated stiffness"
@@ -282,6 +312,18 @@ const DOORS: &[Door] = &[
         write: Some(beamdyn::write_four),
     },
     Door {
+        format: Format::ElastoDyn,
+        recognize: elastodyn::recognize,
+        read: Some(elastodyn::read),
+        write: None,
+    },
+    Door {
+        format: Format::OpenFast,
+        recognize: openfast::recognize,
+        read: Some(openfast::read),
+        write: None,
+    },
+    Door {
         format: Format::Vabs,
         recognize: vabs::recognize,
         read: Some(vabs::read),
@@ -310,6 +352,12 @@ const DOORS: &[Door] = &[
         recognize: mbdyn::recognize,
         read: None,
         write: Some(mbdyn::write),
+    },
+    Door {
+        format: Format::QBlade,
+        recognize: qblade::recognize,
+        read: Some(qblade::read),
+        write: None,
     },
     // The last: a table of numbers without any word.
     Door {
@@ -411,6 +459,16 @@ pub fn write(blade: &Blade, format: Format, name: &str) -> Result<Writing, Excha
         title: format.title(),
     })?;
     Ok(write(blade, name))
+}
+
+/// The text of the windIO file at `path`, `existing`, in which the reference axis and the
+/// elastic properties are replaced by the ones of `blade`; all other lines stay as they are. The file of
+/// the result has the name of `path`.
+///
+/// # Errors
+/// A text that is no windIO file, or whose tables cannot be replaced line by line.
+pub fn write_into(blade: &Blade, existing: &str, path: &Path) -> Result<Writing, Diagnostics> {
+    windio::write_into(blade, existing, path)
 }
 
 /// Remark on a length that was given for a file with its own line.

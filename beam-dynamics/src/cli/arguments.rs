@@ -6,7 +6,10 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use shared_geom::command_help::Shell;
 
 use super::blade_options::BladeOptions;
+use super::compare::CompareArguments;
+use super::convert::ConvertArguments;
 use super::plot::PlotOptions;
+use super::reading_options::ReadingOptions;
 
 const ABOUT: &str = "\
 Analyzes blades, rotors and mechanisms: frequencies, loads, buckling, motion in time
@@ -171,15 +174,30 @@ Example:
 const DESCRIBE: &str = "\
 Describes the contents of blade files
 
-For files of any known format: BeamDyn, HAWC2, windIO, DYMORE, VABS, tables, blade and \
-property files. States the format, the meaning of its axes, order and reference point, the line \
-with twist, the stations, mass and moments, ranges of stiffness and centers, damping, whether \
-the stiffness is positive definite, and implausible and missing data.";
+For files of any known format: BeamDyn, ElastoDyn, OpenFAST, HAWC2, windIO, QBlade, DYMORE, \
+VABS, tables, blade and property files. States the format, the meaning of its axes, order and \
+reference point, the line with twist, the stations, mass and moments, ranges of stiffness and \
+centers, damping, whether the stiffness is positive definite, and implausible and missing \
+data.";
 
 const DESCRIBE_EXAMPLE: &str = "\
 Examples:
   beam-dynamics describe NREL5MW_BeamDyn.dat
   beam-dynamics describe NREL5MW_BeamDyn_Blade.dat --length 61.5";
+
+const COMPARE: &str = "\
+Compares two blade files
+
+Reads both in any format known to `describe`, and prints the largest difference of B from A \
+of each quantity, with its position: line, twist, mass, the entries of stiffness, mass and \
+damping in Helicoid's axes about the line, and the lowest frequencies of both blades, clamped \
+and at rest; then the quantities that differ by more than the tolerance, largest first.";
+
+const COMPARE_EXAMPLE: &str = "\
+Example, two descriptions of a blade:
+  beam-dynamics compare IEA-15-240-RWT_BeamDyn.dat IEA-15-240-RWT.htc --tolerance 0.01
+
+Exit codes: 0 equal within the tolerance; 1 different; 2 wrong input or command line.";
 
 const CONVERT: &str = "\
 Converts a blade from one format to another
@@ -187,13 +205,17 @@ Converts a blade from one format to another
 Reads FROM in any format known to `describe` and writes TO, in the format of its ending \
 or that named with --to, with companion files in the same folder. Numbers keep all their \
 digits; data that the other format cannot hold are reported, with their size. Never overwrites \
-the input.";
+the input.
+
+With --into FILE, a windIO file, TO is a copy of FILE in which only the reference axis and the \
+elastic properties are replaced, and the twist if it differs: a complete file stays complete.";
 
 const CONVERT_EXAMPLE: &str = "\
 Examples:
   beam-dynamics convert NREL5MW_BeamDyn.dat nrel.blade.json
   beam-dynamics convert nrel.blade.json nrel.st
-  beam-dynamics convert nrel.blade.json table.dat --to dymore";
+  beam-dynamics convert nrel.blade.json table.dat --to dymore
+  beam-dynamics convert nrel.blade.json new.yaml --into turbine.yaml";
 
 const SCHEMA: &str = "\
 Writes the description of the dynamics file
@@ -215,6 +237,7 @@ pub(super) enum SchemaFormat {
     /// The reference page
     Markdown,
 }
+
 const COMPLETIONS: &str = "\
 Prints the completion script of a shell for commands and options
 
@@ -235,13 +258,6 @@ const MANUAL_EXAMPLE: &str = "\
 Examples:
   beam-dynamics manual | man -l -
   beam-dynamics manual --out ~/.local/share/man/man1";
-
-/// A length above zero, for files that contain none.
-fn length(text: &str) -> Result<f64, String> {
-    let value: Option<f64> = text.parse().ok();
-    let value = value.filter(|value| value.is_finite() && *value > 0.0);
-    value.ok_or_else(|| "expected a number of meters above zero".to_owned())
-}
 
 /// Summary of a command, for the list of commands.
 fn first_line(text: &'static str) -> &'static str {
@@ -328,25 +344,13 @@ pub(super) enum Command {
         /// Blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
-        /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file
-        #[arg(long, value_name = "METERS", value_parser = length, allow_negative_numbers = true)]
-        length: Option<f64>,
+        #[command(flatten)]
+        reading: ReadingOptions,
     },
+    #[command(about = first_line(COMPARE), long_about = COMPARE, after_help = COMPARE_EXAMPLE)]
+    Compare(CompareArguments),
     #[command(about = first_line(CONVERT), long_about = CONVERT, after_help = CONVERT_EXAMPLE)]
-    Convert {
-        /// Blade file to read
-        #[arg(value_name = "FROM")]
-        from: PathBuf,
-        /// Blade file to write
-        #[arg(value_name = "TO")]
-        to: PathBuf,
-        /// Format to write; if not given, by the ending of TO
-        #[arg(long = "to", value_name = "NAME", id = "format")]
-        format: Option<String>,
-        /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file
-        #[arg(long, value_name = "METERS", value_parser = length, allow_negative_numbers = true)]
-        length: Option<f64>,
-    },
+    Convert(ConvertArguments),
     #[command(about = first_line(SCHEMA), long_about = SCHEMA, after_help = SCHEMA_EXAMPLE)]
     Schema {
         /// Format of the description

@@ -44,6 +44,9 @@ pub(super) struct BladeOptions {
     /// Number of elements; ends of elements at the stations if not given
     #[arg(long, value_name = "N")]
     elements: Option<usize>,
+    /// Make sections without shear stiffness rigid in shear
+    #[arg(long)]
+    rigid_shear: bool,
 }
 
 /// One of the rotor speeds.
@@ -72,6 +75,7 @@ impl BladeOptions {
             (self.pitch.is_some(), "--pitch"),
             (self.blades.is_some(), "--blades"),
             (self.elements.is_some(), "--elements"),
+            (self.rigid_shear, "--rigid-shear"),
         ];
         given.iter().find(|option| option.0).map(|option| option.1)
     }
@@ -89,6 +93,7 @@ impl BladeOptions {
             pitch_deg: self.pitch.unwrap_or(default.pitch_deg),
             blades: self.blades,
             is_hinged: self.root == Some(RootWord::Hinged),
+            rigid_shear: self.rigid_shear,
         }
     }
 }

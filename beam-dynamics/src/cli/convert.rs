@@ -2,13 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::Args;
+use shared_geom::document::read_text;
 use shared_geom::error::{Diagnostics, Explain, nearest_name};
-use shared_geom::exchange::{self, ExchangeProblem, Format, Options, Reading};
+use shared_geom::exchange::{self, ExchangeProblem, Format, Reading, Writing};
 use shared_geom::files::{make_folder, read_bytes, write_text};
 use shared_geom::hash::sha256_of_content;
 
 use crate::output::list;
 
+use super::reading_options::ReadingOptions;
 use super::{DONE, NOT_REACHED, Terminal, WRONG_INPUT};
 
 /// Reason for refusing a conversion.
@@ -62,15 +65,30 @@ fn endings() -> Vec<String> {
     endings.collect()
 }
 
-/// Reads `from` and writes `to`, in the named format or the format of the ending.
-pub(super) fn convert(
-    from: &Path,
-    to: &Path,
-    format: Option<&str>,
-    length: Option<f64>,
-    terminal: &mut Terminal<'_>,
-) -> u8 {
-    let (text, files) = match prepare(from, to, format, length) {
+/// The files of a conversion.
+#[derive(Debug, Args)]
+pub(super) struct ConvertArguments {
+    /// Blade file to read
+    #[arg(value_name = "FROM")]
+    from: PathBuf,
+    /// Blade file to write
+    #[arg(value_name = "TO")]
+    to: PathBuf,
+    /// Format to write; if not given, by the ending of TO
+    #[arg(long = "to", value_name = "NAME", id = "format")]
+    format: Option<String>,
+    /// windIO file of which TO becomes a copy, with reference axis and elastic properties of the blade
+    #[arg(long, value_name = "FILE", conflicts_with = "format")]
+    into: Option<PathBuf>,
+    #[command(flatten)]
+    reading: ReadingOptions,
+}
+
+/// Reads FROM and writes TO, in the named format or the format of the ending, or into a
+/// copy of a windIO file.
+pub(super) fn convert(arguments: &ConvertArguments, terminal: &mut Terminal<'_>) -> u8 {
+    let to = arguments.to.as_path();
+    let (text, files) = match prepare(arguments) {
         Ok(prepared) => prepared,
         Err(Refusal::Problem(problem)) => {
             terminal.tell(&problem);
@@ -108,13 +126,12 @@ impl From<ConvertProblem> for Refusal {
 }
 
 /// The report of the conversion, and the files to write.
-fn prepare(
-    from: &Path,
-    to: &Path,
-    format: Option<&str>,
-    length: Option<f64>,
-) -> Result<(String, Vec<(PathBuf, String)>), Refusal> {
-    let format = format_of(to, format)?;
+fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String)>), Refusal> {
+    let (from, to) = (arguments.from.as_path(), arguments.to.as_path());
+    let format = match arguments.into {
+        Some(_) => Format::WindIo2,
+        None => format_of(to, arguments.format.as_deref())?,
+    };
     let is_toml = to
         .extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
@@ -123,30 +140,43 @@ fn prepare(
         let (file, remedy) = (to.display().to_string(), json.display().to_string());
         return Err(ConvertProblem::Toml { file, remedy }.into());
     }
-    let read = exchange::read_with(from, &Options { length });
-    let (seen, mut reading) = read.map_err(Refusal::File)?;
+    let (seen, mut reading) = arguments.reading.read(from, None).map_err(Refusal::File)?;
     stamp(&mut reading, from);
-    let writing = exchange::write(&reading.blade, format, &name_of(to));
-    let writing = writing.map_err(ConvertProblem::from)?;
-    let files = placed(writing.files, to);
+    let (files, lost, title) = match &arguments.into {
+        Some(existing) => {
+            let text = read_text(existing).map_err(Refusal::File)?;
+            let writing = exchange::write_into(&reading.blade, &text, existing);
+            let Writing { files, lost } = writing.map_err(Refusal::File)?;
+            let files = files.into_iter().map(|(_, text)| (to.to_owned(), text));
+            let title = format!("a copy of {}", existing.display());
+            (files.collect(), lost, title)
+        }
+        None => {
+            let writing = exchange::write(&reading.blade, format, &name_of(to));
+            let Writing { files, lost } = writing.map_err(ConvertProblem::from)?;
+            (placed(files, to), lost, format.title().to_owned())
+        }
+    };
+    if let Some(existing) = arguments.into.as_ref().filter(|file| is_same(to, file)) {
+        let file = existing.display().to_string();
+        return Err(ConvertProblem::Input { file }.into());
+    }
     let input = files.iter().find(|(file, _)| is_input(file, from));
     if let Some((file, _)) = input {
         let file = file.display().to_string();
         return Err(ConvertProblem::Input { file }.into());
     }
-    let mut text = format!(
-        "{}: {} -> {}\n",
-        from.display(),
-        seen.title(),
-        format.title()
-    );
-    list(&mut text, "Cannot be represented", &writing.lost);
-    if writing.lost.is_empty() {
-        text.push_str("\nEverything is converted\n");
+    let mut text = format!("{}: {} -> {}\n", from.display(), seen.title(), title);
+    list(&mut text, "Cannot be represented", &lost);
+    let problems = reading.blade.summarized_problems();
+    let problems: Vec<_> = problems.iter().map(ToString::to_string).collect();
+    if lost.is_empty() {
+        text.push_str(match problems.is_empty() {
+            true => "\nEverything is converted\n",
+            false => "\nEverything is converted, with the problems below\n",
+        });
     }
     list(&mut text, "Remarks", &reading.remarks);
-    let problems = reading.blade.problems();
-    let problems: Vec<_> = problems.iter().map(ToString::to_string).collect();
     list(&mut text, "Problems of the blade", &problems);
     Ok((text, files))
 }
@@ -203,6 +233,11 @@ fn placed(files: Vec<(PathBuf, String)>, to: &Path) -> Vec<(PathBuf, String)> {
         }
     });
     beside.collect()
+}
+
+/// Whether two paths lead to one file that exists.
+fn is_same(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
 /// Whether a file that would be written is the input, or is named in it.

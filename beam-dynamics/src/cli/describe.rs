@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::exchange::{self, Options};
+use shared_geom::exchange;
 
 use crate::output::blade_text;
 
+use super::reading_options::ReadingOptions;
 use super::{DONE, Terminal, WRONG_INPUT, files};
 
 /// The name of our own frame.
@@ -14,20 +15,17 @@ const OURS: &str = "helicoid";
 /// Describes all files, even if some are wrong; reports those that cannot be read.
 pub(super) fn describe_files(
     paths: &[PathBuf],
-    length: Option<f64>,
+    options: ReadingOptions,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     files::worst_of(paths, terminal, |file, terminal| {
-        describe(file, length, terminal)
+        describe(file, options, terminal)
     })
 }
 
-fn describe(file: &Path, length: Option<f64>, terminal: &mut Terminal<'_>) -> u8 {
-    let alone = length.is_none() && exchange::is_section(file);
-    let options = Options {
-        length: if alone { Some(1.0) } else { length },
-    };
-    match exchange::read_with(file, &options) {
+fn describe(file: &Path, options: ReadingOptions, terminal: &mut Terminal<'_>) -> u8 {
+    let alone = options.length.is_none() && exchange::is_section(file);
+    match options.read(file, alone.then_some(1.0)) {
         Ok((format, mut reading)) => {
             if alone {
                 let note =

@@ -37,6 +37,8 @@ pub struct BladeQuestion {
     pub blades: Option<usize>,
     /// Whether the root is free to flap and lag, about hinges that coincide at it.
     pub is_hinged: bool,
+    /// Whether sections without shear stiffness are rigid in shear.
+    pub rigid_shear: bool,
 }
 
 impl Default for BladeQuestion {
@@ -52,6 +54,7 @@ impl Default for BladeQuestion {
             pitch_deg: 0.0,
             blades: None,
             is_hinged: false,
+            rigid_shear: false,
         }
     }
 }
@@ -76,6 +79,9 @@ impl BladeQuestion {
         }
         if let Some(length) = self.length {
             let _ = writeln!(text, "length = {length:e}");
+        }
+        if self.rigid_shear {
+            text += "rigid_shear = true\n";
         }
         if self.is_hinged {
             text += "hinges = [{ kind = \"flap\" }, { kind = \"lag\" }]\n";

@@ -36,16 +36,17 @@ pub fn blade_text(file: &str, format: Format, reading: &Reading) -> String {
     for (topic, words) in mass_words(blade) {
         say(topic, words);
     }
-    say("damping", damping_words(blade));
+    say("damping", damping_words(reading));
     say("stiffness", definite_words(blade));
     text.push('\n');
     text.push_str(&stiffness_table(blade));
     text.push('\n');
     text.push_str(&center_table(blade));
-    let missing = missing(blade);
+    let missing = missing(reading);
     list(&mut text, "Not in the file", &missing);
     list(&mut text, "Remarks", &reading.remarks);
-    let problems: Vec<_> = blade.problems().iter().map(ToString::to_string).collect();
+    let problems = blade.summarized_problems();
+    let problems: Vec<_> = problems.iter().map(ToString::to_string).collect();
     list(&mut text, "Wrong", &problems);
     text
 }
@@ -164,8 +165,11 @@ fn mass_words(blade: &Blade) -> Vec<(&'static str, String)> {
     ]
 }
 
-fn damping_words(blade: &Blade) -> String {
-    match &blade.damping {
+fn damping_words(reading: &Reading) -> String {
+    match &reading.blade.damping {
+        None if reading.has_other_damping => {
+            "none that is converted; the remarks name the damping of the file".to_owned()
+        }
         None => "none".to_owned(),
         Some(BladeDamping::Proportional(time)) => {
             format!("proportional to stiffness, time {time:.6e} s (ratio pi f t at f Hz)")
@@ -276,7 +280,8 @@ fn center_table(blade: &Blade) -> String {
 }
 
 /// Missing parts of a blade.
-fn missing(blade: &Blade) -> Vec<String> {
+fn missing(reading: &Reading) -> Vec<String> {
+    let blade = &reading.blade;
     let mut missing = Vec::new();
     let length = blade.length();
     let places = blade.places();
@@ -295,7 +300,7 @@ fn missing(blade: &Blade) -> Vec<String> {
             "properties from {last:.6} m to the tip at {length:.6} m, taken from the last station"
         ));
     }
-    if blade.damping.is_none() {
+    if blade.damping.is_none() && !reading.has_other_damping {
         missing.push("damping".to_owned());
     }
     if blade.provenance.input_hash.is_empty() {

@@ -6,7 +6,11 @@ use crate::{Folder, strip};
 
 /// A straight blade of the strip in a table of our own, 2 m long, nose up 5.7 degrees.
 fn table() -> String {
-    let section = strip();
+    table_of(&strip())
+}
+
+/// The same of another section.
+pub fn table_of(section: &section::SectionProperties) -> String {
     let upper = |matrix: &nalgebra::Matrix6<f64>| {
         let pairs = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));
         let entries = pairs.map(|pair| format!("{:e}", matrix[pair]));

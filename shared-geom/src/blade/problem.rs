@@ -90,6 +90,16 @@ pub enum BladeProblem {
         /// The problem.
         problem: PropertyProblem,
     },
+    /// Problems of one kind at several stations.
+    #[error("{stations}: {problem}{differ}")]
+    Stations {
+        /// The stations, as text.
+        stations: String,
+        /// The station with the numbers of the message, as text; empty if all are alike.
+        differ: String,
+        /// The problem of the first of them.
+        problem: PropertyProblem,
+    },
     /// A station with a stiffness that is not positive definite, and its range.
     #[error(
         "stiffness is not positive definite from {from} m to {to} m, about station {station} at {place} m: there its smallest scaled eigenvalue is {value:.3e}"
@@ -151,23 +161,36 @@ pub enum BladeProblem {
     },
 }
 
+/// Help for matrices that are not positive definite.
+const SIGNS: &str =
+    "check the signs of the couplings, and that frame and order agree with the matrices";
+
 impl Explain for BladeProblem {
     fn help(&self) -> Option<String> {
         match self {
             Self::Newer { .. } => Some("use a newer version of this program".to_owned()),
             Self::Units { .. } => Some("blade files in JSON are always SI".to_owned()),
             Self::Line(problem) => problem.help(),
-            Self::Station { problem, .. } => problem.help(),
+            Self::Station { problem, .. } | Self::Stations { problem, .. } => match problem {
+                PropertyProblem::Diagonal {
+                    index: 2 | 3,
+                    field: "stiffness",
+                    value: 0.0,
+                    ..
+                } => Some(
+                    "a section without shear stiffness: --rigid-shear, or rigid_shear = true in \
+                     [[blade]], makes the blade rigid in shear"
+                        .to_owned(),
+                ),
+                PropertyProblem::Indefinite { .. } => Some(SIGNS.to_owned()),
+                problem => problem.help(),
+            },
             Self::Curvature { mismatch, .. } => mismatch.help(),
             Self::Order { .. } => Some(
                 "put the stations in order of arc length; two at one arc length are a jump"
                     .to_owned(),
             ),
-            Self::IndefiniteStation { .. } | Self::Indefinite { .. } => Some(
-                "check the signs of the couplings, and that frame and order agree with the \
-                 matrices"
-                    .to_owned(),
-            ),
+            Self::IndefiniteStation { .. } | Self::Indefinite { .. } => Some(SIGNS.to_owned()),
             Self::Third { .. } => Some(
                 "at one arc length the first station is the inner, the second the outer side of a jump"
                     .to_owned(),

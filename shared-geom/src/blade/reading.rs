@@ -14,6 +14,8 @@ pub struct Reading {
     pub places: Vec<Place>,
     /// The frame that the file declares, as text; `None` for the frame of its format.
     pub frame: Option<String>,
+    /// Whether the file has damping that is not converted, which a remark describes.
+    pub has_other_damping: bool,
 }
 
 impl Reading {
@@ -24,6 +26,7 @@ impl Reading {
             remarks,
             places: Vec::new(),
             frame: None,
+            has_other_damping: false,
         }
     }
 }

@@ -37,7 +37,7 @@ fn provenance() -> Provenance {
 }
 
 /// A twisted and bent blade with a jump.
-fn blade() -> Blade {
+pub fn blade() -> Blade {
     let mut samples = Samples::new(7);
     let point = |x: f64, y, z, twist| LinePoint {
         position: Vector3::new(x, y, z),

@@ -153,6 +153,7 @@ fn assemble(
     let at = |&line: &usize| Place::line(blade_file, line);
     Reading {
         places: content.lines.iter().map(at).collect(),
+        has_other_damping: content.has_modal_damping,
         ..Reading::new(blade, content.remarks)
     }
 }

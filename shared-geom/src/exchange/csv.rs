@@ -91,10 +91,9 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
     };
     let remarks = curved_remarks(&blade, &curved, &places)?;
     Ok(Reading {
-        blade,
-        remarks,
         places,
         frame: head.frame.map(|frame| frame.name().to_owned()),
+        ..Reading::new(blade, remarks)
     })
 }
 

@@ -234,7 +234,24 @@ fn assemble(
         damping: body.and_then(|body| damping(body, &mut remarks)),
         provenance: provenance("HAWC2", texts),
     };
-    Reading::new(blade, remarks)
+    let other_damping = body.map_or(&[][..], |body| &body.other_damping);
+    remarks.extend(
+        other_damping
+            .iter()
+            .map(|statement| other_damping_remark(statement)),
+    );
+    Reading {
+        has_other_damping: !other_damping.is_empty(),
+        ..Reading::new(blade, remarks)
+    }
+}
+
+/// Remark on a statement of damping that has no counterpart.
+fn other_damping_remark(statement: &str) -> String {
+    format!(
+        "\"{statement}\" is not read: of HAWC2's damping only damping_posdef, factors of mass and \
+         stiffness, is converted; give damping in [[blade]], or damping ratios in [modes]"
+    )
 }
 
 /// Factor of the distances of the rows.

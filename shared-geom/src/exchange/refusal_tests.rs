@@ -335,7 +335,10 @@ fn a_length_that_is_not_used_is_remarked() {
 #[test]
 fn numbers_that_cannot_be_squared_are_refused_in_every_format() {
     let mut refused = 0;
-    for format in Format::ALL.into_iter().filter(|format| format.is_read()) {
+    for format in Format::ALL
+        .into_iter()
+        .filter(|format| format.is_read() && format.is_written())
+    {
         let folder = tempfile::tempdir().unwrap();
         let first = written(&blade(), format, folder.path());
         for (name, text) in super::write(&blade(), format, "sample").unwrap().files {

@@ -24,7 +24,9 @@ use crate::blade::Blade;
 use crate::error::Diagnostics;
 
 mod assemble;
+mod block;
 mod fields;
+mod into;
 mod mass;
 mod version1;
 mod version2;
@@ -32,7 +34,11 @@ mod write;
 mod yaml;
 
 #[cfg(test)]
+mod into_tests;
+#[cfg(test)]
 mod tests;
+
+pub(super) use into::write_into;
 
 /// Table of the matrices of version 1.
 const VERSION_1: [&str; 3] = ["components", "blade", "elastic_properties_mb"];

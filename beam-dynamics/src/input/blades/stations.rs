@@ -14,7 +14,7 @@
 use nalgebra::{Matrix6, Vector3};
 use shared_geom::blade::{self, Blade, BladeDamping, Side};
 use shared_geom::document::schema::Family;
-use shared_geom::document::schema::ValueKind::{Count, Positive, Text};
+use shared_geom::document::schema::ValueKind::{Boolean, Count, Positive, Text};
 use shared_geom::document::{ByHand, Table};
 use shared_geom::exchange::{self, Options};
 use shared_geom::keys;
@@ -39,6 +39,7 @@ pub(super) const STATIONS: Family = Family {
         FILE.schema,
         ELEMENTS.schema,
         LENGTH.schema,
+        RIGID_SHEAR.schema,
         damping::KEY.schema,
     ],
 };
@@ -51,6 +52,8 @@ keys! {
     ELEMENTS: Option<usize> = "elements", [Count(MOST_ELEMENTS)], optional, "30";
     /// Length of a straight blade, for files of sections without a line.
     LENGTH: Option<f64> = "length", [Positive(Dimension::LENGTH)], optional, "61.5";
+    /// Whether sections without shear stiffness are rigid in shear.
+    RIGID_SHEAR: bool = "rigid_shear", [Boolean], or "false" = false, "true";
 }
 
 /// Elements of one blade: more are treated as an error.
@@ -76,6 +79,7 @@ pub(super) struct StationLine {
 /// Reads the file named by `file` of a card.
 pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> {
     let (elements, length) = (table.get(&ELEMENTS), table.get(&LENGTH));
+    let rigid_shear = table.get(&RIGID_SHEAR);
     let damping = damping::read(table);
     let words = "blade from a file".to_owned();
     heat::refuse_without_properties(table, &words);
@@ -84,6 +88,9 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
     let path = table.existing("file", &written)?;
     let options = Options { length: length? };
     let (_, mut reading) = document.keep(exchange::read_with(&path, &options))?;
+    if rigid_shear? {
+        reading.make_shear_rigid();
+    }
     // The damping of the card replaces the damping of the file.
     if let Some(damping) = damping? {
         reading.blade.damping = Some(everywhere(damping, reading.blade.stations.len()));

@@ -22,6 +22,8 @@ pub(super) struct BladeFile {
     pub lines: Vec<usize>,
     /// Damping times in the order of BeamDyn [s]; `None` without this damping.
     pub times: Option<[f64; 6]>,
+    /// Whether the file has damping of modes.
+    pub has_modal_damping: bool,
     pub remarks: Vec<String>,
 }
 
@@ -108,6 +110,7 @@ pub(super) fn parse(lines: &[Line<'_>], problems: &mut Problems) -> Option<Blade
         stations,
         lines,
         times,
+        has_modal_damping: kind > 1,
         remarks,
     })
 }

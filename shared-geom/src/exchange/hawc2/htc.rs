@@ -11,6 +11,8 @@ use crate::exchange::text::{Line, lines, not_a_number, number};
 
 /// Most files that one may include: files that name each other twice would multiply.
 const MOST_FILES: usize = 100;
+/// Most numbers of a statement of damping that are shown.
+const MOST_FACTORS: usize = 8;
 /// Most statements outside of all blocks that a remark names.
 const OUTSIDE_SHOWN: usize = 3;
 
@@ -63,6 +65,8 @@ pub(super) struct Body {
     announced: Option<(usize, PathBuf, usize)>,
     /// Mass factors [1/s] and stiffness factors [s] of the damping.
     pub damping: Option<[f64; 6]>,
+    /// Other statements of damping, with their numbers as text.
+    pub other_damping: Vec<String>,
     pub masses: usize,
 }
 
@@ -337,6 +341,10 @@ impl Reader {
             ("main_body", "concentrated_mass") => body.masses += 1,
             ("main_body", "damping_posdef") => {
                 body.damping = Some(numbers("damping_posdef", at, rest, problems)?);
+            }
+            ("main_body", other) if other.starts_with("damping") => {
+                let statement = [&[other], &rest[..rest.len().min(MOST_FACTORS)]].concat();
+                body.other_damping.push(statement.join(" "));
             }
             ("timoschenko_input", "filename") => {
                 let (name, by) = (rest.join(" "), file);

@@ -154,3 +154,28 @@ fn files_that_lead_back_to_themselves_are_refused() {
     files.extend([("a.htc", first.as_str()), ("b19.htc", HTC)]);
     assert!(told(&files).contains("more than 100 files"));
 }
+
+// The meaning of this damping is not public: its numbers are shown, not used.
+#[test]
+fn damping_that_is_not_converted_is_remarked_with_its_numbers() {
+    let line = HTC
+        .lines()
+        .find(|line| line.contains("damping_posdef"))
+        .unwrap();
+    let other = "damping_aniso_v2 0 0 0 4.4e-3 6.5e-4 2.5e-4 ;";
+    let reading = read(&[("a.htc", &HTC.replace(line, other))]).unwrap();
+    assert!(reading.has_other_damping && reading.blade.damping.is_none());
+    let told = "\"damping_aniso_v2 0 0 0 4.4e-3 6.5e-4 2.5e-4\" is not read";
+    assert!(
+        reading
+            .remarks
+            .iter()
+            .any(|remark| remark.starts_with(told)),
+        "{:?}",
+        reading.remarks
+    );
+    // With damping_posdef, both are stated.
+    let reading = read(&[("a.htc", &HTC.replace(line, &format!("{line}\n{other}")))]).unwrap();
+    assert!(reading.has_other_damping && reading.blade.damping.is_some());
+    assert!(!read(&[("a.htc", HTC)]).unwrap().has_other_damping);
+}

@@ -1,6 +1,5 @@
 //! Writes a blade as a windIO file.
 
-use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use nalgebra::{Matrix6, Vector2};
@@ -21,32 +20,41 @@ const EQUAL: f64 = 1e-12;
 pub(super) fn version_1(blade: &Blade, name: &str) -> Writing {
     let plain = Plain::of(blade);
     let mut lost = plain.lost.clone();
-    if blade.damping.is_some() {
-        lost.push(format!(
-            "internal damping ({}): windIO version 1 has no field for it",
-            damping_in_words(blade)
-        ));
-    }
+    lost.extend(lost_damping(blade));
     let mut text = head(blade, &plain, name);
     text += "components:\n    blade:\n        elastic_properties_mb:\n            six_x_six:\n";
-    let margin = " ".repeat(16);
-    text += &axis(&plain, &margin);
-    text += &column("twist", &margin, &plain.point_parts, &twist(&plain));
+    text += &joined(&six_by_six(&plain, &" ".repeat(16)));
+    finish(name, text, lost)
+}
+
+/// The internal damping, which version 1 does not have.
+pub(super) fn lost_damping(blade: &Blade) -> Option<String> {
+    blade.damping.as_ref()?;
+    Some(format!(
+        "internal damping ({}): windIO version 1 has no field for it",
+        damping_in_words(blade)
+    ))
+}
+
+/// Lines of the table of version 1: axis, twist and matrices.
+pub(super) fn six_by_six(plain: &Plain, margin: &str) -> Vec<String> {
+    let deeper = format!("{margin}    ");
+    let mut lines = vec![format!("{margin}reference_axis:")];
+    lines.extend(axis_columns(plain, &deeper));
+    lines.push(format!("{margin}twist:"));
+    lines.extend(grid_and_values(&deeper, &plain.point_parts, &twist(plain)));
     let grid = plain.station_parts();
     for (key, matrices) in [
-        (
-            "stiff_matrix",
-            matrices(&plain, |station| station.stiffness),
-        ),
-        ("inertia_matrix", matrices(&plain, |station| station.mass)),
+        ("stiff_matrix", matrices(plain, |station| station.stiffness)),
+        ("inertia_matrix", matrices(plain, |station| station.mass)),
     ] {
-        let _ = writeln!(text, "{margin}{key}:\n{margin}    grid: {}", list(&grid));
-        let _ = writeln!(text, "{margin}    values:");
-        for matrix in &matrices {
-            let _ = writeln!(text, "{margin}    - {}", list(&upper(matrix)));
-        }
+        lines.push(format!("{margin}{key}:"));
+        lines.push(format!("{deeper}grid: {}", list(&grid)));
+        lines.push(format!("{deeper}values:"));
+        let rows = matrices.iter().map(|matrix| list(&upper(matrix)));
+        lines.extend(rows.map(|row| format!("{deeper}- {row}")));
     }
-    finish(name, text, lost)
+    lines
 }
 
 /// A file of version 2.
@@ -54,49 +62,70 @@ pub(super) fn version_2(blade: &Blade, name: &str) -> Writing {
     let plain = Plain::of(blade);
     let mut lost = plain.lost.clone();
     let mut text = head(blade, &plain, name) + "windIO_version: '2.0'\n";
-    text += "components:\n    blade:\n";
-    text += &axis(&plain, &" ".repeat(8));
-    text += "        outer_shape:\n";
-    let twist: Vec<_> = twist(&plain).into_iter().map(f64::to_degrees).collect();
-    text += &column("twist", &" ".repeat(12), &plain.point_parts, &twist);
+    text += "components:\n    blade:\n        reference_axis:\n";
+    text += &joined(&axis_columns(&plain, &" ".repeat(12)));
+    text += "        outer_shape:\n            twist:\n";
+    text += &joined(&twist_columns(&plain, &" ".repeat(16)));
     text += "        structure:\n            elastic_properties:\n";
     let margin = " ".repeat(16);
+    for (key, lines) in elastic_tables(blade, &plain, &mut lost) {
+        let lines = indented(&lines, &format!("{margin}    "));
+        text += &format!("{margin}{key}:\n{}", joined(&lines));
+    }
+    finish(name, text, lost)
+}
+
+/// Lines of the twist of version 2 [deg].
+pub(super) fn twist_columns(plain: &Plain, margin: &str) -> Vec<String> {
+    let twist: Vec<_> = twist(plain).into_iter().map(f64::to_degrees).collect();
+    grid_and_values(margin, &plain.point_parts, &twist)
+}
+
+/// Names and lines of the tables of stiffness, mass and damping of version 2; adds the
+/// losses.
+pub(super) fn elastic_tables(
+    blade: &Blade,
+    plain: &Plain,
+    lost: &mut Vec<String>,
+) -> [(&'static str, Vec<String>); 3] {
     let grid = plain.station_parts();
-    let stiffness = matrices(&plain, |station| station.stiffness);
-    let _ = writeln!(
-        text,
-        "{margin}stiffness_matrix:\n{margin}    grid: {}",
-        list(&grid)
-    );
-    for i in 0..6 {
-        for j in i..6 {
-            let values: Vec<_> = stiffness.iter().map(|k| k[(i, j)]).collect();
-            let _ = writeln!(text, "{margin}    K{}{}: {}", i + 1, j + 1, list(&values));
-        }
-    }
-    let inertia = matrices(&plain, |station| station.mass);
-    let _ = writeln!(
-        text,
-        "{margin}inertia_matrix:\n{margin}    grid: {}",
-        list(&grid)
-    );
+    let stiffness = matrices(plain, |station| station.stiffness);
+    let pairs = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));
+    let entry = |(i, j): (usize, usize)| {
+        let values: Vec<_> = stiffness.iter().map(|k| k[(i, j)]).collect();
+        format!("K{}{}: {}", i + 1, j + 1, list(&values))
+    };
+    let mut of_stiffness = vec![format!("grid: {}", list(&grid))];
+    of_stiffness.extend(pairs.map(entry));
+    let inertia = matrices(plain, |station| station.mass);
     let seven: Vec<_> = inertia.iter().map(mass::values).collect();
-    for (i, key) in mass::NAMES.iter().enumerate() {
+    let mut of_inertia = vec![format!("grid: {}", list(&grid))];
+    of_inertia.extend(mass::NAMES.iter().enumerate().map(|(i, key)| {
         let values: Vec<_> = seven.iter().map(|seven| seven[i]).collect();
-        let _ = writeln!(text, "{margin}    {key}: {}", list(&values));
-    }
-    let _ = writeln!(
-        text,
-        "{margin}structural_damping:\n{margin}    mu: {}",
-        list(&times(blade).unwrap_or_default())
-    );
+        format!("{key}: {}", list(&values))
+    }));
+    let of_damping = vec![format!("mu: {}", list(&times(blade).unwrap_or_default()))];
     if blade.damping.is_some() && times(blade).is_none() {
         lost.push(
             "internal damping by matrices: windIO has one time for each component".to_owned(),
         );
     }
     lost.extend(lost_mass(&inertia, &grid));
-    finish(name, text, lost)
+    [
+        ("inertia_matrix", of_inertia),
+        ("stiffness_matrix", of_stiffness),
+        ("structural_damping", of_damping),
+    ]
+}
+
+/// The lines with a margin.
+pub(super) fn indented(lines: &[String], margin: &str) -> Vec<String> {
+    lines.iter().map(|line| format!("{margin}{line}")).collect()
+}
+
+/// The lines as a text.
+fn joined(lines: &[String]) -> String {
+    lines.iter().map(|line| format!("{line}\n")).collect()
 }
 
 fn finish(name: &str, text: String, lost: Vec<String>) -> Writing {
@@ -128,28 +157,31 @@ fn twist(plain: &Plain) -> Vec<f64> {
     twists.map(|(point, turn)| turn - point.twist).collect()
 }
 
-fn axis(plain: &Plain, margin: &str) -> String {
+/// Lines of the columns x, y, z of the reference axis [m].
+pub(super) fn axis_columns(plain: &Plain, margin: &str) -> Vec<String> {
     let axes = Convention::BeamDyn.axes();
     let points: Vec<_> = plain
         .points
         .iter()
         .map(|point| axes.tr_mul(&point.position))
         .collect();
-    let mut text = format!("{margin}reference_axis:\n");
-    let margin = format!("{margin}    ");
-    for (i, key) in ["x", "y", "z"].into_iter().enumerate() {
+    let columns = ["x", "y", "z"].into_iter().enumerate();
+    let columns = columns.flat_map(|(i, key)| {
         let values: Vec<_> = points.iter().map(|point| point[i]).collect();
-        text += &column(key, &margin, &plain.point_parts, &values);
-    }
-    text
+        let deeper = format!("{margin}    ");
+        let head = [format!("{margin}{key}:")].into_iter();
+        head.chain(grid_and_values(&deeper, &plain.point_parts, &values))
+            .collect::<Vec<_>>()
+    });
+    columns.collect()
 }
 
-fn column(key: &str, margin: &str, grid: &[f64], values: &[f64]) -> String {
-    format!(
-        "{margin}{key}:\n{margin}    grid: {}\n{margin}    values: {}\n",
-        list(grid),
-        list(values)
-    )
+/// The two lines of a column.
+fn grid_and_values(margin: &str, grid: &[f64], values: &[f64]) -> Vec<String> {
+    vec![
+        format!("{margin}grid: {}", list(grid)),
+        format!("{margin}values: {}", list(values)),
+    ]
 }
 
 fn matrices(

@@ -1,0 +1,97 @@
+//! Shear stiffness that is absent, and problems that many stations share.
+
+use super::tests::blade;
+use super::{Blade, Reading};
+
+/// The sample without shear stiffness.
+fn without_shear() -> Blade {
+    let mut blade = blade();
+    for station in &mut blade.stations {
+        for i in 0..6 {
+            for shear in [1, 2] {
+                station.stiffness[(shear, i)] = 0.0;
+                station.stiffness[(i, shear)] = 0.0;
+            }
+        }
+    }
+    blade
+}
+
+fn shown(blade: &Blade) -> Vec<String> {
+    let problems = blade.summarized_problems();
+    problems.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn absent_shear_becomes_rigid_and_other_entries_stay() {
+    let before = without_shear();
+    assert_eq!(before.problems().len(), before.stations.len());
+    let mut blade = before.clone();
+    assert_eq!(blade.make_shear_rigid(), blade.stations.len());
+    assert!(blade.problems().is_empty(), "{:?}", blade.problems());
+    for (station, old) in blade.stations.iter().zip(&before.stations) {
+        let (k, old) = (station.stiffness, old.stiffness);
+        let bending = f64::max(old[(4, 4)], old[(5, 5)]);
+        // One division instead of a square and a division: a few roundings.
+        let expected = 1e6 * bending / blade.length().powi(2);
+        assert!((k[(1, 1)] / expected - 1.0).abs() < 1e-14);
+        assert_eq!([k[(2, 2)], k[(1, 2)]], [k[(1, 1)], 0.0]);
+        for i in [0, 3, 4, 5] {
+            for j in 0..6 {
+                assert_eq!((k[(i, j)], k[(j, i)]), (old[(i, j)], old[(j, i)]));
+            }
+        }
+    }
+}
+
+// A zero with couplings is a mistake in the file, not the absence of shear.
+#[test]
+fn present_shear_and_coupled_zeros_stay() {
+    let mut blade = blade();
+    blade.stations[0].stiffness[(1, 1)] = 0.0;
+    let before = blade.clone();
+    assert_eq!(blade.make_shear_rigid(), 0);
+    assert_eq!(blade, before);
+}
+
+#[test]
+fn the_substitute_is_remarked() {
+    let remark = |blade: Blade| {
+        let mut reading = Reading::new(blade, Vec::new());
+        reading.make_shear_rigid();
+        reading.remarks.remove(0)
+    };
+    let text = remark(without_shear());
+    assert!(
+        text.contains("zero at 5 of 5 stations, is replaced by 1e6 max(EIy, EIz) / L^2"),
+        "{text}"
+    );
+    assert!(remark(blade()).starts_with("rigid shear has no effect"));
+}
+
+#[test]
+fn one_kind_at_many_stations_is_one_problem() {
+    let mut blade = blade();
+    for station in &mut blade.stations {
+        station.stiffness[(1, 1)] = 0.0;
+    }
+    let text = "stiffness has 0e0 at (2, 2) (shear y), expected more than zero";
+    assert_eq!(shown(&blade), [format!("all 5 stations: {text}")]);
+    // Another value at the second station, and a good one at the third.
+    blade.stations[1].stiffness[(1, 1)] = -2.0;
+    blade.stations[2].stiffness = blade.stations[3].stiffness;
+    blade.stations[2].stiffness[(1, 1)] = 1e3;
+    assert_eq!(
+        shown(&blade),
+        [format!("stations 1, 2, 4, 5: {text} (station 1)")]
+    );
+}
+
+#[test]
+fn two_stations_are_reported_one_by_one() {
+    let mut blade = blade();
+    for station in [0, 3] {
+        blade.stations[station].stiffness[(1, 1)] = 0.0;
+    }
+    assert_eq!(blade.summarized_problems(), blade.problems());
+}

@@ -1,0 +1,180 @@
+//! Blades of ElastoDyn, the modal structural module of OpenFAST: the blade file with
+//! distributed mass and bending stiffness, alone or named by the primary file, which has
+//! the radii of hub and tip.
+//!
+//! ElastoDyn blades are straight, bend only, and have their properties in axes turned by
+//! `StrcTwst`, which is BeamDyn's `initial_twist`: nose down. Axial, shear and torsional
+//! stiffness are infinite there; here they have the substitutes of
+//! [`crate::blade::Blade::make_shear_rigid`], unless the older table of 17 columns has
+//! them.
+//!
+//! # References
+//! - OpenFAST documentation, ElastoDyn, "Input files"; blade files of the DTU 10 MW (17
+//!   columns) and of the IEA-22 (6 columns).
+
+use std::path::Path;
+
+use nalgebra::{Matrix6, Vector2, Vector3};
+
+use crate::blade::{Blade, Interpolation, Station, rigid_force, rigid_torsion};
+use crate::document::read_text;
+use crate::error::{Diagnostics, Place};
+use crate::line::{Course, LinePoint, ReferenceLine};
+
+use super::named::{companion, named, required};
+use super::problem::{ExchangeProblem, Problems};
+use super::stations::{name_of, provenance};
+use super::{Options, Reading};
+
+mod table;
+
+use table::{Row, Table};
+
+/// Names of the blade file in the primary file.
+const BLADE_FILE: [&str; 2] = ["BldFile(1)", "BldFile1"];
+
+/// Whether `text` is a blade file or a primary file.
+pub(super) fn recognize(text: &str) -> bool {
+    named(text, &["NBlInpSt"]).is_some()
+        || named(text, &["TipRad"]).is_some() && named(text, &BLADE_FILE).is_some()
+}
+
+/// Reads a primary file with the blade file that it names, or a blade file alone with the
+/// length of `options`.
+///
+/// # Errors
+/// All errors of the files; a blade file alone without a length.
+pub(super) fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
+    let mut problems = Problems::new(&file.display().to_string());
+    if named(text, &["NBlInpSt"]).is_none() {
+        return read_primary(text, file, problems);
+    }
+    let table = table::parse(text, &mut problems);
+    if options.length.is_none() {
+        problems.push(
+            0,
+            &ExchangeProblem::Missing {
+                what: "the length of the blade (an ElastoDyn blade file has parts of it only)"
+                    .to_owned(),
+                help: "give the primary file of ElastoDyn or the .fst file, which lead to TipRad \
+                       and HubRad, or --length METERS"
+                    .to_owned(),
+            },
+        );
+    }
+    let (table, length) = problems.finish(table.zip(options.length))?;
+    Ok(assemble(table, length, file, &[text]))
+}
+
+/// Reads both files; returns the problems of both.
+fn read_primary(text: &str, file: &Path, mut problems: Problems) -> Result<Reading, Diagnostics> {
+    let tip = required(text, &["TipRad"], &mut problems);
+    let hub = required(text, &["HubRad"], &mut problems);
+    let path = companion(text, &BLADE_FILE, file, &mut problems);
+    let length = tip.zip(hub).map(|(tip, hub)| tip - hub);
+    if let Some(found) = length.filter(|length| *length <= 0.0) {
+        problems.push(
+            named(text, &["TipRad"]).map_or(0, |found| found.line),
+            &ExchangeProblem::Other {
+                what: "TipRad - HubRad, the length of the blade".to_owned(),
+                found: format!("{found} m"),
+                expected: "more than zero".to_owned(),
+                help: "correct one of the radii".to_owned(),
+            },
+        );
+    }
+    let ((length, path), hub) = problems.finish(length.zip(path).zip(hub))?;
+    let blade_text = read_text(&path)?;
+    let mut problems = Problems::new(&path.display().to_string());
+    let table = table::parse(&blade_text, &mut problems);
+    let table = problems.finish(table)?;
+    let mut reading = assemble(table, length, &path, &[text, &blade_text]);
+    reading.remarks.insert(
+        0,
+        format!(
+            "length {length} m: TipRad less HubRad; the radius of the hub, {hub} m, and the \
+             precone belong to the rotor: give hub_radius and precone"
+        ),
+    );
+    Ok(reading)
+}
+
+/// The blade of a table.
+fn assemble(table: Table, length: f64, file: &Path, texts: &[&str]) -> Reading {
+    let shown = file.display().to_string();
+    let places = table.lines.iter().map(|line| Place::line(&shown, *line));
+    let point = |row: &Row| LinePoint {
+        position: Vector3::new(row.part * length, 0.0, 0.0),
+        twist: -row.twist_deg.to_radians(),
+    };
+    let points = table.rows.iter().map(point).collect();
+    let blade = Blade {
+        name: name_of(file),
+        line: ReferenceLine::through(points, Course::Polyline),
+        reference_point: Vector2::zeros(),
+        stations: table.rows.iter().map(|row| station(row, length)).collect(),
+        interpolation: Interpolation::Linear,
+        damping: None,
+        provenance: provenance("ElastoDyn", texts),
+    };
+    let mut remarks = table.remarks;
+    remarks.extend(missing(&table.rows));
+    Reading {
+        places: places.collect(),
+        has_other_damping: table.has_damping,
+        ..Reading::new(blade, remarks)
+    }
+}
+
+/// The station of a row.
+fn station(row: &Row, length: f64) -> Station {
+    let mut stiffness = Matrix6::zeros();
+    stiffness[(4, 4)] = row.flap;
+    stiffness[(5, 5)] = row.edge;
+    let force = rigid_force(&stiffness, length);
+    stiffness[(3, 3)] = row.torsion.unwrap_or_else(|| rigid_torsion(&stiffness));
+    stiffness[(0, 0)] = row.axial.unwrap_or(force);
+    stiffness[(1, 1)] = force;
+    stiffness[(2, 2)] = force;
+    let [iy, iz] = row.inertia;
+    let m = row.mass;
+    Station {
+        arc_length: row.part * length,
+        stiffness,
+        mass: Matrix6::from_diagonal(&[m, m, m, iy + iz, iy, iz].into()),
+    }
+}
+
+/// Remarks on the properties that the table does not have, and their substitutes.
+fn missing(rows: &[Row]) -> Vec<String> {
+    let mut absent = Vec::new();
+    if rows.iter().any(|row| row.axial.is_none()) {
+        absent.push("axial");
+    }
+    absent.push("shear");
+    let mut remarks = Vec::new();
+    let torsion = rows.iter().any(|row| row.torsion.is_none());
+    remarks.push(format!(
+        "{} stiffness is not in the file: rigid, as in ElastoDyn, by 1e6 max(EIy, EIz) / L^2",
+        absent.join(" and ")
+    ));
+    if torsion {
+        remarks.push(
+            "torsional stiffness is not in the file: rigid, as in ElastoDyn, by 1e3 max(EIy, \
+             EIz); modes of torsion need a BeamDyn, HAWC2 or windIO file of the blade"
+                .to_owned(),
+        );
+    }
+    if rows.iter().all(|row| row.inertia == [0.0, 0.0]) {
+        remarks.push("rotary inertia is not in the file: zero, as in ElastoDyn".to_owned());
+    }
+    remarks.push(
+        "mass, elastic and shear centers are not in the file: all on the line, which is straight \
+         as in ElastoDyn"
+            .to_owned(),
+    );
+    remarks
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,213 @@
+//! Writes a blade into a copy of a windIO file: its reference axis and its elastic
+//! properties. All other lines stay as they are, so that a complete file stays complete.
+
+use std::path::{Path, PathBuf};
+
+use super::super::plain::Plain;
+use super::super::problem::{ExchangeProblem, Problems, shortened};
+use super::super::{Options, Writing};
+use super::block::{self, Block, Lines};
+use super::write;
+use super::{VERSION_1, is_version_1};
+use crate::blade::Blade;
+use crate::error::Diagnostics;
+
+/// Twist that differs by less is equal [rad].
+const SAME_TWIST: f64 = 1e-9;
+
+/// The reference axis of version 2.
+const AXIS: [&str; 3] = ["components", "blade", "reference_axis"];
+/// The twist of version 2.
+const TWIST: [&str; 4] = ["components", "blade", "outer_shape", "twist"];
+/// The elastic properties of version 2.
+const ELASTIC: [&str; 4] = ["components", "blade", "structure", "elastic_properties"];
+
+/// A file with the text of `existing`, the content of the file at `path`, in which the axis
+/// and the elastic properties of `blade` replace its own.
+///
+/// # Errors
+/// A text that is not a windIO file, or whose tables are not where they can be replaced.
+pub(in crate::exchange) fn write_into(
+    blade: &Blade,
+    existing: &str,
+    path: &Path,
+) -> Result<Writing, Diagnostics> {
+    let mut problems = Problems::new(&path.display().to_string());
+    if !super::recognize(existing) {
+        problems.push(0, &not_windio());
+        return Err(problems.into_diagnostics());
+    }
+    let plain = Plain::of(blade);
+    let mut editor = Editor {
+        // Ends of lines stay as they are.
+        lines: existing.split('\n').map(str::to_owned).collect(),
+        problems,
+    };
+    let mut lost = plain.lost.clone();
+    match is_version_1(existing) {
+        true => version_1(&mut editor, blade, &plain, &mut lost),
+        false => version_2(&mut editor, blade, &plain, (existing, path), &mut lost),
+    }
+    let Editor { lines, problems } = editor;
+    let text = problems.finish(Some(lines))?.join("\n");
+    // The written text must be readable.
+    super::read(&text, path, &Options::default())?;
+    let name = path.file_name().map_or_else(PathBuf::new, PathBuf::from);
+    Ok(Writing {
+        files: vec![(name, text)],
+        lost,
+    })
+}
+
+fn not_windio() -> ExchangeProblem {
+    ExchangeProblem::Other {
+        what: "the file to write into".to_owned(),
+        found: "another format".to_owned(),
+        expected: "a windIO file with components.blade".to_owned(),
+        help: "give a complete windIO file with --into".to_owned(),
+    }
+}
+
+/// Version 1 has axis, twist and matrices in one table.
+fn version_1(editor: &mut Editor, blade: &Blade, plain: &Plain, lost: &mut Vec<String>) {
+    let keys = [VERSION_1[0], VERSION_1[1], VERSION_1[2], "six_x_six"];
+    editor.replace(&keys, |margin| write::six_by_six(plain, margin));
+    lost.extend(write::lost_damping(blade));
+    lost.push(
+        "the reference axis and the twist of outer_shape_bem: they stay as they are".to_owned(),
+    );
+}
+
+/// Version 2 has axis, twist and matrices in three tables.
+fn version_2(
+    editor: &mut Editor,
+    blade: &Blade,
+    plain: &Plain,
+    (existing, path): (&str, &Path),
+    lost: &mut Vec<String>,
+) {
+    // The sections are in axes that the twist of the file turns.
+    let old = super::read(existing, path, &Options::default()).ok();
+    let keeps_twist = old.is_some_and(|old| has_twist_of(&old.blade, blade));
+    editor.replace(&AXIS, |margin| write::axis_columns(plain, margin));
+    if !keeps_twist {
+        editor.replace(&TWIST, |margin| write::twist_columns(plain, margin));
+    }
+    editor.replace_or_add(&ELASTIC, |_| Vec::new());
+    for (key, lines) in write::elastic_tables(blade, plain, lost) {
+        let keys = [&ELASTIC[..], &[key]].concat();
+        editor.replace_or_add(&keys, |margin| write::indented(&lines, margin));
+    }
+}
+
+/// Whether two blades have the same twist at the points of both lines.
+fn has_twist_of(old: &Blade, new: &Blade) -> bool {
+    let (a, b) = (old.line.curve(), new.line.curve());
+    let parts = |blade: &Blade| {
+        let length = blade.length();
+        let arcs = blade.line.arc_lengths();
+        arcs.into_iter().map(move |s| s / length)
+    };
+    parts(old).chain(parts(new)).all(|part| {
+        let twists = [&a, &b].map(|curve| curve.at(part * curve.length()).twist);
+        (twists[0] - twists[1]).abs() <= SAME_TWIST
+    })
+}
+
+/// The lines of the file, and the problems of its tables.
+struct Editor {
+    lines: Lines,
+    problems: Problems,
+}
+
+impl Editor {
+    /// Replaces the content of an existing table by the lines for a margin.
+    fn replace(&mut self, keys: &[&str], content: impl Fn(&str) -> Vec<String>) {
+        match block::find(&self.lines, keys) {
+            Ok(block) => self.fill(&block, keys, content),
+            Err(found) => self.missing(keys, found),
+        }
+    }
+
+    /// As [`Editor::replace`]; a missing table is added at the end of its parent. Keeps
+    /// the entries of a table for which there is no content.
+    fn replace_or_add(&mut self, keys: &[&str], content: impl Fn(&str) -> Vec<String>) {
+        let found = match block::find(&self.lines, keys) {
+            Ok(block) if content("").is_empty() => {
+                self.check_inline(&block, keys);
+                return;
+            }
+            Ok(block) => return self.fill(&block, keys, content),
+            Err(found) => found,
+        };
+        let Some((key, parents)) = keys.split_last().filter(|_| found + 1 == keys.len()) else {
+            return self.missing(keys, found);
+        };
+        let Ok(parent) = block::find(&self.lines, parents) else {
+            return self.missing(keys, found);
+        };
+        let depth = block::depth(&self.lines, &parent);
+        let at = parent.body.end;
+        self.lines
+            .insert(at, format!("{}{key}:", " ".repeat(depth)));
+        let added = Block {
+            key: at,
+            indent: depth,
+            body: at + 1..at + 1,
+        };
+        self.fill(&added, keys, content);
+    }
+
+    /// Replaces the content of a block.
+    fn fill(&mut self, block: &Block, keys: &[&str], content: impl Fn(&str) -> Vec<String>) {
+        if !self.check_inline(block, keys) {
+            return;
+        }
+        let body = &self.lines[block.body.clone()];
+        let anchors = block::names(body, '&');
+        let outside = [
+            &self.lines[..block.body.start],
+            &self.lines[block.body.end..],
+        ]
+        .concat();
+        let aliases = block::names(&outside, '*');
+        if let Some(name) = anchors.iter().find(|name| aliases.contains(name)) {
+            let problem = ExchangeProblem::Other {
+                what: keys.join("."),
+                found: format!("the anchor &{name}, to which other tables refer"),
+                expected: "a table that only its own key refers to".to_owned(),
+                help: format!("write the value instead of *{name} there"),
+            };
+            return self.problems.push(block.key + 1, &problem);
+        }
+        let margin = " ".repeat(block::depth(&self.lines, block).max(block.indent + 1));
+        self.lines.splice(block.body.clone(), content(&margin));
+    }
+
+    /// Whether the value of a block begins below its key; notes other values.
+    fn check_inline(&mut self, block: &Block, keys: &[&str]) -> bool {
+        let value = block::inline_value(&self.lines[block.key]);
+        if value.is_empty() {
+            return true;
+        }
+        let problem = ExchangeProblem::Other {
+            what: keys.join("."),
+            found: format!("\"{}\" on the line of the key", shortened(value)),
+            expected: "a table on the lines below the key".to_owned(),
+            help: "write the table as a block".to_owned(),
+        };
+        self.problems.push(block.key + 1, &problem);
+        false
+    }
+
+    /// Notes that a table is missing after `found` keys.
+    fn missing(&mut self, keys: &[&str], found: usize) {
+        let (parents, rest) = keys.split_at(found.min(keys.len()));
+        let at = block::find(&self.lines, parents).map_or(0, |block| block.key + 1);
+        let problem = ExchangeProblem::Missing {
+            what: format!("the table {} of the file to write into", keys.join(".")),
+            help: format!("add {}", rest.join(".")),
+        };
+        self.problems.push(at, &problem);
+    }
+}
