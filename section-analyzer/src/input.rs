@@ -43,6 +43,7 @@ mod materials;
 mod meshed;
 mod names;
 pub mod outside;
+mod plausible;
 mod problem;
 mod regions;
 pub mod schema;
@@ -59,6 +60,7 @@ pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, LoadProblem, checked_load};
 pub use names::is_load_name;
 pub use outside::MatrixProblem;
+pub use plausible::UnlikelyInput;
 pub use problem::InputProblem;
 pub use source::{NodeProblem, Source};
 pub use stiffness::StiffnessProblem;
@@ -251,6 +253,9 @@ impl WrittenSection {
         summary.electrodes = places;
         let of_mesh = InputWarning::of_mesh(&report);
         summary.warnings.extend([odd, of_mesh, loose].concat());
+        let size = extent::size(&section.mesh);
+        let large = plausible::of_size(size, &self.length_unit);
+        summary.warnings.extend(large);
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {

@@ -78,7 +78,7 @@ pub struct Centers {
 
 /// Principal directions: angles from +y to the first principal axis, positive
 /// about +x.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PrincipalAxes {
     /// Angle of the bending axes at the tension center [rad].
     pub bending_angle: f64,

@@ -75,9 +75,14 @@ impl Analysis<'_> {
     }
 
     /// The difference of the free strains from (S-94), relative to the largest imposed
-    /// strain \[-\].
+    /// strain \[-\]. Each component counts by its stiffness, as in the checks of the central
+    /// solutions: `d_i sqrt(C11 / Cii)`, a curvature times a radius of gyration. Otherwise
+    /// strips would fail, whose flat curvature loses as many digits as they are thin, and
+    /// strains their points by a thousandth of it.
     fn errors(&self, forces: &ImposedForces, solved: &ParticularSolution) -> Vector6<f64> {
         let (domain, central) = (self.domain(), self.central());
+        let c = &self.solved.central.compliance;
+        let natural = c.diagonal().map(|own| (c[(0, 0)] / own).sqrt());
         let state = State {
             rate: Rate::Zero,
             warping: Some(&solved.x),
@@ -94,7 +99,8 @@ impl Analysis<'_> {
             + central.y.transpose() * forces.resultant
             + tt.transpose() * on_face;
         Vector6::from_fn(|case, _| {
-            let difference = (solved.y - work).column(case).amax();
+            let difference = (solved.y - work).column(case).component_mul(&natural);
+            let difference = difference.amax();
             match forces.largest[case] {
                 0.0 => difference,
                 strain => difference / strain,
@@ -132,7 +138,7 @@ impl Analysis<'_> {
 mod tests {
     use super::*;
     use crate::assembly::{Domain, Pattern, SectionMatrices, add_rigid_motions};
-    use crate::section::samples::{Random, coupled_rectangle, random_strain};
+    use crate::section::samples::{Random, coupled_rectangle, random_strain, strip};
     use crate::section::{FreeStrain, Section};
     use crate::solve::{CentralSolution, CentralSystems, Decoupled, Pins};
     use nalgebra::{DMatrix, DVector};
@@ -210,6 +216,27 @@ mod tests {
             let off = (solved.free_strain.fixed_rows::<3>(0) - line).amax();
             assert_eq!(off < 1e-4, is_straight, "{off:e}");
         }
+    }
+
+    /// A strip a thousand times as wide as thick that expands evenly: the axial strain is the
+    /// expansion, and curvature and twist times half the thickness are zero, all to 1e-9.
+    #[test]
+    fn a_thin_strip_expands_evenly() {
+        let section = strip(1.0, 1e-3, 1000);
+        let even = FreeStrain {
+            at_origin: Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0),
+            ..FreeStrain::default()
+        };
+        let state = ImposedStrain {
+            name: "even".into(),
+            cells: vec![even; section.cells.len()],
+        };
+        let analysis = Analysis::new(&section).expect("sound");
+        let solved = &analysis.imposed(&[state]).expect("accurate")[0];
+        let radii = Vector6::new(1.0, 1.0, 1.0, 5e-4, 5e-4, 0.5);
+        let strain = solved.free_strain.component_mul(&radii);
+        let expected = Vector6::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+        assert!((strain - expected).amax() < 1e-9, "{strain}");
     }
 
     /// Both computations of the free strain agree, and each of seven states, solved in two

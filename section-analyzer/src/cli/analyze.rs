@@ -93,6 +93,9 @@ pub(super) fn analyze_files(
     }
 }
 
+/// The heading of removed files.
+const REMOVED: &str = "Removed: derivatives of an earlier run (--sensitivity makes them)";
+
 /// Shows the outcome of a run with a single section.
 fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     write!(terminal.out, "{}", outcome.report)?;
@@ -101,6 +104,7 @@ fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
         terminal.tell_text(problems, outcome.status.code());
     }
     list(outcome.status.heading(), &outcome.files, terminal)?;
+    list(REMOVED, &outcome.removed, terminal)?;
     match outcome.status.code() {
         DONE => Ok(()),
         code => Err(Stop::Told(code)),

@@ -18,14 +18,7 @@ const FARTHEST: f64 = 1e5;
 /// # Errors
 /// [`InputProblem::Size`], [`InputProblem::Far`].
 pub(super) fn check(mesh: &SectionMesh) -> Result<(), InputProblem> {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for &node in mesh.cells.iter().flat_map(|cell| cell.nodes()) {
-        for axis in 0..2 {
-            let place = mesh.nodes[node as usize][axis];
-            low[axis] = low[axis].min(place);
-            high[axis] = high[axis].max(place);
-        }
-    }
+    let (low, high) = bounds(mesh);
     let size = (high[0] - low[0]).hypot(high[1] - low[1]);
     if !(SIZES.0..=SIZES.1).contains(&size) {
         let (smallest, largest) = SIZES;
@@ -45,4 +38,23 @@ pub(super) fn check(mesh: &SectionMesh) -> Result<(), InputProblem> {
         });
     }
     Ok(())
+}
+
+/// The larger extent of a section along its axes \[m\].
+pub(super) fn size(mesh: &SectionMesh) -> f64 {
+    let (low, high) = bounds(mesh);
+    (high[0] - low[0]).max(high[1] - low[1])
+}
+
+/// The smallest and the largest coordinates of the nodes of cells \[m\].
+fn bounds(mesh: &SectionMesh) -> ([f64; 2], [f64; 2]) {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for &node in mesh.cells.iter().flat_map(|cell| cell.nodes()) {
+        for axis in 0..2 {
+            let place = mesh.nodes[node as usize][axis];
+            low[axis] = low[axis].min(place);
+            high[axis] = high[axis].max(place);
+        }
+    }
+    (low, high)
 }

@@ -4,7 +4,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use shared_geom::document::Document;
-use shared_geom::files::read_bytes;
+use shared_geom::files::{names_beside, read_bytes};
 use shared_geom::hash::sha256_of;
 
 use super::problem::InputProblem;
@@ -39,13 +39,17 @@ impl<'a> Files<'a> {
                 self.contents.last().map(Vec::as_slice)
             }
             Err(error) => {
+                let known = match error.kind() {
+                    ErrorKind::NotFound => of_its_kind(path),
+                    _ => Vec::new(),
+                };
                 let reason = match error.kind() {
                     ErrorKind::NotFound => "no such file".to_owned(),
                     ErrorKind::PermissionDenied => "permission denied".to_owned(),
                     ErrorKind::IsADirectory => "it is a folder".to_owned(),
                     _ => error.to_string(),
                 };
-                self.unreadable(what, path, written, reason);
+                self.unreadable((what, path), written, reason, known);
                 None
             }
         }
@@ -60,14 +64,25 @@ impl<'a> Files<'a> {
     ) -> Option<String> {
         let text = String::from_utf8(self.read(what, path, written)?.to_vec());
         if text.is_err() {
-            self.unreadable(what, path, written, "not a text file".to_owned());
+            let reason = "not a text file".to_owned();
+            self.unreadable((what, path), written, reason, Vec::new());
         }
         text.ok()
     }
 
-    fn unreadable(&self, what: &'static str, path: &Path, written: &Written, reason: String) {
-        let file = path.display().to_string();
-        let problem = InputProblem::Unreadable { what, file, reason };
+    fn unreadable(
+        &self,
+        (what, path): (&'static str, &Path),
+        written: &Written,
+        reason: String,
+        known: Vec<String>,
+    ) {
+        let problem = InputProblem::Unreadable {
+            what,
+            file: path.display().to_string(),
+            reason,
+            known,
+        };
         self.document.note(written.line, &problem);
     }
 
@@ -76,4 +91,12 @@ impl<'a> Files<'a> {
         let parts: Vec<_> = self.contents.iter().map(Vec::as_slice).collect();
         sha256_of(&parts)
     }
+}
+
+/// The files beside a missing one that have its ending.
+fn of_its_kind(path: &Path) -> Vec<String> {
+    let ending = path.extension();
+    let mut names = names_beside(path);
+    names.retain(|name| Path::new(name).extension() == ending);
+    names
 }

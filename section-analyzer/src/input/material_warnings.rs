@@ -3,6 +3,7 @@
 use super::electric::ElectricWarning;
 use super::electrodes::WrittenElectrodes;
 use super::materials::WrittenMaterial;
+use super::plausible;
 use super::summary::InputWarning;
 use crate::material::{ElasticLaw, Material, VACUUM_PERMITTIVITY};
 
@@ -29,6 +30,9 @@ pub(super) fn warnings_of(
             .is_some_and(|known| known.density == 0.0 && known.law != ElasticLaw::Absent)
         {
             warnings.push(InputWarning::NoDensity { material });
+        }
+        if of_region.contains(&index) {
+            warnings.extend(plausible::of_material(written));
         }
         let is_stiff = |known: &Material| known.law != ElasticLaw::Absent;
         let is_stiff = written.material.as_ref().is_some_and(is_stiff);

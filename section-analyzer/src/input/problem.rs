@@ -2,6 +2,7 @@
 
 use shared_geom::error::Explain;
 use shared_geom::figure::tick_label;
+use shared_geom::files::nearest_file;
 use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
@@ -11,7 +12,7 @@ use crate::properties::NoPrestress;
 mod words;
 
 pub(super) use words::nearest_or_all;
-use words::{known_groups, listed, strength_keys};
+use words::{across_fiber, known_groups, listed, strength_keys};
 
 /// A problem of a section input, of its tables, or of its references to the mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -28,6 +29,8 @@ pub enum InputProblem {
         file: String,
         /// The reason, as text.
         reason: String,
+        /// Files in its folder, if it does not exist.
+        known: Vec<String>,
     },
     /// The effect of prestress is requested but not known.
     #[error("\"prestress\": {reason}")]
@@ -56,6 +59,14 @@ pub enum InputProblem {
     NoLaw {
         /// Name of the material.
         material: String,
+    },
+    /// A transversely isotropic material without a constant across the fiber, or with both.
+    #[error("material \"{material}\" has {}", across_fiber(*.has_both))]
+    AcrossFiber {
+        /// Name of the material.
+        material: String,
+        /// Whether it has both constants.
+        has_both: bool,
     },
     /// A material that cannot exist.
     #[error("material \"{material}\": {problem}")]
@@ -363,6 +374,9 @@ impl Explain for InputProblem {
     fn help(&self) -> Option<String> {
         match self {
             Self::Dynamics => Some("use \"beam-dynamics\"".to_owned()),
+            Self::Unreadable { file, known, .. } if !known.is_empty() => {
+                Some(nearest_file(file, known))
+            }
             Self::UnknownMaterial {
                 material, known, ..
             } => Some(nearest_or_all(material, known, "materials of the file")),

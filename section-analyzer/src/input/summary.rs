@@ -6,6 +6,7 @@ use shared_geom::figure::tick_label;
 use shared_geom::mesh::CellKind;
 
 use super::electric::ElectricWarning;
+use super::plausible::UnlikelyInput;
 use crate::mesh::quality::{MeshQuality, NamedCell};
 use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh, counted};
 use crate::properties::AreaTable;
@@ -129,6 +130,8 @@ pub enum InputWarning {
     },
     /// A warning about electric laws and electrodes.
     Electric(ElectricWarning),
+    /// A number that is likely in another unit.
+    Unlikely(UnlikelyInput),
     /// Cells that the mesh lists clockwise.
     ReversedCells {
         /// Their number.
@@ -249,6 +252,7 @@ impl fmt::Display for InputWarning {
                 "material \"{material}\" has no \"expansion\", and others have: it does not expand"
             ),
             Self::Electric(warning) => warning.fmt(f),
+            Self::Unlikely(input) => input.fmt(f),
             Self::ReversedCells { count } => write!(
                 f,
                 "{} listed clockwise in the mesh, as a whole surface: reversed",

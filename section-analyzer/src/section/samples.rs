@@ -72,6 +72,23 @@ pub(crate) fn coupled_rectangle(kind: CellKind) -> Section {
     of_cells(mesh, ElasticLaw::Orthotropic(PLY))
 }
 
+/// A strip of isotropic material with unit modulus, of one layer of quadratic cells.
+pub(crate) fn strip(width: f64, height: f64, cells: usize) -> Section {
+    let mesh = Rectangle {
+        width,
+        height,
+        cells_y: cells,
+        cells_z: 1,
+        kind: CellKind::Quadrilateral8,
+        name: "strip".into(),
+    }
+    .generate()
+    .expect("sound measures");
+    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("test")).expect("sound");
+    let (young, poisson) = (1.0, 0.33);
+    of_cells(mesh, ElasticLaw::Isotropic { young, poisson })
+}
+
 /// A section of isotropic material with unit modulus, given its nodes and
 /// quadrilaterals.
 pub(crate) fn of_quadrilaterals(nodes: &[[f64; 2]], cells: &[[u32; 4]]) -> Section {

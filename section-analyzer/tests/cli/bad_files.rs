@@ -4,8 +4,10 @@ use crate::workplace::Workplace;
 
 #[test]
 fn missing_files_are_told_where_they_are_named() {
-    Workplace::with(&[("two.msh", "tow.msh")], &[])
-        .is_refused(&["error: a.section.toml:1: mesh \"tow.msh\" cannot be read: no such file"]);
+    Workplace::with(&[("two.msh", "tow.msh")], &[]).is_refused(&[
+        "error: a.section.toml:1: mesh \"tow.msh\" cannot be read: no such file",
+        "  help: did you mean \"two.msh\"?",
+    ]);
     Workplace::with(&[("\"two.msh\"", "\".\"")], &[])
         .is_refused(&["error: a.section.toml:1: mesh \".\" cannot be read: it is a folder"]);
     let run = Workplace::new().run(&["check", "b.section.toml"]);

@@ -184,6 +184,11 @@ fn a_run_without_the_option_removes_the_file() {
     assert!(!run.out.contains("Unchanged"), "{}", run.out);
     assert!(!run.out.contains("Sensitivities"));
     assert!(!place.path(FILE).exists());
+    let removed =
+        format!("\nRemoved: derivatives of an earlier run (--sensitivity makes them)\n  {FILE}\n");
+    assert!(run.out.ends_with(&removed), "{}", run.out);
+    let run = place.run(&["analyze", "a.section.toml", "--force"]);
+    assert!(!run.out.contains("Removed"), "{}", run.out);
     assert!(!place.run(&asked).out.contains("Unchanged"));
     assert!(place.path(FILE).exists());
 }

@@ -1,4 +1,4 @@
-//! Centers from stiffness and mass.
+//! Centers and principal axes from stiffness and mass.
 //!
 //! ```text
 //! tension center: [z; -y] = -inv(Cs[56,56]) Cs[56,1]                      (S-26)
@@ -6,9 +6,13 @@
 //! mass center:    y = M[3,4] / m ,          z = -M[2,4] / m               (S-30)
 //! ```
 
-use nalgebra::{Matrix6, Vector2};
+use nalgebra::{Matrix2, Matrix6, Vector2, Vector3};
 
-use super::Centers;
+use super::{Centers, PrincipalAxes};
+use crate::wrench;
+
+/// Relative difference of two principal values below which all directions are principal.
+const EQUAL: f64 = 1e-9;
 
 impl Centers {
     /// The centers of a section, relative to the reference point of its matrices; `None`
@@ -28,12 +32,70 @@ impl Centers {
         let finite = all.iter().flatten().all(|value| value.is_finite());
         finite.then_some(centers)
     }
+
+    /// As [`Centers::of`], with the reference point in place of a center that does not
+    /// exist.
+    pub(super) fn or_origin(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Self {
+        let origin = Vector2::zeros();
+        let massless = || {
+            let centers = Self::of(stiffness, &Matrix6::identity())?;
+            Some(Self {
+                mass: origin,
+                ..centers
+            })
+        };
+        Self::of(stiffness, mass).or_else(massless).unwrap_or(Self {
+            tension: origin,
+            shear: origin,
+            mass: origin,
+        })
+    }
+}
+
+impl PrincipalAxes {
+    /// The principal axes of bending, free of other internal forces, and of rotary inertia
+    /// about the mass center, which is zero without mass; `None` for a singular stiffness.
+    pub(super) fn of(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<Self> {
+        let compliance = stiffness.try_inverse()?;
+        let bending = compliance.fixed_view::<2, 2>(4, 4).try_inverse()?;
+        let (bending_angle, bending_stiffness) = principal(&bending);
+        let center = Centers::or_origin(stiffness, mass).mass;
+        let about = wrench::shift(mass, &Vector3::new(0.0, center.x, center.y));
+        let about = about.fixed_view::<2, 2>(4, 4).into_owned();
+        let (inertia_angle, inertia) = principal(&about);
+        Some(Self {
+            bending_angle,
+            bending_stiffness,
+            inertia_angle,
+            inertia,
+        })
+    }
+}
+
+/// The angle from +y to the nearest principal axis of a symmetric tensor over (y, z) [rad],
+/// and the values about it and about the other axis.
+///
+/// ```text
+/// angle = 1/2 atan(2 t_yz / (t_yy - t_zz))
+/// first, second = (t_yy + t_zz)/2 +- sign(t_yy - t_zz) sqrt(((t_yy - t_zz)/2)^2 + t_yz^2)
+/// ```
+fn principal(tensor: &Matrix2<f64>) -> (f64, [f64; 2]) {
+    let mean = 0.5 * (tensor[(0, 0)] + tensor[(1, 1)]);
+    let half = 0.5 * (tensor[(0, 0)] - tensor[(1, 1)]);
+    let mixed = 0.5 * (tensor[(0, 1)] + tensor[(1, 0)]);
+    let radius = half.hypot(mixed);
+    if radius <= EQUAL * mean.abs() {
+        return (0.0, [tensor[(0, 0)], tensor[(1, 1)]]);
+    }
+    let sign = if half < 0.0 { -1.0 } else { 1.0 };
+    let angle = 0.5 * (sign * mixed).atan2(sign * half);
+    (angle, [mean + sign * radius, mean - sign * radius])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::section::Engineering;
+    use crate::section::{Engineering, Provenance, parse, write};
 
     // Stiffness and mass assembled about known centers yield these centers; entries up to
     // 1e6 and back through an inverse: some 1e-10 of a meter.
@@ -57,5 +119,41 @@ mod tests {
         assert!((found.shear - known.shear).norm() < 1e-10);
         assert!((found.mass - known.mass).norm() < 1e-10);
         assert_eq!(Centers::of(&Matrix6::zeros(), &Matrix6::zeros()), None);
+    }
+
+    // A file of another program without the numbers that follow from the matrices has the
+    // same content as one with them; entries up to 1e6 and back through an inverse.
+    #[test]
+    fn a_file_needs_no_numbers_that_follow_from_the_matrices() {
+        let engineering = Engineering {
+            stiffness: [1e6, 2e5, 1e5, 3e2, 5e2, 7e3],
+            mass: [2.0, 0.01, 0.2],
+            centers: Centers {
+                tension: Vector2::new(0.03, -0.01),
+                shear: Vector2::new(-0.05, 0.02),
+                mass: Vector2::new(0.07, 0.04),
+            },
+            stiffness_angle: 0.3,
+            inertia_angle: -0.2,
+        };
+        let whole = engineering.section("a", Provenance::default());
+        let mut file: serde_json::Value = serde_json::from_str(&write(&whole)).unwrap();
+        let fields = file.as_object_mut().unwrap();
+        for field in ["centers", "principal_axes", "provenance"] {
+            assert!(fields.remove(field).is_some(), "{field}");
+        }
+        let found = parse(&file.to_string(), "a.json").unwrap();
+        let (of, to) = (&found.centers, &whole.centers);
+        assert!((of.tension - to.tension).norm() < 1e-10);
+        assert!((of.shear - to.shear).norm() < 1e-10);
+        assert!((of.mass - to.mass).norm() < 1e-10);
+        let (of, to) = (&found.principal_axes, &whole.principal_axes);
+        assert!((of.bending_angle - to.bending_angle).abs() < 1e-10);
+        assert!((of.inertia_angle - to.inertia_angle).abs() < 1e-10);
+        for i in 0..2 {
+            assert!((of.bending_stiffness[i] / to.bending_stiffness[i] - 1.0).abs() < 1e-10);
+            assert!((of.inertia[i] / to.inertia[i] - 1.0).abs() < 1e-10);
+        }
+        assert_eq!(found.provenance, Provenance::default());
     }
 }

@@ -63,8 +63,10 @@ struct File {
     reference_point: [f64; 2],
     stiffness: [[f64; 6]; 6],
     mass: [[f64; 6]; 6],
-    centers: FileCenters,
-    principal_axes: FileAxes,
+    #[serde(default)]
+    centers: Option<FileCenters>,
+    #[serde(default)]
+    principal_axes: Option<FileAxes>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     initial_curvature: Option<FileCurvature>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -77,6 +79,7 @@ struct File {
     damping: Option<FileDamping>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     prestress: Option<FilePrestress>,
+    #[serde(default)]
     provenance: FileProvenance,
 }
 
@@ -133,13 +136,17 @@ enum FileDamping {
     Viscous([[f64; 6]; 6]),
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// Origin of the numbers; a file of another program may have none.
+#[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FileProvenance {
     program: String,
     version: String,
+    #[serde(default)]
     input_hash: String,
+    #[serde(default)]
     nodes: usize,
+    #[serde(default)]
     cells: usize,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     history: Vec<FileStep>,
@@ -253,17 +260,17 @@ impl From<&SectionProperties> for File {
             reference_point: section.reference_point.into(),
             stiffness: rows(&section.stiffness),
             mass: rows(&section.mass),
-            centers: FileCenters {
+            centers: Some(FileCenters {
                 tension: section.centers.tension.into(),
                 shear: section.centers.shear.into(),
                 mass: section.centers.mass.into(),
-            },
-            principal_axes: FileAxes {
+            }),
+            principal_axes: Some(FileAxes {
                 bending_angle: axes.bending_angle,
                 bending_stiffness: axes.bending_stiffness,
                 inertia_angle: axes.inertia_angle,
                 inertia: axes.inertia,
-            },
+            }),
             initial_curvature: section.initial_curvature.map(|initial| FileCurvature {
                 curvature: initial.curvature.into(),
                 slope: initial.slope.into(),
@@ -361,22 +368,20 @@ impl File {
             capacitance: matrix("piezo capacitance", &piezo.capacitance),
             electrodes: piezo.electrodes,
         });
+        let (stiffness, mass) = (matrix6(&self.stiffness), matrix6(&self.mass));
         SectionProperties {
             name: self.name,
             reference_point: Vector2::from(self.reference_point),
-            stiffness: matrix6(&self.stiffness),
-            mass: matrix6(&self.mass),
-            centers: Centers {
-                tension: Vector2::from(self.centers.tension),
-                shear: Vector2::from(self.centers.shear),
-                mass: Vector2::from(self.centers.mass),
+            centers: match self.centers {
+                Some(centers) => centers.centers(),
+                None => Centers::or_origin(&stiffness, &mass),
             },
-            principal_axes: PrincipalAxes {
-                bending_angle: self.principal_axes.bending_angle,
-                bending_stiffness: self.principal_axes.bending_stiffness,
-                inertia_angle: self.principal_axes.inertia_angle,
-                inertia: self.principal_axes.inertia,
+            principal_axes: match self.principal_axes {
+                Some(axes) => axes.axes(),
+                None => PrincipalAxes::of(&stiffness, &mass).unwrap_or_default(),
             },
+            stiffness,
+            mass,
             initial_curvature: self.initial_curvature.map(|initial| InitialCurvature {
                 curvature: Vector3::from(initial.curvature),
                 slope: Vector3::from(initial.slope),
@@ -393,6 +398,27 @@ impl File {
                 history,
                 ..self.provenance.without_history()
             },
+        }
+    }
+}
+
+impl FileCenters {
+    fn centers(&self) -> Centers {
+        Centers {
+            tension: Vector2::from(self.tension),
+            shear: Vector2::from(self.shear),
+            mass: Vector2::from(self.mass),
+        }
+    }
+}
+
+impl FileAxes {
+    fn axes(&self) -> PrincipalAxes {
+        PrincipalAxes {
+            bending_angle: self.bending_angle,
+            bending_stiffness: self.bending_stiffness,
+            inertia_angle: self.inertia_angle,
+            inertia: self.inertia,
         }
     }
 }

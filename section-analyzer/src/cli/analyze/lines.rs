@@ -66,6 +66,9 @@ impl Lines {
             1 => line += "  1 warning",
             count => line += &format!("  {count} warnings"),
         }
+        if !outcome.removed.is_empty() {
+            line += "  derivatives of an earlier run removed";
+        }
         line.trim_end().to_owned()
     }
 

@@ -77,6 +77,8 @@ pub(super) struct Outcome {
     pub report: String,
     /// The result files.
     pub files: Vec<PathBuf>,
+    /// Derivatives of an earlier run that this run removed.
+    pub removed: Vec<PathBuf>,
     /// The reported problems.
     pub problems: Option<String>,
     /// Nodes of the mesh, if it could be read.
@@ -94,6 +96,7 @@ impl Outcome {
             status,
             report: String::new(),
             files: Vec::new(),
+            removed: Vec::new(),
             problems: None,
             nodes: None,
             properties: None,
@@ -132,6 +135,8 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
         true => None,
         false => unchanged(&files, &made_from),
     };
+    let derivatives = files.sensitivity();
+    let had_derivatives = run.sensitivity.is_none() && derivatives.exists();
     let solve = || {
         let results = ResultWriter::new(files).with_figures(run.figures);
         let in_circuit = |found| InCircuit::new(&input, found, run.figures.are_drawn());
@@ -141,7 +146,9 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
         }
     };
     let outcome = unchanged.unwrap_or_else(solve);
+    let is_removed = had_derivatives && !derivatives.exists();
     Outcome {
+        removed: is_removed.then_some(derivatives).into_iter().collect(),
         nodes: Some(input.section.mesh.nodes.len()),
         warnings: input.summary.warnings.len(),
         ..outcome

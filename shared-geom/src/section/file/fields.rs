@@ -51,15 +51,15 @@ pub(super) const FILE: &[Field] = &[
     needed("reference_point", Row(2)),
     needed("stiffness", Square(6)),
     needed("mass", Square(6)),
-    needed("centers", Table(CENTERS)),
-    needed("principal_axes", Table(AXES)),
+    optional("centers", Table(CENTERS)),
+    optional("principal_axes", Table(AXES)),
     optional("initial_curvature", Table(CURVATURE)),
     optional("piezo", Table(PIEZO)),
     optional("thermal_force", Row(6)),
     optional("imposed", Tables("the imposed state", STATE)),
     optional("damping", Either(DAMPING)),
     optional("prestress", Table(PRESTRESS)),
-    needed("provenance", Table(PROVENANCE)),
+    optional("provenance", Table(PROVENANCE)),
 ];
 const CENTERS: &[Field] = &[
     needed("tension", Row(2)),
@@ -96,9 +96,9 @@ const PRESTRESS: &[Field] = &[
 const PROVENANCE: &[Field] = &[
     needed("program", Text),
     needed("version", Text),
-    needed("input_hash", Text),
-    needed("nodes", Count),
-    needed("cells", Count),
+    optional("input_hash", Text),
+    optional("nodes", Count),
+    optional("cells", Count),
     optional("history", Tables("the step", STEP)),
 ];
 const STEP: &[Field] = &[

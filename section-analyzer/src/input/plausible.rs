@@ -1,0 +1,359 @@
+//! Numbers that are valid, but that no material and hardly a section has: likely units.
+//!
+//! The speed of sound of a material is `c = sqrt(E / rho)`. Metals, wood, glass, laminates
+//! and fibers have 1.2 (lead) to 20 km/s (carbon fiber), plastics 0.5 to 2, foams 0.3 to 1,
+//! rubber and silicone 10 to 100 m/s. The bounds are outside of all of them.
+
+use std::fmt;
+
+use shared_geom::figure::tick_label;
+
+use super::materials::WrittenMaterial;
+use super::summary::InputWarning;
+use crate::material::{ElasticLaw, Material};
+
+/// Speed of sound below which an isotropic material is suspect: silicone of 0.1 MPa has
+/// 9.5 m/s, steel of 210000 Pa (MPa forgotten) 5.2 [m/s].
+const SLOW: f64 = 8.0;
+/// The same for materials with directions, which are not as soft in their stiffest one:
+/// the softest honeycombs have 300 m/s, carbon plies of 500000 Pa 17 [m/s].
+const SLOW_ANISOTROPIC: f64 = 30.0;
+/// Speed of sound above which a material is suspect: carbon fibers have at most 20 km/s
+/// [m/s].
+const FAST: f64 = 25_000.0;
+/// Modulus below which a material without mass is suspect: gels, a fortieth of the softest
+/// silicone [Pa].
+const SOFT: f64 = 2.5e3;
+/// Modulus above which a material is suspect: diamond and carbon fibers have up to 1.2e12
+/// [Pa].
+const STIFF: f64 = 2e12;
+/// Densities of materials with stiffness: the lightest foams of structures have 15, osmium
+/// 22 590 [kg/m^3].
+const DENSITIES: (f64, f64) = (5.0, 23_000.0);
+/// Size of a section above which its unit is suspect: towers of wind turbines have a
+/// diameter of 10 m, blades a chord of up to 8 m [m].
+const LARGE: f64 = 20.0;
+
+/// Units in which a number may have been meant, and their factors [Pa, kg/m^3, m].
+const MODULI: [(&str, f64); 3] = [("GPa", 1e9), ("MPa", 1e6), ("psi", 6_894.757_293_168)];
+const HEAVY: [(&str, f64); 2] = [("g/cm^3", 1e3), ("t/mm^3", 1e12)];
+/// Speeds of sound and moduli of usual materials, for proposals [m/s], [Pa].
+const USUAL_SPEEDS: (f64, f64) = (200.0, 20_000.0);
+const USUAL_MODULI: (f64, f64) = (1e6, 1.2e12);
+
+/// A number that is likely in another unit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum UnlikelyInput {
+    /// A modulus that no material has, alone or with its density.
+    Modulus {
+        /// Name of the material.
+        material: String,
+        /// The largest modulus \[Pa\].
+        modulus: f64,
+        /// Its speed of sound; `None` without density \[m/s\].
+        speed: Option<f64>,
+        /// The likely mistake, as text.
+        likely: Option<String>,
+    },
+    /// A density that no material has.
+    Density {
+        /// Name of the material.
+        material: String,
+        /// The density \[kg/m^3\].
+        density: f64,
+        /// The likely mistake, as text.
+        likely: Option<String>,
+    },
+    /// A section larger than those of blades and towers.
+    Large {
+        /// Its largest extent along an axis \[m\].
+        size: f64,
+        /// Name of the unit of its mesh.
+        unit: String,
+    },
+}
+
+impl fmt::Display for UnlikelyInput {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let likely = match self {
+            Self::Modulus {
+                material,
+                modulus,
+                speed,
+                likely,
+            } => {
+                write!(
+                    f,
+                    "material \"{material}\": no known material has the modulus {modulus:.3e} Pa"
+                )?;
+                if let Some(speed) = speed {
+                    write!(f, " at its density (speed of sound {speed:.3e} m/s)")?;
+                }
+                likely
+            }
+            Self::Density {
+                material,
+                density,
+                likely,
+            } => {
+                write!(
+                    f,
+                    "material \"{material}\": no known material with a stiffness has the density \
+                     {density:.3e} kg/m^3"
+                )?;
+                likely
+            }
+            Self::Large { size, unit } => {
+                return write!(
+                    f,
+                    "the section is {} m large: check that the coordinates of the mesh \
+                     are in {unit}, as \"length\" of the units states",
+                    tick_label(*size, 0.0)
+                );
+            }
+        };
+        match likely {
+            Some(likely) => write!(f, ": {likely}"),
+            None => f.write_str(": check the units"),
+        }
+    }
+}
+
+/// Remarks on a material.
+pub(super) fn of_material(written: &WrittenMaterial) -> Vec<InputWarning> {
+    let Some(material) = &written.material else {
+        return Vec::new();
+    };
+    let found = unlikely(material);
+    found.into_iter().map(InputWarning::Unlikely).collect()
+}
+
+/// Remark on the extent `size` \[m\] of a mesh in `unit`.
+pub(super) fn of_size(size: f64, unit: &str) -> Option<InputWarning> {
+    (size > LARGE).then(|| {
+        InputWarning::Unlikely(UnlikelyInput::Large {
+            size,
+            unit: unit.to_owned(),
+        })
+    })
+}
+
+/// The unlikely number of a material: its density, or its modulus.
+fn unlikely(material: &Material) -> Option<UnlikelyInput> {
+    let modulus = largest_modulus(&material.law)?;
+    let (name, density) = (material.name.clone(), material.density);
+    let speed = (density > 0.0).then(|| (modulus / density).sqrt());
+    let is_light = density > 0.0 && density < DENSITIES.0;
+    if is_light || density > DENSITIES.1 {
+        return Some(UnlikelyInput::Density {
+            material: name,
+            density,
+            likely: likely_density(modulus, density),
+        });
+    }
+    let slow = match material.law {
+        ElasticLaw::Isotropic { .. } => SLOW,
+        _ => SLOW_ANISOTROPIC,
+    };
+    let is_soft = speed.map_or(modulus < SOFT, |speed| speed < slow);
+    let is_fast = speed.is_some_and(|speed| speed > FAST);
+    if !(is_soft || is_fast || modulus > STIFF) {
+        return None;
+    }
+    if is_fast
+        && modulus <= STIFF
+        && let Some(likely) = likely_density(modulus, density)
+    {
+        return Some(UnlikelyInput::Density {
+            material: name,
+            density,
+            likely: Some(likely),
+        });
+    }
+    Some(UnlikelyInput::Modulus {
+        material: name,
+        modulus,
+        speed,
+        likely: likely_modulus(modulus, density),
+    })
+}
+
+/// The largest modulus of a law; `None` for a material without stiffness \[Pa\].
+fn largest_modulus(law: &ElasticLaw) -> Option<f64> {
+    match law {
+        ElasticLaw::Isotropic { young, .. } => Some(*young),
+        ElasticLaw::Orthotropic(constants) => {
+            Some(constants.e1.max(constants.e2).max(constants.e3))
+        }
+        ElasticLaw::Full(stiffness) => Some(stiffness.diagonal().rows(0, 3).max()),
+        ElasticLaw::Absent => None,
+    }
+}
+
+/// Whether a modulus and a density (zero if unknown) are those of a usual material.
+fn is_usual(modulus: f64, density: f64) -> bool {
+    let (low, high) = USUAL_MODULI;
+    let (slow, fast) = USUAL_SPEEDS;
+    let is_heavy = density > DENSITIES.1 || (density > 0.0 && density < DENSITIES.0);
+    let speed = (modulus / density).sqrt();
+    (low..=high).contains(&modulus)
+        && !is_heavy
+        && (density == 0.0 || (slow..=fast).contains(&speed))
+}
+
+/// The likely mistake in a modulus: a unit that was forgotten, or used twice.
+fn likely_modulus(modulus: f64, density: f64) -> Option<String> {
+    let forgotten = MODULI
+        .iter()
+        .find(|(_, factor)| is_usual(modulus * factor, density));
+    if let Some((unit, _)) = forgotten {
+        return Some(format!(
+            "{} {unit} would be usual",
+            tick_label(modulus, 0.0)
+        ));
+    }
+    let twice = MODULI
+        .iter()
+        .find(|(_, factor)| is_usual(modulus / factor, density));
+    twice.map(|(unit, factor)| {
+        let modulus = tick_label(modulus / factor, 0.0);
+        format!("{modulus} Pa would be usual; is a number in Pa read as {unit}?")
+    })
+}
+
+/// The likely mistake in a density: a unit that was forgotten, or used twice.
+fn likely_density(modulus: f64, density: f64) -> Option<String> {
+    let forgotten = HEAVY
+        .iter()
+        .find(|(_, factor)| is_usual(modulus, density * factor));
+    if let Some((unit, _)) = forgotten {
+        return Some(format!(
+            "{} {unit} would be usual",
+            tick_label(density, 0.0)
+        ));
+    }
+    let twice = HEAVY
+        .iter()
+        .find(|(_, factor)| is_usual(modulus, density / factor));
+    twice.map(|(unit, factor)| {
+        let density = tick_label(density / factor, 0.0);
+        format!("{density} kg/m^3 would be usual; is a number in kg/m^3 read as {unit}?")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn isotropic(young: f64, density: f64) -> Material {
+        Material {
+            name: "a".to_owned(),
+            law: ElasticLaw::Isotropic {
+                young,
+                poisson: 0.3,
+            },
+            density,
+            expansion: None,
+            electric: None,
+        }
+    }
+
+    fn remark(young: f64, density: f64) -> String {
+        let found = unlikely(&isotropic(young, density));
+        found.map_or_else(String::new, |found| found.to_string())
+    }
+
+    /// Real materials: modulus [Pa] and density [kg/m^3] of handbooks, from soft to stiff.
+    #[test]
+    fn real_materials_are_not_remarked() {
+        for (name, young, density) in [
+            ("silicone", 0.1e6, 1100.0),
+            ("soft foam", 50e3, 30.0),
+            ("rubber", 2e6, 1100.0),
+            ("foam", 30e6, 60.0),
+            ("particle foam", 5e6, 20.0),
+            ("low-density polyethylene", 0.2e9, 920.0),
+            ("nylon", 3e9, 1150.0),
+            ("balsa", 3e9, 150.0),
+            ("lead", 16e9, 11_340.0),
+            ("glass laminate", 40e9, 1950.0),
+            ("aluminum", 70e9, 2700.0),
+            ("titanium", 114e9, 4430.0),
+            ("steel", 210e9, 7850.0),
+            ("beryllium", 300e9, 1850.0),
+            ("carbon fiber", 900e9, 2200.0),
+            ("tungsten", 411e9, 19_300.0),
+            ("osmium", 560e9, 22_590.0),
+            ("diamond", 1.1e12, 3515.0),
+            ("without mass", 1e9, 0.0),
+        ] {
+            assert_eq!(remark(young, density), "", "{name}");
+        }
+    }
+
+    #[test]
+    fn forgotten_units_are_remarked_with_the_likely_one() {
+        let told = |young, density, words: &str| {
+            let shown = remark(young, density);
+            assert!(shown.contains(words), "{young} {density}: {shown}");
+        };
+        told(73.1, 2780.0, "modulus 7.310e1 Pa at its density");
+        told(73.1, 2780.0, "73.1 GPa would be usual");
+        told(73_100.0, 2780.0, " MPa would be usual");
+        told(210_000.0, 7850.0, "MPa would be usual");
+        told(10.6e6 / 1e6, 2780.0, "GPa would be usual");
+        told(73.1, 0.0, "GPa would be usual");
+        told(
+            73.1e18,
+            2780.0,
+            " Pa would be usual; is a number in Pa read as GPa?",
+        );
+        told(
+            73.1e9,
+            2.78,
+            "density 2.780e0 kg/m^3: 2.78 g/cm^3 would be usual",
+        );
+        told(411e9, 19.3, "19.3 g/cm^3 would be usual");
+        told(30e6, 0.06, "g/cm^3 would be usual");
+        told(3e9, 1.15, "g/cm^3 would be usual");
+        told(
+            73.1e9,
+            2.78e6,
+            " kg/m^3 would be usual; is a number in kg/m^3 read as g/cm^3?",
+        );
+        told(210e9, 7.85e-9, "t/mm^3 would be usual");
+        // both in the units of mm, N, t: the modulus is 1e-6 of that of steel
+        told(2.1e5, 7.85e-9, "density");
+    }
+
+    /// A ply of carbon in MPa: 142e3 Pa, 1600 kg/m^3, 9.4 m/s.
+    #[test]
+    fn plies_are_not_as_soft_as_rubber() {
+        let mut ply = isotropic(1.0, 1600.0);
+        let constants = crate::section::samples::CARBON;
+        ply.law = ElasticLaw::Orthotropic(constants);
+        assert_eq!(unlikely(&ply), None);
+        let soft = crate::material::EngineeringConstants {
+            e1: 1e-6 * constants.e1,
+            e2: 1e-6 * constants.e2,
+            e3: 1e-6 * constants.e3,
+            ..constants
+        };
+        ply.law = ElasticLaw::Orthotropic(soft);
+        let shown = unlikely(&ply).unwrap().to_string();
+        assert!(shown.contains("MPa would be usual"), "{shown}");
+    }
+
+    #[test]
+    fn a_mesh_in_millimeters_is_remarked_and_a_chord_is_not() {
+        for size in [0.02, 5.0, 8.0, 12.0] {
+            assert_eq!(of_size(size, "m"), None);
+        }
+        let shown = of_size(100.0, "m").unwrap().to_string();
+        assert_eq!(
+            shown,
+            "the section is 100 m large: check that the coordinates of the mesh are in m, as \
+             \"length\" of the units states"
+        );
+    }
+}
