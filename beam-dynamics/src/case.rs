@@ -7,9 +7,11 @@ use crate::assembly::System;
 use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
 
 mod columns;
+mod mode_style;
 mod transient;
 
 pub use columns::{Column, ElectrodeQuantity, Every, OutputQuestion, Quantity};
+pub use mode_style::{FrequencyUnit, ModeStyle, Words};
 pub use transient::{InitialMotion, Redundant, Start, StartAccelerations, TransientQuestion};
 
 /// Rotation of the model's frame.
@@ -161,6 +163,8 @@ pub struct ModesQuestion {
     pub shapes: Vec<f64>,
     /// Whether these shapes are animated as field files.
     pub animate: bool,
+    /// Words, units and multiples of tables and figures.
+    pub style: ModeStyle,
 }
 
 impl ModesQuestion {
@@ -172,6 +176,7 @@ impl ModesQuestion {
             shapes: Vec::new(),
             animate: false,
             damping: ModalDamping::Found,
+            style: ModeStyle::default(),
         }
     }
 

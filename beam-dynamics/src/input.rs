@@ -52,6 +52,7 @@ mod laws;
 mod loads;
 mod measured;
 mod modal_damping;
+mod mode_style;
 mod moments;
 mod naming;
 mod nodes;

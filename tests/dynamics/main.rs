@@ -15,6 +15,7 @@ mod damping;
 mod elastic_pendulums;
 mod energy_watch;
 mod equal_blades;
+mod fixed_frame;
 mod formats;
 mod free_flight;
 mod heat;

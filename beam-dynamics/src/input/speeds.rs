@@ -7,6 +7,7 @@ use shared_geom::units::Dimension;
 
 use super::counts::at_most;
 use super::modal_damping;
+use super::mode_style;
 use super::problem::InputProblem;
 use crate::case::ModesQuestion;
 
@@ -32,10 +33,12 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
     };
     let shapes = shapes(&table, speeds.as_deref());
     let damping = modal_damping::read(&table);
+    let style = mode_style::read(&table, speeds.as_deref());
     table.finish();
     let mut question = ModesQuestion::new(speeds?, count?);
     (question.animate, question.shapes) = shapes?;
     question.damping = damping?;
+    question.style = style?;
     if question.shapes.is_empty() {
         question.shapes = question.ends();
     }
@@ -121,24 +124,28 @@ fn chosen_shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<Vec<f64>> 
     const KEY: &str = "shape_speeds";
     let wanted = table.quantities(KEY, Dimension::ROTATION_SPEED)?;
     let speeds = speeds?;
-    let nearest = |wanted: f64| {
-        let distance = |speed: f64| (speed - wanted).abs();
-        speeds
-            .iter()
-            .copied()
-            .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
-    };
     let mut found = Vec::with_capacity(wanted.len());
     for &wanted in &wanted {
-        let nearest = nearest(wanted)?;
-        if (nearest - wanted).abs() <= SAME_SPEED * nearest.abs() {
+        let (is_analyzed, nearest) = analyzed(speeds, wanted)?;
+        if is_analyzed {
             found.push(nearest);
             continue;
         }
         let [rpm, nearest] = [wanted, nearest].map(|speed| speed / RPM);
-        table.note(KEY, &InputProblem::ShapeSpeed { rpm, nearest });
+        let key = KEY;
+        table.note(KEY, &InputProblem::ShapeSpeed { key, rpm, nearest });
     }
     (found.len() == wanted.len()).then_some(found)
+}
+
+/// The speed nearest to `wanted`, and whether it is the same one; `None` without speeds.
+pub(super) fn analyzed(speeds: &[f64], wanted: f64) -> Option<(bool, f64)> {
+    let distance = |speed: f64| (speed - wanted).abs();
+    let nearest = speeds
+        .iter()
+        .copied()
+        .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))?;
+    Some((distance(nearest) <= SAME_SPEED * nearest.abs(), nearest))
 }
 
 #[cfg(test)]
