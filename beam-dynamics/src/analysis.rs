@@ -1,6 +1,7 @@
 //! Analyses: the code of each follows its method, one call per step.
 
 mod bending;
+mod branches;
 pub mod buckling;
 mod critical;
 mod fewer_modes;

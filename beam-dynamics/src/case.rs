@@ -7,9 +7,11 @@ use crate::assembly::System;
 use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
 
 mod columns;
+mod mode_style;
 mod transient;
 
 pub use columns::{Column, ElectrodeQuantity, Every, OutputQuestion, Quantity};
+pub use mode_style::{FrequencyUnit, ModeStyle, Words};
 pub use transient::{
     InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientQuestion,
 };
@@ -164,6 +166,8 @@ pub struct ModesQuestion {
     pub shapes: Vec<f64>,
     /// Whether these shapes are animated as field files.
     pub animate: bool,
+    /// Words, units and multiples of tables and figures.
+    pub style: ModeStyle,
 }
 
 impl ModesQuestion {
@@ -175,6 +179,7 @@ impl ModesQuestion {
             shapes: Vec::new(),
             animate: false,
             damping: ModalDamping::Found,
+            style: ModeStyle::default(),
         }
     }
 

@@ -105,6 +105,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
             return DONE;
         }
     };
+    terminal.set_quiet(arguments.command.is_quiet());
     match arguments.command {
         Command::Modes {
             files,

@@ -51,6 +51,7 @@ mod laws;
 mod loads;
 mod measured;
 mod modal_damping;
+mod mode_style;
 mod moments;
 mod naming;
 mod nodes;

@@ -14,7 +14,9 @@ mod rows;
 mod shapes;
 mod statics;
 mod structure;
+mod table_changes;
 mod table_csv;
+mod table_fixed;
 mod table_modes;
 mod table_text;
 mod text;
@@ -39,6 +41,7 @@ pub use statics::{
     reaction_csv, static_text, write_static,
 };
 pub use table_csv::frequency_csv;
+pub use table_fixed::{campbell_csv, critical_csv, fixed_text};
 pub use table_modes::mode_csv;
 pub use table_text::{CONVENTION, convention, frequency_text};
 pub use transient::{

@@ -2,15 +2,22 @@
 
 use nalgebra::{Complex, Matrix3};
 
+use crate::case::{ModeStyle, Words};
+
 mod buckling;
 mod columns;
+mod fixed;
 mod statics;
 mod transient;
 
 pub use buckling::{BucklingMode, BucklingResult};
 pub use columns::ColumnValues;
+pub use fixed::{CriticalSpeed, FixedLine, FixedPoint, FixedTable};
 pub use statics::{StaticResult, StaticStep};
 pub use transient::{Effort, Moment, Recorder, Snapshot};
+
+/// Least share of the kinetic energy for which a mode is named by one kind.
+const PURE_SHARE: f64 = 0.6;
 
 /// The dominant motion of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -23,6 +30,8 @@ pub enum ModeKind {
     Torsion,
     /// Extension.
     Axial,
+    /// Across the axis of rotation, of nodes that belong to no blade: shafts and hubs.
+    Lateral,
     /// No kind holds enough of the kinetic energy.
     Coupled,
 }
@@ -31,13 +40,31 @@ impl ModeKind {
     /// The four pure kinds, in the order of [`Shares`].
     pub const PURE: [Self; 4] = [Self::Flap, Self::Lag, Self::Torsion, Self::Axial];
 
-    /// The word for the kind.
+    /// The kind that holds most of the energy, or coupled if none holds enough.
+    pub fn of(shares: &Shares) -> Self {
+        let pure = Self::PURE.into_iter().zip(shares);
+        match pure.max_by(|a, b| a.1.total_cmp(b.1)) {
+            Some((kind, &share)) if share >= PURE_SHARE => kind,
+            _ => Self::Coupled,
+        }
+    }
+
+    /// The word for the kind among these words.
+    pub fn word_in(self, words: Words) -> &'static str {
+        match (self, words) {
+            (Self::Lag, Words::Wind) => "edge",
+            _ => self.word(),
+        }
+    }
+
+    /// The word for the kind, for rotors.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Flap => "flap",
             Self::Lag => "lag",
             Self::Torsion => "torsion",
             Self::Axial => "axial",
+            Self::Lateral => "lateral",
             Self::Coupled => "coupled",
         }
     }
@@ -52,9 +79,10 @@ pub type Shares = [f64; 4];
 pub struct Whirl {
     /// Waves around the rotor, positive in the direction of rotation.
     pub harmonic: i32,
-    /// Number of blades.
+    /// Number of blades; zero for the whirl of a shaft.
     pub blades: usize,
-    /// Share of the kinetic energy of the blades in this pattern; the hub is ignored [-].
+    /// Share of the kinetic energy of the blades in this pattern, the hub being ignored; of a
+    /// shaft, of its nodes [-].
     pub share: f64,
 }
 
@@ -67,7 +95,28 @@ pub enum Direction {
     Backward,
 }
 
+impl Direction {
+    /// The direction as a word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Forward => "forward",
+            Self::Backward => "backward",
+        }
+    }
+}
+
 impl Whirl {
+    /// The pattern among these words.
+    pub fn word_in(&self, words: Words) -> String {
+        let word = self.word();
+        match words {
+            Words::Rotor => word,
+            Words::Wind => word
+                .replace("progressive", "forward")
+                .replace("regressive", "backward"),
+        }
+    }
+
     /// The pattern as a word, relative to the turning axes.
     pub fn word(&self) -> String {
         let waves = self.harmonic.unsigned_abs() as usize;
@@ -76,6 +125,7 @@ impl Whirl {
             _ => format!("{word} x{waves}"),
         };
         match self.harmonic {
+            0 if self.blades == 0 => "no whirl".to_owned(),
             0 => "collective".to_owned(),
             _ if 2 * waves == self.blades => "differential".to_owned(),
             1.. => several("progressive"),
@@ -84,20 +134,36 @@ impl Whirl {
     }
 
     /// Frequency in the fixed system of a mode of `frequency` in the turning axes at a
-    /// rotor speed, both [Hz], `|f + h n|`, and its direction around the rotor; `None` for
-    /// collective and differential modes, which have no direction.
-    pub fn in_fixed_system(&self, frequency: f64, speed: f64) -> Option<(f64, Direction)> {
-        let waves = self.harmonic.unsigned_abs() as usize;
-        if waves == 0 || 2 * waves == self.blades {
-            return None;
+    /// rotor speed, both [Hz], `|f + h n|`, and its direction around the rotor; collective and
+    /// differential modes keep their frequency and have no direction.
+    pub fn in_fixed_system(&self, frequency: f64, speed: f64) -> (f64, Option<Direction>) {
+        let seen = self.signed_in_fixed_system(frequency, speed);
+        if !self.has_direction() {
+            return (seen, None);
         }
-        let seen = frequency + f64::from(self.harmonic) * speed;
-        let forward = (seen >= 0.0) == (self.harmonic > 0);
-        let direction = match forward {
+        let direction = match seen >= 0.0 {
             true => Direction::Forward,
             false => Direction::Backward,
         };
-        Some((seen.abs(), direction))
+        (seen.abs(), Some(direction))
+    }
+
+    /// Frequency in the fixed system [Hz], positive if the motion runs forward around the rotor and
+    /// negative if it runs backward: `sign(h) (f + h n)`.
+    pub fn signed_in_fixed_system(&self, frequency: f64, speed: f64) -> f64 {
+        match self.has_direction() {
+            true => {
+                let harmonic = f64::from(self.harmonic);
+                harmonic.signum() * (frequency + harmonic * speed)
+            }
+            false => frequency,
+        }
+    }
+
+    /// Whether the pattern runs around the rotor.
+    pub fn has_direction(&self) -> bool {
+        let waves = self.harmonic.unsigned_abs() as usize;
+        waves > 0 && 2 * waves != self.blades
     }
 }
 
@@ -112,6 +178,9 @@ pub struct ModePoint {
     pub growth: f64,
     /// Shares of the motions at this speed [-].
     pub shares: Shares,
+    /// Share of the motion across the axis of rotation of nodes that belong to no blade and are on
+    /// the axis; part of flap and lag in `shares` [-].
+    pub lateral: f64,
     /// Pattern of motion of the blades; `None` without a rotor of equal blades.
     pub whirl: Option<Whirl>,
     /// Modal assurance criterion with the same mode at the previous speed; `None` where the
@@ -119,6 +188,16 @@ pub struct ModePoint {
     pub assurance: Option<f64>,
     /// Motion of the nodes, at the speeds at which it was requested.
     pub shape: Option<ModeShape>,
+}
+
+impl ModePoint {
+    /// Kind at this speed.
+    pub fn kind(&self) -> ModeKind {
+        match self.lateral >= PURE_SHARE {
+            true => ModeKind::Lateral,
+            false => ModeKind::of(&self.shares),
+        }
+    }
 }
 
 /// Motion of the nodes in a mode, of unit kinetic energy and with its largest entry
@@ -136,16 +215,45 @@ pub struct ModeShape {
 /// One mode, followed over the speeds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeBranch {
-    /// Name: kind and number, for example `flap 2`; given at the first speed of the branch
-    /// and kept while the mode is followed.
+    /// Name: kind and number, for example `flap 2`; given at the speed of names, or else at the
+    /// first speed of the branch, and kept while the mode is followed.
     pub name: String,
-    /// Kind at the first speed of the branch.
+    /// Kind at the speed of the name.
     pub kind: ModeKind,
-    /// Waves around the rotor at the first speed; `None` without a rotor of equal blades
+    /// Waves around the rotor at the speed of the name; `None` without a rotor of equal blades
     /// and if no pattern prevails.
     pub harmonic: Option<i32>,
     /// The mode at each speed; `None` where it was not computed.
     pub points: Vec<Option<ModePoint>>,
+}
+
+impl ModeBranch {
+    /// Kind at the speed of `point`: another one than that of the name only if it is distinct.
+    pub fn kind_at(&self, point: &ModePoint) -> ModeKind {
+        match point.kind() {
+            ModeKind::Coupled => self.kind,
+            kind if self.kind != ModeKind::Coupled => kind,
+            _ => self.kind,
+        }
+    }
+
+    /// Name at the speed of `point`, for example `flap 2 (now torsion)` where the mode has changed
+    /// its kind.
+    pub fn name_at(&self, point: &ModePoint, words: Words) -> String {
+        let kind = self.kind_at(point);
+        match kind == self.kind {
+            true => self.name.clone(),
+            false => format!("{} (now {})", self.name, kind.word_in(words)),
+        }
+    }
+
+    /// Name without the pattern of the blades: `flap 1` of `flap 1 collective`.
+    pub fn stem(&self) -> &str {
+        let mut spaces = self.name.match_indices(' ');
+        spaces
+            .nth(1)
+            .map_or(&self.name, |(place, _)| &self.name[..place])
+    }
 }
 
 /// Effort and result of the steady equilibrium at one speed.
@@ -174,9 +282,30 @@ pub struct FrequencyTable {
     pub equilibria: Vec<EquilibriumReport>,
     /// Remarks for the user, for example on an unstable equilibrium.
     pub remarks: Vec<String>,
+    /// Words, units and multiples of tables and figures.
+    pub style: ModeStyle,
 }
 
 impl FrequencyTable {
+    /// Multiples of the rotor speed of figures and critical speeds: the chosen ones, or else 1, b,
+    /// 2b and 3b for b blades, and 1 and 2 for a shaft.
+    pub fn harmonics(&self) -> Vec<u32> {
+        if !self.style.harmonics.is_empty() {
+            return self.style.harmonics.clone();
+        }
+        match u32::try_from(self.blades()) {
+            Ok(blades) if blades > 1 => vec![1, blades, 2 * blades, 3 * blades],
+            _ => vec![1, 2],
+        }
+    }
+
+    /// Number of blades of the rotor; zero without a rotor of equal blades.
+    pub fn blades(&self) -> usize {
+        let points = self.branches.iter().flat_map(|b| b.points.iter().flatten());
+        let whirls = points.filter_map(|point| point.whirl);
+        whirls.map(|whirl| whirl.blades).max().unwrap_or(0)
+    }
+
     /// Branches at index `speed` of the speeds with their points, ascending in frequency.
     pub fn at_speed(&self, speed: usize) -> Vec<(&ModeBranch, &ModePoint)> {
         let mut found: Vec<_> = self

@@ -102,10 +102,10 @@ fn copies_are_collective_cyclic_and_differential() {
         share: 1.0,
     };
     let seen = |harmonic, f| whirl(harmonic).in_fixed_system(f, 3.0);
-    assert_eq!(seen(1, 10.0), Some((13.0, Direction::Forward)));
-    assert_eq!(seen(-1, 10.0), Some((7.0, Direction::Backward)));
-    assert_eq!(seen(-1, 2.0), Some((1.0, Direction::Forward)));
-    assert_eq!((seen(0, 10.0), seen(2, 10.0)), (None, None));
+    assert_eq!(seen(1, 10.0), (13.0, Some(Direction::Forward)));
+    assert_eq!(seen(-1, 10.0), (7.0, Some(Direction::Backward)));
+    assert_eq!(seen(-1, 2.0), (1.0, Some(Direction::Forward)));
+    assert_eq!((seen(0, 10.0), seen(2, 10.0)), ((10.0, None), (10.0, None)));
 }
 
 /// A tip piece a million times as stiff as the blade: the result has few digits, which a remark

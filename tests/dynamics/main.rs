@@ -17,6 +17,7 @@ mod effort;
 mod elastic_pendulums;
 mod energy_watch;
 mod equal_blades;
+mod fixed_frame;
 mod formats;
 mod free_flight;
 mod heat;

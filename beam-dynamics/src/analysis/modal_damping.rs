@@ -62,6 +62,7 @@ mod tests {
             damping_ratio: 0.0,
             growth: 0.0,
             shares: [1.0, 0.0, 0.0, 0.0],
+            lateral: 0.0,
             whirl: None,
             assurance: None,
             shape: None,

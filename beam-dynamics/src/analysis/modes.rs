@@ -8,12 +8,13 @@ use crate::case::{Model, ModesQuestion};
 use crate::model::State;
 use crate::modes::{
     EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, align, assurances, closeness,
-    follow, separate,
+    follow, separate, shaft_whirl,
 };
-use crate::result::{EquilibriumReport, FrequencyTable, ModeBranch, ModeKind, ModePoint};
+use crate::result::{EquilibriumReport, FrequencyTable, ModePoint};
 use crate::solver::LinearSolver;
 
 use super::bending::bending;
+use super::branches::Branches;
 use super::fewer_modes::why_no_more;
 use super::first_order::first_order;
 use super::growing;
@@ -28,8 +29,6 @@ const FOLLOWED: f64 = 0.8;
 /// Relative residual above which the reader is told that digits are lost: frequencies
 /// are then wrong in about the fifth digit.
 const TRUSTED: f64 = 1e-5;
-/// Share of the energy in one way of the blades moving together that names a mode.
-const PURE: f64 = 0.6;
 /// Halvings of a step in speed for following modes.
 const HALVINGS: usize = 5;
 
@@ -104,9 +103,11 @@ impl Case<'_> {
     fn describe(&self, mode: &mut Mode) {
         let naming = &self.model.naming;
         mode.point.shares = mode.motion.shares(naming);
-        mode.point.whirl = self
+        mode.point.lateral = mode.motion.lateral(naming);
+        let of_blades = self
             .rotor
             .and_then(|rotor| rotor.whirl(&mode.motion, naming));
+        mode.point.whirl = of_blades.or_else(|| shaft_whirl(&mode.motion, naming));
     }
 }
 
@@ -126,9 +127,10 @@ pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
         branches: Vec::new(),
         equilibria: Vec::new(),
         remarks: Vec::new(),
+        style: question.style.clone(),
     };
     let failure = run(case, &mut branches, &mut table).err();
-    table.branches = branches.into_table(case.question.count, table.speeds.len());
+    table.branches = branches.into_table(question.count, &table.speeds, &question.style);
     let unknown = modal_damping::give(&question.damping, &mut table.branches);
     table.remarks.extend(unknown);
     ModesOutcome { table, failure }
@@ -160,7 +162,8 @@ fn run(
         // Only now: the copies of repeated modes have been turned.
         now.found.iter_mut().for_each(|mode| case.describe(mode));
         let with_shapes = case.question.shapes.contains(speed);
-        branches.add(&now, links.as_deref(), with_shapes);
+        let found: Vec<_> = now.found.iter().map(|m| (&m.point, &m.motion)).collect();
+        branches.add(&found, links.as_deref(), with_shapes);
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
         table.remarks.extend(remarks(case, &now, last.is_none()));
@@ -343,6 +346,7 @@ fn point(pair: &Eigenpair) -> ModePoint {
         },
         growth: pair.growth,
         shares: [0.0; 4],
+        lateral: 0.0,
         whirl: None,
         assurance: None,
         shape: None,
@@ -420,81 +424,4 @@ fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     }
     let linked = |(i, next): (usize, &Option<usize>)| next.map(|j| (j, macs[i][j]));
     followed.iter().enumerate().map(linked).collect()
-}
-
-/// Modes while they are being followed.
-#[derive(Default)]
-struct Branches {
-    all: Vec<ModeBranch>,
-    /// Branch of each mode at the last speed.
-    current: Vec<usize>,
-    speeds: usize,
-}
-
-impl Branches {
-    /// Adds the modes of one more speed; `links` leads from the modes before.
-    fn add(&mut self, modes: &Modes, links: Option<&[Option<(usize, f64)>]>, with_shapes: bool) {
-        let mut branch_of = vec![None; modes.found.len()];
-        for (i, link) in links.unwrap_or(&[]).iter().enumerate() {
-            if let Some((j, mac)) = link {
-                branch_of[*j] = Some((self.current[i], *mac));
-            }
-        }
-        self.current = modes
-            .found
-            .iter()
-            .zip(branch_of)
-            .map(|(mode, link)| {
-                let branch = link.map_or_else(|| self.begin(mode), |(branch, _)| branch);
-                let mut point = mode.point.clone();
-                point.assurance = link.map(|(_, mac)| mac);
-                point.shape = with_shapes.then(|| mode.motion.shape());
-                self.all[branch].points.resize(self.speeds, None);
-                self.all[branch].points.push(Some(point));
-                branch
-            })
-            .collect();
-        self.speeds += 1;
-    }
-
-    /// A branch that begins with `mode`, named by its kind, the next number of it, and on
-    /// a rotor by how the blades move together.
-    fn begin(&mut self, mode: &Mode) -> usize {
-        let kind: ModeKind = ModeMotion::kind(&mode.point.shares);
-        let whirl = mode.point.whirl.filter(|whirl| whirl.share >= PURE);
-        let harmonic = whirl.map(|whirl| whirl.harmonic);
-        let like = |branch: &&ModeBranch| branch.kind == kind && branch.harmonic == harmonic;
-        let number = 1 + self.all.iter().filter(like).count();
-        let together = whirl.map_or_else(String::new, |whirl| format!(" {}", whirl.word()));
-        self.all.push(ModeBranch {
-            name: format!("{} {number}{together}", kind.word()),
-            kind,
-            harmonic,
-            points: Vec::new(),
-        });
-        self.all.len() - 1
-    }
-
-    /// The branches that are among the lowest `count` modes at some speed.
-    fn into_table(mut self, count: usize, speeds: usize) -> Vec<ModeBranch> {
-        for branch in &mut self.all {
-            branch.points.resize(speeds, None);
-        }
-        let rank = |branch: &ModeBranch, speed: usize| -> Option<usize> {
-            let own = branch.points[speed].as_ref()?.frequency;
-            let below = self
-                .all
-                .iter()
-                .filter_map(|other| other.points[speed].as_ref());
-            Some(below.filter(|point| point.frequency < own).count())
-        };
-        let kept: Vec<_> = self
-            .all
-            .iter()
-            .map(|b| (0..speeds).any(|speed| rank(b, speed).is_some_and(|r| r < count)))
-            .collect();
-        let mut kept = kept.into_iter();
-        self.all.retain(|_| kept.next().unwrap_or(false));
-        self.all
-    }
 }

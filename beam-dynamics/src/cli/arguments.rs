@@ -62,6 +62,8 @@ folder DIR:
   NAME.comparison.csv    measured and computed frequencies, where there are measurements
   NAME.modes.csv         what each mode is: damping, growth, shares of the energy, whirl
   NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed; damping
+  NAME.campbell.csv, .png, .svg   the same in the fixed system, for rotors and shafts
+  NAME.critical_speeds.csv   speeds at which a frequency is a multiple of the rotor speed
   NAME.shapes_at_*.png, .svg   shapes along the span at the first and the last speed
   NAME.modes/            with --vtu: a series .pvd of field files for each mode
 where FILE is NAME.dynamics.toml.
@@ -281,6 +283,22 @@ pub(super) struct Results {
     /// Draw no figures; removes the figures of an earlier run
     #[arg(long)]
     pub no_figures: bool,
+    /// Print no report; problems are still reported on the error stream
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+impl Command {
+    /// Whether no report is printed.
+    pub fn is_quiet(&self) -> bool {
+        match self {
+            Self::Modes { results, .. }
+            | Self::Static { results, .. }
+            | Self::Buckling { results, .. }
+            | Self::Transient { results, .. } => results.quiet,
+            _ => false,
+        }
+    }
 }
 
 #[derive(Debug, Subcommand)]

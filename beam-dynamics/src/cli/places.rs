@@ -67,6 +67,7 @@ mod tests {
             let results = Results {
                 out: out.map(PathBuf::from),
                 no_figures: false,
+                quiet: false,
             };
             let told = places(&files.map(PathBuf::from), &results);
             told.err().map(|problem| problem.to_string())

@@ -21,6 +21,8 @@ pub(super) struct Terminal<'a> {
     place: Place<'a>,
     /// Whether output was lost for another reason than a closed pipe.
     failed: bool,
+    /// Whether the output stream takes nothing.
+    quiet: bool,
 }
 
 /// Destination of messages.
@@ -41,6 +43,7 @@ impl<'a> Terminal<'a> {
         Self {
             place: Place::Streams { out, err },
             failed: false,
+            quiet: false,
         }
     }
 
@@ -50,6 +53,7 @@ impl<'a> Terminal<'a> {
         Self {
             place: Place::Other { send, part },
             failed: false,
+            quiet: false,
         }
     }
 
@@ -59,6 +63,11 @@ impl<'a> Terminal<'a> {
             Place::Streams { .. } => None,
             Place::Other { part, .. } => Some(part),
         }
+    }
+
+    /// Writes nothing more to the output stream, if `quiet`.
+    pub fn set_quiet(&mut self, quiet: bool) {
+        self.quiet = quiet;
     }
 
     /// Writes `text` unchanged.
@@ -83,6 +92,7 @@ impl<'a> Terminal<'a> {
             Place::Other { send, .. } => return send(message),
         };
         let results = match message {
+            Message::Shown(_) if self.quiet => [Ok(()), Ok(())],
             Message::Shown(text) => [out.write_all(text.as_bytes()), Ok(())],
             Message::Flush => [out.flush(), Ok(())],
             Message::Told(text) => [out.flush(), writeln!(err, "{text}")],

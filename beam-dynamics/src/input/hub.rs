@@ -176,6 +176,17 @@ impl Hub {
         Matrix3::from_columns(&[x, self.axis.cross(&x), self.axis])
     }
 
+    /// Axes of a shaft (columns): x along the axis of rotation.
+    pub fn shaft_axes(&self) -> Matrix3<f64> {
+        let axes = self.axes();
+        Matrix3::from_columns(&[axes.column(2), axes.column(0), axes.column(1)])
+    }
+
+    /// Distance of a point from the axis of rotation \[m\].
+    pub fn distance(&self, position: &Vector3<f64>) -> f64 {
+        self.axis.cross(&(position - self.center)).norm()
+    }
+
     fn turn(&self, azimuth: f64) -> Matrix3<f64> {
         vector::to_rotation(&(self.axis * azimuth))
     }

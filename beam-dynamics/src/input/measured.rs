@@ -10,6 +10,7 @@ use shared_geom::error::Diagnostics;
 use super::csv_rows;
 use super::problem::InputProblem;
 use super::speeds::RPM;
+use crate::case::Words as ModeWords;
 use crate::result::{Measured, MeasuredPoint, ModeKind};
 
 /// Kinds of modes that `leave_out` may name.
@@ -56,7 +57,8 @@ fn kinds(table: &Table<'_>) -> Option<Vec<ModeKind>> {
         return Some(Vec::new());
     }
     let kind = |found: String| {
-        let kind = ModeKind::PURE.into_iter().find(|kind| kind.word() == found);
+        let is_it = |kind: &ModeKind| ModeWords::ALL.iter().any(|w| kind.word_in(*w) == found);
+        let kind = ModeKind::PURE.into_iter().find(is_it);
         if kind.is_none() {
             let known = ModeKind::PURE.map(|kind| kind.word().to_owned()).to_vec();
             let key = KEY.to_owned();

@@ -6,7 +6,7 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
-use crate::case::ModalDamping;
+use crate::case::{ModalDamping, Words};
 use crate::result::ModeKind;
 
 keys! {
@@ -70,11 +70,12 @@ fn is_ratio(number: f64) -> bool {
 
 /// Whether a name begins with a kind of mode.
 fn begins_with_kind(name: &str) -> bool {
-    let coupled = ModeKind::Coupled.word();
+    let others = [ModeKind::Coupled, ModeKind::Lateral].map(ModeKind::word);
     let mut kinds = ModeKind::PURE
         .iter()
         .map(|kind| kind.word())
-        .chain([coupled]);
+        .chain(others)
+        .chain([ModeKind::Lag.word_in(Words::Wind)]);
     kinds.any(|kind| {
         name.strip_prefix(kind)
             .is_some_and(|rest| rest.starts_with(' '))

@@ -3,6 +3,9 @@
 //! A node of a blade takes the axes of the blade's root, and so does every node connected
 //! with it by beams and joints. If no blade is connected, the span is the section axis x at
 //! the clamped node of the connected beams, or else at their first node.
+//!
+//! A node on the axis of rotation that belongs to no blade, and to no beam across the axis, is
+//! central, as the nodes of shafts and hubs: x of its axes is the axis of rotation.
 
 use std::collections::BTreeMap;
 
@@ -11,17 +14,53 @@ use nalgebra::Matrix3;
 use super::draft::Draft;
 use crate::model::NamingAxes;
 
+/// Part of the size of the model up to which a node is on the axis of rotation.
+const ON_AXIS: f64 = 1e-9;
+
 impl Draft {
     /// Axes for naming, one per node; `None` without a hub.
     pub fn naming(&self) -> Option<Vec<NamingAxes>> {
         let groups = self.connected();
         let sections = self.sections();
         let group_axes = self.group_axes(&groups, &sections)?;
-        let axes = |node: usize| NamingAxes {
-            blade: self.blade_axes(node).unwrap_or(group_axes[&groups[node]]),
-            section: sections[node],
+        let central = self.central()?;
+        let along = self.hub()?.shaft_axes();
+        let axes = |node: usize| match central[node] {
+            true => NamingAxes {
+                blade: along,
+                section: along,
+                is_central: true,
+            },
+            false => NamingAxes {
+                blade: self.blade_axes(node).unwrap_or(group_axes[&groups[node]]),
+                section: sections[node],
+                is_central: false,
+            },
         };
         Some((0..groups.len()).map(axes).collect())
+    }
+
+    /// Whether each node is on the axis of rotation and belongs neither to a blade nor to a beam
+    /// across the axis; `None` without a hub.
+    fn central(&self) -> Option<Vec<bool>> {
+        let hub = self.hub()?;
+        let size = self.nodes().iter().map(|node| node.position.norm());
+        let near = ON_AXIS * size.fold(0.0, f64::max);
+        let is_free = |node: usize| self.blade_axes(node).is_none();
+        let nodes = self.nodes().iter().enumerate();
+        let mut central: Vec<_> = nodes
+            .map(|(k, node)| is_free(k) && hub.distance(&node.position) <= near)
+            .collect();
+        for beam in self.beams() {
+            let is_along = beam
+                .nodes
+                .iter()
+                .all(|&node| hub.distance(&self.nodes()[node].position) <= near);
+            if !is_along {
+                beam.nodes.iter().for_each(|&node| central[node] = false);
+            }
+        }
+        Some(central)
     }
 
     /// Blade axes of each group of connected nodes, by its first node.

@@ -313,12 +313,20 @@ pub enum InputProblem {
         rpm: f64,
     },
     /// A speed for shapes that is not analyzed.
-    #[error("\"shape_speeds\" has the speed {} rpm, expected some of \"speeds\"", six(*.rpm))]
+    #[error("\"{key}\" has the speed {} rpm, expected some of \"speeds\"", six(*.rpm))]
     ShapeSpeed {
+        /// The key.
+        key: &'static str,
         /// The speed \[rpm\].
         rpm: f64,
         /// The nearest one that is analyzed \[rpm\].
         nearest: f64,
+    },
+    /// A number that is no multiple of the rotor speed.
+    #[error("\"harmonics\" has {}, expected whole numbers from 1 to 1000", six(*.found))]
+    NoMultiple {
+        /// The number found [-].
+        found: f64,
     },
     /// A range of speeds that does not increase.
     #[error("\"speeds\" runs from {} to {} rpm, expected an increasing range", six(*.from), six(*.to))]
@@ -391,8 +399,9 @@ impl Explain for InputProblem {
                 return Some(format!("the nearest is {} rpm", six(*nearest)));
             }
             Self::NoModeName { .. } => {
-                "modes are called by flap, lag, torsion, axial or coupled, and a number, as in the table of modes"
+                "modes are called by flap, lag (edge), torsion, axial, lateral or coupled, and a number, as in the table of modes"
             }
+            Self::NoMultiple { .. } => "a multiple n is the line nP, n per revolution",
             Self::NoRatio { .. } => "the ratio is relative to critical damping: 1 % is 0.01",
             Self::UnusedNode { .. } => {
                 "name it in a [[beam]], a [[body]] or a [[joint]], or remove it"

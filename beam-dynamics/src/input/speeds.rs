@@ -10,6 +10,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::units::Dimension;
 
 use super::modal_damping;
+use super::mode_style::{self, FREQUENCY_UNIT, HARMONICS, NAME_AT, WORDS};
 use super::problem::InputProblem;
 use crate::case::ModesQuestion;
 
@@ -26,7 +27,8 @@ keys! {
     /// Speeds, among `speeds`, at which shapes are drawn and animated.
     SHAPE_SPEEDS: ByHand = "shape_speeds", [Quantities(Dimension::ROTATION_SPEED)],
         or "the first and the last", "[0, 300]";
-    with modal_damping::RATIO.schema;
+    with modal_damping::RATIO.schema, WORDS.schema, FREQUENCY_UNIT.schema, HARMONICS.schema,
+        NAME_AT.schema;
 }
 
 keys! {
@@ -59,10 +61,12 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
     let count = table.get(&COUNT);
     let shapes = shapes(&table, speeds.as_deref());
     let damping = modal_damping::read(&table);
+    let style = mode_style::read(&table, speeds.as_deref());
     table.finish();
     let mut question = ModesQuestion::new(speeds?, count?);
     (question.animate, question.shapes) = shapes?;
     question.damping = damping?;
+    question.style = style?;
     if question.shapes.is_empty() {
         question.shapes = question.ends();
     }
@@ -142,24 +146,28 @@ fn chosen_shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<Vec<f64>> 
     const KEY: &str = "shape_speeds";
     let wanted = table.quantities(KEY, Dimension::ROTATION_SPEED)?;
     let speeds = speeds?;
-    let nearest = |wanted: f64| {
-        let distance = |speed: f64| (speed - wanted).abs();
-        speeds
-            .iter()
-            .copied()
-            .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
-    };
     let mut found = Vec::with_capacity(wanted.len());
     for &wanted in &wanted {
-        let nearest = nearest(wanted)?;
-        if (nearest - wanted).abs() <= SAME_SPEED * nearest.abs() {
+        let (is_analyzed, nearest) = analyzed(speeds, wanted)?;
+        if is_analyzed {
             found.push(nearest);
             continue;
         }
         let [rpm, nearest] = [wanted, nearest].map(|speed| speed / RPM);
-        table.note(KEY, &InputProblem::ShapeSpeed { rpm, nearest });
+        let key = KEY;
+        table.note(KEY, &InputProblem::ShapeSpeed { key, rpm, nearest });
     }
     (found.len() == wanted.len()).then_some(found)
+}
+
+/// The speed nearest to `wanted`, and whether it is the same one; `None` without speeds.
+pub(super) fn analyzed(speeds: &[f64], wanted: f64) -> Option<(bool, f64)> {
+    let distance = |speed: f64| (speed - wanted).abs();
+    let nearest = speeds
+        .iter()
+        .copied()
+        .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))?;
+    Some((distance(nearest) <= SAME_SPEED * nearest.abs(), nearest))
 }
 
 #[cfg(test)]

@@ -11,6 +11,9 @@ pub struct NamingAxes {
     /// Axes of the section at the node (columns): x along the beam, the axis of
     /// torsion [-].
     pub section: Matrix3<f64>,
+    /// Whether the node belongs to no blade and is on the axis of rotation, which is then x of
+    /// both axes: its motion across the axis is lateral, in any direction.
+    pub is_central: bool,
 }
 
 impl Default for NamingAxes {
@@ -19,6 +22,7 @@ impl Default for NamingAxes {
         Self {
             blade: Matrix3::identity(),
             section: Matrix3::identity(),
+            is_central: false,
         }
     }
 }

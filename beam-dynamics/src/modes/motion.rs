@@ -10,10 +10,7 @@ use nalgebra::{Complex, Vector3};
 use super::Eigenpair;
 use crate::assembly::{Entry, Sparse};
 use crate::model::{Equation, NODE_UNKNOWNS, NamingAxes, Variable};
-use crate::result::{ModeKind, ModeShape, Shares};
-
-/// Least share of the kinetic energy for which a mode is named by one kind.
-const PURE_SHARE: f64 = 0.6;
+use crate::result::{ModeShape, Shares};
 
 /// Motion of a mode: translation and rotation of each node.
 #[derive(Debug, Clone)]
@@ -68,6 +65,18 @@ impl ModeMotion {
             shares.iter_mut().for_each(|share| *share /= total);
         }
         shares
+    }
+
+    /// Share of flap and lag of the central nodes: motion across the axis of rotation of nodes
+    /// that belong to no blade.
+    pub fn lateral(&self, axes: &[NamingAxes]) -> f64 {
+        let total: f64 = self.energies(self, axes).iter().map(|e| e.re).sum();
+        let central = |node: usize| f64::from(u8::from(axes[node].is_central));
+        let [flap, lag, ..] = self.weighted_energies(self, axes, central);
+        match total > 0.0 {
+            true => (flap.re + lag.re) / total,
+            false => 0.0,
+        }
     }
 
     /// `q_a^H P M q_b` with P the projection on flap, lag, torsion and axial motion:
@@ -139,15 +148,6 @@ impl ModeMotion {
         let values = self.motion.iter_mut().chain(&mut self.momentum);
         values.for_each(|z| *z *= factor);
         self
-    }
-
-    /// The kind that holds most of the energy, or coupled when none holds enough.
-    pub fn kind(shares: &Shares) -> ModeKind {
-        let pure = ModeKind::PURE.into_iter().zip(shares);
-        match pure.max_by(|a, b| a.1.total_cmp(b.1)) {
-            Some((kind, &share)) if share >= PURE_SHARE => kind,
-            _ => ModeKind::Coupled,
-        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::result::{Comparison, FrequencyTable, Measured, ModeKind};
 
 const DIGITS: usize = 10;
 const HEADING: &str =
-    "speed_rpm,order,name,measured_hz,computed_hz,difference_hz,difference_percent";
+    "rotor speed [rpm],order,name,measured [Hz],computed [Hz],difference [Hz],difference [%]";
 
 /// Computed minus measured frequency [Hz].
 fn difference(row: &Comparison) -> f64 {
@@ -24,8 +24,8 @@ fn order(row: &Comparison) -> String {
         .map_or_else(String::new, |order| order.to_string())
 }
 
-/// Rows `speed_rpm,order,name,measured_hz,computed_hz,difference_hz,difference_percent`;
-/// the difference is computed minus measured, in per cent of measured.
+/// Rows with rotor speed, order and name of the mode, measured and computed frequency and their
+/// difference, which is computed minus measured, in per cent of measured.
 pub fn comparison_csv(rows: &[Comparison]) -> String {
     let mut text = format!("{HEADING}\n");
     for row in rows {
@@ -142,7 +142,7 @@ mod tests {
     fn rows_hold_both_numbers_and_their_difference() {
         let rows = samples::measured().compare(&samples::small());
         let expected = "\
-speed_rpm,order,name,measured_hz,computed_hz,difference_hz,difference_percent
+rotor speed [rpm],order,name,measured [Hz],computed [Hz],difference [Hz],difference [%]
 0,1,flap 1,1.5,1.4,-0.1,-6.66667
 600,2,torsion 1,99,99.5,0.5,0.505051
 ";

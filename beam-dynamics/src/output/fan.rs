@@ -8,18 +8,22 @@ use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEX
 use shared_geom::files::{OutputProblem, write_figure};
 
 use super::text::{DAMPED, RPM};
-use crate::result::{FrequencyTable, Measured, ModeBranch, ModeKind};
+use crate::case::{FrequencyUnit, Words};
+use crate::result::{CriticalSpeed, FixedTable, FrequencyTable, Measured, ModeKind};
 
 mod axes;
 mod boxes;
 mod curves;
 mod damping;
+mod fixed;
+mod groups;
 mod labels;
 mod legend;
 mod per_rev;
 
 use axes::Axes;
 use boxes::Obstacles;
+use groups::{Group, groups};
 
 /// Width and height, without the damping \[figure pixels\].
 const SIZE: (u32, u32) = (WIDTH, 1250);
@@ -27,6 +31,8 @@ const SIZE: (u32, u32) = (WIDTH, 1250);
 const DAMPING: u32 = 480;
 /// Size of labels next to lines.
 const SMALL: f64 = 0.8 * TEXT;
+/// Largest frequency per revolution that is drawn, over the largest at the last speed.
+const PER_REV_LIMIT: f64 = 1.6;
 /// Colors of modes: the colors of categories without yellow, which is faint as a line.
 const COLORS: usize = CATEGORIES.len() - 1;
 
@@ -36,18 +42,32 @@ pub struct FanPlot {
     title: String,
     /// Rotor speeds \[rpm\].
     speeds: Vec<f64>,
+    /// Unit of all frequencies.
+    unit: FrequencyUnit,
+    /// Name of the vertical axis, without the unit.
+    axis: &'static str,
+    words: Words,
+    /// Multiples of the rotor speed that are drawn; `None`: the first ten, and some above.
+    multiples: Option<Vec<u32>>,
     curves: Vec<Curve>,
-    /// Measured speeds \[rpm\] and frequencies \[Hz\].
+    /// Measured speeds \[rpm\] and frequencies.
     measured: Vec<[f64; 2]>,
+    /// Critical speeds \[rpm\] and frequencies.
+    critical: Vec<[f64; 2]>,
+    /// Patterns of lines with their meaning; none where they only distinguish modes.
+    patterns: Vec<(usize, String)>,
 }
 
-/// One mode: its frequency at each speed.
+/// One mode, or modes that coincide: the frequency at each speed.
 #[derive(Debug, Clone, PartialEq)]
 struct Curve {
     name: String,
-    kind: ModeKind,
-    /// Frequencies \[Hz\].
+    /// Kind at each speed.
+    kinds: Vec<Option<ModeKind>>,
+    /// Frequencies in the unit of the plot.
     frequencies: Vec<Option<f64>>,
+    /// Speeds \[rpm\] at which the line is reflected at zero.
+    zeros: Vec<f64>,
     color: RGBColor,
     /// Damping ratios \[%\].
     damping: Vec<Option<f64>>,
@@ -56,28 +76,73 @@ struct Curve {
 }
 
 impl FanPlot {
-    /// The plot of `table` and the measured points; `None` for fewer than two speeds, which make no
-    /// lines, and without modes.
+    /// The plot of `table` in the turning axes and the measured points; `None` for fewer than two
+    /// speeds, which make no lines, and without modes.
     pub fn new(table: &FrequencyTable, measured: &Measured) -> Option<Self> {
-        let speeds: Vec<_> = table.speeds.iter().map(|speed| speed * RPM).collect();
-        let shown = |branch: &&ModeBranch| branch.points.iter().any(Option::is_some);
-        let curves: Vec<_> = table
-            .branches
-            .iter()
-            .filter(shown)
-            .enumerate()
-            .map(|(index, branch)| Curve::new(index, branch, speeds.len()))
-            .collect();
-        let points = measured
+        let groups = groups(table);
+        let curves = groups.iter().enumerate();
+        let curves = curves.map(|(index, group)| Curve::of_group(index, group, table));
+        let mut plot = Self::empty(table, "frequency in the turning axes");
+        plot.curves = curves.collect();
+        plot.measured = measured
             .points
             .iter()
-            .map(|point| [point.speed * RPM, point.frequency]);
-        (speeds.len() > 1 && !curves.is_empty()).then(|| Self {
+            .filter_map(|point| {
+                let value = plot.unit.value(point.frequency, point.speed)?;
+                Some([point.speed * RPM, value])
+            })
+            .collect();
+        plot.cut();
+        (plot.speeds.len() > 1 && !plot.curves.is_empty()).then_some(plot)
+    }
+
+    /// The plot of `fixed`, the modes of `table` as seen from the fixed system: the Campbell
+    /// diagram.
+    pub fn campbell(table: &FrequencyTable, fixed: &FixedTable) -> Self {
+        let mut plot = Self::empty(table, "frequency in the fixed system");
+        plot.multiples = Some(table.harmonics());
+        plot.patterns = fixed::patterns(fixed, table);
+        plot.curves = fixed::curves(fixed, table);
+        let place = |critical: &CriticalSpeed| {
+            let value = plot.unit.value(critical.frequency, critical.speed)?;
+            Some([critical.speed * RPM, value])
+        };
+        plot.critical = fixed.critical.iter().filter_map(place).collect();
+        plot.cut();
+        plot
+    }
+
+    /// A plot of `table` without curves.
+    fn empty(table: &FrequencyTable, axis: &'static str) -> Self {
+        let style = &table.style;
+        let chosen = !style.harmonics.is_empty() || table.blades() > 1;
+        Self {
             title: table.name.clone(),
-            speeds,
-            curves,
-            measured: points.collect(),
-        })
+            speeds: table.speeds.iter().map(|speed| speed * RPM).collect(),
+            unit: style.unit,
+            axis,
+            words: style.words,
+            multiples: chosen.then(|| table.harmonics()),
+            curves: Vec::new(),
+            measured: Vec::new(),
+            critical: Vec::new(),
+            patterns: Vec::new(),
+        }
+    }
+
+    /// Drops points far above those at the last speed: frequencies over a small rotor speed.
+    fn cut(&mut self) {
+        if self.unit != FrequencyUnit::PerRevolution {
+            return;
+        }
+        let ends = self.curves.iter().filter_map(|curve| Some(curve.end()?.1));
+        let limit = PER_REV_LIMIT * ends.fold(1.0, f64::max);
+        for curve in &mut self.curves {
+            let values = curve.frequencies.iter_mut();
+            values.for_each(|value| *value = value.filter(|value| *value <= limit));
+        }
+        self.critical.retain(|point| point[1] <= limit);
+        self.measured.retain(|point| point[1] <= limit);
     }
 
     /// Writes the plot to `path`, as PNG or SVG by its ending.
@@ -91,6 +156,11 @@ impl FanPlot {
 }
 
 impl FanPlot {
+    /// Title of the vertical axis.
+    fn axis_title(&self) -> String {
+        format!("{} [{}]", self.axis, self.unit.word())
+    }
+
     /// Whether any mode is damped or grows.
     fn is_damped(&self) -> bool {
         let mut ratios = self.curves.iter().flat_map(|c| c.damping.iter().flatten());
@@ -116,15 +186,22 @@ impl FanPlot {
 }
 
 impl Curve {
-    fn new(index: usize, branch: &ModeBranch, speeds: usize) -> Self {
-        let point = |k: usize| branch.points.get(k).and_then(Option::as_ref);
+    /// The curve of modes that coincide.
+    fn of_group(index: usize, group: &Group<'_>, table: &FrequencyTable) -> Self {
+        let point = |k: usize| group.point(k);
+        let speeds = || 0..table.speeds.len();
+        let value = |k: usize| {
+            let frequency = point(k)?.frequency;
+            table.style.unit.value(frequency, table.speeds[k])
+        };
         Self {
-            name: branch.name.clone(),
-            kind: branch.kind,
-            frequencies: (0..speeds)
-                .map(|k| point(k).map(|point| point.frequency))
+            name: group.name(table),
+            kinds: speeds()
+                .map(|k| point(k).map(|point| group.first().kind_at(point)))
                 .collect(),
-            damping: (0..speeds)
+            frequencies: speeds().map(value).collect(),
+            zeros: Vec::new(),
+            damping: speeds()
                 .map(|k| point(k).map(|point| 100.0 * point.damping_ratio))
                 .collect(),
             color: CATEGORIES[index % COLORS],
@@ -150,7 +227,7 @@ impl Curve {
 impl Drawing for FanPlot {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let axes = Axes::new(canvas, self);
-        let multiples = per_rev::multiples(&axes);
+        let multiples = per_rev::multiples(&axes, self.multiples.as_deref());
         let mut obstacles = Obstacles::default();
         for curve in &self.curves {
             for run in curves::frequency_runs(self, curve, &axes) {
@@ -170,118 +247,12 @@ impl Drawing for FanPlot {
         if self.is_damped() {
             damping::draw(canvas, self, &axes)?;
         }
-        axes.draw(canvas, self.is_damped())?;
+        axes.draw(canvas, self)?;
         self.draw_title(canvas, &axes)?;
         legend::draw(canvas, self, &axes)
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::output::samples;
-
-    #[test]
-    fn one_speed_has_no_plot() {
-        let mut table = samples::small();
-        assert!(FanPlot::new(&table, &Measured::default()).is_some());
-        table.speeds.truncate(1);
-        assert_eq!(FanPlot::new(&table, &Measured::default()), None);
-        table.branches.clear();
-        assert_eq!(FanPlot::new(&table, &Measured::default()), None);
-    }
-
-    #[test]
-    fn the_plot_names_axes_modes_and_multiples() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("fan.svg");
-        let plot = FanPlot::new(&samples::swept_tip(9), &samples::epps_chandra()).unwrap();
-        plot.save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
-        for expected in [
-            "swept tip, 15 deg",
-            "rotor speed [rpm]",
-            "frequency [Hz]",
-            "measured",
-            "flap 1",
-            "axial 1",
-            "coupled 1",
-            "1P",
-            "10P",
-        ] {
-            assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
-        }
-    }
-
-    // If a measured point lies beyond the last speed, the names are at the ends of the lines within
-    // the frame; a line from there to the column beyond the frame would look like more of the
-    // curve.
-    #[test]
-    fn no_line_is_drawn_beyond_the_last_speed() {
-        let table = samples::swept_tip(3);
-        let mut measured = Measured::default();
-        let lines = |measured: &Measured| {
-            let folder = tempfile::tempdir().unwrap();
-            let path = folder.path().join("fan.svg");
-            let plot = FanPlot::new(&table, measured).unwrap();
-            plot.save(&path).unwrap();
-            let text = std::fs::read_to_string(&path).unwrap();
-            assert!(text.contains("\nflap 1\n"));
-            let color = plot.curves[0].color;
-            let color = format!("#{:02X}{:02X}{:02X}", color.0, color.1, color.2);
-            let of_color = |line: &&str| line.contains("polyline") && line.contains(&color);
-            text.lines().filter(of_color).count()
-        };
-        let with_leaders = lines(&measured);
-        measured.points.push(crate::result::MeasuredPoint {
-            speed: 2.0 * table.speeds[2],
-            frequency: 10.0,
-            order: None,
-        });
-        assert!(lines(&measured) < with_leaders);
-    }
-
-    #[test]
-    fn damping_is_drawn_below_where_there_is_any() {
-        let draw = |table: &FrequencyTable| {
-            let folder = tempfile::tempdir().unwrap();
-            let path = folder.path().join("fan.svg");
-            let plot = FanPlot::new(table, &Measured::default()).unwrap();
-            plot.save(&path).unwrap();
-            std::fs::read_to_string(&path).unwrap()
-        };
-        let title = "\ndamping ratio [%]\n";
-        let damped = draw(&samples::crowded());
-        assert!(damped.contains(title));
-        assert_eq!(damped.matches("\nrotor speed [rpm]\n").count(), 1);
-        assert!(!draw(&samples::swept_tip(3)).contains(title));
-    }
-
-    #[test]
-    fn a_short_piece_of_a_line_has_no_name() {
-        let mut table = samples::swept_tip(9);
-        let named = |table: &FrequencyTable| {
-            let folder = tempfile::tempdir().unwrap();
-            let path = folder.path().join("fan.svg");
-            let plot = FanPlot::new(table, &Measured::default()).unwrap();
-            plot.save(&path).unwrap();
-            let text = std::fs::read_to_string(&path).unwrap();
-            text.contains("\naxial 1\n")
-        };
-        // Five points of nine, then three.
-        assert!(named(&table));
-        table.branches[9].points[3..].fill(None);
-        assert!(!named(&table));
-    }
-
-    // Colors repeat with other patterns, never alone.
-    #[test]
-    fn no_two_modes_look_alike() {
-        let plot = FanPlot::new(&samples::crowded(), &Measured::default()).unwrap();
-        assert_eq!(plot.curves.len(), 4 * COLORS);
-        let looks: Vec<_> = plot.curves.iter().map(|c| (c.color, c.pattern)).collect();
-        for (i, look) in looks.iter().enumerate() {
-            assert!(!looks[i + 1..].contains(look), "{i}");
-        }
-    }
-}
+#[path = "fan_tests.rs"]
+mod tests;

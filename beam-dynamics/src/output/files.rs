@@ -4,25 +4,36 @@ use shared_geom::files::{OutputProblem, make_folder};
 
 use super::folder::{ResultPlace, Results, Written};
 use super::{
-    FanPlot, comparison_csv, comparison_text, convention, frequency_csv, frequency_text, mode_csv,
+    FanPlot, campbell_csv, comparison_csv, comparison_text, convention, critical_csv, fixed_text,
+    frequency_csv, frequency_text, mode_csv,
 };
-use crate::result::{FrequencyTable, Measured};
+use crate::result::{FixedTable, FrequencyTable, Measured};
 
 const TABLE: &str = "frequencies.csv";
 const MODES: &str = "modes.csv";
 const TEXT: &str = "frequencies.txt";
 const COMPARISON: &str = "comparison.csv";
 const FAN: [&str; 2] = ["fan.png", "fan.svg"];
+const CAMPBELL: [&str; 2] = ["campbell.png", "campbell.svg"];
+const FIXED: &str = "campbell.csv";
+const CRITICAL: &str = "critical_speeds.csv";
 
-/// The text of a result: the frequency table, the comparison with the measurements if there are
+/// The modes of a table in the fixed system, for figures and tables.
+fn fixed(table: &FrequencyTable) -> Option<FixedTable> {
+    FixedTable::new(table, &table.harmonics())
+}
+
+/// The text of a result: the frequency table, that in the fixed system with the critical speeds for
+/// rotors and shafts, the comparison with the measurements if there are
 /// any, and the conventions.
 pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
     let comparison = match measured.points.is_empty() {
         true => String::new(),
         false => comparison_text(measured, table) + "\n",
     };
+    let seen = fixed(table).map_or_else(String::new, |fixed| fixed_text(table, &fixed));
     format!(
-        "{}\n{comparison}{}",
+        "{}\n{seen}{comparison}{}",
         frequency_text(table),
         convention(table)
     )
@@ -30,7 +41,8 @@ pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
 
 /// Writes `NAME.frequencies.csv`, `NAME.modes.csv`, `NAME.frequencies.txt`, with measurements
 /// `NAME.comparison.csv`, and for two speeds or more, if figures are drawn, `NAME.fan.png` and
-/// `NAME.fan.svg` to `place`. Files of an earlier run that this run does not write are removed.
+/// `NAME.fan.svg` to `place`; of rotors and shafts also `NAME.campbell.csv`,
+/// `NAME.critical_speeds.csv`, `NAME.campbell.png` and `NAME.campbell.svg`. Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
@@ -41,7 +53,8 @@ pub fn write(
 ) -> Result<Written, OutputProblem> {
     make_folder(&place.folder)?;
     let mut results = Results::new(place);
-    results.remove([TABLE, MODES, TEXT, COMPARISON].into_iter().chain(FAN));
+    let tables = [TABLE, MODES, TEXT, COMPARISON, FIXED, CRITICAL];
+    results.remove(tables.into_iter().chain(FAN).chain(CAMPBELL));
 
     results.text(TABLE, &frequency_csv(table))?;
     results.text(MODES, &mode_csv(table))?;
@@ -52,6 +65,12 @@ pub fn write(
     let is_drawn = results.figures(FAN, || FanPlot::new(table, measured), FanPlot::save)?;
     if results.draws() && !is_drawn {
         results.written.no_plot = Some(no_plot(table));
+    }
+    if let Some(fixed) = fixed(table) {
+        results.text(FIXED, &campbell_csv(table, &fixed))?;
+        results.text(CRITICAL, &critical_csv(&fixed))?;
+        let plot = || Some(FanPlot::campbell(table, &fixed));
+        results.figures(CAMPBELL, plot, FanPlot::save)?;
     }
     Ok(results.written)
 }
@@ -97,6 +116,23 @@ mod tests {
             text.contains("\n\nComparison with measurements\n\n"),
             "{text}"
         );
+    }
+
+    #[test]
+    fn rotors_have_a_campbell_diagram() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = ResultPlace::new(folder.path(), "x");
+        let written = write(&samples::waves(), &Measured::default(), &place).unwrap();
+        let expected = [
+            "x.campbell.csv",
+            "x.critical_speeds.csv",
+            "x.campbell.png",
+            "x.campbell.svg",
+        ];
+        assert_eq!(names(&written)[5..], expected);
+        write(&samples::small(), &Measured::default(), &place).unwrap();
+        let left = expected.map(|name| folder.path().join(name).exists());
+        assert_eq!(left, [false; 4]);
     }
 
     #[test]

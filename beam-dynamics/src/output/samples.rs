@@ -9,7 +9,7 @@ use super::text::RPM;
 use crate::model::Node;
 use crate::result::{
     EquilibriumReport, FrequencyTable, Measured, MeasuredPoint, ModeBranch, ModeKind, ModePoint,
-    Shares,
+    Shares, Whirl,
 };
 
 mod fields;
@@ -49,6 +49,7 @@ fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModeP
         damping_ratio: 0.0,
         growth: 0.0,
         shares,
+        lateral: 0.0,
         whirl: None,
         assurance,
         shape: None,
@@ -106,6 +107,37 @@ pub(super) fn small() -> FrequencyTable {
         ],
         equilibria: vec![report(1, 1.0), report(4, 2e-13)],
         remarks: vec!["made up".to_owned()],
+        style: Default::default(),
+    }
+}
+
+/// The two lag waves of a rotor of three blades, of 2 Hz in the turning axes at 0, 60 and 180 rpm.
+pub(super) fn waves() -> FrequencyTable {
+    let speeds = [0.0, 60.0, 180.0].map(|rpm| rpm / RPM).to_vec();
+    let wave = |name: &str, harmonic: i32| {
+        let points = speeds.iter().map(|_| {
+            let mut point = point(2.0, [0.0, 1.0, 0.0, 0.0], None);
+            if let Some(point) = &mut point {
+                point.whirl = Some(Whirl {
+                    harmonic,
+                    blades: 3,
+                    share: 1.0,
+                });
+            }
+            point
+        });
+        ModeBranch {
+            harmonic: Some(harmonic),
+            ..branch(name, ModeKind::Lag, points.collect())
+        }
+    };
+    FrequencyTable {
+        name: "waves".to_owned(),
+        branches: vec![wave("lag 1 progressive", 1), wave("lag 1 regressive", -1)],
+        equilibria: vec![report(3, 1e-12); speeds.len()],
+        speeds,
+        remarks: Vec::new(),
+        style: Default::default(),
     }
 }
 
@@ -168,6 +200,7 @@ pub(super) fn swept_tip(count: usize) -> FrequencyTable {
         equilibria: vec![report(3, 1e-12); count],
         speeds,
         remarks: Vec::new(),
+        style: Default::default(),
     }
 }
 
@@ -205,6 +238,7 @@ pub(super) fn crowded() -> FrequencyTable {
         equilibria: vec![report(3, 1e-12); speeds.len()],
         speeds,
         remarks: Vec::new(),
+        style: Default::default(),
     }
 }
 

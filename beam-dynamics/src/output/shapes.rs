@@ -79,9 +79,12 @@ fn motion(
 }
 
 /// A mode with a shape at some speed.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Shaped<'a> {
+    /// Name of the mode, which is that of its files.
     name: &'a str,
+    /// Name with the kind at this speed, if it is another one.
+    shown: String,
     kind: ModeKind,
     /// Frequency \[Hz\].
     frequency: f64,
@@ -95,6 +98,7 @@ fn shaped(table: &FrequencyTable, speed: usize) -> Vec<Shaped<'_>> {
     let shaped = modes.filter_map(|(branch, point)| {
         Some(Shaped {
             name: &branch.name,
+            shown: branch.name_at(point, table.style.words),
             kind: branch.kind,
             frequency: point.frequency,
             damping_ratio: point.damping_ratio,

@@ -1,23 +1,24 @@
 //! The frequency table as CSV: a row for each speed and mode.
 
-use super::text::{RPM, per_rev};
+use super::text::{RPM, cleared, per_rev, share};
 use crate::input::short_number;
-use crate::result::FrequencyTable;
+use crate::result::{FrequencyTable, ModeKind};
 
 /// Digits of frequencies: more than the accuracy of any model, enough to compare two runs.
 const DIGITS: usize = 10;
 
-const HEADING: &str = "speed_rpm,mode,name,frequency_hz,per_rev,damping_ratio,flap,lag,torsion,\
-    axial,assurance";
-
-/// Rows `speed_rpm,mode,name,frequency_hz,per_rev,damping_ratio,flap,lag,torsion,axial,
-/// assurance`.
+/// Rows with the rotor speed, number and name of the mode, frequency, also per revolution, damping
+/// ratio, four shares and the assurance, below a heading `name [unit]`.
 ///
 /// Modes are numbered at each speed from one, ascending in frequency. The four shares are shares of
 /// the kinetic energy, and the assurance is relative to the same mode at the previous speed.
 /// Missing values are empty.
 pub fn frequency_csv(table: &FrequencyTable) -> String {
-    let mut text = format!("{HEADING}\n");
+    let lag = ModeKind::Lag.word_in(table.style.words);
+    let mut text = format!(
+        "rotor speed [rpm],mode,name,frequency [Hz],frequency [1/rev],damping ratio [-],flap [-],\
+         {lag} [-],torsion [-],axial [-],assurance [-]\n"
+    );
     let number = |value: f64| short_number(value, DIGITS);
     let optional = |value: Option<f64>| value.map_or_else(String::new, number);
     for (index, &speed) in table.speeds.iter().enumerate() {
@@ -26,8 +27,8 @@ pub fn frequency_csv(table: &FrequencyTable) -> String {
             cells.push(branch.name.clone());
             cells.push(number(point.frequency));
             cells.push(optional(per_rev(point.frequency, speed)));
-            cells.push(short_number(point.damping_ratio, 6));
-            cells.extend(point.shares.map(|share| format!("{share:.4}")));
+            cells.push(short_number(cleared(point.damping_ratio), 6));
+            cells.extend(point.shares.map(share));
             cells.push(
                 point
                     .assurance
@@ -49,9 +50,9 @@ mod tests {
     fn a_row_a_speed_and_mode() {
         let text = frequency_csv(&samples::small());
         let expected = "\
-speed_rpm,mode,name,frequency_hz,per_rev,damping_ratio,flap,lag,torsion,axial,assurance
+rotor speed [rpm],mode,name,frequency [Hz],frequency [1/rev],damping ratio [-],flap [-],lag [-],torsion [-],axial [-],assurance [-]
 0,1,flap 1,1.4,,0,0.9900,0.0100,0.0000,0.0000,
-0,2,lag 1,22.25,,1e-15,0.0100,0.9800,0.0100,0.0000,
+0,2,lag 1,22.25,,0,0.0100,0.9800,0.0100,0.0000,
 600,1,flap 1,12.5,1.25,0,0.9900,0.0100,0.0000,0.0000,0.9990
 600,2,lag 1,23.333,2.3333,0,0.0100,0.9800,0.0100,0.0000,0.9980
 600,3,torsion 1,99.5,9.95,0,0.0000,0.0000,1.0000,0.0000,

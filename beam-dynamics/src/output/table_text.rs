@@ -1,8 +1,10 @@
 //! The frequency table as text for a report: one row per mode, columns of speeds.
 
+use super::table_changes::changes;
 use super::text::{DAMPED, RPM, aligned, per_rev};
+use crate::case::Words;
 use crate::input::short_number;
-use crate::result::FrequencyTable;
+use crate::result::{FrequencyTable, ModeKind};
 
 /// Speeds side by side, without and with damping: to fill the width of a page. Blocks are of equal
 /// width.
@@ -13,14 +15,20 @@ pub const CONVENTION: &str = "\
 Convention
   Hz    frequency of small motions about the steady equilibrium, in the turning axes
   /rev  frequency over rotor speed; undefined at rest
-  mode  named at its first speed by the motion with most of the kinetic energy,
-        numbered from the lowest, and followed over the speeds by its shape
+  mode  named at its first speed, or at name_at, by the motion with most of the kinetic
+        energy, numbered from the lowest, and followed over the speeds by its shape
           flap     out of the plane of rotation
           lag      in the plane of rotation
           torsion  about the axis of the beam
           axial    along the span
           coupled  none of these has most of the energy
   -     no value, or not among the modes computed at this speed
+";
+
+/// The kind of modes of shafts and hubs.
+const LATERAL: &str = "\
+\x20 lateral: across the axis of rotation, of nodes on the axis that belong to no blade; their
+        axial motion is along the axis, and torsion about it
 ";
 
 /// Further columns of the tables of damped modes.
@@ -44,7 +52,19 @@ pub fn convention(table: &FrequencyTable) -> String {
         true => WHIRL,
         false => "",
     };
-    format!("{CONVENTION}{damping}{whirl}")
+    let kinds = || table.branches.iter().map(|branch| branch.kind);
+    let lateral = match kinds().any(|kind| kind == ModeKind::Lateral) {
+        true => LATERAL,
+        false => "",
+    };
+    let text = format!("{CONVENTION}{lateral}{damping}{whirl}");
+    match table.style.words {
+        Words::Rotor => text,
+        Words::Wind => text
+            .replace("  lag    ", "  edge   ")
+            .replace("progressive", "forward")
+            .replace("regressive", "backward"),
+    }
 }
 
 /// Whether any mode is damped or grows.
@@ -119,6 +139,9 @@ fn decimal(value: Option<f64>) -> String {
 /// Remarks, and the convergence of the equilibria.
 fn remarks(table: &FrequencyTable) -> String {
     let mut text = String::new();
+    for change in changes(table) {
+        text.push_str(&format!("  {change}\n"));
+    }
     for remark in &table.remarks {
         text.push_str(&format!("  {remark}\n"));
     }

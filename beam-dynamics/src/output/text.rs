@@ -9,6 +9,22 @@ pub(super) const RPM: f64 = 30.0 / PI;
 /// models, far below the damping of any structure [-].
 pub(super) const DAMPED: f64 = 1e-4;
 
+/// Damping ratios up to this are written as zero [-].
+const ROUND_OFF: f64 = 1e-12;
+
+/// A damping ratio, or zero if it is round-off [-].
+pub(super) fn cleared(ratio: f64) -> f64 {
+    match ratio.abs() > ROUND_OFF {
+        true => ratio,
+        false => 0.0,
+    }
+}
+
+/// A share with four decimals, zero without a sign.
+pub(super) fn share(value: f64) -> String {
+    format!("{:.4}", (1e4 * value).round() / 1e4 + 0.0)
+}
+
 /// Frequency over rotor speed [-]; `None` at rest.
 pub(super) fn per_rev(frequency: f64, speed: f64) -> Option<f64> {
     (speed > 0.0).then(|| frequency * 2.0 * PI / speed)
@@ -53,6 +69,15 @@ mod tests {
         ];
         assert_eq!(aligned(&rows), "mode    Hz\nlag 1  1.5\nx\n");
         assert_eq!(aligned(&[]), "");
+    }
+
+    #[test]
+    fn round_off_is_zero() {
+        assert_eq!([1e-23, -1e-15, -2e-5].map(cleared), [0.0, 0.0, -2e-5]);
+        assert_eq!(
+            [-1e-9, 0.99999, 0.12344].map(share),
+            ["0.0000", "1.0000", "0.1234"]
+        );
     }
 
     // 600 rpm are 10 Hz.

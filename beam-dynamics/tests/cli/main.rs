@@ -149,6 +149,19 @@ fn strip() -> SectionProperties {
 }
 
 #[test]
+fn a_quiet_run_prints_problems_only() {
+    let folder = Folder::new();
+    folder.write("strip.properties.json", &section::write(&strip()));
+    folder.write("a.dynamics.toml", BLADE);
+    let run = folder.run(&["modes", "a.dynamics.toml", "--quiet", "--no-figures"]);
+    assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, "", ""));
+    assert!(folder.path("results/a.frequencies.txt").is_file());
+    let wrong = folder.run(&["modes", "b.dynamics.toml", "-q"]);
+    assert_eq!((wrong.code, wrong.out.as_str()), (2, ""));
+    assert!(wrong.err.contains("b.dynamics.toml"), "{}", wrong.err);
+}
+
+#[test]
 fn a_good_run_writes_everything_and_says_where() {
     let folder = Folder::new();
     let measured = "[measured]\nfile = \"a.csv\"\nleave_out = [\"lag\"]\n";

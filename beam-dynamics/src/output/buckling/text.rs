@@ -7,8 +7,8 @@ use crate::result::{BucklingMode, BucklingResult};
 
 /// Digits of factors.
 const DIGITS: usize = 7;
-const HEADING: &str = "mode,factor,node,x_m,y_m,z_m,displacement_x,displacement_y,\
-    displacement_z,rotation_x_per_m,rotation_y_per_m,rotation_z_per_m";
+const HEADING: &str = "mode,factor [-],node,x [m],y [m],z [m],displacement x [-],displacement y [-],\
+    displacement z [-],rotation x [1/m],rotation y [1/m],rotation z [1/m]";
 
 /// Meaning of the columns of the table.
 pub const BUCKLING_CONVENTION: &str = "\

@@ -5,6 +5,7 @@ use plotters::style::BLACK;
 use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks};
 
 use super::{FanPlot, SIZE, SMALL};
+use crate::case::FrequencyUnit;
 
 /// Margin above the highest frequency, as part of it.
 const HEADROOM: f64 = 0.04;
@@ -22,7 +23,9 @@ pub(super) struct Axes {
     pub bottom: f64,
     /// Lowest and highest speed \[rpm\].
     pub speeds: [f64; 2],
-    /// Highest frequency \[Hz\]; the lowest is zero.
+    /// Unit of frequencies.
+    pub unit: FrequencyUnit,
+    /// Highest frequency, in its unit; the lowest is zero.
     pub highest: f64,
 }
 
@@ -52,14 +55,18 @@ impl Axes {
         Self {
             left: 150.0,
             right: width - widest - LEADER - 24.0,
-            top: 0.125 * height,
+            top: match plot.patterns.is_empty() {
+                true => 0.125 * height,
+                false => 0.165 * height,
+            },
             bottom: height - 130.0,
+            unit: plot.unit,
             speeds: [if low > FAR_FROM_ZERO * high { low } else { 0.0 }, high],
             highest: if highest > 0.0 { highest } else { 1.0 },
         }
     }
 
-    /// Position of a speed \[rpm\] and a frequency \[Hz\].
+    /// Position of a speed \[rpm\] and a frequency in its unit.
     pub fn place(&self, [speed, frequency]: [f64; 2]) -> [f64; 2] {
         let [low, high] = self.speeds;
         let x = (speed - low) / (high - low);
@@ -70,11 +77,11 @@ impl Axes {
         ]
     }
 
-    /// Draws axes, ticks and titles; the title of the speeds only if nothing is `below`.
+    /// Draws axes, ticks and titles; the title of the speeds only if no damping is drawn below.
     pub fn draw<B: DrawingBackend>(
         &self,
         canvas: &Canvas<B>,
-        below: bool,
+        plot: &FanPlot,
     ) -> Result<(), FigureProblem> {
         const TICK: f64 = 12.0;
         const AXIS: f64 = 3.0;
@@ -101,9 +108,9 @@ impl Axes {
 
         let title = Label::new(TEXT).anchored(Anchor::Middle);
         let middle = [0.5 * (left + right), 0.5 * (top + bottom)];
-        if !below {
+        if !plot.is_damped() {
             canvas.text("rotor speed [rpm]", [middle[0], bottom + 92.0], title)?;
         }
-        canvas.text("frequency [Hz]", [34.0, middle[1]], title.upward())
+        canvas.text(&plot.axis_title(), [34.0, middle[1]], title.upward())
     }
 }

@@ -20,7 +20,19 @@ const PATTERNS: [&[f64]; 4] = [&[], &[26.0, 14.0], &[7.0, 11.0], &[26.0, 9.0, 7.
 
 /// Runs of neighboring points of a curve.
 pub(super) fn frequency_runs(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Vec<Vec<[f64; 2]>> {
-    runs(&plot.speeds, &curve.frequencies, |point| axes.place(point))
+    let found = runs(&plot.speeds, &curve.frequencies, |point| point);
+    let with_zeros = |run: Vec<[f64; 2]>| {
+        let mut places = Vec::with_capacity(run.len() + 1);
+        for pair in run.windows(2) {
+            places.push(axes.place(pair[0]));
+            let between = |zero: &&f64| (pair[0][0]..pair[1][0]).contains(*zero);
+            let zeros = curve.zeros.iter().filter(between);
+            places.extend(zeros.map(|zero| axes.place([*zero, 0.0])));
+        }
+        places.extend(run.last().map(|last| axes.place(*last)));
+        places
+    };
+    found.into_iter().map(with_zeros).collect()
 }
 
 /// Runs of neighboring points at speeds with a value, as positions.
@@ -58,17 +70,15 @@ pub(super) fn draw<B: DrawingBackend>(
     for curve in &plot.curves {
         for (k, frequency) in curve.frequencies.iter().enumerate() {
             let is_end = curve.end().is_some_and(|end| end.0 == k);
-            if let Some(frequency) = frequency.filter(|_| k % step == 0 || is_end) {
-                mark(
-                    canvas,
-                    axes.place([plot.speeds[k], frequency]),
-                    curve.kind,
-                    curve.color,
-                )?;
+            let shown = frequency.filter(|_| k % step == 0 || is_end);
+            if let (Some(frequency), Some(kind)) = (shown, curve.kinds[k]) {
+                let place = axes.place([plot.speeds[k], frequency]);
+                mark(canvas, place, kind, curve.color)?;
             }
         }
     }
-    Ok(())
+    let mut critical = plot.critical.iter();
+    critical.try_for_each(|point| diamond(canvas, axes.place(*point)))
 }
 
 /// Distance in speeds between two marks of a line.
@@ -147,6 +157,10 @@ pub(super) fn mark<B: DrawingBackend>(
             let diamond = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
             canvas.polygon(&polygon(&diamond, 1.35), color)
         }
+        ModeKind::Lateral => {
+            let triangle = [[0.0, 1.2], [1.1, -0.8], [-1.1, -0.8]];
+            canvas.polygon(&polygon(&triangle, 1.1), color)
+        }
         ModeKind::Coupled => {
             for arm in [[[-1.0, -1.0], [1.0, 1.0]], [[-1.0, 1.0], [1.0, -1.0]]] {
                 canvas.line(&polygon(&arm, 1.0), 1.4 * LINE, color)?;
@@ -154,6 +168,22 @@ pub(super) fn mark<B: DrawingBackend>(
             Ok(())
         }
     }
+}
+
+/// An open diamond, for critical speeds.
+pub(super) fn diamond<B: DrawingBackend>(
+    canvas: &Canvas<B>,
+    [x, y]: [f64; 2],
+) -> Result<(), FigureProblem> {
+    const SIZE: f64 = 17.0;
+    let corners = [
+        [x, y - SIZE],
+        [x + SIZE, y],
+        [x, y + SIZE],
+        [x - SIZE, y],
+        [x, y - SIZE],
+    ];
+    canvas.line(&corners, 0.8 * LINE, BLACK)
 }
 
 /// An open ring, through which lines are visible.

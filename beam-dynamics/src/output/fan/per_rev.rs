@@ -7,6 +7,7 @@ use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label};
 use super::SMALL;
 use super::axes::Axes;
 use super::boxes::{Box2, Obstacles};
+use crate::case::FrequencyUnit;
 
 const GRAY: RGBColor = RGBColor(175, 175, 175);
 const DARK_GRAY: RGBColor = RGBColor(105, 105, 105);
@@ -24,20 +25,40 @@ pub(super) struct Multiple {
     ends: [[f64; 2]; 2],
 }
 
-/// The multiples that cross the frame: the first ten, then fewer.
-pub(super) fn multiples(axes: &Axes) -> Vec<Multiple> {
+/// The chosen multiples that cross the frame; if none are chosen, the first ten, then fewer, up to
+/// the first that leaves the frame early.
+pub(super) fn multiples(axes: &Axes, chosen: Option<&[u32]>) -> Vec<Multiple> {
+    if let Some(chosen) = chosen {
+        let lines = chosen
+            .iter()
+            .filter_map(|number| multiple(axes, *number, 0.0));
+        return lines.collect();
+    }
     let numbers = (1..=10).chain([15, 20, 30, 50, 100]);
-    numbers.map_while(|number| multiple(axes, number)).collect()
+    numbers
+        .map_while(|number| multiple(axes, number, FIRST_EXIT))
+        .collect()
 }
 
-/// The line `f = n Omega / 60` within the frame; `None` if it leaves it early.
-fn multiple(axes: &Axes, number: u32) -> Option<Multiple> {
+/// The line of n per revolution within the frame; `None` if it leaves it before `part` of the
+/// speeds.
+fn multiple(axes: &Axes, number: u32, part: f64) -> Option<Multiple> {
     let [low, high] = axes.speeds;
     let number = f64::from(number);
-    let exit = high.min(60.0 * axes.highest / number);
-    (exit - low > FIRST_EXIT * (high - low)).then(|| Multiple {
+    // The line over the speed in rpm; per revolution it is horizontal.
+    let slope = match axes.unit {
+        FrequencyUnit::PerRevolution => 0.0,
+        unit => unit.value(number / 60.0, 0.0)?,
+    };
+    let exit = match slope > 0.0 {
+        true => high.min(axes.highest / slope),
+        false if number > axes.highest => low,
+        false => high,
+    };
+    let height = |speed: f64| if slope > 0.0 { slope * speed } else { number };
+    (exit - low > part * (high - low)).then(|| Multiple {
         number,
-        ends: [low, exit].map(|speed| axes.place([speed, number * speed / 60.0])),
+        ends: [low, exit].map(|speed| axes.place([speed, height(speed)])),
     })
 }
 
@@ -125,6 +146,7 @@ mod tests {
             right: 1000.0,
             top: 0.0,
             bottom: 1000.0,
+            unit: FrequencyUnit::Hertz,
             speeds: [0.0, 600.0],
             highest,
         }
@@ -134,23 +156,47 @@ mod tests {
     // its height, 5P at four fifths of its width.
     #[test]
     fn lines_end_at_the_frame() {
-        let found = multiples(&axes(40.0));
+        let found = multiples(&axes(40.0), None);
         assert_eq!(found[2].ends, [[0.0, 1000.0], [1000.0, 250.0]]);
         assert_eq!(found[4].ends, [[0.0, 1000.0], [800.0, 0.0]]);
     }
 
     #[test]
+    fn chosen_multiples_are_drawn_in_each_unit() {
+        let ends = |unit, highest| {
+            let axes = Axes {
+                unit,
+                ..axes(highest)
+            };
+            let lines = multiples(&axes, Some(&[3, 50]));
+            lines.iter().map(|line| line.ends).collect::<Vec<_>>()
+        };
+        // 3P of 600 rpm is 30 Hz = 1800 rpm; 50P leaves 2400 rpm at 48 rpm.
+        let expected = [
+            [[0.0, 1000.0], [1000.0, 250.0]],
+            [[0.0, 1000.0], [80.0, 0.0]],
+        ];
+        assert_eq!(ends(FrequencyUnit::Hertz, 40.0), expected);
+        assert_eq!(ends(FrequencyUnit::Rpm, 2400.0), expected);
+        let level = [[[0.0, 250.0], [1000.0, 250.0]]];
+        assert_eq!(ends(FrequencyUnit::PerRevolution, 4.0), level);
+    }
+
+    #[test]
     fn after_ten_they_are_thinned() {
-        let numbers: Vec<_> = multiples(&axes(400.0)).iter().map(|m| m.number).collect();
+        let numbers: Vec<_> = multiples(&axes(400.0), None)
+            .iter()
+            .map(|m| m.number)
+            .collect();
         assert_eq!(numbers[8..], [9.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0]);
         // 15P leaves a frame of 40 Hz at 160 of 600 rpm, 20P at 120.
-        assert_eq!(multiples(&axes(40.0)).len(), 11);
-        assert_eq!(multiples(&axes(2.0)), []);
+        assert_eq!(multiples(&axes(40.0), None).len(), 11);
+        assert_eq!(multiples(&axes(2.0), None), []);
     }
 
     #[test]
     fn labels_beside_a_line_clear_it() {
-        let line = multiples(&axes(40.0))[2];
+        let line = multiples(&axes(40.0), None)[2];
         let mut obstacles = Obstacles::default();
         obstacles.add_line(&line.ends);
         let beside = |place: &Candidate| obstacles.is_free(&place.label);

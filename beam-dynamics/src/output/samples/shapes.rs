@@ -66,6 +66,7 @@ pub fn shaped() -> (Model, FrequencyTable) {
         ],
         equilibria: vec![report.clone(), report],
         remarks: Vec::new(),
+        style: Default::default(),
     };
     (model, table)
 }

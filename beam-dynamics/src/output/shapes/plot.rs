@@ -8,11 +8,11 @@ use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, La
 use shared_geom::files::{OutputProblem, write_figure};
 
 use super::{Along, Shaped, along, shaped, structure};
-use crate::case::Model;
+use crate::case::{Model, Words};
 use crate::input::short_number;
 use crate::output::panel::{LIGHT, Panel, SMALL, draw_legend, draw_title};
 use crate::output::text::{DAMPED, RPM};
-use crate::result::FrequencyTable;
+use crate::result::{FrequencyTable, ModeKind};
 
 /// Modes that are shown.
 const MOST: usize = 12;
@@ -28,12 +28,8 @@ const FAINT: f64 = 0.01;
 /// Relative difference below which frequencies are treated as equal, as of the equal blades of a
 /// rotor.
 const EQUAL: f64 = 1e-5;
-const NAMES: [&str; 4] = [
-    "flap",
-    "lag",
-    "torsion times a tenth of the length",
-    "axial",
-];
+/// Meaning of the components.
+const NAMES: [&str; 4] = ["flap", "lag", "torsion angle x length / 10", "axial"];
 const COLORS: [RGBColor; 4] = [CATEGORIES[0], CATEGORIES[5], CATEGORIES[2], CATEGORIES[3]];
 
 /// Shapes of modes at one speed, ready to be saved.
@@ -43,6 +39,7 @@ pub struct ShapePlot {
     modes: Vec<Shown>,
     /// Whether modes that look like others were omitted.
     thinned: bool,
+    words: Words,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -73,8 +70,8 @@ impl ShapePlot {
                 values.push_str(&format!(", {per_cent} %"));
             }
             let name = match structure.members.len() {
-                1 => mode.name.to_owned(),
-                _ => format!("{} ({})", mode.name, member.name),
+                1 => mode.shown.clone(),
+                _ => format!("{} ({})", mode.shown, member.name),
             };
             Some(Shown {
                 name,
@@ -89,6 +86,7 @@ impl ShapePlot {
             title: format!("{}: shapes of modes at {rpm} rpm", table.name),
             modes,
             thinned,
+            words: table.style.words,
         })
     }
 
@@ -197,7 +195,13 @@ impl Drawing for ShapePlot {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let (width, height) = canvas.size();
         draw_title(canvas, &self.title, [40.0, 44.0])?;
-        let entry = |component: usize| (NAMES[component].to_owned(), LINE, COLORS[component]);
+        let entry = |component: usize| {
+            let name = match component {
+                1 => ModeKind::Lag.word_in(self.words),
+                _ => NAMES[component],
+            };
+            (name.to_owned(), LINE, COLORS[component])
+        };
         let mut legend: Vec<_> = self.components().into_iter().map(entry).collect();
         let mut all = self.modes.iter();
         if all.any(|mode| (0..NAMES.len()).any(|component| mode.is_complex(component))) {
@@ -226,8 +230,12 @@ impl Drawing for ShapePlot {
             mode.draw(canvas, &panel, on_one_line)?;
         }
         let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
-        let text = "arc position along the undeformed line [m]; the largest component is 1";
+        let text = "arc position along the undeformed line [m]";
         canvas.text(text, [0.5 * width, height - 70.0], label)?;
+        let text = "motion over its largest component [-]";
+        let rows = self.modes.len().div_ceil(COLUMNS) as f64;
+        let middle = [34.0, HEAD + 0.5 * ROW * rows];
+        canvas.text(text, middle, label.upward())?;
         if self.thinned {
             let text = "of modes of one kind and frequency only the first is shown";
             let label = Label::new(SMALL).anchored(Anchor::Middle);
@@ -257,7 +265,7 @@ mod tests {
             "flap 1, 1.4 Hz",
             "lag 1, 22.25 Hz, 2 %",
             "flap",
-            "torsion times a tenth of the length",
+            "torsion angle x length / 10",
             "thin: a quarter of a period earlier",
         ] {
             assert!(text.contains(&format!("\n{expected}\n")), "{expected}");

@@ -7,14 +7,15 @@ use crate::output::rows::{csv_text, number, numbers};
 use crate::output::structure::Structure;
 use crate::result::{StaticResult, StaticStep};
 
-const DISPLACEMENTS: &str = "step,factor,node,x_m,y_m,z_m,displacement_x_m,displacement_y_m,\
-    displacement_z_m,rotation_x_deg,rotation_y_deg,rotation_z_deg";
-const FORCES: &str = "step,factor,member,beam,xi,arc_m,x_m,y_m,z_m,axial_n,shear_y_n,shear_z_n,\
-    torsion_nm,bending_y_nm,bending_z_nm,strain_axial,strain_shear_y,strain_shear_z,\
-    strain_torsion_per_m,strain_bending_y_per_m,strain_bending_z_per_m";
-const REACTIONS: &str = "step,factor,joint,node,force_x_n,force_y_n,force_z_n,moment_x_nm,\
-    moment_y_nm,moment_z_nm";
-const ELECTRODES: &str = "step,factor,electrode,voltage_v,charge_c";
+const DISPLACEMENTS: &str = "step,factor [-],node,x [m],y [m],z [m],displacement x [m],\
+    displacement y [m],displacement z [m],rotation x [deg],rotation y [deg],rotation z [deg]";
+const FORCES: &str = "step,factor [-],member,beam,xi [-],arc [m],x [m],y [m],z [m],axial [N],\
+    shear y [N],shear z [N],torsion [N m],bending y [N m],bending z [N m],strain axial [-],\
+    strain shear y [-],strain shear z [-],strain torsion [1/m],strain bending y [1/m],\
+    strain bending z [1/m]";
+const REACTIONS: &str = "step,factor [-],joint,node,force x [N],force y [N],force z [N],\
+    moment x [N m],moment y [N m],moment z [N m]";
+const ELECTRODES: &str = "step,factor [-],electrode,voltage [V],charge [C]";
 
 /// Number and factor of each step, with the step.
 fn steps(result: &StaticResult) -> impl Iterator<Item = ([String; 2], &StaticStep)> {
@@ -109,8 +110,8 @@ mod tests {
         assert_eq!(lines.len(), 1 + 2 * 10);
         assert_eq!(
             lines[0],
-            "step,factor,node,x_m,y_m,z_m,displacement_x_m,displacement_y_m,displacement_z_m,\
-             rotation_x_deg,rotation_y_deg,rotation_z_deg"
+            "step,factor [-],node,x [m],y [m],z [m],displacement x [m],displacement y [m],\
+             displacement z [m],rotation x [deg],rotation y [deg],rotation z [deg]"
         );
         assert_eq!(lines[9], "0,0,n8,10,0,0,0,0,0,0,0,0");
         assert_eq!(
@@ -136,7 +137,7 @@ mod tests {
     fn reactions_of_every_joint() {
         let text = reaction_csv(&samples::bent(&[0.0, 1.0]));
         let expected = "\
-step,factor,joint,node,force_x_n,force_y_n,force_z_n,moment_x_nm,moment_y_nm,moment_z_nm
+step,factor [-],joint,node,force x [N],force y [N],force z [N],moment x [N m],moment y [N m],moment z [N m]
 0,0,clamp of n0,n0,0,0,0,0,0,0
 1,1,clamp of n0,n0,-80,5,-1000,-20,10000,-50
 ";

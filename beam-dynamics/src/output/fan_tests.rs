@@ -1,0 +1,183 @@
+//! Tests of the fan plot and the Campbell diagram.
+
+use super::*;
+use crate::output::samples;
+
+#[test]
+fn one_speed_has_no_plot() {
+    let mut table = samples::small();
+    assert!(FanPlot::new(&table, &Measured::default()).is_some());
+    table.speeds.truncate(1);
+    assert_eq!(FanPlot::new(&table, &Measured::default()), None);
+    table.branches.clear();
+    assert_eq!(FanPlot::new(&table, &Measured::default()), None);
+}
+
+#[test]
+fn the_plot_names_axes_modes_and_multiples() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("fan.svg");
+    let plot = FanPlot::new(&samples::swept_tip(9), &samples::epps_chandra()).unwrap();
+    plot.save(&path).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    for expected in [
+        "swept tip, 15 deg",
+        "rotor speed [rpm]",
+        "frequency in the turning axes [Hz]",
+        "measured",
+        "flap 1",
+        "axial 1",
+        "coupled 1",
+        "1P",
+        "10P",
+    ] {
+        assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+    }
+}
+
+// If a measured point lies beyond the last speed, the names are at the ends of the lines within
+// the frame; a line from there to the column beyond the frame would look like more of the
+// curve.
+#[test]
+fn no_line_is_drawn_beyond_the_last_speed() {
+    let table = samples::swept_tip(3);
+    let mut measured = Measured::default();
+    let lines = |measured: &Measured| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("fan.svg");
+        let plot = FanPlot::new(&table, measured).unwrap();
+        plot.save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.contains("\nflap 1\n"));
+        let color = plot.curves[0].color;
+        let color = format!("#{:02X}{:02X}{:02X}", color.0, color.1, color.2);
+        let of_color = |line: &&str| line.contains("polyline") && line.contains(&color);
+        text.lines().filter(of_color).count()
+    };
+    let with_leaders = lines(&measured);
+    measured.points.push(crate::result::MeasuredPoint {
+        speed: 2.0 * table.speeds[2],
+        frequency: 10.0,
+        order: None,
+    });
+    assert!(lines(&measured) < with_leaders);
+}
+
+#[test]
+fn damping_is_drawn_below_where_there_is_any() {
+    let draw = |table: &FrequencyTable| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("fan.svg");
+        let plot = FanPlot::new(table, &Measured::default()).unwrap();
+        plot.save(&path).unwrap();
+        std::fs::read_to_string(&path).unwrap()
+    };
+    let title = "\ndamping ratio [%]\n";
+    let damped = draw(&samples::crowded());
+    assert!(damped.contains(title));
+    assert_eq!(damped.matches("\nrotor speed [rpm]\n").count(), 1);
+    assert!(!draw(&samples::swept_tip(3)).contains(title));
+}
+
+#[test]
+fn a_short_piece_of_a_line_has_no_name() {
+    let mut table = samples::swept_tip(9);
+    let named = |table: &FrequencyTable| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("fan.svg");
+        let plot = FanPlot::new(table, &Measured::default()).unwrap();
+        plot.save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        text.contains("\naxial 1\n")
+    };
+    // Five points of nine, then three.
+    assert!(named(&table));
+    table.branches[9].points[3..].fill(None);
+    assert!(!named(&table));
+}
+
+// Colors repeat with other patterns, never alone.
+#[test]
+fn no_two_modes_look_alike() {
+    let plot = FanPlot::new(&samples::crowded(), &Measured::default()).unwrap();
+    assert_eq!(plot.curves.len(), 4 * COLORS);
+    let looks: Vec<_> = plot.curves.iter().map(|c| (c.color, c.pattern)).collect();
+    for (i, look) in looks.iter().enumerate() {
+        assert!(!looks[i + 1..].contains(look), "{i}");
+    }
+}
+
+fn drawn(plot: &FanPlot) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("fan.svg");
+    plot.save(&path).unwrap();
+    std::fs::read_to_string(&path).unwrap()
+}
+
+// Of two waves of 2 Hz one line is left in the turning axes, and two in the fixed system.
+#[test]
+fn waves_coincide_in_the_turning_axes_and_not_in_the_fixed_system() {
+    let mut table = samples::waves();
+    let fan = FanPlot::new(&table, &Measured::default()).unwrap();
+    assert_eq!(fan.curves.len(), 1);
+    let text = drawn(&fan);
+    assert!(text.contains("\nlag 1 progressive, regressive\n"), "{text}");
+    let fixed = FixedTable::new(&table, &table.harmonics()).unwrap();
+    let plot = FanPlot::campbell(&table, &fixed);
+    assert_eq!(plot.curves.len(), 2);
+    assert_eq!(plot.curves[1].zeros, [120.0]);
+    let text = drawn(&plot);
+    for expected in [
+        "frequency in the fixed system [Hz]",
+        "lag 1 progressive",
+        "lag 1 regressive",
+        "progressive, + 1P",
+        "regressive, - 1P",
+        "critical speed",
+        "1P",
+        "3P",
+    ] {
+        assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
+    }
+    assert!(!text.contains("\n2P\n"));
+    // Both with a third one that differs in frequency: three lines.
+    let mut other = table.branches[0].clone();
+    other.harmonic = Some(0);
+    for point in other.points.iter_mut().flatten() {
+        point.frequency = 3.0;
+    }
+    table.branches.push(other);
+    let fan = FanPlot::new(&table, &Measured::default()).unwrap();
+    assert_eq!(fan.curves.len(), 2);
+}
+
+#[test]
+fn all_waves_of_a_rotor_have_one_name_and_units_are_chosen() {
+    let mut table = samples::waves();
+    let mut other = table.branches[0].clone();
+    other.harmonic = Some(0);
+    other.name = "lag 1 collective".to_owned();
+    table.branches.push(other);
+    table.style.unit = FrequencyUnit::PerRevolution;
+    let plot = FanPlot::new(&table, &Measured::default()).unwrap();
+    assert_eq!(plot.curves[0].name, "lag 1 (3 blades)");
+    // 2 Hz at 60 and 180 rpm; 2/rev is beyond 1.6 times the 2/3 of the last speed, but below 1.6.
+    let limit = PER_REV_LIMIT * 1.0;
+    assert!(2.0 > limit);
+    let found = plot.curves[0].frequencies.clone();
+    assert_eq!(found[..2], [None, None]);
+    assert!((found[2].unwrap() - 2.0 / 3.0).abs() < 1e-12);
+    assert!(drawn(&plot).contains("\nfrequency in the turning axes [1/rev]\n"));
+}
+
+#[test]
+fn a_mode_that_is_another_one_at_the_end_is_named_so() {
+    let mut table = samples::small();
+    if let Some(point) = &mut table.branches[0].points[1] {
+        point.shares = [0.1, 0.0, 0.9, 0.0];
+    }
+    let plot = FanPlot::new(&table, &Measured::default()).unwrap();
+    assert_eq!(plot.curves[0].name, "flap 1, now torsion");
+    let kinds = [ModeKind::Flap, ModeKind::Torsion].map(Some);
+    assert_eq!(plot.curves[0].kinds, kinds);
+}

@@ -1,0 +1,354 @@
+//! Modes as seen from the fixed system, and the critical speeds.
+
+use std::f64::consts::TAU;
+
+use super::{Direction, FrequencyTable, ModeBranch, ModeKind, ModePoint, Whirl};
+use crate::case::Words;
+
+/// Share of the energy in one pattern that gives a mode its direction in a name.
+const PURE: f64 = 0.6;
+/// Relative difference of frequencies up to which a whirl that passes through zero in the turning
+/// axes is continued.
+const CONTINUED: f64 = 0.1;
+
+/// A mode at one speed, in the fixed system.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FixedPoint {
+    /// Frequency, negative if the motion runs backward around the rotor [Hz].
+    pub signed: f64,
+    /// Direction; `None` for collective, differential, axial and torsional motion.
+    pub direction: Option<Direction>,
+    /// Damping ratio, relative to the frequency in the fixed system [-].
+    pub damping_ratio: f64,
+    /// Kind at this speed.
+    pub kind: ModeKind,
+}
+
+/// A mode over the speeds, in the fixed system.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FixedLine {
+    /// Name of the mode in the turning axes, with the pattern of a shaft.
+    pub name: String,
+    /// Name without the pattern.
+    pub stem: String,
+    /// Waves around the rotor.
+    pub harmonic: i32,
+    /// The mode at each speed.
+    pub points: Vec<Option<FixedPoint>>,
+}
+
+/// A speed at which a frequency in the fixed system is a multiple of the speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CriticalSpeed {
+    /// Name of the mode.
+    pub name: String,
+    /// Multiple of the rotor speed; zero where the frequency passes through zero, and the whirl
+    /// changes its direction.
+    pub order: u32,
+    /// Rotor speed [rad/s].
+    pub speed: f64,
+    /// Frequency in the fixed system [Hz].
+    pub frequency: f64,
+}
+
+/// Frequencies in the fixed system over rotor speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FixedTable {
+    /// Modes with a pattern around the axis.
+    pub lines: Vec<FixedLine>,
+    /// Critical speeds, ascending, with linear interpolation between the speeds.
+    pub critical: Vec<CriticalSpeed>,
+}
+
+impl FixedTable {
+    /// The modes of `table` that have a pattern around the axis, and their critical speeds for the
+    /// multiples `orders`; `None` if no mode has one, or with a single speed.
+    pub fn new(table: &FrequencyTable, orders: &[u32]) -> Option<Self> {
+        let branches = table.branches.iter();
+        let lines = branches.filter_map(|branch| line(branch, &table.speeds, table.style.words));
+        let mut lines: Vec<_> = lines.collect();
+        if lines.is_empty() || table.speeds.len() < 2 {
+            return None;
+        }
+        join(&mut lines);
+        let mut critical: Vec<_> = lines
+            .iter()
+            .flat_map(|line| critical(line, &table.speeds, orders))
+            .collect();
+        critical.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        Some(Self { lines, critical })
+    }
+}
+
+impl FixedPoint {
+    fn new(point: &ModePoint, whirl: Whirl, kind: ModeKind, speed: f64) -> Self {
+        let signed = whirl.signed_in_fixed_system(point.frequency, speed / TAU);
+        let magnitude = point.growth.hypot(TAU * signed);
+        Self {
+            signed,
+            direction: whirl.in_fixed_system(point.frequency, speed / TAU).1,
+            damping_ratio: match magnitude > 0.0 {
+                true => -point.growth / magnitude,
+                false => 0.0,
+            },
+            kind,
+        }
+    }
+
+    /// Frequency [Hz].
+    pub fn frequency(&self) -> f64 {
+        self.signed.abs()
+    }
+}
+
+impl FixedLine {
+    /// Speeds at which the frequency passes through zero, by linear interpolation \[rad/s\].
+    pub fn zeros(&self, speeds: &[f64]) -> Vec<f64> {
+        let of_zero = critical(self, speeds, &[]);
+        of_zero.into_iter().map(|critical| critical.speed).collect()
+    }
+}
+
+/// The line of a branch; `None` if its blades rest.
+fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> {
+    let whirls = branch.points.iter().flatten().filter_map(|p| p.whirl);
+    let pure: Vec<_> = whirls.filter(|whirl| whirl.share >= PURE).collect();
+    // At rest the pattern of a shaft is open.
+    let of_branch = *pure.last()?;
+    let points = branch.points.iter().zip(speeds).map(|(point, speed)| {
+        let point = point.as_ref()?;
+        let own = point.whirl.filter(|whirl| whirl.share >= PURE);
+        let whirl = own.unwrap_or(of_branch);
+        Some(FixedPoint::new(point, whirl, branch.kind_at(point), *speed))
+    });
+    let is_named = branch.harmonic.is_some() || of_branch.harmonic == 0;
+    Some(FixedLine {
+        name: match is_named {
+            true => branch.name.clone(),
+            false => format!("{} {}", branch.name, of_branch.word_in(words)),
+        },
+        stem: branch.stem().to_owned(),
+        harmonic: match of_branch.has_direction() {
+            true => of_branch.harmonic,
+            false => 0,
+        },
+        points: points.collect(),
+    })
+}
+
+/// Joins lines of which one ends where another one begins, as a forward whirl does at its critical
+/// speed: its frequency in the turning axes passes through zero, and its shape becomes the
+/// conjugate one.
+fn join(lines: &mut Vec<FixedLine>) {
+    let mut index = 0;
+    while index < lines.len() {
+        let next = (0..lines.len()).find(|other| {
+            *other != index && continues(&lines[index].points, &lines[*other].points)
+        });
+        let Some(next) = next else {
+            index += 1;
+            continue;
+        };
+        let tail = lines.remove(next);
+        if next < index {
+            index -= 1;
+        }
+        let points = lines[index].points.iter_mut().zip(tail.points);
+        points.for_each(|(own, new)| *own = own.or(new));
+    }
+}
+
+/// Whether `next` begins at the speed after the last of `points` as the same forward whirl.
+fn continues(points: &[Option<FixedPoint>], next: &[Option<FixedPoint>]) -> bool {
+    let last = points.iter().rposition(Option::is_some);
+    let first = next.iter().position(Option::is_some);
+    let (Some(last), Some(first)) = (last, first) else {
+        return false;
+    };
+    let (Some(a), Some(b)) = (points[last], next[first]) else {
+        return false;
+    };
+    let forward = Some(Direction::Forward);
+    last + 1 == first
+        && (a.direction, b.direction) == (forward, forward)
+        && a.kind == b.kind
+        && (a.signed - b.signed).abs() <= CONTINUED * a.signed
+}
+
+/// The critical speeds of a line.
+fn critical(line: &FixedLine, speeds: &[f64], orders: &[u32]) -> Vec<CriticalSpeed> {
+    let mut found = Vec::new();
+    for k in 1..speeds.len().min(line.points.len()) {
+        let (Some(a), Some(b)) = (line.points[k - 1], line.points[k]) else {
+            continue;
+        };
+        let runs = a.direction.is_some() || b.direction.is_some();
+        let zero = runs.then_some(0);
+        for order in zero.into_iter().chain(orders.iter().copied()) {
+            let signs: &[f64] = if order > 0 && runs {
+                &[1.0, -1.0]
+            } else {
+                &[1.0]
+            };
+            for sign in signs {
+                let turns = |speed: f64| sign * f64::from(order) * speed / TAU;
+                let gaps = [a.signed - turns(speeds[k - 1]), b.signed - turns(speeds[k])];
+                // At rest all multiples are zero.
+                let crosses = gaps[1] == 0.0 || (gaps[0] > 0.0) != (gaps[1] > 0.0);
+                if gaps[0] == 0.0 || !crosses {
+                    continue;
+                }
+                let part = gaps[0] / (gaps[0] - gaps[1]);
+                found.push(CriticalSpeed {
+                    name: line.name.clone(),
+                    order,
+                    speed: speeds[k - 1] + part * (speeds[k] - speeds[k - 1]),
+                    frequency: match order {
+                        0 => 0.0,
+                        _ => (a.signed + part * (b.signed - a.signed)).abs(),
+                    },
+                });
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn whirl(harmonic: i32, blades: usize) -> Whirl {
+        Whirl {
+            harmonic,
+            blades,
+            share: 1.0,
+        }
+    }
+
+    fn point(frequency: f64, growth: f64, whirl: Whirl) -> Option<ModePoint> {
+        Some(ModePoint {
+            frequency,
+            damping_ratio: 0.0,
+            growth,
+            shares: [0.0, 1.0, 0.0, 0.0],
+            lateral: 0.0,
+            whirl: Some(whirl),
+            assurance: None,
+            shape: None,
+        })
+    }
+
+    fn table(speeds: &[f64], lines: Vec<(&str, Vec<Option<ModePoint>>)>) -> FrequencyTable {
+        let branches = lines.into_iter().map(|(name, points)| ModeBranch {
+            name: name.to_owned(),
+            kind: ModeKind::Lag,
+            harmonic: points
+                .iter()
+                .flatten()
+                .next()
+                .and_then(|p| Some(p.whirl?.harmonic)),
+            points,
+        });
+        FrequencyTable {
+            name: "made up".to_owned(),
+            speeds: speeds.iter().map(|turns| turns * TAU).collect(),
+            branches: branches.collect(),
+            equilibria: Vec::new(),
+            remarks: Vec::new(),
+            style: Default::default(),
+        }
+    }
+
+    // A lag mode of 2 Hz at all speeds: the regressive wave is seen at 2 - n Hz, crosses 1P at
+    // 1 Hz (2 - n = n), is at rest at 2 Hz and crosses 1P nowhere else; the progressive one at
+    // 2 + n Hz meets 3P at 1 Hz; the collective mode meets 1P at 2 Hz.
+    #[test]
+    fn waves_are_shifted_and_meet_the_multiples() {
+        let speeds = [0.0, 1.5, 3.0];
+        let line = |h| speeds.map(|_| point(2.0, 0.0, whirl(h, 3))).to_vec();
+        let table = table(
+            &speeds,
+            vec![("c", line(0)), ("p", line(1)), ("r", line(-1))],
+        );
+        let fixed = FixedTable::new(&table, &[1, 3]).unwrap();
+        let seen = |line: usize| -> Vec<f64> {
+            let points = fixed.lines[line].points.iter().flatten();
+            points.map(|point| point.signed).collect()
+        };
+        assert_eq!(seen(0), [2.0, 2.0, 2.0]);
+        assert_eq!(seen(1), [2.0, 3.5, 5.0]);
+        assert_eq!(seen(2), [-2.0, -0.5, 1.0]);
+        let critical = fixed.critical.iter();
+        let found: Vec<_> = critical
+            .map(|c| (c.name.as_str(), c.order, c.speed / TAU, c.frequency))
+            .collect();
+        let expected = [
+            ("r", 3, 0.5, 1.5),
+            ("c", 3, 2.0 / 3.0, 2.0),
+            ("p", 3, 1.0, 3.0),
+            ("r", 1, 1.0, 1.0),
+            ("c", 1, 2.0, 2.0),
+            ("r", 0, 2.0, 0.0),
+        ];
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (name, order, speed, frequency) in expected {
+            let is_it = |c: &&(&str, u32, f64, f64)| {
+                let near = (c.2 - speed).abs() < 1e-12 && (c.3 - frequency).abs() < 1e-12;
+                (c.0, c.1) == (name, order) && near
+            };
+            assert_eq!(
+                found.iter().filter(is_it).count(),
+                1,
+                "{name} {order} {found:?}"
+            );
+        }
+    }
+
+    // A shaft whose forward whirl is 2 Hz in the fixed system: in the turning axes 2 - n Hz with
+    // the rotation, and from 2 Hz on n - 2 Hz against it, where another branch begins.
+    #[test]
+    fn a_whirl_goes_on_through_its_critical_speed() {
+        let speeds = [0.0, 1.0, 3.0, 4.0];
+        let before = vec![
+            point(2.0, 0.0, whirl(1, 0)),
+            point(1.0, 0.0, whirl(1, 0)),
+            None,
+            None,
+        ];
+        let after = vec![
+            None,
+            None,
+            point(1.0, 0.0, whirl(-1, 0)),
+            point(2.0, 0.0, whirl(-1, 0)),
+        ];
+        let table = table(&speeds, vec![("before", before), ("after", after)]);
+        let fixed = FixedTable::new(&table, &[1, 2]).unwrap();
+        assert_eq!(fixed.lines.len(), 1);
+        let points = fixed.lines[0].points.iter().flatten();
+        assert_eq!(points.map(|p| p.signed).collect::<Vec<_>>(), [2.0; 4]);
+        let critical: Vec<_> = fixed
+            .critical
+            .iter()
+            .map(|c| (c.order, c.speed / TAU))
+            .collect();
+        assert_eq!(critical, [(2, 1.0), (1, 2.0)]);
+    }
+
+    // s = -0.3 + 2 pi i 0.4 in the turning axes, seen at 1.4 Hz.
+    #[test]
+    fn damping_is_relative_to_the_frequency_that_is_seen() {
+        let points = vec![point(0.4, -0.3, whirl(1, 3)); 2];
+        let table = table(&[1.0, 1.0], vec![("p", points)]);
+        let fixed = FixedTable::new(&table, &[]).unwrap();
+        let found = fixed.lines[0].points[0].unwrap().damping_ratio;
+        assert!((found - 0.3 / 0.3_f64.hypot(TAU * 1.4)).abs() < 1e-15);
+        let mut none = table.clone();
+        none.branches[0]
+            .points
+            .iter_mut()
+            .flatten()
+            .for_each(|p| p.whirl = None);
+        assert_eq!(FixedTable::new(&none, &[]), None);
+    }
+}

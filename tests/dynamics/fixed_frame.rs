@@ -1,0 +1,58 @@
+//! Modes as seen from the fixed system: a disk on equal bearings in the ground.
+
+use std::f64::consts::TAU;
+
+use beam_dynamics::result::{Direction, FixedTable, ModeKind};
+
+use super::case_files;
+
+/// A disk of 10 kg on 40 kN/m in all directions across the axis and 90 kN/m along it.
+const DISK: &str = "units = \"SI\"\n[[node]]\nname = \"disk\"\nposition = [0, 0, 0]\n\
+    [[body]]\nnode = \"disk\"\nmass = 10\ninertia = [1, 1, 2]\n\
+    [[spring]]\nnode = \"disk\"\nstiffness = [4e4, 4e4, 9e4]\n\
+    rotational_stiffness = [1e6, 1e6, 1e6]\nstands_in = \"world\"\n\
+    [modes]\nspeeds = [0, 200, 400, 700, 900]\ncount = 3\nname_at = 200\n";
+
+// f = sqrt(k / m) / 2 pi at all speeds, forward and backward, and along the axis; so the disk is
+// critical at the speed f. In the turning axes the forward whirl is at |f - n|, through zero.
+// Frequencies are exact but for the eigenvalue solver (1e-8), and constant lines have exact
+// intersections.
+#[test]
+fn a_disk_whirls_at_one_frequency_and_is_critical_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("disk.dynamics.toml");
+    std::fs::write(&file, DISK).unwrap();
+    let table = case_files::table(&file);
+    let named = |name: &str| table.branches.iter().any(|branch| branch.name == name);
+    assert!(named("lateral 1 progressive"), "{:?}", table.branches);
+    assert!(named("lateral 1 regressive") && named("axial 1"));
+    let fixed = FixedTable::new(&table, &[1]).unwrap();
+    let [across, along] = [4e4_f64, 9e4].map(|k| (k / 10.0).sqrt() / TAU);
+    assert_eq!(fixed.lines.len(), 3, "{:?}", fixed.lines);
+    for line in &fixed.lines {
+        let (expected, direction) = match line.harmonic {
+            0 => (along, None),
+            1 => (across, Some(Direction::Forward)),
+            _ => (across, Some(Direction::Backward)),
+        };
+        for point in &line.points {
+            let point = point.as_ref().unwrap();
+            assert!(
+                (point.frequency() / expected - 1.0).abs() < 1e-8,
+                "{line:?}"
+            );
+            assert_eq!(point.direction, direction);
+        }
+    }
+    let forward = fixed
+        .critical
+        .iter()
+        .find(|c| c.name.contains("progressive"));
+    let forward = forward.unwrap();
+    assert!(
+        (forward.speed / TAU / across - 1.0).abs() < 1e-8,
+        "{forward:?}"
+    );
+    let kinds = table.branches.iter().map(|branch| branch.kind);
+    assert_eq!(kinds.filter(|kind| *kind == ModeKind::Lateral).count(), 3);
+}
