@@ -321,7 +321,7 @@ fn reader_and_description_have_the_same_keys() {
     visit_all(&mut |path, sample, embed| {
         let place = format!("{} in {}", sample.place(), path.join("."));
         let units = |mut file: Table| {
-            file.entry("units").or_insert_with(|| "SI".into());
+            file.entry("units").or_insert("SI".into());
             file
         };
         if let Err(errors) = fits(&validator, &units(embed(sample.complete()))) {
