@@ -299,6 +299,12 @@ impl FrequencyTable {
         }
     }
 
+    /// Whether the patterns of all modes are whirls of a shaft.
+    pub fn is_shaft(&self) -> bool {
+        let mut points = self.branches.iter().flat_map(|b| b.points.iter().flatten());
+        points.all(|point| point.whirl.is_some_and(|whirl| whirl.blades == 0))
+    }
+
     /// Number of blades of the rotor; zero without a rotor of equal blades.
     pub fn blades(&self) -> usize {
         let points = self.branches.iter().flat_map(|b| b.points.iter().flatten());

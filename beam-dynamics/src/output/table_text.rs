@@ -44,11 +44,17 @@ const WHIRL: &str = "\
         rotation, or neighbors in antiphase; x2 is a wave twice around the rotor
 ";
 
+/// Further parts of the names of modes of a shaft.
+const SHAFT_WHIRL: &str = "\
+\x20 progressive, regressive: whirl with the rotation or against it, in the turning axes
+";
+
 /// Meaning of the numbers and names of `table`.
 pub fn convention(table: &FrequencyTable) -> String {
     let damping = if is_damped(table) { DAMPING } else { "" };
     let mut branches = table.branches.iter();
     let whirl = match branches.any(|branch| branch.harmonic.is_some()) {
+        true if table.is_shaft() => SHAFT_WHIRL,
         true => WHIRL,
         false => "",
     };

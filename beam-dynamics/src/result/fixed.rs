@@ -31,6 +31,8 @@ pub struct FixedLine {
     pub name: String,
     /// Name without the pattern.
     pub stem: String,
+    /// Kind of the name.
+    pub kind: ModeKind,
     /// Waves around the rotor.
     pub harmonic: i32,
     /// The mode at each speed.
@@ -128,6 +130,7 @@ fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> 
             false => format!("{} {}", branch.name, of_branch.word_in(words)),
         },
         stem: branch.stem().to_owned(),
+        kind: branch.kind,
         harmonic: match of_branch.has_direction() {
             true => of_branch.harmonic,
             false => 0,

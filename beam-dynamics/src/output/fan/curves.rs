@@ -15,6 +15,8 @@ const MARK: f64 = 9.0;
 /// Smallest distance of two marks of a line.
 const BETWEEN_MARKS: f64 = 80.0;
 const LINE: f64 = 4.0;
+/// Critical speeds beyond which their marks are small.
+const MANY: usize = 20;
 /// Lengths of dashes and gaps in turns; none for a solid line.
 const PATTERNS: [&[f64]; 4] = [&[], &[26.0, 14.0], &[7.0, 11.0], &[26.0, 9.0, 7.0, 9.0]];
 
@@ -78,7 +80,8 @@ pub(super) fn draw<B: DrawingBackend>(
         }
     }
     let mut critical = plot.critical.iter();
-    critical.try_for_each(|point| diamond(canvas, axes.place(*point)))
+    let size = diamond_size(plot.critical.len());
+    critical.try_for_each(|point| diamond(canvas, axes.place(*point), size))
 }
 
 /// Distance in speeds between two marks of a line.
@@ -170,18 +173,23 @@ pub(super) fn mark<B: DrawingBackend>(
     }
 }
 
+/// Half the size of each of `count` diamonds \[figure pixels\]: many are drawn smaller.
+pub(super) fn diamond_size(count: usize) -> f64 {
+    if count > MANY { 11.0 } else { 17.0 }
+}
+
 /// An open diamond, for critical speeds.
 pub(super) fn diamond<B: DrawingBackend>(
     canvas: &Canvas<B>,
     [x, y]: [f64; 2],
+    size: f64,
 ) -> Result<(), FigureProblem> {
-    const SIZE: f64 = 17.0;
     let corners = [
-        [x, y - SIZE],
-        [x + SIZE, y],
-        [x, y + SIZE],
-        [x - SIZE, y],
-        [x, y - SIZE],
+        [x, y - size],
+        [x + size, y],
+        [x, y + size],
+        [x - size, y],
+        [x, y - size],
     ];
     canvas.line(&corners, 0.8 * LINE, BLACK)
 }

@@ -37,6 +37,7 @@ pub(super) fn patterns(fixed: &FixedTable, table: &FrequencyTable) -> Vec<(usize
         };
         let word = match number {
             2 => "several waves".to_owned(),
+            0 if blades > 0 && blades % 2 == 0 => "collective, differential".to_owned(),
             _ => whirl.word_in(table.style.words),
         };
         found.push((number, format!("{word}{shift}")));
@@ -66,8 +67,13 @@ fn curve(line: &FixedLine, index: usize, table: &FrequencyTable) -> Curve {
         let frequency = point.as_ref()?.frequency();
         table.style.unit.value(frequency, *speed)
     });
+    let last = points().rev().flatten().next().map(|point| point.kind);
+    let now = last.filter(|kind| *kind != line.kind);
     Curve {
-        name: line.name.clone(),
+        name: match now {
+            Some(kind) => format!("{}, now {}", line.name, kind.word_in(table.style.words)),
+            None => line.name.clone(),
+        },
         kinds: points().map(|point| Some(point.as_ref()?.kind)).collect(),
         frequencies: values.collect(),
         zeros: line.zeros(&table.speeds).iter().map(|s| s * RPM).collect(),

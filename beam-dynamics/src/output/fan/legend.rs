@@ -63,6 +63,7 @@ fn patterns<B: DrawingBackend>(
     if plot.critical.is_empty() {
         return Ok(());
     }
-    curves::diamond(canvas, [x + 17.0, y])?;
+    let size = curves::diamond_size(plot.critical.len());
+    curves::diamond(canvas, [x + 17.0, y], size)?;
     canvas.text("critical speed", [x + 48.0, y], Label::new(SMALL))
 }
