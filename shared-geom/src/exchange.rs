@@ -461,8 +461,8 @@ pub fn write(blade: &Blade, format: Format, name: &str) -> Result<Writing, Excha
     Ok(write(blade, name))
 }
 
-/// The text of the windIO file at `path`, `existing`, in which the reference axis and the
-/// elastic properties are replaced by the ones of `blade`; all other lines stay as they are. The file of
+/// The text of the windIO file at `path`, `existing`, in which the reference axis, the
+/// twist and the elastic properties are replaced by the ones of `blade`; all other lines stay as they are. The file of
 /// the result has the name of `path`.
 ///
 /// # Errors

@@ -209,8 +209,8 @@ or that named with --to, with companion files in the same folder. Numbers keep a
 digits; data that the other format cannot hold are reported, with their size. Never overwrites \
 the input.
 
-With --into FILE, a windIO file, TO is a copy of FILE in which only the reference axis and the \
-elastic properties are replaced, and the twist if it differs: a complete file stays complete.";
+With --into FILE, a windIO file, TO is a copy of FILE in which only the reference axis, the twist \
+and the elastic properties are replaced: a complete file stays complete.";
 
 const CONVERT_EXAMPLE: &str = "\
 Examples:

@@ -77,7 +77,7 @@ pub(super) struct ConvertArguments {
     /// Format to write; if not given, by the ending of TO
     #[arg(long = "to", value_name = "NAME", id = "format")]
     format: Option<String>,
-    /// windIO file of which TO becomes a copy, with reference axis and elastic properties of the blade
+    /// windIO file of which TO becomes a copy, with reference axis, twist and elastic properties of the blade
     #[arg(long, value_name = "FILE", conflicts_with = "format")]
     into: Option<PathBuf>,
     #[command(flatten)]

@@ -23,9 +23,9 @@ pub struct BladeDifference {
     pub name: String,
     /// Its unit; angles are in radians.
     pub unit: &'static str,
-    /// Value of A [in `unit`].
+    /// Value of A, in `unit` [mixed].
     pub a: f64,
-    /// Value of B [in `unit`].
+    /// Value of B, in `unit` [mixed].
     pub b: f64,
     /// Absolute difference over its reference [-].
     pub relative: f64,

@@ -1,5 +1,5 @@
-//! Writes a blade into a copy of a windIO file: its reference axis and its elastic
-//! properties. All other lines stay as they are, so that a complete file stays complete.
+//! Writes a blade into a copy of a windIO file: its reference axis, its twist and its
+//! elastic properties. All other lines stay as they are, so that a complete file stays complete.
 
 use std::path::{Path, PathBuf};
 
@@ -11,9 +11,6 @@ use super::write;
 use super::{VERSION_1, is_version_1};
 use crate::blade::Blade;
 use crate::error::Diagnostics;
-
-/// Twist that differs by less is equal [rad].
-const SAME_TWIST: f64 = 1e-9;
 
 /// The reference axis of version 2.
 const AXIS: [&str; 3] = ["components", "blade", "reference_axis"];
@@ -46,7 +43,7 @@ pub(in crate::exchange) fn write_into(
     let mut lost = plain.lost.clone();
     match is_version_1(existing) {
         true => version_1(&mut editor, blade, &plain, &mut lost),
-        false => version_2(&mut editor, blade, &plain, (existing, path), &mut lost),
+        false => version_2(&mut editor, blade, &plain, &mut lost),
     }
     let Editor { lines, problems } = editor;
     let text = problems.finish(Some(lines))?.join("\n");
@@ -79,39 +76,15 @@ fn version_1(editor: &mut Editor, blade: &Blade, plain: &Plain, lost: &mut Vec<S
 }
 
 /// Version 2 has axis, twist and matrices in three tables.
-fn version_2(
-    editor: &mut Editor,
-    blade: &Blade,
-    plain: &Plain,
-    (existing, path): (&str, &Path),
-    lost: &mut Vec<String>,
-) {
-    // The sections are in axes that the twist of the file turns.
-    let old = super::read(existing, path, &Options::default()).ok();
-    let keeps_twist = old.is_some_and(|old| has_twist_of(&old.blade, blade));
+fn version_2(editor: &mut Editor, blade: &Blade, plain: &Plain, lost: &mut Vec<String>) {
     editor.replace(&AXIS, |margin| write::axis_columns(plain, margin));
-    if !keeps_twist {
-        editor.replace(&TWIST, |margin| write::twist_columns(plain, margin));
-    }
+    // The sections are in axes that the twist turns; a grid of its own would add points.
+    editor.replace(&TWIST, |margin| write::twist_columns(plain, margin));
     editor.replace_or_add(&ELASTIC, |_| Vec::new());
     for (key, lines) in write::elastic_tables(blade, plain, lost) {
         let keys = [&ELASTIC[..], &[key]].concat();
         editor.replace_or_add(&keys, |margin| write::indented(&lines, margin));
     }
-}
-
-/// Whether two blades have the same twist at the points of both lines.
-fn has_twist_of(old: &Blade, new: &Blade) -> bool {
-    let (a, b) = (old.line.curve(), new.line.curve());
-    let parts = |blade: &Blade| {
-        let length = blade.length();
-        let arcs = blade.line.arc_lengths();
-        arcs.into_iter().map(move |s| s / length)
-    };
-    parts(old).chain(parts(new)).all(|part| {
-        let twists = [&a, &b].map(|curve| curve.at(part * curve.length()).twist);
-        (twists[0] - twists[1]).abs() <= SAME_TWIST
-    })
 }
 
 /// The lines of the file, and the problems of its tables.
