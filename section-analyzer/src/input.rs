@@ -253,9 +253,6 @@ impl WrittenSection {
         summary.electrodes = places;
         let of_mesh = InputWarning::of_mesh(&report);
         summary.warnings.extend([odd, of_mesh, loose].concat());
-        let size = extent::size(&section.mesh);
-        let large = plausible::of_size(size, &self.length_unit);
-        summary.warnings.extend(large);
         summary.rate(&section.mesh);
         summary.input_hash = files.hash();
         Some(Input {

@@ -32,7 +32,8 @@ pub(super) fn warnings_of(
             warnings.push(InputWarning::NoDensity { material });
         }
         if of_region.contains(&index) {
-            warnings.extend(plausible::of_material(written));
+            let unlikely = plausible::of_material(written);
+            warnings.extend(unlikely.map(InputWarning::Unlikely));
         }
         let is_stiff = |known: &Material| known.law != ElasticLaw::Absent;
         let is_stiff = written.material.as_ref().is_some_and(is_stiff);

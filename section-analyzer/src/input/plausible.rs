@@ -9,7 +9,6 @@ use std::fmt;
 use shared_geom::figure::tick_label;
 
 use super::materials::WrittenMaterial;
-use super::summary::InputWarning;
 use crate::material::{ElasticLaw, Material};
 
 /// Speed of sound below which an isotropic material is suspect: silicone of 0.1 MPa has
@@ -119,22 +118,16 @@ impl fmt::Display for UnlikelyInput {
     }
 }
 
-/// Remarks on a material.
-pub(super) fn of_material(written: &WrittenMaterial) -> Vec<InputWarning> {
-    let Some(material) = &written.material else {
-        return Vec::new();
-    };
-    let found = unlikely(material);
-    found.into_iter().map(InputWarning::Unlikely).collect()
+/// Remark on a material.
+pub(super) fn of_material(written: &WrittenMaterial) -> Option<UnlikelyInput> {
+    written.material.as_ref().and_then(unlikely)
 }
 
 /// Remark on the extent `size` \[m\] of a mesh in `unit`.
-pub(super) fn of_size(size: f64, unit: &str) -> Option<InputWarning> {
-    (size > LARGE).then(|| {
-        InputWarning::Unlikely(UnlikelyInput::Large {
-            size,
-            unit: unit.to_owned(),
-        })
+pub(super) fn of_size(size: f64, unit: &str) -> Option<UnlikelyInput> {
+    (size > LARGE).then(|| UnlikelyInput::Large {
+        size,
+        unit: unit.to_owned(),
     })
 }
 

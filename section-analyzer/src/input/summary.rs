@@ -6,7 +6,8 @@ use shared_geom::figure::tick_label;
 use shared_geom::mesh::CellKind;
 
 use super::electric::ElectricWarning;
-use super::plausible::UnlikelyInput;
+use super::extent;
+use super::plausible::{self, UnlikelyInput};
 use crate::mesh::quality::{MeshQuality, NamedCell};
 use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh, counted};
 use crate::properties::AreaTable;
@@ -42,8 +43,10 @@ pub struct InputSummary {
 }
 
 impl InputSummary {
-    /// Measures the shapes of the cells, and warns of poor ones.
+    /// Measures the shapes of the cells, and warns of poor ones and of an unlikely size.
     pub(super) fn rate(&mut self, mesh: &SectionMesh) {
+        let large = plausible::of_size(extent::size(mesh), &self.length_unit);
+        self.warnings.extend(large.map(InputWarning::Unlikely));
         self.quality = MeshQuality::of(mesh);
         let count = self.quality.poor();
         let poor = self.quality.worst.iter().filter(|cell| cell.is_poor);

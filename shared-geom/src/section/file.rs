@@ -28,10 +28,12 @@ use crate::error::Diagnostics;
 
 mod fields;
 mod places;
+mod points;
 mod prestress;
 mod shapes;
 
 use places::{Places, place_of};
+use points::{FileAxes, FileCenters};
 use prestress::FilePrestress;
 
 /// Latest version of the file format that this program reads.
@@ -81,23 +83,6 @@ struct File {
     prestress: Option<FilePrestress>,
     #[serde(default)]
     provenance: FileProvenance,
-}
-
-#[derive(Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FileCenters {
-    tension: [f64; 2],
-    shear: [f64; 2],
-    mass: [f64; 2],
-}
-
-#[derive(Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FileAxes {
-    bending_angle: f64,
-    bending_stiffness: [f64; 2],
-    inertia_angle: f64,
-    inertia: [f64; 2],
 }
 
 #[derive(Debug, Serialize, Deserialize)]
@@ -249,7 +234,6 @@ fn least_version(section: &SectionProperties) -> u64 {
 
 impl From<&SectionProperties> for File {
     fn from(section: &SectionProperties) -> Self {
-        let axes = &section.principal_axes;
         let source = &section.provenance;
         Self {
             format: FORMAT.to_owned(),
@@ -260,17 +244,8 @@ impl From<&SectionProperties> for File {
             reference_point: section.reference_point.into(),
             stiffness: rows(&section.stiffness),
             mass: rows(&section.mass),
-            centers: Some(FileCenters {
-                tension: section.centers.tension.into(),
-                shear: section.centers.shear.into(),
-                mass: section.centers.mass.into(),
-            }),
-            principal_axes: Some(FileAxes {
-                bending_angle: axes.bending_angle,
-                bending_stiffness: axes.bending_stiffness,
-                inertia_angle: axes.inertia_angle,
-                inertia: axes.inertia,
-            }),
+            centers: Some(FileCenters::from(&section.centers)),
+            principal_axes: Some(FileAxes::from(&section.principal_axes)),
             initial_curvature: section.initial_curvature.map(|initial| FileCurvature {
                 curvature: initial.curvature.into(),
                 slope: initial.slope.into(),
@@ -398,27 +373,6 @@ impl File {
                 history,
                 ..self.provenance.without_history()
             },
-        }
-    }
-}
-
-impl FileCenters {
-    fn centers(&self) -> Centers {
-        Centers {
-            tension: Vector2::from(self.tension),
-            shear: Vector2::from(self.shear),
-            mass: Vector2::from(self.mass),
-        }
-    }
-}
-
-impl FileAxes {
-    fn axes(&self) -> PrincipalAxes {
-        PrincipalAxes {
-            bending_angle: self.bending_angle,
-            bending_stiffness: self.bending_stiffness,
-            inertia_angle: self.inertia_angle,
-            inertia: self.inertia,
         }
     }
 }
