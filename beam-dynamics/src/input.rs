@@ -141,6 +141,15 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     checked(&read_text(path)?, &file, &name_of(path))
 }
 
+/// Reads and checks the text of a dynamics input, as if it were at `path`: the paths of its files
+/// are relative to it.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<Input, Diagnostics> {
+    checked(text, &path.display().to_string(), &name_of(path))
+}
+
 /// The input in the text of a file, whose results are called `name`.
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;

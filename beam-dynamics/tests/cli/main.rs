@@ -25,7 +25,9 @@ mod loads;
 mod messages;
 mod netcdf;
 mod prestress;
+mod robust;
 mod several;
+mod starts;
 mod transient;
 
 /// A blade of a strip with properties from a file.
