@@ -37,7 +37,7 @@ iz = 1e-5
 
 /// A blade whose root a shaft turns at 30 rpm, with gravity across the shaft.
 fn wheel() -> String {
-    UNIFORM.replace("EI", "1e7").to_owned()
+    UNIFORM.replace("EI", "1e7")
         + "\
 [[blade]]
 name = \"b\"
