@@ -142,13 +142,14 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     checked(&read_text(path)?, &file, &name_of(path))
 }
 
-/// Checks the dynamics input in `text`; `file` is its name for messages, and relative paths in it
-/// start at the folder of that name.
+/// Reads and checks the text of a dynamics input, as if it were at `path`: the paths of its files
+/// are relative to it.
 ///
 /// # Errors
 /// As [`read`].
-pub fn parse(text: &str, file: &str) -> Result<Input, Diagnostics> {
-    checked(text, file, &name_of(Path::new(file)))
+pub fn parse(text: &str, path: impl AsRef<Path>) -> Result<Input, Diagnostics> {
+    let path = path.as_ref();
+    checked(text, &path.display().to_string(), &name_of(path))
 }
 
 /// The input in the text of a file, whose results are called `name`.

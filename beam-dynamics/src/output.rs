@@ -46,5 +46,5 @@ pub use table_modes::mode_csv;
 pub use table_text::{CONVENTION, convention, frequency_text};
 pub use transient::{
     Heading, RunFileProblem, RunFiles, TimePlot, TimeTable, effort_text, not_drawn_text,
-    read_snapshot, write_snapshot,
+    parse_snapshot, read_snapshot, write_snapshot,
 };

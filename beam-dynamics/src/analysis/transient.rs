@@ -52,7 +52,7 @@ use crate::assembly::Slack;
 use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
 use crate::case::{Model, TransientQuestion};
-use crate::integrator::{Corner, Counters, Integrator, Progress, Scheme, Stepping};
+use crate::integrator::{Corner, Integrator, Progress, Scheme, Stepping};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::result::{Effort, Moment, Recorder, Snapshot};
 
@@ -60,6 +60,7 @@ mod change;
 mod corner;
 mod diagnosis;
 mod dummy;
+mod effort;
 mod energy;
 mod failure;
 mod gravity;
@@ -85,6 +86,7 @@ pub use snapshot::difference;
 pub use turning::LargestTurn;
 
 use diagnosis::trouble;
+use effort::effort;
 use energy::{EnergyWatch, Finding};
 use multibody::Multibody;
 use singular::Passed;
@@ -527,25 +529,5 @@ impl Run<'_> {
         let asked = (self.model, self.question);
         let trouble = trouble(failure, asked, (&self.dae, self.gained()));
         TransientFailure::Step(Box::new(trouble))
-    }
-}
-
-/// The effort of the steps, for the results.
-fn effort(counters: &Counters, output_time: f64) -> Effort {
-    Effort {
-        steps: counters.steps,
-        rejected: counters.rejected,
-        iterations: counters.iterations,
-        jacobians: counters.jacobians,
-        pivotings: counters.pivotings,
-        least_step: counters.least_step,
-        most_step: counters.most_step,
-        prediction_time: counters.prediction_time,
-        residual_time: counters.residual_time,
-        jacobian_time: counters.jacobian_time,
-        factorization_time: counters.factorization_time,
-        solution_time: counters.solution_time,
-        output_time,
-        ..Effort::default()
     }
 }

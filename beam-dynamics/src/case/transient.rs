@@ -43,7 +43,7 @@ pub enum Start {
     /// From the equilibrium at rest under the loads at the first instant.
     Equilibrium,
     /// From the equilibrium of the whole model in steady rotation about the axis of the
-    /// hub.
+    /// hub, with the periodic response to gravity across it.
     Rotating {
         /// Speed of rotation [rad/s].
         speed: f64,

@@ -25,7 +25,7 @@ pub use effort::effort_text;
 pub use files::{RunFiles, not_drawn_text};
 pub use plot::TimePlot;
 pub use problem::RunFileProblem;
-pub use restart::{read_snapshot, write_snapshot};
+pub use restart::{parse_snapshot, read_snapshot, write_snapshot};
 pub use table::TimeTable;
 
 use crate::case::Column;

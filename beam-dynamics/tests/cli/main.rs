@@ -26,8 +26,10 @@ mod loads;
 mod messages;
 mod netcdf;
 mod prestress;
+mod robust;
 mod schema;
 mod several;
+mod starts;
 mod transient;
 
 /// A blade of a strip with properties from a file.

@@ -382,3 +382,71 @@ fn changes_of_a_start_that_does_not_fit_are_told() {
         assert!(run.out.contains(part), "{part}\n{}", run.out);
     }
 }
+
+/// Mistakes that point to the right table, number or drive.
+#[test]
+fn near_mistakes_are_told_with_their_remedy() {
+    let folder = Folder::new();
+    let told = |cards: &str| {
+        let text = super::loads::STRIP.to_owned() + cards;
+        folder.write("a.dynamics.toml", &text);
+        folder.run(&["check", "a.dynamics.toml"]).err
+    };
+    let mode = told("[mode]\nspeeds = 0\n");
+    let expected = "unknown key \"mode\" in the file\n  help: did you mean [modes]?";
+    assert!(mode.contains(expected), "{mode}");
+    let ramp = told("[modes]\nspeeds = 0\n[drives.up]\nkind = \"ramp\"\nto = 1\n");
+    let expected = "drives \"up\" has none of \"end\" and \"duration\", expected one";
+    assert!(ramp.contains(expected), "{ramp}");
+    let run = folder.run(&["modes", "a.json", "--speeds", "0-8"]);
+    assert_eq!(run.code, 2);
+    let expected = "expected numbers with commas between, as in 0,4,8";
+    assert!(run.err.contains(expected), "{}", run.err);
+}
+
+/// A swept, twisted blade under a follower load.
+const SWEPT: &str = "\
+units = \"SI\"
+[properties.p]
+ea = 1e6
+gay = 1e5
+gaz = 1.2e5
+gj = 100
+eiy = 110
+eiz = 300
+m = 1.1
+iy = 1e-3
+iz = 2e-3
+damping = { time = 5e-3 }
+[[blade]]
+name = \"b\"
+properties = \"p\"
+precone = 5
+[[blade.piece]]
+length = 1.5
+elements = 4
+sweep = 10
+twist = [0, 20]
+[[load]]
+node = \"b/tip\"
+force = [5, 10, 20]
+offset = [0, 0.05, 0]
+follower = true
+[gravity]
+acceleration = [0, 0, -9.81]
+[transient]
+to = 0.2
+step = 1e-3
+scheme = \"gauss\"
+";
+
+// The iteration diverges at every step, and the cause is the scheme, not the mechanism.
+#[test]
+fn a_scheme_without_joints_is_named_as_the_cause() {
+    let folder = Folder::new();
+    folder.write("a.dynamics.toml", SWEPT);
+    let run = folder.run(&["transient", "a.dynamics.toml", "--no-figures"]);
+    assert_eq!(run.code, 1, "{}{}", run.out, run.err);
+    let expected = "the scheme: stages at Gauss' points cannot enforce constraints";
+    assert!(run.err.contains(expected), "{}", run.err);
+}

@@ -138,3 +138,21 @@ fn unreadable_rows_are_told_with_the_line_of_the_table() {
          the first column",
     ]);
 }
+
+#[test]
+fn a_file_of_the_other_program_is_recognized() {
+    let place = Workplace::new();
+    place.write(
+        "a.dynamics.toml",
+        "units = \"SI\"\n[[blade]]\nname = \"b\"\n",
+    );
+    for command in ["check", "analyze"] {
+        let run = place.run(&[command, "a.dynamics.toml"]);
+        assert_eq!(
+            run.err,
+            "error: a.dynamics.toml: this is a .dynamics.toml file, expected a .section.toml \
+             file\n  help: use \"beam-dynamics\"\n"
+        );
+        assert_eq!(run.code, 2);
+    }
+}

@@ -2,6 +2,16 @@
 
 use std::fmt;
 
+use nalgebra::Vector3;
+use shared_geom::rotation::vector;
+
+use crate::case::Model;
+use crate::model::State;
+
+/// Changes below this part of the size of the model, or of the fastest motion, are
+/// round-off.
+const VISIBLE: f64 = 1e-9;
+
 /// Node quantity adjusted during initialization.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Changed {
@@ -55,4 +65,57 @@ impl fmt::Display for StartChange {
             number(self.to)
         )
     }
+}
+
+/// Every component that initialization changed visibly.
+pub(super) fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
+    let size = model.system.size();
+    let fastest = |state: &State| {
+        let of = state.nodes.iter().map(|node| {
+            node.velocity
+                .norm()
+                .max(size * node.angular_velocity.norm())
+        });
+        of.fold(0.0, f64::max)
+    };
+    let fastest = fastest(given).max(fastest(found));
+    let mut changes = Vec::new();
+    let nodes = given.nodes.iter().zip(&found.nodes);
+    for ((given, found), node) in nodes.zip(model.system.nodes()) {
+        let turn = vector::from_rotation(&(found.rotation * given.rotation.transpose()));
+        for (what, from, to, smallest) in [
+            (
+                Changed::Position,
+                given.position,
+                found.position,
+                VISIBLE * size,
+            ),
+            (Changed::Orientation, Vector3::zeros(), turn, VISIBLE),
+            (
+                Changed::Velocity,
+                given.velocity,
+                found.velocity,
+                VISIBLE * fastest,
+            ),
+            (
+                Changed::AngularVelocity,
+                given.angular_velocity,
+                found.angular_velocity,
+                VISIBLE * fastest / size,
+            ),
+        ] {
+            for component in 0..3 {
+                if (to[component] - from[component]).abs() > smallest {
+                    changes.push(StartChange {
+                        node: node.label.clone(),
+                        what,
+                        component,
+                        from: from[component],
+                        to: to[component],
+                    });
+                }
+            }
+        }
+    }
+    changes
 }

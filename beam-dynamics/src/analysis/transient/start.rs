@@ -1,7 +1,6 @@
 //! The first state of a run: positions, velocities, momenta, rates and multipliers.
 
 use nalgebra::Vector3;
-use shared_geom::rotation::vector;
 
 use crate::analysis::steady::equilibrium;
 use crate::assembly::{MasslessMotions, System};
@@ -11,7 +10,7 @@ use crate::model::{Conditions, Drive, NODE_UNKNOWNS, State, TurningFrame};
 use crate::modes::EigenProblem;
 use crate::solver::LinearSolver;
 
-use super::change::{Changed, StartChange};
+use super::change::{StartChange, changes};
 use super::dummy::dummy_rates;
 use super::failure::TransientFailure;
 use super::gravity;
@@ -20,9 +19,6 @@ use super::rates::{consistent_rates, find_momenta};
 use super::scalars::{self, Settling};
 use super::shape;
 
-/// Changes below this part of the size of the model, or of the fastest motion, are
-/// round-off.
-const VISIBLE: f64 = 1e-9;
 /// Changes of the velocities of a rotating equilibrium up to this part of the fastest are ignored.
 const TURNS: f64 = 1e-6;
 
@@ -423,59 +419,6 @@ fn take_rates(state: &mut State, found: &State) {
     state.multipliers.clone_from(&found.multipliers);
     state.scalars.clone_from(&found.scalars);
     state.scalar_rates.clone_from(&found.scalar_rates);
-}
-
-/// Every component that initialization changed visibly.
-fn changes(model: &Model, given: &State, found: &State) -> Vec<StartChange> {
-    let size = model.system.size();
-    let fastest = |state: &State| {
-        let of = state.nodes.iter().map(|node| {
-            node.velocity
-                .norm()
-                .max(size * node.angular_velocity.norm())
-        });
-        of.fold(0.0, f64::max)
-    };
-    let fastest = fastest(given).max(fastest(found));
-    let mut changes = Vec::new();
-    let nodes = given.nodes.iter().zip(&found.nodes);
-    for ((given, found), node) in nodes.zip(model.system.nodes()) {
-        let turn = vector::from_rotation(&(found.rotation * given.rotation.transpose()));
-        for (what, from, to, smallest) in [
-            (
-                Changed::Position,
-                given.position,
-                found.position,
-                VISIBLE * size,
-            ),
-            (Changed::Orientation, Vector3::zeros(), turn, VISIBLE),
-            (
-                Changed::Velocity,
-                given.velocity,
-                found.velocity,
-                VISIBLE * fastest,
-            ),
-            (
-                Changed::AngularVelocity,
-                given.angular_velocity,
-                found.angular_velocity,
-                VISIBLE * fastest / size,
-            ),
-        ] {
-            for component in 0..3 {
-                if (to[component] - from[component]).abs() > smallest {
-                    changes.push(StartChange {
-                        node: node.label.clone(),
-                        what,
-                        component,
-                        from: from[component],
-                        to: to[component],
-                    });
-                }
-            }
-        }
-    }
-    changes
 }
 
 /// A rotating equilibrium must continue to rotate: no part of it may be held in space.

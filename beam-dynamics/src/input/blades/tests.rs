@@ -381,7 +381,7 @@ fn the_relaxed_angle_of_a_hinge_is_a_drive() {
         .find(|joint| joint.joint == "b/pitch hinge");
     let moment = hinge.unwrap().moment;
     assert_near(moment, [100.0 * 2.0_f64.to_radians(), 0.0, 0.0]);
-    let far = cards.replace("= 4*t", "200 deg");
+    let far = cards.replace("= 4*t", "340 deg");
     let shown = refused(&straight(10.0, 0.0), &far);
     assert!(shown.contains("\"angle\""), "{shown}");
 }

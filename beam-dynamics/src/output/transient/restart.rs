@@ -27,7 +27,15 @@ pub fn write_snapshot(snapshot: &Snapshot, path: &Path) -> Result<(), RunFilePro
 /// [`RunFileProblem::Unreadable`].
 pub fn read_snapshot(path: &Path) -> Result<Snapshot, RunFileProblem> {
     let bytes = read_bytes(path).map_err(|error| cannot_read(path, &error))?;
-    serde_json::from_slice(&bytes).map_err(|error| RunFileProblem::Unreadable {
+    parse_snapshot(&bytes, path)
+}
+
+/// The snapshot in the content of the file at `path`.
+///
+/// # Errors
+/// [`RunFileProblem::Unreadable`].
+pub fn parse_snapshot(bytes: &[u8], path: &Path) -> Result<Snapshot, RunFileProblem> {
+    serde_json::from_slice(bytes).map_err(|error| RunFileProblem::Unreadable {
         file: path.display().to_string(),
         reason: format!("it is not a restart file: {error}"),
         remedy: "name a file NAME.restart.json that transient wrote",

@@ -32,10 +32,25 @@ impl TimeTable {
     /// # Errors
     /// [`RunFileProblem::Unreadable`].
     pub fn read(path: &Path) -> Result<Self, RunFileProblem> {
+        let is_table = ["csv", "nc"]
+            .iter()
+            .any(|ending| path.extension() == Some(ending.as_ref()));
+        let bytes = match is_table {
+            true => read_bytes(path).map_err(|error| cannot_read(path, &error))?,
+            false => Vec::new(),
+        };
+        Self::parse(&bytes, path)
+    }
+
+    /// The table in the content of the file at `path`.
+    ///
+    /// # Errors
+    /// As [`TimeTable::read`].
+    pub fn parse(bytes: &[u8], path: &Path) -> Result<Self, RunFileProblem> {
         let ending = path.extension().and_then(|ending| ending.to_str());
         match ending {
-            Some("csv") => read_csv(path),
-            Some("nc") => read_netcdf(path),
+            Some("csv") => parse_csv(bytes, path),
+            Some("nc") => parse_netcdf(bytes, path),
             _ => Err(unreadable(path, "its ending is neither .csv nor .nc")),
         }
     }
@@ -90,11 +105,8 @@ fn unreadable(path: &Path, reason: impl Into<String>) -> RunFileProblem {
     }
 }
 
-fn read_csv(path: &Path) -> Result<TimeTable, RunFileProblem> {
-    let bytes = read_bytes(path).map_err(|error| cannot_read(path, &error))?;
-    let mut reader = csv::ReaderBuilder::new()
-        .flexible(true)
-        .from_reader(&bytes[..]);
+fn parse_csv(bytes: &[u8], path: &Path) -> Result<TimeTable, RunFileProblem> {
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes);
     let failed = |error: csv::Error| unreadable(path, error.to_string());
     let headings: Vec<_> = reader
         .headers()
@@ -155,10 +167,9 @@ fn heading(text: &str) -> Heading {
     }
 }
 
-fn read_netcdf(path: &Path) -> Result<TimeTable, RunFileProblem> {
-    let bytes = read_bytes(path).map_err(|error| cannot_read(path, &error))?;
+fn parse_netcdf(bytes: &[u8], path: &Path) -> Result<TimeTable, RunFileProblem> {
     let foreign = "it is not a complete NetCDF-3 file of a run";
-    let content = Content::parse(&bytes).ok_or_else(|| unreadable(path, foreign))?;
+    let content = Content::parse(bytes).ok_or_else(|| unreadable(path, foreign))?;
     Ok(TimeTable {
         file: path.display().to_string(),
         title: match content.title.is_empty() {

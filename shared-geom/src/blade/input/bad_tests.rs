@@ -410,6 +410,12 @@ fn files_that_are_not_there_are_told_with_who_names_them() {
     let shown = read_told(&file);
     let expected = "a.blade.toml:9: \"file\": no file \"c.csv\"\n  help: did you mean \"b.csv\"?";
     assert!(shown.contains(expected), "{shown}");
+    let before = head.split("[line]").next().unwrap();
+    let line = "[line]\nfile = \"d.csv\"\ncourse = \"spline\"\n";
+    std::fs::write(&file, format!("{before}{line}")).unwrap();
+    let shown = read_told(&file);
+    assert!(shown.contains("\"file\": no file \"d.csv\""), "{shown}");
+    assert!(!shown.contains("\"course\""), "{shown}");
     let station = "[[station]]\narc_length = 0\nfile = \"nix.json\"\n";
     std::fs::write(&file, format!("{head}{station}")).unwrap();
     let shown = read_told(&file);

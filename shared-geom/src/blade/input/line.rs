@@ -48,6 +48,8 @@ pub(super) fn read(
         ["length"] => straight(&table, frame),
         ["arc"] => arcs(&table, frame),
         ["file"] => {
+            // A known key, even if the file cannot be read.
+            table.has("course");
             let columns = Columns::read(&table, &KEYS.map(str::to_owned), sources);
             let line = columns.as_ref().and_then(|columns| {
                 let lists = Lists::File(columns);

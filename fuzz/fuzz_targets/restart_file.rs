@@ -1,0 +1,48 @@
+//! Restart files of the model in `support`: a state that fits is continued for some steps.
+#![no_main]
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+use beam_dynamics::analysis::transient::{difference, transient};
+use beam_dynamics::input::{self, Input};
+use beam_dynamics::output::parse_snapshot;
+use beam_dynamics::result::{Moment, Recorder};
+use libfuzzer_sys::fuzz_target;
+
+/// Steps that are continued.
+const STEPS: usize = 3;
+
+static INPUT: LazyLock<Input> = LazyLock::new(|| {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/support/strip.dynamics.toml");
+    input::read(Path::new(file)).unwrap()
+});
+
+/// Ends a run after some steps.
+struct Few(usize);
+
+impl Recorder for Few {
+    fn record(&mut self, _: &Moment<'_>) -> bool {
+        self.0 += 1;
+        self.0 < STEPS
+    }
+}
+
+fuzz_target!(|bytes: &[u8]| {
+    match parse_snapshot(bytes, Path::new("a.restart.json")) {
+        Ok(snapshot) => {
+            let question = INPUT.transient.as_ref().unwrap();
+            let fits = difference(&INPUT.model, &snapshot).is_none();
+            if fits && snapshot.progress.time < question.to {
+                let _ = transient(
+                    &INPUT.model,
+                    question,
+                    Some(&snapshot),
+                    &mut Few(0),
+                    &|| 0.0,
+                );
+            }
+        }
+        Err(problem) => assert!(!problem.to_string().is_empty()),
+    }
+});

@@ -1,0 +1,21 @@
+//! Tables of runs in time: NetCDF files by their first letters, else text.
+#![no_main]
+
+use std::path::Path;
+
+use beam_dynamics::output::TimeTable;
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    let name = match bytes.starts_with(b"CDF") {
+        true => "a.nc",
+        false => "a.csv",
+    };
+    match TimeTable::parse(bytes, Path::new(name)) {
+        Ok(mut table) => {
+            assert!(table.columns.iter().all(|own| own.len() == table.rows()));
+            table.between(0.0, 1.0);
+        }
+        Err(problem) => assert!(!problem.to_string().is_empty()),
+    }
+});
