@@ -8,7 +8,10 @@ use shared_geom::document::schema::{Family, KeySchema, Need, TableSchema, key};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::kinds::{DEFAULT_TERMS, MOST_TERMS};
+/// Default number of sines of a random drive.
+const DEFAULT_TERMS: usize = 64;
+/// Largest number of sines of a random drive.
+const MOST_TERMS: usize = 10_000;
 
 /// The kind of a drive.
 macro_rules! kind {

@@ -23,9 +23,6 @@ const KINDS: [&str; 10] = [
     "product",
     "random",
 ];
-/// Default and largest number of sines of a random drive.
-pub(super) const DEFAULT_TERMS: usize = 64;
-pub(super) const MOST_TERMS: usize = 10_000;
 
 /// Whether the kind of a table is known; otherwise its keys are not checked.
 pub(super) fn is_known(table: &Table<'_>) -> bool {

@@ -134,13 +134,7 @@ impl Numbers {
                 forms.extend(self.forms(&ValueKind::Lines(0)));
                 forms
             }
-            ValueKind::Count(most) => {
-                let mut count = json!({ "type": "integer", "minimum": 1 });
-                if *most < usize::MAX {
-                    count["maximum"] = (*most).into();
-                }
-                [count].into_iter().chain(self.expression()).collect()
-            }
+            ValueKind::Count(most) => self.count(*most),
             ValueKind::Numbers(most) => {
                 let items = self.number();
                 vec![json!({ "type": "array", "items": items, "minItems": 1, "maxItems": most })]
@@ -148,17 +142,9 @@ impl Numbers {
             ValueKind::Rows(rows, columns) => vec![array(*rows, array(*columns, self.number()))],
             ValueKind::Lines(0) => vec![list(list(self.number()))],
             ValueKind::Lines(columns) => vec![list(array(*columns, self.number()))],
-            ValueKind::Drive(_) => vec![
-                json!({ "type": "number" }),
-                text(),
-                json!({ "type": "object" }),
-            ],
-            ValueKind::Drives(_) => {
-                vec![list(json!({ "type": ["number", "string", "object"] }))]
-            }
-            ValueKind::NamedDrives(_) => {
-                vec![open(json!({ "type": ["number", "string", "object"] }))]
-            }
+            ValueKind::Drive(_) => vec![drive()],
+            ValueKind::Drives(_) => vec![list(drive())],
+            ValueKind::NamedDrives(_) => vec![open(drive())],
             ValueKind::Table(table) => vec![self.of_table(table)],
             ValueKind::NamedTables(table) => vec![json!({
                 "type": "object",
@@ -168,6 +154,15 @@ impl Numbers {
             ValueKind::Tables(table) => vec![list(self.of_table(table))],
             ValueKind::OtherTables => vec![list(json!({ "type": "object" }))],
         }
+    }
+
+    /// A whole number up to `most`, or an expression.
+    fn count(self, most: usize) -> Vec<Value> {
+        let mut count = json!({ "type": "integer", "minimum": 1 });
+        if most < usize::MAX {
+            count["maximum"] = most.into();
+        }
+        [count].into_iter().chain(self.expression()).collect()
     }
 
     /// A number, or a text in its place.
@@ -223,6 +218,11 @@ fn text() -> Value {
 
 fn word(words: &[&str]) -> Value {
     json!({ "type": "string", "enum": words })
+}
+
+/// A number, a text, or a table.
+fn drive() -> Value {
+    json!({ "type": ["number", "string", "object"], "minLength": 1 })
 }
 
 fn any(forms: Vec<Value>) -> Value {
