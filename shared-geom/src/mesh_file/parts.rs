@@ -66,9 +66,10 @@ impl Parts {
         let index = u32::try_from(self.nodes.len()).ok();
         let index = index.filter(|&index| index < u32::MAX);
         let index = index.ok_or(FileProblem::TooManyNodes)?;
-        if self.node_index.insert(tag, index).is_some() {
+        if self.node_index.contains_key(&tag) {
             return Err(FileProblem::RepeatedNode(tag));
         }
+        self.node_index.insert(tag, index);
         let position = position.into();
         self.nodes.push(Node { tag, position });
         Ok(())
@@ -88,9 +89,10 @@ impl Parts {
         set: Option<usize>,
     ) -> Result<(), FileProblem> {
         let index = self.elements.len();
-        if self.element_index.insert(tag, index).is_some() {
+        if self.element_index.contains_key(&tag) {
             return Err(FileProblem::RepeatedElement(tag));
         }
+        self.element_index.insert(tag, index);
         self.elements.push(Element {
             line,
             tag,
