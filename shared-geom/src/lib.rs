@@ -19,6 +19,7 @@ pub mod hash;
 pub mod lagrange;
 pub mod line;
 pub mod mesh;
+pub mod mesh_file;
 pub mod quadrature;
 pub mod rotation;
 pub mod section;

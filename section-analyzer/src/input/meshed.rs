@@ -2,8 +2,8 @@
 
 use shared_geom::document::Document;
 use shared_geom::error::Place;
-use shared_geom::gmsh;
 use shared_geom::mesh::Mesh;
+use shared_geom::mesh_file;
 use shared_geom::units::Dimension;
 
 use super::files::Files;
@@ -65,5 +65,5 @@ impl WrittenSection {
 fn read_mesh(document: &Document, files: &mut Files<'_>, key: &Written) -> Option<Mesh> {
     let path = files.path(key);
     let bytes = files.read("mesh", &path, key)?;
-    document.keep(gmsh::read(bytes, &path.display().to_string()))
+    document.keep(mesh_file::read(bytes, &path.display().to_string()))
 }

@@ -7,6 +7,7 @@
 mod electrodes;
 mod follow;
 mod laminae;
+mod mesh_files;
 mod moved_nodes;
 #[path = "../../../shared-geom/tests/robust/mutation.rs"]
 mod mutation;

@@ -1,0 +1,401 @@
+//! Unstructured grids in the legacy text format of VTK, versions 1 to 5: points, plane cells,
+//! lines, and an array of whole numbers by cell as groups.
+//!
+//! The array is called `group`, or has another of the [`USUAL`] names, or is the only one of
+//! whole numbers. Each of its values is a group of this number.
+
+use super::parts::{Parts, Shape};
+use super::problem::{FileProblem, Problems, text};
+use super::words::{Words, whole};
+use crate::error::Diagnostics;
+use crate::mesh::{CellKind, LineKind, Mesh};
+
+/// Usual names of arrays of groups, the preferred ones first.
+const USUAL: [&str; 9] = [
+    "group",
+    "gmsh:physical",
+    "PhysicalIds",
+    "physical",
+    "region",
+    "CellEntityIds",
+    "MaterialIds",
+    "material",
+    "elset",
+];
+/// Largest number of values that are reserved before they are read.
+const RESERVED: usize = 1 << 20;
+
+/// An array of whole numbers by cell.
+#[derive(Debug)]
+struct Array {
+    name: String,
+    values: Vec<i32>,
+}
+
+/// A cell as listed: its line and the indices of its points.
+#[derive(Debug)]
+struct Listed {
+    line: usize,
+    points: Vec<u64>,
+}
+
+/// Reads the mesh of a legacy file of VTK.
+///
+/// # Errors
+/// All problems of the file, each with its line.
+pub(super) fn read(content: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
+    let head = content.get(..content.len().min(1024)).unwrap_or_default();
+    let mut problems = Problems::default();
+    if is_binary(head) {
+        let problem = FileProblem::Header {
+            found: "the file is BINARY".to_owned(),
+            expected: "ASCII",
+        };
+        problems.push(3, problem);
+        return problems.into_result(file, Mesh::default());
+    }
+    let mut reader = Reader {
+        words: Words::new(text(content, file)?),
+        points: Vec::new(),
+        cells: Vec::new(),
+        types: Vec::new(),
+        arrays: Vec::new(),
+    };
+    let read = reader.sections();
+    let line = reader.words.line();
+    problems.keep(line, read);
+    let mesh = reader.finish(line, &mut problems);
+    problems.into_result(file, mesh)
+}
+
+/// Whether the third line of a file says so.
+fn is_binary(head: &[u8]) -> bool {
+    let line = head.split(|&byte| byte == b'\n').nth(2);
+    line.is_some_and(|line| line.trim_ascii().eq_ignore_ascii_case(b"BINARY"))
+}
+
+struct Reader<'a> {
+    words: Words<'a>,
+    points: Vec<(usize, [f64; 3])>,
+    cells: Vec<Listed>,
+    /// Types of the cells, each with its line.
+    types: Vec<(usize, u32)>,
+    arrays: Vec<Array>,
+}
+
+impl Reader<'_> {
+    /// Reads all sections; the first problem ends the reading, as later words have no
+    /// meaning without the earlier ones.
+    fn sections(&mut self) -> Result<(), FileProblem> {
+        let head: [(&'static str, fn(&str) -> bool); 3] = [
+            ("# vtk DataFile Version", is_version),
+            ("a title", |_| true),
+            ("ASCII", |line| line.eq_ignore_ascii_case("ASCII")),
+        ];
+        for (expected, is_good) in head {
+            let line = self
+                .words
+                .next_line()
+                .ok_or(FileProblem::CutOff(expected))?;
+            if !is_good(line) {
+                let found = format!("\"{}\"", line.chars().take(40).collect::<String>());
+                return Err(FileProblem::Header { found, expected });
+            }
+        }
+        let mut of_cells = false;
+        while let Some(word) = self.words.word() {
+            match word.to_uppercase().as_str() {
+                "DATASET" => self.dataset()?,
+                "POINTS" => self.read_points()?,
+                "CELLS" => self.read_cells()?,
+                "CELL_TYPES" => {
+                    let count: usize = self.words.number("the number of types")?;
+                    for _ in 0..count {
+                        let kind = self.words.number("the type of a cell")?;
+                        self.types.push((self.words.line(), kind));
+                    }
+                }
+                "CELL_DATA" => {
+                    of_cells = true;
+                    self.words.number::<usize>("the number of cells")?;
+                }
+                "POINT_DATA" => {
+                    of_cells = false;
+                    self.words.number::<usize>("the number of points")?;
+                }
+                "SCALARS" => self.scalars(of_cells)?,
+                "FIELD" => self.field(of_cells)?,
+                "VECTORS" | "NORMALS" => self.skip_named(3, of_cells)?,
+                "TENSORS" => self.skip_named(9, of_cells)?,
+                // metadata of newer versions, to the end of the line
+                _ => {
+                    self.words.next_line();
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn dataset(&mut self) -> Result<(), FileProblem> {
+        let found = self.words.word().unwrap_or_default();
+        match found.eq_ignore_ascii_case("UNSTRUCTURED_GRID") {
+            true => Ok(()),
+            false => Err(FileProblem::Header {
+                found: format!("the data are \"{found}\""),
+                expected: "UNSTRUCTURED_GRID",
+            }),
+        }
+    }
+
+    fn read_points(&mut self) -> Result<(), FileProblem> {
+        let count: usize = self.words.number("the number of points")?;
+        self.words.word();
+        self.points.reserve(count.min(RESERVED));
+        for _ in 0..count {
+            let mut position = [0.0; 3];
+            for place in &mut position {
+                *place = self.words.real("coordinate")?;
+            }
+            self.points.push((self.words.line(), position));
+        }
+        Ok(())
+    }
+
+    /// Reads the cells: `n i j k` each; from version 5 on as offsets and a list of points.
+    fn read_cells(&mut self) -> Result<(), FileProblem> {
+        let count: usize = self.words.number("the number of cells")?;
+        let size: usize = self.words.number("the size of the list of cells")?;
+        let first = self
+            .words
+            .word()
+            .ok_or(FileProblem::CutOff("the first cell"))?;
+        if first.eq_ignore_ascii_case("OFFSETS") {
+            return self.read_offsets(count, size);
+        }
+        let mut length = whole::<usize>(first, "the number of points of a cell")?;
+        for cell in 0..count {
+            if cell > 0 {
+                length = self.words.number("the number of points of a cell")?;
+            }
+            let line = self.words.line();
+            let mut points = Vec::new();
+            for _ in 0..length {
+                points.push(self.words.number("a point of a cell")?);
+            }
+            self.cells.push(Listed { line, points });
+        }
+        Ok(())
+    }
+
+    fn read_offsets(&mut self, offsets: usize, size: usize) -> Result<(), FileProblem> {
+        self.words.word();
+        let mut ends = Vec::new();
+        for _ in 0..offsets {
+            ends.push(self.words.number::<usize>("an offset")?);
+        }
+        let word = self.words.word().unwrap_or_default();
+        if !word.eq_ignore_ascii_case("CONNECTIVITY") {
+            return Err(FileProblem::Header {
+                found: format!("\"{word}\" after the offsets"),
+                expected: "CONNECTIVITY",
+            });
+        }
+        self.words.word();
+        let line = self.words.line();
+        let mut all = Vec::new();
+        for _ in 0..size {
+            all.push(self.words.number::<u64>("a point of a cell")?);
+        }
+        for pair in ends.windows(2) {
+            let points = all.get(pair[0]..pair[1]).ok_or(FileProblem::Length {
+                what: "the list of points",
+                found: size,
+                expected: pair[1],
+            })?;
+            let points = points.to_vec();
+            self.cells.push(Listed { line, points });
+        }
+        Ok(())
+    }
+
+    /// Reads `SCALARS name type [components]`, the table of colors and the values.
+    fn scalars(&mut self, of_cells: bool) -> Result<(), FileProblem> {
+        let name = self.words.word().unwrap_or_default().to_owned();
+        self.words.word();
+        let next = self.words.word().ok_or(FileProblem::CutOff("the values"))?;
+        let components = match next.eq_ignore_ascii_case("LOOKUP_TABLE") {
+            true => 1,
+            false => {
+                let components = whole::<usize>(next, "the number of components")?;
+                self.words.word();
+                components
+            }
+        };
+        self.words.word();
+        let count = self.count(of_cells);
+        self.values((name.as_str(), of_cells), components, count)
+    }
+
+    /// Reads `FIELD name n`, then `name components values type` and the values, n times.
+    fn field(&mut self, of_cells: bool) -> Result<(), FileProblem> {
+        self.words.word();
+        let arrays: usize = self.words.number("the number of arrays")?;
+        let mut read = 0;
+        while read < arrays {
+            let name = self.words.word().ok_or(FileProblem::CutOff("an array"))?;
+            if name.eq_ignore_ascii_case("METADATA") {
+                while self.words.next_line().is_some_and(|line| !line.is_empty()) {}
+                continue;
+            }
+            let components = self.words.number("the number of components")?;
+            let count = self.words.number("the number of values")?;
+            let kind = self.words.word().unwrap_or_default();
+            if kind.eq_ignore_ascii_case("string") {
+                for _ in 0..count {
+                    if self.words.next_line().is_none() {
+                        break;
+                    }
+                }
+            } else {
+                self.values(
+                    (name, of_cells && count == self.cells.len()),
+                    components,
+                    count,
+                )?;
+            }
+            read += 1;
+        }
+        Ok(())
+    }
+
+    fn skip_named(&mut self, components: usize, of_cells: bool) -> Result<(), FileProblem> {
+        self.words.word();
+        self.words.word();
+        let count = self.count(of_cells);
+        self.values(("", false), components, count)
+    }
+
+    /// Number of values of an array by cell or by point.
+    fn count(&self, of_cells: bool) -> usize {
+        match of_cells {
+            true => self.cells.len(),
+            false => self.points.len(),
+        }
+    }
+
+    /// Reads the values of an array; one of whole numbers by cell is kept.
+    fn values(
+        &mut self,
+        (name, of_cells): (&str, bool),
+        components: usize,
+        count: usize,
+    ) -> Result<(), FileProblem> {
+        let mut values = Vec::new();
+        let mut are_whole = of_cells && components == 1;
+        for _ in 0..components.saturating_mul(count) {
+            let value = self.words.real("a value")?;
+            are_whole &= value.fract() == 0.0 && value.abs() < f64::from(i32::MAX);
+            if are_whole {
+                values.push(value as i32);
+            }
+        }
+        if are_whole {
+            let name = name.to_owned();
+            self.arrays.push(Array { name, values });
+        }
+        Ok(())
+    }
+
+    /// The mesh; points and cells are numbered from one.
+    fn finish(self, line: usize, problems: &mut Problems) -> Mesh {
+        let mut parts = Parts::default();
+        for (tag, (line, position)) in (1..).zip(&self.points) {
+            problems.keep(*line, parts.node(tag, *position));
+        }
+        if self.types.len() != self.cells.len() {
+            let problem = FileProblem::Length {
+                what: "CELL_TYPES",
+                found: self.types.len(),
+                expected: self.cells.len(),
+            };
+            problems.push(line, problem);
+            return Mesh::default();
+        }
+        let groups = problems.keep(line, self.groups()).flatten();
+        let mut sets: Vec<(i32, usize)> = Vec::new();
+        for (index, (cell, (_, kind))) in self.cells.iter().zip(&self.types).enumerate() {
+            let Some(shape) = problems.keep(cell.line, shape_of(*kind)).flatten() else {
+                continue;
+            };
+            let value = groups.and_then(|groups| groups.values.get(index).copied());
+            let set = value.map(|value| match sets.iter().find(|set| set.0 == value) {
+                Some(&(_, set)) => set,
+                None => {
+                    // physical numbers are positive: others are names
+                    let name = (value < 1).then(|| value.to_string());
+                    let set = parts.set(name, Some(value));
+                    sets.push((value, set));
+                    set
+                }
+            });
+            let tag = index as u64 + 1;
+            let mut nodes: Vec<_> = cell
+                .points
+                .iter()
+                .map(|point| point.saturating_add(1))
+                .collect();
+            if *kind == PIXEL && nodes.len() == 4 {
+                nodes.swap(2, 3);
+            }
+            let added = match nodes.len() == shape.node_count() {
+                true => parts.element((cell.line, tag), shape, nodes, set),
+                false => Err(FileProblem::Count {
+                    what: format!("cell {tag} of type {kind}"),
+                    found: nodes.len(),
+                    expected: shape.node_count().to_string(),
+                }),
+            };
+            problems.keep(cell.line, added);
+        }
+        parts.finish(problems)
+    }
+
+    /// The array whose values are the groups.
+    fn groups(&self) -> Result<Option<&Array>, FileProblem> {
+        let named = |name: &&str| {
+            let mut arrays = self.arrays.iter();
+            arrays.find(|array| array.name.eq_ignore_ascii_case(name))
+        };
+        match (USUAL.iter().find_map(named), &self.arrays[..]) {
+            (Some(array), _) => Ok(Some(array)),
+            (None, []) => Ok(None),
+            (None, [array]) => Ok(Some(array)),
+            (None, arrays) => {
+                let names = arrays.iter().map(|array| array.name.clone());
+                Err(FileProblem::Arrays(names.collect()))
+            }
+        }
+    }
+}
+
+/// The type of rectangles whose corners are listed by rows.
+const PIXEL: u32 = 8;
+
+/// The shape of a type of cells of VTK; `None` for points, which are skipped.
+fn shape_of(kind: u32) -> Result<Option<Shape>, FileProblem> {
+    Ok(Some(match kind {
+        1 | 2 => return Ok(None),
+        3 => Shape::Line(LineKind::Line2),
+        21 => Shape::Line(LineKind::Line3),
+        5 => Shape::Cell(CellKind::Triangle3),
+        22 => Shape::Cell(CellKind::Triangle6),
+        PIXEL | 9 => Shape::Cell(CellKind::Quadrilateral4),
+        23 => Shape::Cell(CellKind::Quadrilateral8),
+        28 => Shape::Cell(CellKind::Quadrilateral9),
+        other => return Err(FileProblem::Unsupported(other.to_string())),
+    }))
+}
+
+fn is_version(line: &str) -> bool {
+    line.to_lowercase().starts_with("# vtk datafile version")
+}
