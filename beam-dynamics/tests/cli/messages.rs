@@ -239,7 +239,7 @@ const SLIPS: &[(&str, &str, &str)] = &[
     (
         "mass = 1",
         "mass = \"NaN kg\"",
-        ":7: \"mass\" is the text \"NaN kg\"",
+        ":7: \"mass\": \"NaN kg\" cannot be read, expected a number and a unit",
     ),
     (
         "mass = 1",

@@ -487,7 +487,7 @@ fn wrong_files_do_not_fit() {
         ("to = 2", "value = 2"),
         ("position = ", "place = "),
         ("\"= 2*pi\"", "\"2*pi\""),
-        ("\"3 mm\"", "\"3mm\""),
+        ("\"3 mm\"", "\"three mm\""),
         (", \"3 mm\"]", "]"),
         ("kind = \"revolute\"", "kind = \"clamp\""),
         ("axis = [0, 0, 1]", ""),
