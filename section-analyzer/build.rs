@@ -74,6 +74,6 @@ fn files_in(at: &Path) -> Vec<PathBuf> {
 /// The name of the compiler and its version.
 fn compiler() -> Vec<u8> {
     let program = env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
-    let told = Command::new(program).arg("-vV").output();
-    told.map(|told| told.stdout).unwrap_or_default()
+    let reported = Command::new(program).arg("-vV").output();
+    reported.map(|reported| reported.stdout).unwrap_or_default()
 }

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::steady::equilibrium;
 use beam_dynamics::assembly::{MasslessMotions, System};
-use beam_dynamics::case::{Model, ModesQuestion};
+use beam_dynamics::case::{Model, ModesSettings};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use beam_dynamics::elements::joints::clamped;
@@ -101,12 +101,12 @@ fn milliseconds(time: Duration) -> f64 {
 /// Wall time of twenty speeds on a number of threads.
 fn twenty_speeds(model: &Model, threads: usize) -> Option<Duration> {
     let speeds = (0..20).map(|k| SPEED * f64::from(k) / 19.0).collect();
-    let question = ModesQuestion::new(speeds, MODES);
+    let settings = ModesSettings::new(speeds, MODES);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.ok()?;
     let run = || {
         let start = Instant::now();
-        black_box(pool.install(|| modes(model, &question)));
+        black_box(pool.install(|| modes(model, &settings)));
         start.elapsed()
     };
     (0..3).map(|_| run()).min()

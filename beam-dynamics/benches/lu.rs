@@ -1,5 +1,5 @@
 //! Factorization of many matrices on one pattern: ours on kept pivots against faer's
-//! with dense blocks forced. The matrix is that of a tree of four chains, 12 x 12 blocks
+//! with dense blocks forced. The matrix describes a tree of four chains, 12 x 12 blocks
 //! with four multipliers each, whose diagonal is zero; all values change by 1 % from
 //! call to call. Processor times, as ratios within the run.
 //!
@@ -30,22 +30,22 @@ fn tree(size: usize) -> Sparse {
     let blocks = size / BLOCK;
     let parent = |block: usize| block.saturating_sub(CHAINS);
     let is_multiplier = |i: usize| i >= BLOCK - MULTIPLIERS;
-    let mut places: Vec<_> = (0..BLOCK * blocks).map(|i| (i, i)).collect();
+    let mut positions: Vec<_> = (0..BLOCK * blocks).map(|i| (i, i)).collect();
     for block in 0..blocks {
         for i in 0..BLOCK {
             for j in 0..BLOCK {
                 let (here, there) = (BLOCK * block, BLOCK * parent(block));
                 if !(is_multiplier(i) && is_multiplier(j)) {
-                    places.push((here + i, here + j));
+                    positions.push((here + i, here + j));
                 }
                 if block > 0 && !is_multiplier(j) {
-                    places.push((here + i, there + j));
-                    places.push((there + j, here + i));
+                    positions.push((here + i, there + j));
+                    positions.push((there + j, here + i));
                 }
             }
         }
     }
-    let pattern = Arc::new(Pattern::new(BLOCK * blocks, places));
+    let pattern = Arc::new(Pattern::new(BLOCK * blocks, positions));
     let mut matrix = Sparse::zero(Arc::clone(&pattern));
     let mut scattered = Scattered(7);
     for j in 0..pattern.size() {

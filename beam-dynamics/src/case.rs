@@ -10,22 +10,22 @@ mod columns;
 mod mode_style;
 mod transient;
 
-pub use columns::{Column, ElectrodeQuantity, Every, OutputQuestion, Quantity};
+pub use columns::{Column, ElectrodeQuantity, Every, OutputSettings, Quantity};
 pub use mode_style::{FrequencyUnit, ModeStyle, Words};
 pub use transient::{
-    InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientQuestion,
+    InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientSettings,
 };
 
 /// Rotation of the model's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spin {
+pub struct FrameRotation {
     /// Axis of rotation, of unit length [-].
     pub axis: Vector3<f64>,
     /// A point of the axis [m].
     pub center: Vector3<f64>,
 }
 
-impl Default for Spin {
+impl Default for FrameRotation {
     /// About z through the origin.
     fn default() -> Self {
         Self {
@@ -57,7 +57,7 @@ pub struct Model {
     /// Axes for naming, one a node.
     pub naming: Vec<NamingAxes>,
     /// The rotation of the frame.
-    pub spin: Spin,
+    pub frame_rotation: FrameRotation,
     /// Acceleration of gravity, in the model's frame [m/s^2].
     pub gravity: Vector3<f64>,
     /// Factor of gravity [-].
@@ -79,7 +79,7 @@ impl Model {
             naming: vec![NamingAxes::default(); system.nodes().len()],
             initial: vec![InitialMotion::default(); system.nodes().len()],
             system,
-            spin: Spin::default(),
+            frame_rotation: FrameRotation::default(),
             gravity: Vector3::zeros(),
             gravity_drive: Drive::Constant(1.0),
             beams: Vec::new(),
@@ -94,7 +94,7 @@ impl Model {
         let of = |part: &dyn std::fmt::Debug| sha256_of(&[format!("{part:?}").as_bytes()]);
         let mut parts = vec![
             of(&self.system.nodes()),
-            of(&(&self.spin, &self.gravity, &self.gravity_drive)),
+            of(&(&self.frame_rotation, &self.gravity, &self.gravity_drive)),
         ];
         parts.extend(self.system.elements().map(|element| of(&element)));
         let parts: Vec<_> = parts.iter().map(String::as_bytes).collect();
@@ -106,8 +106,8 @@ impl Model {
     pub fn conditions(&self, speed: f64, constant: f64, proportional: f64) -> Conditions {
         Conditions {
             frame: TurningFrame {
-                angular_velocity: speed * self.spin.axis,
-                center: self.spin.center,
+                angular_velocity: speed * self.frame_rotation.axis,
+                center: self.frame_rotation.center,
             },
             loading: Loading {
                 gravity: constant * self.gravity_at(0.0),
@@ -155,7 +155,7 @@ impl ModalDamping {
 
 /// The requested modes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ModesQuestion {
+pub struct ModesSettings {
     /// Rotor speeds, ascending, without doubles [rad/s].
     pub speeds: Vec<f64>,
     /// Number of modes to report at each speed.
@@ -170,7 +170,7 @@ pub struct ModesQuestion {
     pub style: ModeStyle,
 }
 
-impl ModesQuestion {
+impl ModesSettings {
     /// The lowest `count` modes at each of `speeds` \[rad/s\], without shapes.
     pub fn new(speeds: Vec<f64>, count: usize) -> Self {
         Self {
@@ -198,7 +198,7 @@ impl ModesQuestion {
 
 /// The requested equilibria under loads.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StaticQuestion {
+pub struct StaticSettings {
     /// Rotor speed [rad/s].
     pub speed: f64,
     /// Factor of the proportional loads at the end [-].
@@ -214,7 +214,7 @@ pub struct StaticQuestion {
 
 /// The requested critical loads.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BucklingQuestion {
+pub struct BucklingSettings {
     /// Rotor speed [rad/s].
     pub speed: f64,
     /// Number of critical loads to report.

@@ -10,9 +10,9 @@ use shared_geom::error::Explain;
 use shared_geom::files::OutputProblem;
 
 use crate::analysis::modes::modes;
-use crate::case::ModesQuestion;
+use crate::case::ModesSettings;
 use crate::input::{self, Input};
-use crate::output::{self, ResultPlace, Written};
+use crate::output::{self, ResultLocation, Written};
 
 mod arguments;
 mod blade_options;
@@ -21,10 +21,10 @@ mod convert;
 mod describe;
 mod files;
 mod help;
-mod places;
 mod plot;
 mod progress;
 mod reading_options;
+mod result_locations;
 mod schema;
 mod statics;
 mod terminal;
@@ -32,7 +32,7 @@ mod transient;
 
 use arguments::{Arguments, Command, Results};
 use blade_options::BladeOptions;
-use places::places;
+use result_locations::result_locations;
 use terminal::Terminal;
 
 /// The work is done.
@@ -45,13 +45,13 @@ const WRONG_INPUT: u8 = 2;
 /// A file without the table of the requested analysis.
 #[derive(Debug, thiserror::Error)]
 #[error("{file}: has no [{table}], which defines the analysis")]
-struct NotAsked {
+struct MissingTable {
     file: String,
     table: &'static str,
     example: &'static str,
 }
 
-impl Explain for NotAsked {
+impl Explain for MissingTable {
     fn help(&self) -> Option<String> {
         Some(format!("add [{}] with {}", self.table, self.example))
     }
@@ -96,7 +96,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(message) if message.use_stderr() => {
-            terminal.tell_text(message.render().to_string().trim_end());
+            terminal.report_text(message.render().to_string().trim_end());
             return WRONG_INPUT;
         }
         // The texts of --help and --version.
@@ -140,14 +140,14 @@ fn read(
     options: &BladeOptions,
     terminal: &mut Terminal<'_>,
 ) -> Option<Vec<Input>> {
-    let question = options.question();
+    let settings = options.settings();
     let read = files::each(files, terminal, |file, terminal| {
         let input = match input::is_blade_file(file) {
-            true => input::read_blade(file, &question),
+            true => input::read_blade(file, &settings),
             false => input::read(file),
         };
         input
-            .map_err(|problems| terminal.tell_text(&problems.to_string()))
+            .map_err(|problems| terminal.report_text(&problems.to_string()))
             .ok()
     });
     read.into_iter().collect()
@@ -184,15 +184,15 @@ impl Explain for NotABlade {
 }
 
 /// Folders of the results, all different, and the inputs; reports problems.
-fn read_with_places(
+fn read_with_locations(
     files: &[PathBuf],
     results: &Results,
     options: &BladeOptions,
     terminal: &mut Terminal<'_>,
-) -> Option<(Vec<Input>, Vec<ResultPlace>)> {
-    let places = places(files, results).map_err(|problem| terminal.tell(&problem));
-    let places = places.ok()?;
-    Some((read(files, options, terminal)?, places))
+) -> Option<(Vec<Input>, Vec<ResultLocation>)> {
+    let locations = result_locations(files, results).map_err(|problem| terminal.report(&problem));
+    let locations = locations.ok()?;
+    Some((read(files, options, terminal)?, locations))
 }
 
 fn modes_of_files(
@@ -204,64 +204,66 @@ fn modes_of_files(
     let dynamics = files.iter().find(|file| !input::is_blade_file(file));
     if let (Some(file), Some(option)) = (dynamics, options.given()) {
         let file = file.display().to_string();
-        terminal.tell(&NotABlade { file, option });
+        terminal.report(&NotABlade { file, option });
         return WRONG_INPUT;
     }
-    let Some((inputs, places)) = read_with_places(files, results, options, terminal) else {
+    let Some((inputs, locations)) = read_with_locations(files, results, options, terminal) else {
         return WRONG_INPUT;
     };
-    let mut questions = Vec::with_capacity(inputs.len());
+    let mut all_settings = Vec::with_capacity(inputs.len());
     for (file, input) in files.iter().zip(&inputs) {
         match &input.modes {
-            Some(question) => {
-                let mut question = question.clone();
-                question.animate |= animate;
-                if question.shapes.is_empty() {
-                    question.shapes = question.ends();
+            Some(settings) => {
+                let mut settings = settings.clone();
+                settings.animate |= animate;
+                if settings.shapes.is_empty() {
+                    settings.shapes = settings.ends();
                 }
-                questions.push((input, question));
+                all_settings.push((input, settings));
             }
-            None => terminal.tell(&NotAsked {
+            None => terminal.report(&MissingTable {
                 file: file.display().to_string(),
                 table: "modes",
                 example: "speeds = [0, 300] and count = 8",
             }),
         }
     }
-    if questions.len() < inputs.len() {
+    if all_settings.len() < inputs.len() {
         return WRONG_INPUT;
     }
-    let jobs: Vec<_> = questions.into_iter().zip(&places).collect();
-    files::worst_of(&jobs, terminal, |((input, question), place), terminal| {
-        modes_of(input, question, place, terminal)
-    })
+    let jobs: Vec<_> = all_settings.into_iter().zip(&locations).collect();
+    files::worst_of(
+        &jobs,
+        terminal,
+        |((input, settings), location), terminal| modes_of(input, settings, location, terminal),
+    )
 }
 
 /// Analyzes one model, writes its results, and prints them.
 fn modes_of(
     input: &Input,
-    question: &ModesQuestion,
-    place: &ResultPlace,
+    settings: &ModesSettings,
+    location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let outcome = modes(&input.model, question);
+    let outcome = modes(&input.model, settings);
     let mut table = outcome.table;
     let failure = outcome
         .failure
         .as_ref()
         .map(|failure| failure as &dyn Display);
     add_remarks(&mut table.remarks, input, failure);
-    let written = output::write(&table, &input.measured, place).and_then(|mut written| {
-        let shapes = output::write_shapes(&input.model, &table, question.animate, place)?;
+    let written = output::write(&table, &input.measured, location).and_then(|mut written| {
+        let shapes = output::write_shapes(&input.model, &table, settings.animate, location)?;
         written.files.extend(shapes.files);
         Ok(written)
     });
     terminal.show(&output::result_text(&table, &input.measured));
     let failure = outcome.failure.map(|failure| {
-        let (reached, asked) = (table.speeds.len(), question.speeds.len());
-        let name = &place.name;
+        let (reached, requested) = (table.speeds.len(), settings.speeds.len());
+        let name = &location.name;
         format!(
-            "error: {name}: {failure}\n  help: {reached} of {asked} rotor speeds were reached, \
+            "error: {name}: {failure}\n  help: {reached} of {requested} rotor speeds were reached, \
              and their results written"
         )
     });
@@ -282,7 +284,7 @@ fn finish(
 ) -> u8 {
     let mut code = DONE;
     if let Some(failure) = failure {
-        terminal.tell_text(&failure);
+        terminal.report_text(&failure);
         code = NOT_REACHED;
     }
     match written {
@@ -296,7 +298,7 @@ fn finish(
             }
         }
         Err(problem) => {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             code = NOT_REACHED;
         }
     }

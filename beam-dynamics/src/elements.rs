@@ -44,7 +44,7 @@ pub use adapted::Adapted;
 pub(crate) use capabilities::has;
 pub use capabilities::{Constraints, Energetic, Growth, Memory, Reports, Structure};
 pub use charges::{Charges, CircuitState, ElectrodeState, Flow};
-pub use constraint::{ConstraintRates, ConstraintWords, Level, PlaceJump};
+pub use constraint::{ConstraintRates, ConstraintWords, Level, PositionJump};
 pub use energy::{Energy, EnergyPart, EnergySlope};
 pub use exchange::Exchange;
 pub use local::{LocalJacobian, LocalResidual, LocalRun, LocalSize};
@@ -89,7 +89,7 @@ impl<'a> Local<'a> {
 
 /// A small motion of an element's nodes, and the change of its multipliers.
 #[derive(Debug, Clone, Copy)]
-pub struct Along<'a> {
+pub struct SmallMotion<'a> {
     /// Displacement [m] and rotation [rad] of each node.
     pub nodes: &'a [[Vector3<f64>; 2]],
     /// Change of each multiplier [N, N m].
@@ -165,18 +165,18 @@ pub trait Element: Debug + Send + Sync {
     }
 }
 
-/// Adds the growth of an element's Jacobian with its multipliers, which change `along` a
+/// Adds the growth of an element's Jacobian with its multipliers, which change `motion` a
 /// small motion, at fixed geometry.
 fn prestress_of_multipliers<E: Element + ?Sized>(
     element: &E,
     at: &Local<'_>,
-    along: &Along<'_>,
+    motion: &SmallMotion<'_>,
     out: &mut LocalJacobian,
 ) {
     if element.multipliers() == 0 {
         return;
     }
-    let sums = at.multipliers.iter().zip(along.multipliers);
+    let sums = at.multipliers.iter().zip(motion.multipliers);
     let multipliers: Vec<_> = sums.map(|(now, change)| now + change).collect();
     let later = Local {
         multipliers: &multipliers,

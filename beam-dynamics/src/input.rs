@@ -8,24 +8,26 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use shared_geom::document::{Document, Table, read_text};
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::files::name_without;
 
 use crate::assembly::{massless, mechanism};
 use crate::case::{
-    BucklingQuestion, Model, ModesQuestion, OutputQuestion, StaticQuestion, TransientQuestion,
+    BucklingSettings, Model, ModesSettings, OutputSettings, StaticSettings, TransientSettings,
 };
 use crate::elements::Element;
 use crate::result::Measured;
 
-mod along;
+mod analyses;
 mod beam_card;
 mod beam_check;
+mod beam_properties;
 mod beam_section;
 mod beams;
 mod blade_file;
 mod blades;
 mod bodies;
+mod builder;
 mod clamps;
 mod columns;
 mod control;
@@ -33,10 +35,8 @@ mod csv_rows;
 mod curved;
 mod curved_fit;
 mod damping;
-mod draft;
 mod drives;
 mod electrodes;
-mod elsewhere;
 mod ends;
 mod formulation;
 mod frames;
@@ -44,12 +44,13 @@ mod heat;
 mod hinge_card;
 mod hub;
 mod hub_support;
-mod in_place;
+mod inline_properties;
 mod internal_forces;
 mod joints;
 mod laws;
 mod loads;
 mod measured;
+mod misplaced_keys;
 mod modal_damping;
 mod mode_style;
 mod moments;
@@ -58,9 +59,9 @@ mod nodes;
 mod number;
 mod problem;
 mod properties;
-mod questions;
 mod readings;
 mod rods;
+mod rotor_speed;
 pub mod schema;
 mod speeds;
 mod springs;
@@ -78,7 +79,7 @@ mod test_files;
 #[cfg(test)]
 mod tests;
 
-pub use blade_file::{BladeQuestion, is_blade_file, read_blade};
+pub use blade_file::{BladeSettings, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
 pub use control::StateSpaceProblem;
@@ -96,8 +97,8 @@ pub use readings::ReadingProblem;
 pub use summary::Summary;
 pub use transient::TransientProblem;
 
-use draft::Draft;
-use questions::Questions;
+use analyses::Analyses;
+use builder::ModelBuilder;
 
 /// Ending of the names of dynamics inputs.
 pub const ENDING: &str = ".dynamics.toml";
@@ -108,25 +109,25 @@ pub struct Input {
     /// The model.
     pub model: Model,
     /// The requested modes; `None` without `[modes]`.
-    pub modes: Option<ModesQuestion>,
+    pub modes: Option<ModesSettings>,
     /// The requested equilibria under loads; `None` without `[static]`.
-    pub statics: Option<StaticQuestion>,
+    pub statics: Option<StaticSettings>,
     /// The requested critical loads; `None` without `[buckling]`.
-    pub buckling: Option<BucklingQuestion>,
+    pub buckling: Option<BucklingSettings>,
     /// The output of a run in time.
-    pub output: OutputQuestion,
+    pub output: OutputSettings,
     /// The requested motion in time; `None` without `[transient]`.
-    pub transient: Option<TransientQuestion>,
+    pub transient: Option<TransientSettings>,
     /// Measurements to compare with the result; empty if there are none.
     pub measured: Measured,
     /// Names of the joints without a spring, whose motion only inertia and loads resist.
     pub free_hinges: Vec<String>,
     /// Location of each node in the files.
-    pub node_places: Vec<Place>,
+    pub node_locations: Vec<SourceLocation>,
     /// The contents of the model.
     pub summary: Summary,
     /// Location of each joint in the files.
-    pub joint_places: BTreeMap<String, Place>,
+    pub joint_locations: BTreeMap<String, SourceLocation>,
     /// Remarks on the files for the user: defaults that were used, plausibility.
     pub remarks: Vec<String>,
 }
@@ -168,20 +169,23 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
         && input.modes.is_none()
         && input.statics.is_none()
         && input.buckling.is_none();
-    let place = |node: &str| {
-        let mut nodes = input.model.system.nodes().iter().zip(&input.node_places);
+    let location = |node: &str| {
+        let mut nodes = input.model.system.nodes().iter().zip(&input.node_locations);
         let found = nodes.find(|(own, _)| own.label == node);
-        found.map_or_else(|| Place::file(file), |(_, place)| place.clone())
+        found.map_or_else(
+            || SourceLocation::file(file),
+            |(_, location)| location.clone(),
+        )
     };
     for found in mobility.mechanisms.iter().filter(|_| !only_in_time) {
-        problems.push(place(&found.node), found);
+        problems.push(location(&found.node), found);
     }
     let massless = match input.transient {
         Some(_) => massless::find(&input.model.system),
         None => Vec::new(),
     };
     for found in &massless {
-        problems.push(place(&found.node), found);
+        problems.push(location(&found.node), found);
     }
     if !only_in_time {
         input.remarks.extend(free_hinges(&mobility.free_hinges));
@@ -248,52 +252,52 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let properties = properties::read(&root, &drives);
     let hub = hub::read(&root);
 
-    let mut draft = Draft::new(properties, hub);
-    draft.set_drives(drives);
-    draft.set_frames(frames::read(&root));
-    hub_support::add(&root, &mut draft);
-    nodes::read(&root, &mut draft);
-    blades::read(&root, &mut draft);
-    beams::read(&root, &mut draft);
-    clamps::read(&root, &mut draft);
-    bodies::read(&root, &mut draft);
-    joints::read_hinges(&root, &mut draft);
-    joints::read_rigid(&root, &mut draft);
-    joints::read_joints(&root, &mut draft);
-    rods::read(&root, &mut draft);
-    springs::read(&root, &mut draft);
-    loads::read(&root, &mut draft);
-    internal_forces::read(&root, &mut draft);
-    electrodes::read(&root, &mut draft);
-    control::read(control, &mut draft);
-    let gravity = loads::gravity(&root, &draft);
-    let questions = questions::read(&root);
+    let mut builder = ModelBuilder::new(properties, hub);
+    builder.set_drives(drives);
+    builder.set_frames(frames::read(&root));
+    hub_support::add(&root, &mut builder);
+    nodes::read(&root, &mut builder);
+    blades::read(&root, &mut builder);
+    beams::read(&root, &mut builder);
+    clamps::read(&root, &mut builder);
+    bodies::read(&root, &mut builder);
+    joints::read_hinges(&root, &mut builder);
+    joints::read_rigid(&root, &mut builder);
+    joints::read_joints(&root, &mut builder);
+    rods::read(&root, &mut builder);
+    springs::read(&root, &mut builder);
+    loads::read(&root, &mut builder);
+    internal_forces::read(&root, &mut builder);
+    electrodes::read(&root, &mut builder);
+    control::read(control, &mut builder);
+    let gravity = loads::gravity(&root, &builder);
+    let analyses = analyses::read(&root);
     let measured = measured::read(&root);
-    let output = columns::read(&root, &draft);
-    root.finish_beside(&elsewhere::OF_FILE);
+    let output = columns::read(&root, &builder);
+    root.finish_beside(&misplaced_keys::OF_FILE);
 
-    draft.check(&root);
-    transient::check(&root, &draft);
-    let times = questions.as_ref().and_then(Questions::times);
+    builder.check(&root);
+    transient::check(&root, &builder);
+    let times = analyses.as_ref().and_then(Analyses::times);
     if let Some(times) = times {
-        check_run(document, &draft, times);
+        check_run(document, &builder, times);
     }
-    draft
+    builder
         .drives()
         .check_start(document, times.map_or(0.0, |[start, _]| start));
-    if let (Some(output), Some(questions)) = (&output, &questions) {
-        columns::check(&root, output, questions.transient.as_ref());
+    if let (Some(output), Some(analyses)) = (&output, &analyses) {
+        columns::check(&root, output, analyses.transient.as_ref());
     }
-    let ((gravity, gravity_drive), questions) = (gravity?, questions?);
-    questions.check(&root, &gravity, &draft.hub()?.spin());
-    let nodes = draft.initial();
-    let node_places = nodes.map(|(_, _, line)| document.place(line)).collect();
-    let joints = draft.joint_lines();
-    let joints = joints.map(|(name, line)| (name.to_owned(), document.place(line)));
-    let joint_places = joints.collect();
-    let mut input = finish(name, draft, questions, measured?)?;
-    input.node_places = node_places;
-    input.joint_places = joint_places;
+    let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
+    analyses.check(&root, &gravity, &builder.hub()?.frame_rotation());
+    let nodes = builder.initial();
+    let node_locations = nodes.map(|(_, _, line)| document.location(line)).collect();
+    let joints = builder.joint_lines();
+    let joints = joints.map(|(name, line)| (name.to_owned(), document.location(line)));
+    let joint_locations = joints.collect();
+    let mut input = finish(name, builder, analyses, measured?)?;
+    input.node_locations = node_locations;
+    input.joint_locations = joint_locations;
     input.model.gravity = gravity;
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
@@ -301,28 +305,33 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
 }
 
 /// Notes problems of loads and drives in a run from and to the given `times` \[s\].
-fn check_run(document: &Document, draft: &Draft, times: [f64; 2]) {
-    draft.drives().check_run(document, times);
-    control::check_run(document, draft, times);
+fn check_run(document: &Document, builder: &ModelBuilder, times: [f64; 2]) {
+    builder.drives().check_run(document, times);
+    control::check_run(document, builder, times);
 }
 
 /// The input if the model is complete.
-fn finish(name: String, draft: Draft, questions: Questions, measured: Measured) -> Option<Input> {
-    let summary = draft.summary(questions.modes.as_ref(), &measured);
-    let remarks = draft.remarks(questions.buckling.is_some());
-    let spin = draft.hub()?.spin();
-    let model = draft.model(name, spin)?;
+fn finish(
+    name: String,
+    builder: ModelBuilder,
+    analyses: Analyses,
+    measured: Measured,
+) -> Option<Input> {
+    let summary = builder.summary(analyses.modes.as_ref(), &measured);
+    let remarks = builder.remarks(analyses.buckling.is_some());
+    let frame_rotation = builder.hub()?.frame_rotation();
+    let model = builder.model(name, frame_rotation)?;
     Some(Input {
         model,
-        modes: questions.modes,
-        statics: questions.statics,
-        buckling: questions.buckling,
-        output: OutputQuestion::default(),
-        transient: questions.transient,
+        modes: analyses.modes,
+        statics: analyses.statics,
+        buckling: analyses.buckling,
+        output: OutputSettings::default(),
+        transient: analyses.transient,
         measured,
         free_hinges: Vec::new(),
-        node_places: Vec::new(),
-        joint_places: BTreeMap::new(),
+        node_locations: Vec::new(),
+        joint_locations: BTreeMap::new(),
         summary,
         remarks,
     })

@@ -36,9 +36,9 @@
 //! count = 1
 //! "#;
 //! let input = input::parse(text, "strip.dynamics.toml").expect("a sound file");
-//! let asked = input.modes.as_ref().expect("a card [modes]");
+//! let settings = input.modes.as_ref().expect("a card [modes]");
 //!
-//! let outcome = modes(&input.model, asked);
+//! let outcome = modes(&input.model, settings);
 //! let (branch, first) = outcome.table.at_speed(0)[0];
 //! // a slender cantilever: 1.8751^2 sqrt(EI / (m L^4)) / 2 pi
 //! let slender = 1.875_104_f64.powi(2) * (240.0_f64 / (1.08 * 16.0)).sqrt() / std::f64::consts::TAU;

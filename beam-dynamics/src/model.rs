@@ -13,8 +13,8 @@ mod state;
 pub use axes::NamingAxes;
 pub use conditions::{Conditions, Loading};
 pub use drive::{
-    BandNoise, Doublet, Drive, DriveTable, DriveValue, Formula, Harmonic, Interpolation, Outside,
-    Pace, Ramp, Step, SteppedNoise, TableProblem,
+    BandNoise, Doublet, Drive, DriveTable, DriveValue, Extrapolation, Formula, Harmonic,
+    Interpolation, Pace, Ramp, Step, SteppedNoise, TableProblem,
 };
 pub use frame::TurningFrame;
 pub use name::Name;

@@ -4,6 +4,7 @@
 mod copies;
 mod dense;
 mod eigen;
+mod eigenpair;
 mod factors;
 mod frequencies;
 mod inverse;
@@ -18,7 +19,8 @@ mod shift;
 mod sorted;
 mod tracking;
 
-pub use eigen::{EigenProblem, Eigenpair, Lowest};
+pub use eigen::{EigenProblem, Lowest};
+pub use eigenpair::Eigenpair;
 pub use factors::Factors;
 pub use motion::{MassMatrix, ModeMotion};
 pub use multiblade::Rotor;

@@ -34,7 +34,7 @@ pub use buckling::{
 pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{result_text, write};
-pub use folder::{ResultPlace, Written};
+pub use folder::{ResultLocation, Written};
 pub use shapes::{ShapePlot, write_shapes};
 pub use statics::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,

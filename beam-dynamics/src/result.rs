@@ -14,7 +14,7 @@ pub use buckling::{BucklingMode, BucklingResult};
 pub use columns::ColumnValues;
 pub use fixed::{CriticalSpeed, FixedLine, FixedPoint, FixedTable};
 pub use statics::{StaticResult, StaticStep};
-pub use transient::{Effort, Moment, Recorder, Snapshot};
+pub use transient::{AcceptedStep, Effort, Recorder, Snapshot};
 
 /// Least share of the kinetic energy for which a mode is named by one kind.
 const PURE_SHARE: f64 = 0.6;
@@ -252,7 +252,7 @@ impl ModeBranch {
         let mut spaces = self.name.match_indices(' ');
         spaces
             .nth(1)
-            .map_or(&self.name, |(place, _)| &self.name[..place])
+            .map_or(&self.name, |(position, _)| &self.name[..position])
     }
 }
 

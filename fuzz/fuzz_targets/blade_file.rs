@@ -17,8 +17,8 @@ fuzz_target!(|text: &str| {
         }
         Ok(_) => {}
         Err(problems) => {
-            let told = problems.to_string();
-            assert!(!told.is_empty() && !told.contains("no reason was noted"));
+            let reported = problems.to_string();
+            assert!(!reported.is_empty() && !reported.contains("no reason was noted"));
         }
     }
 });

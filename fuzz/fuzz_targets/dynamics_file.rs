@@ -13,8 +13,8 @@ fuzz_target!(|text: &str| {
         match input::parse(text, Path::new("no_folder/a.dynamics.toml")) {
             Ok(input) => assert!(!input.model.system.nodes().is_empty()),
             Err(problems) => {
-                let told = problems.to_string();
-                assert!(!told.is_empty() && !told.contains("no reason was noted"));
+                let reported = problems.to_string();
+                assert!(!reported.is_empty() && !reported.contains("no reason was noted"));
             }
         }
     }

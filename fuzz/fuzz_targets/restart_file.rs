@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use beam_dynamics::analysis::transient::{difference, transient};
 use beam_dynamics::input::{self, Input};
 use beam_dynamics::output::parse_snapshot;
-use beam_dynamics::result::{Moment, Recorder};
+use beam_dynamics::result::{AcceptedStep, Recorder};
 use libfuzzer_sys::fuzz_target;
 
 /// Steps that are continued.
@@ -15,14 +15,14 @@ const STEPS: usize = 3;
 
 static INPUT: LazyLock<Input> = LazyLock::new(|| {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/support/strip.dynamics.toml");
-    input::read(Path::new(file)).unwrap()
+    input::read(Path::new(file)).expect("the file of this folder is sound")
 });
 
 /// Ends a run after some steps.
 struct Few(usize);
 
 impl Recorder for Few {
-    fn record(&mut self, _: &Moment<'_>) -> bool {
+    fn record(&mut self, _: &AcceptedStep<'_>) -> bool {
         self.0 += 1;
         self.0 < STEPS
     }
@@ -31,12 +31,12 @@ impl Recorder for Few {
 fuzz_target!(|bytes: &[u8]| {
     match parse_snapshot(bytes, Path::new("a.restart.json")) {
         Ok(snapshot) => {
-            let question = INPUT.transient.as_ref().unwrap();
+            let settings = INPUT.transient.as_ref().expect("the file has [transient]");
             let fits = difference(&INPUT.model, &snapshot).is_none();
-            if fits && snapshot.progress.time < question.to {
+            if fits && snapshot.progress.time < settings.to {
                 let _ = transient(
                     &INPUT.model,
-                    question,
+                    settings,
                     Some(&snapshot),
                     &mut Few(0),
                     &|| 0.0,

@@ -8,12 +8,12 @@
 mod central;
 mod decay;
 mod distributed;
+mod external;
 mod imposed;
-mod outside;
 mod piezo;
 mod si;
 
-pub use outside::{OutsideAnalysis, OutsideWarning, analyze_matrices};
+pub use external::{ExternalAnalysis, ExternalWarning, analyze_matrices};
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length, structural_parts};
 use crate::failure::Failure;
@@ -209,7 +209,7 @@ fn named(section: &Section, domain: &Domain, node: usize) -> Named {
     let tag = section.mesh.node_tags.get(mesh_node).copied();
     Named {
         tag: tag.unwrap_or(mesh_node as u64 + 1),
-        place: section.mesh.nodes[mesh_node],
+        position: section.mesh.nodes[mesh_node],
     }
 }
 

@@ -38,7 +38,7 @@ const WRONG_INPUT: u8 = 2;
 #[derive(Debug)]
 enum Stop {
     /// All problems have been reported; the exit code.
-    Told(u8),
+    Reported(u8),
     /// The terminal or pipe accepts no more output.
     Closed(io::Error),
 }
@@ -68,7 +68,7 @@ pub fn run(
     let mut terminal = Terminal { out, err };
     match dispatch(arguments, &mut terminal) {
         Ok(()) => DONE,
-        Err(Stop::Told(code)) => code,
+        Err(Stop::Reported(code)) => code,
         Err(Stop::Closed(error)) if error.kind() == io::ErrorKind::BrokenPipe => DONE,
         Err(Stop::Closed(error)) => {
             // If this fails too, no way to report remains.
@@ -86,7 +86,7 @@ fn dispatch(
         Ok(arguments) => arguments,
         Err(message) if message.use_stderr() => {
             write!(terminal.err, "{}", message.render())?;
-            return Err(Stop::Told(WRONG_INPUT));
+            return Err(Stop::Reported(WRONG_INPUT));
         }
         // the texts of --help and --version
         Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
@@ -101,7 +101,7 @@ fn dispatch(
             no_figures,
             svg,
         } => {
-            let figures = Figures::asked(no_figures, svg);
+            let figures = Figures::requested(no_figures, svg);
             stress::recover_file(&file, &load, (out, figures), terminal)
         }
         Command::Matrices { file, out } => matrices::analyze_file(&file, out, terminal),
@@ -118,23 +118,23 @@ fn dispatch(
 
 impl Terminal<'_> {
     /// Reports a problem.
-    fn tell(&mut self, problem: &impl Explain, code: u8) -> Stop {
-        self.tell_text(&words(problem), code)
+    fn report(&mut self, problem: &impl Explain, code: u8) -> Stop {
+        self.report_text(&words(problem), code)
     }
 
-    fn tell_text(&mut self, text: &str, code: u8) -> Stop {
+    fn report_text(&mut self, text: &str, code: u8) -> Stop {
         match writeln!(self.err, "{text}") {
-            Ok(()) => Stop::Told(code),
+            Ok(()) => Stop::Reported(code),
             Err(error) => Stop::Closed(error),
         }
     }
 
     fn read(&mut self, file: &Path) -> Result<Input, Stop> {
-        input::read(file).map_err(|problems| self.tell_all(&problems))
+        input::read(file).map_err(|problems| self.report_all(&problems))
     }
 
-    fn tell_all(&mut self, problems: &Diagnostics) -> Stop {
-        self.tell_text(&problems.to_string(), WRONG_INPUT)
+    fn report_all(&mut self, problems: &Diagnostics) -> Stop {
+        self.report_text(&problems.to_string(), WRONG_INPUT)
     }
 }
 

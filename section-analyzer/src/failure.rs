@@ -99,7 +99,7 @@ pub enum Failure {
     /// Matrices from another program are inconsistent with each other.
     #[error(
         "the matrices do not belong to one section: {}, expected less than {limit:.0e}",
-        told(.broken)
+        reported(.broken)
     )]
     Matrices {
         /// Each violated identity, with its relative error.
@@ -259,7 +259,7 @@ fn are_digits(broken: &[(&str, f64)]) -> bool {
 }
 
 /// Identities with their errors.
-fn told(broken: &[(&str, f64)]) -> String {
+fn reported(broken: &[(&str, f64)]) -> String {
     let each = broken
         .iter()
         .map(|(identity, error)| format!("{identity} is violated by {error:.1e}"));

@@ -11,7 +11,7 @@
 use std::path::Path;
 
 use shared_geom::document::{Document, Table, read_text};
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::files::name_without;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::StrainMeasure;
@@ -32,6 +32,7 @@ mod distributed;
 mod electric;
 mod electrodes;
 mod extent;
+pub mod external;
 mod files;
 mod follow;
 mod groups;
@@ -42,7 +43,6 @@ mod material_warnings;
 mod materials;
 mod meshed;
 mod names;
-pub mod outside;
 mod plausible;
 mod problem;
 mod regions;
@@ -56,10 +56,10 @@ mod tables;
 pub use distributed::DistributedProblem;
 pub use electric::{ElectricDataProblem, ElectricWarning};
 pub use electrodes::{ElectrodeProblem, circuit_word};
+pub use external::MatrixProblem;
 pub use imposed::ImposedProblem;
 pub use loads::{LOAD_KEYS, LoadProblem, checked_load};
 pub use names::is_load_name;
-pub use outside::MatrixProblem;
 pub use plausible::UnlikelyInput;
 pub use problem::InputProblem;
 pub use source::{NodeProblem, Source};
@@ -68,7 +68,7 @@ pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
 
 use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;
-use distributed::{Places, WrittenDistribution};
+use distributed::{Lookup, WrittenDistribution};
 use electrodes::WrittenElectrodes;
 use files::Files;
 use imposed::WrittenStates;
@@ -114,14 +114,17 @@ const DYNAMICS: &str = ".dynamics.toml";
 /// All problems of these files, with file and line.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
     let problem = MatrixProblem::Kind {
-        found: outside::ENDING,
+        found: external::ENDING,
         expected: ENDING,
         command: "matrices",
     };
     require_kind(path, problem)?;
     let name = path.display().to_string();
     if name.ends_with(DYNAMICS) {
-        return Err(Diagnostics::one(Place::file(name), &InputProblem::Dynamics));
+        return Err(Diagnostics::one(
+            SourceLocation::file(name),
+            &InputProblem::Dynamics,
+        ));
     }
     parse(&read_text(path)?, path)
 }
@@ -134,7 +137,7 @@ fn require_kind(path: &Path, problem: MatrixProblem) -> Result<(), Diagnostics> 
     };
     let name = path.display().to_string();
     match name.ends_with(found) {
-        true => Err(Diagnostics::one(Place::file(name), &problem)),
+        true => Err(Diagnostics::one(SourceLocation::file(name), &problem)),
         false => Ok(()),
     }
 }
@@ -225,7 +228,7 @@ impl WrittenSection {
         let beam = beam.and_then(|(line, mesh)| curvature::checked(line, mesh, document, &mut odd));
         let (cells, follows) = self.assigned(document, files, &meshed, of_region.as_deref());
         let loads = self.loads(document, &meshed);
-        let electrodes = self.electrodes.on_mesh(self.places(document, &meshed));
+        let electrodes = self.electrodes.on_mesh(self.lookup(document, &meshed));
         let rises = states.rises(document, files, &meshed.rows());
         let (materials, of_region, (loads, distributed)) = (self.laws()?, of_region?, loads?);
         let (section_mesh, mut report) = meshed.checked?;
@@ -248,9 +251,9 @@ impl WrittenSection {
         let electrodes = self.with_electrodes(document, &mut section, electrodes);
         let of_regions = (strains?, &region_of_cell[..]);
         let imposed = states.states(document, &section, rises?, of_regions);
-        let (places, loose) = electrodes?;
+        let (lookup, loose) = electrodes?;
         let mut summary = self.summary(document, &section, &regions, &of_region, &region_of_cell);
-        summary.electrodes = places;
+        summary.electrodes = lookup;
         let of_mesh = InputWarning::of_mesh(&report);
         summary.warnings.extend([odd, of_mesh, loose].concat());
         summary.rate(&section.mesh);
@@ -283,10 +286,10 @@ impl WrittenSection {
     ) -> Option<(Vec<String>, Vec<InputWarning>)> {
         let electrodes = &self.electrodes;
         let (placed, odd) = electrodes.checked(document, section, &found?, &self.materials)?;
-        let placed = placed.into_iter().map(|one| (one.electrode, one.place));
-        let (electrodes, places) = placed.unzip();
+        let placed = placed.into_iter().map(|one| (one.electrode, one.location));
+        let (electrodes, lookup) = placed.unzip();
         section.electrodes = electrodes;
-        Some((places, odd))
+        Some((lookup, odd))
     }
 
     /// The materials and angles of the cells of the mesh file, and the curves that their
@@ -340,8 +343,8 @@ impl WrittenSection {
     }
 
     /// Data in which names are looked up.
-    fn places<'a>(&'a self, document: &'a Document, meshed: &'a Meshed) -> Places<'a> {
-        Places {
+    fn lookup<'a>(&'a self, document: &'a Document, meshed: &'a Meshed) -> Lookup<'a> {
+        Lookup {
             document,
             mesh: &meshed.mesh,
             section_mesh: meshed.checked.as_ref().map(|(mesh, _)| mesh),
@@ -361,9 +364,9 @@ impl WrittenSection {
         document: &Document,
         meshed: &Meshed,
     ) -> Option<(Vec<LoadCase>, Vec<DistributedLoad>)> {
-        let places = self.places(document, meshed);
+        let lookup = self.lookup(document, meshed);
         let loads = self.loads.iter();
-        let loads = loads.map(|(_, load)| load.on_mesh(places));
+        let loads = loads.map(|(_, load)| load.on_mesh(lookup));
         // all loads are checked before the first wrong one ends the search
         let distributed: Vec<_> = loads.collect();
         let distributed: Option<Vec<_>> = distributed.into_iter().collect();

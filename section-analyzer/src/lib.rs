@@ -23,7 +23,7 @@
 //! use section_analyzer::mesh::SectionMesh;
 //! use section_analyzer::mesh::generate::Rectangle;
 //! use section_analyzer::section::{CellMaterial, Section};
-//! use shared_geom::error::Place;
+//! use shared_geom::error::SourceLocation;
 //! use shared_geom::mesh::CellKind;
 //! use shared_geom::section::InitialCurvature;
 //!
@@ -38,7 +38,7 @@
 //! }
 //! .generate()
 //! .expect("sound measures");
-//! let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("bar")).expect("sound mesh");
+//! let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("bar")).expect("sound mesh");
 //! let steel = Material {
 //!     name: "steel".into(),
 //!     law: ElasticLaw::Isotropic { young: 210e9, poisson: 0.3 },

@@ -21,7 +21,7 @@
 //! # use section_analyzer::material::{ElasticLaw, Material};
 //! # use section_analyzer::mesh::{SectionMesh, generate::Rectangle};
 //! # use section_analyzer::section::{CellMaterial, Section};
-//! # use shared_geom::{error::Place, mesh::CellKind};
+//! # use shared_geom::{error::SourceLocation, mesh::CellKind};
 //! # use shared_geom::section::InitialCurvature;
 //! use nalgebra::Vector6;
 //! use section_analyzer::analysis::analyze;
@@ -37,7 +37,7 @@
 //! # }
 //! # .generate()
 //! # .expect("sound measures");
-//! # let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("bar")).expect("sound mesh");
+//! # let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("bar")).expect("sound mesh");
 //! # let law = ElasticLaw::Isotropic { young: 210e9, poisson: 0.3 };
 //! # let steel = Material { name: "steel".into(), law, density: 7850.0, expansion: None, electric: None };
 //! # let cell = CellMaterial { material: 0, fiber_angle: 0.0, plane_angle: 0.0 };

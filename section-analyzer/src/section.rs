@@ -43,11 +43,11 @@ pub struct CellMaterial {
 }
 
 mod distributed;
-mod outside;
+mod external;
 #[cfg(test)]
 pub(crate) mod piezo_samples;
 #[cfg(test)]
 pub(crate) mod samples;
 
 pub use distributed::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
-pub use outside::{Blocks, OutsideSection, Reduced, Slice, Through};
+pub use external::{Blocks, ExternalSection, Reduced, Slice, Through};

@@ -10,8 +10,8 @@
 //! central solutions with the section are a [`Variation`] for one change, or the
 //! [`DualStates`] for all changes.
 
-mod along;
 mod central;
+mod columns;
 mod decay;
 mod decouple;
 mod distributed;
@@ -22,8 +22,8 @@ mod pins;
 mod system;
 mod variation;
 
-pub use along::{CentralSystems, SystemError};
 pub use central::CentralSolution;
+pub use columns::{CentralSystems, SystemError};
 pub use decay::DecayRates;
 pub use decouple::{Decoupled, electric_work};
 pub use distributed::DistributedSolution;

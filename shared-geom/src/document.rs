@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
-use crate::error::{Diagnostics, Explain, Place};
+use crate::error::{Diagnostics, Explain, SourceLocation};
 use crate::files::read_bytes;
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
@@ -101,16 +101,16 @@ impl Document {
     }
 
     /// The location of a line number of a table, which may be in an included file.
-    pub fn place(&self, line: usize) -> Place {
+    pub fn location(&self, line: usize) -> SourceLocation {
         let (file, line) = include::split(line);
-        Place::line(&self.files[file.min(self.files.len() - 1)], line)
+        SourceLocation::line(&self.files[file.min(self.files.len() - 1)], line)
     }
 
     /// A line number of a table, as text: `line 7`, or `line 7 of "blade.toml"`.
     pub fn line_words(&self, line: usize) -> String {
         match include::split(line) {
             (0, line) => format!("line {line}"),
-            (_, in_file) => format!("line {in_file} of \"{}\"", self.place(line).file),
+            (_, in_file) => format!("line {in_file} of \"{}\"", self.location(line).file),
         }
     }
 
@@ -121,15 +121,15 @@ impl Document {
 
     /// A path written on `line`: relative paths are relative to the folder of its file.
     pub fn path_from(&self, line: usize, written: &str) -> PathBuf {
-        let place = self.place(line);
-        let folder = Path::new(&place.file).parent().unwrap_or(Path::new(""));
+        let location = self.location(line);
+        let folder = Path::new(&location.file).parent().unwrap_or(Path::new(""));
         folder.join(written)
     }
 
     /// Notes a problem at `line`.
     pub fn note(&self, line: usize, problem: &impl Explain) {
-        let place = self.place(line);
-        self.problems.borrow_mut().push(place, problem);
+        let location = self.location(line);
+        self.problems.borrow_mut().push(location, problem);
     }
 
     /// The value of a good result; notes the problems of a bad one.
@@ -201,8 +201,8 @@ pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
             std::io::ErrorKind::InvalidData => "not a text file".to_owned(),
             _ => error.to_string(),
         };
-        let place = Place::file(path.display().to_string());
-        Diagnostics::one(place, &DocumentProblem::Unreadable { reason })
+        let location = SourceLocation::file(path.display().to_string());
+        Diagnostics::one(location, &DocumentProblem::Unreadable { reason })
     })
 }
 

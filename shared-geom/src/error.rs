@@ -35,7 +35,7 @@ impl Explain for Unexplained {
 
 /// Location of a problem: a file, and a line or a byte of it if known.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct SourceLocation {
     /// File name as the user gave it.
     pub file: String,
     /// Line, counted from one.
@@ -44,7 +44,7 @@ pub struct Place {
     pub byte: Option<usize>,
 }
 
-impl Place {
+impl SourceLocation {
     /// The whole of `file`.
     pub fn file(file: impl Into<String>) -> Self {
         Self {
@@ -73,7 +73,7 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for SourceLocation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.line, self.byte) {
             (Some(line), _) => write!(f, "{}:{line}", self.file),
@@ -87,7 +87,7 @@ impl fmt::Display for Place {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Location.
-    pub place: Place,
+    pub location: SourceLocation,
     /// The value found and the value expected.
     pub message: String,
     /// The remedy, if one is known.
@@ -95,10 +95,10 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// States `problem` at `place`.
-    pub fn new(place: Place, problem: &impl Explain) -> Self {
+    /// States `problem` at `location`.
+    pub fn new(location: SourceLocation, problem: &impl Explain) -> Self {
         Self {
-            place,
+            location,
             message: problem.to_string(),
             help: problem.help(),
         }
@@ -107,7 +107,7 @@ impl Diagnostic {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.place, self.message)?;
+        write!(f, "{}: {}", self.location, self.message)?;
         match &self.help {
             Some(help) => write!(f, "\n  help: {help}"),
             None => Ok(()),
@@ -129,16 +129,16 @@ impl Diagnostics {
         Self::default()
     }
 
-    /// The list of only `problem` at `place`.
-    pub fn one(place: Place, problem: &impl Explain) -> Self {
+    /// The list of only `problem` at `location`.
+    pub fn one(location: SourceLocation, problem: &impl Explain) -> Self {
         Self {
-            items: vec![Diagnostic::new(place, problem)],
+            items: vec![Diagnostic::new(location, problem)],
         }
     }
 
-    /// Adds `problem` at `place`.
-    pub fn push(&mut self, place: Place, problem: &impl Explain) {
-        self.items.push(Diagnostic::new(place, problem));
+    /// Adds `problem` at `location`.
+    pub fn push(&mut self, location: SourceLocation, problem: &impl Explain) {
+        self.items.push(Diagnostic::new(location, problem));
     }
 
     /// Appends the problems of `other`.
@@ -161,23 +161,27 @@ impl Diagnostics {
     /// the order of problems of one line, and the indices of each file in the list, are
     /// kept.
     pub fn sort_by_line(&mut self) {
-        let files = self.items.iter().map(|item| item.place.file.clone());
+        let files = self.items.iter().map(|item| item.location.file.clone());
         let files: Vec<_> = files.collect();
-        self.items.sort_by_key(|item| item.place.line);
+        self.items.sort_by_key(|item| item.location.line);
         let mut of_file: BTreeMap<String, VecDeque<Diagnostic>> = BTreeMap::new();
         for item in self.items.drain(..) {
-            let items = of_file.entry(item.place.file.clone()).or_default();
+            let items = of_file.entry(item.location.file.clone()).or_default();
             items.push_back(item);
         }
         let next = |file| of_file.get_mut(file).and_then(VecDeque::pop_front);
         self.items = files.iter().filter_map(next).collect();
     }
 
-    /// The same problems, with `place` as the location of problems of the file `from`:
+    /// The same problems, with `location` as the location of problems of the file `from`:
     /// for a text that a program wrote and no user has seen.
-    pub fn told_of(mut self, from: &str, place: &Place) -> Self {
-        for item in self.items.iter_mut().filter(|item| item.place.file == from) {
-            item.place = place.clone();
+    pub fn relocated(mut self, from: &str, location: &SourceLocation) -> Self {
+        for item in self
+            .items
+            .iter_mut()
+            .filter(|item| item.location.file == from)
+        {
+            item.location = location.clone();
         }
         self
     }
@@ -188,7 +192,7 @@ impl Diagnostics {
     pub fn explained(mut self, file: &str, what: &str) -> Self {
         if self.is_empty() {
             let what = what.to_owned();
-            self.push(Place::file(file), &Unexplained { what });
+            self.push(SourceLocation::file(file), &Unexplained { what });
         }
         self
     }
@@ -220,7 +224,7 @@ impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
         for (i, item) in self.items.iter().enumerate() {
-            let count = counts.entry(&item.place.file).or_default();
+            let count = counts.entry(&item.location.file).or_default();
             *count += 1;
             if *count > SHOWN {
                 continue;
@@ -286,10 +290,13 @@ mod tests {
     }
 
     #[test]
-    fn all_problems_are_shown_with_place_and_remedy() {
+    fn all_problems_are_shown_with_location_and_remedy() {
         let mut all = Diagnostics::new();
-        all.push(Place::line("a.toml", 3), &Unknown("materail".into()));
-        all.push(Place::file("b.toml"), &Unknown("zzz".into()));
+        all.push(
+            SourceLocation::line("a.toml", 3),
+            &Unknown("materail".into()),
+        );
+        all.push(SourceLocation::file("b.toml"), &Unknown("zzz".into()));
         assert_eq!(
             all.to_string(),
             "error: a.toml:3: unknown key \"materail\"\n  help: did you mean \"material\"?\n\
@@ -299,14 +306,14 @@ mod tests {
     }
 
     #[test]
-    fn a_refusal_without_a_reason_is_told_as_a_fault_of_the_program() {
-        let told = Diagnostics::new().explained("a.htc", "the HAWC2 structural file");
+    fn a_refusal_without_a_reason_is_reported_as_a_fault_of_the_program() {
+        let reported = Diagnostics::new().explained("a.htc", "the HAWC2 structural file");
         assert_eq!(
-            told.to_string(),
+            reported.to_string(),
             "error: a.htc: the HAWC2 structural file is refused, and no reason was noted\n  help: \
              this is a fault of Helicoid, not of the file: please report it with the file"
         );
-        let one = Diagnostics::one(Place::file("a"), &Unknown("b".into()));
+        let one = Diagnostics::one(SourceLocation::file("a"), &Unknown("b".into()));
         assert_eq!(one.clone().explained("a", "the file"), one);
     }
 
@@ -314,9 +321,9 @@ mod tests {
     fn many_problems_of_a_file_are_counted() {
         let mut all = Diagnostics::new();
         for line in 1..=60 {
-            all.push(Place::line("a.toml", line), &Unknown("zzz".into()));
+            all.push(SourceLocation::line("a.toml", line), &Unknown("zzz".into()));
         }
-        all.push(Place::line("b.toml", 7), &Unknown("zzz".into()));
+        all.push(SourceLocation::line("b.toml", 7), &Unknown("zzz".into()));
         let shown = all.to_string();
         assert_eq!(shown.lines().count(), SHOWN + 2);
         for part in [
@@ -341,16 +348,16 @@ mod tests {
             ("a", Some(9), "fifth"),
             ("a", None, "sixth"),
         ] {
-            let place = Place {
+            let location = SourceLocation {
                 line,
-                ..Place::file(file)
+                ..SourceLocation::file(file)
             };
-            all.push(place, &Unknown(key.into()));
+            all.push(location, &Unknown(key.into()));
         }
         all.sort_by_line();
         let shown: Vec<_> = all
             .iter()
-            .map(|item| (item.place.to_string(), &item.message[13..]))
+            .map(|item| (item.location.to_string(), &item.message[13..]))
             .collect();
         let expected = [
             ("a", "sixth\""),
@@ -360,8 +367,8 @@ mod tests {
             ("a:9", "first\""),
             ("a:9", "fifth\""),
         ];
-        for ((place, message), (file, key)) in shown.iter().zip(expected) {
-            assert_eq!((place.as_str(), *message), (file, key));
+        for ((location, message), (file, key)) in shown.iter().zip(expected) {
+            assert_eq!((location.as_str(), *message), (file, key));
         }
         assert_eq!(shown.len(), expected.len());
     }

@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 use crate::blade::Blade;
 use crate::document::read_text;
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::line::LineProblem;
 use crate::section::unusable;
 
@@ -60,9 +60,9 @@ impl Reading {
         let mut problems = Diagnostics::new();
         for (number, station) in self.blade.stations.iter().enumerate() {
             if let Some(problem) = unusable(&station.stiffness, &station.mass) {
-                let whole = || Place::file(file.display().to_string());
-                let place = self.places.get(number).cloned().unwrap_or_else(whole);
-                problems.push(place, &problem);
+                let whole = || SourceLocation::file(file.display().to_string());
+                let location = self.locations.get(number).cloned().unwrap_or_else(whole);
+                problems.push(location, &problem);
             }
         }
         problems.into_result(())
@@ -74,12 +74,12 @@ impl Reading {
     /// The problems of the blade (see [`Blade::problems`]), with the location of their
     /// station, and those that many stations share as one; of many, the first.
     pub fn check(&self, file: &Path) -> Result<(), Diagnostics> {
-        let whole = || Place::file(file.display().to_string());
+        let whole = || SourceLocation::file(file.display().to_string());
         let found = self.blade.shared_problems();
         let mut problems = Diagnostics::new();
         for (station, problem) in found.iter().take(PROBLEMS_SHOWN) {
-            let place = station.and_then(|station| self.places.get(station));
-            problems.push(place.cloned().unwrap_or_else(whole), problem);
+            let location = station.and_then(|station| self.locations.get(station));
+            problems.push(location.cloned().unwrap_or_else(whole), problem);
         }
         if found.len() > PROBLEMS_SHOWN {
             let more = ExchangeProblem::More(found.len() - PROBLEMS_SHOWN);
@@ -401,8 +401,8 @@ pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Di
     // An invalid line cannot be described either.
     let found = reading.blade.length();
     if !found.is_finite() {
-        let place = Place::file(path.display().to_string());
-        return Err(Diagnostics::one(place, &LineProblem::Length { found }));
+        let location = SourceLocation::file(path.display().to_string());
+        return Err(Diagnostics::one(location, &LineProblem::Length { found }));
     }
     Ok((format, reading))
 }
@@ -415,7 +415,7 @@ pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Di
 pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
     let unknown = || {
         let problem = ExchangeProblem::unknown(text, readable());
-        Diagnostics::one(Place::file(path.display().to_string()), &problem)
+        Diagnostics::one(SourceLocation::file(path.display().to_string()), &problem)
     };
     // Helicoid's files are recognized by their endings, in any state.
     let own = own::is_named(path).then_some(Format::Helicoid);
@@ -428,7 +428,7 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
         let problem = ExchangeProblem::NotRead {
             title: door.format.title(),
         };
-        Diagnostics::one(Place::file(path.display().to_string()), &problem)
+        Diagnostics::one(SourceLocation::file(path.display().to_string()), &problem)
     })?;
     let refused = |problems: Diagnostics| {
         let what = format!("the {}", door.format.title());

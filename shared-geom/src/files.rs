@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_in_the_way_is_told() {
+    fn what_is_in_the_way_is_reported() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("results");
         write_text(&file, "x").unwrap();
@@ -236,7 +236,7 @@ mod tests {
     /// A device of Linux that accepts nothing represents a full disk.
     #[cfg(target_os = "linux")]
     #[test]
-    fn a_full_disk_is_told_in_words() {
+    fn a_full_disk_is_reported_in_words() {
         struct Empty;
         impl Drawing for Empty {
             fn draw<B: plotters::backend::DrawingBackend>(

@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rotation_is_told_from_reflection_strain_and_nan() {
+    fn a_rotation_is_distinguished_from_reflection_strain_and_nan() {
         let mut samples = Samples::new(2);
         for _ in 0..100 {
             let r = samples.rotation(PI);

@@ -43,7 +43,7 @@ impl Spline {
     }
 
     /// Abscissas of the points, ascending.
-    pub fn places(&self) -> &[f64] {
+    pub fn positions(&self) -> &[f64] {
         &self.x
     }
 
@@ -54,7 +54,7 @@ impl Spline {
 
     /// The interval in which `x` is; beyond the ends the first or the last.
     pub fn interval(&self, x: f64) -> usize {
-        let after = self.x.partition_point(|place| *place <= x);
+        let after = self.x.partition_point(|position| *position <= x);
         after.clamp(1, self.x.len().max(2) - 1) - 1
     }
 
@@ -132,8 +132,8 @@ mod tests {
         }
         assert!((spline.value(1, 0.5) - 2.0 * (1.0 - 0.375 + 0.0625)).abs() < 1e-15);
         assert!((straight.value(1, 0.5) - 1.0).abs() < 1e-15);
-        for (place, interval) in [(-3.0, 0), (-1.0, 0), (0.0, 1), (0.7, 1), (5.0, 1)] {
-            assert_eq!(spline.interval(place), interval);
+        for (position, interval) in [(-3.0, 0), (-1.0, 0), (0.0, 1), (0.7, 1), (5.0, 1)] {
+            assert_eq!(spline.interval(position), interval);
         }
     }
 }

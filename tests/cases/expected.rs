@@ -81,15 +81,15 @@ impl Value {
 /// Runs the commands of a case, and compares all its values before a failure.
 fn check(case: &str) {
     let folder = format!("cases/section/{case}");
-    let place = Workplace::new(&[&folder], &folder);
-    let text = std::fs::read_to_string(place.path(&format!("{folder}/expected.toml"))).unwrap();
+    let workplace = Workplace::new(&[&folder], &folder);
+    let text = std::fs::read_to_string(workplace.path(&format!("{folder}/expected.toml"))).unwrap();
     let expected: Expected =
         toml::from_str(&text).unwrap_or_else(|error| panic!("{case}: {error}"));
     let mut table = String::new();
     let mut is_met = true;
     let mut values = 0;
     for command in &expected.run {
-        let run = place.run(&command.command);
+        let run = workplace.run(&command.command);
         assert_eq!(run.code, command.code, "{}\n{}", command.command, run.err);
         for line in &command.prints {
             let is_there = run.out.lines().any(|found| found.trim() == line.trim());

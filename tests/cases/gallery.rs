@@ -66,7 +66,7 @@ fn the_gallery_shows_what_the_programs_do() {
     let page = std::fs::read_to_string(root().join(PAGE)).unwrap();
     let mut inputs = Vec::new();
     section_files(&root().join("cases"), &mut inputs);
-    let place = Workplace::new(&["cases", "meshes"], "cases/section");
+    let workplace = Workplace::new(&["cases", "meshes"], "cases/section");
     let mut output = String::new();
     let mut ran = 0;
     let mut wrong = Vec::new();
@@ -75,7 +75,7 @@ fn the_gallery_shows_what_the_programs_do() {
             "sh" => {
                 output.clear();
                 for command in commands(&text) {
-                    let run = place.run(&command);
+                    let run = workplace.run(&command);
                     // 1: a goal that was not reached, such as a comparison that differs
                     assert!(run.code <= 1, "{PAGE}:{line}: {command}\n{}", run.err);
                     output += &run.out;

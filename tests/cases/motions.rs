@@ -51,14 +51,14 @@ impl Value {
         let mut lines = table.lines();
         let headings: Vec<_> = lines.next().unwrap().split(',').collect();
         let first = format!("{} [", self.column);
-        let place = headings.iter().position(|text| text.starts_with(&first));
-        let place = place.unwrap_or_else(|| panic!("{}: no column {}", self.file, self.column));
-        let unit = headings[place][first.len()..].trim_end_matches(']');
+        let index = headings.iter().position(|text| text.starts_with(&first));
+        let index = index.unwrap_or_else(|| panic!("{}: no column {}", self.file, self.column));
+        let unit = headings[index][first.len()..].trim_end_matches(']');
         let number = |line: &str, column: usize| -> f64 {
             line.split(',').nth(column).unwrap().parse().unwrap()
         };
         let points: Vec<_> = lines
-            .map(|line| [number(line, 0), number(line, place)])
+            .map(|line| [number(line, 0), number(line, index)])
             .collect();
         (self.of(&points), unit.to_owned())
     }
@@ -124,24 +124,25 @@ fn expanded(command: &str) -> String {
 /// Runs the commands of a case, and compares all its values before a failure.
 fn check(case: &str) {
     let folder = format!("cases/dynamics/{case}");
-    let place = Workplace::new(&[&folder], ".");
-    let page = std::fs::read_to_string(place.path(&format!("{folder}/README.md"))).unwrap();
+    let workplace = Workplace::new(&[&folder], ".");
+    let page = std::fs::read_to_string(workplace.path(&format!("{folder}/README.md"))).unwrap();
     assert!(page.contains("**Expected"), "{case}: what is expected?");
     let mut ran = 0;
     for (_, _, text) in blocks(&page).iter().filter(|block| block.0 == "sh") {
         for command in commands(text) {
-            let run = place.run(&expanded(&command));
+            let run = workplace.run(&expanded(&command));
             assert_eq!(run.code, 0, "{command}\n{}", run.err);
             ran += 1;
         }
     }
     assert!(ran > 0, "{case}: README.md has no command");
-    let Ok(text) = std::fs::read_to_string(place.path(&format!("{folder}/expected.toml"))) else {
+    let Ok(text) = std::fs::read_to_string(workplace.path(&format!("{folder}/expected.toml")))
+    else {
         return;
     };
     let expected: Expected =
         toml::from_str(&text).unwrap_or_else(|error| panic!("{case}: {error}"));
-    let mut told = String::new();
+    let mut reported = String::new();
     let mut is_met = true;
     for value in &expected.value {
         let path = format!("{folder}/results/{}.transient.csv", value.file);
@@ -151,14 +152,14 @@ fn check(case: &str) {
         let quantity = value.quantity(&unit);
         is_met &= error <= value.within;
         writeln!(
-            told,
+            reported,
             "{quantity:40} expected {:14e} found {found:14e} error {error:8.1e} of {:8.1e}, {}",
             value.expected, value.within, value.source
         )
         .unwrap();
     }
-    println!("{case}\n{told}");
-    assert!(is_met, "{case}\n{told}");
+    println!("{case}\n{reported}");
+    assert!(is_met, "{case}\n{reported}");
 }
 
 /// All cases, one after the other: a new folder in `cases/dynamics` is a new case.

@@ -47,14 +47,14 @@ impl Workplace {
         let guard = WORKING_FOLDER
             .lock()
             .unwrap_or_else(PoisonError::into_inner);
-        let place = tempfile::tempdir().unwrap();
+        let workplace = tempfile::tempdir().unwrap();
         for folder in folders {
-            copy(&root().join(folder), &place.path().join(folder));
+            copy(&root().join(folder), &workplace.path().join(folder));
         }
-        std::env::set_current_dir(place.path().join(inner)).unwrap();
+        std::env::set_current_dir(workplace.path().join(inner)).unwrap();
         Self {
             _guard: guard,
-            copy: place,
+            copy: workplace,
         }
     }
 

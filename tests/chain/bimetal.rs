@@ -99,19 +99,19 @@ fn heated_strips_curl_into_arcs() {
 }
 
 #[test]
-fn states_that_the_section_does_not_have_are_told() {
+fn states_that_the_section_does_not_have_are_reported() {
     let chain = Chain::analyzed();
-    let told = chain.tip("imposed = { hut = 1 }").unwrap_err();
+    let reported = chain.tip("imposed = { hut = 1 }").unwrap_err();
     assert!(
-        told.contains(
+        reported.contains(
             "strip.dynamics.toml:4: unknown imposed state \"hut\" in properties \"strip\"\n  \
              help: did you mean \"hot\"?"
         ),
-        "{told}"
+        "{reported}"
     );
-    let told = chain.tip("temperature = \"3 m\"").unwrap_err();
+    let reported = chain.tip("temperature = \"3 m\"").unwrap_err();
     assert!(
-        told.contains("measures a length, expected a rise of temperature"),
-        "{told}"
+        reported.contains("measures a length, expected a rise of temperature"),
+        "{reported}"
     );
 }

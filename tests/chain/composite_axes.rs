@@ -23,7 +23,7 @@ use section_analyzer::output::{add_prestress, properties};
 use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::ImposedSolutions;
 use serde_json::Value;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::{
     self, CubicTable, InitialCurvature, PRESTRESS_COMPONENTS, SectionProperties, StrainMeasure,
@@ -45,7 +45,7 @@ fn strip() -> SectionProperties {
         name: "strip".into(),
     };
     let mesh = rectangle.generate().unwrap();
-    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("test")).unwrap();
+    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("test")).unwrap();
     let ply = EngineeringConstants {
         e1: 181.0,
         e2: 10.3,
@@ -58,7 +58,7 @@ fn strip() -> SectionProperties {
         nu23: 0.4,
     };
     let of_cell = |cell| {
-        let height: f64 = mesh.places(cell).map(|place| place[1]).sum();
+        let height: f64 = mesh.positions(cell).map(|position| position[1]).sum();
         CellMaterial {
             material: 0,
             fiber_angle: 30.0_f64.to_radians().copysign(height),

@@ -17,7 +17,7 @@ use section_analyzer::output::properties;
 use section_analyzer::section::{CellMaterial, Circuit, Electrode, ElectrodeShape, Section};
 use section_analyzer::solution::ImposedSolutions;
 use serde_json::Value;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::{self, InitialCurvature, SectionProperties};
 
@@ -77,7 +77,11 @@ fn bimorph(b: f64, t: f64, cells: [usize; 2]) -> SectionProperties {
         kind: CellKind::Quadrilateral9,
         name: "bimorph".into(),
     };
-    let mesh = SectionMesh::from_mesh(&mesh.generate().unwrap(), 1.0, &Place::file("bimorph"));
+    let mesh = SectionMesh::from_mesh(
+        &mesh.generate().unwrap(),
+        1.0,
+        &SourceLocation::file("bimorph"),
+    );
     let mesh = mesh.unwrap().0;
     let electrode = |name: &str, circuit: Circuit, height: f64| {
         let nodes = 0..mesh.nodes.len() as u32;

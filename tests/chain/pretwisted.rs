@@ -25,7 +25,7 @@ use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::output::properties;
 use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::ImposedSolutions;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::{self, InitialCurvature, SectionProperties};
 
@@ -49,8 +49,12 @@ fn solved(rate: f64) -> SectionProperties {
         kind: CellKind::Quadrilateral9,
         name: "strip".into(),
     };
-    let (mesh, _) =
-        SectionMesh::from_mesh(&mesh.generate().unwrap(), 1.0, &Place::file("strip")).unwrap();
+    let (mesh, _) = SectionMesh::from_mesh(
+        &mesh.generate().unwrap(),
+        1.0,
+        &SourceLocation::file("strip"),
+    )
+    .unwrap();
     let cell = CellMaterial {
         material: 0,
         fiber_angle: 0.0,
@@ -320,10 +324,13 @@ fn a_line_without_the_twist_of_its_section_is_refused() {
     let section = solved(rate(30.0));
     for twist in [0.0, -30.0, 15.0] {
         let refused = Blade::of(&section, twist).read(4, "[modes]\nspeeds = [0]\n");
-        let told = refused.err().unwrap_or_else(|| panic!("{twist} is taken"));
+        let reported = refused.err().unwrap_or_else(|| panic!("{twist} is taken"));
         let line = format!("and the line has curvature [{twist}, 0, 0] deg/m");
         let words = "solved for a beam with curvature [30, 0, 0] deg/m, ";
-        assert!(told.contains(words) && told.contains(&line), "{told}");
+        assert!(
+            reported.contains(words) && reported.contains(&line),
+            "{reported}"
+        );
     }
 }
 

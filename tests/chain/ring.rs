@@ -24,7 +24,7 @@ use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::output::properties;
 use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::ImposedSolutions;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::{self, InitialCurvature, SectionProperties};
 
@@ -110,7 +110,7 @@ fn solved([k2, k3]: [f64; 2]) -> SectionProperties {
         name: "bar".into(),
     };
     let mesh = mesh.generate().unwrap();
-    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("bar")).unwrap();
+    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("bar")).unwrap();
     let cell = CellMaterial {
         material: 0,
         fiber_angle: 0.0,

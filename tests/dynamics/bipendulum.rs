@@ -18,10 +18,10 @@ fn run(to: f64, step: f64, every: usize) -> Run {
         "bipendulum",
         "bipendulum.dynamics.toml",
         every,
-        |question| {
-            question.to = to;
-            question.scheme = Scheme::TwoStep { radius: 0.6 };
-            question.stepping = Stepping::Constant { step };
+        |settings| {
+            settings.to = to;
+            settings.scheme = Scheme::TwoStep { radius: 0.6 };
+            settings.stepping = Stepping::Constant { step };
         },
     )
 }
@@ -54,12 +54,12 @@ fn errors(run: &Run, to: f64) -> [f64; 2] {
 fn positions_and_reactions_follow() {
     let run = run(5.0, 5e-4, 50);
     run.check_end();
-    let [place, force] = errors(&run, 5.0);
+    let [position, force] = errors(&run, 5.0);
     record::largest(
         SOURCE,
         "bipendulum",
         "positions to 5 s, step 0.5 ms [m]",
-        place,
+        position,
         2e-4,
     );
     record::largest(
@@ -69,16 +69,19 @@ fn positions_and_reactions_follow() {
         force / PEAK,
         1e-2,
     );
-    assert!(place < 2e-4 && force < 1e-2 * PEAK, "{place:e} {force:e}");
+    assert!(
+        position < 2e-4 && force < 1e-2 * PEAK,
+        "{position:e} {force:e}"
+    );
 }
 
 /// The first reactions agree with the motion: with the whole line as one body for the direction,
 /// and with the reference for each; no oscillation follows.
 #[test]
 fn the_first_reactions_are_those_of_the_motion() {
-    let run = Run::new("bipendulum", "bipendulum.dynamics.toml", 1, |question| {
-        question.to = 0.025;
-        question.stepping = Stepping::Constant { step: 1e-3 };
+    let run = Run::new("bipendulum", "bipendulum.dynamics.toml", 1, |settings| {
+        settings.to = 0.025;
+        settings.stepping = Stepping::Constant { step: 1e-3 };
     });
     let start = run.reaction("joint 1", "link 1", 0.0)[0];
     let expected = Vector3::new(0.0, 14.608, 3.739_630_072_75);
@@ -131,10 +134,10 @@ fn slender_links_do_not_spin_at_large_steps() {
                 (number - 1) % every == 0
             }
         });
-        let place = errors(&run, 3.0)[0];
+        let position = errors(&run, 3.0)[0];
         let case = format!("bipendulum, step {} ms", 1e3 * step);
         let bound = 1.05 * of_one * (step / 1e-3_f64).powi(2);
-        record::largest(SOURCE, &case, "positions to 3 s [m]", place, bound);
+        record::largest(SOURCE, &case, "positions to 3 s [m]", position, bound);
         record::largest(
             SOURCE,
             &case,
@@ -142,6 +145,9 @@ fn slender_links_do_not_spin_at_large_steps() {
             spin,
             1e-7,
         );
-        assert!(place < bound && spin < 1e-7, "{case}: {place:e} {spin:e}");
+        assert!(
+            position < bound && spin < 1e-7,
+            "{case}: {position:e} {spin:e}"
+        );
     }
 }

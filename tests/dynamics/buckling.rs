@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use beam_dynamics::analysis::buckling::{BucklingFailure, buckling};
 use beam_dynamics::analysis::modes::modes;
-use beam_dynamics::case::{BucklingQuestion, ModesQuestion};
+use beam_dynamics::case::{BucklingSettings, ModesSettings};
 use beam_dynamics::elements::beams::Formulation;
 use beam_dynamics::elements::loads::{ImposedMotion, NodalForce, Turning};
 use nalgebra::{Vector3, Vector6};
@@ -18,8 +18,8 @@ use crate::record;
 const CLOSED: &str = "closed form, Timoshenko and Gere";
 
 fn factors(chain: Chain, count: usize) -> Vec<f64> {
-    let question = BucklingQuestion { speed: 0.0, count };
-    let outcome = buckling(&chain.model(), &question);
+    let settings = BucklingSettings { speed: 0.0, count };
+    let outcome = buckling(&chain.model(), &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     assert_eq!(outcome.result.modes.len(), count);
     for mode in &outcome.result.modes {
@@ -237,14 +237,14 @@ fn the_lowest_frequency_of_a_turning_blade_vanishes_at_its_critical_load() {
             beam_dynamics::assembly::System::new(nodes, elements),
         )
     };
-    let question = BucklingQuestion { speed, count: 1 };
-    let outcome = buckling(&model(1.0), &question);
+    let settings = BucklingSettings { speed, count: 1 };
+    let outcome = buckling(&model(1.0), &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let critical = outcome.result.modes[0].factor;
     // Turning stiffens.
     assert!(critical > PI * PI / 4.0 && critical < 4.0, "{critical}");
     let squares = [0.98, 0.99].map(|part| {
-        let outcome = modes(&model(part * critical), &ModesQuestion::new(vec![speed], 1));
+        let outcome = modes(&model(part * critical), &ModesSettings::new(vec![speed], 1));
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         (2.0 * PI * outcome.table.at_speed(0)[0].1.frequency).powi(2)
     });
@@ -262,17 +262,17 @@ fn the_lowest_frequency_of_a_turning_blade_vanishes_at_its_critical_load() {
 
 /// Loads that do not grow, and bending alone, have no critical load.
 #[test]
-fn no_load_and_no_prestress_are_told() {
+fn no_load_and_no_prestress_are_reported() {
     let stiffness = Vector6::new(1e7, 1e6, 1e6, 1.0, 1.0, 1.0);
     let mut chain = Chain::new();
     let ends = [Vector3::zeros(), Vector3::x()];
     chain.straight(None, 1, &stiffness, ends, Vector3::z());
     chain.clamp(0);
-    let question = BucklingQuestion {
+    let settings = BucklingSettings {
         speed: 0.0,
         count: 1,
     };
-    let outcome = buckling(&chain.model(), &question);
+    let outcome = buckling(&chain.model(), &settings);
     assert!(matches!(outcome.failure, Some(BucklingFailure::NoLoad)));
 }
 
@@ -291,11 +291,11 @@ fn a_follower_load_has_no_real_factor() {
         ..DEAD
     };
     chain.load(on[8], load);
-    let question = BucklingQuestion {
+    let settings = BucklingSettings {
         speed: 0.0,
         count: 2,
     };
-    let failure = buckling(&chain.model(), &question).failure.unwrap();
+    let failure = buckling(&chain.model(), &settings).failure.unwrap();
     assert!(
         matches!(failure, BucklingFailure::NoRealFactor),
         "{failure}"

@@ -1,7 +1,7 @@
 //! A line of three-node elements with loads, built node by node.
 
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, StaticQuestion};
+use beam_dynamics::case::{Model, StaticSettings};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
     Beam, BeamGeometry, BeamNode, DistributedLoad, Formulation, LineLoad,
@@ -54,14 +54,14 @@ impl Chain {
         }
     }
 
-    /// A line of `count` elements; `place` returns position and axes of a node from its part of the
+    /// A line of `count` elements; `point` returns position and axes of a node from its part of the
     /// length. The first node may be an existing one.
     pub fn line(
         &mut self,
         first: Option<usize>,
         count: usize,
         stiffness: &Vector6<f64>,
-        place: impl Fn(f64) -> (Vector3<f64>, Matrix3<f64>),
+        point: impl Fn(f64) -> (Vector3<f64>, Matrix3<f64>),
     ) -> Vec<usize> {
         let mut on = Vec::new();
         for i in 0..=2 * count {
@@ -69,7 +69,7 @@ impl Chain {
                 on.push(node);
                 continue;
             }
-            let (position, rotation) = place(i as f64 / (2 * count) as f64);
+            let (position, rotation) = point(i as f64 / (2 * count) as f64);
             let label = format!("n{}", self.nodes.len());
             on.push(self.nodes.len());
             self.nodes.push(Node {
@@ -81,7 +81,7 @@ impl Chain {
         for e in 0..count {
             let nodes = [on[2 * e], on[2 * e + 1], on[2 * e + 2]];
             let section = |i: usize| {
-                let (_, axes) = place(i as f64 / (2 * count) as f64);
+                let (_, axes) = point(i as f64 / (2 * count) as f64);
                 self.nodes[on[i]].rotation.transpose() * axes
             };
             let geometry = BeamGeometry::new(std::array::from_fn(|k| BeamNode {
@@ -162,8 +162,8 @@ impl Chain {
 }
 
 /// Loads grow up to a factor, in steps as large as possible.
-pub fn up_to(to: f64) -> StaticQuestion {
-    StaticQuestion {
+pub fn up_to(to: f64) -> StaticSettings {
+    StaticSettings {
         speed: 0.0,
         to,
         steps: None,

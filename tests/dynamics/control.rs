@@ -81,9 +81,9 @@ fn check_poles(file: &str, exact: &[Complex<f64>]) {
     for (branch, pole) in found.branches.iter().zip(pairs) {
         let point = branch.points[0].as_ref().unwrap();
         let exact = [pole.im / std::f64::consts::TAU, -pole.re / pole.norm()];
-        let told = [point.frequency, point.damping_ratio];
+        let reported = [point.frequency, point.damping_ratio];
         let quantities = ["frequency [Hz]", "damping ratio"].into_iter();
-        for (quantity, (found, exact)) in quantities.zip(told.into_iter().zip(exact)) {
+        for (quantity, (found, exact)) in quantities.zip(reported.into_iter().zip(exact)) {
             let error = (found / exact - 1.0).abs();
             record::value(SOURCE, file, quantity, [found, exact], error, 1e-9);
             assert!(error < 1e-9, "{file} {quantity}: {found} {exact}");
@@ -123,8 +123,8 @@ fn a_driven_angle_holds_the_pendulum_upright() {
 #[test]
 fn the_motion_is_that_of_the_linear_equations() {
     let case = pushed(1e-4);
-    let run = Run::of_file(&case.path(FILE), 1, |question| {
-        question.stepping = beam_dynamics::integrator::Stepping::Constant { step: 5e-4 };
+    let run = Run::of_file(&case.path(FILE), 1, |settings| {
+        settings.stepping = beam_dynamics::integrator::Stepping::Constant { step: 5e-4 };
     });
     assert!(run.outcome.failure.is_none(), "{:?}", run.outcome.failure);
     let start = Vector3::new(0.0, 1e-4, 0.0);

@@ -50,7 +50,7 @@ fn a_mass_on_a_bar_swings_out_with_the_ratio_of_its_damping() {
     let frequency = (1000.0_f64 / (2.0 * 10.0)).sqrt();
     let ratio = 0.5 * TIME * frequency;
     let damped = frequency * (1.0 - ratio * ratio).sqrt();
-    let place = |t: f64| {
+    let position = |t: f64| {
         let size = 0.01 / damped * (-ratio * frequency * t).exp();
         Vector3::new(2.0 + size * (damped * t).sin(), 0.0, 0.0)
     };
@@ -62,7 +62,7 @@ fn a_mass_on_a_bar_swings_out_with_the_ratio_of_its_damping() {
             let run = Mechanism::new(&cards, 2.0, step).run;
             let tip = run.node("tip");
             let apart = |(t, state): &(f64, beam_dynamics::model::State)| {
-                off(state.nodes[tip].position, place(*t))
+                off(state.nodes[tip].position, position(*t))
             };
             run.instants.iter().map(apart).fold(0.0, f64::max)
         });

@@ -2,7 +2,7 @@
 
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, ModesQuestion};
+use beam_dynamics::case::{Model, ModesSettings};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use beam_dynamics::elements::joints::clamped;
@@ -42,8 +42,8 @@ fn damped_modes(stiffness: &Matrix6<f64>, damping: &Matrix6<f64>) -> Vec<(String
         elements.push(Box::new(inertia));
     }
     let model = Model::new("damped beam", System::new(nodes, elements));
-    let question = ModesQuestion::new(vec![0.0], 12);
-    let outcome = modes(&model, &question);
+    let settings = ModesSettings::new(vec![0.0], 12);
+    let outcome = modes(&model, &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let points = outcome.table.at_speed(0).into_iter();
     points

@@ -11,15 +11,15 @@ use crate::record;
 
 /// Angle from the downward vertical \[deg\], positive to the side of x.
 fn angle(run: &Run, time: f64) -> f64 {
-    let place = run.motion("mass", time).position;
-    place.x.atan2(-place.y).to_degrees()
+    let position = run.motion("mass", time).position;
+    position.x.atan2(-position.y).to_degrees()
 }
 
 /// Largest error of the angle over ten seconds \[deg\].
 fn angle_error(file: &str, step: f64) -> f64 {
     let every = (0.05 / step).round() as usize;
-    let run = Run::new("bathe_pendulum", file, every, |question| {
-        question.stepping = Stepping::Constant { step };
+    let run = Run::new("bathe_pendulum", file, every, |settings| {
+        settings.stepping = Stepping::Constant { step };
     });
     let table = Table::new("bathe_pendulum.csv");
     let errors = table
@@ -51,9 +51,9 @@ fn elongation(run: &Run, time: f64) -> f64 {
 /// top, the path is sensitive.
 fn elongation_error(start: &str, scheme: Scheme) -> f64 {
     let file = format!("{start}.dynamics.toml");
-    let run = Run::new("deformable_pendulum", &file, 80, |question| {
-        question.to = 1.0;
-        question.scheme = scheme;
+    let run = Run::new("deformable_pendulum", &file, 80, |settings| {
+        settings.to = 1.0;
+        settings.scheme = scheme;
     });
     let table = Table::new(&format!("deformable_pendulum_{start}.csv"));
     let column = table.column("elongation");
@@ -86,8 +86,8 @@ fn the_rod_stretches_as_it_should() {
 fn the_ringing_by_two_steps() {
     let source = "the same scheme in another program";
     let file = "unstretched.dynamics.toml";
-    let run = Run::new("deformable_pendulum", file, 80, |question| {
-        question.to = 1.0
+    let run = Run::new("deformable_pendulum", file, 80, |settings| {
+        settings.to = 1.0
     });
     for (time, expected) in [(0.5, -4.417_865_386e-4), (1.0, -3.318_373_583e-4)] {
         let found = elongation(&run, time);
@@ -139,10 +139,10 @@ fn a_step_too_long_for_the_rod() {
         ),
     ] {
         let name = format!("{file}.dynamics.toml");
-        let run = Run::new("deformable_pendulum", &name, 1, |question| {
-            question.to = 0.1;
-            question.stepping = Stepping::Constant { step: 0.02 };
-            question.scheme = Scheme::TwoStep { radius };
+        let run = Run::new("deformable_pendulum", &name, 1, |settings| {
+            settings.to = 0.1;
+            settings.stepping = Stepping::Constant { step: 0.02 };
+            settings.scheme = Scheme::TwoStep { radius };
         });
         for (step, expected) in (1..).zip(expected) {
             let found = elongation(&run, 0.02 * f64::from(step));

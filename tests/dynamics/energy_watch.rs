@@ -3,7 +3,7 @@
 use std::fs;
 
 use beam_dynamics::analysis::modes::modes;
-use beam_dynamics::case::TransientQuestion;
+use beam_dynamics::case::TransientSettings;
 
 use crate::effort::cases;
 use crate::in_time::{Run, gain};
@@ -12,15 +12,15 @@ use crate::record;
 const UNITS: &str =
     r#"units = { length = "m", force = "N", angle = "rad", rotation_speed = "rad/s" }"#;
 
-/// A run of cards, with its questions among them.
-fn run(cards: &str, change: impl FnOnce(&mut TransientQuestion)) -> Run {
+/// A run of cards, which include its settings.
+fn run(cards: &str, change: impl FnOnce(&mut TransientSettings)) -> Run {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("watched.dynamics.toml");
     fs::write(&path, format!("{UNITS}\n{cards}")).unwrap();
     let input = beam_dynamics::input::read(&path).unwrap_or_else(|problems| panic!("{problems}"));
-    let mut question = input.transient.unwrap();
-    change(&mut question);
-    Run::of_any(input.model, &question, usize::MAX)
+    let mut settings = input.transient.unwrap();
+    change(&mut settings);
+    Run::of_any(input.model, &settings, usize::MAX)
 }
 
 /// An aluminum strip of 40 x 10 x 400 mm, pushed at its tip for a millisecond.
@@ -78,15 +78,21 @@ const FINITE_VOLUME: &str = "formulation = \"finite-volume\"";
 /// Finite volumes gain energy, 0.096 J to more than 1000 J here: time, input, location and cause
 /// are reported. The variational beam conserves the input.
 #[test]
-fn energy_that_a_formulation_makes_is_told() {
+fn energy_that_a_formulation_makes_is_reported() {
     let time = "[transient]\nto = 0.2\nstep = 2e-5\n";
     let text = |formulation: &str| SOFT.replace("FORMULATION", formulation) + time;
     let outcome = run(&text(FINITE_VOLUME), |_| {}).outcome;
-    let told = gain(&outcome).unwrap();
-    println!("{told}\n{:?}", outcome.energy);
+    let reported = gain(&outcome).unwrap();
+    println!("{reported}\n{:?}", outcome.energy);
     assert!(outcome.failure.is_none());
-    assert!(told.contains("in the beams of blade \"soft\""), "{told}");
-    assert!(told.contains("use formulation = \"variational\""), "{told}");
+    assert!(
+        reported.contains("in the beams of blade \"soft\""),
+        "{reported}"
+    );
+    assert!(
+        reported.contains("use formulation = \"variational\""),
+        "{reported}"
+    );
     assert!(outcome.energy.growth > 100.0 && outcome.energy.put_in < 0.2);
     let kept = run(&text(""), |_| {}).outcome;
     println!("{:?}", kept.energy);
@@ -106,13 +112,13 @@ fn energy_that_a_formulation_makes_is_told() {
 /// The growing modes of the strip are beyond the ten listed ones: a remark reports them, their
 /// damping, and the cause; the variational strip has none.
 #[test]
-fn modes_with_negative_damping_are_told_beyond_those_listed() {
+fn modes_with_negative_damping_are_reported_beyond_those_listed() {
     let remarks = |formulation: &str, count: usize| {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("strip.dynamics.toml");
         let cards = STRIP.replace("FORMULATION", formulation);
-        let asked = format!("[modes]\nspeeds = 0\ncount = {count}\n");
-        fs::write(&path, format!("{UNITS}\n{cards}{asked}")).unwrap();
+        let requested = format!("[modes]\nspeeds = 0\ncount = {count}\n");
+        fs::write(&path, format!("{UNITS}\n{cards}{requested}")).unwrap();
         let input = beam_dynamics::input::read(&path).unwrap();
         let outcome = modes(&input.model, &input.modes.unwrap());
         assert!(outcome.failure.is_none());
@@ -121,13 +127,17 @@ fn modes_with_negative_damping_are_told_beyond_those_listed() {
             .filter(|remark| remark.contains("negative damping"))
             .collect::<Vec<_>>()
     };
-    for (count, place) in [
+    for (count, position) in [
         (10, "negative damping beyond the listed ones"),
         (48, "2 modes have negative"),
     ] {
         let found = remarks(FINITE_VOLUME, count);
         assert_eq!(found.len(), 1, "{found:?}");
-        for words in [place, "the damping ratio is -2.50e-2", "\"finite-volume\""] {
+        for words in [
+            position,
+            "the damping ratio is -2.50e-2",
+            "\"finite-volume\"",
+        ] {
             assert!(found[0].contains(words), "{found:?}");
         }
         assert!(remarks("", count).is_empty());
@@ -144,10 +154,16 @@ fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
     };
     let outcome = strip(FINITE_VOLUME, 0.003);
     assert!(outcome.failure.is_none());
-    let told = gain(&outcome).unwrap();
-    println!("{told}\n{:?}", outcome.energy);
-    assert!(told.contains("in the beams of blade \"b\""), "{told}");
-    assert!(told.contains("use formulation = \"variational\""), "{told}");
+    let reported = gain(&outcome).unwrap();
+    println!("{reported}\n{:?}", outcome.energy);
+    assert!(
+        reported.contains("in the beams of blade \"b\""),
+        "{reported}"
+    );
+    assert!(
+        reported.contains("use formulation = \"variational\""),
+        "{reported}"
+    );
     let outcome = strip(FINITE_VOLUME, 0.01);
     let failure = outcome.failure.as_ref().unwrap();
     let (text, remedy) = (failure.to_string(), failure.remedy());

@@ -111,7 +111,7 @@ fn copies_are_collective_cyclic_and_differential() {
 /// A tip piece a million times as stiff as the blade: the result has few digits, which a remark
 /// reports. Without it there is no remark.
 #[test]
-fn lost_digits_are_told() {
+fn lost_digits_are_reported() {
     assert_eq!(rotor(1, 4).remarks, Vec::<String>::new());
     let text = "units = \"SI\"\n[properties.p]\nea = 1e7\ngay = 3e6\ngaz = 3e6\ngj = 500\n\
          eiy = 1000\neiz = 4000\nm = 2.0\niy = 0.001\niz = 0.004\n\
@@ -126,12 +126,12 @@ fn lost_digits_are_told() {
     std::fs::write(&file, text).unwrap();
     let input = beam_dynamics::input::read(&file).unwrap();
     let outcome = modes(&input.model, &input.modes.unwrap());
-    let told = outcome
+    let reported = outcome
         .table
         .remarks
         .iter()
         .any(|remark| remark.contains("digits are lost"));
     let shown = outcome.failure.map(|failure| failure.to_string());
     println!("{:?} {shown:?}", outcome.table.remarks);
-    assert!(told || shown.is_some());
+    assert!(reported || shown.is_some());
 }

@@ -146,11 +146,11 @@ fn modes_are_the_same_about_another_axis() {
 /// 10 / L, L = 117 m and r = 1 m, so that the loss is 1e-3 of it at most. The stiffness halfway
 /// between two rows has an error of a tenth only at the tip, which does not bend.
 #[test]
-fn what_hawc2_cannot_carry_is_told_and_small() {
-    for (name, tolerance, told) in [("nrel5mw", 1e-9, 1), ("iea15", 1e-3, 4)] {
+fn what_hawc2_cannot_carry_is_reported_and_small() {
+    for (name, tolerance, reported) in [("nrel5mw", 1e-9, 1), ("iea15", 1e-3, 4)] {
         let blade = blade_of(name);
         let (back, lost) = there_and_back(&blade, Format::Hawc2);
-        assert_eq!(lost.len(), told, "{lost:?}");
+        assert_eq!(lost.len(), reported, "{lost:?}");
         let expected = frequencies(&blade, "");
         let found = frequencies(&back, "");
         println!("{found:?}\n{expected:?}");
@@ -161,7 +161,7 @@ fn what_hawc2_cannot_carry_is_told_and_small() {
             tolerance,
         );
         let is_changed = difference(&found, &expected) > 1e-9;
-        assert_eq!(is_changed, told > 1);
+        assert_eq!(is_changed, reported > 1);
     }
 }
 
@@ -176,11 +176,12 @@ fn what_hawc2_cannot_carry_is_told_and_small() {
 /// NREL 5MW (0.5 % of the blade) 1e-6, for the interval of IEA 15 MW (5 %) 3e-4, a third of the
 /// total error of lumping (8.7e-4).
 #[test]
-fn what_mbdyn_cannot_carry_is_told_and_small() {
-    for (name, tolerance, same, told) in [("nrel5mw", 1e-3, 1e-6, 2), ("iea15", 2e-3, 3e-4, 3)] {
+fn what_mbdyn_cannot_carry_is_reported_and_small() {
+    for (name, tolerance, same, reported) in [("nrel5mw", 1e-3, 1e-6, 2), ("iea15", 2e-3, 3e-4, 3)]
+    {
         let blade = blade_of(name);
         let writing = exchange::write(&blade, Format::MbDyn, "blade").unwrap();
-        assert_eq!(writing.lost.len(), told, "{:?}", writing.lost);
+        assert_eq!(writing.lost.len(), reported, "{:?}", writing.lost);
         let found = mbdyn_model::frequencies(&writing.files[0].1, COUNT);
         let case = format!("{name}, model for MBDyn");
         compare(&case, &found, &frequencies(&blade, ""), tolerance);

@@ -20,9 +20,9 @@ const SCHEMES: [(&str, Scheme); 4] = [
 ];
 
 fn body(scheme: Scheme, step: f64) -> Run {
-    Run::new("free_body", "free_body.dynamics.toml", 1, |question| {
-        question.scheme = scheme;
-        question.stepping = Stepping::Constant { step };
+    Run::new("free_body", "free_body.dynamics.toml", 1, |settings| {
+        settings.scheme = scheme;
+        settings.stepping = Stepping::Constant { step };
     })
 }
 
@@ -61,9 +61,9 @@ fn body_errors(step: f64) -> [f64; 3] {
     let mut errors = [0.0_f64; 3];
     for row in &table.rows {
         let motion = run.motion("body", row[0]);
-        let place = (motion.position - table.vector(row, "x")).norm();
+        let position = (motion.position - table.vector(row, "x")).norm();
         let turning = (motion.angular_velocity - table.vector(row, "omega_x")).norm();
-        errors[0] = errors[0].max(place);
+        errors[0] = errors[0].max(position);
         errors[1] = errors[1].max(turning);
     }
     let energy = |number: usize| {
@@ -109,8 +109,8 @@ fn a_free_body_tumbles_as_euler_says() {
 /// From the next half second on it does not change at all.
 #[test]
 fn a_flying_beam_gets_the_impulse_of_its_push() {
-    let run = Run::new("flying_beam", "flying_beam.dynamics.toml", 10, |question| {
-        question.stepping = Stepping::Constant { step: 0.025 };
+    let run = Run::new("flying_beam", "flying_beam.dynamics.toml", 10, |settings| {
+        settings.stepping = Stepping::Constant { step: 0.025 };
     });
     let momentum = |time: f64| momenta(run.at(time))[0];
     let impulse = Vector3::new(20.0, 0.0, 0.0);
@@ -140,9 +140,9 @@ fn drift(step: f64) -> [f64; 2] {
     let push = text.split("[drives.push]\n").nth(1).unwrap();
     let push = push.split("\n\n").next().unwrap();
     case.replace(file, push, SMOOTH);
-    let run = Run::of_file(&case.path(file), 1, |question| {
-        question.to = 6.5;
-        question.stepping = Stepping::Constant { step };
+    let run = Run::of_file(&case.path(file), 1, |settings| {
+        settings.to = 6.5;
+        settings.stepping = Stepping::Constant { step };
     });
     run.check_end();
     let measured = |time: f64| {

@@ -201,37 +201,37 @@ step = 1e-3
 
 /// Heat without a known expansion is an error with its remedy.
 #[test]
-fn heat_without_thermal_force_is_told() {
+fn heat_without_thermal_force_is_reported() {
     let text = bar("", "temperature = 20", "[static]\n");
     let text = text.replace("thermal_force = [-150, 0, 0, 0, 0, 0]\n", "");
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.dynamics.toml");
     std::fs::write(&file, text).unwrap();
-    let told = input::read(&file).unwrap_err().to_string();
+    let reported = input::read(&file).unwrap_err().to_string();
     for expected in [
         "blade \"bar\", piece 1 has a \"temperature\", but its properties have no \"thermal_force\"",
         "help: give the materials of the section an \"expansion\" and analyze it again",
     ] {
-        assert!(told.contains(expected), "{told}");
+        assert!(reported.contains(expected), "{reported}");
     }
 }
 
 /// The active heat is reported, with its card, once for beams that are heated equally.
 #[test]
-fn what_is_heated_is_told() {
-    let told = |of_properties, of_blade| {
+fn what_is_heated_is_reported() {
+    let reported = |of_properties, of_blade| {
         let mut remarks = read(&bar(of_properties, of_blade, "[static]\n")).remarks;
         // the bar is lighter than any material, which is reported too
         remarks.retain(|remark| remark.starts_with("heat"));
         remarks
     };
-    assert_eq!(told("", ""), Vec::<String>::new());
+    assert_eq!(reported("", ""), Vec::<String>::new());
     assert_eq!(
-        told("temperature = \"36 degF\"", ""),
+        reported("temperature = \"36 degF\"", ""),
         ["heat and imposed strains of properties \"bar\": temperature 20 K"]
     );
     assert_eq!(
-        told("temperature = 20", "temperature = \"= 40 + t\""),
+        reported("temperature = 20", "temperature = \"= 40 + t\""),
         ["heat and imposed strains of blade \"bar\", piece 1: temperature 40 K at time zero"]
     );
 }

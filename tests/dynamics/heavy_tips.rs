@@ -1,6 +1,6 @@
 //! Beams with a light or heavy body at their tip, held by some freedoms of their root or by
 //! all but one: the number of motions without stiffness follows from the joint, and all
-//! frequencies are those of the dense symmetric problem of the same stiffness and mass.
+//! frequencies equal the frequencies of the dense symmetric problem of the same stiffness and mass.
 
 use std::fmt::Write;
 
@@ -43,8 +43,8 @@ fn setting() -> impl Strategy<Value = Setting> {
     let log = |a: f64, b: f64| (a..b).prop_map(|power| 10_f64.powf(power));
     let beam = (1_usize..7, log(-0.5, 1.5), log(0.0, 6.0), log(2.0, 7.0));
     let masses = (log(-1.0, 2.0), log(-2.0, 5.0), log(-3.0, 0.0), 0.0..1.0_f64);
-    let asked = (1_u32..64, prop::sample::select(vec![8_usize, 9, 11, 13]));
-    (beam, masses, asked).prop_map(|(beam, masses, asked)| Setting {
+    let requested = (1_u32..64, prop::sample::select(vec![8_usize, 9, 11, 13]));
+    (beam, masses, requested).prop_map(|(beam, masses, requested)| Setting {
         elements: beam.0,
         length: beam.1,
         bending: beam.2,
@@ -53,8 +53,8 @@ fn setting() -> impl Strategy<Value = Setting> {
         tip: masses.1,
         size: masses.2,
         offset: masses.3,
-        locked: asked.0,
-        count: asked.1,
+        locked: requested.0,
+        count: requested.1,
     })
 }
 
@@ -114,7 +114,7 @@ fn squares(system: &System) -> Vec<f64> {
     let inverse = mass.cholesky().unwrap().l().try_inverse().unwrap();
     let stiffness = &inverse * stiffness * inverse.transpose();
     let stiffness = 0.5 * (&stiffness + stiffness.transpose());
-    // The columns of Q after those of the constraints span what they allow.
+    // The columns of Q after the columns of the constraints span the motions that they allow.
     let entry = |i: usize, j: usize| by_unknowns.entry(12 * nodes + j, at(i));
     let mut wide = DMatrix::zeros(n, n + held);
     let constraints = DMatrix::from_fn(n, held, entry);
@@ -156,20 +156,27 @@ fn motions_without_stiffness_are_counted_beside_any_tip() {
             .map(|p| p.frequency * std::f64::consts::TAU)
             .collect();
         found.sort_by(f64::total_cmp);
-        let told = format!("{setting:?} {found:?} {:?}", outcome.table.remarks);
-        assert_eq!(found.iter().filter(|f| **f == 0.0).count(), free, "{told}");
-        assert!(found.len() >= setting.count.min(squares.len()), "{told}");
+        let reported = format!("{setting:?} {found:?} {:?}", outcome.table.remarks);
+        assert_eq!(
+            found.iter().filter(|f| **f == 0.0).count(),
+            free,
+            "{reported}"
+        );
+        assert!(
+            found.len() >= setting.count.min(squares.len()),
+            "{reported}"
+        );
         for (frequency, square) in found.iter().zip(&squares).skip(free) {
             let error = (frequency.powi(2) / square - 1.0).abs();
             largest = largest.max(error / (1e-6 + 1e-13 * highest / square));
-            assert!(largest < 1.0, "{frequency} {square} {told}");
+            assert!(largest < 1.0, "{frequency} {square} {reported}");
         }
     }
     let case = format!("{looked_at} beams with a body at the tip");
     record::largest(
         "dense symmetric eigenvalues",
         &case,
-        "error of the squares of frequencies, over that of round-off",
+        "error of the squares of frequencies, over the error by round-off",
         largest,
         1.0,
     );

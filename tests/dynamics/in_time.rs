@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use beam_dynamics::analysis::transient::{TransientOutcome, transient};
-use beam_dynamics::case::{Model, TransientQuestion};
+use beam_dynamics::case::{Model, TransientSettings};
 use beam_dynamics::elements::Energy;
 use beam_dynamics::model::{NodeMotion, State};
-use beam_dynamics::result::{Moment, Recorder};
+use beam_dynamics::result::{AcceptedStep, Recorder};
 use nalgebra::Vector3;
 
 use crate::case_files::Case;
@@ -20,9 +20,9 @@ struct Kept {
 }
 
 impl Recorder for Kept {
-    fn record(&mut self, moment: &Moment<'_>) -> bool {
-        if moment.step.is_multiple_of(self.every) {
-            self.instants.push((moment.time, moment.state.clone()));
+    fn record(&mut self, accepted: &AcceptedStep<'_>) -> bool {
+        if accepted.step.is_multiple_of(self.every) {
+            self.instants.push((accepted.time, accepted.state.clone()));
         }
         true
     }
@@ -31,8 +31,8 @@ impl Recorder for Kept {
 /// The remark on an unexplained gain of energy.
 pub fn gain(outcome: &TransientOutcome) -> Option<String> {
     let failure = outcome.failure.iter().map(ToString::to_string);
-    let mut told = outcome.remarks.iter().cloned().chain(failure);
-    told.find(|text| text.contains("the energy grows beyond what was put in"))
+    let mut reported = outcome.remarks.iter().cloned().chain(failure);
+    reported.find(|text| text.contains("the energy grows beyond what was put in"))
 }
 
 /// A run in time: the start, and steps after it.
@@ -43,40 +43,40 @@ pub struct Run {
 }
 
 impl Run {
-    /// The run requested by a file of a case, with a change of the question; one of several steps
+    /// The run requested by a file of a case, with a change of the settings; one of several steps
     /// is kept. The run may fail.
     pub fn attempt(
         case: &str,
         file: &str,
         every: usize,
-        change: impl FnOnce(&mut TransientQuestion),
+        change: impl FnOnce(&mut TransientSettings),
     ) -> Self {
         Self::of_file(&Case::new(case).path(file), every, change)
     }
 
     /// The same of any file.
-    pub fn of_file(path: &Path, every: usize, change: impl FnOnce(&mut TransientQuestion)) -> Self {
+    pub fn of_file(path: &Path, every: usize, change: impl FnOnce(&mut TransientSettings)) -> Self {
         let input =
             beam_dynamics::input::read(path).unwrap_or_else(|problems| panic!("{problems}"));
-        let mut question = input.transient.unwrap();
-        change(&mut question);
-        Self::of(input.model, &question, every)
+        let mut settings = input.transient.unwrap();
+        change(&mut settings);
+        Self::of(input.model, &settings, every)
     }
 
     /// The run of a model, which must not gain unexplained energy.
-    pub fn of(model: Model, question: &TransientQuestion, every: usize) -> Self {
-        let run = Self::of_any(model, question, every);
+    pub fn of(model: Model, settings: &TransientSettings, every: usize) -> Self {
+        let run = Self::of_any(model, settings, every);
         assert_eq!(gain(&run.outcome), None);
         run
     }
 
     /// The run of a model.
-    pub fn of_any(model: Model, question: &TransientQuestion, every: usize) -> Self {
+    pub fn of_any(model: Model, settings: &TransientSettings, every: usize) -> Self {
         let mut kept = Kept {
             every,
             instants: Vec::new(),
         };
-        let outcome = transient(&model, question, None, &mut kept, &|| 0.0);
+        let outcome = transient(&model, settings, None, &mut kept, &|| 0.0);
         Self {
             model,
             instants: kept.instants,
@@ -89,7 +89,7 @@ impl Run {
         case: &str,
         file: &str,
         every: usize,
-        change: impl FnOnce(&mut TransientQuestion),
+        change: impl FnOnce(&mut TransientSettings),
     ) -> Self {
         let run = Self::attempt(case, file, every, change);
         run.check_end();

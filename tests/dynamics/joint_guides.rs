@@ -55,13 +55,13 @@ fn a_body_slides_down_a_guide() {
     let a = GRAVITY * SLOPE.sin();
     let force = MASS * (a * h + GRAVITY * Vector3::z());
     let case = "prismatic joint, slope";
-    let found = run.most_of("guide", |_, told| off(told.force, force));
+    let found = run.most_of("guide", |_, observed| off(observed.force, force));
     check(case, "force [N]", found, EXACT);
-    let found = run.most_of("guide", |_, told| off(told.moment, c.cross(&force)));
+    let found = run.most_of("guide", |_, observed| off(observed.moment, c.cross(&force)));
     check(case, "moment [N m]", found, EXACT);
-    let found = run.most_of("guide", |t, told| {
+    let found = run.most_of("guide", |t, observed| {
         let slid = Vector3::new(0.5 * a * t * t, 0.0, 0.0);
-        off(told.displacement, slid).max(off(told.velocity, Vector3::new(a * t, 0.0, 0.0)))
+        off(observed.displacement, slid).max(off(observed.velocity, Vector3::new(a * t, 0.0, 0.0)))
     });
     check(case, "displacement and velocity [m, m/s]", found, EXACT);
 }
@@ -84,16 +84,16 @@ fn a_driven_guide_on_a_lift() {
     let run = Mechanism::new(&cards, 1.0, STEP);
     let force = MASS * (0.8 * h + (GRAVITY + 1.2) * Vector3::z());
     let case = "driven prismatic joint on a lift";
-    let found = run.most_of("guide", |_, told| off(told.force, force));
+    let found = run.most_of("guide", |_, observed| off(observed.force, force));
     check(case, "force [N]", found, EXACT);
-    let found = run.most_of("guide", |_, told| off(told.moment, c.cross(&force)));
+    let found = run.most_of("guide", |_, observed| off(observed.moment, c.cross(&force)));
     check(case, "moment [N m]", found, EXACT);
     // The hoist carries the whole force, with its moment about the hoist's point. The lift has no
     // mass: for its acceleration at the start 1e-9 of the largest mass is added.
     let lift = 1.2 * 1e-9 * MASS;
-    let found = run.most(|t, told| {
+    let found = run.most(|t, observed| {
         let arm = Vector3::new(0.1, 0.2, 0.3) + (0.2 * t + 0.4 * t * t) * h + c;
-        let hoist = find(told, "hoist");
+        let hoist = find(observed, "hoist");
         off(hoist.force, force).max(off(hoist.moment, arm.cross(&force)))
     });
     check(
@@ -118,13 +118,13 @@ fn a_puck_on_a_slope() {
     let run = Mechanism::new(&cards, 1.0, STEP);
     let force = MASS * GRAVITY * SLOPE.cos() * normal;
     let case = "in-plane joint, puck on a slope";
-    let found = run.most_of("plane", |_, told| off(told.force, force));
+    let found = run.most_of("plane", |_, observed| off(observed.force, force));
     check(case, "force [N]", found, EXACT);
-    let found = run.most_of("plane", |_, told| told.moment.amax());
+    let found = run.most_of("plane", |_, observed| observed.moment.amax());
     check(case, "moment [N m]", found, EXACT);
-    let found = run.most_of("plane", |t, told| {
+    let found = run.most_of("plane", |t, observed| {
         let gone = start * t + 0.5 * GRAVITY * SLOPE.sin() * t * t * down;
-        off(told.displacement, told.axes[0].transpose() * gone)
+        off(observed.displacement, observed.axes[0].transpose() * gone)
     });
     check(case, "displacement [m]", found, EXACT);
 }
@@ -137,7 +137,7 @@ fn a_puck_on_a_driven_plane() {
     let cards = body(&Vector3::zeros(), "velocity = [1, 0, 0]") + plane;
     let run = Mechanism::new(&cards, 1.0, STEP);
     let force = MASS * (GRAVITY + 1.2) * Vector3::z();
-    let found = run.most_of("plane", |_, told| off(told.force, force));
+    let found = run.most_of("plane", |_, observed| off(observed.force, force));
     check("driven in-plane joint", "force [N]", found, EXACT);
 }
 
@@ -163,21 +163,21 @@ fn a_bead_on_a_turning_wire() {
     let radius = |t: f64| START * (TURN * t).cosh();
     let case = "in-line joint, bead on a turning wire";
     let errors = [0, 1].map(|i: usize| {
-        runs[i].most_of("wire", |t, told| {
-            let sideways = Vector3::z().cross(&told.axes[0].column(0));
-            off(told.force, push(t) * sideways)
+        runs[i].most_of("wire", |t, observed| {
+            let sideways = Vector3::z().cross(&observed.axes[0].column(0));
+            off(observed.force, push(t) * sideways)
         })
     });
     check_order(case, "force, of 29 N [N]", errors, 5e-3);
     let errors = [0, 1].map(|i: usize| {
-        runs[i].most_of("wire", |t, told| {
-            off(told.displacement, Vector3::new(radius(t), 0.0, 0.0))
+        runs[i].most_of("wire", |t, observed| {
+            off(observed.displacement, Vector3::new(radius(t), 0.0, 0.0))
         })
     });
     check_order(case, "displacement [m]", errors, 5e-4);
     let errors = [0, 1].map(|i: usize| {
         let turning = |t: f64| push(t) * radius(t) * Vector3::z();
-        runs[i].most_of("motor", |t, told| off(told.moment, turning(t)))
+        runs[i].most_of("motor", |t, observed| off(observed.moment, turning(t)))
     });
     check_order(case, "moment of the motor, of 55 N m [N m]", errors, 3e-2);
 }
@@ -202,17 +202,17 @@ fn a_mass_on_a_string_that_is_wound_in() {
     };
     let case = "distance joint, mass on a string that is wound in";
     let errors = [0, 1].map(|i: usize| {
-        runs[i].most_of("string", |t, told| {
+        runs[i].most_of("string", |t, observed| {
             off(
-                told.force,
+                observed.force,
                 -MASS * SPEED * SPEED / length(t).powi(3) * along(t),
             )
         })
     });
     check_order(case, "force, of 21 N [N]", errors, 3e-2);
     let errors = [0, 1].map(|i: usize| {
-        runs[i].most_of("string", |t, told| {
-            off(told.displacement, length(t) * along(t))
+        runs[i].most_of("string", |t, observed| {
+            off(observed.displacement, length(t) * along(t))
         })
     });
     check_order(case, "displacement [m]", errors, 1e-3);
@@ -230,14 +230,14 @@ fn imposed_velocities_and_positions() {
         let run = Mechanism::new(&(body(&Vector3::zeros(), "") + card), 1.0, STEP);
         let case = format!("{kind} joint");
         let force = Vector3::new(0.4 * MASS, 0.0, 0.0);
-        let found = run.most_of("pull", |_, told| off(told.force, force));
+        let found = run.most_of("pull", |_, observed| off(observed.force, force));
         check(&case, "force [N]", found, EXACT);
         let moment = Vector3::new(0.0, 0.0, moment);
-        let found = run.most_of("pull", |_, told| off(told.moment, moment));
+        let found = run.most_of("pull", |_, observed| off(observed.moment, moment));
         check(&case, "moment [N m]", found, EXACT);
-        let found = run.most_of("pull", |t, told| {
+        let found = run.most_of("pull", |t, observed| {
             let gone = Vector3::new(0.2, 0.0, -0.5 * GRAVITY) * t * t;
-            off(told.displacement, gone)
+            off(observed.displacement, gone)
         });
         check(&case, "displacement [m]", found, EXACT);
     }
@@ -255,9 +255,9 @@ fn a_rod_that_grows_pushes_a_mass() {
     );
     let errors = [STEP / 2.0, STEP / 4.0].map(|step| {
         let run = Mechanism::new(&cards, 1.0, step);
-        run.most(|t, told| {
+        run.most(|t, observed| {
             let tension = -200.0 * 0.03 * (10.0 * t).sin();
-            (told.springs[0].force.x - tension).abs()
+            (observed.springs[0].force.x - tension).abs()
         })
     });
     let case = "rod with a driven length";

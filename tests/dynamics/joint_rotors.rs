@@ -76,25 +76,27 @@ fn a_universal_joint_between_shafts() {
         torque(t) / n.dot(&shaft) * n
     };
     let case = "universal joint between shafts at 0.6 rad";
-    let found = runs[1].most_of("bearing", |t, told| {
+    let found = runs[1].most_of("bearing", |t, observed| {
         let expected = (cosine * (TURN * t).sin()).atan2((TURN * t).cos());
-        let difference = (told.angle.unwrap() - expected).rem_euclid(TAU);
+        let difference = (observed.angle.unwrap() - expected).rem_euclid(TAU);
         difference.min(TAU - difference)
     });
     check(case, "angle of the second shaft [rad]", found, 1e-10);
-    let found = errors(&runs, "bearing", |t, told| {
-        off(told.angular_velocity, Vector3::new(rate(t), 0.0, 0.0))
+    let found = errors(&runs, "bearing", |t, observed| {
+        off(observed.angular_velocity, Vector3::new(rate(t), 0.0, 0.0))
     });
     check_order(case, "its angular velocity, of 3.6 [rad/s]", found, 1e-3);
-    let found = errors(&runs, "cross", |t, told| off(told.moment, of_cross(t)));
+    let found = errors(&runs, "cross", |t, observed| {
+        off(observed.moment, of_cross(t))
+    });
     check_order(case, "moment of the joint, of 3.5 N m [N m]", found, 5e-3);
-    let found = errors(&runs, "motor", |t, told| {
-        (told.moment.z - torque(t) * rate(t) / TURN).abs()
+    let found = errors(&runs, "motor", |t, observed| {
+        (observed.moment.z - torque(t) * rate(t) / TURN).abs()
     });
     check_order(case, "moment of the motor, of 3.5 N m [N m]", found, 5e-3);
-    let found = errors(&runs, "bearing", |t, told| {
+    let found = errors(&runs, "bearing", |t, observed| {
         let of_cross = of_cross(t);
-        off(told.moment, shaft * of_cross.dot(&shaft) - of_cross)
+        off(observed.moment, shaft * of_cross.dot(&shaft) - of_cross)
     });
     check_order(case, "moment of the bearing [N m]", found, 5e-3);
 }
@@ -116,16 +118,18 @@ fn an_unbalanced_screw() {
     let own = |t: f64| MASS * Vector3::new(-0.3 * (1.6 * t).powi(2), 0.3 * 1.6, 0.1);
     let turn = |t: f64| about_z(0.8 * t * t);
     let case = "cylindrical joint, unbalanced screw";
-    let found = errors(&runs, "screw", |t, told| off(told.force, turn(t) * own(t)));
+    let found = errors(&runs, "screw", |t, observed| {
+        off(observed.force, turn(t) * own(t))
+    });
     check_order(case, "force, of 6 N [N]", found, 5e-3);
-    let found = errors(&runs, "screw", |t, told| {
+    let found = errors(&runs, "screw", |t, observed| {
         let moment = arm.cross(&own(t)) + Vector3::new(0.0, 0.0, 0.4 * 1.6);
-        off(told.moment, turn(t) * moment)
+        off(observed.moment, turn(t) * moment)
     });
     check_order(case, "moment, of 4 N m [N m]", found, 5e-3);
-    let found = runs[1].most_of("screw", |t, told| {
-        let turned = (told.angle.unwrap() - 0.8 * t * t).rem_euclid(TAU);
-        let risen = (told.displacement.x - 0.05 * t * t).abs();
+    let found = runs[1].most_of("screw", |t, observed| {
+        let turned = (observed.angle.unwrap() - 0.8 * t * t).rem_euclid(TAU);
+        let risen = (observed.displacement.x - 0.05 * t * t).abs();
         risen.max(turned.min(TAU - turned))
     });
     check(case, "displacement and angle [m, rad]", found, 1e-10);
@@ -159,17 +163,21 @@ fn a_driven_spin_and_its_gyroscopic_moment() {
         let gyroscopic = |t: f64| 0.5 * spin(t) * 1.5 * (about_z(1.5 * t) * Vector3::y());
         let driving = |t: f64| 0.5 * 2.0 * (about_z(1.5 * t) * Vector3::x());
         let case = format!("rotor on a turning table, driven by its {word}");
-        let found = errors(&runs, "bearing", |t, told| off(told.moment, gyroscopic(t)));
+        let found = errors(&runs, "bearing", |t, observed| {
+            off(observed.moment, gyroscopic(t))
+        });
         check_order(
             &case,
             "moment of the bearing, of 5.3 N m [N m]",
             found,
             2e-4,
         );
-        let found = errors(&runs, "motor", |t, told| off(told.moment, driving(t)));
+        let found = errors(&runs, "motor", |t, observed| {
+            off(observed.moment, driving(t))
+        });
         check_order(&case, "moment of the motor, of 1 N m [N m]", found, 5e-3);
-        let found = errors(&runs, "table", |t, told| {
-            off(told.moment, gyroscopic(t) + driving(t))
+        let found = errors(&runs, "table", |t, observed| {
+            off(observed.moment, gyroscopic(t) + driving(t))
         });
         check_order(&case, "moment of the table [N m]", found, 2e-4);
     }
@@ -184,19 +192,19 @@ fn a_plane_rotation_holds_the_axis_of_a_gyroscope() {
     let start = "velocity = [0.2, -0.3, 0.4]\nangular_velocity = [5, 0, 1.5]";
     let runs = runs(&gyroscope(joints, start), 1.0);
     let case = "plane rotation, gyroscope in free flight";
-    let found = errors(&runs, "axis", |t, told| {
+    let found = errors(&runs, "axis", |t, observed| {
         off(
-            told.moment,
+            observed.moment,
             0.5 * 5.0 * 1.5 * (about_z(1.5 * t) * Vector3::y()),
         )
     });
     check_order(case, "moment, of 3.75 N m [N m]", found, 2e-4);
-    let found = runs[1].most(|t, told| {
-        let axis = find(told, "axis");
-        let place = t * Vector3::new(0.2, -0.3, 0.4);
+    let found = runs[1].most(|t, observed| {
+        let axis = find(observed, "axis");
+        let position = t * Vector3::new(0.2, -0.3, 0.4);
         axis.force
             .amax()
-            .max(off(axis.axes[0] * axis.displacement, place))
+            .max(off(axis.axes[0] * axis.displacement, position))
     });
     check(case, "force and position [N, m]", found, 1e-9);
 }
@@ -221,12 +229,12 @@ fn a_conical_pendulum() {
     let runs = runs(&cards, 1.0);
     let inward = mass * turn * turn * length * TILT.sin();
     let case = "spherical joint, conical pendulum";
-    let found = errors(&runs, "pivot", |t, told| {
+    let found = errors(&runs, "pivot", |t, observed| {
         let force = about_z(turn * t) * Vector3::new(-inward, 0.0, 0.0);
-        off(told.force, force + mass * gravity * Vector3::z())
+        off(observed.force, force + mass * gravity * Vector3::z())
     });
     check_order(case, "force, of 22 N [N]", found, 2e-2);
-    let found = runs[1].most_of("pivot", |_, told| told.moment.amax());
+    let found = runs[1].most_of("pivot", |_, observed| observed.moment.amax());
     check(case, "moment [N m]", found, 1e-12);
 }
 
@@ -238,8 +246,11 @@ fn an_imposed_rotation() {
                  [[joint]]\nname = \"turn\"\nkind = \"rotation\"\nnodes = [\"body\"]\n\
                  rotation = { x = 0, y = 0, z = \"= sin(2*t)\" }\n";
     let runs = runs(cards, 1.0);
-    let found = errors(&runs, "turn", |t, told| {
-        off(told.moment, Vector3::new(0.0, 0.0, -12.0 * (2.0 * t).sin()))
+    let found = errors(&runs, "turn", |t, observed| {
+        off(
+            observed.moment,
+            Vector3::new(0.0, 0.0, -12.0 * (2.0 * t).sin()),
+        )
     });
     check_order("rotation joint", "moment, of 12 N m [N m]", found, 5e-3);
 }
@@ -261,14 +272,14 @@ fn a_hinge_whose_relaxed_angle_is_driven() {
     let size = 0.4 * stiffness / (stiffness - inertia * frequency * frequency);
     let angle = |t: f64| size * ((frequency * t).sin() - frequency / own * (own * t).sin());
     let case = "hinge with a driven relaxed angle";
-    let found = errors(&runs, "hinge", |t, told| {
-        (told.angle.unwrap() - angle(t)).abs()
+    let found = errors(&runs, "hinge", |t, observed| {
+        (observed.angle.unwrap() - angle(t)).abs()
     });
     check_order(case, "angle [rad]", found, 2e-3);
-    let found = errors(&runs, "hinge", |t, told| {
+    let found = errors(&runs, "hinge", |t, observed| {
         let relaxed = 0.4 * (frequency * t).sin();
         let moment = -stiffness * (angle(t) - relaxed);
-        off(told.moment, Vector3::new(0.0, 0.0, moment))
+        off(observed.moment, Vector3::new(0.0, 0.0, moment))
     });
     check_order(case, "moment, of 9 N m [N m]", found, 0.1);
 }

@@ -39,23 +39,23 @@ impl Mechanism {
     pub fn most(&self, measure: impl Fn(f64, &Observations) -> f64) -> f64 {
         let model = &self.run.model;
         let of = |(time, state): &(f64, _)| {
-            let told = model.system.observe(state, &model.conditions_at(*time));
-            measure(*time, &told)
+            let observed = model.system.observe(state, &model.conditions_at(*time));
+            measure(*time, &observed)
         };
         let instants = self.run.instants.iter().enumerate();
-        let told = instants.filter(|(step, _)| *step == 0 || *step >= SETTLED);
-        told.map(|(_, instant)| of(instant)).fold(0.0, f64::max)
+        let observed = instants.filter(|(step, _)| *step == 0 || *step >= SETTLED);
+        observed.map(|(_, instant)| of(instant)).fold(0.0, f64::max)
     }
 
     /// The same of one joint.
     pub fn most_of(&self, joint: &str, measure: impl Fn(f64, &JointState) -> f64) -> f64 {
-        self.most(|time, told| measure(time, find(told, joint)))
+        self.most(|time, observed| measure(time, find(observed, joint)))
     }
 }
 
 /// The observation of the joint called `name`.
-pub fn find<'a>(told: &'a Observations, name: &str) -> &'a JointState {
-    let found = told.joints.iter().find(|joint| joint.joint == name);
+pub fn find<'a>(observed: &'a Observations, name: &str) -> &'a JointState {
+    let found = observed.joints.iter().find(|joint| joint.joint == name);
     found.unwrap_or_else(|| panic!("no joint \"{name}\""))
 }
 

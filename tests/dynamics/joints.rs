@@ -5,12 +5,12 @@ use std::f64::consts::PI;
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::steady::equilibrium;
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, ModesQuestion};
+use beam_dynamics::case::{Model, ModesSettings};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::{
     Hinge, HingeSpring, clamped, partly_clamped, rigid_connection,
 };
-use beam_dynamics::elements::springs::{Stand, SupportLaw, SupportSpring};
+use beam_dynamics::elements::springs::{SupportFrame, SupportLaw, SupportSpring};
 use beam_dynamics::elements::{Element, Reaction};
 use beam_dynamics::model::{Node, State};
 use beam_dynamics::solver::LinearSolver;
@@ -29,8 +29,8 @@ fn node(label: &str, position: Vector3<f64>, rotation: Matrix3<f64>) -> Node {
 /// Eigenvalues with positive imaginary part at a speed, ascending by it.
 fn eigenvalues(system: System, speed: f64, count: usize) -> Vec<Complex<f64>> {
     let model = Model::new("joints", system);
-    let question = ModesQuestion::new(vec![speed], count);
-    let outcome = modes(&model, &question);
+    let settings = ModesSettings::new(vec![speed], count);
+    let outcome = modes(&model, &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let points = outcome.table.at_speed(0);
     let value = |point: &beam_dynamics::result::ModePoint| {
@@ -191,10 +191,10 @@ fn spring_and_reactions_of_a_turned_lag_hinge() {
 fn reactions_of_a_rigid_connection() {
     const SPEED: f64 = 7.0;
     let turn = Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
-    let place = Vector3::new(OFFSET, 0.3, 0.2);
+    let position = Vector3::new(OFFSET, 0.3, 0.2);
     let nodes = vec![
         node("hub", Vector3::zeros(), Matrix3::identity()),
-        node("body", place, turn),
+        node("body", position, turn),
     ];
     let body = RigidInertia::about_node(MASS, &Vector3::zeros(), &Matrix3::identity());
     let elements: Vec<Box<dyn Element>> = vec![
@@ -205,9 +205,9 @@ fn reactions_of_a_rigid_connection() {
     let (model, state, reactions) = steady(System::new(nodes, elements), SPEED);
     let moved = state.nodes[1].position - model.system.nodes()[1].position;
     assert!(moved.amax() < 1e-14);
-    let force = -MASS * SPEED * SPEED * Vector3::new(place.x, place.y, 0.0);
+    let force = -MASS * SPEED * SPEED * Vector3::new(position.x, position.y, 0.0);
     let [clamp, on_hub, on_body] = [0, 1, 2].map(|i| &reactions[i]);
-    let arm = place.cross(&force);
+    let arm = position.cross(&force);
     for (found, force, moment) in [
         (clamp, force, arm),
         (on_hub, -force, -arm),
@@ -239,7 +239,13 @@ impl Hub {
         let law = SupportLaw::along(&axes, &self.stiffness, &self.damping);
         vec![
             Box::new(partly_clamped("bearing", 0, hub, &axes, self.held)),
-            Box::new(SupportSpring::new("support", 0, hub, law, Stand::World)),
+            Box::new(SupportSpring::new(
+                "support",
+                0,
+                hub,
+                law,
+                SupportFrame::World,
+            )),
             Box::new(RigidBody::new("hub", 0, body)),
         ]
     }

@@ -9,7 +9,7 @@ use crate::record;
 
 /// The path of the mass at the time of a row, by cubics through the steps around it: the steps of a
 /// run with variable step do not end at the times of the rows.
-fn place(run: &Run, node: usize, time: f64) -> nalgebra::Vector3<f64> {
+fn position(run: &Run, node: usize, time: f64) -> nalgebra::Vector3<f64> {
     let after = run.instants.iter().position(|(t, _)| *t >= time).unwrap();
     if after == 0 {
         return run.instants[0].1.nodes[node].position;
@@ -29,14 +29,14 @@ fn check(beams: usize, word: &str) {
         "flexible_leverage",
         &format!("{word}_beams.dynamics.toml"),
         1,
-        |question| question.to = 0.645,
+        |settings| settings.to = 0.645,
     );
     let table = Table::new(&format!("flexible_leverage_{beams}_beams.csv"));
     let middle = run.node("middle");
     let (x, y) = (table.column("x_mid"), table.column("y_mid"));
     let mut error = 0.0_f64;
     for row in table.rows.iter().filter(|row| row[0] < 0.6) {
-        let found = place(&run, middle, row[0]);
+        let found = position(&run, middle, row[0]);
         error = error.max((found.x - row[x]).hypot(found.y - row[y]));
     }
     let case = format!("flexible leverage, {beams} beams");

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::statics::statics;
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, ModesQuestion};
+use beam_dynamics::case::{Model, ModesSettings};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::loads::{
     ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning, imposed,
@@ -110,7 +110,7 @@ fn modes_about_a_loaded_equilibrium() {
         let force = -Vector3::x() * load;
         let load = NodalForce { force, ..DEAD };
         let model = held(&beam, &[(0, HINGE), (16, far)], &[(16, load)]);
-        let outcome = modes(&model, &ModesQuestion::new(vec![0.0], 1));
+        let outcome = modes(&model, &ModesSettings::new(vec![0.0], 1));
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         outcome.table.at_speed(0)[0].1.frequency
     };
@@ -139,9 +139,9 @@ fn weight_is_carried_by_the_root() {
             let mut model = Model::new("beam", UniformBeam::slender(4, inertia).system());
             let g = 1e-3;
             model.gravity = -g * Vector3::z();
-            let mut question = up_to(1.0);
-            question.speed = speed;
-            let outcome = statics(&model, &question);
+            let mut settings = up_to(1.0);
+            settings.speed = speed;
+            let outcome = statics(&model, &settings);
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
             let reaction = &outcome.result.last().unwrap().reactions[0];
             let case = format!("{inertia:?}, {speed} rad/s: {reaction:?}");
@@ -166,9 +166,9 @@ fn a_blade_on_a_free_hinge_finds_its_coning() {
     beam.stiffness = Vector6::new(1e8, 1e8, 1e8, 1e6, 1e6, 1e6);
     let mut model = held(&beam, &[(0, HINGE)], &[]);
     model.gravity = -0.1 * Vector3::z();
-    let mut question = up_to(1.0);
-    question.speed = 1.0;
-    let outcome = statics(&model, &question);
+    let mut settings = up_to(1.0);
+    settings.speed = 1.0;
+    let outcome = statics(&model, &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let tip = outcome.result.last().unwrap().positions[4];
     let (found, expected) = (-tip.z / tip.norm(), 0.15);
@@ -189,7 +189,7 @@ fn a_blade_on_a_free_hinge_finds_its_coning() {
 /// At rest and without loads the undeformed state is the solution, with or without a hinge; a
 /// moment about the hinge is reported with the motion that it drives.
 #[test]
-fn a_load_that_a_hinge_cannot_carry_is_told() {
+fn a_load_that_a_hinge_cannot_carry_is_reported() {
     let mut beam = UniformBeam::slender(2, Inertia::Consistent);
     beam.clamped = false;
     let free = held(&beam, &[(0, HINGE)], &[]);
@@ -204,15 +204,15 @@ fn a_load_that_a_hinge_cannot_carry_is_told() {
             ..DEAD
         };
         let model = held(&beam, &[(0, HINGE)], &[(2, moment)]);
-        let mut question = up_to(1.0);
+        let mut settings = up_to(1.0);
         for arc_length in [false, true] {
-            question.arc_length = arc_length;
-            let outcome = statics(&model, &question);
-            let told = outcome.failure.unwrap().to_string();
-            assert!(told.contains("load factor 0"), "{told}");
+            settings.arc_length = arc_length;
+            let outcome = statics(&model, &settings);
+            let reported = outcome.failure.unwrap().to_string();
+            assert!(reported.contains("load factor 0"), "{reported}");
             assert!(
-                told.contains("without stiffness, mostly rotation about y"),
-                "{told}"
+                reported.contains("without stiffness, mostly rotation about y"),
+                "{reported}"
             );
         }
     }

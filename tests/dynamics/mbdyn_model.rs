@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, ModesQuestion};
+use beam_dynamics::case::{Model, ModesSettings};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamNode};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
@@ -112,7 +112,7 @@ pub fn frequencies(text: &str, count: usize) -> Vec<f64> {
         elements.push(Box::new(RigidBody::new("body", node, inertia)));
     }
     let model = Model::new("model of MBDyn", System::new(nodes, elements));
-    let outcome = modes(&model, &ModesQuestion::new(vec![0.0], count));
+    let outcome = modes(&model, &ModesSettings::new(vec![0.0], count));
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let found = outcome.table.at_speed(0);
     found

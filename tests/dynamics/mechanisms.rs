@@ -42,9 +42,9 @@ const BARS: [(&str, [usize; 2], f64); 7] = [
 type Bars = [[f64; 7]; 2];
 
 fn squeezer(scheme: Scheme, step: f64) -> Bars {
-    let run = Run::new("squeezer", "squeezer.dynamics.toml", 1, |question| {
-        question.scheme = scheme;
-        question.stepping = Stepping::Constant { step };
+    let run = Run::new("squeezer", "squeezer.dynamics.toml", 1, |settings| {
+        settings.scheme = scheme;
+        settings.stepping = Stepping::Constant { step };
     });
     let turning = |name: &str| run.motion(name, 0.03).angular_velocity.z / 1425.0;
     [
@@ -118,9 +118,9 @@ fn the_squeezer_by_radau() {
 #[test]
 fn the_rod_of_the_slider_crank_bends() {
     let file = "slider_crank.dynamics.toml";
-    let run = Run::new("slider_crank", file, 20, |question| {
-        question.to = 0.04;
-        question.stepping = Stepping::Constant { step: 2.5e-5 };
+    let run = Run::new("slider_crank", file, 20, |settings| {
+        settings.to = 0.04;
+        settings.stepping = Stepping::Constant { step: 2.5e-5 };
     });
     let table = Table::new("slider_crank.csv");
     let [slider, bend] = ["x_slider", "deflection"].map(|name| table.column(name));
@@ -129,11 +129,11 @@ fn the_rod_of_the_slider_crank_bends() {
     let (mut bends, mut slides) = (0.0_f64, 0.0_f64);
     for row in table.rows.iter().filter(|row| row[0] < 0.04 + 1e-9) {
         let state = run.at(row[0]);
-        let place = |node: usize| state.nodes[node].position;
-        let chord = (place(last) - place(first)).normalize();
-        let found = chord.cross(&(place(middle) - place(first))).z;
+        let position = |node: usize| state.nodes[node].position;
+        let chord = (position(last) - position(first)).normalize();
+        let found = chord.cross(&(position(middle) - position(first))).z;
         bends = bends.max((found - row[bend]).abs());
-        slides = slides.max((place(last).x - row[slider]).abs());
+        slides = slides.max((position(last).x - row[slider]).abs());
     }
     let source = "eight quadratic elements of a plane beam, independent script";
     record::largest(
@@ -158,18 +158,18 @@ fn the_rod_of_the_slider_crank_bends() {
 /// second order: 1e-3 of its largest, 3.87 N m, at 512 steps per turn.
 #[test]
 fn bennetts_mechanism_moves() {
-    let run = Run::new("bennett", "bennett.dynamics.toml", 1, |question| {
-        question.stepping = Stepping::Constant { step: 1.0 / 512.0 };
+    let run = Run::new("bennett", "bennett.dynamics.toml", 1, |settings| {
+        settings.stepping = Stepping::Constant { step: 1.0 / 512.0 };
     });
-    let told = run.outcome.remarks.join("\n");
-    assert!(told.contains("hinge"), "{told}");
+    let reported = run.outcome.remarks.join("\n");
+    assert!(reported.contains("hinge"), "{reported}");
     let table = Table::new("bennett.csv");
     let moment = table.column("moment");
-    let (mut places, mut moments) = (0.0_f64, 0.0_f64);
+    let (mut positions, mut moments) = (0.0_f64, 0.0_f64);
     for row in &table.rows {
         for (node, first) in [("second", "x2"), ("third", "x3")] {
             let found = run.motion(node, row[0]).position;
-            places = places.max((found - table.vector(row, first)).norm());
+            positions = positions.max((found - table.vector(row, first)).norm());
         }
         let [_, found] = run.reaction("drive", "first", row[0]);
         moments = moments.max((found.dot(&Vector3::z()) - row[moment]).abs());
@@ -179,7 +179,7 @@ fn bennetts_mechanism_moves() {
         source,
         "Bennett mechanism",
         "positions of the hinges [m]",
-        places,
+        positions,
         1e-7,
     );
     record::largest(
@@ -189,7 +189,10 @@ fn bennetts_mechanism_moves() {
         moments,
         4e-3,
     );
-    assert!(places < 1e-7 && moments < 4e-3, "{places:e} {moments:e}");
+    assert!(
+        positions < 1e-7 && moments < 4e-3,
+        "{positions:e} {moments:e}"
+    );
 }
 
 /// Angle of the last hinge, 180 degrees less b, as a function of the driven angle a, with tan(a/2)
@@ -220,9 +223,9 @@ fn bennetts_mechanism_turns_over_and_over() {
         ("steps of 0.5 ms", constant(5e-4), 1e-3),
         ("variable steps", variable, 5e-2),
     ] {
-        let run = Run::new("bennett", "bennett.dynamics.toml", 1, |question| {
-            question.to = 3.0;
-            question.stepping = stepping;
+        let run = Run::new("bennett", "bennett.dynamics.toml", 1, |settings| {
+            settings.to = 3.0;
+            settings.stepping = stepping;
         });
         let speed = 2.0 * PI;
         let (first, third) = (run.node("first"), run.node("third"));
@@ -230,9 +233,12 @@ fn bennetts_mechanism_turns_over_and_over() {
         let (mut angles, mut moments) = (0.0_f64, 0.0_f64);
         for around in run.instants.windows(3) {
             let (time, state) = (around[1].0, &around[1].1);
-            let place = state.nodes[third].position;
+            let position = state.nodes[third].position;
             let driven = 50.0_f64.to_radians() + speed * time;
-            angles = angles.max(apart(place.z.atan2(place.x + 1.0), last_hinge(driven)));
+            angles = angles.max(apart(
+                position.z.atan2(position.x + 1.0),
+                last_hinge(driven),
+            ));
             if time > 0.05 {
                 let (h, k) = (time - around[0].0, around[2].0 - time);
                 let [low, now, high] = [0, 1, 2].map(|i| energy(&around[i]));
@@ -255,12 +261,12 @@ fn bennetts_mechanism_turns_over_and_over() {
 /// Without permission no constraint is removed, and the redundant ones are named.
 #[test]
 fn redundant_constraints_are_named() {
-    let run = Run::attempt("bennett", "bennett.dynamics.toml", 1, |question| {
-        question.redundant = Redundant::Error;
+    let run = Run::attempt("bennett", "bennett.dynamics.toml", 1, |settings| {
+        settings.redundant = Redundant::Error;
     });
     let failure = run.outcome.failure.unwrap();
-    let told = failure.to_string();
-    assert!(told.contains("hinge"), "{told}");
+    let reported = failure.to_string();
+    assert!(reported.contains("hinge"), "{reported}");
     assert!(
         failure.remedy().contains("redundant"),
         "{}",

@@ -17,10 +17,10 @@ const TABLES: &str = "Tables 10.1, 10.2 of the thesis, consistent start";
 /// x, y, their velocities and the tension, at one second.
 fn state(run: &Run, time: f64) -> [f64; 5] {
     let motion = run.motion("mass", time);
-    let (place, velocity) = (motion.position, motion.velocity);
+    let (position, velocity) = (motion.position, motion.velocity);
     let [force, _] = run.reaction("link", "mass", time);
-    let tension = -force.dot(&place);
-    [place.x, place.y, velocity.x, velocity.y, tension]
+    let tension = -force.dot(&position);
+    [position.x, position.y, velocity.x, velocity.y, tension]
 }
 
 /// Ours has gravity along -y.
@@ -31,9 +31,9 @@ fn exact() -> [f64; 5] {
 }
 
 fn errors(scheme: Scheme, step: f64) -> [f64; 5] {
-    let run = Run::new("pendulum", "pendulum.dynamics.toml", 1, |question| {
-        question.scheme = scheme;
-        question.stepping = Stepping::Constant { step };
+    let run = Run::new("pendulum", "pendulum.dynamics.toml", 1, |settings| {
+        settings.scheme = scheme;
+        settings.stepping = Stepping::Constant { step };
     });
     let (found, exact) = (state(&run, 1.0), exact());
     std::array::from_fn(|k| (found[k] / exact[k] - 1.0).abs())
@@ -66,8 +66,8 @@ fn errors_are_those_of_the_tables() {
 /// for each, with a different step.
 fn from_rest(table: usize, step: f64) -> [f64; 5] {
     let file = format!("table_10_{table}.dynamics.toml");
-    let run = Run::new("pendulum", &file, 1, |question| {
-        question.stepping = Stepping::Constant { step };
+    let run = Run::new("pendulum", &file, 1, |settings| {
+        settings.stepping = Stepping::Constant { step };
     });
     let (found, exact) = (state(&run, 1.0), exact());
     std::array::from_fn(|k| (found[k] / exact[k] - 1.0).abs())
@@ -110,10 +110,10 @@ fn orders_of_every_scheme() {
     for (name, scheme, _, orders) in SCHEMES {
         let Some(orders) = orders else { continue };
         let errors = steps(scheme).map(|step| {
-            let run = Run::new("pendulum", "pendulum.dynamics.toml", 1, |question| {
-                question.scheme = scheme;
-                question.stepping = Stepping::Constant { step };
-                question.newton.correction = 1e-12;
+            let run = Run::new("pendulum", "pendulum.dynamics.toml", 1, |settings| {
+                settings.scheme = scheme;
+                settings.stepping = Stepping::Constant { step };
+                settings.newton.correction = 1e-12;
             });
             let found = state(&run, 1.0);
             // Gravity is along y there.
@@ -160,9 +160,9 @@ fn table_c1_from_a_file() {
 /// first order that decays.
 #[test]
 fn the_start_swings_by_the_error_of_the_formula_alone() {
-    let run = Run::new("pendulum", "pendulum.dynamics.toml", 1, |question| {
-        question.to = 0.1;
-        question.stepping = Stepping::Constant { step: 0.01 };
+    let run = Run::new("pendulum", "pendulum.dynamics.toml", 1, |settings| {
+        settings.to = 0.1;
+        settings.stepping = Stepping::Constant { step: 0.01 };
     });
     let tension = |step: usize| state(&run, 0.01 * step as f64)[4];
     for (step, expected, tolerance) in [(0, 1.0, 1e-9), (1, 1.020_05, 1e-5)] {

@@ -553,7 +553,7 @@ fn rigid_motions_bring_no_charge() {
 
 /// Charge by a small load at the tip, at voltages of zero, and displacement at the tip by a small
 /// voltage are one number, `dQ/dF = du/dV`: strains of a voltage do not change along the beam,
-/// those of loads at the tip are linear, and two points integrate both exactly. Central differences
+/// strains of loads at the tip are linear, and two points integrate both exactly. Central differences
 /// by a force of 1e-3 N have the error of the square of its part of the buckling load 1.2 N, 1e-6,
 /// and 1e-15 of round-off compared with strains of 4e-9 as much.
 #[test]

@@ -104,12 +104,12 @@ impl Dense {
         let load = DVector::from_vec(system.by_factor(&state, &conditions));
         let along = -tangent.clone().lu().solve(&load).unwrap();
         let growth = full(&system.prestress(&state, &conditions, along.as_slice()));
-        let places: Vec<_> = (1..system.nodes().len())
+        let positions: Vec<_> = (1..system.nodes().len())
             .flat_map(|node| (0..6).map(move |i| 12 * node + i))
             .collect();
         let own = |matrix: &DMatrix<f64>| {
-            let half = DMatrix::from_fn(places.len(), places.len(), |i, j| {
-                matrix[(places[i] + 6, places[j])]
+            let half = DMatrix::from_fn(positions.len(), positions.len(), |i, j| {
+                matrix[(positions[i] + 6, positions[j])]
             });
             0.5 * (&half + half.transpose())
         };
@@ -117,7 +117,7 @@ impl Dense {
         let sign = stiffness.trace().signum();
         let scale = stiffness.diagonal().map(|value| 1.0 / value.abs().sqrt());
         let scaled = |matrix: &DMatrix<f64>| {
-            DMatrix::from_fn(places.len(), places.len(), |i, j| {
+            DMatrix::from_fn(positions.len(), positions.len(), |i, j| {
                 sign * scale[i] * matrix[(i, j)] * scale[j]
             })
         };

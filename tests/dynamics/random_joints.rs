@@ -24,7 +24,7 @@ const CASES: usize = 6;
 /// Two bodies, with their random loads and velocities.
 #[derive(Debug, Clone)]
 struct Setting {
-    places: [Vector3<f64>; 2],
+    positions: [Vector3<f64>; 2],
     turns: [Vector3<f64>; 2],
     spins: [Vector3<f64>; 2],
     forces: [Vector3<f64>; 2],
@@ -54,11 +54,11 @@ fn setting() -> impl Strategy<Value = Setting> {
     let joint = (vector_of(1.0), direction(), direction());
     let apart = |s: &Setting| s.axis.cross(&s.across).norm() > 0.5;
     let made = (thrown, joint).prop_map(|(thrown, (point, axis, across))| {
-        let (mut places, turns, spins, forces, moments) = thrown;
+        let (mut positions, turns, spins, forces, moments) = thrown;
         // The distance joint runs from node to node.
-        places[1] += Vector3::new(3.0, 0.0, 0.0);
+        positions[1] += Vector3::new(3.0, 0.0, 0.0);
         Setting {
-            places,
+            positions,
             turns,
             spins,
             forces,
@@ -80,8 +80,8 @@ impl Setting {
     fn cards(&self, kind: &str, keys: &str) -> String {
         let mut cards = String::new();
         for (i, name) in ["a", "b"].into_iter().enumerate() {
-            let [place, turn, spin, force, moment] = [
-                &self.places[i],
+            let [position, turn, spin, force, moment] = [
+                &self.positions[i],
                 &self.turns[i],
                 &self.spins[i],
                 &self.forces[i],
@@ -89,7 +89,7 @@ impl Setting {
             ]
             .map(list);
             cards += &format!(
-                "[[node]]\nname = \"{name}\"\nposition = {place}\norientation = {turn}\n\
+                "[[node]]\nname = \"{name}\"\nposition = {position}\norientation = {turn}\n\
                  angular_velocity = {spin}\n\
                  [[body]]\nname = \"{name}\"\nnode = \"{name}\"\nmass = 1.5\n\
                  offset = [0.1, -0.2, 0.15]\ninertia = [0.5, 0.7, 0.9]\n\
@@ -268,9 +268,9 @@ const KINDS: &[Kind] = &[
 ];
 
 /// Force, and moment about the origin, of the reactions on both nodes: their sum.
-fn unbalanced(reactions: &[Reaction], places: &[Vector3<f64>]) -> f64 {
+fn unbalanced(reactions: &[Reaction], positions: &[Vector3<f64>]) -> f64 {
     let force: Vector3<f64> = reactions.iter().map(|r| r.force).sum();
-    let about = |r: &Reaction| r.moment + places[r.node].cross(&r.force);
+    let about = |r: &Reaction| r.moment + positions[r.node].cross(&r.force);
     let moment: Vector3<f64> = reactions.iter().map(about).sum();
     force.amax().max(moment.amax())
 }
@@ -287,7 +287,7 @@ fn work(state: &JointState, (slides, turns): &Free) -> f64 {
 /// The largest of the quantities that must be zero: constraints, balance, work.
 fn errors(kind: &Kind, setting: &Setting) -> [f64; 3] {
     let run = Mechanism::new(&setting.cards(kind.name, kind.keys), STEPS * STEP, STEP);
-    let start = (setting.places[1] - setting.places[0]).norm();
+    let start = (setting.positions[1] - setting.positions[0]).norm();
     let cosine = setting.axis.dot(&setting.across);
     let held = |state: &JointState| {
         let of_kind = match kind.name {
@@ -303,10 +303,10 @@ fn errors(kind: &Kind, setting: &Setting) -> [f64; 3] {
     let work = run.most_of("joint", |_, state| work(state, &(kind.free)(state)));
     let balance = run.run.instants.iter().map(|(time, state)| {
         let model = &run.run.model;
-        let told: Observations = model.system.observe(state, &model.conditions_at(*time));
-        let places: Vec<_> = state.nodes.iter().map(|node| node.position).collect();
-        assert_eq!(find(&told, "joint").nodes, [Some(0), Some(1)]);
-        unbalanced(&told.reactions, &places)
+        let observed: Observations = model.system.observe(state, &model.conditions_at(*time));
+        let positions: Vec<_> = state.nodes.iter().map(|node| node.position).collect();
+        assert_eq!(find(&observed, "joint").nodes, [Some(0), Some(1)]);
+        unbalanced(&observed.reactions, &positions)
     });
     [constraint, balance.fold(0.0, f64::max), work]
 }

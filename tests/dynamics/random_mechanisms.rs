@@ -10,7 +10,7 @@
 
 use std::cell::Cell;
 
-use beam_dynamics::case::{InitialMotion, TransientQuestion};
+use beam_dynamics::case::{InitialMotion, TransientSettings};
 use beam_dynamics::elements::Observations;
 use beam_dynamics::elements::loads::{ImposedMotion, LoadFactor, NodalForce, Turning};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -97,12 +97,12 @@ fn rigid_motions() -> impl Strategy<Value = Rigid> {
 }
 
 /// Strains, and all forces and moments of springs and joints, in axes that move with the mechanism.
-struct Told {
+struct Observed {
     strains: Vec<f64>,
     forces: Vec<f64>,
 }
 
-impl Told {
+impl Observed {
     fn of(seen: &Observations, turn: &Matrix3<f64>) -> Self {
         let strains = seen.sections.iter().flat_map(|s| s.strain.iter().copied());
         let springs = seen.springs.iter().map(|s| match s.spring.as_str() {
@@ -132,7 +132,10 @@ impl Told {
             // NaN is not accepted.
             off.fold(0.0, |a: f64, b| if b <= a { a } else { b }) / size
         };
-        [part(|told| &told.strains), part(|told| &told.forces)]
+        [
+            part(|observed| &observed.strains),
+            part(|observed| &observed.forces),
+        ]
     }
 }
 
@@ -153,10 +156,10 @@ fn in_time(recipe: &Recipe, moved: &Rigid, step: f64) -> (Run, f64) {
     let mut model = chain.model();
     model.initial = motions;
     model.gravity = moved.turn * GRAVITY;
-    let mut question = TransientQuestion::new(0.05, step);
-    question.newton.correction = 1e-13;
-    question.newton.residual = 1e-14;
-    let run = Run::of(model, &question, 1);
+    let mut settings = TransientSettings::new(0.05, step);
+    settings.newton.correction = 1e-13;
+    settings.newton.residual = 1e-14;
+    let run = Run::of(model, &settings, 1);
     run.check_end();
     (run, mass)
 }
@@ -188,8 +191,8 @@ fn no_mechanism_is_said_to_gain_energy() {
         }
         let mut model = chain.model();
         model.gravity = GRAVITY;
-        let question = TransientQuestion::new(0.4, [4e-3, 2e-3, 1e-3][length]);
-        let run = Run::of_any(model, &question, usize::MAX);
+        let settings = TransientSettings::new(0.4, [4e-3, 2e-3, 1e-3][length]);
+        let run = Run::of_any(model, &settings, usize::MAX);
         ended.set(ended.get() + usize::from(run.outcome.failure.is_none()));
         match gain(&run.outcome) {
             None => Ok(()),
@@ -202,12 +205,12 @@ fn no_mechanism_is_said_to_gain_energy() {
     assert!(2 * ended.get() > all, "{}", ended.get());
 }
 
-fn told_in_time(run: &Run, turn: &Matrix3<f64>) -> Vec<Told> {
-    let told = run.instants.iter().map(|(time, state)| {
+fn observed_in_time(run: &Run, turn: &Matrix3<f64>) -> Vec<Observed> {
+    let observed = run.instants.iter().map(|(time, state)| {
         let conditions = run.model.conditions_at(*time);
-        Told::of(&run.model.system.observe(state, &conditions), turn)
+        Observed::of(&run.model.system.observe(state, &conditions), turn)
     });
-    told.collect()
+    observed.collect()
 }
 
 /// Differences of strains and forces; of the change of momentum from the impulse of the weight,
@@ -223,9 +226,9 @@ fn errors_in_time(recipe: &Recipe, moved: &Rigid) -> [f64; 3] {
     };
     let (plain, _) = in_time(recipe, &Rigid::NONE, 0.01);
     let (other, mass) = in_time(recipe, &moved, 0.01);
-    let [strains, forces] = Told::apart(
-        &told_in_time(&plain, &Matrix3::identity()),
-        &told_in_time(&other, &moved.turn),
+    let [strains, forces] = Observed::apart(
+        &observed_in_time(&plain, &Matrix3::identity()),
+        &observed_in_time(&other, &moved.turn),
     );
     let weight = mass * (moved.turn * GRAVITY);
     let start = momenta(&other.instants[0].1)[0];
@@ -240,7 +243,7 @@ fn errors_in_time(recipe: &Recipe, moved: &Rigid) -> [f64; 3] {
 
 /// Equilibrium under follower loads with a root that moves while they grow; the rod has no initial
 /// strain, because its tension may buckle the chain.
-fn at_rest(recipe: &Recipe, displacement: &Vector3<f64>, rotation: &Vector3<f64>) -> Told {
+fn at_rest(recipe: &Recipe, displacement: &Vector3<f64>, rotation: &Vector3<f64>) -> Observed {
     let recipe = Recipe {
         is_held: false,
         relaxed: 1.0,
@@ -272,7 +275,7 @@ fn at_rest(recipe: &Recipe, displacement: &Vector3<f64>, rotation: &Vector3<f64>
         reactions: step.reactions,
         ..Observations::default()
     };
-    Told::of(&seen, &turn)
+    Observed::of(&seen, &turn)
 }
 
 fn errors_at_rest(recipe: &Recipe, moved: &Rigid) -> [f64; 3] {
@@ -280,7 +283,7 @@ fn errors_at_rest(recipe: &Recipe, moved: &Rigid) -> [f64; 3] {
     let zero = Vector3::zeros();
     let plain = at_rest(recipe, &zero, &zero);
     let other = at_rest(recipe, &moved.shift, &rotation);
-    let [strains, forces] = Told::apart(&[plain], &[other]);
+    let [strains, forces] = Observed::apart(&[plain], &[other]);
     [strains, forces, 0.0]
 }
 
@@ -365,11 +368,11 @@ fn a_uniform_velocity_shows_with_the_square_of_the_step() {
     };
     let last = |moved: &Rigid, step: f64| {
         let (run, _) = in_time(&recipe, moved, step);
-        told_in_time(&run, &Matrix3::identity()).pop().unwrap()
+        observed_in_time(&run, &Matrix3::identity()).pop().unwrap()
     };
     let differences = [0.005, 0.0025, 0.00125].map(|step| {
         let all = [Rigid::NONE, flying].map(|moved| last(&moved, step));
-        let [strains, forces] = Told::apart(&all[..1], &all[1..]);
+        let [strains, forces] = Observed::apart(&all[..1], &all[1..]);
         strains.max(forces)
     });
     let [_, coarse, fine] = differences;

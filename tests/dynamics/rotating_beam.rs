@@ -35,8 +35,8 @@ fn reference() -> Vec<[f64; 7]> {
 fn errors(elements: usize, inertia: Inertia) -> [f64; 3] {
     let rows = reference();
     let speeds: Vec<_> = rows.iter().map(|row| row[0]).collect();
-    let (model, question) = UniformBeam::slender(elements, inertia).case(&speeds, 8);
-    let outcome = beam_dynamics::analysis::modes::modes(&model, &question);
+    let (model, settings) = UniformBeam::slender(elements, inertia).case(&speeds, 8);
+    let outcome = beam_dynamics::analysis::modes::modes(&model, &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let mut worst = [0.0_f64; 3];
     for (s, row) in rows.iter().enumerate() {

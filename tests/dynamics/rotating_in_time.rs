@@ -6,7 +6,7 @@
 //! modes.
 
 use beam_dynamics::analysis::modes::modes;
-use beam_dynamics::case::ModesQuestion;
+use beam_dynamics::case::ModesSettings;
 use beam_dynamics::integrator::Stepping;
 use nalgebra::Vector3;
 
@@ -86,9 +86,9 @@ struct Part {
 fn first_flap() -> (f64, Vec<Part>) {
     let folder = tempfile::tempdir().unwrap();
     let input = beam_dynamics::input::read(&file(&folder, "")).unwrap();
-    let mut question = ModesQuestion::new(vec![SPEED], 4);
-    question.shapes = vec![SPEED];
-    let outcome = modes(&input.model, &question);
+    let mut settings = ModesSettings::new(vec![SPEED], 4);
+    settings.shapes = vec![SPEED];
+    let outcome = modes(&input.model, &settings);
     let branches = outcome.table.branches.into_iter();
     let mut flap = branches.filter(|branch| branch.name == "flap 1");
     let point = flap.next().unwrap().points.remove(0).unwrap();
@@ -109,9 +109,9 @@ fn first_flap() -> (f64, Vec<Part>) {
 fn heights(step: f64, frequency: f64, mode: &[Part]) -> Vec<f64> {
     let folder = tempfile::tempdir().unwrap();
     let input = beam_dynamics::input::read(&file(&folder, TURNED)).unwrap();
-    let mut question = input.transient.unwrap();
-    question.to = TO;
-    question.stepping = Stepping::Constant { step };
+    let mut settings = input.transient.unwrap();
+    settings.to = TO;
+    settings.stepping = Stepping::Constant { step };
     let mut model = input.model;
     for (node, initial) in model.system.nodes().iter().zip(&mut model.initial) {
         if let Some(part) = mode.iter().find(|part| part.node == node.label) {
@@ -119,7 +119,7 @@ fn heights(step: f64, frequency: f64, mode: &[Part]) -> Vec<f64> {
             initial.angular_velocity = Some(AMPLITUDE * frequency * part.rotation);
         }
     }
-    let run = Run::of(model, &question, 1);
+    let run = Run::of(model, &settings, 1);
     run.check_end();
     let tip = run.node("beam/tip");
     let height = |state: &beam_dynamics::model::State| state.nodes[tip].position.z;

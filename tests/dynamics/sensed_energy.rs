@@ -16,9 +16,9 @@ fn run(cards: &str) -> Run {
 
 fn sensed(run: &Run, name: &str) -> impl Fn(&State) -> f64 {
     let scalars = run.model.system.scalars();
-    let place = scalars.iter().position(|scalar| scalar.owner == name);
-    let place = place.unwrap();
-    move |state| state.scalars[place]
+    let index = scalars.iter().position(|scalar| scalar.owner == name);
+    let index = index.unwrap();
+    move |state| state.scalars[index]
 }
 
 // A push along the velocity proportional to the missing energy: `E' = 2 k E (E_0 - E) / m`, the

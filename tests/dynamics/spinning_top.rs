@@ -11,9 +11,9 @@ use crate::record;
 fn error(case: usize, to: f64, step: f64) -> f64 {
     let file = format!("case_{case}.dynamics.toml");
     let every = (0.05 / step).round() as usize;
-    let run = Run::new("spinning_top", &file, every, |question| {
-        question.to = to;
-        question.stepping = Stepping::Constant { step };
+    let run = Run::new("spinning_top", &file, every, |settings| {
+        settings.to = to;
+        settings.stepping = Stepping::Constant { step };
     });
     let table = Table::new(&format!("spinning_top_case{case}.csv"));
     let rows = table.rows.iter().filter(|row| row[0] < to + 1e-9);

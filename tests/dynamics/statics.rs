@@ -286,7 +286,7 @@ impl TwoBars {
 }
 
 #[test]
-fn a_limit_point_is_told_without_arc_length() {
+fn a_limit_point_is_reported_without_arc_length() {
     for to in [1.2, 5.0] {
         let outcome = statics(&TwoBars::new().chain().0.model(), &up_to(to));
         let Some(failure) = outcome.failure else {
@@ -297,14 +297,14 @@ fn a_limit_point_is_told_without_arc_length() {
         };
         let last = outcome.result.last().unwrap().factor;
         assert!((0.99..=1.0 + 1e-9).contains(&last), "{last}");
-        let told = failure.to_string();
+        let reported = failure.to_string();
         assert!(
-            told.starts_with("limit point near the load factor"),
-            "{told}"
+            reported.starts_with("limit point near the load factor"),
+            "{reported}"
         );
         assert!(failure.remedy().contains("arc_length = true"));
         let StaticFailure::Path(PathEnd::LimitPoint { factor, .. }) = failure else {
-            panic!("{told}");
+            panic!("{reported}");
         };
         let error = (factor - 1.0).abs();
         let source = "Mises truss, closed form";
@@ -316,7 +316,7 @@ fn a_limit_point_is_told_without_arc_length() {
             error,
             1e-3,
         );
-        assert!(error < 1e-3, "{told}");
+        assert!(error < 1e-3, "{reported}");
     }
 }
 
@@ -326,9 +326,9 @@ fn a_limit_point_is_told_without_arc_length() {
 fn limit_points_are_passed_by_arc_length() {
     let truss = TwoBars::new();
     let (chain, apex) = truss.chain();
-    let mut question = up_to(1.5);
-    question.arc_length = true;
-    let outcome = statics(&chain.model(), &question);
+    let mut settings = up_to(1.5);
+    settings.arc_length = true;
+    let outcome = statics(&chain.model(), &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let steps = &outcome.result.steps;
     let mut worst = 0.0_f64;
@@ -380,23 +380,23 @@ fn residuals_of_pure_bending_and_tension_are_round_off() {
 /// and L 2 at 6.1685 kN, where both directions buckle; with steps of 2.5 kN the point is predicted
 /// up to the curvature of the stiffness over one step.
 #[test]
-fn an_unstable_equilibrium_is_told() {
+fn an_unstable_equilibrium_is_reported() {
     let column = |to: f64| {
         let stiffness = Vector6::new(1e8, 1e8, 1e8, 1e4, 1e4, 1e4);
         let (mut chain, tip) = cantilever(4, 2.0, &stiffness);
         let force = -1e3 * Vector3::x();
         chain.load(tip, NodalForce { force, ..DEAD });
-        let mut question = up_to(to);
-        question.steps = Some(4);
-        let outcome = statics(&chain.model(), &question);
+        let mut settings = up_to(to);
+        settings.steps = Some(4);
+        let outcome = statics(&chain.model(), &settings);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         outcome.result.remarks
     };
     assert_eq!(column(6.1), [""; 0]);
-    let told = column(10.0);
-    assert_eq!(told.len(), 1, "{told:?}");
-    assert!(told[0].contains("unstable"));
-    let mut words = told[0].split(' ');
+    let reported = column(10.0);
+    assert_eq!(reported.len(), 1, "{reported:?}");
+    assert!(reported[0].contains("unstable"));
+    let mut words = reported[0].split(' ');
     let factor = words.find_map(|word| word.trim_end_matches(',').parse::<f64>().ok());
     let factor = factor.unwrap();
     let critical = 10.0 * PI * PI / 16.0;
@@ -410,15 +410,15 @@ fn an_unstable_equilibrium_is_told() {
         error,
         0.02,
     );
-    assert!(error < 0.02, "{told:?}");
+    assert!(error < 0.02, "{reported:?}");
 }
 
 /// The last equilibrium before a limit point is kept although it is not at a requested step.
 #[test]
 fn the_last_equilibrium_before_a_limit_point_is_kept() {
-    let mut question = up_to(3.0);
-    question.steps = Some(2);
-    let outcome = statics(&TwoBars::new().chain().0.model(), &question);
+    let mut settings = up_to(3.0);
+    settings.steps = Some(2);
+    let outcome = statics(&TwoBars::new().chain().0.model(), &settings);
     assert!(outcome.failure.is_some());
     let factors: Vec<_> = outcome
         .result

@@ -1,6 +1,6 @@
 //! A superposed rigid displacement and uniform velocity change no strain and no reaction.
 
-use beam_dynamics::case::{InitialMotion, TransientQuestion};
+use beam_dynamics::case::{InitialMotion, TransientSettings};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::{ConstraintJoint, JointEnds, Placing};
 use nalgebra::{Matrix3, Rotation3, Vector3, Vector6};
@@ -44,8 +44,8 @@ fn run(superposed: &Superposed) -> Run {
         a: Some((on[4], &chain.nodes[4])),
         b: (5, &chain.nodes[5]),
     };
-    let place = Placing::at(&end.position, turn);
-    let joint = ConstraintJoint::spherical("joint", &ends, &place);
+    let position = Placing::at(&end.position, turn);
+    let joint = ConstraintJoint::spherical("joint", &ends, &position);
     chain.elements.push(Box::new(joint));
     let spin = Vector3::new(0.7, -1.1, 2.5);
     let motions = chain.nodes.iter().map(|node| {
@@ -59,34 +59,34 @@ fn run(superposed: &Superposed) -> Run {
     let motions = motions.collect();
     let mut model = chain.model();
     model.initial = motions;
-    let run = Run::of(model, &TransientQuestion::new(0.5, 0.01), 10);
+    let run = Run::of(model, &TransientSettings::new(0.5, 0.01), 10);
     run.check_end();
     run
 }
 
 /// Strains of the sections, in their axes, and the force of the joint on the body.
-fn told(run: &Run) -> Vec<(Vec<Vector6<f64>>, Vector3<f64>)> {
-    let told = run.instants.iter().map(|(time, state)| {
+fn observed(run: &Run) -> Vec<(Vec<Vector6<f64>>, Vector3<f64>)> {
+    let observed = run.instants.iter().map(|(time, state)| {
         let conditions = run.model.conditions_at(*time);
         let sections = run.model.system.observe(state, &conditions).sections;
         let strains = sections.iter().map(|section| section.strain).collect();
         let [force, _] = run.reaction_in(state, *time, "joint", 5);
         (strains, force)
     });
-    told.collect()
+    observed.collect()
 }
 
 /// The iteration ends at 1e-8 of the size of the model: converging fast, its error is 1e-8 of the
 /// largest strain and force.
 #[test]
 fn a_superposed_rigid_motion_changes_no_strain_and_no_reaction() {
-    let plain = told(&run(&Superposed {
+    let plain = observed(&run(&Superposed {
         turn: Matrix3::identity(),
         shift: Vector3::zeros(),
         velocity: Vector3::zeros(),
     }));
-    let strain = |told: &[(Vec<Vector6<f64>>, Vector3<f64>)]| {
-        let strains = told.iter().flat_map(|(strains, _)| strains);
+    let strain = |observed: &[(Vec<Vector6<f64>>, Vector3<f64>)]| {
+        let strains = observed.iter().flat_map(|(strains, _)| strains);
         strains.map(Vector6::amax).fold(0.0, f64::max)
     };
     let force = plain.iter().map(|(_, force)| force.norm());
@@ -98,7 +98,7 @@ fn a_superposed_rigid_motion_changes_no_strain_and_no_reaction() {
         ([-0.4, 2.6, 0.9], [-2.0, 8.0, 1.0], [-5.0, 3.0, 2.0]),
     ] {
         let turn = *Rotation3::new(Vector3::from(turn)).matrix();
-        let other = told(&run(&Superposed {
+        let other = observed(&run(&Superposed {
             turn,
             shift: shift.into(),
             velocity: velocity.into(),

@@ -29,9 +29,9 @@ fn run(to: f64, step: f64, every: usize) -> Run {
 }
 
 fn run_of(case: &Case, to: f64, step: f64, every: usize) -> Run {
-    let run = Run::of_file(&case.path(FILE), every, |question| {
-        question.to = to;
-        question.stepping = Stepping::Constant { step };
+    let run = Run::of_file(&case.path(FILE), every, |settings| {
+        settings.to = to;
+        settings.stepping = Stepping::Constant { step };
     });
     run.check_end();
     run

@@ -2,7 +2,7 @@
 //! elements.
 
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, ModesQuestion};
+use beam_dynamics::case::{Model, ModesSettings};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{
     Beam, BeamGeometry, BeamInertia, BeamNode, Formulation, MassAlong, lumped_bodies,
@@ -109,19 +109,19 @@ impl UniformBeam {
     }
 
     /// Modes at the given speeds of rotation about z through the root [rad/s].
-    pub fn case(&self, speeds: &[f64], count: usize) -> (Model, ModesQuestion) {
-        let question = ModesQuestion::new(speeds.to_vec(), count);
-        (Model::new("uniform beam", self.system()), question)
+    pub fn case(&self, speeds: &[f64], count: usize) -> (Model, ModesSettings) {
+        let settings = ModesSettings::new(speeds.to_vec(), count);
+        (Model::new("uniform beam", self.system()), settings)
     }
 }
 
 /// Angular frequencies of the modes named by a word at speed index `speed` [rad/s].
 pub fn frequencies(
-    (model, question): &(Model, ModesQuestion),
+    (model, settings): &(Model, ModesSettings),
     speed: usize,
     word: &str,
 ) -> Vec<f64> {
-    let outcome = beam_dynamics::analysis::modes::modes(model, question);
+    let outcome = beam_dynamics::analysis::modes::modes(model, settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     outcome
         .table

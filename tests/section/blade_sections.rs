@@ -246,7 +246,7 @@ const WEBS: f64 = 0.3;
 /// Length of the upper middle surface at this depth, and area below it, between two
 /// positions from the center: by many chords of the offset ellipse.
 fn half_wall([from, to]: [f64; 2], depth: f64) -> [f64; 2] {
-    let place = |angle: f64| {
+    let position = |angle: f64| {
         let [a, b] = AXES;
         let normal = [angle.cos() / a, angle.sin() / b];
         let size = normal[0].hypot(normal[1]);
@@ -256,7 +256,7 @@ fn half_wall([from, to]: [f64; 2], depth: f64) -> [f64; 2] {
     let (mut length, mut area) = (0.0, 0.0);
     const STEPS: usize = 20_000;
     for i in 0..STEPS {
-        let [p, q] = [i, i + 1].map(|i| place(PI * i as f64 / STEPS as f64));
+        let [p, q] = [i, i + 1].map(|i| position(PI * i as f64 / STEPS as f64));
         let middle = 0.5 * (p[0] + q[0]);
         if middle > from && middle < to {
             length += (p[0] - q[0]).hypot(p[1] - q[1]);

@@ -136,8 +136,8 @@ fn check_stiffness(what: &str, section: &Section, case: &Value, tolerance: f64) 
 /// The shear center of the converged solution, within `limit` of the size of the section: a
 /// ratio of two uncertain entries, without an uncertainty in the reference.
 fn check_shear_center(what: &str, section: &Section, case: &Value, found: [f64; 2], limit: f64) {
-    let places = section.mesh.nodes.iter().flatten();
-    let size = places.fold(0.0_f64, |size, x| size.max(x.abs()));
+    let positions = section.mesh.nodes.iter().flatten();
+    let size = positions.fold(0.0_f64, |size, x| size.max(x.abs()));
     for axis in 0..2 {
         let expected = number(&case["converged"]["shear_centre"][axis]);
         let error = (found[axis] - expected).abs() / size;

@@ -87,7 +87,7 @@ fn recovered(section: &Section, load: &DistributedLoad, theta: Vector6<f64>) -> 
 fn error(recovery: &Recovery, component: usize, exact: impl Fn([f64; 2]) -> f64) -> f64 {
     let (mut worst, mut scale) = (0.0_f64, 0.0_f64);
     for point in &recovery.points {
-        let expected = exact(point.place);
+        let expected = exact(point.position);
         worst = worst.max((point.tensors.stress[component] - expected).abs());
         scale = scale.max(expected.abs());
     }
@@ -171,7 +171,7 @@ fn uniform_pressure_on_a_narrow_beam() {
         count % 9 == 5
     });
     let worst = found.points.iter().map(|point| {
-        let expected = xx(point.place);
+        let expected = xx(point.position);
         (point.tensors.stress[0] - expected).abs()
     });
     // relative to the largest over the height, which is at the faces
@@ -284,7 +284,7 @@ fn about(along: &[f64; 4], x: f64) -> [f64; 4] {
 ///
 /// theta is of fifth degree, so that differences over six stations are exact.
 #[test]
-fn polynomials_can_be_told_from_any_section() {
+fn polynomials_can_be_distinguished_from_any_section() {
     let section = beam(4, isotropic(1.0, 0.3));
     let analysis = analysis(&section);
     let traction = Traction::Force(Vector3::new(0.2, -0.5, 1.0));
@@ -374,7 +374,7 @@ fn curvature_of_the_center_line_of_a_narrow_beam() {
         .mesh
         .nodes
         .iter()
-        .position(|place| *place == [0.0; 2]);
+        .position(|position| *position == [0.0; 2]);
     let bulge = solution.warping[(3 * middle.expect("a node in the middle") + 2, 4)];
     let found = solution.compliance[(2, 2)] * q - state.strain[4] + bulge * q;
     let unit = q * C * C / inertia;

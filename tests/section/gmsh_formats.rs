@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 use section_analyzer::input;
 use section_analyzer::mesh::SectionMesh;
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::gmsh;
 use shared_geom::mesh::{CellKind, GroupSet, Mesh};
 
@@ -67,7 +67,7 @@ fn measures(mesh: &Mesh, expected_area: f64, expected_kinds: &[(CellKind, usize)
 
 /// Area of a plane mesh, and the number of cells of each kind that it has.
 fn measured(mesh: &Mesh) -> (f64, Vec<(CellKind, usize)>) {
-    let (section, _) = SectionMesh::from_mesh(mesh, 1.0, &Place::file("test"))
+    let (section, _) = SectionMesh::from_mesh(mesh, 1.0, &SourceLocation::file("test"))
         .unwrap_or_else(|problems| panic!("{problems}"));
     let mut area = 0.0;
     for cell in &section.cells {
@@ -127,7 +127,7 @@ fn all_formats_give_the_same_mesh() {
 }
 
 #[test]
-fn an_element_stands_in_several_groups() {
+fn an_element_is_in_several_groups() {
     // version 2.2 lists it once for each
     let [new, old] = [NEW, OLD].map(|formats| common("groups", formats));
     assert_eq!(renumbered(new.clone()), renumbered(old.clone()));
@@ -165,7 +165,7 @@ fn an_element_stands_in_several_groups() {
 }
 
 #[test]
-fn elements_may_stand_in_no_group() {
+fn elements_may_be_in_no_group() {
     // Mesh.SaveAll = 1: groups of some elements in 4.1, of none in 2.2
     let [new, old] = [NEW, OLD].map(|formats| common("save_all", formats));
     let right = GroupSet::from(new.group(2, "right").unwrap());
@@ -206,7 +206,8 @@ fn tags_may_be_sparse_and_nodes_unused() {
     let tags = new.nodes.iter().map(|node| node.tag);
     assert!(tags.eq((1..=15).map(|i| 1000 * i + 7)));
     assert_eq!(new.cells[0].tag, (1 << 20) + 66);
-    let (section, report) = SectionMesh::from_mesh(&new, 1.0, &Place::file("test")).unwrap();
+    let (section, report) =
+        SectionMesh::from_mesh(&new, 1.0, &SourceLocation::file("test")).unwrap();
     // 3 x 3 nodes on the left, two more of the cell on the right
     assert_eq!((section.nodes.len(), report.unused_nodes), (11, 4));
     measures(&new, 1.25, &[(CellKind::Quadrilateral4, 5)]);
@@ -229,10 +230,10 @@ fn sections_of_other_things_are_passed_over() {
 }
 
 #[test]
-fn a_mesh_that_stands_upright_is_refused_with_the_way_out() {
+fn a_mesh_that_is_upright_is_refused_with_the_way_out() {
     for formats in [NEW, OLD] {
         let mesh = common("standing", formats);
-        let problems = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("test"));
+        let problems = SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("test"));
         assert_eq!(
             problems.unwrap_err().to_string(),
             "error: test: the mesh lies in the plane y = 0, expected a plane z = constant\n  \

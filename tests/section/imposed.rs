@@ -210,7 +210,7 @@ fn bimetal_strip_has_the_stresses_of_two_plane_layers() {
     let recovery = recovered(&section, &uniform_rise(&section, bimetal.rise));
     let mut worst = 0.0_f64;
     for point in &recovery.points {
-        let z = point.place[1] + 0.5 * height;
+        let z = point.position[1] + 0.5 * height;
         let layer = usize::from(z > bimetal.height[0]);
         let strain = at_bottom + z * curvature - bimetal.expansion[layer] * bimetal.rise;
         let mut stress = point.tensors.stress;
@@ -428,6 +428,6 @@ fn loads_and_states_superpose() {
     assert!(cell < section.cells.len() && (there.stress - bare.stress).amax() > 1e-3 * scale);
 
     let unknown = recoverer.recover(&load(1.0, &["cold"])).unwrap_err();
-    let told = "load \"load\" acts with \"cold\", which is not an imposed state of the section";
-    assert_eq!(unknown.to_string(), told);
+    let reported = "load \"load\" acts with \"cold\", which is not an imposed state of the section";
+    assert_eq!(unknown.to_string(), reported);
 }

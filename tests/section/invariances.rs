@@ -63,10 +63,10 @@ fn bar() -> Section {
     }
 }
 
-fn moved(section: &Section, place: impl Fn([f64; 2]) -> [f64; 2]) -> Section {
+fn moved(section: &Section, position: impl Fn([f64; 2]) -> [f64; 2]) -> Section {
     let mut moved = section.clone();
     for node in &mut moved.mesh.nodes {
-        *node = place(*node);
+        *node = position(*node);
     }
     moved
 }
@@ -112,7 +112,7 @@ fn units_do_not_matter() {
 fn check_centers(
     plain: &SectionSolution,
     found: &SectionSolution,
-    place: impl Fn([f64; 2]) -> [f64; 2],
+    position: impl Fn([f64; 2]) -> [f64; 2],
     size: f64,
 ) {
     let of = |s: &SectionSolution| {
@@ -120,7 +120,7 @@ fn check_centers(
         [s.centers.tension, s.centers.shear, mass]
     };
     for (plain, found) in of(plain).into_iter().zip(of(found)) {
-        let expected = place(plain);
+        let expected = position(plain);
         for axis in 0..2 {
             let error = (found[axis] - expected[axis]).abs() / size;
             assert!(error < TOLERANCE, "{found:?} against {expected:?}");
@@ -131,7 +131,7 @@ fn check_centers(
 /// The mesh moved away by d: K and M transport exactly, `K' = U(-d) K U(-d)'`. At a
 /// distance of a thousand sizes, coordinates keep 13 digits.
 #[test]
-fn place_does_not_matter() {
+fn position_does_not_matter() {
     let section = bar();
     let plain = solved(&section);
     for d in [[0.3, -0.2], [-7.0, 12.0], [1000.0, 500.0]] {

@@ -161,8 +161,8 @@ fn box_of_cells(first: f64, levels: &[f64]) -> Quads {
             let (a, b) = (corners[wall], corners[wall + 1]);
             let length = (b[0] - a[0]).hypot(b[1] - a[1]);
             let t = [0, 1].map(|i| (b[i] - a[i]) / length);
-            let places = graded_to_ends(length, first);
-            for (i, along) in places[..places.len() - 1].iter().enumerate() {
+            let positions = graded_to_ends(length, first);
+            for (i, along) in positions[..positions.len() - 1].iter().enumerate() {
                 // at the corner the level is the level of both walls
                 let back = if i == 0 { level } else { 0.0 };
                 shape.points.push([

@@ -40,8 +40,8 @@ fn blocks(thickness: f64) -> Quads {
             steps(inner, outer, 4),
         ])
     };
-    Quads::lattice(&line(HALF[0]), &line(HALF[1]), |place| {
-        let is_inside = |i: usize| place[i].abs() < HALF[i] - 0.5 * thickness;
+    Quads::lattice(&line(HALF[0]), &line(HALF[1]), |position| {
+        let is_inside = |i: usize| position[i].abs() < HALF[i] - 0.5 * thickness;
         (!(is_inside(0) && is_inside(1))).then_some(0)
     })
 }
@@ -115,7 +115,7 @@ fn outer(section: &Section, thickness: f64) -> Curve {
         for ([a, b], _) in cell.kind.sides(cell.nodes()) {
             let ends = [a, b].map(|node| section.mesh.nodes[node as usize]);
             let on = |axis: usize| {
-                let at = |place: &[f64; 2]| (place[axis].abs() - half[axis]).abs() < 1e-9;
+                let at = |position: &[f64; 2]| (position[axis].abs() - half[axis]).abs() < 1e-9;
                 ends.iter().all(at) && ends[0][axis] * ends[1][axis] > 0.0
             };
             if on(0) || on(1) {
@@ -180,9 +180,11 @@ fn difference(one: &Recovery, other: &Recovery) -> f64 {
     assert_eq!(one.points.len(), other.points.len());
     let (mut worst, mut scale) = (0.0_f64, 0.0_f64);
     for point in &one.points {
-        let off = |place: [f64; 2]| (place[0] - point.place[0]).hypot(place[1] - point.place[1]);
+        let off = |position: [f64; 2]| {
+            (position[0] - point.position[0]).hypot(position[1] - point.position[1])
+        };
         let mut others = other.points.iter();
-        let same = others.find(|other| off(other.place) < 1e-10);
+        let same = others.find(|other| off(other.position) < 1e-10);
         let same = same.expect("a point at the same position");
         for (a, b) in [
             (&point.tensors.stress, &same.tensors.stress),

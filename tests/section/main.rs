@@ -10,6 +10,7 @@ mod distributed_loads;
 #[path = "../common/effort.rs"]
 mod effort;
 mod end_effects;
+mod external_matrices;
 mod gmsh_formats;
 mod gmsh_pairs;
 mod imposed;
@@ -17,7 +18,6 @@ mod invariances;
 mod line_cells;
 mod line_features;
 mod lines;
-mod outside_matrices;
 mod piezo;
 mod piezo_recovery;
 mod prestress;

@@ -336,10 +336,10 @@ fn wound_tube(thickness: f64, around: usize) -> Section {
     for (cell, made_of) in section.mesh.cells.iter().zip(&mut section.cells) {
         let corners = &cell.nodes()[..4];
         let mean = |axis: usize| -> f64 {
-            let places = corners
+            let positions = corners
                 .iter()
                 .map(|&n| section.mesh.nodes[n as usize][axis]);
-            places.sum::<f64>() / 4.0
+            positions.sum::<f64>() / 4.0
         };
         // clockwise, so that the normal points outward
         made_of.plane_angle = mean(1).atan2(mean(0)) - FRAC_PI_2;

@@ -79,7 +79,7 @@ fn layer(cells: [usize; 2]) -> Section {
         ("bottom", Circuit::Ground, -0.5 * HEIGHT),
         ("top", Circuit::Driven, 0.5 * HEIGHT),
     ] {
-        let there = |place: [f64; 2]| (place[1] - z).abs() < 1e-9 * HEIGHT;
+        let there = |position: [f64; 2]| (position[1] - z).abs() < 1e-9 * HEIGHT;
         let electrode = conductor(&section, name, circuit, there);
         section.electrodes.push(electrode);
     }
@@ -130,7 +130,7 @@ fn all_points(
     scale: f64,
 ) {
     let points = recovery.points.iter().enumerate();
-    let pairs = points.map(|(k, point)| [value(k), expected(point.place)]);
+    let pairs = points.map(|(k, point)| [value(k), expected(point.position)]);
     let worst = pairs.max_by(|a, b| (a[0] - a[1]).abs().total_cmp(&(b[0] - b[1]).abs()));
     let [found, expected] = worst.expect("points");
     let error = ((found - expected) / scale).abs();
@@ -437,9 +437,9 @@ fn stresses_of_skew_plies_add_up_and_obey_their_law() {
             assert!((flux - state.material_displacement).amax() < 1e-11 * scale);
             assert!((state.field.norm() / state.material_field.norm() - 1.0).abs() < 1e-13);
 
-            let (_, there) = recoverer.at(&load, point.place).unwrap();
+            let (_, there) = recoverer.at(&load, point.position).unwrap();
             assert!((there.stress - t.stress).amax() < 1e-9 * t.stress.amax());
-            let (_, there) = recoverer.electric_at(&load, point.place).unwrap();
+            let (_, there) = recoverer.electric_at(&load, point.position).unwrap();
             assert!((there.field - state.field).amax() < 1e-9 * state.field.amax());
         }
         // many forces at once, by a different product
@@ -502,13 +502,13 @@ fn fields_are_slopes_of_the_potential() {
                 nalgebra::RowVector2::new(dy.y, dz.y),
             ]);
             let gradient = jacobian.try_inverse().unwrap() * slope(v);
-            let place = [at(&y, r), at(&z, r)];
-            let volume = l.x + k.y * place[1] - k.z * place[0];
-            let tilt = [l.y - k.x * place[1], l.z + k.x * place[0]];
+            let position = [at(&y, r), at(&z, r)];
+            let volume = l.x + k.y * position[1] - k.z * position[0];
+            let tilt = [l.y - k.x * position[1], l.z + k.x * position[0]];
             let rate = at(next.potential.as_slice(), r);
             let axial = (rate - tilt[0] * gradient.x - tilt[1] * gradient.y) / volume;
             let expected = -Vector3::new(axial, gradient.x, gradient.y);
-            let (_, found) = recoverer.electric_at(&case, place).unwrap();
+            let (_, found) = recoverer.electric_at(&case, position).unwrap();
             let error = (found.field - expected).amax() / expected.amax();
             assert!(error < 1e-8, "{error:e}");
             checked += 1;
@@ -586,7 +586,7 @@ fn bimorph(b: f64, t: f64) -> Section {
         ("top", Circuit::Driven, t),
         ("bottom", Circuit::Driven, -t),
     ] {
-        let there = |place: [f64; 2]| (place[1] - z).abs() < 1e-9 * t;
+        let there = |position: [f64; 2]| (position[1] - z).abs() < 1e-9 * t;
         let electrode = conductor(&section, name, circuit, there);
         section.electrodes.push(electrode);
     }
@@ -624,7 +624,7 @@ fn a_bimorph_under_voltage_bends_without_force() {
     assert!(error < 5e-3, "{found:e} {expected:e}");
     assert!(bent.resultant_error < 1e-10);
     // the mean field of each layer is V/t for any stress
-    let upper = (bent.points.iter().zip(&electric.points)).filter(|(p, _)| p.place[1] > 0.0);
+    let upper = (bent.points.iter().zip(&electric.points)).filter(|(p, _)| p.position[1] > 0.0);
     let (sum, area) = upper.fold((0.0, 0.0), |(sum, area), (point, state)| {
         (sum + point.area * state.field.z, area + point.area)
     });
@@ -638,7 +638,7 @@ fn a_bimorph_under_voltage_bends_without_force() {
 /// Voltages for unknown electrodes and for ground, and open electrodes without a reference
 /// voltage.
 #[test]
-fn wrong_voltages_are_told_with_the_nearest_name() {
+fn wrong_voltages_are_reported_with_the_nearest_name() {
     let section = layer([2, 2]);
     let solution = solved(&section);
     let recoverer = Recoverer::new(&section, &solution);

@@ -301,8 +301,8 @@ fn tapered_strips_have_the_effect_of_wagner() {
         }
         let (solution, found) = of(&section, StrainMeasure::Green);
         let integral = |f: &dyn Fn(f64, f64) -> f64| -> f64 {
-            let places = (0..400).map(|i| (f64::from(i) + 0.5) / 400.0 - 0.5);
-            places.map(|y| f(y - center, thickness(y)) / 400.0).sum()
+            let positions = (0..400).map(|i| (f64::from(i) + 0.5) / 400.0 - 0.5);
+            positions.map(|y| f(y - center, thickness(y)) / 400.0).sum()
         };
         let third = integral(&|y, t| t * y * (y * y + t * t / 12.0));
         let second = integral(&|y, t| t * y * y);
@@ -405,7 +405,7 @@ fn hot_edges_take_torsional_stiffness() {
         let cells = 40;
         let section = isotropic_strip(b, 1.0, [cells, 2]);
         let chord = |cell: &[[f64; 2]]| {
-            let ends = cell.iter().map(|place| place[0] / b);
+            let ends = cell.iter().map(|position| position[0] / b);
             let (low, high) = ends.fold((1.0_f64, -1.0_f64), |(a, z), y| (a.min(y), z.max(y)));
             let even = Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0);
             FreeStrain {
@@ -415,7 +415,7 @@ fn hot_edges_take_torsional_stiffness() {
             }
         };
         let mesh = &section.mesh;
-        let of_cell = |cell| chord(&mesh.places(cell).collect::<Vec<_>>());
+        let of_cell = |cell| chord(&mesh.positions(cell).collect::<Vec<_>>());
         let state = ImposedStrain {
             name: "edges".into(),
             cells: mesh.cells.iter().map(of_cell).collect(),

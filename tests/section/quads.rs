@@ -17,8 +17,8 @@ pub struct Quads {
 
 /// `cells` equal steps from `from` to `to`, the last point included.
 pub fn steps(from: f64, to: f64, cells: usize) -> Vec<f64> {
-    let place = |i: usize| from + (to - from) * i as f64 / cells as f64;
-    (0..=cells).map(place).collect()
+    let position = |i: usize| from + (to - from) * i as f64 / cells as f64;
+    (0..=cells).map(position).collect()
 }
 
 /// Steps that shrink towards both ends, by the cosine.
@@ -71,8 +71,8 @@ impl Quads {
                 let count = cells[wall % 2];
                 let (from, to) = (corners[wall], corners[(wall + 1) % 4]);
                 let parts = graded(0.0, 1.0, count);
-                let place = |part: &f64| [0, 1].map(|i| from[i] + (to[i] - from[i]) * part);
-                shape.points.extend(parts[..count].iter().map(place));
+                let position = |part: &f64| [0, 1].map(|i| from[i] + (to[i] - from[i]) * part);
+                shape.points.extend(parts[..count].iter().map(position));
             }
         }
         for ring in 0..halves.len() - 1 {
@@ -141,9 +141,9 @@ impl Quads {
         let of_point: Vec<usize> = self
             .points
             .iter()
-            .map(|&place| {
-                *number.entry(key(place)).or_insert_with(|| {
-                    points.push(place);
+            .map(|&position| {
+                *number.entry(key(position)).or_insert_with(|| {
+                    points.push(position);
                     points.len() - 1
                 })
             })
@@ -165,9 +165,9 @@ impl Quads {
         let mut middle_of = |corners: &[usize]| {
             let mut key = corners.to_vec();
             key.sort_unstable();
-            let places: Vec<_> = corners.iter().map(|&point| self.points[point]).collect();
+            let positions: Vec<_> = corners.iter().map(|&point| self.points[point]).collect();
             *middles.entry(key).or_insert_with(|| {
-                nodes.push(mean(&places));
+                nodes.push(mean(&positions));
                 nodes.len() - 1
             })
         };
@@ -223,9 +223,9 @@ fn mesh_of(nodes: &[[f64; 2]], cells: Vec<Cell>, groups: usize) -> Mesh {
     }
 }
 
-fn mean(places: &[[f64; 2]]) -> [f64; 2] {
+fn mean(positions: &[[f64; 2]]) -> [f64; 2] {
     [0, 1].map(|axis| {
-        let sum: f64 = places.iter().map(|place| place[axis]).sum();
-        sum / places.len() as f64
+        let sum: f64 = positions.iter().map(|position| position[axis]).sum();
+        sum / positions.len() as f64
     })
 }

@@ -111,11 +111,11 @@ const SHIFT: f64 = 0.06;
 impl Recipe {
     fn section(&self) -> Section {
         let mut shape = self.outline.quads();
-        let room = shortest_sides(&shape);
-        for (i, (point, room)) in shape.points.iter_mut().zip(room).enumerate() {
+        let space = shortest_sides(&shape);
+        for (i, (point, space)) in shape.points.iter_mut().zip(space).enumerate() {
             for axis in 0..2 {
                 let shift = self.shifts[(2 * i + axis) % self.shifts.len()];
-                point[axis] += SHIFT * room * shift;
+                point[axis] += SHIFT * space * shift;
             }
         }
         let kinds: &[CellKind] = match self.is_quadratic {
@@ -281,10 +281,10 @@ fn check<M: Strategy>(
     outcome.unwrap_or_else(|failure| panic!("{failure}"));
 }
 
-fn moved(section: &Section, place: impl Fn([f64; 2]) -> [f64; 2]) -> Section {
+fn moved(section: &Section, position: impl Fn([f64; 2]) -> [f64; 2]) -> Section {
     let mut moved = section.clone();
     for node in &mut moved.mesh.nodes {
-        *node = place(*node);
+        *node = position(*node);
     }
     moved
 }
@@ -309,8 +309,8 @@ fn restrained(section: &Section, solution: &SectionSolution) -> Option<Restraine
 /// same for the mass; centers move with the mesh, second moments about the centroid turn.
 fn transport_error(section: &Section, (phi, d): (f64, [f64; 2])) -> f64 {
     let (s, c) = phi.sin_cos();
-    let place = |[y, z]: [f64; 2]| [c * y - s * z + d[0], s * y + c * z + d[1]];
-    let mut there = moved(section, place);
+    let position = |[y, z]: [f64; 2]| [c * y - s * z + d[0], s * y + c * z + d[1]];
+    let mut there = moved(section, position);
     for cell in &mut there.cells {
         cell.plane_angle += phi;
     }
@@ -324,8 +324,8 @@ fn transport_error(section: &Section, (phi, d): (f64, [f64; 2])) -> f64 {
     let mut errors = vec![
         scaled_error(&found.stiffness, &transported(&plain.stiffness)),
         scaled_error(&found.mass, &transported(&plain.mass)),
-        apart(found.centers.tension, place(plain.centers.tension)),
-        apart(found.centers.shear, place(plain.centers.shear)),
+        apart(found.centers.tension, position(plain.centers.tension)),
+        apart(found.centers.shear, position(plain.centers.shear)),
     ];
     let (one, two) = (
         AreaTable::by_group(section).total,
@@ -339,14 +339,14 @@ fn transport_error(section: &Section, (phi, d): (f64, [f64; 2])) -> f64 {
     ];
     let second = [j.yy, j.zz, j.yz].into_iter().zip(turned);
     errors.extend(second.map(|(found, expected)| (found - expected).abs()));
-    errors.push(apart(two.centroid, place(one.centroid)));
+    errors.push(apart(two.centroid, position(one.centroid)));
     errors.push((one.perimeter.length() - two.perimeter.length()).abs());
     // two computations of one mass: by sides and by the rules of the cells
     errors.push((two.mass / found.mass[(0, 0)] - 1.0).abs());
     if let (Some(one), Some(two)) = (restrained(section, &plain), restrained(&there, &found)) {
         let size = plain.stiffness[(0, 0)] * i.yy.max(i.zz);
         errors.push((one.stiffness - two.stiffness).abs() / size);
-        errors.push(apart(two.center, place(one.center)));
+        errors.push(apart(two.center, position(one.center)));
     }
     largest(errors)
 }
@@ -426,7 +426,7 @@ fn another_order_of_nodes_and_cells_changes_nothing() {
 /// mass by `l^2` and the same.
 fn units_error(section: &Section, (length, modulus): (f64, f64)) -> f64 {
     let (length, modulus) = (10f64.powf(length), 10f64.powf(modulus));
-    let mut scaled = moved(section, |place| place.map(|x| length * x));
+    let mut scaled = moved(section, |position| position.map(|x| length * x));
     for material in &mut scaled.materials {
         material.law = ElasticLaw::Full(modulus * material.law.stiffness());
     }

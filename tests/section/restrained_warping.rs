@@ -108,16 +108,16 @@ fn thin_channel() {
     let expected = T * B.powi(3) * H * H / 12.0 * (3.0 * B + 2.0 * H) / (6.0 * B + H);
     let error = relative_error(gamma(&found), expected);
     let center = -3.0 * B * B / (6.0 * B + H);
-    let place = found.center;
-    println!("channel: {error:.1e}, center {place:?} against {center}");
+    let position = found.center;
+    println!("channel: {error:.1e}, center {position:?} against {center}");
     let of_constant = [gamma(&found), expected];
     record::value(THIN_WALLS, "channel", VLASOV, of_constant, error, 0.01);
     assert!(error < 0.01, "{error:e}");
-    let error = relative_error(place[0], center);
-    let compared = [place[0], center];
+    let error = relative_error(position[0], center);
+    let compared = [position[0], center];
     record::value(THIN_WALLS, "channel", CENTER, compared, error, 0.01);
-    assert!(error < 0.01, "{place:?}");
-    assert!(place[1].abs() < 1e-9, "{place:?}");
+    assert!(error < 0.01, "{position:?}");
+    assert!(position[1].abs() < 1e-9, "{position:?}");
     assert!(relative_error(found.stiffness, YOUNG * gamma(&found)) < 1e-14);
 }
 

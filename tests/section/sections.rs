@@ -8,7 +8,7 @@ use section_analyzer::material::{ElasticLaw, EngineeringConstants, Material};
 use section_analyzer::mesh::SectionMesh;
 use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::SectionSolution;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::Mesh;
 use shared_geom::section::InitialCurvature;
 
@@ -35,7 +35,7 @@ pub fn orthotropic(constants: EngineeringConstants) -> Material {
 
 /// The section mesh of a mesh in meters.
 pub fn section_mesh(mesh: &Mesh) -> SectionMesh {
-    let (mesh, _) = SectionMesh::from_mesh(mesh, 1.0, &Place::file("test"))
+    let (mesh, _) = SectionMesh::from_mesh(mesh, 1.0, &SourceLocation::file("test"))
         .unwrap_or_else(|problems| panic!("{problems}"));
     mesh
 }
@@ -71,10 +71,10 @@ pub fn of_two(
     for (cell, made_of) in section.mesh.cells.iter().zip(&mut section.cells) {
         let corners = &cell.nodes()[..cell.kind.corner_count()];
         let mean = |axis: usize| {
-            let places = corners
+            let positions = corners
                 .iter()
                 .map(|&n| section.mesh.nodes[n as usize][axis]);
-            places.sum::<f64>() / corners.len() as f64
+            positions.sum::<f64>() / corners.len() as f64
         };
         made_of.material = usize::from(!is_first([mean(0), mean(1)]));
     }

@@ -206,9 +206,9 @@ fn moved_nodes() -> [Moved; 2] {
             unit: 1.0,
             step: 0.001,
             by: Box::new(|section, by| {
-                for (node, place) in section.mesh.nodes.iter_mut().enumerate() {
+                for (node, position) in section.mesh.nodes.iter_mut().enumerate() {
                     let NodeVelocity { y, z, .. } = swing(node);
-                    *place = [place[0] + by * y, place[1] + by * z];
+                    *position = [position[0] + by * y, position[1] + by * z];
                 }
             }),
         },
@@ -299,7 +299,7 @@ fn compare(
     ];
     let is_large = changes(&found.stiffness, k) > 1e-3 || moved.name == "density";
     assert!(is_large, "{beam}, {}", moved.name);
-    let places = [
+    let positions = [
         found.tension,
         found.shear,
         found.mass_center.expect("a mass"),
@@ -308,8 +308,8 @@ fn compare(
     let expected: [f64; 6] =
         std::array::from_fn(|i| (8.0 * (next[i] - near[i]) - (last[i] - far[i])) / (12.0 * step));
     let size = expected.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-    let off = places.iter().flatten().zip(expected);
-    let off = off.map(|(place, expected)| (place - expected).abs() / size);
+    let off = positions.iter().flatten().zip(expected);
+    let off = off.map(|(position, expected)| (position - expected).abs() / size);
     let off = ("centers", off.fold(0.0, f64::max));
     for (quantity, error) in differences.into_iter().chain([off]) {
         assert!(error < 1e-6, "{beam}, {}: {quantity} {error:e}", moved.name);

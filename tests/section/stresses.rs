@@ -61,7 +61,7 @@ fn check(name: &str) {
     let solution = solved(&section);
     let recoverer = Recoverer::new(&section, &solution);
     let stored = &case["stress_on_this_mesh"];
-    let places = stored["points"].as_array().expect("points");
+    let positions = stored["points"].as_array().expect("points");
     for (theirs, ours) in OUR_LOAD.into_iter().enumerate() {
         let load = unit_load(ours);
         let recovery = recoverer.recover(&load).expect("a recovery");
@@ -72,9 +72,9 @@ fn check(name: &str) {
                 true => tensors.material_stress,
                 false => tensors.stress,
             };
-            for (i, place) in places.iter().enumerate() {
-                let place = [number(&place[0]), number(&place[1])];
-                let (cell, at) = recoverer.at(&load, place).expect("a point inside");
+            for (i, position) in positions.iter().enumerate() {
+                let position = [number(&position[0]), number(&position[1])];
+                let (cell, at) = recoverer.at(&load, position).expect("a point inside");
                 let mean = &recovery.cells[cell].tensors;
                 compared.push((stress(&at), stress_of(&expected["point"][i])));
                 compared.push((stress(mean), stress_of(&expected["element_mean"][i])));
@@ -202,7 +202,7 @@ fn bending_is_exact() {
             assert!(error < 1e-11, "{kind:?} {error:e}");
         };
         for point in &recovery.points {
-            check(&point.tensors, point.place);
+            check(&point.tensors, point.position);
         }
         for cell in &recovery.cells {
             check(&cell.tensors, cell.centroid);
@@ -245,9 +245,9 @@ fn shear_of_a_rectangle_is_the_projected_parabola() {
             let of_mean = parabola((z * z + step * step / 12.0).sqrt());
             near(cell.tensors.stress[4], of_mean, "mean");
             for side in [-1.0, 1.0] {
-                let place = [y + 0.1 * step, z + side * step / 12f64.sqrt()];
-                let (_, at) = recoverer.at(&load, place).expect("a point inside");
-                near(at.stress[4], parabola(place[1]), "Gauss point");
+                let position = [y + 0.1 * step, z + side * step / 12f64.sqrt()];
+                let (_, at) = recoverer.at(&load, position).expect("a point inside");
+                near(at.stress[4], parabola(position[1]), "Gauss point");
             }
         }
         let middle = recovery.nodes.iter().filter(|node| {

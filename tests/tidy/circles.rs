@@ -139,8 +139,10 @@ impl Graph {
         let is_not_above = |from: &Module, to: &Module| !from.starts_with(to);
         let circles = self.circles(is_not_above);
         if !circles.is_empty() {
-            let told = circles.iter().map(|circle| self.told(circle, is_not_above));
-            return told.collect();
+            let reported = circles
+                .iter()
+                .map(|circle| self.reported(circle, is_not_above));
+            return reported.collect();
         }
         // the first of a circle is the shortest: the module that may hold the others
         let is_one_module =
@@ -148,7 +150,7 @@ impl Graph {
         let circles = self.circles(|_, _| true);
         let circles = circles.iter().filter(|circle| !is_one_module(circle));
         circles
-            .map(|circle| self.told(circle, |_, _| true))
+            .map(|circle| self.reported(circle, |_, _| true))
             .collect()
     }
 
@@ -185,7 +187,7 @@ impl Graph {
     }
 
     /// The files of a circle, and the names that each uses from the others.
-    fn told(&self, circle: &[&Module], counts: impl Fn(&Module, &Module) -> bool) -> String {
+    fn reported(&self, circle: &[&Module], counts: impl Fn(&Module, &Module) -> bool) -> String {
         let path = |module: &Module| self.sources[module].path.as_str();
         let mut text = format!("{} files import each other in a circle:", circle.len());
         for from in circle {
@@ -307,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_is_told_with_its_files_and_names() {
+    fn a_circle_is_reported_with_its_files_and_names() {
         let circles = found(&[
             ("lib.rs", "mod a;\nmod b;\nmod c;\n"),
             (
@@ -368,9 +370,9 @@ mod tests {
             ])
         };
         assert_eq!(circles("pub struct Q;\n").len(), 0);
-        let told = circles("use crate::p::a::f;\n");
-        assert_eq!(told.len(), 1);
-        assert!(told[0].contains("p/a.rs takes from"), "{}", told[0]);
+        let reported = circles("use crate::p::a::f;\n");
+        assert_eq!(reported.len(), 1);
+        assert!(reported[0].contains("p/a.rs takes from"), "{}", reported[0]);
     }
 
     #[test]

@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn globs_are_told_but_for_the_parent_in_tests() {
+    fn globs_are_reported_but_for_the_parent_in_tests() {
         assert_eq!(globs(&tree("use a::{\n    b::*,\n    c,\n};\n")).len(), 1);
         assert_eq!(globs(&tree("use super::*;\n")).len(), 1);
         assert_eq!(
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn unfinished_code_is_told() {
+    fn unfinished_code_is_reported() {
         let text = format!(
             "fn a() {{ {}!() }} // {}\n",
             UNFINISHED_MACROS[0], UNFINISHED_WORDS[0]
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn machine_paths_are_told_and_relative_ones_are_not() {
+    fn machine_paths_are_reported_and_relative_ones_are_not() {
         let text = |name: &str| format!("see /{name}/x, docs/{name}/y, (/{name}), /{name}shop\n");
         for folder in MACHINE_FOLDERS {
             assert_eq!(machine_paths(&tree(&text(folder))).len(), 2, "{folder}");

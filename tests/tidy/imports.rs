@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn a_module_out_of_the_order_is_told() {
+    fn a_module_out_of_the_order_is_reported() {
         assert_eq!(breaches("beam-dynamics/src/helper.rs", ""), 1);
     }
 

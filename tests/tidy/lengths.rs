@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn long_functions_are_told_unless_marked() {
+    fn long_functions_are_reported_unless_marked() {
         let tree = Tree::of(&[("a.rs", &long_function("")), ("b.rs", "fn f();\n")]);
         assert_eq!(functions(&tree).len(), 1);
         let marked = long_function(&format!("{LONG_MATRIX}\n/// Doc.\n"));

@@ -29,7 +29,7 @@ fn expect_none(rule: &str, breaches: Vec<String>) {
 }
 
 #[test]
-fn stages_import_only_what_stands_before_them() {
+fn stages_import_only_what_is_before_them() {
     expect_none("import order", imports::order(&Tree::read()));
 }
 

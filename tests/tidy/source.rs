@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn words_stand_alone() {
+    fn words_are_alone() {
         assert_eq!(
             words("crate::a $crate mycrate", "crate").collect::<Vec<_>>(),
             [0, 10]

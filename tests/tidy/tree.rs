@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn test_files_are_told_by_their_path() {
+    fn test_files_are_reported_by_their_path() {
         assert!(is_test_path("tests/tidy/main.rs"));
         assert!(is_test_path("shared-geom/src/rotation_tests.rs"));
         assert!(!is_test_path("shared-geom/src/rotation.rs"));

@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_without_a_unit_are_told() {
+    fn fields_without_a_unit_are_reported() {
         assert_eq!(
             breaches("pub struct A {\n    /// Mass [kg/m].\n    pub mass: f64,\n}\n"),
             0
@@ -128,13 +128,13 @@ mod tests {
     }
 
     #[test]
-    fn attributes_may_stand_between_doc_and_field() {
+    fn attributes_may_be_between_doc_and_field() {
         let text = "/// Length\n/// from the root, in \\[m\\].\n#[allow(x)]\npub length: f64,\n";
         assert_eq!(breaches(text), 0);
     }
 
     #[test]
-    fn units_are_told_from_links() {
+    fn units_are_distinguished_from_links() {
         for unit in [
             "-",
             "m",

@@ -43,13 +43,13 @@ impl<'a> Peer<'a> {
             ..Default::default()
         };
         let symbolic = factorize_symbolic_lu(view, parameters).ok()?;
-        let room = symbolic.factorize_numeric_lu_scratch::<f64>(Par::Seq, Spec::default());
-        let room = room.or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
+        let scratch = symbolic.factorize_numeric_lu_scratch::<f64>(Par::Seq, Spec::default());
+        let scratch = scratch.or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
         Some(Self {
             view,
             symbolic,
             numeric: NumericLu::new(),
-            memory: MemBuffer::new(room),
+            memory: MemBuffer::new(scratch),
         })
     }
 

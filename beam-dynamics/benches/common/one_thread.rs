@@ -1,4 +1,4 @@
-//! Processor time of the calling thread is that of all the work only where there is no other
+//! The processor time of the calling thread covers all the work only if there is no other
 //! thread.
 
 /// Lets rayon have one thread; panics where it has started its threads already.

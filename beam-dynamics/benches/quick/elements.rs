@@ -27,7 +27,7 @@ impl<'a> Elements<'a> {
     pub fn new(model: &'a Model, (time, state): &'a (f64, State)) -> Self {
         let variation = Variation {
             turn: Matrix3::identity(),
-            spin: Matrix3::zeros(),
+            rate_by_turn: Matrix3::zeros(),
         };
         Self {
             model,

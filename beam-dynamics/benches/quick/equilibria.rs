@@ -3,7 +3,7 @@
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::statics::statics;
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, ModesQuestion, StaticQuestion};
+use beam_dynamics::case::{Model, ModesSettings, StaticSettings};
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamNode};
 use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
@@ -23,9 +23,9 @@ fn bend() -> Model {
     let mut parts = Parts::default();
     for i in 0..=2 * BEAMS {
         let angle = std::f64::consts::FRAC_PI_4 * i as f64 / (2 * BEAMS) as f64;
-        let place = RADIUS * Vector3::new(angle.sin(), 1.0 - angle.cos(), 0.0);
+        let position = RADIUS * Vector3::new(angle.sin(), 1.0 - angle.cos(), 0.0);
         let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
-        parts.node(place, turn.into_inner());
+        parts.node(position, turn.into_inner());
     }
     let stiffness = Vector6::new(1e7, 5e6, 5e6, 5e6 / 6.0, 1e7 / 12.0, 1e7 / 12.0);
     let stiffness = Matrix6::from_diagonal(&stiffness);
@@ -55,7 +55,7 @@ fn bend() -> Model {
 /// the beams. The reference tip is the exact rod's, `exact_static_beams.json`.
 fn iteration(yardstick: &mut Yardstick) -> Option<Row> {
     let model = bend();
-    let question = StaticQuestion {
+    let settings = StaticSettings {
         speed: 0.0,
         to: 1.0,
         steps: Some(10),
@@ -66,7 +66,7 @@ fn iteration(yardstick: &mut Yardstick) -> Option<Row> {
     let (mut off, mut iterations) = (f64::INFINITY, 0);
     let time = yardstick.beside(SPAN, || {
         let begin = ThreadTime::now();
-        let outcome = statics(&model, &question);
+        let outcome = statics(&model, &settings);
         let time = begin.elapsed().as_secs_f64();
         let steps = &outcome.result.steps;
         iterations = steps.iter().map(|step| step.iterations).sum();
@@ -99,12 +99,12 @@ fn frequencies(yardstick: &mut Yardstick) -> Option<Row> {
     let clamp = clamped("root", root, &parts.nodes[root]);
     parts.add(clamp);
     let model = Model::new("modes", System::new(parts.nodes, parts.elements));
-    let question = ModesQuestion::new(vec![0.0], MODES);
+    let settings = ModesSettings::new(vec![0.0], MODES);
     let slender = 3.516_015_269 / 0.6_f64.sqrt() / std::f64::consts::TAU;
     let mut off = f64::INFINITY;
     let time = yardstick.beside(SPAN, || {
         let begin = ThreadTime::now();
-        let outcome = modes(&model, &question);
+        let outcome = modes(&model, &settings);
         let time = begin.elapsed().as_secs_f64();
         let first = outcome.table.branches.first()?.points.first()?.as_ref()?;
         off = first.frequency / slender - 1.0;

@@ -65,5 +65,5 @@ fn pivot(left: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> Option<(usiz
             }
         }
     }
-    best.map(|(_, place)| place)
+    best.map(|(_, position)| position)
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use beam_dynamics::assembly::Sparse;
-use beam_dynamics::case::{Model, TransientQuestion};
+use beam_dynamics::case::{Model, TransientSettings};
 use beam_dynamics::integrator::{Scheme, Stepping};
 use faer::sparse::linalg::SupernodalThreshold;
 use nalgebra::Vector3;
@@ -40,8 +40,8 @@ pub const MS: f64 = 1e-3;
 /// A cantilever, and its run of some steps, with the last state.
 fn swung(beams: usize, inertia: Inertia, steps: usize) -> Option<(Model, Run)> {
     let model = cantilever(beams, inertia);
-    let question = TransientQuestion::new(STEP * steps as f64, STEP);
-    let run = run(&model, &question, steps)?;
+    let settings = TransientSettings::new(STEP * steps as f64, STEP);
+    let run = run(&model, &settings, steps)?;
     Some((model, run))
 }
 
@@ -224,8 +224,8 @@ fn distance_from_table(run: &Run) -> Option<f64> {
             .find(|(time, _)| (time - numbers[0]).abs() < 1e-9);
         let Some((_, state)) = state else { continue };
         for (node, first) in state.nodes.iter().zip([1, 4]) {
-            let place = Vector3::from_column_slice(&numbers[first..first + 3]);
-            largest = largest.max((node.position - place).norm());
+            let position = Vector3::from_column_slice(&numbers[first..first + 3]);
+            largest = largest.max((node.position - position).norm());
         }
     }
     Some(largest)
@@ -236,12 +236,12 @@ pub fn mechanisms(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     let meaning = "body and step / yardstick";
     let path = beside("cases/dynamics/bipendulum/bipendulum.dynamics.toml");
     let (input, _) = chain::read(&path)?;
-    let mut question = input.transient?;
-    question.scheme = Scheme::TwoStep { radius: 0.6 };
-    question.stepping = Stepping::Constant { step: 5e-4 };
+    let mut settings = input.transient?;
+    settings.scheme = Scheme::TwoStep { radius: 0.6 };
+    settings.stepping = Stepping::Constant { step: 5e-4 };
     let mut error = None;
     let time = yardstick.beside(SPAN, || {
-        let run = run(&input.model, &question, 50)?;
+        let run = run(&input.model, &settings, 50)?;
         error = distance_from_table(&run);
         Some(run.steps / run.effort.steps as f64)
     })? / 2.0;
@@ -255,11 +255,11 @@ pub fn mechanisms(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     };
     let folder = tempfile::tempdir().ok()?;
     let (model, _) = chain_of(folder.path(), 10)?;
-    let question = TransientQuestion::new(0.5, 5e-4);
-    let fine = run(&model, &TransientQuestion::new(0.5, 5e-5), 10_000)?;
+    let settings = TransientSettings::new(0.5, 5e-4);
+    let fine = run(&model, &TransientSettings::new(0.5, 5e-5), 10_000)?;
     let mut apart = f64::INFINITY;
     let time = yardstick.beside(SPAN, || {
-        let run = run(&model, &question, 1000)?;
+        let run = run(&model, &settings, 1000)?;
         let ends = [&run, &fine].map(|run| run.states.last().map(|(_, state)| state));
         let pairs = ends[0]?.nodes.iter().zip(&ends[1]?.nodes);
         let distances = pairs.map(|(a, b)| (a.position - b.position).norm());
@@ -295,9 +295,9 @@ pub fn starting(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
         let (model, _) = chain_of(folder.path(), bodies)?;
         let reading = || Some(chain_of(folder.path(), bodies)?.1);
         times[0] = yardstick.beside(SPAN, reading)?;
-        let question = TransientQuestion::new(STEP, STEP);
+        let settings = TransientSettings::new(STEP, STEP);
         times[1] = yardstick.beside(SPAN, || {
-            let run = run(&model, &question, 1)?;
+            let run = run(&model, &settings, 1)?;
             gap = chain::gap(&run.states.last()?.1);
             Some(run.start)
         })?;

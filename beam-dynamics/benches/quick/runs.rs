@@ -1,9 +1,9 @@
 //! Runs in time, and their processor time.
 
 use beam_dynamics::analysis::transient::transient;
-use beam_dynamics::case::{Model, TransientQuestion};
+use beam_dynamics::case::{Model, TransientSettings};
 use beam_dynamics::model::State;
-use beam_dynamics::result::{Effort, Moment, Recorder};
+use beam_dynamics::result::{AcceptedStep, Effort, Recorder};
 use cpu_time::ThreadTime;
 
 /// Results of a run: its last state, and the start of its first step.
@@ -16,12 +16,12 @@ struct Last {
 }
 
 impl Recorder for Last {
-    fn record(&mut self, moment: &Moment<'_>) -> bool {
-        if moment.step == 0 {
+    fn record(&mut self, accepted: &AcceptedStep<'_>) -> bool {
+        if accepted.step == 0 {
             self.began = Some(ThreadTime::now());
         }
-        if moment.step.is_multiple_of(self.every) {
-            self.states.push((moment.time, moment.state.clone()));
+        if accepted.step.is_multiple_of(self.every) {
+            self.states.push((accepted.time, accepted.state.clone()));
         }
         true
     }
@@ -38,13 +38,13 @@ pub struct Run {
 }
 
 /// Runs a model, and keeps a state at every multiple of `every` steps; `None` if the run fails.
-pub fn run(model: &Model, question: &TransientQuestion, every: usize) -> Option<Run> {
+pub fn run(model: &Model, settings: &TransientSettings, every: usize) -> Option<Run> {
     let mut last = Last {
         every,
         ..Last::default()
     };
     let begin = ThreadTime::now();
-    let outcome = transient(model, question, None, &mut last, &|| 0.0);
+    let outcome = transient(model, settings, None, &mut last, &|| 0.0);
     let all = begin.elapsed().as_secs_f64();
     if let Some(failure) = &outcome.failure {
         println!("{}: {failure}", model.name);

@@ -16,8 +16,8 @@ mod one_thread;
 mod rotor;
 
 use beam_dynamics::analysis::transient::transient;
-use beam_dynamics::case::{Model, TransientQuestion};
-use beam_dynamics::result::{Effort, Moment, Recorder};
+use beam_dynamics::case::{Model, TransientSettings};
+use beam_dynamics::result::{AcceptedStep, Effort, Recorder};
 use cpu_time::ThreadTime;
 
 use cantilever::cantilever;
@@ -35,17 +35,17 @@ const PHASES: usize = 5;
 struct Silent;
 
 impl Recorder for Silent {
-    fn record(&mut self, _: &Moment<'_>) -> bool {
+    fn record(&mut self, _: &AcceptedStep<'_>) -> bool {
         true
     }
 }
 
-/// A model, what is asked, and the least times so far.
+/// A model, its settings, and the least times so far.
 struct Candidate {
     name: String,
     beams: usize,
     model: Model,
-    question: TransientQuestion,
+    settings: TransientSettings,
     effort: Effort,
     /// Microseconds per beam and iteration: residual, Jacobian, factorization, solution,
     /// all of the run.
@@ -53,12 +53,12 @@ struct Candidate {
 }
 
 impl Candidate {
-    fn new(name: &str, beams: usize, model: Model, question: TransientQuestion) -> Self {
+    fn new(name: &str, beams: usize, model: Model, settings: TransientSettings) -> Self {
         Self {
             name: name.to_owned(),
             beams,
             model,
-            question,
+            settings,
             effort: Effort::default(),
             least: [f64::INFINITY; PHASES],
         }
@@ -67,7 +67,7 @@ impl Candidate {
     fn run(&mut self) {
         let begin = ThreadTime::now();
         let clock = || begin.elapsed().as_secs_f64();
-        let outcome = transient(&self.model, &self.question, None, &mut Silent, &clock);
+        let outcome = transient(&self.model, &self.settings, None, &mut Silent, &clock);
         if let Some(failure) = &outcome.failure {
             println!("{}: {failure}", self.name);
             return;
@@ -104,17 +104,17 @@ fn candidates(inertia: Inertia) -> Vec<Candidate> {
         Inertia::Lumped => "lumped",
         Inertia::Consistent => "consistent",
     };
-    let question = TransientQuestion::new(0.1, 1e-3);
+    let settings = TransientSettings::new(0.1, 1e-3);
     let swinging = |beams: usize| {
         let name = format!("cantilever, {word}");
-        Candidate::new(&name, beams, cantilever(beams, inertia), question)
+        Candidate::new(&name, beams, cantilever(beams, inertia), settings)
     };
     let mut all: Vec<_> = BEAMS.into_iter().map(swinging).collect();
     let revolution = std::f64::consts::TAU / rotor::SPEED;
-    let question = TransientQuestion::new(revolution, revolution / 256.0);
+    let settings = TransientSettings::new(revolution, revolution / 256.0);
     let beams = 4 * rotor::BEAMS_OF_A_BLADE;
     let name = format!("rotor, {word}");
-    all.push(Candidate::new(&name, beams, rotor(inertia), question));
+    all.push(Candidate::new(&name, beams, rotor(inertia), settings));
     all
 }
 

@@ -189,7 +189,7 @@ pub(super) fn largest_motion<'a>(nodes: impl Iterator<Item = &'a [f64]>, size: f
 
 /// An equation and its residual, as text.
 pub(super) fn worst_equation(system: &System, worst: &Worst) -> String {
-    let name = system.equation(worst.place);
+    let name = system.equation(worst.index);
     name.off_by(worst.relative, worst.scale)
 }
 
@@ -266,25 +266,25 @@ impl Scales {
         let of_nodes = of_nodes.iter().zip(largest).enumerate();
         let of_nodes = of_nodes.map(|(kind, (&value, scale))| Worst {
             relative: if scale > 0.0 { value / scale } else { 0.0 },
-            place: kind,
+            index: kind,
             scale,
         });
         let of_nodes = of_nodes.max_by(|a, b| a.relative.total_cmp(&b.relative));
         let of_nodes = of_nodes.filter(|_| nodes > 0).map(|worst| Worst {
-            place: largest_at(&values[..nodes], |place| kind_of(place) == worst.place),
+            index: largest_at(&values[..nodes], |index| kind_of(index) == worst.index),
             ..worst
         });
         let of_constraints = &values[nodes..first];
         let of_constraints = (first > nodes).then(|| Worst {
             relative: of_constraints.iter().fold(0.0, |a, b| larger(a, b.abs())),
-            place: nodes + largest_at(of_constraints, |_| true),
+            index: nodes + largest_at(of_constraints, |_| true),
             scale: 1.0,
         });
         let size = |i: usize| residual.sizes[first + i];
         let of_scalars = self.equations.largest(&residual.values[first..], size);
         let of_scalars = Worst {
             relative: of_scalars.part,
-            place: first + of_scalars.scalar,
+            index: first + of_scalars.scalar,
             scale: of_scalars.scale,
         };
         let has_scalars = !self.equations.is_empty();
@@ -300,8 +300,8 @@ impl Scales {
 const KINDS: usize = Equation::ALL.len();
 
 /// Kind of an equation of a node, by its index in the system.
-fn kind_of(place: usize) -> usize {
-    place % NODE_UNKNOWNS / 3
+fn kind_of(index: usize) -> usize {
+    index % NODE_UNKNOWNS / 3
 }
 
 /// The largest magnitude in the equations of each kind; NaN is larger than all.
@@ -324,7 +324,7 @@ fn larger(a: f64, b: f64) -> f64 {
 /// Index of the largest magnitude among the chosen values, the last of equal ones; NaN is larger
 /// than all.
 fn largest_at(values: &[f64], is_chosen: impl Fn(usize) -> bool) -> usize {
-    let chosen = (0..values.len()).filter(|&place| is_chosen(place));
+    let chosen = (0..values.len()).filter(|&index| is_chosen(index));
     let largest = chosen.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()));
     largest.unwrap_or_default()
 }
@@ -340,10 +340,10 @@ mod tests {
         let mut nodes = [0.0; 18];
         (nodes[1], nodes[9]) = (3.0, 1.0);
         assert!((motion(&nodes) - 1.5).abs() < 1e-15);
-        for place in 0..nodes.len() {
+        for index in 0..nodes.len() {
             let mut nodes = nodes;
-            nodes[place] = f64::NAN;
-            assert!(motion(&nodes).is_nan(), "{place}");
+            nodes[index] = f64::NAN;
+            assert!(motion(&nodes).is_nan(), "{index}");
         }
     }
 }

@@ -13,8 +13,8 @@ const FAR: f64 = FRAC_PI_4;
 /// The rotation recommended \[rad\]: distances are then short by 9e-5.
 const GOOD: f64 = 0.5 * FRAC_PI_4;
 
-/// A remark if an element of `sections` turns far within itself, at `place` given as text.
-pub(super) fn bending(sections: &[SectionState], place: &str) -> Option<String> {
+/// A remark if an element of `sections` turns far within itself, at `when` given as text.
+pub(super) fn bending(sections: &[SectionState], when: &str) -> Option<String> {
     let worst = sections.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;
     let far: Vec<_> = sections
         .iter()
@@ -22,7 +22,7 @@ pub(super) fn bending(sections: &[SectionState], place: &str) -> Option<String> 
         .collect();
     (worst.turn > FAR).then(|| {
         format!(
-            "{place} beam \"{}\" turns by {:.0} deg from end to end, and {} of {} elements by more \
+            "{when} beam \"{}\" turns by {:.0} deg from end to end, and {} of {} elements by more \
              than {:.0} deg: positions are off by about {:.1e} of the length of an element; use {:.0} \
              times as many elements there",
             worst.beam,

@@ -41,9 +41,9 @@
 //! count = 1
 //! "#;
 //! let input = input::parse(text, "strip.dynamics.toml").expect("a sound file");
-//! let asked = input.buckling.as_ref().expect("a card [buckling]");
+//! let settings = input.buckling.as_ref().expect("a card [buckling]");
 //!
-//! let outcome = buckling(&input.model, asked);
+//! let outcome = buckling(&input.model, settings);
 //! // pi^2 EI / (4 L^2)
 //! let slender = std::f64::consts::PI.powi(2) * 240.0 / 16.0;
 //! assert!((outcome.result.modes[0].factor / slender - 1.0).abs() < 1e-3);
@@ -54,7 +54,7 @@
 use nalgebra::Vector3;
 
 use crate::assembly::{MasslessMotions, Sparse, Tangent};
-use crate::case::{BucklingQuestion, Model};
+use crate::case::{BucklingSettings, Model};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::modes::{EigenProblem, Eigenpair, Factors};
 use crate::result::{BucklingMode, BucklingResult};
@@ -143,33 +143,33 @@ pub struct BucklingOutcome {
 }
 
 /// The critical loads of `model` of smallest magnitude.
-pub fn buckling(model: &Model, question: &BucklingQuestion) -> BucklingOutcome {
+pub fn buckling(model: &Model, settings: &BucklingSettings) -> BucklingOutcome {
     let mut result = BucklingResult {
         name: model.name.clone(),
-        speed: question.speed,
+        speed: settings.speed,
         nodes: model.system.nodes().to_vec(),
         beams: model.beams.clone(),
         base: None,
         modes: Vec::new(),
         remarks: Vec::new(),
     };
-    let failure = run(model, question, &mut result).err();
+    let failure = run(model, settings, &mut result).err();
     let base = result.base.as_ref();
-    let place = "under rotation and constant loads";
-    let remark = base.and_then(|step| first_order(&step.sections, place));
-    let bent = base.and_then(|step| bending(&step.sections, place));
+    let when = "under rotation and constant loads";
+    let remark = base.and_then(|step| first_order(&step.sections, when));
+    let bent = base.and_then(|step| bending(&step.sections, when));
     result.remarks.extend([bent, remark].into_iter().flatten());
     BucklingOutcome { result, failure }
 }
 
 fn run(
     model: &Model,
-    question: &BucklingQuestion,
+    settings: &BucklingSettings,
     result: &mut BucklingResult,
 ) -> Result<(), BucklingFailure> {
     let system = &model.system;
     let solver = LinearSolver::new(system.pattern());
-    let conditions = model.conditions(question.speed, 1.0, 0.0);
+    let conditions = model.conditions(settings.speed, 1.0, 0.0);
     let point = base(model, &solver, &conditions)?;
     let state = point.state.clone();
     result.base = Some(static_step(model, &conditions, point));
@@ -191,10 +191,10 @@ fn run(
         by_rates: growth,
     };
     let all = MasslessMotions::none(system.nodes().len());
-    let copies = COPIES.max(question.count);
+    let copies = COPIES.max(settings.count);
     let problem = EigenProblem::about_zero(&solver, &pencil, &all, copies);
     let problem = problem.ok_or(BucklingFailure::OutOfRange)?;
-    let factors = problem.factors(question.count);
+    let factors = problem.factors(settings.count);
     let pairs = &factors.pairs;
     if pairs.is_empty() {
         return Err(match factors.is_complete {
@@ -206,7 +206,7 @@ fn run(
         return Err(BucklingFailure::OutOfRange);
     }
     result.modes = pairs.iter().map(mode).collect();
-    result.remarks = remarks(&result.modes, &factors, question.count);
+    result.remarks = remarks(&result.modes, &factors, settings.count);
     result.remarks.extend(beyond(
         model,
         &solver,
@@ -216,9 +216,9 @@ fn run(
     Ok(())
 }
 
-fn remarks(modes: &[BucklingMode], factors: &Factors, asked: usize) -> Vec<String> {
+fn remarks(modes: &[BucklingMode], factors: &Factors, requested: usize) -> Vec<String> {
     let mut remarks = Vec::new();
-    if modes.len() < asked {
+    if modes.len() < requested {
         let why = match (factors.is_complete, factors.uncertain) {
             (true, _) => "the model has no more".to_owned(),
             (false, 0) => "whether more exist is unknown for a model of this size".to_owned(),
@@ -226,7 +226,7 @@ fn remarks(modes: &[BucklingMode], factors: &Factors, asked: usize) -> Vec<Strin
         };
         let found = modes.len();
         remarks.push(format!(
-            "{found} critical loads were found of {asked} requested: {why}"
+            "{found} critical loads were found of {requested} requested: {why}"
         ));
     }
     remarks.extend(copies(modes));

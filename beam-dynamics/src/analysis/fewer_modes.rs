@@ -1,14 +1,16 @@
-//! Why fewer modes were found than were asked for.
+//! Reasons for fewer modes than requested.
 
 use crate::modes::Lowest;
 
-/// The reason in words: that the model has no more is said only where all that it has were
-/// seen and confirmed.
+/// The reason as text. It states that the model has no more modes only if all modes of the
+/// model were found and confirmed.
 pub(super) fn why_no_more(lowest: &Lowest) -> String {
     let overdamped = lowest.real.iter().filter(|growth| **growth < 0.0).count();
     match (lowest.unconfirmed, overdamped) {
         (0, 0) if lowest.is_all => "the model has no more".to_owned(),
-        (0, 0) => "others are too far from these to be told from infinite ones".to_owned(),
+        (0, 0) => {
+            "the other frequencies are too high to be distinguished from infinite ones".to_owned()
+        }
         (0, n) => format!("{n} motions are so damped that they do not oscillate"),
         (n, _) => format!(
             "{n} more frequencies were seen, but no vector confirmed them, as where \

@@ -11,8 +11,8 @@ use crate::elements::SectionState;
 const SIZABLE: f64 = 0.1;
 
 /// A remark if the strain of `sections` changes a stiffness considerably, or makes it indefinite,
-/// at `place` given as text, as in "at the last step".
-pub(super) fn first_order(sections: &[SectionState], place: &str) -> Option<String> {
+/// at `when` given as text, as in "at the last step".
+pub(super) fn first_order(sections: &[SectionState], when: &str) -> Option<String> {
     let changes = || {
         sections.iter().filter_map(|section: &SectionState| {
             section
@@ -23,7 +23,7 @@ pub(super) fn first_order(sections: &[SectionState], place: &str) -> Option<Stri
     let least = changes().min_by(|a, b| a.0[0].total_cmp(&b.0[0]))?;
     if least.0[0] <= -1.0 {
         return Some(format!(
-            "{place} the strain of beam \"{}\" reduces the stiffness of its sections too far: \
+            "{when} the strain of beam \"{}\" reduces the stiffness of its sections too far: \
              K + T e is not positive definite, and the equilibrium is unstable or outside the \
              range of a table of prestress",
             least.1
@@ -34,7 +34,7 @@ pub(super) fn first_order(sections: &[SectionState], place: &str) -> Option<Stri
     let part = size(most.0);
     (part > SIZABLE).then(|| {
         format!(
-            "{place} prestress changes the stiffness of beam \"{}\" by up to {:.0} %: the table is of \
+            "{when} prestress changes the stiffness of beam \"{}\" by up to {:.0} %: the table is of \
              first order in the strain, and errors of the order of the square of this are to be \
              expected, most of all in large twist",
             most.1,

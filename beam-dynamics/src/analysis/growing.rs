@@ -56,8 +56,8 @@ impl Growing {
         -self.growth / self.growth.hypot(self.angular_frequency)
     }
 
-    /// A remark on the growing ones of `found`, `at` a speed; `place` describes their range.
-    fn remark(found: &[Self], at: &str, place: &str) -> Option<String> {
+    /// A remark on the growing ones of `found`, `at` a speed; `when` describes their range.
+    fn remark(found: &[Self], at: &str, when: &str) -> Option<String> {
         let growing = found.iter().filter(|one| one.damping_ratio() < NO_DAMPING);
         let all: Vec<_> = growing.collect();
         let worst = all
@@ -70,7 +70,7 @@ impl Growing {
             n => format!("{n} modes have"),
         };
         Some(format!(
-            "{at} {count} negative damping{place}: the damping ratio is {ratio:.2e} at {hertz:.5} \
+            "{at} {count} negative damping{when}: the damping ratio is {ratio:.2e} at {hertz:.5} \
              Hz, and the oscillation grows"
         ))
     }

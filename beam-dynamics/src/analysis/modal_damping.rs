@@ -43,12 +43,12 @@ fn damp(point: &mut ModePoint, ratio: f64) {
 fn unknown(ratios: &[(String, f64)], branches: &[ModeBranch]) -> Vec<String> {
     let names = || branches.iter().map(|branch| branch.name.as_str());
     let is_unknown = |(name, _): &&(String, f64)| names().all(|known| known != name);
-    let tell = |(name, _): &(String, f64)| {
+    let report = |(name, _): &(String, f64)| {
         let near = nearest_name(name, names());
         let near = near.map_or_else(String::new, |near| format!("; did you mean \"{near}\"?"));
         format!("a damping ratio is given for \"{name}\", but no mode has this name{near}")
     };
-    ratios.iter().filter(is_unknown).map(tell).collect()
+    ratios.iter().filter(is_unknown).map(report).collect()
 }
 
 #[cfg(test)]
@@ -101,11 +101,11 @@ mod tests {
     }
 
     #[test]
-    fn names_that_no_mode_has_are_told() {
+    fn names_that_no_mode_has_are_reported() {
         let damping = ModalDamping::ByName(vec![("flap 3".to_owned(), 0.04)]);
-        let told = give(&damping, &mut [branch("flap 1")]);
+        let reported = give(&damping, &mut [branch("flap 1")]);
         assert_eq!(
-            told,
+            reported,
             [
                 "a damping ratio is given for \"flap 3\", but no mode has this name; did you mean \"flap 1\"?"
             ]

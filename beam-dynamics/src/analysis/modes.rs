@@ -4,7 +4,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelExtend, ParallelIterator};
 use shared_geom::rotation::vector;
 
 use crate::assembly::{MasslessMotions, System};
-use crate::case::{Model, ModesQuestion};
+use crate::case::{Model, ModesSettings};
 use crate::model::State;
 use crate::modes::{
     EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, align, assurances, closeness,
@@ -26,8 +26,8 @@ use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
 const SPARE: usize = 6;
 /// Assurance below which a step in speed is halved to follow the modes.
 const FOLLOWED: f64 = 0.8;
-/// Relative residual above which the reader is told that digits are lost: frequencies
-/// are then wrong in about the fifth digit.
+/// Relative residual above which a loss of digits is reported: frequencies are then wrong in
+/// about the fifth digit.
 const TRUSTED: f64 = 1e-5;
 /// Halvings of a step in speed for following modes.
 const HALVINGS: usize = 5;
@@ -64,9 +64,9 @@ struct Modes {
     state: State,
     found: Vec<Mode>,
     unstable: Vec<f64>,
-    /// What is to be said of oscillations that grow.
+    /// Remarks on oscillations that grow.
     growing: Vec<String>,
-    /// Why there are no more, where they are fewer than asked for.
+    /// The reason for fewer modes than requested.
     why_no_more: String,
     /// Largest residual of the eigenpairs and of the equilibrium, relative.
     residual: f64,
@@ -88,11 +88,11 @@ impl Mode {
     }
 }
 
-/// A model and what is asked of it.
+/// A model and the settings of its modes.
 #[derive(Clone, Copy)]
 struct Case<'a> {
     model: &'a Model,
-    question: &'a ModesQuestion,
+    settings: &'a ModesSettings,
     rotor: Option<&'a Rotor>,
     /// Whether the tangent is symmetric in the undeformed model.
     is_symmetric: bool,
@@ -111,12 +111,12 @@ impl Case<'_> {
     }
 }
 
-/// Steady equilibrium and modes at each speed of `question`.
-pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
+/// Steady equilibrium and modes at each speed of `settings`.
+pub fn modes(model: &Model, settings: &ModesSettings) -> ModesOutcome {
     let rotor = Rotor::new(&model.blades);
     let case = &Case {
         model,
-        question,
+        settings,
         rotor: rotor.as_ref(),
         is_symmetric: growing::is_symmetric_at_rest(&model.system),
     };
@@ -127,11 +127,11 @@ pub fn modes(model: &Model, question: &ModesQuestion) -> ModesOutcome {
         branches: Vec::new(),
         equilibria: Vec::new(),
         remarks: Vec::new(),
-        style: question.style.clone(),
+        style: settings.style.clone(),
     };
     let failure = run(case, &mut branches, &mut table).err();
-    table.branches = branches.into_table(question.count, &table.speeds, &question.style);
-    let unknown = modal_damping::give(&question.damping, &mut table.branches);
+    table.branches = branches.into_table(settings.count, &table.speeds, &settings.style);
+    let unknown = modal_damping::give(&settings.damping, &mut table.branches);
     table.remarks.extend(unknown);
     ModesOutcome { table, failure }
 }
@@ -161,7 +161,7 @@ fn run(
         };
         // Only now: the copies of repeated modes have been turned.
         now.found.iter_mut().for_each(|mode| case.describe(mode));
-        let with_shapes = case.question.shapes.contains(speed);
+        let with_shapes = case.settings.shapes.contains(speed);
         let found: Vec<_> = now.found.iter().map(|m| (&m.point, &m.motion)).collect();
         branches.add(&found, links.as_deref(), with_shapes);
         table.speeds.push(*speed);
@@ -176,8 +176,8 @@ fn run(
             .system
             .observe(&steady.state, &conditions)
             .sections;
-        let place = format!("at {}", rpm(*speed));
-        [bending(&sections, &place), first_order(&sections, &place)]
+        let when = format!("at {}", rpm(*speed));
+        [bending(&sections, &when), first_order(&sections, &when)]
     });
     table
         .remarks
@@ -190,8 +190,8 @@ fn equilibria(
     case: &Case<'_>,
     solver: &LinearSolver,
 ) -> (Vec<(f64, Equilibrium)>, Option<Failure>) {
-    let mut found: Vec<(f64, Equilibrium)> = Vec::with_capacity(case.question.speeds.len());
-    for &speed in &case.question.speeds {
+    let mut found: Vec<(f64, Equilibrium)> = Vec::with_capacity(case.settings.speeds.len());
+    for &speed in &case.settings.speeds {
         let rest = (0.0, case.model.system.rest());
         let from = found
             .last()
@@ -244,12 +244,12 @@ fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
              equilibrium may be the one that is sought"
         ));
     }
-    if is_first && modes.found.len() < case.question.count {
+    if is_first && modes.found.len() < case.settings.count {
         let why = &modes.why_no_more;
         found.push(format!(
             "{} modes were found of {}: {why}",
             modes.found.len(),
-            case.question.count
+            case.settings.count
         ));
     }
     if let Some(worst) = modes.unstable.last() {
@@ -297,11 +297,11 @@ fn at_equilibrium(
     let problem = EigenProblem::new(solver, &tangent, &massless, copies(case.model));
     let problem = problem.ok_or(Failure::Singular { speed })?;
     // At one speed nothing is followed, but copies are separated together.
-    let spare = match case.question.speeds.len() {
+    let spare = match case.settings.speeds.len() {
         0 | 1 => copies(case.model) - 1,
         _ => SPARE,
     };
-    let lowest = problem.lowest(case.question.count + spare);
+    let lowest = problem.lowest(case.settings.count + spare);
     let Lowest { pairs, real, .. } = &lowest;
     let mass = MassMatrix::new(&tangent.by_rates, system.nodes().len());
     let mut motions: Vec<_> = pairs
@@ -318,7 +318,7 @@ fn at_equilibrium(
         point: point(pair),
         slope: None,
     };
-    let own = &pairs[..pairs.len().min(case.question.count)];
+    let own = &pairs[..pairs.len().min(case.settings.count)];
     let at = format!("at {}", rpm(speed));
     Ok(Modes {
         growing: growing::remarks(&problem, own, case.is_symmetric, &at),
@@ -374,7 +374,7 @@ fn links(
     halvings: usize,
 ) -> Result<Vec<Option<(usize, f64)>>, Failure> {
     let direct = direct_links(before, now);
-    let reported = direct.iter().take(case.question.count);
+    let reported = direct.iter().take(case.settings.count);
     let certain = reported
         .clone()
         .all(|link| link.is_some_and(|(_, mac)| mac >= FOLLOWED));
@@ -395,8 +395,8 @@ fn links(
     Ok(chained.collect())
 }
 
-/// For each mode of `before` its nearest shape in `now`, whose copies of repeated modes
-/// are turned toward those of `before`.
+/// For each mode of `before` its nearest shape in `now`. Repeated modes in `now` are turned
+/// toward the modes of `before`.
 fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     let motions = |modes: &Modes| -> Vec<ModeMotion> {
         modes.found.iter().map(|mode| mode.motion.clone()).collect()

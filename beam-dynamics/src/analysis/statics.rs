@@ -33,9 +33,9 @@
 //! [static]
 //! "#;
 //! let input = input::parse(text, "strip.dynamics.toml").expect("a sound file");
-//! let asked = input.statics.as_ref().expect("a card [static]");
+//! let settings = input.statics.as_ref().expect("a card [static]");
 //!
-//! let outcome = statics(&input.model, asked);
+//! let outcome = statics(&input.model, settings);
 //! assert!(outcome.failure.is_none());
 //! let last = outcome.result.steps.last().expect("an equilibrium");
 //! let tip = last.positions.last().expect("a node");
@@ -43,7 +43,7 @@
 //! assert!((tip.z / (0.3 * 8.0 / (3.0 * 240.0)) - 1.0).abs() < 1e-4);
 //! ```
 
-use crate::case::{Model, StaticQuestion};
+use crate::case::{Model, StaticSettings};
 use crate::model::{Conditions, State};
 use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
@@ -105,23 +105,23 @@ const OF_FIRST_ORDER: &str = "the limit point may be caused by the table of pres
     twist without tension, sections with a table soften although they stiffen in reality, see \
     the previous remark; try without prestress = true";
 
-/// Equilibria of `model` up to the load factor requested by `question`.
-pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
+/// Equilibria of `model` up to the load factor requested by `settings`.
+pub fn statics(model: &Model, settings: &StaticSettings) -> StaticOutcome {
     let mut result = StaticResult {
         name: model.name.clone(),
-        speed: question.speed,
+        speed: settings.speed,
         nodes: model.system.nodes().to_vec(),
         beams: model.beams.clone(),
         blades: model.blades.clone(),
         steps: Vec::new(),
         remarks: Vec::new(),
     };
-    let failure = run(model, question, &mut result).err();
+    let failure = run(model, settings, &mut result).err();
     result.remarks.extend(limits_passed(&result.steps));
     let last = result.last();
     let remark = last.and_then(|step| {
-        let place = format!("at factor {:.6}", step.factor);
-        first_order(&step.sections, &place)
+        let when = format!("at factor {:.6}", step.factor);
+        first_order(&step.sections, &when)
     });
     let is_limit = matches!(
         failure,
@@ -129,8 +129,8 @@ pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
     );
     let doubt = remark.is_some() && is_limit;
     let bent = result.last().and_then(|step| {
-        let place = format!("at factor {:.6}", step.factor);
-        bending(&step.sections, &place)
+        let when = format!("at factor {:.6}", step.factor);
+        bending(&step.sections, &when)
     });
     result.remarks.extend(bent);
     result.remarks.extend(remark);
@@ -142,26 +142,26 @@ pub fn statics(model: &Model, question: &StaticQuestion) -> StaticOutcome {
 
 fn run(
     model: &Model,
-    question: &StaticQuestion,
+    settings: &StaticSettings,
     result: &mut StaticResult,
 ) -> Result<(), StaticFailure> {
     let solver = LinearSolver::new(model.system.pattern());
-    let conditions = model.conditions(question.speed, 1.0, 0.0);
+    let conditions = model.conditions(settings.speed, 1.0, 0.0);
     let base = base(model, &solver, &conditions)?;
     result
         .steps
         .push(static_step(model, &conditions, base.clone()));
     let growth = model.system.by_factor(&base.state, &conditions);
-    if growth.iter().all(|value| *value == 0.0) || question.to == 0.0 {
+    if growth.iter().all(|value| *value == 0.0) || settings.to == 0.0 {
         return Ok(());
     }
     let walker = Walker {
         balance: Balance::new(&model.system, &solver, conditions, base.state),
-        to: question.to,
-        steps: question.steps,
-        most_steps: question.most_steps,
+        to: settings.to,
+        steps: settings.steps,
+        most_steps: settings.most_steps,
     };
-    let (points, end) = match question.arc_length {
+    let (points, end) = match settings.arc_length {
         true => walker.by_length(),
         false => walker.by_factor(),
     };

@@ -4,57 +4,14 @@
 //!    weighted change; momenta, their rates and the multipliers follow.
 //! 2. The integrator makes one accepted step after the other, to the last instant.
 //! 3. The reason for an early end is reported with the worst equation and the likely cause.
-//!
-//! # Example
-//!
-//! ```
-//! use beam_dynamics::analysis::transient::transient;
-//! use beam_dynamics::input;
-//! use beam_dynamics::result::{Moment, Recorder};
-//!
-//! /// Height and time of a falling body.
-//! struct Heights(Vec<(f64, f64)>);
-//!
-//! impl Recorder for Heights {
-//!     fn record(&mut self, step: &Moment<'_>) -> bool {
-//!         self.0.push((step.time, step.state.nodes[0].position.z));
-//!         true
-//!     }
-//! }
-//!
-//! let text = r#"
-//! units = "SI"
-//! [[node]]
-//! name = "stone"
-//! position = [0, 0, 0]
-//! [[body]]
-//! name = "stone"
-//! node = "stone"
-//! mass = 2
-//! inertia = [1, 1, 1]
-//! [gravity]
-//! acceleration = [0, 0, -9.81]
-//! [transient]
-//! to = 1
-//! step = 0.01
-//! "#;
-//! let input = input::parse(text, "stone.dynamics.toml").expect("a sound file");
-//! let asked = input.transient.as_ref().expect("a card [transient]");
-//!
-//! let mut heights = Heights(Vec::new());
-//! let outcome = transient(&input.model, asked, None, &mut heights, &|| 0.0);
-//! assert!(outcome.failure.is_none());
-//! let (time, height) = heights.0[100];
-//! assert!((height + 0.5 * 9.81 * time * time).abs() < 1e-9);
-//! ```
 
 use crate::assembly::Slack;
 use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::integrator::{Corner, Integrator, Progress, Scheme, Stepping};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
-use crate::result::{Effort, Moment, Recorder, Snapshot};
+use crate::result::{AcceptedStep, Effort, Recorder, Snapshot};
 
 mod change;
 mod corner;
@@ -129,7 +86,7 @@ pub struct TransientOutcome {
 /// A run in progress.
 struct Run<'a> {
     model: &'a Model,
-    question: &'a TransientQuestion,
+    settings: &'a TransientSettings,
     dae: Multibody<'a>,
     integrator: Integrator,
     step: usize,
@@ -150,13 +107,13 @@ struct Run<'a> {
     redundant: &'a [Redundant],
 }
 
-/// Runs `model` in time as defined by `question`, from its start or from the snapshot `resumed`,
+/// Runs `model` in time as defined by `settings`, from its start or from the snapshot `resumed`,
 /// and passes every accepted step to `recorder`; `clock` returns seconds \[s\].
 ///
 /// A continued run does not pass its first state again.
 pub fn transient(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     resumed: Option<&Snapshot>,
     recorder: &mut dyn Recorder,
     clock: &dyn Fn() -> f64,
@@ -164,14 +121,14 @@ pub fn transient(
     let began = clock();
     let mut outcome = TransientOutcome {
         effort: Effort::default(),
-        time: resumed.map_or(question.from, |snapshot| snapshot.progress.time),
+        time: resumed.map_or(settings.from, |snapshot| snapshot.progress.time),
         changes: Vec::new(),
-        remarks: doubts(model, question),
+        remarks: doubts(model, settings),
         energy: EnergyBalance::default(),
         turned: None,
         failure: None,
     };
-    let shared = match redundant::independent(model, question) {
+    let shared = match redundant::independent(model, settings) {
         Ok(shared) => shared,
         Err(failure) => {
             outcome.failure = Some(failure);
@@ -187,8 +144,8 @@ pub fn transient(
         }
     };
     let run = match resumed {
-        None => begin(model, question, &mut outcome),
-        Some(snapshot) => resume(model, question, snapshot),
+        None => begin(model, settings, &mut outcome),
+        Some(snapshot) => resume(model, settings, snapshot),
     };
     let mut run = match run {
         Ok(run) => run,
@@ -201,8 +158,8 @@ pub fn transient(
     run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
     run.redundant = redundant;
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
-    let is_told = matches!(outcome.failure, Some(TransientFailure::Step(_)));
-    outcome.remarks.extend(run.remarks(is_told));
+    let is_reported = matches!(outcome.failure, Some(TransientFailure::Step(_)));
+    outcome.remarks.extend(run.remarks(is_reported));
     outcome.energy = run.energy.balance();
     outcome.turned = run.turns.largest(&model.system);
     outcome.time = run.integrator.time();
@@ -215,60 +172,60 @@ pub fn transient(
 ///
 /// # Errors
 /// [`TransientFailure::Jump`].
-pub fn driven_places(model: &Model, question: &TransientQuestion) -> Result<(), TransientFailure> {
-    corner::check_places(model, [question.from, question.to])
+pub fn check_drives(model: &Model, settings: &TransientSettings) -> Result<(), TransientFailure> {
+    corner::check_positions(model, [settings.from, settings.to])
 }
 
-/// Doubtful settings of a question.
-fn doubts(model: &Model, question: &TransientQuestion) -> Vec<String> {
+/// Doubtful settings of a run.
+fn doubts(model: &Model, settings: &TransientSettings) -> Vec<String> {
     let has_multipliers = model.system.numbering().multipliers() > 0;
-    let doubt = question.scheme.warning(has_multipliers);
+    let doubt = settings.scheme.warning(has_multipliers);
     doubt.map(str::to_owned).into_iter().collect()
 }
 
 /// A run at its first instant.
 fn begin<'a>(
     model: &'a Model,
-    question: &'a TransientQuestion,
+    settings: &'a TransientSettings,
     outcome: &mut TransientOutcome,
 ) -> Result<Run<'a>, TransientFailure> {
     if let Some(node) = massless::find(&model.system).into_iter().next() {
         return Err(node.into());
     }
-    driven_places(model, question)?;
+    check_drives(model, settings)?;
     let Started {
         state,
         changes,
         remarks,
-    } = start(model, question)?;
+    } = start(model, settings)?;
     outcome.changes = changes;
     outcome.remarks.extend(remarks);
-    run(model, question, [state.clone(), state])
+    run(model, settings, [state.clone(), state])
 }
 
 /// A run with its accepted states, the latest first, at the first instant.
 fn run<'a>(
     model: &'a Model,
-    question: &'a TransientQuestion,
+    settings: &'a TransientSettings,
     states: [State; 2],
 ) -> Result<Run<'a>, TransientFailure> {
-    let stages = question.scheme.formula(1.0).stages;
-    let mut dae = Multibody::new(model, states, (stages, question.simplified_jacobian));
-    if matches!(question.stepping, Stepping::Variable(_)) {
-        dae.pace = model.pace([question.from, question.to]);
+    let stages = settings.scheme.formula(1.0).stages;
+    let mut dae = Multibody::new(model, states, (stages, settings.simplified_jacobian));
+    if matches!(settings.stepping, Stepping::Variable(_)) {
+        dae.pace = model.pace([settings.from, settings.to]);
     }
-    let TransientQuestion {
+    let TransientSettings {
         scheme,
         stepping,
         newton,
         from,
         ..
-    } = *question;
-    let energy = EnergyWatch::new(model, question, &dae, &model.conditions_at(from));
+    } = *settings;
+    let energy = EnergyWatch::new(model, settings, &dae, &model.conditions_at(from));
     let integrator = Integrator::new(&dae, scheme, stepping, newton, from);
     Ok(Run {
         model,
-        question,
+        settings,
         dae,
         integrator,
         step: 0,
@@ -286,38 +243,38 @@ fn run<'a>(
 /// A run at the time of a snapshot.
 fn resume<'a>(
     model: &'a Model,
-    question: &'a TransientQuestion,
+    settings: &'a TransientSettings,
     snapshot: &Snapshot,
 ) -> Result<Run<'a>, TransientFailure> {
     let states = snapshot::states(model, snapshot)?;
-    let mut run = run(model, question, states)?;
+    let mut run = run(model, settings, states)?;
     run.integrator.restore(&snapshot.progress);
     run.step = snapshot.step;
-    run.energy = EnergyWatch::new(model, question, &run.dae, &run.conditions());
+    run.energy = EnergyWatch::new(model, settings, &run.dae, &run.conditions());
     run.output_time = snapshot.output_time;
     Ok(run)
 }
 
 impl Run<'_> {
-    /// Steps to the last instant; the first state is passed to the recorder if `tell_start`.
+    /// Steps to the last instant; the first state is passed to the recorder if `report_start`.
     fn go(
         &mut self,
-        tell_start: bool,
+        report_start: bool,
         recorder: &mut dyn Recorder,
         clock: &dyn Fn() -> f64,
     ) -> Result<(), TransientFailure> {
-        if tell_start {
-            self.tell(&self.conditions(), recorder, clock)?;
+        if report_start {
+            self.report(&self.conditions(), recorder, clock)?;
         }
         let mut before = self.integrator.progress();
-        while self.integrator.time() < self.question.to {
+        while self.integrator.time() < self.settings.to {
             self.integrator.progress_into(&mut before);
             let began = self.integrator.corner();
-            let to = self.question.to;
+            let to = self.settings.to;
             let stepped = match self.integrator.step(&mut self.dae, to, clock) {
                 Ok(stepped) => stepped,
                 Err(failure) => {
-                    self.tell_last(before, recorder, clock);
+                    self.keep_last(before, recorder, clock);
                     self.end_energy();
                     return Err(self.trouble(failure));
                 }
@@ -331,7 +288,7 @@ impl Run<'_> {
                 && let Err(failure) = self.check_corner(&corner)
             {
                 // The state just before it is valid.
-                self.tell(&conditions, recorder, clock)?;
+                self.report(&conditions, recorder, clock)?;
                 return Err(failure);
             }
             self.check_attitudes(&conditions)?;
@@ -343,7 +300,7 @@ impl Run<'_> {
             self.passed
                 .watch(system, self.dae.states(), &mut self.integrator);
             self.check_redundant()?;
-            self.tell(&conditions, recorder, clock)?;
+            self.report(&conditions, recorder, clock)?;
         }
         self.end_energy();
         Ok(())
@@ -358,12 +315,12 @@ impl Run<'_> {
     /// Unexplained gain of energy, if there is any.
     fn gained(&self) -> Option<Finding> {
         let turns_far = self.far_turn.is_some();
-        self.energy.finding(self.model, self.question, turns_far)
+        self.energy.finding(self.model, self.settings, turns_far)
     }
 
     /// Remarks on the run; the gain of energy only if the failure does not contain it.
-    fn remarks(&mut self, is_told: bool) -> Vec<String> {
-        let gained = self.gained().filter(|_| !is_told);
+    fn remarks(&mut self, is_reported: bool) -> Vec<String> {
+        let gained = self.gained().filter(|_| !is_reported);
         let mut remarks: Vec<_> = self.dae.impulses.remarks().collect();
         remarks.extend(self.far_turn.take());
         remarks.extend(gained.map(|gained| gained.to_string()));
@@ -375,7 +332,7 @@ impl Run<'_> {
     /// just after it.
     fn check_corner(&self, corner: &Corner) -> Result<(), TransientFailure> {
         corner::check_corner(self.model, self.dae.state(), corner)?;
-        if corner.after >= self.question.to {
+        if corner.after >= self.settings.to {
             return Ok(());
         }
         let after = self.model.conditions_at(corner.after);
@@ -436,7 +393,7 @@ impl Run<'_> {
         }
         let nodes = self.dae.state().nodes.iter();
         let turns = nodes.map(|node| length * node.angular_velocity.norm());
-        let farthest = farthest_turn(&self.question.scheme);
+        let farthest = farthest_turn(&self.settings.scheme);
         let far = turns.enumerate().find(|(_, turn)| *turn > farthest);
         let time = self.integrator.time();
         self.far_turn = far.map(|(node, turn)| {
@@ -476,20 +433,20 @@ impl Run<'_> {
 
     /// Passes the latest accepted state to the recorder, with the `progress` of the integrator: the
     /// step after it failed.
-    fn tell_last(&self, progress: Progress, recorder: &mut dyn Recorder, clock: &dyn Fn() -> f64) {
+    fn keep_last(&self, progress: Progress, recorder: &mut dyn Recorder, clock: &dyn Fn() -> f64) {
         let conditions = self.model.conditions_at(progress.time);
-        let moment = self.moment(&conditions);
+        let accepted_step = self.accepted_step(&conditions);
         let times = [self.output_time, clock() - self.began];
         let steps = (self.step, progress);
         let snapshot = snapshot::take(self.model, self.dae.states(), steps, times);
         // Failures of writing are reported with the files.
-        let _ = recorder.stopped(&moment, &snapshot);
+        let _ = recorder.stopped(&accepted_step, &snapshot);
     }
 
     /// The latest accepted state.
-    fn moment<'a>(&'a self, conditions: &'a Conditions) -> Moment<'a> {
+    fn accepted_step<'a>(&'a self, conditions: &'a Conditions) -> AcceptedStep<'a> {
         let (length, iterations) = self.latest;
-        Moment {
+        AcceptedStep {
             step: self.step,
             time: self.integrator.time(),
             length,
@@ -500,7 +457,7 @@ impl Run<'_> {
     }
 
     /// Passes the latest state to the recorder.
-    fn tell(
+    fn report(
         &mut self,
         conditions: &Conditions,
         recorder: &mut dyn Recorder,
@@ -508,9 +465,9 @@ impl Run<'_> {
     ) -> Result<(), TransientFailure> {
         let began = clock();
         let time = self.integrator.time();
-        let moment = self.moment(conditions);
-        let mut goes_on = recorder.record(&moment);
-        let is_wanted = goes_on && recorder.wants_snapshot(&moment);
+        let accepted_step = self.accepted_step(conditions);
+        let mut goes_on = recorder.record(&accepted_step);
+        let is_wanted = goes_on && recorder.wants_snapshot(&accepted_step);
         if is_wanted {
             let steps = (self.step, self.integrator.snapshot());
             let now = clock();
@@ -526,8 +483,8 @@ impl Run<'_> {
     }
 
     fn trouble(&self, failure: crate::integrator::StepFailure) -> TransientFailure {
-        let asked = (self.model, self.question);
-        let trouble = trouble(failure, asked, (&self.dae, self.gained()));
+        let requested = (self.model, self.settings);
+        let trouble = trouble(failure, requested, (&self.dae, self.gained()));
         TransientFailure::Step(Box::new(trouble))
     }
 }

@@ -55,5 +55,5 @@ pub struct Variation {
     /// G [-].
     pub turn: Matrix3<f64>,
     /// W [1/s].
-    pub spin: Matrix3<f64>,
+    pub rate_by_turn: Matrix3<f64>,
 }

@@ -124,8 +124,8 @@ impl Elimination {
 
     fn entry(&self, row: usize, column: usize) -> Option<f64> {
         let row = &self.rows[row];
-        let place = row.binary_search_by_key(&column, |entry| entry.0).ok()?;
-        Some(row[place].1)
+        let index = row.binary_search_by_key(&column, |entry| entry.0).ok()?;
+        Some(row[index].1)
     }
 
     /// Row and column of the next pivot.

@@ -137,10 +137,10 @@ fn resisting(system: &System, tangent: &Tangent, size: f64) -> Vec<Vec<Row>> {
         let mut of_node: Vec<std::collections::BTreeMap<usize, Row>> =
             vec![std::collections::BTreeMap::new(); nodes];
         for (row, column, value) in matrix.triplets() {
-            let (node, place) = (column / NODE_UNKNOWNS, column % NODE_UNKNOWNS);
-            let is_motion = node < nodes && place < Variable::Momentum.column();
+            let (node, index) = (column / NODE_UNKNOWNS, column % NODE_UNKNOWNS);
+            let is_motion = node < nodes && index < Variable::Momentum.column();
             if is_motion && !is_balance(row) && value.abs() > ROUND_OFF * largest[row] {
-                of_node[node].entry(row).or_default()[place] = value * scale[place];
+                of_node[node].entry(row).or_default()[index] = value * scale[index];
             }
         }
         for (rows, found) in rows.iter_mut().zip(of_node) {

@@ -163,8 +163,8 @@ fn mechanisms(system: &System, parts: &[Part], rows: Vec<SparseRow>) -> Vec<Mech
             continue;
         }
         let basis = DMatrix::from_columns(&vectors).qr().q();
-        for (place, &part) in own.iter().enumerate() {
-            let motions = basis.rows(6 * place, 6).into_owned();
+        for (index, &part) in own.iter().enumerate() {
+            let motions = basis.rows(6 * index, 6).into_owned();
             if motions.amax() > VISIBLE {
                 found.push((part, describe(system, &parts[part], &motions)));
             }
@@ -222,10 +222,10 @@ fn constraints_by_rigid_motions(
         if !is_constraint || column >= first {
             continue;
         }
-        let (node, place) = (column / NODE_UNKNOWNS, column % NODE_UNKNOWNS);
+        let (node, index) = (column / NODE_UNKNOWNS, column % NODE_UNKNOWNS);
         let mut form = [Vector3::zeros(); 2];
-        if place < Variable::Momentum.column() {
-            form[place / 3][place % 3] = value;
+        if index < Variable::Momentum.column() {
+            form[index / 3][index % 3] = value;
             let position = &system.nodes()[node].position;
             let part = part_of[node];
             add_form(
@@ -381,7 +381,7 @@ mod tests {
     use crate::elements::Element;
     use crate::elements::beams::{Beam, BeamGeometry, BeamNode};
     use crate::elements::joints::{Hinge, HingeSpring, clamped};
-    use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
+    use crate::elements::springs::{SupportFrame, SupportLaw, SupportSpring};
     use crate::model::Node;
     use nalgebra::{Matrix3, Matrix6};
 
@@ -445,12 +445,19 @@ mod tests {
             ..HingeSpring::default()
         };
         let (on, ends) = ([0, 1], [&nodes[0], &nodes[1]]);
-        let place = nodes[1].position;
-        Box::new(Hinge::new("flap", on, ends, &place, &Vector3::y(), spring))
+        let position = nodes[1].position;
+        Box::new(Hinge::new(
+            "flap",
+            on,
+            ends,
+            &position,
+            &Vector3::y(),
+            spring,
+        ))
     }
 
     #[test]
-    fn a_hinge_may_turn_and_a_forgotten_clamp_is_told_beside_it() {
+    fn a_hinge_may_turn_and_a_forgotten_clamp_is_reported_beside_it() {
         let nodes = vec![node("hub", 0.0), node("blade", 1.0)];
         let clamp = || -> Box<dyn Element> { Box::new(clamped("clamp", 0, &nodes[0])) };
         let free = find(&System::new(
@@ -479,7 +486,7 @@ mod tests {
         };
         let found = |stiffness: [f64; 6]| {
             let law = law(stiffness);
-            let spring = SupportSpring::new("spring", 0, &nodes[0], law, Stand::Frame);
+            let spring = SupportSpring::new("spring", 0, &nodes[0], law, SupportFrame::Frame);
             find(&System::new(nodes.clone(), vec![Box::new(spring)]))
         };
         assert_eq!(found([1.0, 1e-3, 1e6, 2.0, 3.0, 4.0]), Mobility::default());

@@ -101,12 +101,12 @@ impl MasslessMotions {
         }
         let mut momenta = vec![Momenta::default(); self.nodes.len()];
         for (row, column, value) in tangent.by_unknowns.triplets() {
-            if let Some((node, equation)) = self.place(row, 0) {
+            if let Some((node, equation)) = self.position(row, 0) {
                 momenta[node].equations.push((equation, column, value));
             }
         }
         for (row, column, value) in tangent.by_rates.triplets() {
-            if let Some((node, momentum)) = self.place(column, MOTION) {
+            if let Some((node, momentum)) = self.position(column, MOTION) {
                 momenta[node].rates.push((row, momentum, value));
             }
         }
@@ -117,8 +117,8 @@ impl MasslessMotions {
 
     /// The node with motions without mass to whose six numbers from `first` on an index belongs,
     /// and the number among the six.
-    fn place(&self, place: usize, first: usize) -> Option<(usize, usize)> {
-        let (node, number) = (place / NODE_UNKNOWNS, place % NODE_UNKNOWNS);
+    fn position(&self, index: usize, first: usize) -> Option<(usize, usize)> {
+        let (node, number) = (index / NODE_UNKNOWNS, index % NODE_UNKNOWNS);
         let is_own = self.nodes.get(node).is_some_and(|own| !own.is_empty());
         let is_among = (first..first + MOTION).contains(&number);
         (is_own && is_among).then(|| (node, number - first))

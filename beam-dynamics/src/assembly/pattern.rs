@@ -13,10 +13,10 @@ pub struct Pattern {
 
 impl Pattern {
     /// The pattern of the given entries (row, column); repeated ones count once.
-    pub fn new(size: usize, places: Vec<(usize, usize)>) -> Self {
+    pub fn new(size: usize, indices: Vec<(usize, usize)>) -> Self {
         Self::of(size, |add| {
-            let places = places.iter();
-            places.for_each(|&(row, column)| add(row, column));
+            let indices = indices.iter();
+            indices.for_each(|&(row, column)| add(row, column));
         })
     }
 
@@ -85,7 +85,7 @@ impl Pattern {
     }
 
     /// Index of (row, column) among the entries, if it is stored.
-    pub fn place(&self, row: usize, column: usize) -> Option<usize> {
+    pub fn index(&self, row: usize, column: usize) -> Option<usize> {
         let range = self.column(column);
         let found = self.rows[range.clone()].binary_search(&(row as u32)).ok()?;
         Some(range.start + found)
@@ -123,16 +123,16 @@ impl Sparse {
 
     /// The entry at (row, column), zero if it is not stored.
     pub fn entry(&self, row: usize, column: usize) -> f64 {
-        let place = self.pattern.place(row, column);
-        place.map_or(0.0, |place| self.values[place])
+        let index = self.pattern.index(row, column);
+        index.map_or(0.0, |index| self.values[index])
     }
 
     /// Adds `A x` to `y`.
     pub fn multiply_add(&self, x: &[f64], y: &mut [f64]) {
         let pattern = &self.pattern;
         for (column, &factor) in x.iter().enumerate() {
-            for place in pattern.column(column) {
-                y[pattern.rows[place] as usize] += self.values[place] * factor;
+            for index in pattern.column(column) {
+                y[pattern.rows[index] as usize] += self.values[index] * factor;
             }
         }
     }
@@ -152,7 +152,7 @@ impl Sparse {
         let pattern = &self.pattern;
         (0..pattern.size).flat_map(move |column| {
             let range = pattern.column(column);
-            range.map(move |place| (pattern.rows[place] as usize, column, self.values[place]))
+            range.map(move |index| (pattern.rows[index] as usize, column, self.values[index]))
         })
     }
 }
@@ -162,11 +162,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn repeated_places_count_once_and_products_match_the_dense_ones() {
-        let places = vec![(2, 1), (0, 0), (1, 2), (0, 0), (1, 1)];
-        let pattern = Arc::new(Pattern::new(3, places));
+    fn repeated_positions_count_once_and_products_match_the_dense_ones() {
+        let indices = vec![(2, 1), (0, 0), (1, 2), (0, 0), (1, 1)];
+        let pattern = Arc::new(Pattern::new(3, indices));
         assert_eq!(pattern.entries(), 4);
-        assert_eq!(pattern.place(2, 2), None);
+        assert_eq!(pattern.index(2, 2), None);
         let mut a = Sparse::zero(Arc::clone(&pattern));
         a.values_mut().copy_from_slice(&[2.0, 3.0, 4.0, 5.0]);
         // Columns: (2, 0, 0), (0, 3, 4), (0, 5, 0).

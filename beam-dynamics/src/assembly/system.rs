@@ -24,6 +24,7 @@ mod layout;
 mod loops;
 mod memory;
 mod names;
+mod observe;
 mod parts;
 mod rates;
 mod removal;
@@ -31,7 +32,6 @@ mod scalars;
 mod sharing;
 mod size;
 mod step;
-mod told;
 
 /// A model as a system of equations `F(y, y') = 0`.
 #[derive(Debug, Clone)]
@@ -114,7 +114,7 @@ impl System {
         let state = State::at_rest(&self.nodes, &self.numbering);
         let conditions = Conditions::at_rest();
         let n = self.numbering.unknowns() + self.surpluses();
-        let mut places = Vec::with_capacity(self.elements.len());
+        let mut indices = Vec::with_capacity(self.elements.len());
         let (mut lengths, mut kinds) = (Lengths::default(), Kinds::default());
         for (index, element) in self.elements.iter().enumerate() {
             let mut jacobian = LocalJacobian::new(LocalSize::of(element.as_ref()));
@@ -126,13 +126,13 @@ impl System {
             let has_rate = own.map(|&i| self.scalars[i].has_rate).collect();
             let kind = kinds.index(&jacobian, has_rate);
             let rows = Layout::rows(element.as_ref(), index, &self.numbering);
-            places.push((rows, kind));
+            indices.push((rows, kind));
         }
         self.size = self.size_with(&lengths);
         let pattern = Pattern::of(n, |add| {
             // The diagonal is always stored: the factorization may shift it.
             (0..n).for_each(|i| add(i, i));
-            for (rows, kind) in &places {
+            for (rows, kind) in &indices {
                 let own = kinds.all[*kind].entries();
                 own.for_each(|(i, j)| add(rows[i], rows[j]));
             }
@@ -140,7 +140,7 @@ impl System {
                 .for_each(|(row, column)| add(row, column));
         });
         let layout = |(rows, kind)| Layout::new(rows, (kind, &kinds.all[kind]), &pattern);
-        self.layouts = places.into_iter().map(layout).collect();
+        self.layouts = indices.into_iter().map(layout).collect();
         self.kinds = kinds.all;
         self.pattern = Arc::new(pattern);
     }

@@ -82,7 +82,7 @@ pub enum Every {
 
 /// The requested output of a run in time.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OutputQuestion {
+pub struct OutputSettings {
     /// Columns, in their order; time precedes them.
     pub columns: Vec<Column>,
     /// How often they are written.
@@ -97,7 +97,7 @@ pub struct OutputQuestion {
     pub restart: Option<Every>,
 }
 
-impl Default for OutputQuestion {
+impl Default for OutputSettings {
     /// Every step in both tables, without columns.
     fn default() -> Self {
         Self {

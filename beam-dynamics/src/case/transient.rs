@@ -85,7 +85,7 @@ pub enum Redundant {
 
 /// The requested motion in time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TransientQuestion {
+pub struct TransientSettings {
     /// First instant [s].
     pub from: f64,
     /// Last instant [s].
@@ -108,7 +108,7 @@ pub struct TransientQuestion {
     pub redundant: Redundant,
 }
 
-impl TransientQuestion {
+impl TransientSettings {
     /// From the given state, at time zero, to the time `to` in equal steps \[s\], with the
     /// defaults of an input file for everything else.
     pub fn new(to: f64, step: f64) -> Self {
@@ -134,7 +134,7 @@ impl Model {
         Conditions {
             frame: TurningFrame {
                 angular_velocity: Vector3::zeros(),
-                center: self.spin.center,
+                center: self.frame_rotation.center,
             },
             loading: Loading {
                 gravity: self.gravity_at(time),

@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
-use crate::input::BladeQuestion;
+use crate::input::BladeSettings;
 
 /// How the root of a blade is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -81,9 +81,9 @@ impl BladeOptions {
     }
 
     /// The settings for a blade file.
-    pub fn question(&self) -> BladeQuestion {
-        let default = BladeQuestion::default();
-        BladeQuestion {
+    pub fn settings(&self) -> BladeSettings {
+        let default = BladeSettings::default();
+        BladeSettings {
             speeds_rpm: self.speeds.clone().unwrap_or(default.speeds_rpm),
             count: self.count,
             elements: self.elements,

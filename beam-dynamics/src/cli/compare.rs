@@ -7,7 +7,7 @@ use shared_geom::blade::BladeDifference;
 use shared_geom::exchange::Reading;
 
 use crate::analysis::modes::modes;
-use crate::input::{self, BladeQuestion};
+use crate::input::{self, BladeSettings};
 use crate::output::blade_comparison;
 
 use super::reading_options::ReadingOptions;
@@ -43,7 +43,7 @@ pub(super) fn compare_files(arguments: &CompareArguments, terminal: &mut Termina
     let read = files.map(|file| match arguments.reading.read(file, None) {
         Ok((_, reading)) => Some(reading),
         Err(problems) => {
-            terminal.tell_text(&problems.to_string());
+            terminal.report_text(&problems.to_string());
             None
         }
     });
@@ -97,16 +97,16 @@ fn frequencies(
 
 /// Names and values of the lowest frequencies of a blade file [Hz].
 fn lowest(file: &Path, options: &ReadingOptions) -> Result<Vec<(String, f64)>, String> {
-    let question = BladeQuestion {
+    let settings = BladeSettings {
         count: Some(MODES),
         length: options.length,
         rigid_shear: options.rigid_shear,
-        ..BladeQuestion::default()
+        ..BladeSettings::default()
     };
-    let input = input::read_blade(file, &question).map_err(|problems| problems.to_string())?;
-    let question = input.modes.clone();
-    let question = question.ok_or_else(|| format!("{}: no modes", file.display()))?;
-    let outcome = modes(&input.model, &question);
+    let input = input::read_blade(file, &settings).map_err(|problems| problems.to_string())?;
+    let settings = input.modes.clone();
+    let settings = settings.ok_or_else(|| format!("{}: no modes", file.display()))?;
+    let outcome = modes(&input.model, &settings);
     if let Some(failure) = outcome.failure {
         return Err(format!("{}: {failure}", file.display()));
     }

@@ -91,11 +91,11 @@ pub(super) fn convert(arguments: &ConvertArguments, terminal: &mut Terminal<'_>)
     let (text, files) = match prepare(arguments) {
         Ok(prepared) => prepared,
         Err(Refusal::Problem(problem)) => {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             return WRONG_INPUT;
         }
         Err(Refusal::File(problems)) => {
-            terminal.tell_text(&problems.to_string());
+            terminal.report_text(&problems.to_string());
             return WRONG_INPUT;
         }
     };
@@ -260,13 +260,13 @@ fn write_files(files: &[(PathBuf, String)], terminal: &mut Terminal<'_>) -> u8 {
     if let Some(folder) = folder.filter(|folder| !folder.as_os_str().is_empty())
         && let Err(problem) = make_folder(folder)
     {
-        terminal.tell(&problem);
+        terminal.report(&problem);
         return NOT_REACHED;
     }
     terminal.show("\nWritten\n");
     for (file, text) in files {
         if let Err(problem) = write_text(file, text) {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             return NOT_REACHED;
         }
         terminal.show(&format!("  {}\n", file.display()));

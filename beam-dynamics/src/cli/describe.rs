@@ -41,7 +41,7 @@ fn describe(file: &Path, options: ReadingOptions, terminal: &mut Terminal<'_>) -
             DONE
         }
         Err(problems) => {
-            terminal.tell_text(&problems.to_string());
+            terminal.report_text(&problems.to_string());
             WRONG_INPUT
         }
     }

@@ -140,7 +140,7 @@ impl<'a, 'b, R> Listener<'a, 'b, R> {
         self.overview.finish();
         // Remaining messages, if a job has panicked.
         while self.first < self.waiting.len() {
-            self.tell_first();
+            self.report_first();
             self.first += 1;
         }
     }
@@ -150,15 +150,15 @@ impl<'a, 'b, R> Listener<'a, 'b, R> {
             Event::Said(number, message) => self.waiting[number].push(message),
             Event::Ended(number, result) => self.results[number] = Some(result),
         }
-        self.tell_first();
+        self.report_first();
         while self.results.get(self.first).is_some_and(Option::is_some) {
             self.first += 1;
-            self.tell_first();
+            self.report_first();
         }
     }
 
     /// Prints the waiting messages of the first job that has not ended.
-    fn tell_first(&mut self) {
+    fn report_first(&mut self) {
         let Some(waiting) = self.waiting.get_mut(self.first) else {
             return;
         };
@@ -219,7 +219,7 @@ mod tests {
     fn lines(job: usize, terminal: &mut Terminal<'_>) {
         terminal.show(&format!("{job} begins\n"));
         if job == 1 {
-            terminal.tell_text("wrong");
+            terminal.report_text("wrong");
         }
         terminal.show(&format!("{job} ends\n"));
     }
@@ -253,20 +253,20 @@ mod tests {
         let text = Mutex::new(String::new());
         let (mut out, mut err) = (Both(&text, ""), Both(&text, "!"));
         let mut terminal = Terminal::new(&mut out, &mut err);
-        let is_told = || text.lock().unwrap().contains("0 begins");
+        let is_reported = || text.lock().unwrap().contains("0 begins");
         side_by_side(&pool(2), &[0, 1], &mut terminal, &|job: &i32, terminal| {
             terminal.show(&format!("{job} begins\n"));
             let start = Instant::now();
-            while *job == 0 && !is_told() && start.elapsed() < PATIENCE {
+            while *job == 0 && !is_reported() && start.elapsed() < PATIENCE {
                 std::thread::yield_now();
             }
-            assert!(*job > 0 || is_told());
+            assert!(*job > 0 || is_reported());
         });
         assert_eq!(*text.lock().unwrap(), "0 begins\n1 begins\n");
     }
 
     #[test]
-    fn a_panic_of_one_job_goes_on_after_the_others_are_told() {
+    fn a_panic_of_one_job_continues_after_the_others_are_reported() {
         let text = Mutex::new(String::new());
         let caught = std::panic::catch_unwind(|| {
             let (mut out, mut err) = (Both(&text, ""), Both(&text, "!"));

@@ -24,7 +24,7 @@ pub(super) fn manual(out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
     let pages = match command_help::manual(Arguments::command(), source) {
         Ok(pages) => pages,
         Err(error) => {
-            terminal.tell_text(&format!("error: the manual cannot be made: {error}"));
+            terminal.report_text(&format!("error: the manual cannot be made: {error}"));
             return NOT_REACHED;
         }
     };
@@ -33,7 +33,7 @@ pub(super) fn manual(out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
         return DONE;
     };
     if let Err(problem) = make_folder(folder) {
-        terminal.tell(&problem);
+        terminal.report(&problem);
         return WRONG_INPUT;
     }
     match command_help::write_manual(&pages, folder) {
@@ -45,7 +45,7 @@ pub(super) fn manual(out: Option<&Path>, terminal: &mut Terminal<'_>) -> u8 {
             DONE
         }
         Err(problem) => {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             NOT_REACHED
         }
     }

@@ -52,13 +52,13 @@ pub(super) fn plot_files(
 ) -> u8 {
     let out = options.out.as_deref();
     if let Some(problem) = out.and_then(other_kind) {
-        terminal.tell(&problem);
+        terminal.report(&problem);
         return WRONG_INPUT;
     }
     if let (Some(from), Some(to)) = (options.from, options.to)
         && from > to
     {
-        terminal.tell(&Backward { from, to });
+        terminal.report(&Backward { from, to });
         return WRONG_INPUT;
     }
     let Some(tables) = read(results, options, terminal) else {
@@ -68,7 +68,7 @@ pub(super) fn plot_files(
         Ok(plot) => plot,
         Err(problems) => {
             for problem in &problems {
-                terminal.tell(problem);
+                terminal.report(problem);
             }
             return WRONG_INPUT;
         }
@@ -76,7 +76,7 @@ pub(super) fn plot_files(
     terminal.show("Written\n");
     for path in targets(&results[0], out) {
         if let Err(problem) = save(&plot, &path) {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             return NOT_REACHED;
         }
         terminal.show(&format!("  {}\n", path.display()));
@@ -152,7 +152,7 @@ fn read(
 ) -> Option<Vec<TimeTable>> {
     let tables = results.iter().map(|path| {
         let table: Result<TimeTable, RunFileProblem> = TimeTable::read(path);
-        table.map_err(|problem| terminal.tell(&problem)).ok()
+        table.map_err(|problem| terminal.report(&problem)).ok()
     });
     let tables: Vec<_> = tables.collect();
     let mut tables: Vec<TimeTable> = tables.into_iter().collect::<Option<_>>()?;

@@ -29,7 +29,7 @@ pub(super) fn write_schema(
             DONE
         }
         Err(problem) => {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             WRONG_INPUT
         }
     }

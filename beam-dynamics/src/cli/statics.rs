@@ -6,12 +6,14 @@ use std::path::PathBuf;
 use super::arguments::Results;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
-use super::{BladeAlone, NotAsked, WRONG_INPUT, add_remarks, files, finish, read_with_places};
+use super::{
+    BladeAlone, MissingTable, WRONG_INPUT, add_remarks, files, finish, read_with_locations,
+};
 use crate::analysis::buckling::buckling;
 use crate::analysis::statics::statics;
-use crate::case::{BucklingQuestion, StaticQuestion};
+use crate::case::{BucklingSettings, StaticSettings};
 use crate::input::{Input, is_blade_file, short_number};
-use crate::output::{self, ResultPlace};
+use crate::output::{self, ResultLocation};
 
 /// `static FILE...`
 pub(super) fn static_of_files(
@@ -19,7 +21,7 @@ pub(super) fn static_of_files(
     results: &Results,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let asked = NotAsked {
+    let requested = MissingTable {
         file: String::new(),
         table: "static",
         example: "speed = 0 and to = 1, or without keys for the loads as given",
@@ -28,7 +30,7 @@ pub(super) fn static_of_files(
         files,
         results,
         terminal,
-        (|input| input.statics.as_ref(), asked),
+        (|input| input.statics.as_ref(), requested),
         static_of,
     )
 }
@@ -39,7 +41,7 @@ pub(super) fn buckling_of_files(
     results: &Results,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let asked = NotAsked {
+    let requested = MissingTable {
         file: String::new(),
         table: "buckling",
         example: "count = 4",
@@ -48,7 +50,7 @@ pub(super) fn buckling_of_files(
         files,
         results,
         terminal,
-        (|input| input.buckling.as_ref(), asked),
+        (|input| input.buckling.as_ref(), requested),
         buckling_of,
     )
 }
@@ -58,52 +60,52 @@ fn each<Q: Sync>(
     paths: &[PathBuf],
     results: &Results,
     terminal: &mut Terminal<'_>,
-    (question, asked): (impl Fn(&Input) -> Option<&Q>, NotAsked),
-    answer: fn(&Input, &Q, &ResultPlace, &mut Terminal<'_>) -> u8,
+    (settings, requested): (impl Fn(&Input) -> Option<&Q>, MissingTable),
+    answer: fn(&Input, &Q, &ResultLocation, &mut Terminal<'_>) -> u8,
 ) -> u8 {
-    let Some((inputs, places)) =
-        read_with_places(paths, results, &BladeOptions::default(), terminal)
+    let Some((inputs, locations)) =
+        read_with_locations(paths, results, &BladeOptions::default(), terminal)
     else {
         return WRONG_INPUT;
     };
     let mut complete = true;
     for (path, input) in paths.iter().zip(&inputs) {
-        if question(input).is_some() {
+        if settings(input).is_some() {
             continue;
         }
         complete = false;
-        let (file, table) = (path.display().to_string(), asked.table);
+        let (file, table) = (path.display().to_string(), requested.table);
         match is_blade_file(path) {
-            true => terminal.tell(&BladeAlone { file, table }),
-            false => terminal.tell(&NotAsked { file, ..asked }),
+            true => terminal.report(&BladeAlone { file, table }),
+            false => terminal.report(&MissingTable { file, ..requested }),
         }
     }
     if !complete {
         return WRONG_INPUT;
     }
-    let asked = inputs.iter().zip(&places);
-    let jobs: Vec<_> = asked
-        .filter_map(|(input, place)| Some((input, question(input)?, place)))
+    let requested = inputs.iter().zip(&locations);
+    let jobs: Vec<_> = requested
+        .filter_map(|(input, location)| Some((input, settings(input)?, location)))
         .collect();
-    files::worst_of(&jobs, terminal, |(input, question, place), terminal| {
-        answer(input, question, place, terminal)
+    files::worst_of(&jobs, terminal, |(input, settings, location), terminal| {
+        answer(input, settings, location, terminal)
     })
 }
 
 fn static_of(
     input: &Input,
-    question: &StaticQuestion,
-    place: &ResultPlace,
+    settings: &StaticSettings,
+    location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let outcome = statics(&input.model, question);
+    let outcome = statics(&input.model, settings);
     let mut result = outcome.result;
     let failure = outcome
         .failure
         .as_ref()
         .map(|failure| failure as &dyn Display);
     add_remarks(&mut result.remarks, input, failure);
-    let written = output::write_static(&result, place);
+    let written = output::write_static(&result, location);
     let text = format!(
         "{}\n{}",
         output::static_text(&result),
@@ -127,7 +129,7 @@ fn static_of(
         );
         format!(
             "error: {}: {failure}\n  help: {}; {last}",
-            place.name,
+            location.name,
             failure.remedy()
         )
     });
@@ -136,18 +138,18 @@ fn static_of(
 
 fn buckling_of(
     input: &Input,
-    question: &BucklingQuestion,
-    place: &ResultPlace,
+    settings: &BucklingSettings,
+    location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let outcome = buckling(&input.model, question);
+    let outcome = buckling(&input.model, settings);
     let mut result = outcome.result;
     let failure = outcome
         .failure
         .as_ref()
         .map(|failure| failure as &dyn Display);
     add_remarks(&mut result.remarks, input, failure);
-    let written = output::write_buckling(&result, place);
+    let written = output::write_buckling(&result, location);
     let text = format!(
         "{}\n{}",
         output::buckling_text(&result),
@@ -155,7 +157,7 @@ fn buckling_of(
     );
     terminal.show(&text);
     let failure = outcome.failure.map(|failure| {
-        let (name, remedy) = (&place.name, failure.remedy());
+        let (name, remedy) = (&location.name, failure.remedy());
         format!("error: {name}: {failure}\n  help: {remedy}")
     });
     finish(failure, written, terminal)

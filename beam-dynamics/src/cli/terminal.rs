@@ -12,13 +12,13 @@ pub(super) enum Message {
     /// Makes all output so far visible.
     Flush,
     /// A line for the error stream.
-    Told(String),
+    Report(String),
 }
 
 /// Output and error stream. A closed pipe discards everything without an error; the work
 /// continues.
 pub(super) struct Terminal<'a> {
-    place: Place<'a>,
+    sink: Sink<'a>,
     /// Whether output was lost for another reason than a closed pipe.
     failed: bool,
     /// Whether the output stream takes nothing.
@@ -26,7 +26,7 @@ pub(super) struct Terminal<'a> {
 }
 
 /// Destination of messages.
-enum Place<'a> {
+enum Sink<'a> {
     Streams {
         out: &'a mut dyn Write,
         err: &'a mut dyn Write,
@@ -41,7 +41,7 @@ enum Place<'a> {
 impl<'a> Terminal<'a> {
     pub fn new(out: &'a mut dyn Write, err: &'a mut dyn Write) -> Self {
         Self {
-            place: Place::Streams { out, err },
+            sink: Sink::Streams { out, err },
             failed: false,
             quiet: false,
         }
@@ -51,7 +51,7 @@ impl<'a> Terminal<'a> {
     /// progress of the work, out of `PARTS`.
     pub fn sending(send: Box<dyn Fn(Message) + 'a>, part: &'a AtomicU64) -> Self {
         Self {
-            place: Place::Other { send, part },
+            sink: Sink::Other { send, part },
             failed: false,
             quiet: false,
         }
@@ -59,9 +59,9 @@ impl<'a> Terminal<'a> {
 
     /// The progress to update, if the work runs in parallel with other work.
     pub fn part(&self) -> Option<&'a AtomicU64> {
-        match &self.place {
-            Place::Streams { .. } => None,
-            Place::Other { part, .. } => Some(part),
+        match &self.sink {
+            Sink::Streams { .. } => None,
+            Sink::Other { part, .. } => Some(part),
         }
     }
 
@@ -81,36 +81,36 @@ impl<'a> Terminal<'a> {
     }
 
     /// Writes a line to the error stream, below all that was shown before.
-    pub fn tell_text(&mut self, text: &str) {
-        self.take(Message::Told(text.to_owned()));
+    pub fn report_text(&mut self, text: &str) {
+        self.take(Message::Report(text.to_owned()));
     }
 
     /// Writes a message, or passes it on.
     pub fn take(&mut self, message: Message) {
-        let (out, err) = match &mut self.place {
-            Place::Streams { out, err } => (out, err),
-            Place::Other { send, .. } => return send(message),
+        let (out, err) = match &mut self.sink {
+            Sink::Streams { out, err } => (out, err),
+            Sink::Other { send, .. } => return send(message),
         };
         let results = match message {
             Message::Shown(_) if self.quiet => [Ok(()), Ok(())],
             Message::Shown(text) => [out.write_all(text.as_bytes()), Ok(())],
             Message::Flush => [out.flush(), Ok(())],
-            Message::Told(text) => [out.flush(), writeln!(err, "{text}")],
+            Message::Report(text) => [out.flush(), writeln!(err, "{text}")],
         };
         results.iter().for_each(|result| self.note(result));
     }
 
     /// Reports a problem, with its remedy.
-    pub fn tell(&mut self, problem: &impl Explain) {
+    pub fn report(&mut self, problem: &impl Explain) {
         let help = problem
             .help()
             .map_or_else(String::new, |help| format!("\n  help: {help}"));
-        self.tell_text(&format!("error: {problem}{help}"));
+        self.report_text(&format!("error: {problem}{help}"));
     }
 
     /// Whether both streams took everything, or closed.
     pub fn finish(mut self) -> bool {
-        if let Place::Streams { out, err } = &mut self.place {
+        if let Sink::Streams { out, err } = &mut self.sink {
             let result = out.flush().and_then(|()| err.flush());
             self.note(&result);
         }
@@ -123,7 +123,7 @@ impl<'a> Terminal<'a> {
             && !self.failed
         {
             self.failed = true;
-            if let Place::Streams { err, .. } = &mut self.place {
+            if let Sink::Streams { err, .. } = &mut self.sink {
                 // If this fails too, there is no way to report it.
                 let _ = writeln!(err, "error: the output cannot be written: {error}");
             }
@@ -160,8 +160,8 @@ mod tests {
             terminal.show("a");
             terminal.show("b");
             assert_eq!(terminal.finish(), good);
-            let told = String::from_utf8(err).unwrap();
-            assert_eq!(told.lines().count(), usize::from(!good), "{told}");
+            let reported = String::from_utf8(err).unwrap();
+            assert_eq!(reported.lines().count(), usize::from(!good), "{reported}");
         }
     }
 }

@@ -10,17 +10,17 @@ use super::arguments::Results;
 use super::blade_options::BladeOptions;
 use super::progress::Progress;
 use super::terminal::Terminal;
-use super::{BladeAlone, DONE, NOT_REACHED, NotAsked, WRONG_INPUT, files, read_with_places};
+use super::{BladeAlone, DONE, MissingTable, NOT_REACHED, WRONG_INPUT, files, read_with_locations};
 use crate::analysis::transient::{
-    TransientFailure, TransientOutcome, difference, driven_places, transient,
+    TransientFailure, TransientOutcome, check_drives, difference, transient,
 };
-use crate::case::TransientQuestion;
+use crate::case::TransientSettings;
 use crate::input::{Input, is_blade_file, short_number};
 use crate::integrator::{Scheme, Stepping};
 use crate::output::{
-    ResultPlace, RunFileProblem, RunFiles, effort_text, not_drawn_text, read_snapshot,
+    ResultLocation, RunFileProblem, RunFiles, effort_text, not_drawn_text, read_snapshot,
 };
-use crate::result::{Moment, Recorder, Snapshot};
+use crate::result::{AcceptedStep, Recorder, Snapshot};
 
 /// The table that defines a run in time.
 const TABLE: &str = "transient";
@@ -66,42 +66,46 @@ pub(super) fn transient_of_files(
 ) -> u8 {
     if restart.is_some() && paths.len() > 1 {
         let files = paths.len();
-        terminal.tell(&RestartProblem::ManyFiles { files });
+        terminal.report(&RestartProblem::ManyFiles { files });
         return WRONG_INPUT;
     }
-    let Some((inputs, places)) =
-        read_with_places(paths, results, &BladeOptions::default(), terminal)
+    let Some((inputs, locations)) =
+        read_with_locations(paths, results, &BladeOptions::default(), terminal)
     else {
         return WRONG_INPUT;
     };
     for (path, input) in paths.iter().zip(&inputs) {
         if input.transient.is_none() {
-            tell_not_asked(path, terminal);
+            report_missing_table(path, terminal);
         }
     }
-    let asked: Vec<_> = inputs
+    let requested: Vec<_> = inputs
         .iter()
-        .zip(&places)
-        .filter_map(|(input, place)| Some((input, input.transient.as_ref()?, place)))
+        .zip(&locations)
+        .filter_map(|(input, location)| Some((input, input.transient.as_ref()?, location)))
         .collect();
-    if asked.len() < inputs.len() {
+    if requested.len() < inputs.len() {
         return WRONG_INPUT;
     }
-    files::worst_of(&asked, terminal, |(input, question, place), terminal| {
-        let resumed = match restart.map(|path| resumed(path, input, question, terminal)) {
-            Some(None) => return WRONG_INPUT,
-            Some(Some(snapshot)) => Some(snapshot),
-            None => None,
-        };
-        run((input, question), resumed.as_ref(), place, terminal)
-    })
+    files::worst_of(
+        &requested,
+        terminal,
+        |(input, settings, location), terminal| {
+            let resumed = match restart.map(|path| resumed(path, input, settings, terminal)) {
+                Some(None) => return WRONG_INPUT,
+                Some(Some(snapshot)) => Some(snapshot),
+                None => None,
+            };
+            run((input, settings), resumed.as_ref(), location, terminal)
+        },
+    )
 }
 
-fn tell_not_asked(path: &Path, terminal: &mut Terminal<'_>) {
+fn report_missing_table(path: &Path, terminal: &mut Terminal<'_>) {
     let (file, table) = (path.display().to_string(), TABLE);
     match is_blade_file(path) {
-        true => terminal.tell(&BladeAlone { file, table }),
-        false => terminal.tell(&NotAsked {
+        true => terminal.report(&BladeAlone { file, table }),
+        false => terminal.report(&MissingTable {
             file,
             table,
             example: "to = 1 and step = \"1 ms\"",
@@ -113,27 +117,27 @@ fn tell_not_asked(path: &Path, terminal: &mut Terminal<'_>) {
 fn resumed(
     path: &Path,
     input: &Input,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     terminal: &mut Terminal<'_>,
 ) -> Option<Snapshot> {
     let snapshot = match read_snapshot(path) {
         Ok(snapshot) => snapshot,
         Err(problem) => {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             return None;
         }
     };
     let file = path.display().to_string();
     let problem = match other_model(&snapshot, input) {
         Some(difference) => RestartProblem::OtherModel { file, difference },
-        None if snapshot.progress.time > question.to => RestartProblem::AfterEnd {
+        None if snapshot.progress.time > settings.to => RestartProblem::AfterEnd {
             file,
             at: snapshot.progress.time,
-            to: question.to,
+            to: settings.to,
         },
         None => return Some(snapshot),
     };
-    terminal.tell(&problem);
+    terminal.report(&problem);
     None
 }
 
@@ -143,8 +147,8 @@ fn other_model(snapshot: &Snapshot, input: &Input) -> Option<String> {
     if snapshot.model == input.model.fingerprint() {
         return None;
     }
-    let told = difference(&input.model, snapshot);
-    Some(told.unwrap_or_else(|| {
+    let reported = difference(&input.model, snapshot);
+    Some(reported.unwrap_or_else(|| {
         "its nodes have the same names, but some element, law, drive, gravity or the hub \
          differs"
             .to_owned()
@@ -153,38 +157,38 @@ fn other_model(snapshot: &Snapshot, input: &Input) -> Option<String> {
 
 /// Runs one model, writes its results and prints the report.
 fn run(
-    (input, question): (&Input, &TransientQuestion),
+    (input, settings): (&Input, &TransientSettings),
     resumed: Option<&Snapshot>,
-    place @ ResultPlace { name, .. }: &ResultPlace,
+    location @ ResultLocation { name, .. }: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     // Before anything is written: the input is wrong.
-    if let Err(failure) = driven_places(&input.model, question) {
-        terminal.tell_text(&format!(
+    if let Err(failure) = check_drives(&input.model, settings) {
+        terminal.report_text(&format!(
             "error: {name}: {failure}{}\n  help: {}",
             cards_of(input, &failure),
             failure.remedy()
         ));
         return WRONG_INPUT;
     }
-    let files = match RunFiles::new(&input.model, &input.output, place, resumed) {
-        Ok(files) => files.until(question.to),
+    let files = match RunFiles::new(&input.model, &input.output, location, resumed) {
+        Ok(files) => files.until(settings.to),
         Err(problem) => {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             return match problem {
                 RunFileProblem::Output(_) => NOT_REACHED,
                 _ => WRONG_INPUT,
             };
         }
     };
-    let head = heading(input, question, resumed);
+    let head = heading(input, settings, resumed);
     terminal.show(&head);
     terminal.flush();
     let mut watched = Watched {
         files,
         progress: Progress::new(terminal.part()),
-        from: question.from,
-        to: question.to,
+        from: settings.from,
+        to: settings.to,
     };
     if let Some(snapshot) = resumed {
         watched.show(snapshot.progress.time);
@@ -192,9 +196,9 @@ fn run(
     }
     let start = Instant::now();
     let clock = || start.elapsed().as_secs_f64();
-    let outcome = transient(&input.model, question, resumed, &mut watched, &clock);
+    let outcome = transient(&input.model, settings, resumed, &mut watched, &clock);
     watched.progress.finish();
-    let text = outcome_text(input, question, &outcome);
+    let text = outcome_text(input, settings, &outcome);
     terminal.show(&text);
     let mut code = DONE;
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
@@ -202,7 +206,7 @@ fn run(
             true => format!("; all up to {} s is written", short_number(outcome.time, 9)),
             false => String::new(),
         };
-        terminal.tell_text(&format!(
+        terminal.report_text(&format!(
             "error: {name}: {failure}{}\n  help: {}{written}",
             cards_of(input, failure),
             failure.remedy()
@@ -216,8 +220,8 @@ fn run(
 /// Locations of the joints that a failure concerns.
 fn cards_of(input: &Input, failure: &TransientFailure) -> String {
     let joints = failure.joints().into_iter();
-    let places = joints.filter_map(|joint| Some((input.joint_places.get(joint)?, joint)));
-    let lines = places.map(|(place, joint)| format!("\n  {place}: \"{joint}\""));
+    let locations = joints.filter_map(|joint| Some((input.joint_locations.get(joint)?, joint)));
+    let lines = locations.map(|(location, joint)| format!("\n  {location}: \"{joint}\""));
     lines.collect()
 }
 
@@ -233,30 +237,30 @@ fn finish(files: RunFiles<'_>, (title, text): (&str, &str), terminal: &mut Termi
             DONE
         }
         Err(problem) => {
-            terminal.tell(&problem);
+            terminal.report(&problem);
             NOT_REACHED
         }
     }
 }
 
 /// Summary printed before the run.
-fn heading(input: &Input, question: &TransientQuestion, resumed: Option<&Snapshot>) -> String {
+fn heading(input: &Input, settings: &TransientSettings, resumed: Option<&Snapshot>) -> String {
     let system = &input.model.system;
     let seconds = |time: f64| format!("{} s", short_number(time, 9));
     let start = match resumed {
-        Some(snapshot) if snapshot.progress.time >= question.to => format!(
+        Some(snapshot) if snapshot.progress.time >= settings.to => format!(
             "is complete (step {}), writes its report and figures; from {}",
             snapshot.step,
-            seconds(question.from)
+            seconds(settings.from)
         ),
         Some(snapshot) => format!(
             "continues at {} (step {})",
             seconds(snapshot.progress.time),
             snapshot.step
         ),
-        None => format!("from {}", seconds(question.from)),
+        None => format!("from {}", seconds(settings.from)),
     };
-    let steps = match question.stepping {
+    let steps = match settings.stepping {
         Stepping::Constant { step } => format!("steps of {}", seconds(step)),
         Stepping::Variable(control) => format!(
             "steps of {} to {}, tolerance {}",
@@ -268,8 +272,8 @@ fn heading(input: &Input, question: &TransientQuestion, resumed: Option<&Snapsho
     format!(
         "{}: {start} to {}\n{}; {steps}\n{} nodes, {} unknowns, {} of them multipliers\n",
         input.model.name,
-        seconds(question.to),
-        scheme_words(question.scheme),
+        seconds(settings.to),
+        scheme_words(settings.scheme),
         system.nodes().len(),
         system.numbering().unknowns(),
         system.numbering().multipliers()
@@ -296,7 +300,7 @@ fn scheme_words(scheme: Scheme) -> String {
 }
 
 /// Remarks, time reached, and effort.
-fn outcome_text(input: &Input, question: &TransientQuestion, outcome: &TransientOutcome) -> String {
+fn outcome_text(input: &Input, settings: &TransientSettings, outcome: &TransientOutcome) -> String {
     let mut text = String::new();
     for remark in input.remarks.iter().chain(&outcome.remarks) {
         text.push_str(&format!("  note: {remark}\n"));
@@ -315,7 +319,7 @@ fn outcome_text(input: &Input, question: &TransientQuestion, outcome: &Transient
         text.push_str(&format!("  stopped early: {failure}\n"));
     }
     let reached = short_number(outcome.time, 9);
-    let to = short_number(question.to, 9);
+    let to = short_number(settings.to, 9);
     let turned = outcome.turned.as_ref().map(|turned| format!("{turned}\n"));
     text + &format!(
         "\nreached {reached} s of {to} s\n{}\n{}",
@@ -340,20 +344,20 @@ impl Watched<'_> {
 }
 
 impl Recorder for Watched<'_> {
-    fn record(&mut self, moment: &Moment<'_>) -> bool {
-        self.show(moment.time);
-        self.files.record(moment)
+    fn record(&mut self, accepted: &AcceptedStep<'_>) -> bool {
+        self.show(accepted.time);
+        self.files.record(accepted)
     }
 
-    fn wants_snapshot(&self, moment: &Moment<'_>) -> bool {
-        self.files.wants_snapshot(moment)
+    fn wants_snapshot(&self, accepted: &AcceptedStep<'_>) -> bool {
+        self.files.wants_snapshot(accepted)
     }
 
     fn keep(&mut self, snapshot: &Snapshot) -> bool {
         self.files.keep(snapshot)
     }
 
-    fn stopped(&mut self, moment: &Moment<'_>, snapshot: &Snapshot) -> bool {
-        self.files.stopped(moment, snapshot)
+    fn stopped(&mut self, accepted: &AcceptedStep<'_>, snapshot: &Snapshot) -> bool {
+        self.files.stopped(accepted, snapshot)
     }
 }

@@ -14,9 +14,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::energy_rows::add_slope;
 use super::{
-    Along, Axes, Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange,
-    Level, Local, LocalJacobian, LocalResidual, Motion, Observations, Part, PlaceJump, Reading,
-    ReadingRow, Signal,
+    Axes, Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange, Level,
+    Local, LocalJacobian, LocalResidual, Motion, Observations, Part, PositionJump, Reading,
+    ReadingRow, Signal, SmallMotion,
 };
 use crate::elements::{Constraints, Energetic, Growth, Memory, Queries, Reports, Structure};
 use crate::model::{Equation, Loading, NodeMotion, Scalar, Scalars, Variable};
@@ -37,7 +37,7 @@ pub struct Adapted {
 /// A reaction at a state.
 struct Reacting {
     /// Local number of the node, and the equation.
-    place: (usize, Equation),
+    index: (usize, Equation),
     /// Direction of the part, in the model's axes.
     along: Vector3<f64>,
     /// The local node with which it turns.
@@ -109,7 +109,7 @@ impl Adapted {
         } else {
             Equation::Force
         };
-        let place = (local(node)?, equation);
+        let index = (local(node)?, equation);
         let turns_with = match axes {
             Axes::Model | Axes::Fixed(_) => None,
             Axes::Node(node) => local(node),
@@ -121,11 +121,11 @@ impl Adapted {
             Axes::Node(_) => at.nodes[turns_with?].rotation,
             Axes::End(end) => self.element.end_axes(at)?[end],
         };
-        let force = force(place.0, place.1);
+        let force = force(index.0, index.1);
         let along = axes * part.slope(&axes.tr_mul(&force));
         let turns_with = turns_with.filter(|_| part != Part::Magnitude);
         let found = Reacting {
-            place,
+            index,
             along,
             turns_with,
         };
@@ -199,7 +199,7 @@ impl Adapted {
                 });
                 continue;
             };
-            let (node, equation) = reaction.place;
+            let (node, equation) = reaction.index;
             row.by_equation(node, equation, &reaction.along);
             if let Some(turning) = reaction.turns_with {
                 let slope = reaction.along.cross(&acting.of(node, equation));
@@ -308,7 +308,7 @@ impl Constraints for Adapted {
         knows
     }
 
-    fn jump_of_place(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
+    fn position_jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PositionJump> {
         self.element.jump(between, scalars)
     }
 
@@ -381,8 +381,8 @@ impl Growth for Adapted {
         }
     }
 
-    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
-        self.with(at, |at| self.element.prestress(at, along, out));
+    fn add_prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
+        self.with(at, |at| self.element.prestress(at, motion, out));
     }
 }
 

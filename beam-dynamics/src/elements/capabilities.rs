@@ -7,9 +7,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    Along, Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange,
-    Level, Local, LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reading,
-    ReadingRow,
+    Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange, Level,
+    Local, LocalJacobian, LocalResidual, Motion, Observations, PositionJump, Reading, ReadingRow,
+    SmallMotion,
 };
 use crate::model::{Loading, NodeMotion, Scalars};
 
@@ -41,7 +41,7 @@ pub trait Constraints {
     fn add_rates(&self, at: &Local<'_>, out: &mut ConstraintRates<'_>) -> bool;
 
     /// See [`super::Queries::jump`].
-    fn jump_of_place(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump>;
+    fn position_jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PositionJump>;
 
     /// See [`super::Queries::held`].
     fn held_in_place(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>>;
@@ -92,7 +92,7 @@ pub trait Growth {
     fn add_by_factor(&self, at: &Local<'_>, out: &mut LocalResidual);
 
     /// See [`super::Queries::prestress`].
-    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian);
+    fn add_prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian);
 }
 
 /// A part of the structure.

@@ -62,17 +62,17 @@ impl Charges {
         }
         let mut circuits: Vec<_> = self.circuits.iter().collect();
         circuits.sort_by_key(|circuit| circuit.number);
-        let place = |number: usize| circuits.iter().position(|own| own.number == number);
+        let index = |number: usize| circuits.iter().position(|own| own.number == number);
         let n = circuits.len();
         let mut capacitance = DMatrix::zeros(n, n);
         for (i, j, part) in &self.capacitance {
-            if let (Some(i), Some(j)) = (place(*i), place(*j)) {
+            if let (Some(i), Some(j)) = (index(*i), index(*j)) {
                 capacitance[(i, j)] += part;
             }
         }
         let (mut by_strain, mut currents) = (DVector::zeros(n), DVector::zeros(n));
         for (i, charge, rate) in &self.by_strain {
-            if let Some(i) = place(*i) {
+            if let Some(i) = index(*i) {
                 by_strain[i] += charge;
                 currents[i] += rate;
             }

@@ -37,7 +37,7 @@ impl ConstraintWords {
 
 /// A jump of a position or an attitude that a drive prescribes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PlaceJump {
+pub struct PositionJump {
     /// The prescribed quantity, as text.
     pub what: String,
     /// Its value before the jump, in [`Self::unit`].

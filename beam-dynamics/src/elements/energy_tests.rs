@@ -11,7 +11,9 @@ use super::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use super::bodies::{RigidBody, RigidInertia};
 use super::joints::{Hinge, HingeSpring};
 use super::laws::{Cubic, Driven, Law, LawKind, Term};
-use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
+use super::springs::{
+    End, Measure, Rod, Spring, SpringLaw, SupportFrame, SupportLaw, SupportSpring,
+};
 use super::{Element, Energy, Local, LocalResidual, LocalSize};
 use crate::elements::Queries;
 use crate::model::{Conditions, Drive, Harmonic, NODE_UNKNOWNS, Node, NodeMotion, Scalars};
@@ -204,7 +206,7 @@ fn cubic<const N: usize>() -> Law<N> {
 #[test]
 fn energy_of_springs() {
     let nodes = [node(0.0, [0.3, 0.1, -0.2]), node(1.5, [-0.1, 0.2, 0.4])];
-    let (place, axes) = (Vector3::new(0.5, 0.2, -0.1), nodes[1].rotation);
+    let (position, axes) = (Vector3::new(0.5, 0.2, -0.1), nodes[1].rotation);
     let ends = [0, 1].map(|node| End::Node {
         node,
         offset: Vector3::new(0.1, 0.3, -0.2),
@@ -224,13 +226,13 @@ fn energy_of_springs() {
         SpringLaw::of_rotation(cubic()),
         SpringLaw::Together(cubic()),
     ] {
-        let between = Spring::new("between", (&[0, 1], &nodes), &place, &axes, law.clone());
+        let between = Spring::new("between", (&[0, 1], &nodes), &position, &axes, law.clone());
         check_stored(&between, &nodes);
-        let to_frame = Spring::new("to the frame", (&[0], &nodes), &place, &axes, law);
+        let to_frame = Spring::new("to the frame", (&[0], &nodes), &position, &axes, law);
         check_stored(&to_frame, &nodes[..1]);
     }
     let law = SupportLaw::along(&axes, &[1.0, 2.0, 3.0, 0.5, 0.7, 0.9], &[0.0; 6]);
-    let support = SupportSpring::new("support", 0, &nodes[0], law, Stand::Frame);
+    let support = SupportSpring::new("support", 0, &nodes[0], law, SupportFrame::Frame);
     check_stored(&support, &nodes[..1]);
 }
 
@@ -243,8 +245,8 @@ fn energy_of_the_spring_of_a_hinge() {
         angle: 0.2,
     };
     let ends = [&nodes[0], &nodes[1]];
-    let place = nodes[1].position;
-    let hinge = Hinge::new("hinge", [0, 1], ends, &place, &Vector3::z(), spring);
+    let position = nodes[1].position;
+    let hinge = Hinge::new("hinge", [0, 1], ends, &position, &Vector3::z(), spring);
     // Turned about its axis only, so that the constraints hold.
     let mut motion: Vec<_> = nodes.iter().map(NodeMotion::at_rest).collect();
     motion[1].rotation = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.9));
@@ -285,8 +287,8 @@ fn relaxing(nodes: &[Node; 2], k: f64) -> [Box<dyn Element>; 4] {
         ..HingeSpring::default()
     };
     let on = [&nodes[0], &nodes[1]];
-    let place = nodes[1].position;
-    let hinge = Hinge::new("hinge", [0, 1], on, &place, &Vector3::z(), relaxed);
+    let position = nodes[1].position;
+    let hinge = Hinge::new("hinge", [0, 1], on, &position, &Vector3::z(), relaxed);
     let law = Law::sum(vec![Term {
         kind: LawKind::Linear {
             stiffness: k * Matrix3::identity(),
@@ -298,7 +300,7 @@ fn relaxing(nodes: &[Node; 2], k: f64) -> [Box<dyn Element>; 4] {
         prestress: None,
     }]);
     let (law, axes) = (SpringLaw::of_rotation(law), Matrix3::identity());
-    let spring = Spring::new("spring", (&[0, 1], nodes), &place, &axes, law);
+    let spring = Spring::new("spring", (&[0, 1], nodes), &position, &axes, law);
     [
         rod(Measure::Elongation),
         rod(Measure::Strain),

@@ -19,7 +19,9 @@ use super::laws::{self, Cubic, Driven, Law, LawKind, Term};
 use super::loads::{
     Between, ImposedMotion, InternalForce, LoadFactor, NodalForce, NodalLoad, Turning, imposed,
 };
-use super::springs::{End, Measure, Rod, Spring, SpringLaw, Stand, SupportLaw, SupportSpring};
+use super::springs::{
+    End, Measure, Rod, Spring, SpringLaw, SupportFrame, SupportLaw, SupportSpring,
+};
 use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Signal};
 use crate::elements::Queries;
 use crate::model::{
@@ -256,8 +258,8 @@ fn differences(
                 residual(&nodes, own)
             };
             let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
-            let place = NODE_UNKNOWNS * node + variable.column() + axis;
-            by[usize::from(variable.is_rate())].set_column(place, &column);
+            let position = NODE_UNKNOWNS * node + variable.column() + axis;
+            by[usize::from(variable.is_rate())].set_column(position, &column);
         }
     }
     let difference = |vary: &dyn Fn(&mut Own, f64)| {
@@ -273,11 +275,11 @@ fn differences(
         by[0].set_column(first + i, &column);
     }
     for k in 0..own.scalars.len() {
-        let place = first + own.multipliers.len() + k;
+        let position = first + own.multipliers.len() + k;
         let column = difference(&|own, step| own.scalars[k] += step);
-        by[0].set_column(place, &column);
+        by[0].set_column(position, &column);
         let column = difference(&|own, step| own.scalar_rates[k] += step);
-        by[1].set_column(place, &column);
+        by[1].set_column(position, &column);
     }
     by
 }
@@ -386,14 +388,14 @@ fn hinge_with_offsets_spring_and_damper() {
 }
 
 #[test]
-fn supports_that_turn_with_the_frame_and_that_stand_in_the_world() {
+fn supports_that_turn_with_the_frame_and_that_are_in_the_world() {
     let mut random = Random(9);
     let nodes = nodes(&mut random, 1);
     let spring = [1.0, 2.0, 3.0, 0.5, 0.7, 0.9];
     for damping in [[0.0; 6], [0.4, 0.3, 0.2, 0.6, 0.5, 0.1]] {
         let law = SupportLaw::along(&random.rotation(1.0), &spring, &damping);
-        for stand in [Stand::Frame, Stand::World] {
-            let support = SupportSpring::new("support", 0, &nodes[0], law, stand);
+        for support_frame in [SupportFrame::Frame, SupportFrame::World] {
+            let support = SupportSpring::new("support", 0, &nodes[0], law, support_frame);
             check(&support, &nodes, &mut random);
         }
     }
@@ -575,9 +577,9 @@ fn springs_between_nodes_and_from_the_frame() {
         .chain([apart])
         .chain(driven);
     for law in all {
-        let (place, axes) = (random.vector(1.0), random.rotation(1.0));
+        let (position, axes) = (random.vector(1.0), random.rotation(1.0));
         for on in [&[0, 1][..], &[0]] {
-            let spring = Spring::new("spring", (on, &nodes), &place, &axes, law.clone());
+            let spring = Spring::new("spring", (on, &nodes), &position, &axes, law.clone());
             check(&spring, &nodes[..on.len()], &mut random);
         }
     }

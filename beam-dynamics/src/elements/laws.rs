@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix6, SMatrix, SVector, Vector6};
 
-pub use curve::{Between, Curve, Outside};
+pub use curve::{Between, Curve, Extrapolation};
 pub use expression::ExpressionLaw;
 pub use kind::LawKind;
 pub use per_component::{Bilinear, Cubic};

@@ -242,8 +242,8 @@ impl LocalJacobian {
         column: &Vector3<f64>,
     ) {
         let first_row = NODE_UNKNOWNS * row.0 + row.1.row();
-        let place = self.size.multiplier(multiplier);
-        self.add_column((first_row, place), column.as_slice(), false);
+        let index = self.size.multiplier(multiplier);
+        self.add_column((first_row, index), column.as_slice(), false);
     }
 
     /// Adds `d constraint / d variable`.
@@ -264,8 +264,8 @@ impl LocalJacobian {
         column: &Vector3<f64>,
     ) {
         let first_row = NODE_UNKNOWNS * row.0 + row.1.row();
-        let place = self.size.scalar(scalar);
-        self.add_column((first_row, place), column.as_slice(), rate);
+        let index = self.size.scalar(scalar);
+        self.add_column((first_row, index), column.as_slice(), rate);
     }
 
     /// Adds `d constraint / d scalar`.
@@ -286,8 +286,8 @@ impl LocalJacobian {
 
     /// Adds `d scalar equation / d scalar`, or the derivative by the scalar's rate.
     pub fn add_scalar(&mut self, row: usize, column: usize, value: f64, rate: bool) {
-        let place = (self.size.scalar(row), self.size.scalar(column));
-        self.add_column(place, &[value], rate);
+        let index = (self.size.scalar(row), self.size.scalar(column));
+        self.add_column(index, &[value], rate);
     }
 
     /// Adds a direction times the present rows of an equation of a node to the row of a scalar.
@@ -316,10 +316,10 @@ impl LocalJacobian {
     }
 
     /// Adds to a row in the columns of a vector variable.
-    fn add_row(&mut self, place: usize, column: (usize, Variable), row: &RowVector3<f64>) {
+    fn add_row(&mut self, index: usize, column: (usize, Variable), row: &RowVector3<f64>) {
         let first_column = NODE_UNKNOWNS * column.0 + column.1.column();
         for j in 0..3 {
-            self.add_column((place, first_column + j), &[row[j]], column.1.is_rate());
+            self.add_column((index, first_column + j), &[row[j]], column.1.is_rate());
         }
     }
 
@@ -334,10 +334,10 @@ impl LocalJacobian {
         }
     }
 
-    /// Adds to consecutive entries in a column, from `place` on.
-    fn add_column(&mut self, place: (usize, usize), values: &[f64], rate: bool) {
+    /// Adds to consecutive entries in a column, from `index` on.
+    fn add_column(&mut self, index: (usize, usize), values: &[f64], rate: bool) {
         let n = self.by_unknowns.nrows();
-        let first = place.0 + n * place.1;
+        let first = index.0 + n * index.1;
         let range = first..first + values.len();
         if !self.touched.is_empty() {
             self.touched.as_mut_slice()[range.clone()].fill(true);
@@ -352,14 +352,14 @@ impl LocalJacobian {
     }
 
     /// Converts the derivatives by the rotation and angular velocity of a node into derivatives by
-    /// u and u', with `theta = turn du`, `d omega = turn du' + spin du`; `touched` are the entries
-    /// in the first of these columns, next to which are the other columns' entries.
+    /// u and u', with `theta = turn du`, `d omega = turn du' + rate_by_turn du`; `touched` are the
+    /// entries in the first of these columns, next to which are the other columns' entries.
     pub fn turn(
         &mut self,
         node: usize,
         touched: &[LocalRun],
         turn: &Matrix3<f64>,
-        spin: &Matrix3<f64>,
+        rate_by_turn: &Matrix3<f64>,
     ) {
         let n = self.by_unknowns.nrows();
         let first = n * (NODE_UNKNOWNS * node + Variable::Rotation.column());
@@ -374,7 +374,7 @@ impl LocalJacobian {
                 &mut theta[first..first + 3 * n],
                 omega,
                 (touched, first),
-                spin,
+                rate_by_turn,
             );
             if !still {
                 map_columns(omega, touched, first, turn);

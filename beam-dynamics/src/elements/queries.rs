@@ -3,9 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    Along, Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reading, ReadingRow,
-    prestress_of_multipliers,
+    Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, PositionJump, Reading, ReadingRow,
+    SmallMotion, prestress_of_multipliers,
 };
 use crate::model::{Drive, Loading, NodeMotion, Scalars};
 
@@ -49,8 +49,8 @@ pub trait Queries: Element {
 
     /// A jump of a position or an attitude prescribed by its signals, between two instants at the
     /// same scalars: no motion can follow it.
-    fn jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
-        self.constraints()?.jump_of_place(between, scalars)
+    fn jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PositionJump> {
+        self.constraints()?.position_jump(between, scalars)
     }
 
     /// The element with all rotations and displacements that it drives by velocities held at their
@@ -135,12 +135,12 @@ pub trait Queries: Element {
     }
 
     /// Adds the growth of the Jacobian with the factor of the proportional loads at fixed geometry:
-    /// with the internal forces and multipliers that change `along` a small motion, and with the
+    /// with the internal forces and multipliers that change `motion` a small motion, and with the
     /// loads.
-    fn prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
         match self.growth() {
-            Some(own) => own.add_prestress(at, along, out),
-            None => prestress_of_multipliers(self, at, along, out),
+            Some(own) => own.add_prestress(at, motion, out),
+            None => prestress_of_multipliers(self, at, motion, out),
         }
     }
 

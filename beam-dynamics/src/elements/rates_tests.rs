@@ -24,8 +24,8 @@ struct Path {
     start: Node,
     velocity: Vector3<f64>,
     acceleration: Vector3<f64>,
-    spin: Vector3<f64>,
-    spin_rate: Vector3<f64>,
+    omega: Vector3<f64>,
+    alpha: Vector3<f64>,
 }
 
 impl Path {
@@ -39,19 +39,19 @@ impl Path {
             start,
             velocity: random.vector(1.0),
             acceleration: random.vector(1.0),
-            spin: random.vector(1.0),
-            spin_rate: random.vector(1.0),
+            omega: random.vector(1.0),
+            alpha: random.vector(1.0),
         }
     }
 
     /// At t; the angular velocity is `T(phi) phi'`.
     fn at(&self, t: f64) -> NodeMotion {
-        let phi = self.spin * t + 0.5 * t * t * self.spin_rate;
+        let phi = self.omega * t + 0.5 * t * t * self.alpha;
         NodeMotion {
             position: self.start.position + self.velocity * t + 0.5 * t * t * self.acceleration,
             rotation: vector::to_rotation(&phi) * self.start.rotation,
             velocity: self.velocity + t * self.acceleration,
-            angular_velocity: vector::tangent(&phi) * (self.spin + t * self.spin_rate),
+            angular_velocity: vector::tangent(&phi) * (self.omega + t * self.alpha),
             ..NodeMotion::at_rest(&self.start)
         }
     }
@@ -60,7 +60,7 @@ impl Path {
 /// The constraints of an element at a time, and `Phi_y` by the variables of a level.
 struct Found {
     values: Vec<f64>,
-    by_places: Vec<f64>,
+    by_positions: Vec<f64>,
     by_velocities: Vec<f64>,
     by_time: Vec<f64>,
     convective: Vec<f64>,
@@ -103,8 +103,8 @@ fn found(
         for (node, pair) in with.iter().enumerate() {
             for (variable, rate) in [Variable::Position, Variable::Rotation].iter().zip(pair) {
                 for axis in 0..3 {
-                    let place = (first + row, NODE_UNKNOWNS * node + variable.column() + axis);
-                    sum += rate[axis] * matrix[place];
+                    let index = (first + row, NODE_UNKNOWNS * node + variable.column() + axis);
+                    sum += rate[axis] * matrix[index];
                 }
             }
         }
@@ -122,7 +122,7 @@ fn found(
     };
     Found {
         values: residual.values()[first..first + count].to_vec(),
-        by_places: (0..count).map(|row| product(row, false, rates)).collect(),
+        by_positions: (0..count).map(|row| product(row, false, rates)).collect(),
         by_velocities: (0..count).map(by).collect(),
         by_time,
         convective,
@@ -154,10 +154,7 @@ pub(super) fn check(element: &dyn Element, undeformed: &[Node], random: &mut Ran
             let moved = paths.iter().map(|path| path.at(t));
             moved.map(|m| [m.velocity, m.angular_velocity]).collect()
         };
-        let accelerations: Vec<_> = paths
-            .iter()
-            .map(|p| [p.acceleration, p.spin_rate])
-            .collect();
+        let accelerations: Vec<_> = paths.iter().map(|p| [p.acceleration, p.alpha]).collect();
         let all: Vec<_> = [-2.0, -1.0, 0.0, 1.0, 2.0]
             .iter()
             .map(|i| {
@@ -183,7 +180,7 @@ pub(super) fn check(element: &dyn Element, undeformed: &[Node], random: &mut Ran
                 assert_eq!(now.by_time[row], 0.0, "{label} {row}");
                 continue;
             }
-            let rate = |found: &Found| found.by_places[row] + found.by_time[row];
+            let rate = |found: &Found| found.by_positions[row] + found.by_time[row];
             let error = (value - rate(now)).abs();
             assert!(error < TOLERANCE, "{label} {row}: Phi' {error:e}");
             let error = (slope(&rate) - convective).abs();

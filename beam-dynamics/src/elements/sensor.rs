@@ -42,17 +42,17 @@ impl NodeReading {
     /// The reading of a model with the given undeformed nodes.
     pub fn new(quantity: &NodeQuantity, nodes: &[Node]) -> Self {
         let mut used = Vec::new();
-        let mut place = |node: usize| {
+        let mut index = |node: usize| {
             used.iter().position(|own| *own == node).unwrap_or_else(|| {
                 used.push(node);
                 used.len() - 1
             })
         };
         let local = NodeQuantity {
-            node: place(quantity.node),
-            against: quantity.against.map(&mut place),
+            node: index(quantity.node),
+            against: quantity.against.map(&mut index),
             axes: match quantity.axes {
-                Axes::Node(node) => Axes::Node(place(node)),
+                Axes::Node(node) => Axes::Node(index(node)),
                 axes => axes,
             },
             ..*quantity

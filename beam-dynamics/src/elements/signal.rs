@@ -61,7 +61,7 @@ pub struct Sensing {
 
 /// Indices of an input, and of its rate if that is a scalar too, among the scalars of an element.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct InputIndices {
     value: usize,
     rate: Option<usize>,
 }
@@ -87,7 +87,7 @@ pub enum Signal {
         /// The expression.
         of: Arc<Sensing>,
         /// Indices of the inputs in the element, see [`Signal::bind`].
-        places: Vec<Place>,
+        indices: Vec<InputIndices>,
     },
 }
 
@@ -105,7 +105,7 @@ impl From<Drive> for Signal {
 }
 
 /// The index of a scalar in a list, to which it is appended if missing.
-pub(super) fn place_in(scalars: &mut Vec<Scalar>, scalar: &Scalar) -> usize {
+pub(super) fn index_in(scalars: &mut Vec<Scalar>, scalar: &Scalar) -> usize {
     let known = scalars.iter().position(|own| own == scalar);
     known.unwrap_or_else(|| {
         scalars.push(scalar.clone());
@@ -124,7 +124,7 @@ impl Signal {
                 second,
                 factor,
             }),
-            places: Vec::new(),
+            indices: Vec::new(),
         }
     }
 
@@ -142,12 +142,12 @@ impl Signal {
     /// Localizes its inputs in the `scalars` of an element, to which missing ones are appended.
     /// Before that every input is zero.
     pub fn bind(&mut self, scalars: &mut Vec<Scalar>) {
-        if let Self::Sensing { of, places } = self {
-            let place = |input: &Input| Place {
-                value: place_in(scalars, &input.scalar),
-                rate: (input.scalar.rate.as_ref()).map(|rate| place_in(scalars, rate)),
+        if let Self::Sensing { of, indices } = self {
+            let index = |input: &Input| InputIndices {
+                value: index_in(scalars, &input.scalar),
+                rate: (input.scalar.rate.as_ref()).map(|rate| index_in(scalars, rate)),
             };
-            *places = of.inputs.iter().map(place).collect();
+            *indices = of.inputs.iter().map(index).collect();
         }
     }
 
@@ -162,8 +162,8 @@ impl Signal {
     pub fn value(&self, at: &Instant<'_>) -> f64 {
         match self {
             Self::Drive(drive) => drive.at(at.time).value,
-            Self::Sensing { of, places } => {
-                let variable = |index| Jet::constant(of.jet(index, places, at).value);
+            Self::Sensing { of, indices } => {
+                let variable = |index| Jet::constant(of.jet(index, indices, at).value);
                 of.factor * of.expression.at(variable).value
             }
         }
@@ -174,8 +174,8 @@ impl Signal {
     pub fn at(&self, at: &Instant<'_>) -> DriveValue {
         match self {
             Self::Drive(drive) => drive.at(at.time),
-            Self::Sensing { of, places } => {
-                let found = of.expression.at(|index| of.jet(index, places, at));
+            Self::Sensing { of, indices } => {
+                let found = of.expression.at(|index| of.jet(index, indices, at));
                 DriveValue {
                     value: of.factor * found.value,
                     rate: of.factor * found.first,
@@ -187,15 +187,15 @@ impl Signal {
 
     /// Calls `add` with its derivatives: index of the scalar in the element, derivative.
     pub fn gradient(&self, at: &Instant<'_>, mut add: impl FnMut(usize, f64)) {
-        let Self::Sensing { of, places } = self else {
+        let Self::Sensing { of, indices } = self else {
             return;
         };
-        for (i, (input, place)) in of.inputs.iter().zip(places).enumerate() {
+        for (i, (input, entry)) in of.inputs.iter().zip(indices).enumerate() {
             let jet = of.expression.at(|index| {
-                let value = of.jet(index, places, at).value;
+                let value = of.jet(index, indices, at).value;
                 Jet::line(value, f64::from(u8::from(index == i + 1)))
             });
-            add(place.value, of.factor * jet.first / input.unit);
+            add(entry.value, of.factor * jet.first / input.unit);
         }
     }
 
@@ -213,15 +213,15 @@ impl Signal {
     /// Calls `add` with the derivatives of its rate: index of the scalar in the element,
     /// derivative, whether it is by the rate of the scalar.
     pub fn gradient_of_rate(&self, at: &Instant<'_>, mut add: impl FnMut(usize, f64, bool)) {
-        let Self::Sensing { of, places } = self else {
+        let Self::Sensing { of, indices } = self else {
             return;
         };
-        for (i, (input, place)) in of.inputs.iter().zip(places).enumerate() {
+        for (i, (input, entry)) in of.inputs.iter().zip(indices).enumerate() {
             // Along time, along the input, and along both: the mixed derivative is half of the
             // second derivative along both, less the other two.
             let along = |time: f64, own: f64| {
                 of.expression.at(|index| {
-                    let jet = of.jet(index, places, at);
+                    let jet = of.jet(index, indices, at);
                     let step = if index == i + 1 { own } else { 0.0 };
                     Jet::line(jet.value, time * jet.first + step)
                 })
@@ -229,10 +229,10 @@ impl Signal {
             let [both, by_time, own] = [along(1.0, 1.0), along(1.0, 0.0), along(0.0, 1.0)];
             let factor = of.factor / input.unit;
             let mixed = 0.5 * (both.second - by_time.second - own.second);
-            add(place.value, factor * mixed, false);
-            match place.rate {
+            add(entry.value, factor * mixed, false);
+            match entry.rate {
                 Some(rate) => add(rate, factor * own.first, false),
-                None => add(place.value, factor * own.first, true),
+                None => add(entry.value, factor * own.first, true),
             }
         }
     }
@@ -241,7 +241,7 @@ impl Signal {
     pub fn reads(&self, scalar: usize) -> bool {
         match self {
             Self::Drive(_) => false,
-            Self::Sensing { places, .. } => places.iter().any(|place| place.value == scalar),
+            Self::Sensing { indices, .. } => indices.iter().any(|index| index.value == scalar),
         }
     }
 
@@ -288,17 +288,17 @@ impl Signal {
 }
 
 /// A number of a list, zero beyond its end.
-fn number(of: &[f64], place: usize) -> f64 {
-    of.get(place).copied().unwrap_or(0.0)
+fn number(of: &[f64], index: usize) -> f64 {
+    of.get(index).copied().unwrap_or(0.0)
 }
 
 impl Sensing {
     /// A variable with its derivatives by the time in seconds.
-    fn jet(&self, index: usize, places: &[Place], at: &Instant<'_>) -> Jet {
+    fn jet(&self, index: usize, indices: &[InputIndices], at: &Instant<'_>) -> Jet {
         let Some(i) = index.checked_sub(1) else {
             return Jet::line(at.time / self.second, 1.0 / self.second);
         };
-        let Some(&Place { value, rate }) = places.get(i) else {
+        let Some(&InputIndices { value, rate }) = indices.get(i) else {
             return Jet::constant(0.0);
         };
         let [first, second] = match rate {

@@ -14,4 +14,4 @@ pub use line::End;
 pub use rod::{Measure, Rod};
 pub use spring::Spring;
 pub use spring_law::SpringLaw;
-pub use support::{Stand, SupportLaw, SupportSpring};
+pub use support::{SupportFrame, SupportLaw, SupportSpring};

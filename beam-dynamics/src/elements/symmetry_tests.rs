@@ -147,7 +147,7 @@ fn hinges_with_springs() {
     let mut random = Random::new(35);
     for _ in 0..20 {
         let nodes = nodes(&mut random, 2);
-        let (place, axis) = (
+        let (position, axis) = (
             random.vector(1.0),
             random.rotation(3.0).column(0).into_owned(),
         );
@@ -156,15 +156,15 @@ fn hinges_with_springs() {
             ..HingeSpring::default()
         };
         let on = [&nodes[0], &nodes[1]];
-        let hinge = Hinge::new("hinge", [0, 1], on, &place, &axis, spring);
+        let hinge = Hinge::new("hinge", [0, 1], on, &position, &axis, spring);
         let mut motion = moved(&nodes, &mut random);
         let rigid = motion[0].rotation * nodes[0].rotation.transpose();
         let turn = vector::to_rotation(&(random.number() * axis));
         let hung = rigid * turn;
         motion[1].rotation = hung * nodes[1].rotation;
         motion[1].position = motion[0].position
-            + rigid * (place - nodes[0].position)
-            + hung * (nodes[1].position - place);
+            + rigid * (position - nodes[0].position)
+            + hung * (nodes[1].position - position);
         let defect = tangents(&hinge, &motion, &mut random).defect_of_motions();
         assert!(defect < TOLERANCE, "{defect:e}");
     }
@@ -175,7 +175,7 @@ fn clamps_rigid_connections_and_springs() {
     let mut random = Random::new(33);
     let nodes = nodes(&mut random, 2);
     let ends = [&nodes[0], &nodes[1]];
-    let place = random.vector(1.0);
+    let position = random.vector(1.0);
     check(
         &rigid_connection("rigid", [0, 1], ends),
         &nodes,
@@ -184,6 +184,6 @@ fn clamps_rigid_connections_and_springs() {
     check(&clamped("clamp", 0, &nodes[0]), &nodes[..1], &mut random);
     let axes = random.rotation(1.0);
     let law: SpringLaw = Law::linear(random.stiffness()).into();
-    let spring = Spring::new("spring", (&[0, 1], &nodes), &place, &axes, law);
+    let spring = Spring::new("spring", (&[0, 1], &nodes), &position, &axes, law);
     check(&spring, &nodes, &mut random);
 }

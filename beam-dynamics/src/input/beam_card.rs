@@ -1,6 +1,6 @@
 //! A beam of the model, as its card defines it.
 
-use super::along::Along;
+use super::beam_properties::BeamProperties;
 use super::formulation::Inertia;
 use crate::elements::beams::BeamGeometry;
 
@@ -10,6 +10,6 @@ pub(super) struct Beam {
     pub label: String,
     pub nodes: [usize; 3],
     pub geometry: BeamGeometry,
-    pub along: Along,
+    pub properties: BeamProperties,
     pub inertia: Inertia,
 }

@@ -55,7 +55,7 @@ impl<'a> BeamCheck<'a> {
 
     /// Notes problems at the line of `key`; returns true if there are none.
     pub fn note_on(&self, table: &Table<'_>, key: &str) -> bool {
-        let found = self.of_places().unwrap_or_else(|| {
+        let found = self.of_positions().unwrap_or_else(|| {
             let mut found = self.of_axes();
             found.extend(self.of_turns());
             found
@@ -68,7 +68,7 @@ impl<'a> BeamCheck<'a> {
 
     /// Problems of the positions of the nodes, without which the other checks are
     /// meaningless.
-    fn of_places(&self) -> Option<Vec<InputProblem>> {
+    fn of_positions(&self) -> Option<Vec<InputProblem>> {
         let [p1, p2, p3] = self.points;
         let beam = self.words.to_owned();
         let [first, middle, last] = self.names.map(str::to_owned);

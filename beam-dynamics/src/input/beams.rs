@@ -7,12 +7,12 @@ use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::along::Along;
 use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
+use super::beam_properties::BeamProperties;
 use super::beam_section::Properties;
+use super::builder::ModelBuilder;
 use super::curved_fit;
-use super::draft::Draft;
 use super::formulation;
 use super::heat;
 use super::laws::{self, LawProblem};
@@ -42,30 +42,30 @@ keys! {
 }
 
 /// Adds every `[[beam]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("beam").iter().enumerate() {
         let label = table
             .text("name")
             .unwrap_or_else(|| format!("beam {}", number + 1));
-        let is_new = draft.take_label("beam", &label, table);
-        let beam = beam(table, draft, label);
+        let is_new = builder.take_label("beam", &label, table);
+        let beam = beam(table, builder, label);
         table.finish();
         let sound = |beam: &Beam| {
             let words = format!("beam \"{}\"", beam.label);
-            BeamCheck::new(&words, beam, draft.nodes()).note_on(table, "nodes")
+            BeamCheck::new(&words, beam, builder.nodes()).note_on(table, "nodes")
         };
         let beam = beam.filter(sound);
-        match beam.filter(|beam| curved_fit::suits_beam(beam, table, draft)) {
-            Some(beam) if is_new => draft.add_beam(beam),
-            _ => draft.note_broken(),
+        match beam.filter(|beam| curved_fit::suits_beam(beam, table, builder)) {
+            Some(beam) if is_new => builder.add_beam(beam),
+            _ => builder.note_broken(),
         }
     }
 }
 
-fn beam(table: &Table<'_>, draft: &mut Draft, label: String) -> Option<Beam> {
+fn beam(table: &Table<'_>, builder: &mut ModelBuilder, label: String) -> Option<Beam> {
     let words = format!("beam \"{label}\"");
-    let nodes = nodes(table, draft, &words);
-    let along = along(table, draft, &words);
+    let nodes = nodes(table, builder, &words);
+    let properties = properties(table, builder, &words);
     let formulation = formulation::read(table);
     let geometry = geometry(table);
     let (formulation, inertia) = formulation?;
@@ -73,15 +73,19 @@ fn beam(table: &Table<'_>, draft: &mut Draft, label: String) -> Option<Beam> {
         label,
         nodes: nodes?,
         geometry: geometry?.formulated(formulation),
-        along: along?,
+        properties: properties?,
         inertia,
     })
 }
 
 /// The properties of a beam, and its law if it has one.
-fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
+fn properties(
+    table: &Table<'_>,
+    builder: &mut ModelBuilder,
+    words: &str,
+) -> Option<BeamProperties> {
     let properties = match table.has("properties") {
-        true => Some(draft.find_properties(table, words)),
+        true => Some(builder.find_properties(table, words)),
         false => None,
     };
     if table.has("law") {
@@ -97,36 +101,36 @@ fn along(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Along> {
             table.note("law", &problem);
             return None;
         }
-        let law = laws::of_section(table, draft.drives(), words, known.as_ref())?;
+        let law = laws::of_section(table, builder.drives(), words, known.as_ref())?;
         if let Some(properties) = known {
             let properties = Properties {
                 law: Some(law),
                 ..properties
             };
-            let heated = heat::read(table, Some(properties), draft.drives(), words)?;
-            return Some(Along::constant(&heated));
+            let heated = heat::read(table, Some(properties), builder.drives(), words)?;
+            return Some(BeamProperties::constant(&heated));
         }
         heat::refuse_without_properties(table, words)?;
-        return (!is_named).then(|| Along::of_law(law, None));
+        return (!is_named).then(|| BeamProperties::of_law(law, None));
     }
     if properties.is_none() {
         let _ = table.require_text("properties", "the name of properties");
     }
-    let heated = heat::read(table, properties?, draft.drives(), words)?;
-    Some(Along::constant(&heated))
+    let heated = heat::read(table, properties?, builder.drives(), words)?;
+    Some(BeamProperties::constant(&heated))
 }
 
-fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 3]> {
+fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, words: &str) -> Option<[usize; 3]> {
     if !table.has("nodes") {
         let _ = table.require_text("nodes", "the names of three nodes");
     }
     let Some(names) = table.texts("nodes") else {
-        draft.note_loose_end();
+        builder.note_loose_end();
         return None;
     };
     let found: Vec<_> = names
         .iter()
-        .map(|name| draft.find_node(name, table, "nodes", words))
+        .map(|name| builder.find_node(name, table, "nodes", words))
         .collect();
     let [first, middle, last] = found[..] else {
         let (key, found, expected) = ("nodes", names.len(), "three: first, middle and last");
@@ -138,13 +142,13 @@ fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 3]
                 expected,
             },
         );
-        draft.note_loose_end();
+        builder.note_loose_end();
         return None;
     };
     let nodes = [first?, middle?, last?];
     let twice = (1..3).find(|&k| nodes[..k].contains(&nodes[k]));
     if let Some(k) = twice {
-        let node = draft.nodes()[nodes[k]].label.clone();
+        let node = builder.nodes()[nodes[k]].label.clone();
         table.note(
             "nodes",
             &InputProblem::NodeTwice {
@@ -152,7 +156,7 @@ fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 3]
                 node,
             },
         );
-        draft.note_loose_end();
+        builder.note_loose_end();
         return None;
     }
     Some(nodes)

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use shared_geom::document::read_text;
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 
 use super::Input;
 
@@ -18,7 +18,7 @@ const ENDINGS: [&str; 2] = [".blade.json", ".blade.toml"];
 
 /// Requested analysis of the blade of a file, and its mounting.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BladeQuestion {
+pub struct BladeSettings {
     /// Rotor speeds \[rpm\].
     pub speeds_rpm: Vec<f64>,
     /// Number of modes to report at each speed; `None` for the default.
@@ -41,7 +41,7 @@ pub struct BladeQuestion {
     pub rigid_shear: bool,
 }
 
-impl Default for BladeQuestion {
+impl Default for BladeSettings {
     /// The modes of a single blade, clamped and at rest.
     fn default() -> Self {
         Self {
@@ -59,7 +59,7 @@ impl Default for BladeQuestion {
     }
 }
 
-impl BladeQuestion {
+impl BladeSettings {
     /// The text of the dynamics input.
     fn text(&self, file: &str) -> String {
         let mut text = format!(
@@ -131,16 +131,16 @@ pub(super) fn name_of(path: &Path) -> String {
         .to_owned()
 }
 
-/// Reads and checks the blade file at `path`: in our formats, or in that of another tool.
+/// Reads and checks the blade file at `path`: in our formats, or in another tool's format.
 ///
 /// # Errors
 /// All problems of the file and the settings.
-pub fn read_blade(path: &Path, question: &BladeQuestion) -> Result<Input, Diagnostics> {
+pub fn read_blade(path: &Path, settings: &BladeSettings) -> Result<Input, Diagnostics> {
     // A missing file is reported with the name that the user gave.
     read_text(path)?;
     let file = path.display().to_string();
-    let input = super::checked(&question.text(&file), MADE, &name_of(path));
-    input.map_err(|problems| problems.told_of(MADE, &Place::file(file)))
+    let input = super::checked(&settings.text(&file), MADE, &name_of(path));
+    input.map_err(|problems| problems.relocated(MADE, &SourceLocation::file(file)))
 }
 
 #[cfg(test)]
@@ -149,18 +149,18 @@ mod tests {
     use shared_geom::document::Document;
 
     #[test]
-    fn a_question_becomes_a_sound_text() {
-        let question = BladeQuestion {
+    fn settings_become_a_sound_text() {
+        let settings = BladeSettings {
             speeds_rpm: vec![0.0, 12.1],
             count: Some(8),
             elements: Some(30),
             hub_radius: 1.5,
             blades: Some(3),
             is_hinged: true,
-            ..BladeQuestion::default()
+            ..BladeSettings::default()
         };
         let file = "a \"b\"\\c\t.dat";
-        let text = question.text(file);
+        let text = settings.text(file);
         let document = Document::parse(&text, MADE).unwrap();
         let blades = document.root().tables("blade");
         assert_eq!(blades[0].text("file").as_deref(), Some(file));

@@ -8,7 +8,7 @@ use shared_geom::keys;
 
 use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::formulation::{self, FORMULATION, INERTIA, INTERPOLATION, Inertia};
 use super::transient::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
@@ -19,13 +19,13 @@ use crate::elements::bodies::RigidInertia;
 use crate::model::Node;
 
 mod hinges;
-mod laid;
+mod layout;
 mod masses;
 mod mesh;
+mod mounts;
 mod piece_line;
 mod pieces;
 mod problem;
-mod seats;
 mod source;
 mod stations;
 
@@ -35,9 +35,9 @@ mod tests;
 pub use problem::BladeProblem;
 
 use hinges::BladeHinge;
-use laid::Laid;
+use layout::BladeLayout;
 use masses::PointMass;
-use seats::Seat;
+use mounts::BladeMount;
 use source::Source;
 
 /// Blades of a rotor.
@@ -45,15 +45,15 @@ pub(super) const CARD: TableSchema = TableSchema {
     title: "[[blade]]",
     meaning: "One blade or several equal ones, with nodes, beams, root and masses.",
     keys: &[
-        seats::NAME.schema,
-        seats::HUB_RADIUS.schema,
-        seats::ROOT.schema,
-        seats::AZIMUTH.schema,
-        seats::COUNT.schema,
-        seats::AZIMUTHS.schema,
-        seats::NAMES.schema,
-        seats::PRECONE.schema,
-        seats::PITCH.schema,
+        mounts::NAME.schema,
+        mounts::HUB_RADIUS.schema,
+        mounts::ROOT.schema,
+        mounts::AZIMUTH.schema,
+        mounts::COUNT.schema,
+        mounts::AZIMUTHS.schema,
+        mounts::NAMES.schema,
+        mounts::PRECONE.schema,
+        mounts::PITCH.schema,
         FORMULATION.schema,
         INTERPOLATION.schema,
         INERTIA.schema,
@@ -90,8 +90,8 @@ enum Root {
 /// The blades of a card.
 struct Card {
     name: String,
-    seats: Vec<Seat>,
-    laid: Laid,
+    mounts: Vec<BladeMount>,
+    layout: BladeLayout,
     formulation: (Formulation, Inertia),
     root: Root,
     /// Motion at the start.
@@ -101,54 +101,62 @@ struct Card {
 }
 
 /// Adds every `[[blade]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for table in root.tables("blade") {
-        let places = seats::places(&table);
+        let named = mounts::named_azimuths(&table);
         let mut are_new = true;
-        for (name, _) in places.iter().flatten() {
-            are_new &= draft.take_label("blade", name, &table);
+        for (name, _) in named.iter().flatten() {
+            are_new &= builder.take_label("blade", name, &table);
         }
-        let card = card(&table, draft, places.as_ref());
+        let card = card(&table, builder, named.as_ref());
         table.finish();
         match card {
             Some(card) if are_new => {
-                for seat in &card.seats {
-                    add(&card, seat, &table, draft);
+                for mount in &card.mounts {
+                    add(&card, mount, &table, builder);
                 }
-                let names = card.seats.iter().map(|seat| seat.name.clone()).collect();
-                draft.add_blade_card(card.name, names);
+                let names = card.mounts.iter().map(|mount| mount.name.clone()).collect();
+                builder.add_blade_card(card.name, names);
             }
-            Some(_) => draft.note_broken(),
-            None => note_broken(places, &table, draft),
+            Some(_) => builder.note_broken(),
+            None => note_broken(named, &table, builder),
         }
     }
 }
 
 /// Notes the names of blades that could not be read.
-fn note_broken(places: Option<seats::Places>, table: &Table<'_>, draft: &mut Draft) {
-    draft.note_broken();
-    let names = places.into_iter().flatten().map(|place| place.0);
+fn note_broken(
+    named: Option<mounts::NamedAzimuths>,
+    table: &Table<'_>,
+    builder: &mut ModelBuilder,
+) {
+    builder.note_broken();
+    let names = named.into_iter().flatten().map(|one| one.0);
     for name in names.chain(table.text("name")) {
-        draft.note_broken_blade(&name);
+        builder.note_broken_blade(&name);
     }
 }
 
-fn card(table: &Table<'_>, draft: &mut Draft, places: Option<&seats::Places>) -> Option<Card> {
+fn card(
+    table: &Table<'_>,
+    builder: &mut ModelBuilder,
+    named: Option<&mounts::NamedAzimuths>,
+) -> Option<Card> {
     let name = match table.has("name") {
         true => table.text("name").unwrap_or_default(),
         false => String::new(),
     };
-    let seats = seats::read(table, draft, places);
+    let mounts = mounts::read(table, builder, named);
     let formulation = formulation::read(table);
-    let root = root(table, &name, draft);
+    let root = root(table, &name, builder);
     let masses = masses::read(table);
     let initial = initial_motion(table);
-    let source = source::read(table, draft, &name)?;
-    let (laid, masses) = lay(&source, &masses?, table, &name, draft)?;
+    let source = source::read(table, builder, &name)?;
+    let (layout, masses) = lay(&source, &masses?, table, &name, builder)?;
     Some(Card {
         name,
-        seats: seats?,
-        laid,
+        mounts: mounts?,
+        layout,
         formulation: formulation?,
         root: root?,
         initial: initial?,
@@ -162,28 +170,28 @@ fn lay(
     masses: &[PointMass],
     table: &Table<'_>,
     name: &str,
-    draft: &mut Draft,
-) -> Option<(Laid, Vec<(usize, RigidInertia)>)> {
+    builder: &mut ModelBuilder,
+) -> Option<(BladeLayout, Vec<(usize, RigidInertia)>)> {
     let length = source.length();
-    let places: Vec<_> = masses
+    let positions: Vec<_> = masses
         .iter()
-        .map(|mass| mass.place(length, table))
+        .map(|mass| mass.position(length, table))
         .collect();
-    let places: Vec<f64> = places.into_iter().collect::<Option<_>>()?;
-    let laid = source.lay(&places, table)?;
-    let on_nodes = masses.iter().zip(&places);
+    let positions: Vec<f64> = positions.into_iter().collect::<Option<_>>()?;
+    let layout = source.lay(&positions, table)?;
+    let on_nodes = masses.iter().zip(&positions);
     let remarks = on_nodes.clone().enumerate();
-    let remarks =
-        remarks.filter_map(|(number, (mass, place))| mass.remark(*place, &laid, number, name));
-    draft.add_remarks(remarks.collect());
-    let on_nodes = on_nodes.map(|(mass, place)| mass.on_node(*place, source, &laid));
+    let remarks = remarks
+        .filter_map(|(number, (mass, position))| mass.remark(*position, &layout, number, name));
+    builder.add_remarks(remarks.collect());
+    let on_nodes = on_nodes.map(|(mass, position)| mass.on_node(*position, source, &layout));
     let masses = on_nodes.collect();
-    Some((laid, masses))
+    Some((layout, masses))
 }
 
-fn root(table: &Table<'_>, name: &str, draft: &Draft) -> Option<Root> {
+fn root(table: &Table<'_>, name: &str, builder: &ModelBuilder) -> Option<Root> {
     let hinges = match table.has("hinges") {
-        true => Some(hinges::read(table, draft.drives())?),
+        true => Some(hinges::read(table, builder.drives())?),
         false => None,
     };
     if !table.has("clamp_root") {
@@ -205,43 +213,43 @@ fn root(table: &Table<'_>, name: &str, draft: &Draft) -> Option<Root> {
 }
 
 /// Adds nodes, beams, masses and the root of one blade to the model.
-fn add(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) {
-    let nodes = add_nodes(card, seat, table, draft);
-    if nodes.len() != card.laid.nodes.len() {
+fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBuilder) {
+    let nodes = add_nodes(card, mount, table, builder);
+    if nodes.len() != card.layout.nodes.len() {
         // A name is taken already, which has been noted.
-        return draft.note_loose_end();
+        return builder.note_loose_end();
     }
-    if !add_beams(card, seat, &nodes, table, draft) {
-        return draft.note_loose_end();
+    if !add_beams(card, mount, &nodes, table, builder) {
+        return builder.note_loose_end();
     }
-    set_initial(&card.initial, &nodes, draft);
+    set_initial(&card.initial, &nodes, builder);
     for (number, (node, inertia)) in card.masses.iter().enumerate() {
-        let label = format!("{}/mass {}", seat.name, number + 1);
-        draft.add_body(label, nodes[*node], *inertia);
+        let label = format!("{}/mass {}", mount.name, number + 1);
+        builder.add_body(label, nodes[*node], *inertia);
     }
     match &card.root {
-        Root::Clamped => draft.hold_root(nodes[0], table, "clamp_root"),
+        Root::Clamped => builder.hold_root(nodes[0], table, "clamp_root"),
         Root::Free => {}
-        Root::Hinged(hinges) => match hinges::offsets(table, hinges, seat.radius) {
-            Some(offsets) => hinges::add((hinges, &offsets), seat, nodes[0], table, draft),
-            None => draft.note_loose_end(),
+        Root::Hinged(hinges) => match hinges::offsets(table, hinges, mount.radius) {
+            Some(offsets) => hinges::add((hinges, &offsets), mount, nodes[0], table, builder),
+            None => builder.note_loose_end(),
         },
     }
-    draft.add_blade(BladeNodes {
-        name: seat.name.clone(),
-        azimuth: seat.azimuth,
+    builder.add_blade(BladeNodes {
+        name: mount.name.clone(),
+        azimuth: mount.azimuth,
         nodes,
     });
 }
 
 /// Gives the nodes of a blade the motion of a rigid body: its velocity at the center of rotation,
 /// and its angular velocity.
-fn set_initial(initial: &InitialMotion, nodes: &[usize], draft: &mut Draft) {
-    let center = draft
+fn set_initial(initial: &InitialMotion, nodes: &[usize], builder: &mut ModelBuilder) {
+    let center = builder
         .hub()
-        .map_or_else(Vector3::zeros, |hub| hub.spin().center);
+        .map_or_else(Vector3::zeros, |hub| hub.frame_rotation().center);
     for &node in nodes {
-        let arm = draft.nodes()[node].position - center;
+        let arm = builder.nodes()[node].position - center;
         let spin = initial.angular_velocity;
         let velocity = match (initial.velocity, spin) {
             (None, None) => None,
@@ -253,17 +261,22 @@ fn set_initial(initial: &InitialMotion, nodes: &[usize], draft: &mut Draft) {
             velocity,
             ..*initial
         };
-        draft.set_initial(node, initial);
+        builder.set_initial(node, initial);
     }
 }
 
 /// Adds the nodes of a blade; fewer if a name is taken already.
-fn add_nodes(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) -> Vec<usize> {
-    let last = card.laid.nodes.len().saturating_sub(1);
-    let axes = seat.blade_axes();
-    let mut nodes = Vec::with_capacity(card.laid.nodes.len());
-    for (number, laid) in card.laid.nodes.iter().enumerate() {
-        let name = |end: &dyn std::fmt::Display| format!("{}/{end}", seat.name);
+fn add_nodes(
+    card: &Card,
+    mount: &BladeMount,
+    table: &Table<'_>,
+    builder: &mut ModelBuilder,
+) -> Vec<usize> {
+    let last = card.layout.nodes.len().saturating_sub(1);
+    let axes = mount.blade_axes();
+    let mut nodes = Vec::with_capacity(card.layout.nodes.len());
+    for (number, layout) in card.layout.nodes.iter().enumerate() {
+        let name = |end: &dyn std::fmt::Display| format!("{}/{end}", mount.name);
         let (label, alias) = match number {
             0 => (name(&"root"), Some(name(&0))),
             _ if number == last => (name(&"tip"), Some(name(&number))),
@@ -271,14 +284,14 @@ fn add_nodes(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) -> 
         };
         let node = Node {
             label,
-            position: seat.root + axes * laid.position,
-            rotation: axes * laid.axes,
+            position: mount.root + axes * layout.position,
+            rotation: axes * layout.axes,
         };
-        let Some(index) = draft.add_node(node, table, Some(seat.axes)) else {
+        let Some(index) = builder.add_node(node, table, Some(mount.axes)) else {
             continue;
         };
         if let Some(alias) = alias {
-            draft.name_node(&alias, Some(index), table);
+            builder.name_node(&alias, Some(index), table);
         }
         nodes.push(index);
     }
@@ -288,30 +301,30 @@ fn add_nodes(card: &Card, seat: &Seat, table: &Table<'_>, draft: &mut Draft) -> 
 /// Adds the beams of a blade; returns false if one cannot be added, which is noted.
 fn add_beams(
     card: &Card,
-    seat: &Seat,
+    mount: &BladeMount,
     nodes: &[usize],
     table: &Table<'_>,
-    draft: &mut Draft,
+    builder: &mut ModelBuilder,
 ) -> bool {
     let key = if table.has("piece") { "piece" } else { "file" };
     let (formulation, inertia) = card.formulation;
-    for (number, laid) in card.laid.beams.iter().enumerate() {
+    for (number, layout) in card.layout.beams.iter().enumerate() {
         let beam = Beam {
-            label: format!("{}/beam {}", seat.name, number + 1),
+            label: format!("{}/beam {}", mount.name, number + 1),
             nodes: std::array::from_fn(|k| nodes[2 * number + k]),
-            geometry: BeamGeometry::new(laid.orientations.map(|orientation| BeamNode {
+            geometry: BeamGeometry::new(layout.orientations.map(|orientation| BeamNode {
                 offset: Vector3::zeros(),
                 orientation,
             }))
             .formulated(formulation),
-            along: laid.along.clone(),
+            properties: layout.properties.clone(),
             inertia,
         };
-        let words = format!("blade \"{}\"{}", seat.name, laid.part);
-        if !BeamCheck::new(&words, &beam, draft.nodes()).note_on(table, key) {
+        let words = format!("blade \"{}\"{}", mount.name, layout.part);
+        if !BeamCheck::new(&words, &beam, builder.nodes()).note_on(table, key) {
             return false;
         }
-        draft.add_beam(beam);
+        builder.add_beam(beam);
     }
     true
 }

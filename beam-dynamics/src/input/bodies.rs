@@ -6,7 +6,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::moments::{INERTIA, moments};
 use crate::elements::bodies::RigidInertia;
 
@@ -30,22 +30,22 @@ keys! {
 }
 
 /// Adds every `[[body]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("body").iter().enumerate() {
         let label = table
             .text("name")
             .unwrap_or_else(|| format!("body {}", number + 1));
-        let is_new = draft.take_label("body", &label, table);
+        let is_new = builder.take_label("body", &label, table);
         let words = format!("body \"{label}\"");
         let name = table.get(&NODE);
-        let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
+        let node = name.and_then(|name| builder.find_node(&name, table, "node", &words));
         let lump = lump(table, &label);
         table.finish();
         match (node, lump) {
             (Some(node), Some(lump)) if is_new => {
-                draft.add_body(label, node, lump.inertia(&Vector3::zeros()));
+                builder.add_body(label, node, lump.inertia(&Vector3::zeros()));
             }
-            _ => draft.note_broken(),
+            _ => builder.note_broken(),
         }
     }
 }
@@ -62,10 +62,10 @@ pub(super) struct Lump {
 }
 
 impl Lump {
-    /// The inertia about a node, if the carrying part is at `place` relative to the node
+    /// The inertia about a node, if the carrying part is at `position` relative to the node
     /// \[m\].
-    pub fn inertia(&self, place: &Vector3<f64>) -> RigidInertia {
-        RigidInertia::about_node(self.mass, &(place + self.offset), &self.central)
+    pub fn inertia(&self, position: &Vector3<f64>) -> RigidInertia {
+        RigidInertia::about_node(self.mass, &(position + self.offset), &self.central)
     }
 }
 

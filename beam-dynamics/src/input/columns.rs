@@ -5,8 +5,8 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
-use crate::case::{Every, OutputQuestion, TransientQuestion};
+use super::builder::ModelBuilder;
+use crate::case::{Every, OutputSettings, TransientSettings};
 use crate::integrator::Stepping;
 
 mod column;
@@ -44,19 +44,19 @@ const MOST_NUMBERS: f64 = 1e9;
 const MOST_FIELDS: f64 = 1e5;
 
 /// Reads `[output]`; without it, and without columns in it, default columns are written.
-pub(super) fn read(root: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
-    let mut question = match root.has("output") {
-        true => card(&root.table("output")?, draft)?,
-        false => OutputQuestion::default(),
+pub(super) fn read(root: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
+    let mut settings = match root.has("output") {
+        true => card(&root.table("output")?, builder)?,
+        false => OutputSettings::default(),
     };
-    if question.columns.is_empty() {
-        question.columns = preset::columns(draft);
+    if settings.columns.is_empty() {
+        settings.columns = preset::columns(builder);
     }
-    Some(question)
+    Some(settings)
 }
 
 /// Notes output of a run that is too large for a disk.
-pub(super) fn check(root: &Table<'_>, output: &OutputQuestion, run: Option<&TransientQuestion>) {
+pub(super) fn check(root: &Table<'_>, output: &OutputSettings, run: Option<&TransientSettings>) {
     let Some(run) = run else { return };
     let longest = match run.stepping {
         Stepping::Constant { step } => step,
@@ -84,8 +84,8 @@ pub(super) fn check(root: &Table<'_>, output: &OutputQuestion, run: Option<&Tran
     }
 }
 
-fn card(table: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
-    let default = OutputQuestion::default();
+fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
+    let default = OutputSettings::default();
     let rows = match table.has("every") {
         true => every(table, "every"),
         false => Some(default.every),
@@ -95,9 +95,9 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<OutputQuestion> {
         false => Some(None),
     };
     let (csv, netcdf, vtu) = (table.get(&CSV), table.get(&NETCDF), table.get(&VTU));
-    let columns = column::read(table, draft);
+    let columns = column::read(table, builder);
     table.finish();
-    Some(OutputQuestion {
+    Some(OutputSettings {
         columns: columns?,
         every: rows?,
         csv: csv?,

@@ -5,7 +5,7 @@
 
 use shared_geom::document::{Document, Table};
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::drives::Catalog;
 
 mod actuators;
@@ -37,13 +37,13 @@ pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Declared<'a
 }
 
 /// Adds the elements of all cards to the model.
-pub(super) fn read(declared: Declared<'_>, draft: &mut Draft) {
-    sensors::read(declared.sensors, draft);
-    state_spaces::read(declared.state_spaces, draft);
-    actuators::read(declared.actuators, draft);
+pub(super) fn read(declared: Declared<'_>, builder: &mut ModelBuilder) {
+    sensors::read(declared.sensors, builder);
+    state_spaces::read(declared.state_spaces, builder);
+    actuators::read(declared.actuators, builder);
 }
 
 /// Notes problems of the cards in a run from and to the given `times` \[s\].
-pub(super) fn check_run(document: &Document, draft: &Draft, times: [f64; 2]) {
-    state_spaces::check_run(document, draft, times);
+pub(super) fn check_run(document: &Document, builder: &ModelBuilder, times: [f64; 2]) {
+    state_spaces::check_run(document, builder, times);
 }

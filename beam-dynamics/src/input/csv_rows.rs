@@ -1,7 +1,7 @@
 //! Rows of CSV files with their lines. Empty lines and lines that begin with `#` are
 //! ignored.
 
-use shared_geom::error::{Diagnostics, Explain, Place};
+use shared_geom::error::{Diagnostics, Explain, SourceLocation};
 
 /// Number of problems of rows that are listed.
 const ROWS_SHOWN: usize = 10;
@@ -24,7 +24,7 @@ pub(super) fn records(text: &str) -> impl Iterator<Item = (usize, csv::StringRec
 /// The line of a record: the reader reports the position where it began to look for the
 /// record, which may be at ignored lines.
 fn line(text: &str, record: &csv::StringRecord) -> usize {
-    let begin = record.position().map_or(0, |place| place.byte() as usize);
+    let begin = record.position().map_or(0, |index| index.byte() as usize);
     let (before, rest) = text.split_at_checked(begin).unwrap_or((text, ""));
     let counts = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
     let skipped = rest.lines().take_while(|line| !counts(line)).count();
@@ -40,10 +40,13 @@ pub(super) fn problems<P: Explain>(
 ) -> Diagnostics {
     let mut found = Diagnostics::new();
     for (line, problem) in wrong.iter().take(ROWS_SHOWN) {
-        found.push(Place::line(file, *line), problem);
+        found.push(SourceLocation::line(file, *line), problem);
     }
     if let Some((line, _)) = wrong.get(ROWS_SHOWN) {
-        found.push(Place::line(file, *line), &more(wrong.len() - ROWS_SHOWN));
+        found.push(
+            SourceLocation::line(file, *line),
+            &more(wrong.len() - ROWS_SHOWN),
+        );
     }
     found
 }
@@ -53,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_are_told_with_the_lines_on_which_they_stand() {
+    fn rows_are_reported_with_the_lines_on_which_they_are() {
         let text = "# one\n\na, b\r\n\n  \n1, 2\n# six\n\n3,4";
         let found: Vec<_> = records(text)
             .map(|(line, row)| (line, row[1].to_owned()))

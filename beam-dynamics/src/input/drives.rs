@@ -26,8 +26,8 @@ pub(super) use keys::DRIVE;
 pub(super) use measure::Measure;
 pub use problem::DriveProblem;
 pub(super) use signals::{
-    Read, is_smooth, read_distance, read_factor, read_length, read_place, read_signal, read_speed,
-    signal_of,
+    Read, is_smooth, read_distance, read_factor, read_length, read_position, read_signal,
+    read_speed, signal_of,
 };
 
 use super::problem::InputProblem;
@@ -121,8 +121,8 @@ pub(super) fn read_item(item: &Item<'_>, dimension: Dimension, catalog: &Catalog
     let drive = drive(item, Measure::Declared(dimension), &find)?;
     let domain = drive.domain();
     if domain.iter().any(|end| end.is_finite()) {
-        let place = (item.line(), item.key().to_owned(), domain);
-        catalog.bounded.borrow_mut().push(place);
+        let location = (item.line(), item.key().to_owned(), domain);
+        catalog.bounded.borrow_mut().push(location);
     }
     Some(drive)
 }
@@ -377,7 +377,7 @@ impl Catalog {
     pub fn check(&self, document: &Document, [from, to]: [f64; 2]) {
         for (line, key, [first, last]) in self.bounded.borrow().iter() {
             if from < *first || to > *last {
-                let problem = DriveProblem::Outside {
+                let problem = DriveProblem::Extrapolation {
                     key: key.clone(),
                     domain: [*first, *last],
                     run: [from, to],

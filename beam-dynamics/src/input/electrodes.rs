@@ -14,7 +14,7 @@ use shared_geom::error::{Explain, nearest_name};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::draft::{Draft, ElectrodeCard, electrode_names};
+use super::builder::{ElectrodeCard, ModelBuilder, electrode_names};
 use super::drives;
 use super::loads::{BEAMS, BLADE, beams};
 use crate::elements::circuits::Circuit;
@@ -196,31 +196,31 @@ impl Explain for ElectrodeProblem {
 }
 
 /// Adds every `[[electrode]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     let tables = root.tables("electrode");
     for (number, table) in tables.iter().enumerate() {
         let label = table.text("name");
         let label = label.unwrap_or_else(|| format!("electrode {}", number + 1));
-        let is_new = draft.take_label("electrode", &label, table);
-        let card = card(table, draft, label);
+        let is_new = builder.take_label("electrode", &label, table);
+        let card = card(table, builder, label);
         table.finish();
         match card {
-            Some(card) if is_new => draft.add_electrode(card),
-            _ => draft.note_broken(),
+            Some(card) if is_new => builder.add_electrode(card),
+            _ => builder.note_broken(),
         }
     }
-    check_capacitances(&tables, draft);
+    check_capacitances(&tables, builder);
 }
 
-fn card(table: &Table<'_>, draft: &Draft, label: String) -> Option<ElectrodeCard> {
+fn card(table: &Table<'_>, builder: &ModelBuilder, label: String) -> Option<ElectrodeCard> {
     // The name in the property file; by default the name of the card.
     let name = match table.has("electrode") {
         true => table.text("electrode"),
         false => Some(label.clone()),
     };
-    let circuit = circuit(table, draft, &label);
-    let beams = beams(table, draft, &label)?;
-    let on = on(table, draft, (&name?, &label), &beams)?;
+    let circuit = circuit(table, builder, &label);
+    let beams = beams(table, builder, &label)?;
+    let on = on(table, builder, (&name?, &label), &beams)?;
     Some(ElectrodeCard {
         label,
         on,
@@ -232,11 +232,11 @@ fn card(table: &Table<'_>, draft: &Draft, label: String) -> Option<ElectrodeCard
 /// The beams that have an electrode, with its column; a beam that is named explicitly must have it.
 fn on(
     table: &Table<'_>,
-    draft: &Draft,
+    builder: &ModelBuilder,
     (name, label): (&str, &str),
     beams: &[usize],
 ) -> Option<Vec<(usize, usize)>> {
-    let names = |beam: usize| electrode_names(&draft.beams()[beam]);
+    let names = |beam: usize| electrode_names(&builder.beams()[beam]);
     let column = |beam: usize| names(beam).iter().position(|own| own == name);
     let found = beams.iter().map(|&beam| (beam, column(beam)));
     let (mut on, mut is_sound) = (Vec::new(), true);
@@ -246,7 +246,7 @@ fn on(
             Some(column) => on.push((beam, column)),
             None if of_blade => {}
             None => {
-                let own = draft.beams()[beam].label.clone();
+                let own = builder.beams()[beam].label.clone();
                 let electrode = name.to_owned();
                 let problem = match names(beam) {
                     [] => ElectrodeProblem::NoPiezo {
@@ -281,12 +281,12 @@ fn on(
         table.note("blade", &problem);
         return None;
     }
-    (is_sound && is_first(table, draft, name, &on)).then_some(on)
+    (is_sound && is_first(table, builder, name, &on)).then_some(on)
 }
 
 /// Whether no other card has the electrode of one of the beams; otherwise notes the first.
-fn is_first(table: &Table<'_>, draft: &Draft, name: &str, on: &[(usize, usize)]) -> bool {
-    let mut others = draft.electrodes().iter();
+fn is_first(table: &Table<'_>, builder: &ModelBuilder, name: &str, on: &[(usize, usize)]) -> bool {
+    let mut others = builder.electrodes().iter();
     let twice = others.find_map(|card| {
         let shared = on.iter().find(|own| card.on.contains(own))?;
         Some((card, shared.0))
@@ -296,7 +296,7 @@ fn is_first(table: &Table<'_>, draft: &Draft, name: &str, on: &[(usize, usize)])
     };
     let problem = ElectrodeProblem::Twice {
         electrode: name.to_owned(),
-        beam: draft.beams()[beam].label.clone(),
+        beam: builder.beams()[beam].label.clone(),
         first: card.label.clone(),
         line: table.document().line_words(card.line),
     };
@@ -304,7 +304,7 @@ fn is_first(table: &Table<'_>, draft: &Draft, name: &str, on: &[(usize, usize)])
     false
 }
 
-fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
+fn circuit(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Circuit> {
     let electrode = label.to_owned();
     let given = OF_SOURCE.map(|key| table.has(key));
     if table.has("charge") {
@@ -321,7 +321,7 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
         return None;
     }
     let source = match given[0] {
-        true => drives::read_signal(table, "voltage", Dimension::VOLTAGE, draft.drives()),
+        true => drives::read_signal(table, "voltage", Dimension::VOLTAGE, builder.drives()),
         false => Some(Drive::Constant(0.0).into()),
     };
     let (resistance, inductance) = (table.get(&RESISTANCE), table.get(&INDUCTANCE));
@@ -342,8 +342,8 @@ fn circuit(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Circuit> {
 }
 
 /// Notes electrodes whose voltage does not follow from their charge.
-fn check_capacitances(tables: &[Table<'_>], draft: &mut Draft) {
-    let cards = draft.electrodes().iter();
+fn check_capacitances(tables: &[Table<'_>], builder: &mut ModelBuilder) {
+    let cards = builder.electrodes().iter();
     let free = cards.filter(|card| card.circuit.has_unknowns());
     let free: Vec<_> = free.collect();
     if free.is_empty() {
@@ -355,7 +355,7 @@ fn check_capacitances(tables: &[Table<'_>], draft: &mut Draft) {
     };
     let mut is_sound = true;
     for card in &free {
-        let found = draft.capacitance(card, card);
+        let found = builder.capacitance(card, card);
         if found > 0.0 {
             continue;
         }
@@ -366,8 +366,8 @@ fn check_capacitances(tables: &[Table<'_>], draft: &mut Draft) {
         }
     }
     let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| {
-        let own = |k: usize| draft.capacitance(free[k], free[k]);
-        draft.capacitance(free[i], free[j]) / (own(i) * own(j)).sqrt()
+        let own = |k: usize| builder.capacitance(free[k], free[k]);
+        builder.capacitance(free[i], free[j]) / (own(i) * own(j)).sqrt()
     });
     if is_sound && matrix.cholesky().is_none() {
         let names = free.iter().map(|card| format!("\"{}\"", card.label));
@@ -378,6 +378,6 @@ fn check_capacitances(tables: &[Table<'_>], draft: &mut Draft) {
         is_sound = false;
     }
     if !is_sound {
-        draft.note_broken();
+        builder.note_broken();
     }
 }

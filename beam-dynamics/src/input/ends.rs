@@ -5,7 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::error::Explain;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::laws::LawProblem;
 use super::problem::InputProblem;
 use crate::elements::springs::End;
@@ -20,44 +20,48 @@ pub(super) fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
 /// may be the other end.
 pub(super) fn nodes(
     table: &Table<'_>,
-    draft: &mut Draft,
+    builder: &mut ModelBuilder,
     words: &str,
     may_be_frame: bool,
 ) -> Option<Vec<usize>> {
     if !may_be_frame {
-        return Some(pair(table, draft, words)?.to_vec());
+        return Some(pair(table, builder, words)?.to_vec());
     }
-    one_or_two(table, draft, words, |found| LawProblem::Ends { found })
+    one_or_two(table, builder, words, |found| LawProblem::Ends { found })
 }
 
 /// The two nodes under `nodes` of a card described by `words`.
-pub(super) fn pair(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<[usize; 2]> {
-    let found = listed(table, draft, words)?;
+pub(super) fn pair(
+    table: &Table<'_>,
+    builder: &mut ModelBuilder,
+    words: &str,
+) -> Option<[usize; 2]> {
+    let found = listed(table, builder, words)?;
     let [first, second] = found[..] else {
         table.note("nodes", &count(found.len(), "two"));
-        draft.note_loose_end();
+        builder.note_loose_end();
         return None;
     };
     let nodes = [first?, second?];
-    are_two(table, draft, words, &nodes).then_some(nodes)
+    are_two(table, builder, words, &nodes).then_some(nodes)
 }
 
 /// One node or two under `nodes` of a card described by `words`; `wrong` is the problem
 /// noted for another number.
 pub(super) fn one_or_two<P: Explain>(
     table: &Table<'_>,
-    draft: &mut Draft,
+    builder: &mut ModelBuilder,
     words: &str,
     wrong: impl Fn(usize) -> P,
 ) -> Option<Vec<usize>> {
-    let found = listed(table, draft, words)?;
+    let found = listed(table, builder, words)?;
     if !(1..=2).contains(&found.len()) {
         table.note("nodes", &wrong(found.len()));
-        draft.note_loose_end();
+        builder.note_loose_end();
         return None;
     }
     let nodes: Option<Vec<_>> = found.into_iter().collect();
-    nodes.filter(|nodes| are_two(table, draft, words, nodes))
+    nodes.filter(|nodes| are_two(table, builder, words, nodes))
 }
 
 /// A number of nodes that differs from the expected one.
@@ -70,24 +74,28 @@ pub(super) fn count(found: usize, expected: &'static str) -> InputProblem {
 }
 
 /// The nodes listed under `nodes`; `None` for each unknown node.
-fn listed(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<Option<usize>>> {
+fn listed(
+    table: &Table<'_>,
+    builder: &mut ModelBuilder,
+    words: &str,
+) -> Option<Vec<Option<usize>>> {
     if !table.has("nodes") {
         let _ = table.require_text("nodes", "the names of two nodes");
     }
     let Some(names) = table.texts("nodes") else {
-        draft.note_loose_end();
+        builder.note_loose_end();
         return None;
     };
-    let find = |name: &String| draft.find_node(name, table, "nodes", words);
+    let find = |name: &String| builder.find_node(name, table, "nodes", words);
     Some(names.iter().map(find).collect())
 }
 
 /// Whether the nodes are different; notes equal nodes.
-fn are_two(table: &Table<'_>, draft: &Draft, words: &str, nodes: &[usize]) -> bool {
+fn are_two(table: &Table<'_>, builder: &ModelBuilder, words: &str, nodes: &[usize]) -> bool {
     if nodes.len() < 2 || nodes[0] != nodes[1] {
         return true;
     }
-    let node = draft.nodes()[nodes[0]].label.clone();
+    let node = builder.nodes()[nodes[0]].label.clone();
     let joint = words.to_owned();
     table.note("nodes", &InputProblem::JoinedToItself { joint, node });
     false

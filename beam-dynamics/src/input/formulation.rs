@@ -84,8 +84,8 @@ mod tests {
         let (row, column) = (Equation::Force.row(), Variable::Position.column());
         let size = 6 * system.nodes().len();
         let entry = |i: usize, j: usize| {
-            let place = |k: usize| system.numbering().node(k / 6) + k % 6;
-            tangent.by_unknowns.entry(place(i) + row, place(j) + column)
+            let index = |k: usize| system.numbering().node(k / 6) + k % 6;
+            tangent.by_unknowns.entry(index(i) + row, index(j) + column)
         };
         // Of the free nodes.
         let pairs = (6..size).flat_map(|i| (6..i).map(move |j| (i, j)));

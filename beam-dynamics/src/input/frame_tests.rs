@@ -9,7 +9,7 @@
 use nalgebra::Vector3;
 
 use super::Input;
-use super::test_files::{STRIP, read_beside, told};
+use super::test_files::{STRIP, read_beside, reported};
 use crate::elements::Element;
 use crate::model::{Conditions, Loading, TurningFrame};
 
@@ -19,7 +19,7 @@ fn input(cards: &str) -> Result<Input, String> {
 
 #[track_caller]
 fn refused(cards: &str) -> String {
-    told(input(cards))
+    reported(input(cards))
 }
 
 /// Compares positions and axes of the nodes, and the residual at rest under loads, of two
@@ -261,7 +261,7 @@ fn joints_springs_and_forces_turn_with_their_copy() {
 }
 
 #[test]
-fn equilibria_ask_tables_for_the_time_zero() {
+fn equilibria_request_tables_for_the_time_zero() {
     let late = ARMS.replace(
         "\"= cos(2*t)\"",
         "{ kind = \"table\", rows = [[1, 0], [2, 1]] }",
@@ -274,7 +274,7 @@ fn equilibria_ask_tables_for_the_time_zero() {
 }
 
 #[test]
-fn parameters_stand_in_any_number() {
+fn parameters_are_in_any_number() {
     let written = ARMS
         .replace("count = 3", "count = \"= arms\"")
         .replace("[1.5, 0, 0]", "[\"= radius + 0.5\", 0, 0]")
@@ -289,7 +289,7 @@ fn parameters_stand_in_any_number() {
 }
 
 #[test]
-fn included_files_count_from_their_own_folder_and_tell_their_own_lines() {
+fn included_files_count_from_their_own_folder_and_report_their_own_lines() {
     let main = "units = \"SI\"\ninclude = [\"parts/arms.toml\"]\n[properties.other]\nea = 1\n";
     let rest = main.replace("[properties.other]\nea = 1\n", "[modes]\nspeeds = 0\n");
     let arms =
@@ -416,7 +416,7 @@ fn loads_sense_nodes() {
 }
 
 #[test]
-fn ten_mistakes_are_told_at_once() {
+fn ten_mistakes_are_reported_at_once() {
     let cards = SPRUNG
         .replace("k = 100", "k = \"= 2*q\"\nq = \"= k\"\n2x = 1")
         .replace(
@@ -474,7 +474,7 @@ c = [[1, 1], [0, 1]]
 ";
 
 #[test]
-fn systems_of_states_stand_between_sensors_and_loads() {
+fn systems_of_states_are_between_sensors_and_loads() {
     let text = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push - second") + SYSTEM;
     let found = input(&text).unwrap();
     let system = &found.model.system;
@@ -526,9 +526,9 @@ fn systems_of_states_stand_between_sensors_and_loads() {
 }
 
 #[test]
-fn what_is_wrong_with_systems_of_states_is_told() {
+fn what_is_wrong_with_systems_of_states_is_reported() {
     let load = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push - second");
-    for (from, to, told) in [
+    for (from, to, reported) in [
         (
             "outputs = [\"push\", \"second\"]",
             "outputs = [\"push\", \"height\"]",
@@ -576,15 +576,15 @@ fn what_is_wrong_with_systems_of_states_is_told() {
         let text = format!("{load}{SYSTEM}");
         assert!(text.contains(from), "{from}");
         let found = refused(&text.replace(from, to));
-        assert!(found.contains(told), "{told}\n{found}");
+        assert!(found.contains(reported), "{reported}\n{found}");
     }
 }
 
 #[test]
-fn what_is_wrong_with_transfer_functions_is_told() {
+fn what_is_wrong_with_transfer_functions_is_reported() {
     let single = "[[state_space]]\nname = \"law\"\ninputs = [\"height\"]\noutputs = [\"push\"]\n";
     let single_load = SPRUNG.replace("= -k*(height - 2) - 3*fall", "= push");
-    for (keys, told) in [
+    for (keys, reported) in [
         (
             "numerator = 1\ndenominator = [1, 1]",
             "expected a list of coefficients",
@@ -620,6 +620,6 @@ fn what_is_wrong_with_transfer_functions_is_told() {
         ),
     ] {
         let found = refused(&format!("{single_load}{single}{keys}\n"));
-        assert!(found.contains(told), "{told}\n{found}");
+        assert!(found.contains(reported), "{reported}\n{found}");
     }
 }

@@ -99,7 +99,7 @@ impl Explain for HeatProblem {
 
 /// Remarks on heat and imposed strains of beams, a line for all cards with the same states:
 /// the values at time zero.
-pub(super) fn told<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String> {
+pub(super) fn reported<'a>(beams: impl Iterator<Item = &'a [Acting]>) -> Vec<String> {
     let mut known: Vec<(Vec<&str>, &[Acting])> = Vec::new();
     for acting in beams {
         let Some(first) = acting.first() else {

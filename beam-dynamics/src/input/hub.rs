@@ -10,7 +10,7 @@ use shared_geom::units::Dimension;
 use super::moments::{INERTIA, moments};
 use super::number::not_negative;
 use super::problem::InputProblem;
-use crate::case::Spin;
+use crate::case::FrameRotation;
 use crate::elements::bodies::RigidInertia;
 
 keys! {
@@ -86,7 +86,7 @@ pub(super) struct Hub {
 
 /// Reads `[hub]`; `None` if it is wrong, the z axis through the origin if absent.
 pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
-    let default = Spin::default();
+    let default = FrameRotation::default();
     let mut hub = Hub {
         axis: default.axis,
         center: default.center,
@@ -123,8 +123,8 @@ fn unit(table: &Table<'_>, axis: Vector3<f64>) -> Option<Vector3<f64>> {
 
 impl Hub {
     /// Axis and center, in the form of the case.
-    pub fn spin(&self) -> Spin {
-        Spin {
+    pub fn frame_rotation(&self) -> FrameRotation {
+        FrameRotation {
             axis: self.axis,
             center: self.center,
         }
@@ -262,7 +262,7 @@ mod tests {
         let found = hub("[hub]\naxis = [0, 0, -1e-200]\ncenter = [1, 2, 3]\n").unwrap();
         assert_eq!(found.axis, -Vector3::z());
         assert_eq!(found.center, Vector3::new(1.0, 2.0, 3.0));
-        assert_eq!(hub("").unwrap().spin(), Spin::default());
+        assert_eq!(hub("").unwrap().frame_rotation(), FrameRotation::default());
         let shown = hub("[hub]\naxis = [0, 0, 0]\ncentre = [1, 1, 1]\n").unwrap_err();
         assert!(
             shown.contains("a.toml:2: \"axis\" has no direction"),

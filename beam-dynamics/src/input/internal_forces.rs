@@ -7,7 +7,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::frames::{Frame, IN};
 use super::laws::LawProblem;
 use super::loads::{CONSTANT, DRIVE};
@@ -64,28 +64,28 @@ keys! {
 }
 
 /// Adds every `[[internal_force]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("internal_force").iter().enumerate() {
         let label = ends::label(table, "internal force", number);
-        let is_new = draft.take_label("load", &label, table);
-        let force = force(table, draft, &label);
+        let is_new = builder.take_label("load", &label, table);
+        let force = force(table, builder, &label);
         table.finish();
         match force {
-            Some(force) if is_new => draft.add_load(Box::new(force)),
-            _ => draft.note_broken(),
+            Some(force) if is_new => builder.add_load(Box::new(force)),
+            _ => builder.note_broken(),
         }
     }
 }
 
-fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalForce> {
+fn force(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<InternalForce> {
     let words = format!("internal force \"{label}\"");
-    let nodes = ends::nodes(table, draft, &words, false);
-    let signal = drives::read_factor(table, "drive", draft.drives());
+    let nodes = ends::nodes(table, builder, &words, false);
+    let signal = drives::read_factor(table, "drive", builder.drives());
     let factor = table.get(&CONSTANT);
-    let frame = draft.frames().of(table);
+    let frame = builder.frames().of(table);
     let between = match table.has("tension") {
         true => along_line(table, nodes.as_deref()),
-        false => in_axes(table, nodes.as_deref(), (draft, frame)),
+        false => in_axes(table, nodes.as_deref(), (builder, frame)),
     };
     let factor = match factor? {
         true => LoadFactor::Constant,
@@ -93,7 +93,7 @@ fn force(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<InternalFo
     };
     Some(InternalForce::new(
         label,
-        draft.nodes(),
+        builder.nodes(),
         between?,
         factor,
         signal?,
@@ -124,7 +124,7 @@ fn along_line(table: &Table<'_>, nodes: Option<&[usize]>) -> Option<Between> {
 fn in_axes(
     table: &Table<'_>,
     nodes: Option<&[usize]>,
-    (draft, frame): (&Draft, Option<Frame>),
+    (builder, frame): (&ModelBuilder, Option<Frame>),
 ) -> Option<Between> {
     let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
     let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
@@ -135,7 +135,7 @@ fn in_axes(
     let &[a, b] = nodes? else { return None };
     let axes = match in_node? {
         0 => frame?.axes(&Matrix3::identity()),
-        _ => draft.nodes()[a].rotation,
+        _ => builder.nodes()[a].rotation,
     };
     Some(Between::Axes {
         nodes: [a, b],

@@ -172,7 +172,7 @@ fn a_spring_in_the_world_must_be_the_same_about_the_axis() {
 }
 
 #[test]
-fn every_wrong_key_of_joints_and_supports_is_told() {
+fn every_wrong_key_of_joints_and_supports_is_reported() {
     let cards = format!(
         "{NODES}[hub]\nmass = 3\n[[clamp]]\nnode = \"root\"\n\
          [[hinge]]\nname = \"h\"\nnodes = [\"root\", \"root\"]\naxis = [0, 0, 0]\n\

@@ -8,7 +8,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::drives::{self, Catalog};
 use super::ends::{label, pair};
 use super::frames::IN;
@@ -70,44 +70,44 @@ keys! {
 const MOST_RELAXED: f64 = 330.0;
 
 /// Adds every `[[hinge]]` to the model.
-pub(super) fn read_hinges(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read_hinges(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("hinge").iter().enumerate() {
         let label = label(table, "hinge", number);
-        let is_new = draft.take_label("joint", &label, table);
-        let nodes = pair(table, draft, &format!("hinge \"{label}\""));
+        let is_new = builder.take_label("joint", &label, table);
+        let nodes = pair(table, builder, &format!("hinge \"{label}\""));
         let axis = axis(table);
-        let frame = draft.frames().of(table);
+        let frame = builder.frames().of(table);
         let offset = table.get(&OFFSET);
-        let spring = spring(table, draft.drives());
+        let spring = spring(table, builder.drives());
         let in_node = table.get(&AXIS_IN);
         table.finish();
         match (nodes, axis.zip(frame), offset, spring, in_node) {
             (Some(nodes), Some((axis, frame)), Some(offset), Some(spring), Some(in_node))
                 if is_new =>
             {
-                let outer = &draft.nodes()[nodes[1]];
+                let outer = &builder.nodes()[nodes[1]];
                 let position = outer.position + outer.rotation * offset;
                 let axis = match in_node {
                     0 => frame.direction(&axis),
                     _ => outer.rotation * axis,
                 };
-                draft.add_hinge(&label, nodes, (position, axis), &spring);
+                builder.add_hinge(&label, nodes, (position, axis), &spring);
             }
-            _ => draft.note_broken(),
+            _ => builder.note_broken(),
         }
     }
 }
 
 /// Adds every `[[rigid]]` to the model.
-pub(super) fn read_rigid(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read_rigid(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("rigid").iter().enumerate() {
         let label = label(table, "rigid connection", number);
-        let is_new = draft.take_label("joint", &label, table);
-        let nodes = pair(table, draft, &format!("rigid connection \"{label}\""));
+        let is_new = builder.take_label("joint", &label, table);
+        let nodes = pair(table, builder, &format!("rigid connection \"{label}\""));
         table.finish();
         match nodes {
-            Some(nodes) if is_new => draft.add_rigid(&label, nodes),
-            _ => draft.note_broken(),
+            Some(nodes) if is_new => builder.add_rigid(&label, nodes),
+            _ => builder.note_broken(),
         }
     }
 }

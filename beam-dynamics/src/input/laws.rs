@@ -154,12 +154,12 @@ fn term<const N: usize>(
         prestress: prestress?,
     };
     if let Some(found) = not_finite_at_rest(&term) {
-        let has_told = table
+        let has_reported = table
             .document()
             .parameters()
             .iter()
             .any(|own| own.1.is_nan());
-        if !has_told {
+        if !has_reported {
             table.note("kind", &LawProblem::NotFinite { found });
         }
         return None;

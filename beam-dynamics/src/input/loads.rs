@@ -11,7 +11,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::drives;
 use super::frames::IN;
 use crate::elements::loads::{self, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
@@ -109,14 +109,14 @@ keys! {
 }
 
 /// Reads `[gravity]` and its factor; zero if absent.
-pub(super) fn gravity(root: &Table<'_>, draft: &Draft) -> Option<(Vector3<f64>, Drive)> {
+pub(super) fn gravity(root: &Table<'_>, builder: &ModelBuilder) -> Option<(Vector3<f64>, Drive)> {
     if !root.has("gravity") {
         return Some((Vector3::zeros(), Drive::Constant(1.0)));
     }
     let table = root.table("gravity")?;
     let found = table.get(&ACCELERATION);
     let drive = match table.has("drive") {
-        true => drives::read(&table, "drive", Dimension::NUMBER, draft.drives()),
+        true => drives::read(&table, "drive", Dimension::NUMBER, builder.drives()),
         false => Some(Drive::Constant(1.0)),
     };
     table.finish();
@@ -124,19 +124,19 @@ pub(super) fn gravity(root: &Table<'_>, draft: &Draft) -> Option<(Vector3<f64>, 
 }
 
 /// Adds every `[[load]]`, `[[distributed_load]]` and `[[imposed]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("load").iter().enumerate() {
         let label = label(table, "load", number);
-        let is_new = draft.take_label("load", &label, table);
-        let nodes = nodes(table, draft, &label);
+        let is_new = builder.take_label("load", &label, table);
+        let nodes = nodes(table, builder, &label);
         let load = nodal(table);
-        let frame = draft.frames().of(table);
-        let signal = drives::read_factor(table, "drive", draft.drives());
+        let frame = builder.frames().of(table);
+        let signal = drives::read_factor(table, "drive", builder.drives());
         table.finish();
         match (nodes, load, frame, signal) {
             (Some(nodes), Some((load, in_node)), Some(frame), Some(signal)) if is_new => {
                 for &node in &nodes {
-                    let on = &draft.nodes()[node];
+                    let on = &builder.nodes()[node];
                     let turn = |vector: Vector3<f64>| match in_node {
                         true => on.rotation * vector,
                         false => frame.direction(&vector),
@@ -151,14 +151,14 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
                         _ => format!("{label} on {}", on.label),
                     };
                     let load = NodalLoad::new(label, node, on, load).driven(signal.clone());
-                    draft.add_load(Box::new(load));
+                    builder.add_load(Box::new(load));
                 }
             }
-            _ => draft.note_broken(),
+            _ => builder.note_broken(),
         }
     }
-    along_beams::read(root, draft);
-    read_imposed(root, draft);
+    along_beams::read(root, builder);
+    read_imposed(root, builder);
 }
 
 fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
@@ -166,19 +166,19 @@ fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
     own.unwrap_or_else(|| format!("{kind} {}", number + 1))
 }
 
-fn node(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<usize> {
+fn node(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<usize> {
     let name = table.get(&NODE)?;
-    draft.find_node(&name, table, "node", &format!("\"{label}\""))
+    builder.find_node(&name, table, "node", &format!("\"{label}\""))
 }
 
 /// The node of a load, or one node of each blade of a card.
-fn nodes(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Vec<usize>> {
+fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Vec<usize>> {
     let name = table.require_text("node", "the name of a node")?;
     let user = format!("\"{label}\"");
-    let names = draft.node_names(&name);
+    let names = builder.node_names(&name);
     let found = names
         .iter()
-        .map(|name| draft.find_node(name, table, "node", &user));
+        .map(|name| builder.find_node(name, table, "node", &user));
     // The first unknown name ends the search: the others differ only in the blade.
     found.collect()
 }
@@ -230,46 +230,48 @@ fn factor(table: &Table<'_>) -> Option<LoadFactor> {
     })
 }
 
-fn read_imposed(root: &Table<'_>, draft: &mut Draft) {
+fn read_imposed(root: &Table<'_>, builder: &mut ModelBuilder) {
     // Line of the card that holds each component of each node.
     let mut held = BTreeMap::new();
     for (number, table) in root.tables("imposed").iter().enumerate() {
         let label = label(table, "imposed", number);
-        let is_new = draft.take_label("imposed", &label, table);
-        let node = node(table, draft, &label);
+        let is_new = builder.take_label("imposed", &label, table);
+        let node = node(table, builder, &label);
         let motion = imposed(table);
-        let frame = draft.frames().of(table);
+        let frame = builder.frames().of(table);
         let drive = match table.has("drive") {
-            true => drives::read_place(table, "drive", Dimension::NUMBER, draft.drives()).map(Some),
+            true => {
+                drives::read_position(table, "drive", Dimension::NUMBER, builder.drives()).map(Some)
+            }
             false => Some(None),
         };
         table.finish();
         let (Some(node), Some(mut motion), Some(frame), Some(drive), true) =
             (node, motion, frame, drive, is_new)
         else {
-            draft.note_broken();
+            builder.note_broken();
             continue;
         };
-        if draft.clamped().any(|clamped| clamped == node) {
-            let node = draft.nodes()[node].label.clone();
+        if builder.clamped().any(|clamped| clamped == node) {
+            let node = builder.nodes()[node].label.clone();
             table.note("node", &LoadProblem::Clamped { node });
-            draft.note_broken();
+            builder.note_broken();
             continue;
         }
         if let Some(line) = held.insert(node, table.line()) {
             let line = table.document().line_words(line);
-            let node = draft.nodes()[node].label.clone();
+            let node = builder.nodes()[node].label.clone();
             table.note("node", &LoadProblem::ImposedTwice { node, line });
-            draft.note_broken();
+            builder.note_broken();
             continue;
         }
         motion.axes = frame.axes(&motion.axes);
-        let imposed = loads::imposed(label, node, &draft.nodes()[node], motion);
+        let imposed = loads::imposed(label, node, &builder.nodes()[node], motion);
         let imposed = match drive {
             Some(signal) => imposed.scaled_by(signal),
             None => imposed,
         };
-        draft.add_load(Box::new(imposed));
+        builder.add_load(Box::new(imposed));
     }
 }
 

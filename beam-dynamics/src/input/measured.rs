@@ -9,7 +9,7 @@ use shared_geom::error::Diagnostics;
 
 use super::csv_rows;
 use super::problem::InputProblem;
-use super::speeds::RPM;
+use super::rotor_speed::RPM;
 use crate::case::Words as ModeWords;
 use crate::result::{Measured, MeasuredPoint, ModeKind};
 
@@ -186,7 +186,7 @@ mod tests {
 
     // The empty line and the remark before the last row are counted as lines.
     #[test]
-    fn every_wrong_row_is_told_with_its_line() {
+    fn every_wrong_row_is_reported_with_its_line() {
         let text = "speed_rpm,frequency_hz,order\n0,1.4\n-1,2,1\n0,0,1\n0,x,1\n0,1,0\n0,1,2\n\n# a remark\n0,3,2\n";
         let shown = parse(text, "a.csv").unwrap_err().to_string();
         let expected = "\

@@ -7,7 +7,7 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
-use super::speeds::{RPM, analyzed};
+use super::rotor_speed::{RPM, analyzed};
 use crate::case::{FrequencyUnit, ModeStyle, Words};
 
 /// Largest multiple of the rotor speed.

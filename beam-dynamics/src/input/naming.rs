@@ -11,13 +11,13 @@ use std::collections::BTreeMap;
 
 use nalgebra::Matrix3;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use crate::model::NamingAxes;
 
 /// Part of the size of the model up to which a node is on the axis of rotation.
 const ON_AXIS: f64 = 1e-9;
 
-impl Draft {
+impl ModelBuilder {
     /// Axes for naming, one per node; `None` without a hub.
     pub fn naming(&self) -> Option<Vec<NamingAxes>> {
         let groups = self.connected();

@@ -7,7 +7,7 @@ use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::frames::{Frame, IN};
 use super::transient::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
@@ -30,10 +30,10 @@ keys! {
 }
 
 /// Adds every `[[node]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for table in root.tables("node") {
         let label = table.get(&NAME);
-        let frame = draft.frames().of(&table);
+        let frame = builder.frames().of(&table);
         let node = node(&table, label.clone(), frame);
         let initial = initial_motion(&table).zip(frame).map(|(motion, frame)| {
             let turned = |vector: Vector3<f64>| frame.direction(&vector);
@@ -46,12 +46,12 @@ pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
         table.finish();
         match (node.zip(initial), label) {
             (Some((node, initial)), _) => {
-                if let Some(index) = draft.add_node(node, &table, None) {
-                    draft.set_initial(index, initial);
+                if let Some(index) = builder.add_node(node, &table, None) {
+                    builder.set_initial(index, initial);
                 }
             }
-            (None, Some(label)) => drop(draft.name_node(&label, None, &table)),
-            (None, None) => draft.note_broken(),
+            (None, Some(label)) => drop(builder.name_node(&label, None, &table)),
+            (None, None) => builder.note_broken(),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Problems of a dynamics input, other than those of any input file.
+//! Problems that only a dynamics input can have.
 
 use shared_geom::document::DocumentProblem;
 use shared_geom::error::{Explain, nearest_name};
@@ -91,7 +91,7 @@ pub enum InputProblem {
     },
     /// Prestress is requested, but there is no file.
     #[error("properties \"{name}\" request the effect of prestress, but have no \"file\"")]
-    PrestressInPlace {
+    InlinePrestress {
         /// Name of the properties.
         name: String,
     },
@@ -394,7 +394,7 @@ impl Explain for InputProblem {
                 "put prestress = \"biot\" into the section file and analyze it again, or remove \
                  \"prestress\" to ignore prestress"
             }
-            Self::PrestressInPlace { .. } => "only property files have tables of prestress",
+            Self::InlinePrestress { .. } => "only property files have tables of prestress",
             Self::ShapeSpeed { nearest, .. } => {
                 return Some(format!("the nearest is {} rpm", six(*nearest)));
             }

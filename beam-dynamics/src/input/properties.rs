@@ -14,7 +14,7 @@ use shared_geom::units::Dimension;
 use super::beam_section::{Properties, usable};
 use super::curved::Curved;
 use super::heat;
-use super::in_place;
+use super::inline_properties;
 use super::laws::{self, LawProblem};
 use super::problem::InputProblem;
 use super::{damping, drives};
@@ -35,7 +35,7 @@ pub(super) const CARD: TableSchema = TableSchema {
             meaning: "From a property file.",
             keys: &[FILE.schema, PRESTRESS.schema],
         },
-        in_place::NUMBERS,
+        inline_properties::NUMBERS,
     ],
 };
 
@@ -76,8 +76,8 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
         let properties = match is_file {
             true => from_file(&name, &table),
             false => {
-                note_prestress_in_place(&name, &table);
-                in_place::read(&name, &table)
+                note_inline_prestress(&name, &table);
+                inline_properties::read(&name, &table)
             }
         };
         let properties = with_law(&name, properties, &table, drives);
@@ -182,7 +182,7 @@ fn with_law(
 }
 
 fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
-    let mut numbers = in_place::NUMBERS.keys.iter().map(|key| key.name);
+    let mut numbers = inline_properties::NUMBERS.keys.iter().map(|key| key.name);
     if let Some(key) = numbers.find(|key| table.has(key)) {
         let table_words = table.title().to_owned();
         table.note(
@@ -252,10 +252,10 @@ fn third_of(
 }
 
 /// Notes a request for prestress by properties in the card, which have no table of it.
-fn note_prestress_in_place(name: &str, table: &Table<'_>) {
+fn note_inline_prestress(name: &str, table: &Table<'_>) {
     if table.has("prestress") {
         let name = name.to_owned();
-        table.note("prestress", &InputProblem::PrestressInPlace { name });
+        table.note("prestress", &InputProblem::InlinePrestress { name });
     }
 }
 

@@ -50,8 +50,8 @@ fn changed(text: &str, random: &mut Random) -> String {
             3 => lines.truncate(at + 1),
             _ => {
                 let mut words: Vec<_> = lines[at].split(' ').collect();
-                let place = below(random, words.len());
-                words[place] = WORDS[below(random, WORDS.len())];
+                let index = below(random, words.len());
+                words[index] = WORDS[below(random, WORDS.len())];
                 lines[at] = words.join(" ");
             }
         }
@@ -102,11 +102,11 @@ fn no_blade_vanishes_from_a_model() {
                     assert_eq!(input.model.blades.len(), 2);
                     counts[0] += 1;
                 }
-                Err(told) => {
-                    assert!(told.starts_with("error: "), "{told}");
+                Err(reported) => {
+                    assert!(reported.starts_with("error: "), "{reported}");
                     assert!(
-                        !told.contains("no reason was noted"),
-                        "{told}\n{}",
+                        !reported.contains("no reason was noted"),
+                        "{reported}\n{}",
                         files[which].1
                     );
                     counts[1] += 1;

@@ -7,7 +7,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::laws::{self, Components, LawProblem};
 use super::{drives, ends};
 use crate::elements::springs::{End, Measure, Rod};
@@ -40,22 +40,22 @@ keys! {
 const NO_LENGTH: f64 = 1e-9;
 
 /// Adds every `[[rod]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("rod").iter().enumerate() {
         let label = ends::label(table, "rod", number);
-        let is_new = draft.take_label("spring", &label, table);
-        let rod = rod(table, draft, &label);
+        let is_new = builder.take_label("spring", &label, table);
+        let rod = rod(table, builder, &label);
         table.finish();
         match rod {
-            Some(rod) if is_new => draft.add_joint(Box::new(rod)),
-            _ => draft.note_broken(),
+            Some(rod) if is_new => builder.add_joint(Box::new(rod)),
+            _ => builder.note_broken(),
         }
     }
 }
 
-fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
+fn rod(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Rod> {
     let words = format!("rod \"{label}\"");
-    let nodes = ends::nodes(table, draft, &words, true);
+    let nodes = ends::nodes(table, builder, &words, true);
     let ends = match nodes.as_deref() {
         Some(&[a, b]) => ends::points(table, [a, b]),
         Some(&[node]) => ends::frame_and_point(table, node, &words),
@@ -63,14 +63,14 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
     };
     let measure = table.get(&MEASURE);
     let relaxed = match table.has("length") {
-        true => drives::read_length(table, "length", draft.drives()).map(Some),
+        true => drives::read_length(table, "length", builder.drives()).map(Some),
         false => Some(None),
     };
     let of = match measure {
         Some(1) => Components::ELONGATION,
         _ => Components::STRAIN,
     };
-    let law = laws::read(table, "law", &of, draft.drives());
+    let law = laws::read(table, "law", &of, builder.drives());
     let measure = [Measure::Strain, Measure::Elongation][measure?];
     let (ends, relaxed, law) = (ends?, relaxed?, law?);
     if let (Some(item), Some(relaxed)) = (table.item("length"), &relaxed)
@@ -79,10 +79,10 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
     {
         return None;
     }
-    let rod = Rod::new(label, ends, draft.nodes(), relaxed, (measure, law));
-    let rest: Vec<_> = draft.nodes().iter().map(NodeMotion::at_rest).collect();
+    let rod = Rod::new(label, ends, builder.nodes(), relaxed, (measure, law));
+    let rest: Vec<_> = builder.nodes().iter().map(NodeMotion::at_rest).collect();
     let of_rod: Vec<_> = rod.nodes().iter().map(|&node| rest[node]).collect();
-    if rod.length(&of_rod) <= NO_LENGTH * size(&ends, draft) {
+    if rod.length(&of_rod) <= NO_LENGTH * size(&ends, builder) {
         table.note("nodes", &LawProblem::NoLength { rod: words });
         return None;
     }
@@ -90,9 +90,9 @@ fn rod(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Rod> {
 }
 
 /// The largest coordinate of the ends \[m\].
-fn size(ends: &[End; 2], draft: &Draft) -> f64 {
+fn size(ends: &[End; 2], builder: &ModelBuilder) -> f64 {
     let of_end = |end: &End| match end {
-        End::Node { node, offset } => draft.nodes()[*node].position.amax().max(offset.amax()),
+        End::Node { node, offset } => builder.nodes()[*node].position.amax().max(offset.amax()),
         End::Frame { position } => position.amax(),
     };
     ends.iter().map(of_end).fold(0.0, f64::max)

@@ -14,9 +14,8 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::{
-    beams, blades, bodies, clamps, columns, control, drives, electrodes, frames, hub,
-    internal_forces, joints, loads, measured, nodes, properties, questions, rods, speeds, springs,
-    transient,
+    analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes, frames, hub,
+    internal_forces, joints, loads, measured, nodes, properties, rods, speeds, springs, transient,
 };
 
 keys! {
@@ -50,9 +49,9 @@ keys! {
     /// Modes at rotor speeds.
     MODES: ByHand = "modes", [Table(&speeds::CARD)], optional, "";
     /// Equilibria.
-    STATIC: ByHand = "static", [Table(&questions::STATIC)], optional, "";
+    STATIC: ByHand = "static", [Table(&analyses::STATIC)], optional, "";
     /// Critical loads.
-    BUCKLING: ByHand = "buckling", [Table(&questions::BUCKLING)], optional, "";
+    BUCKLING: ByHand = "buckling", [Table(&analyses::BUCKLING)], optional, "";
     /// Motion in time.
     TRANSIENT: ByHand = "transient", [Table(&transient::TRANSIENT)], optional, "";
     /// Output of runs in time.

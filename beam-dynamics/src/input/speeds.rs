@@ -3,16 +3,15 @@
 use shared_geom::document::schema::ValueKind::{
     Boolean, Count, Quantities, Quantity, Table as OneTable,
 };
-use shared_geom::keys;
-use std::f64::consts::PI;
-
 use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::modal_damping;
 use super::mode_style::{self, FREQUENCY_UNIT, HARMONICS, NAME_AT, WORDS};
 use super::problem::InputProblem;
-use crate::case::ModesQuestion;
+use super::rotor_speed::{RPM, SAME_SPEED, analyzed};
+use crate::case::ModesSettings;
 
 keys! {
     /// Frequencies and modes of small motions about the equilibrium at each rotor speed.
@@ -42,20 +41,15 @@ keys! {
     STEPS: usize = "steps", [Count(MOST_SPEEDS)], required, "6";
 }
 
-/// Radians per second in one revolution per minute.
-pub(super) const RPM: f64 = PI / 30.0;
-
 /// Default number of modes.
 const DEFAULT_COUNT: usize = 10;
 /// Speeds of one run: more are treated as an error.
 const MOST_SPEEDS: usize = 10_000;
 /// Modes of one run: more than any model that can be solved here.
 const MOST_MODES: usize = 10_000;
-/// Speeds closer than this part of the larger are the same speed.
-const SAME_SPEED: f64 = 1e-9;
 
 /// Reads `[modes]`.
-pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
+pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
     let table = root.require_table("modes", "the rotor speeds: [modes] with \"speeds\"")?;
     let speeds = speeds(&table);
     let count = table.get(&COUNT);
@@ -63,14 +57,14 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesQuestion> {
     let damping = modal_damping::read(&table);
     let style = mode_style::read(&table, speeds.as_deref());
     table.finish();
-    let mut question = ModesQuestion::new(speeds?, count?);
-    (question.animate, question.shapes) = shapes?;
-    question.damping = damping?;
-    question.style = style?;
-    if question.shapes.is_empty() {
-        question.shapes = question.ends();
+    let mut settings = ModesSettings::new(speeds?, count?);
+    (settings.animate, settings.shapes) = shapes?;
+    settings.damping = damping?;
+    settings.style = style?;
+    if settings.shapes.is_empty() {
+        settings.shapes = settings.ends();
     }
-    Some(question)
+    Some(settings)
 }
 
 fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
@@ -160,32 +154,22 @@ fn chosen_shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<Vec<f64>> 
     (found.len() == wanted.len()).then_some(found)
 }
 
-/// The speed nearest to `wanted`, and whether it is the same one; `None` without speeds.
-pub(super) fn analyzed(speeds: &[f64], wanted: f64) -> Option<(bool, f64)> {
-    let distance = |speed: f64| (speed - wanted).abs();
-    let nearest = speeds
-        .iter()
-        .copied()
-        .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))?;
-    Some((distance(nearest) <= SAME_SPEED * nearest.abs(), nearest))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::case::ModalDamping;
     use shared_geom::document::Document;
 
-    fn question(text: &str) -> Result<ModesQuestion, String> {
+    fn settings(text: &str) -> Result<ModesSettings, String> {
         let document = Document::parse(&format!("[modes]\n{text}"), "a.toml").unwrap();
-        let question = read(&document.root());
+        let settings = read(&document.root());
         document
-            .finish(question)
+            .finish(settings)
             .map_err(|problems| problems.to_string())
     }
 
     fn rpm(text: &str) -> Vec<f64> {
-        question(text)
+        settings(text)
             .unwrap()
             .speeds
             .iter()
@@ -204,14 +188,14 @@ mod tests {
         assert_eq!(rpm("speeds = { from = 100, to = 400, steps = 1 }"), [100.0]);
         // Far apart, but close relative to the largest.
         assert_eq!(rpm("speeds = [0, 1, 1e12]"), [0.0, 1.0, 1e12]);
-        assert_eq!(question("speeds = [1]").unwrap().count, 10);
+        assert_eq!(settings("speeds = [1]").unwrap().count, 10);
     }
 
     #[test]
     fn damping_ratios_are_given_for_all_by_order_or_by_name() {
         let ratio = |value: &str, order, name| {
             let text = format!("speeds = [0]\ndamping_ratio = {value}");
-            question(&text).unwrap().damping.ratio(order, name)
+            settings(&text).unwrap().damping.ratio(order, name)
         };
         assert_eq!(ratio("0.01", 7, "lag 3"), Some(0.01));
         assert_eq!(ratio("[0.01, 0.02]", 1, "lag 1"), Some(0.02));
@@ -220,7 +204,7 @@ mod tests {
         assert_eq!(ratio(named, 5, "flap 1"), Some(0.03));
         assert_eq!(ratio(named, 0, "flap 2"), None);
         assert_eq!(
-            question("speeds = [0]").unwrap().damping,
+            settings("speeds = [0]").unwrap().damping,
             ModalDamping::Found
         );
     }
@@ -228,9 +212,9 @@ mod tests {
     #[test]
     fn shapes_are_those_of_the_ends_or_of_speeds_that_are_named() {
         let shapes = |text: &str| {
-            let question = question(&format!("speeds = [0, 100, 200]\n{text}")).unwrap();
-            let rpm = question.shapes.iter().map(|speed| (speed / RPM).round());
-            (question.animate, rpm.collect::<Vec<_>>())
+            let settings = settings(&format!("speeds = [0, 100, 200]\n{text}")).unwrap();
+            let rpm = settings.shapes.iter().map(|speed| (speed / RPM).round());
+            (settings.animate, rpm.collect::<Vec<_>>())
         };
         assert_eq!(shapes(""), (false, vec![0.0, 200.0]));
         assert_eq!(shapes("shapes = true"), (true, vec![0.0, 200.0]));
@@ -241,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_speeds_are_told() {
+    fn wrong_speeds_are_reported() {
         for (text, expected) in [
             (
                 "speeds = [1]\ndamping_ratio = 1.5",
@@ -284,7 +268,7 @@ mod tests {
                 "\"count\" is 9223372036854775807, expected at most 10000",
             ),
         ] {
-            let shown = question(text).unwrap_err();
+            let shown = settings(text).unwrap_err();
             assert!(shown.contains(expected), "{text}: {shown}");
         }
     }

@@ -8,11 +8,11 @@ use shared_geom::keys;
 use shared_geom::rotation::{skew, vector};
 use shared_geom::units::Dimension;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::frames::IN;
 use super::laws::LawProblem;
 use super::problem::InputProblem;
-use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
+use crate::elements::springs::{SupportFrame, SupportLaw, SupportSpring};
 
 mod between;
 
@@ -77,37 +77,37 @@ struct Spring {
     stiffness: [f64; 6],
     /// Along the axes \[N s/m\], about them \[N m s\].
     damping: [f64; 6],
-    stand: Stand,
+    support_frame: SupportFrame,
 }
 
 /// Adds every `[[spring]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("spring").iter().enumerate() {
         let label = table
             .text("name")
             .unwrap_or_else(|| format!("spring {}", number + 1));
-        let is_new = draft.take_label("spring", &label, table);
+        let is_new = builder.take_label("spring", &label, table);
         if between::is_one(table) {
-            let spring = between::read(table, draft, &label);
+            let spring = between::read(table, builder, &label);
             table.finish();
             match spring {
-                Some(spring) if is_new => draft.add_joint(Box::new(spring)),
-                _ => draft.note_broken(),
+                Some(spring) if is_new => builder.add_joint(Box::new(spring)),
+                _ => builder.note_broken(),
             }
             continue;
         }
         let words = format!("spring \"{label}\"");
         let name = table.get(&NODE);
-        let node = name.and_then(|name| draft.find_node(&name, table, "node", &words));
-        let spring = spring(table).zip(draft.frames().of(table));
+        let node = name.and_then(|name| builder.find_node(&name, table, "node", &words));
+        let spring = spring(table).zip(builder.frames().of(table));
         let spring = spring.map(|(spring, frame)| Spring {
             axes: frame.axes(&spring.axes),
             ..spring
         });
         table.finish();
         match (node, spring) {
-            (Some(node), Some(spring)) if is_new => add(&spring, (node, label), table, draft),
-            _ => draft.note_broken(),
+            (Some(node), Some(spring)) if is_new => add(&spring, (node, label), table, builder),
+            _ => builder.note_broken(),
         }
     }
 }
@@ -124,12 +124,12 @@ fn spring(table: &Table<'_>) -> Option<Spring> {
         ["damping", "rotational_damping"],
         [Dimension::DAMPER, Dimension::TURNING_DAMPER],
     );
-    let stand = table.get(&STANDS_IN);
+    let support_frame = table.get(&STANDS_IN);
     Some(Spring {
         axes: vector::to_rotation(&axes?),
         stiffness: stiffness?,
         damping: damping?,
-        stand: [Stand::Frame, Stand::World][stand?],
+        support_frame: [SupportFrame::Frame, SupportFrame::World][support_frame?],
     })
 }
 
@@ -156,26 +156,31 @@ fn six(table: &Table<'_>, keys: [&'static str; 2], dimensions: [Dimension; 2]) -
     Some([along.x, along.y, along.z, about.x, about.y, about.z])
 }
 
-fn add(spring: &Spring, (index, label): (usize, String), table: &Table<'_>, draft: &mut Draft) {
+fn add(
+    spring: &Spring,
+    (index, label): (usize, String),
+    table: &Table<'_>,
+    builder: &mut ModelBuilder,
+) {
     let law = SupportLaw::along(&spring.axes, &spring.stiffness, &spring.damping);
-    let node = draft.nodes()[index].clone();
-    let turns_with = draft.hub().map(|hub| hub.spin());
-    if let (Stand::World, Some(spin)) = (spring.stand, turns_with) {
-        let off = node.position - spin.center;
-        let across = off - spin.axis * spin.axis.dot(&off);
-        let size = node.position.amax().max(spin.center.amax());
+    let node = builder.nodes()[index].clone();
+    let turns_with = builder.hub().map(|hub| hub.frame_rotation());
+    if let (SupportFrame::World, Some(frame_rotation)) = (spring.support_frame, turns_with) {
+        let off = node.position - frame_rotation.center;
+        let across = off - frame_rotation.axis * frame_rotation.axis.dot(&off);
+        let size = node.position.amax().max(frame_rotation.center.amax());
         if across.amax() > ROUNDING * size {
             let (spring, node) = (label, node.label);
             table.note("stands_in", &InputProblem::OffAxis { spring, node });
-            return draft.note_broken();
+            return builder.note_broken();
         }
-        if !is_isotropic(&law, &spin.axis) {
+        if !is_isotropic(&law, &frame_rotation.axis) {
             table.note("stands_in", &InputProblem::Anisotropic { spring: label });
-            return draft.note_broken();
+            return builder.note_broken();
         }
     }
-    let support = SupportSpring::new(label, index, &node, law, spring.stand);
-    draft.add_joint(Box::new(support));
+    let support = SupportSpring::new(label, index, &node, law, spring.support_frame);
+    builder.add_joint(Box::new(support));
 }
 
 /// Whether a law is isotropic about an axis: its matrices

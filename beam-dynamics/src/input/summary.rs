@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use super::draft::Draft;
+use super::builder::ModelBuilder;
 use super::number::short_number;
-use super::speeds::RPM;
-use crate::case::ModesQuestion;
+use super::rotor_speed::RPM;
+use crate::case::ModesSettings;
 use crate::result::Measured;
 
 /// Contents of a model and number of results.
@@ -31,9 +31,9 @@ pub struct Summary {
     pub measured: usize,
 }
 
-impl Draft {
+impl ModelBuilder {
     /// Counts the contents of the model.
-    pub fn summary(&self, modes: Option<&ModesQuestion>, measured: &Measured) -> Summary {
+    pub fn summary(&self, modes: Option<&ModesSettings>, measured: &Measured) -> Summary {
         let speeds = modes.map_or(&[][..], |modes| &modes.speeds);
         let ends = [speeds.first(), speeds.last()];
         Summary {

@@ -35,7 +35,7 @@ pub(super) fn read_beside(text: &str, files: &[(&str, &str)]) -> Result<Input, S
 
 /// The problems reported for a text that must not be accepted.
 #[track_caller]
-pub(super) fn told(found: Result<Input, String>) -> String {
+pub(super) fn reported(found: Result<Input, String>) -> String {
     match found {
         Err(shown) => shown,
         Ok(_) => panic!("accepted"),

@@ -6,7 +6,7 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
 
-use super::test_files::{STRIP, read_beside, told};
+use super::test_files::{STRIP, read_beside, reported};
 use super::{Input, name_of};
 use crate::model::{Conditions, NamingAxes};
 use crate::result::ModeKind;
@@ -64,7 +64,7 @@ fn input(cards: &str) -> Result<Input, String> {
 /// The problems reported for the cards.
 #[track_caller]
 fn refused(cards: &str) -> String {
-    told(input(cards))
+    reported(input(cards))
 }
 
 /// Expects a part of the message when `old` in `cards` is replaced by `new`.
@@ -201,7 +201,7 @@ fn explicit_beams_are_named_from_their_root() {
 }
 
 #[test]
-fn names_that_nothing_has_are_told_with_the_nearest() {
+fn names_that_nothing_has_are_reported_with_the_nearest() {
     let cards = format!("{BEAM}{MODES}");
     let node =
         "a.dynamics.toml:25: unknown node \"mdi\" in beam \"inner\"\n  help: did you mean \"mid\"?";
@@ -235,7 +235,7 @@ fn broken_cards_do_not_make_their_names_unknown() {
 }
 
 #[test]
-fn doubled_names_are_told_with_the_first_line() {
+fn doubled_names_are_reported_with_the_first_line() {
     let cards = format!("{BEAM}{MODES}");
     let doubled = "node \"root\" is already defined on line 15, expected one of this name";
     expect(&cards, "name = \"mid\"", "name = \"root\"", doubled);
@@ -395,7 +395,7 @@ fn impossible_blades_are_explained() {
 
 #[test]
 fn a_list_of_no_blades_is_an_empty_model() {
-    let shown = told(read_beside(
+    let shown = reported(read_beside(
         &format!("blade = []\nunits = \"SI\"\n{MODES}"),
         &[],
     ));
@@ -501,7 +501,7 @@ fn bodies_have_possible_inertias() {
 }
 
 #[test]
-fn unknown_keys_and_wrong_units_are_told_together() {
+fn unknown_keys_and_wrong_units_are_reported_together() {
     let cards = format!("{BLADE}{MODES}")
         .replace("sweep =", "swep =")
         .replace("length = 4", "length = \"4 kg\"")

@@ -4,9 +4,9 @@ use shared_geom::document::Table;
 use shared_geom::error::Explain;
 use shared_geom::units::Dimension;
 
-use super::elsewhere::OF_TRANSIENT;
+use super::misplaced_keys::OF_TRANSIENT;
 use super::number::short_number;
-use crate::case::{Redundant, Start, StartAccelerations, StartShape, TransientQuestion};
+use crate::case::{Redundant, Start, StartAccelerations, StartShape, TransientSettings};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
 mod keys;
@@ -156,17 +156,17 @@ fn six(value: f64) -> String {
 }
 
 /// Reads `[transient]`; `Some(None)` without the card.
-pub(super) fn read(root: &Table<'_>) -> Option<Option<TransientQuestion>> {
+pub(super) fn read(root: &Table<'_>) -> Option<Option<TransientSettings>> {
     if !root.has("transient") {
         return Some(None);
     }
     let table = root.table("transient")?;
-    let question = question(&table);
+    let settings = settings(&table);
     table.finish_beside(&OF_TRANSIENT);
-    question.map(Some)
+    settings.map(Some)
 }
 
-fn question(table: &Table<'_>) -> Option<TransientQuestion> {
+fn settings(table: &Table<'_>) -> Option<TransientSettings> {
     let times = times(table);
     let stepping = stepping(table, times.map(|[from, to]| to - from));
     let scheme = scheme(table);
@@ -177,7 +177,7 @@ fn question(table: &Table<'_>) -> Option<TransientQuestion> {
     let accelerations = table.get(&START_ACCELERATIONS);
     let redundant = table.get(&REDUNDANT);
     let [from, to] = times?;
-    Some(TransientQuestion {
+    Some(TransientSettings {
         from,
         to,
         stepping: stepping?,

@@ -286,9 +286,9 @@ impl Integrator {
         }
         let ratio = length / self.progress.length;
         let has_cubic = self.progress.known > 1 && ratio <= REACH;
-        for (rates, place) in self.rates.iter_mut().zip(formula.places) {
+        for (rates, position) in self.rates.iter_mut().zip(formula.positions) {
             match has_cubic {
-                true => past.rates((1.0 + place) * ratio, self.progress.length, rates),
+                true => past.rates((1.0 + position) * ratio, self.progress.length, rates),
                 false => rates.copy_from_slice(&past.latest_rates),
             }
             let algebraic = dae.algebraic().iter();
@@ -297,8 +297,8 @@ impl Integrator {
         }
         for stage in 0..formula.stages {
             self.predict_changes(dae.algebraic(), formula, stage, length);
-            let time = match formula.places[stage] < 0.0 {
-                true => self.progress.time + (1.0 + formula.places[stage]) * length,
+            let time = match formula.positions[stage] < 0.0 {
+                true => self.progress.time + (1.0 + formula.positions[stage]) * length,
                 // At a corner, the conditions before it.
                 false => plan.corner.map_or(plan.end, |corner| corner.before),
             };
@@ -376,7 +376,7 @@ impl Integrator {
             length,
             least: self.progress.lengths.least(&self.stepping),
             worst,
-            equation: Box::new(dae.name(worst.place)),
+            equation: Box::new(dae.name(worst.index)),
             local_error,
             history: self.corrector.history().to_vec(),
         }

@@ -56,7 +56,7 @@ const BEYOND_REASON: f64 = 10.0;
 const GROWTH: f64 = 2.0;
 
 /// Initial capacity of the history of an iteration.
-const MOST_ROOM: usize = 100;
+const INITIAL_CAPACITY: usize = 100;
 
 /// The conditions for which a Jacobian was computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,7 +114,7 @@ impl Corrector {
             last: (0..stages).map(|_| zero()).collect(),
             moved: zero(),
             rates: zero(),
-            history: Vec::with_capacity(limits.iterations.min(MOST_ROOM)),
+            history: Vec::with_capacity(limits.iterations.min(INITIAL_CAPACITY)),
             first: 0,
             worst: Worst::default(),
         }
@@ -231,12 +231,12 @@ impl Corrector {
     fn find_worst(&mut self, dae: &dyn Dae) -> Result<(), Reason> {
         self.worst = Worst::default();
         for residual in &self.residuals {
-            if let Some(place) = residual.values.iter().position(|value| !value.is_finite()) {
+            if let Some(index) = residual.values.iter().position(|value| !value.is_finite()) {
                 let relative = f64::INFINITY;
                 let scale = f64::INFINITY;
                 self.worst = Worst {
                     relative,
-                    place,
+                    index,
                     scale,
                 };
                 return Err(Reason::NotFinite);

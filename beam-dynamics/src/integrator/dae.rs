@@ -121,5 +121,5 @@ pub trait Dae {
     fn describe_error(&self, difference: &[f64]) -> String;
 
     /// An equation as text: quantity, owner and unit.
-    fn name(&self, place: usize) -> Name;
+    fn name(&self, index: usize) -> Name;
 }

@@ -23,7 +23,7 @@ pub struct Formula {
     /// Number of stages.
     pub stages: usize,
     /// Position xi of each stage, in steps from the end [-].
-    pub places: [f64; STAGES],
+    pub positions: [f64; STAGES],
     /// beta: weight of the previous state [-].
     pub before: f64,
     /// e1: weights of the rates of the latest state [-].
@@ -65,7 +65,7 @@ impl Formula {
         weights[0][0] = weight;
         Self {
             stages: 1,
-            places: [0.0; STAGES],
+            positions: [0.0; STAGES],
             before: 0.0,
             latest_rates: [0.0; STAGES],
             rates_before: [0.0; STAGES],
@@ -183,7 +183,7 @@ impl Formula {
         let [w1, wz, w0] = end;
         let mut formula = Self::one_stage(0.0, of_order.0, of_order.1);
         formula.stages = 2;
-        formula.places[0] = zeta;
+        formula.positions[0] = zeta;
         formula.latest_rates = [at.end * w1 + at.latest_rate, w1, 0.0];
         formula.weights[0] = [at.end * wz, at.end * w0 + at.end_rate, 0.0];
         formula.weights[1] = [wz, w0, 0.0];
@@ -193,12 +193,12 @@ impl Formula {
     /// Cubic interpolation weighted at Gauss' two points, [Masarati] B.3.1.
     pub fn cubic_gauss() -> Self {
         let off = 0.5 / 3.0_f64.sqrt();
-        let places = [-0.5 - off, -0.5 + off, 0.0];
+        let positions = [-0.5 - off, -0.5 + off, 0.0];
         let mut formula = Self::one_stage(0.0, 4, 0.0);
         formula.stages = 3;
-        formula.places = places;
+        formula.positions = positions;
         for stage in 0..2 {
-            let at = cubic(places[stage]);
+            let at = cubic(positions[stage]);
             formula.latest_rates[stage] = at.latest_rate;
             formula.weights[stage] = [0.5 * at.end, 0.5 * at.end, at.end_rate];
         }
@@ -211,7 +211,7 @@ impl Formula {
         let s = 6.0_f64.sqrt();
         let mut formula = Self::one_stage(0.0, 5, 0.0);
         formula.stages = 3;
-        formula.places = [-(6.0 + s) / 10.0, -(6.0 - s) / 10.0, 0.0];
+        formula.positions = [-(6.0 + s) / 10.0, -(6.0 - s) / 10.0, 0.0];
         formula.weights = [
             [
                 (88.0 - 7.0 * s) / 360.0,

@@ -19,7 +19,7 @@ pub use formula::Formula;
 pub use noise::{BandNoise, SteppedNoise};
 pub use pace::Pace;
 pub use shape::{Doublet, Harmonic, Ramp, Step};
-pub use table::{DriveTable, Interpolation, Outside, TableProblem};
+pub use table::{DriveTable, Extrapolation, Interpolation, TableProblem};
 
 /// A number that changes with time, with its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -89,13 +89,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_tell_how_far_they_are_off() {
+    fn names_report_how_far_they_are_off() {
         let name = Name::of_node("force balance along y", "tip", "N");
-        let told = "force balance along y of node \"tip\"";
-        assert_eq!(name.to_string(), told);
-        let off = format!("{told}, off by 12.35 N, 1.235e-3 of its scale 10000 N");
+        let reported = "force balance along y of node \"tip\"";
+        assert_eq!(name.to_string(), reported);
+        let off = format!("{reported}, off by 12.35 N, 1.235e-3 of its scale 10000 N");
         assert_eq!(name.off_by(0.001_234_6, 10_000.4), off);
-        let none = format!("{told}, without a value");
+        let none = format!("{reported}, without a value");
         assert_eq!(name.off_by(f64::INFINITY, 1.0), none);
         let cosine = Name::of_element("cosine", "cardan", "-");
         let off = "cosine of \"cardan\", off by 0.5, 0.5 of its scale 1";

@@ -237,8 +237,8 @@ impl Numbering {
 
     /// The part of the memory that belongs to an element.
     pub fn memory_of(&self, element: usize) -> std::ops::Range<usize> {
-        let place = self.remembering.binary_search_by_key(&element, |own| own.0);
-        place.map_or(0..0, |place| self.remembering[place].1.clone())
+        let index = self.remembering.binary_search_by_key(&element, |own| own.0);
+        index.map_or(0..0, |index| self.remembering[index].1.clone())
     }
 
     /// Index of the first multiplier among the unknowns.

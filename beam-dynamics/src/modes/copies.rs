@@ -2,7 +2,7 @@
 
 use faer::c64;
 
-use super::eigen::Eigenpair;
+use super::eigenpair::Eigenpair;
 use crate::model::NODE_UNKNOWNS;
 
 /// Values within this part of each other cannot be distinguished.

@@ -11,6 +11,7 @@
 use faer::{Mat, c64};
 
 use super::copies::{groups, is_independent, orthonormalize, product};
+use super::eigenpair::Eigenpair;
 use super::frequencies::{fastest, highest_of_a_node, masses, undamped};
 use super::inverse::{DENSE, INFINITE, Inverse};
 use super::krylov::{Found, start_value};
@@ -32,9 +33,9 @@ const ZERO: f64 = 3e-8;
 const FREE_SHIFT: f64 = 1e-2;
 /// A free body has six.
 const FREE: usize = 8;
-/// The first shift, in parts of the highest frequency of a node on its own.
+/// The first shift, in parts of the highest frequency of a single node.
 const BELOW: f64 = 1e-5;
-/// Eigenvalues that are asked for at most, in parts of the oscillations that are wanted.
+/// Largest number of computed eigenvalues, as a multiple of the requested oscillations.
 const MOST: usize = 8;
 /// Inverse iterations; the first already leaves other modes smaller by 1e-10 over
 /// their distance.
@@ -45,21 +46,6 @@ const PARALLEL_BY: f64 = 1e-8;
 /// Part of itself by which inverse iteration may change a value that it confirms.
 pub(super) const CONFIRMED: f64 = 1e-3;
 
-/// An eigenvalue `s` [1/s] and its vector: twelve entries a node.
-#[derive(Debug, Clone)]
-pub struct Eigenpair {
-    /// Real part of s: growth [1/s].
-    pub growth: f64,
-    /// Imaginary part of s: angular frequency [rad/s].
-    pub angular_frequency: f64,
-    /// Real parts of the vector [unit of each unknown].
-    pub real: Vec<f64>,
-    /// Imaginary parts of the vector [unit of each unknown].
-    pub imaginary: Vec<f64>,
-    /// Error of the pair in the inverted problem, relative [-].
-    pub residual: f64,
-}
-
 /// The lowest modes of a system.
 #[derive(Debug, Clone, Default)]
 pub struct Lowest {
@@ -67,9 +53,9 @@ pub struct Lowest {
     pub pairs: Vec<Eigenpair>,
     /// Real eigenvalues that were found on the way [1/s].
     pub real: Vec<f64>,
-    /// Oscillations that were seen but that no vector confirmed.
+    /// Number of oscillations that were found but that no vector confirmed.
     pub unconfirmed: usize,
-    /// Whether the model has no others, where these are fewer than asked for.
+    /// Whether the model has no others, if these are fewer than requested.
     pub is_all: bool,
 }
 
@@ -210,11 +196,11 @@ impl<'a> EigenProblem<'a> {
     /// vectors, if it was built.
     fn sorted(&self, count: usize) -> (usize, Sorted, bool, Option<Found>) {
         let fastest = fastest(self.tangent, self.size);
-        let mut asked = count;
+        let mut requested = count;
         let mut counted = None;
         loop {
-            let (values, space) = self.inverse.nearest(asked, self.copies, DENSE);
-            let is_all = values.len() < 2 * asked;
+            let (values, space) = self.inverse.nearest(requested, self.copies, DENSE);
+            let is_all = values.len() < 2 * requested;
             let distance = |s: &c64| (s - self.inverse.shift()).norm();
             let nearest = values.iter().map(distance).fold(f64::INFINITY, f64::min);
             let sorted = Sorted::new(values, self.inverse.zero());
@@ -222,11 +208,11 @@ impl<'a> EigenProblem<'a> {
                 0 => 0,
                 zeros => *counted.get_or_insert_with(|| self.free_motions(zeros)),
             };
-            if free + sorted.above.len() >= count || is_all || asked >= MOST * count {
+            if free + sorted.above.len() >= count || is_all || requested >= MOST * count {
                 let is_all = is_all && nearest >= INFINITE * fastest;
                 return (free, sorted, is_all, space);
             }
-            asked *= 2;
+            requested *= 2;
         }
     }
 
@@ -298,7 +284,7 @@ impl<'a> EigenProblem<'a> {
         }
     }
 
-    /// The same question to another system of the same unknowns.
+    /// The eigenvalue problem of another system with the same unknowns.
     fn beside<'b>(&self, tangent: &'b Tangent) -> Option<EigenProblem<'b>>
     where
         'a: 'b,
@@ -315,15 +301,15 @@ impl<'a> EigenProblem<'a> {
     /// frequency: without poles of their own, and never singular, since no circuit grows by
     /// itself. `None` without circuits that have any.
     fn without_circuits(&self, tangent: &Tangent) -> Option<Tangent> {
-        let places: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
-        let of_circuits = places
+        let indices: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
+        let of_circuits = indices
             .iter()
             .filter(|(_, (_, column, value))| *column >= self.size && *value != 0.0);
         let mut result = tangent.clone();
         let mut has_circuits = false;
-        for (place, (_, _, value)) in of_circuits {
-            result.by_rates.values_mut()[*place] = 0.0;
-            result.by_unknowns.values_mut()[*place] += self.lowest * value;
+        for (index, (_, _, value)) in of_circuits {
+            result.by_rates.values_mut()[*index] = 0.0;
+            result.by_unknowns.values_mut()[*index] += self.lowest * value;
             has_circuits = true;
         }
         has_circuits.then_some(result)
@@ -343,7 +329,7 @@ impl<'a> EigenProblem<'a> {
             return together;
         }
         let apart: Vec<_> = groups.iter().flat_map(|group| beside(group)).collect();
-        // Copies that only round-off tells apart may come out twice.
+        // Copies that differ only by round-off may be found twice.
         match is_independent(&apart) {
             true => apart,
             false => together,
@@ -403,7 +389,7 @@ impl<'a> EigenProblem<'a> {
                 *vector = self.rates_times(vector);
                 matrix.solve(vector)?;
             }
-            // Those of the last iteration count, before which the vectors are orthonormal.
+            // The vectors before the last iteration are orthonormal; the others are not used.
             let projected = Mat::from_fn(count, count, |i, j| {
                 product(&before[i], &vectors[j], self.size)
             });

@@ -12,16 +12,17 @@
 //! A = s L L^T,   s = +-1       - s L^T K_1 L z = z / lambda,    v_S = L z         (D-274)
 //! ```
 //!
-//! is one symmetric matrix whose eigenvalues are all known at once, repeated ones with as
-//! many shapes as they have: none can be lost, and where they all vanish there is none. In
-//! a column with torsional prestress every evaluation point gives way at one load, and most
-//! of the eigenvalues of `- K_0^-1 K_1` are zero. Other matrices are those of follower
-//! loads, of finite volumes, or of unstable equilibria; small ones are solved as a whole
-//! too, of large ones the largest eigenvalues are sought.
+//! is one symmetric matrix. All its eigenvalues are computed at once, repeated ones with all
+//! their shapes: none can be lost, and if all vanish there is no critical load. In
+//! a column with torsional prestress every evaluation point buckles at the same load, and most
+//! of the eigenvalues of `- K_0^-1 K_1` are zero. Follower loads, finite volumes and unstable
+//! equilibria give other matrices: of small ones all eigenvalues are computed too, of large
+//! ones only the largest.
 
 use faer::{Mat, Side, c64};
 
-use super::eigen::{CONFIRMED, EigenProblem, Eigenpair};
+use super::eigen::{CONFIRMED, EigenProblem};
+use super::eigenpair::Eigenpair;
 use super::inverse::DENSE;
 use super::sorted::OSCILLATING;
 use crate::assembly::{Entry, MasslessMotions, Tangent};
@@ -46,8 +47,8 @@ const NO_PAIR: f64 = 1e-5;
 pub struct Factors {
     /// The factors, as growth, with their shapes.
     pub pairs: Vec<Eigenpair>,
-    /// Whether there are no others of smaller magnitude than the largest of these, or, where
-    /// they are fewer than asked for, none at all.
+    /// Whether no other factor has a smaller magnitude than the largest of these, or, if they
+    /// are fewer than requested, whether no other exists.
     pub is_complete: bool,
     /// Values that were found with an error that is too large for a factor.
     pub uncertain: usize,
@@ -137,7 +138,7 @@ impl Factors {
     /// Without pairs that are none.
     fn of(mut pairs: Vec<Eigenpair>, is_complete: bool) -> Self {
         let found = pairs.len();
-        // What is not a number is told as such.
+        // NaN is kept, so that it is reported.
         pairs.retain(|pair| pair.residual.is_nan() || pair.residual <= NO_PAIR);
         let uncertain = found - pairs.len();
         Self {
@@ -155,27 +156,27 @@ struct Compliance {
 }
 
 /// The force or moment that a motion of a node is balanced by.
-fn balance(place: usize) -> Option<usize> {
-    let number = place % NODE_UNKNOWNS;
+fn balance(index: usize) -> Option<usize> {
+    let number = index % NODE_UNKNOWNS;
     let is_motion = number < Variable::Rotation.column() + 3;
-    is_motion.then(|| place + Equation::Force.row())
+    is_motion.then(|| index + Equation::Force.row())
 }
 
 impl Compliance {
     /// `None` where the matrices are no symmetric ones of moderate size.
     fn new(problem: &EigenProblem<'_>) -> Option<Self> {
         let rates = problem.rates();
-        let mut places: Vec<_> = rates.iter().map(|entry| entry.1).collect();
-        places.sort_unstable();
-        places.dedup();
-        let is_of_node = |place: &usize| *place < problem.size() && balance(*place).is_some();
-        if places.len() > WHOLE || !places.iter().all(is_of_node) {
+        let mut indices: Vec<_> = rates.iter().map(|entry| entry.1).collect();
+        indices.sort_unstable();
+        indices.dedup();
+        let is_of_node = |index: &usize| *index < problem.size() && balance(*index).is_some();
+        if indices.len() > WHOLE || !indices.iter().all(is_of_node) {
             return None;
         }
-        let rows: Vec<_> = places.iter().filter_map(|place| balance(*place)).collect();
+        let rows: Vec<_> = indices.iter().filter_map(|index| balance(*index)).collect();
         let inverse = problem.inverse().columns(&rows)?;
-        let n = places.len();
-        let all = Mat::from_fn(n, n, |i, j| inverse[(places[i], j)]);
+        let n = indices.len();
+        let all = Mat::from_fn(n, n, |i, j| inverse[(indices[i], j)]);
         let sign = (0..n).map(|i| all[(i, i)]).sum::<f64>().signum();
         let scale = |i: usize| match sign * all[(i, i)] > 0.0 {
             true => all[(i, i)].abs().sqrt(),
@@ -184,7 +185,7 @@ impl Compliance {
         let scale: Vec<_> = (0..n).map(scale).collect();
         let by = |i: usize| if scale[i] > 0.0 { 1.0 / scale[i] } else { 0.0 };
         let compliance = Mat::from_fn(n, n, |i, j| sign * by(i) * all[(i, j)] * by(j));
-        let rates = scaled(rates, (&places, &rows), &scale, -sign)?;
+        let rates = scaled(rates, (&indices, &rows), &scale, -sign)?;
         let is_sound = is_symmetric(&compliance) && is_symmetric(&rates);
         is_sound.then_some(Self { compliance, rates })
     }
@@ -216,14 +217,14 @@ impl Compliance {
 /// has others.
 fn scaled(
     entries: &[Entry],
-    (places, rows): (&[usize], &[usize]),
+    (indices, rows): (&[usize], &[usize]),
     scale: &[f64],
     factor: f64,
 ) -> Option<Mat<f64>> {
-    let mut matrix = Mat::zeros(places.len(), places.len());
+    let mut matrix = Mat::zeros(indices.len(), indices.len());
     for (row, column, value) in entries {
         let i = rows.binary_search(row).ok()?;
-        let j = places.binary_search(column).ok()?;
+        let j = indices.binary_search(column).ok()?;
         matrix[(i, j)] += factor * scale[i] * value * scale[j];
     }
     Some(matrix)

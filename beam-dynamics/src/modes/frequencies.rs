@@ -1,5 +1,5 @@
-//! Frequencies that say where to look for modes: the highest of a node, and one that no
-//! oscillation is above; and what of a tangent they are asked of.
+//! Frequencies that bound the search for modes: the highest of a single node, and an upper
+//! bound of all oscillations; and the parts of a tangent from which they follow.
 
 use crate::assembly::{Sparse, Tangent};
 use crate::model::{Equation, NODE_UNKNOWNS, Variable};
@@ -19,9 +19,9 @@ pub(super) fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> 
         });
         block.map(|(_, _, value)| value.abs()).fold(0.0, f64::max)
     };
-    let frequency = |balance: Equation, momentum: Equation, place: Variable| {
-        let stiffness = largest(&tangent.by_unknowns, balance, place);
-        let mass = largest(&tangent.by_rates, momentum, place);
+    let frequency = |balance: Equation, momentum: Equation, index: Variable| {
+        let stiffness = largest(&tangent.by_unknowns, balance, index);
+        let mass = largest(&tangent.by_rates, momentum, index);
         (stiffness / mass).sqrt()
     };
     let is_some = |frequency: &f64| *frequency > 0.0 && frequency.is_finite();
@@ -59,7 +59,7 @@ pub(super) fn fastest(tangent: &Tangent, size: usize) -> f64 {
     sums.into_iter().fold(0.0, f64::max).sqrt()
 }
 
-/// The mass of each unknown of the nodes, a momentum having that of its motion.
+/// The mass of each unknown of the nodes; a momentum has the mass of its motion.
 pub(super) fn masses(tangent: &Tangent, size: usize) -> Vec<f64> {
     let half = NODE_UNKNOWNS / 2;
     let mut masses = vec![0.0; size];
@@ -79,11 +79,11 @@ pub(super) fn undamped(tangent: &Tangent) -> Option<Tangent> {
         value != 0.0 && row % NODE_UNKNOWNS >= half && column % NODE_UNKNOWNS < half
     };
     let mut result = tangent.clone();
-    let places: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
-    let damping = places.iter().filter(|(_, entry)| is_damping(entry));
+    let indices: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
+    let damping = indices.iter().filter(|(_, entry)| is_damping(entry));
     let mut is_damped = false;
-    for (place, _) in damping {
-        result.by_rates.values_mut()[*place] = 0.0;
+    for (index, _) in damping {
+        result.by_rates.values_mut()[*index] = 0.0;
         is_damped = true;
     }
     is_damped.then_some(result)

@@ -28,8 +28,8 @@ use crate::solver::Factorization;
 /// Up to this number of unknowns T is formed and all its eigenvalues are computed;
 /// above, only the wanted ones.
 pub(super) const DENSE: usize = 100;
-/// Parts of the largest eigenvalue of T below which one is taken for zero: those at
-/// zero are defective, and round-off moves them to the cube root of 1e-16 or so.
+/// An eigenvalue of T below this part of the largest one is treated as zero: eigenvalues at
+/// zero are defective, and round-off moves them to about the cube root of 1e-16.
 pub(super) const INFINITE: f64 = 1e-7;
 
 /// Vectors of a block and steps of a rough view.
@@ -44,8 +44,8 @@ pub(super) struct Inverse {
     rates: Vec<Entry>,
     /// Number of unknowns of T that are of nodes, which come first.
     of_nodes: usize,
-    /// Places of the unknowns of T in the system, ascending.
-    places: Vec<usize>,
+    /// Indices of the unknowns of T in the system, ascending.
+    indices: Vec<usize>,
     shift: f64,
     /// Magnitude of s below which it is zero [1/s].
     zero: f64,
@@ -64,19 +64,19 @@ impl Inverse {
         shift: f64,
     ) -> Option<Self> {
         let size = masses.len();
-        let places: BTreeSet<_> = rates.iter().map(|entry| entry.1).collect();
-        let places: Vec<_> = places.into_iter().collect();
-        // Every column of an entry is among the places.
-        let number = |place: usize| places.binary_search(&place).unwrap_or_default();
+        let indices: BTreeSet<_> = rates.iter().map(|entry| entry.1).collect();
+        let indices: Vec<_> = indices.into_iter().collect();
+        // Every column of an entry is among the indices.
+        let number = |index: usize| indices.binary_search(&index).unwrap_or_default();
         let rates = rates
             .iter()
-            .map(|&(row, place, value)| (row, number(place), value));
+            .map(|&(row, index, value)| (row, number(index), value));
         let mut inverse = Self {
             factorization,
             rates: rates.collect(),
-            of_nodes: places.partition_point(|place| *place < size),
-            scale: scales(&places, masses),
-            places,
+            of_nodes: indices.partition_point(|index| *index < size),
+            scale: scales(&indices, masses),
+            indices,
             shift,
             zero: 0.0,
         };
@@ -110,13 +110,13 @@ impl Inverse {
         Some(columns)
     }
 
-    /// Whether all eigenvalues are computed where `count` are asked for, as they are of
-    /// problems of up to `dense` unknowns.
+    /// Whether all eigenvalues are computed if `count` are requested, as for problems of up to
+    /// `dense` unknowns.
     pub fn is_small(&self, count: usize, dense: usize) -> bool {
         self.scale.len() <= dense.max(3 * Self::wanted(count))
     }
 
-    /// Eigenvalues that lead the iteration where `count` pairs are asked for.
+    /// Number of eigenvalues that the iteration converges if `count` pairs are requested.
     fn wanted(count: usize) -> usize {
         2 * count + 10
     }
@@ -148,10 +148,10 @@ impl Inverse {
     /// Error of a rough value s with its vector and their product by [`Self::complete`],
     /// relative.
     pub fn error(&self, s: c64, vector: MatRef<'_, f64>, product: MatRef<'_, f64>) -> f64 {
-        let pairs = self.places.iter().zip(&self.scale).enumerate();
-        let parts = pairs.map(|(i, (&place, scale))| {
+        let pairs = self.indices.iter().zip(&self.scale).enumerate();
+        let parts = pairs.map(|(i, (&index, scale))| {
             let expected = c64::new(vector[(i, 0)], vector[(i, 1)]) / (s - self.shift);
-            let found = c64::new(product[(place, 0)], product[(place, 1)]) / *scale;
+            let found = c64::new(product[(index, 0)], product[(index, 1)]) / *scale;
             [(found - expected).norm_sqr(), expected.norm_sqr()]
         });
         let [error, size] = parts.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
@@ -204,13 +204,13 @@ impl Inverse {
     /// couple them with the rest, estimated with one vector; `None` when T is not finite.
     fn balance(&mut self) -> Option<()> {
         let of_nodes = self.of_nodes;
-        let numbers = self.places.iter().map(|place| place % NODE_UNKNOWNS);
+        let numbers = self.indices.iter().map(|index| index % NODE_UNKNOWNS);
         let momenta = numbers
             .map(|number| number >= NODE_UNKNOWNS / 2)
             .enumerate();
         let momenta: Vec<_> = momenta.map(|(i, is)| is && i < of_nodes).collect();
         self.balance_part(&momenta)?;
-        let others: Vec<_> = (0..self.places.len()).map(|i| i >= of_nodes).collect();
+        let others: Vec<_> = (0..self.indices.len()).map(|i| i >= of_nodes).collect();
         self.balance_part(&others)
     }
 
@@ -282,7 +282,7 @@ impl Inverse {
     /// `|T v - v / (s - sigma)|` relative to `|v / (s - sigma)|`, v in all unknowns of the
     /// system: about 1e-12 for a well-conditioned model.
     pub fn residual(&self, s: c64, vector: &[c64]) -> f64 {
-        let scaled = |i: usize| vector[self.places[i]] / self.scale[i];
+        let scaled = |i: usize| vector[self.indices[i]] / self.scale[i];
         let numbers = 0..self.scale.len();
         let expected: Vec<_> = numbers.map(|i| scaled(i) / (s - self.shift)).collect();
         let mut parts = Mat::from_fn(self.scale.len(), 2, |i, part| match part {
@@ -309,30 +309,30 @@ impl Operator for Inverse {
     fn multiply(&self, x: &mut Mat<f64>) {
         let product = self.product(x);
         for j in 0..x.ncols() {
-            for (i, &place) in self.places.iter().enumerate() {
-                x[(i, j)] = product[(place, j)] / self.scale[i];
+            for (i, &index) in self.indices.iter().enumerate() {
+                x[(i, j)] = product[(index, j)] / self.scale[i];
             }
         }
     }
 }
 
-/// First scales of the unknowns at `places`, by the mass of each node: with a motion times
-/// its root, and a momentum over it, a light body weighs as much as a heavy one. Rotations
-/// have the scale of their node: with that of a small inertia of their own, the round-off of
-/// large stiffnesses would count for more.
-fn scales(places: &[usize], masses: &[f64]) -> Vec<f64> {
+/// First scales of the unknowns at `indices`, by the mass of each node: a motion is
+/// multiplied by the square root of the mass and a momentum divided by it, so that light and
+/// heavy bodies have the same weight. Rotations have the scale of their node: with the scale
+/// of their own small inertia, the round-off of large stiffnesses would have more weight.
+fn scales(indices: &[usize], masses: &[f64]) -> Vec<f64> {
     let of_node = |node: &[f64]| node.iter().take(3).fold(0.0_f64, |a, b| a.max(*b));
     let of_nodes: Vec<_> = masses.chunks(NODE_UNKNOWNS).map(of_node).collect();
     let largest = of_nodes.iter().fold(0.0_f64, |a, b| a.max(*b));
-    let scale = |&place: &usize| match of_nodes.get(place / NODE_UNKNOWNS) {
+    let scale = |&index: &usize| match of_nodes.get(index / NODE_UNKNOWNS) {
         Some(own) if largest > 0.0 => {
             let root = if *own > 0.0 { own } else { &largest }.sqrt();
-            match place % NODE_UNKNOWNS < NODE_UNKNOWNS / 2 {
+            match index % NODE_UNKNOWNS < NODE_UNKNOWNS / 2 {
                 true => root.recip(),
                 false => root,
             }
         }
         _ => 1.0,
     };
-    places.iter().map(scale).collect()
+    indices.iter().map(scale).collect()
 }

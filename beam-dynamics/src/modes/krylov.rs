@@ -21,18 +21,18 @@ use super::dense::Eigenvectors;
 /// Relative error of a vector up to which its value counts as found: near enough for inverse
 /// iteration, which gives the last digits, and for counting the copies of a value.
 const FOUND: f64 = 1e-7;
-/// Vectors of the space at most, in parts of the wanted number of eigenvalues.
+/// Largest number of vectors in the space, as a multiple of the wanted eigenvalues.
 const MOST: usize = 8;
 /// A column that keeps less than this part of its size beside the space is inside it.
 const INSIDE: f64 = 1e-12;
 /// Vectors for which a space has memory at first.
 const FIRST: usize = 128;
 /// Products that purge the start vectors: the chains of the zero eigenvalues are not
-/// longer (a multiplier, a momentum, a place).
+/// longer (a multiplier, a momentum, a position).
 const PURGES: usize = 3;
 
 /// Entry of a start vector: without structure and without chance (the finalizer of
-/// the splitmix generator applied to its place).
+/// the splitmix generator applied to its index).
 pub(super) fn start_value(i: usize) -> f64 {
     let mut z = (i as u64)
         .wrapping_add(1)

@@ -29,9 +29,9 @@ impl ModeMotion {
     /// largest entry real.
     pub fn new(pair: &Eigenpair, mass: &MassMatrix) -> Self {
         let nodes = pair.real.len() / NODE_UNKNOWNS;
-        let place = |k: usize| NODE_UNKNOWNS * (k / SIX) + k % SIX;
+        let index = |k: usize| NODE_UNKNOWNS * (k / SIX) + k % SIX;
         let motion: Vec<_> = (0..SIX * nodes)
-            .map(|k| Complex::new(pair.real[place(k)], pair.imaginary[place(k)]))
+            .map(|k| Complex::new(pair.real[index(k)], pair.imaginary[index(k)]))
             .collect();
         let momentum = mass.times(&motion);
         Self { motion, momentum }.scaled()
@@ -80,12 +80,12 @@ impl ModeMotion {
     }
 
     /// `q_a^H P M q_b` with P the projection on flap, lag, torsion and axial motion:
-    /// displacements along the axes of the blade, rotations about those of the section.
+    /// displacements along the blade axes, rotations about the section axes.
     pub(super) fn energies(&self, other: &Self, axes: &[NamingAxes]) -> [Complex<f64>; 4] {
         self.weighted_energies(other, axes, |_| 1.0)
     }
 
-    /// These energies, those of each node times its weight.
+    /// These energies, with a weight for each node.
     pub(super) fn weighted_energies(
         &self,
         other: &Self,
@@ -158,16 +158,17 @@ pub struct MassMatrix {
 }
 
 impl MassMatrix {
-    /// That of the first `nodes` nodes of a system with these derivatives by rates, `F_y'`.
+    /// The mass matrix of the first `nodes` nodes of a system with these derivatives by rates,
+    /// `F_y'`.
     pub fn new(by_rates: &Sparse, nodes: usize) -> Self {
         let force = Equation::Force.row();
         let momentum = Variable::Momentum.column();
         let entry = |(row, column, value): Entry| {
             let (i, j) = (row % NODE_UNKNOWNS, column % NODE_UNKNOWNS);
             let of_nodes = row.max(column) < NODE_UNKNOWNS * nodes;
-            let place = |line: usize, own: usize| SIX * (line / NODE_UNKNOWNS) + own;
+            let index = |line: usize, own: usize| SIX * (line / NODE_UNKNOWNS) + own;
             (of_nodes && i < force && j < momentum && value != 0.0)
-                .then(|| (place(row, i), place(column, j), -value))
+                .then(|| (index(row, i), index(column, j), -value))
         };
         Self {
             entries: by_rates.triplets().filter_map(entry).collect(),

@@ -93,13 +93,13 @@ impl Rotor {
         let mut sum = vec![Complex::new(0.0, 0.0); SIX * length];
         for blade in &self.blades {
             let phase = Complex::from_polar(1.0, f64::from(h) * blade.azimuth);
-            for (place, &node) in blade.nodes.iter().enumerate() {
+            for (index, &node) in blade.nodes.iter().enumerate() {
                 let into = axes[node].blade.transpose().map(Complex::from);
                 for half in [0, 3] {
                     let vector = Vector3::from_column_slice(&values[SIX * node + half..][..3]);
                     let turned = into * vector;
                     for axis in 0..3 {
-                        sum[SIX * place + half + axis] += phase * turned[axis];
+                        sum[SIX * index + half + axis] += phase * turned[axis];
                     }
                 }
             }

@@ -11,7 +11,7 @@
 use faer::c64;
 
 use super::copies::{groups, is_independent, orthonormalize};
-use super::eigen::Eigenpair;
+use super::eigenpair::Eigenpair;
 use super::inverse::Inverse;
 use super::krylov::{Found, Ritz};
 

@@ -2,13 +2,13 @@
 //!
 //! Stiffnesses are sums of larger ones, of which digits are lost. With the matrix K of the
 //! forces by the motions, M the mass and epsilon the round-off of one number, the frequency
-//! of a motion q is known from about
+//! of a motion q can be computed if it is above about
 //!
 //! ```text
 //! omega_0^2 = epsilon |q|^T |K| |q| / ( q^H M q )                               (D-284)
 //! ```
 //!
-//! on. It asks for the mass that moves, not for that of the heaviest body or of the lightest.
+//! The mass is the mass that moves, not the mass of the heaviest or the lightest body.
 
 use faer::{Mat, c64};
 
@@ -47,7 +47,7 @@ impl RoundOff {
 
     /// omega_0 \[1/s\] of a vector in all unknowns, real and imaginary part a column each.
     pub fn frequency(&self, vector: &Mat<f64>) -> f64 {
-        let at = |place: usize| c64::new(vector[(place, 0)], vector[(place, 1)]);
+        let at = |index: usize| c64::new(vector[(index, 0)], vector[(index, 1)]);
         let stiffness = |&(i, j, value): &Entry| at(i).norm() * value.abs() * at(j).norm();
         let mass = |&(i, j, value): &Entry| -value * (at(i).conj() * at(j)).re;
         let stiffness: f64 = self.stiffness.iter().map(stiffness).sum();

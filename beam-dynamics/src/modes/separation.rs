@@ -61,8 +61,8 @@ pub fn align(modes: &mut [ModeMotion], frequencies: &[f64], before: &[ModeMotion
         } = overlaps.svd(true, true)
         {
             let turn = x * y;
-            for (j, place) in copies.enumerate() {
-                modes[place] = ModeMotion::combined(&own, turn.column(j).as_slice());
+            for (j, index) in copies.enumerate() {
+                modes[index] = ModeMotion::combined(&own, turn.column(j).as_slice());
             }
         }
     }

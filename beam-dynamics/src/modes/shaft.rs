@@ -68,7 +68,7 @@ mod tests {
     // Rotation about x. The circle y = cos(w t), z = sin(w t) runs with the rotation: its complex
     // motion is (0, 1, -i). The line y = cos(w t) is half of each.
     #[test]
-    fn circles_and_lines_are_told_apart() {
+    fn circles_and_lines_are_distinguished() {
         let [zero, one, i] = [Complex::new(0.0, 0.0), Complex::new(1.0, 0.0), Complex::i()];
         let whirl = |displacement: [Complex<f64>; 3], is_central| {
             let mut motion = displacement.to_vec();

@@ -1,10 +1,10 @@
-//! Where to invert from: a part of the lowest frequency that is more than round-off.
+//! The shift of the inversion: a part of the lowest frequency that is above round-off.
 //!
-//! The zeros of motions without stiffness are double, and round-off splits them: to the
-//! frequency that it gives the motion, (D-284), and from a shift to a small part of it. A
-//! rough view tells them by their motions from the lowest of the others, however light or
-//! heavy the bodies are; where they are near to the shift, the matrix is singular but for
-//! round-off and nothing is seen from there, so that the next look is from above them.
+//! The zero eigenvalues of motions without stiffness are double, and round-off splits them: to
+//! the frequency (D-284) of the motion, and with a shift to a small part of the shift. A rough
+//! computation distinguishes them by their motions from the lowest of the other eigenvalues,
+//! for light and heavy bodies alike. If they are close to the shift, the matrix is singular to
+//! round-off and gives no eigenvalues, so that the next shift is above them.
 
 use faer::c64;
 
@@ -15,14 +15,14 @@ use super::round_off::RoundOff;
 pub(super) const SHIFT: f64 = 0.3;
 /// The shift over the frequency of round-off, at least.
 const ABOVE: f64 = 3.0;
-/// Frequencies up to so many times that of the round-off of their motion are none: it is the
-/// sum of many.
+/// Frequencies up to this multiple of the frequency of round-off of their motion are treated
+/// as zero: round-off adds up over many terms.
 const LOST: f64 = 10.0;
-/// Parts of the shift below which values are those of the round-off of the inversion.
+/// Part of the shift below which values are round-off of the inversion.
 const INVERTED: f64 = 1e-6;
-/// Parts of the lowest value below which others are zero, where some are.
+/// Part of the lowest value below which other values are zero, if some are zero.
 const BESIDE: f64 = 0.02;
-/// Parts of the shift below which a value is looked at from nearer.
+/// Part of the shift below which a value is computed again with a closer shift.
 const FAR: f64 = 0.1;
 /// Parts of itself in which a value is seen again from a shift beside it, where a split zero
 /// has moved toward zero with the shift.
@@ -135,9 +135,9 @@ impl Search {
         }
     }
 
-    /// Magnitude below which an eigenvalue is zero, and that of the lowest that is not [1/s].
+    /// Magnitude below which an eigenvalue is zero, and magnitude of the lowest other one [1/s].
     pub fn zero_and_lowest(&self) -> (f64, f64) {
-        // The lowest that is none has been seen: what is far below it is zero.
+        // The lowest nonzero eigenvalue is known: values far below it are zero.
         let split = match self.rounded > 0.0 {
             true => BESIDE * self.lowest,
             false => 0.0,

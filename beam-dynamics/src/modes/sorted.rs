@@ -1,26 +1,26 @@
-//! Eigenvalues by what they are: zeros of motions without stiffness, real ones of motions
-//! that do not oscillate, and oscillations.
+//! Eigenvalues by kind: zeros of motions without stiffness, real values of motions that do not
+//! oscillate, and oscillations.
 
 use faer::c64;
 
-/// Imaginary parts below this part of the magnitude are those of a motion that dies
-/// without an oscillation: internal damping gathers many such values at -1 / time, where
-/// round-off makes pairs of them.
+/// Imaginary parts below this part of the magnitude belong to a motion that decays without
+/// oscillation: internal damping gathers many such values at -1 / time, where round-off makes
+/// pairs of them.
 const OVERDAMPED: f64 = 0.03;
 /// Real parts below this part of the magnitude are round-off of an undamped mode.
 pub(super) const OSCILLATING: f64 = 1e-9;
 
 /// Values within this part of each other are copies of one value: far above the
-/// round-off of the eigenvalues of stiff models, far below what frequencies differ by.
+/// round-off of the eigenvalues of stiff models, far below the differences of frequencies.
 pub(super) const COPIES: f64 = 1e-6;
 
-/// Eigenvalues by what they are.
+/// Eigenvalues by kind.
 pub(super) struct Sorted {
     /// Number of those that are zero.
     pub zeros: usize,
     /// The real ones, ascending.
     pub real: Vec<f64>,
-    /// Those of oscillations, one of each pair, by their angular frequency.
+    /// Eigenvalues of oscillations, one of each pair, by angular frequency.
     pub above: Vec<c64>,
 }
 
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_value_has_its_place() {
+    fn every_value_has_its_index() {
         let values = [
             (1e-9, 2e-9),
             (-3.0, 0.0),

@@ -13,7 +13,7 @@
 use super::ModeMotion;
 
 /// Least assurance, weighted by the closeness of the frequency, for which two modes are
-/// taken for the same one.
+/// treated as the same one.
 const SAME: f64 = 0.4;
 /// Relative distance from the expected frequency at which the closeness is one half.
 const HALF: f64 = 0.05;

@@ -122,7 +122,7 @@ fn shape_words(line: &ReferenceLine) -> (String, String, String) {
 }
 
 fn station_words(blade: &Blade) -> String {
-    let places = blade.places();
+    let positions = blade.positions();
     let course = match blade.interpolation {
         Interpolation::Linear => "linear between",
         Interpolation::Constant => "constant from each to the next",
@@ -134,8 +134,8 @@ fn station_words(blade: &Blade) -> String {
     format!(
         "{} from {:.6} to {:.6} m along the line, {course}{jumps}",
         blade.stations.len(),
-        places.first().unwrap_or(&0.0),
-        places.last().unwrap_or(&0.0)
+        positions.first().unwrap_or(&0.0),
+        positions.last().unwrap_or(&0.0)
     )
 }
 
@@ -191,12 +191,14 @@ fn definite_words(blade: &Blade) -> String {
     let all = blade.stations.iter();
     let all = all.map(|station| (least(station), station.arc_length));
     let worst = all.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0.0));
-    let (value, place) = worst;
+    let (value, position) = worst;
     let verdict = match value > 0.0 {
         true => "positive definite at all stations",
         false => "NOT positive definite",
     };
-    format!("{verdict}; least eigenvalue, scaled to a unit diagonal, {value:.3e} at {place:.4} m")
+    format!(
+        "{verdict}; least eigenvalue, scaled to a unit diagonal, {value:.3e} at {position:.4} m"
+    )
 }
 
 /// The least and the largest value of a quantity, with their positions.
@@ -214,28 +216,28 @@ fn words(cells: &[&str]) -> Vec<String> {
 /// A row of a quantity: least and largest value, with their positions.
 fn range_row(name: String, values: &[(f64, f64)], digits: impl Fn(f64) -> String) -> Vec<String> {
     let [least, most] = range(values);
-    let place = |s: f64| format!("{s:.3}");
+    let position = |s: f64| format!("{s:.3}");
     vec![
         name,
         digits(least.0),
-        place(least.1),
+        position(least.1),
         digits(most.0),
-        place(most.1),
+        position(most.1),
     ]
 }
 
 fn stiffness_table(blade: &Blade) -> String {
     let about_line = |s: f64| blade.at(s, shared_geom::line::Side::Outer);
-    let places = blade.places();
+    let positions = blade.positions();
     let mut rows = vec![words(&["", "least", "at m", "largest", "at m"])];
     for (i, (name, unit)) in STIFFNESS.iter().enumerate() {
-        let values = places.iter().map(|&s| (about_line(s).0[(i, i)], s));
+        let values = positions.iter().map(|&s| (about_line(s).0[(i, i)], s));
         let name = format!("{name} [{unit}]");
         rows.push(range_row(name, &values.collect::<Vec<_>>(), |value| {
             format!("{value:.4e}")
         }));
     }
-    let mass = places.iter().map(|&s| (about_line(s).1[(0, 0)], s));
+    let mass = positions.iter().map(|&s| (about_line(s).1[(0, 0)], s));
     let mass: Vec<_> = mass.collect();
     rows.push(range_row("mass [kg/m]".to_owned(), &mass, |value| {
         format!("{value:.4}")
@@ -248,7 +250,7 @@ fn center_table(blade: &Blade) -> String {
         let (stiffness, mass) = blade.at(s, shared_geom::line::Side::Outer);
         Centers::of(&stiffness, &mass).map(|centers| (centers, s))
     };
-    let centers: Vec<_> = blade.places().into_iter().filter_map(at).collect();
+    let centers: Vec<_> = blade.positions().into_iter().filter_map(at).collect();
     if centers.is_empty() {
         return "centers: none, the stiffness or the mass is singular\n".to_owned();
     }
@@ -284,10 +286,10 @@ fn missing(reading: &Reading) -> Vec<String> {
     let blade = &reading.blade;
     let mut missing = Vec::new();
     let length = blade.length();
-    let places = blade.places();
+    let positions = blade.positions();
     let (first, last) = (
-        places.first().unwrap_or(&0.0),
-        places.last().unwrap_or(&0.0),
+        positions.first().unwrap_or(&0.0),
+        positions.last().unwrap_or(&0.0),
     );
     let margin = 1e-9 * length;
     if *first > margin {

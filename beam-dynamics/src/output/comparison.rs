@@ -150,7 +150,7 @@ rotor speed [rpm],order,name,measured [Hz],computed [Hz],difference [Hz],differe
     }
 
     #[test]
-    fn text_tells_what_was_not_compared() {
+    fn text_reports_what_was_not_compared() {
         let text = comparison_text(&samples::measured(), &samples::small());
         let expected = "\
 Comparison with measurements

@@ -103,11 +103,11 @@ impl FanPlot {
         plot.multiples = Some(table.harmonics());
         plot.patterns = fixed::patterns(fixed, table);
         plot.curves = fixed::curves(fixed, table);
-        let place = |critical: &CriticalSpeed| {
+        let position = |critical: &CriticalSpeed| {
             let value = plot.unit.value(critical.frequency, critical.speed)?;
             Some([critical.speed * RPM, value])
         };
-        plot.critical = fixed.critical.iter().filter_map(place).collect();
+        plot.critical = fixed.critical.iter().filter_map(position).collect();
         plot.cut();
         plot
     }
@@ -235,7 +235,7 @@ impl Drawing for FanPlot {
             }
         }
         for &point in &self.measured {
-            obstacles.add_disc(axes.place(point), curves::RING);
+            obstacles.add_disc(axes.position(point), curves::RING);
         }
 
         per_rev::draw_lines(canvas, &multiples)?;

@@ -2,7 +2,7 @@
 
 use shared_geom::files::{OutputProblem, make_folder};
 
-use super::folder::{ResultPlace, Results, Written};
+use super::folder::{ResultLocation, Results, Written};
 use super::{
     FanPlot, campbell_csv, comparison_csv, comparison_text, convention, critical_csv, fixed_text,
     frequency_csv, frequency_text, mode_csv,
@@ -41,7 +41,7 @@ pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
 
 /// Writes `NAME.frequencies.csv`, `NAME.modes.csv`, `NAME.frequencies.txt`, with measurements
 /// `NAME.comparison.csv`, and for two speeds or more, if figures are drawn, `NAME.fan.png` and
-/// `NAME.fan.svg` to `place`; of rotors and shafts also `NAME.campbell.csv`,
+/// `NAME.fan.svg` to `location`; of rotors and shafts also `NAME.campbell.csv`,
 /// `NAME.critical_speeds.csv`, `NAME.campbell.png` and `NAME.campbell.svg`. Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
@@ -49,10 +49,10 @@ pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
 pub fn write(
     table: &FrequencyTable,
     measured: &Measured,
-    place: &ResultPlace,
+    location: &ResultLocation,
 ) -> Result<Written, OutputProblem> {
-    make_folder(&place.folder)?;
-    let mut results = Results::new(place);
+    make_folder(&location.folder)?;
+    let mut results = Results::new(location);
     let tables = [TABLE, MODES, TEXT, COMPARISON, FIXED, CRITICAL];
     results.remove(tables.into_iter().chain(FAN).chain(CAMPBELL));
 
@@ -99,8 +99,8 @@ mod tests {
     fn all_files_are_written_into_a_new_folder() {
         let folder = tempfile::tempdir().unwrap();
         let results = folder.path().join("a/results");
-        let place = ResultPlace::new(&results, "x");
-        let written = write(&samples::small(), &samples::measured(), &place).unwrap();
+        let location = ResultLocation::new(&results, "x");
+        let written = write(&samples::small(), &samples::measured(), &location).unwrap();
         let expected = [
             "x.frequencies.csv",
             "x.modes.csv",
@@ -121,8 +121,8 @@ mod tests {
     #[test]
     fn rotors_have_a_campbell_diagram() {
         let folder = tempfile::tempdir().unwrap();
-        let place = ResultPlace::new(folder.path(), "x");
-        let written = write(&samples::waves(), &Measured::default(), &place).unwrap();
+        let location = ResultLocation::new(folder.path(), "x");
+        let written = write(&samples::waves(), &Measured::default(), &location).unwrap();
         let expected = [
             "x.campbell.csv",
             "x.critical_speeds.csv",
@@ -130,7 +130,7 @@ mod tests {
             "x.campbell.svg",
         ];
         assert_eq!(names(&written)[5..], expected);
-        write(&samples::small(), &Measured::default(), &place).unwrap();
+        write(&samples::small(), &Measured::default(), &location).unwrap();
         let left = expected.map(|name| folder.path().join(name).exists());
         assert_eq!(left, [false; 4]);
     }
@@ -139,10 +139,10 @@ mod tests {
     fn a_second_run_leaves_nothing_of_the_first() {
         let folder = tempfile::tempdir().unwrap();
         let mut table = samples::small();
-        let place = ResultPlace::new(folder.path(), "x");
-        write(&table, &samples::measured(), &place).unwrap();
+        let location = ResultLocation::new(folder.path(), "x");
+        write(&table, &samples::measured(), &location).unwrap();
         table.speeds.truncate(1);
-        let written = write(&table, &Measured::default(), &place).unwrap();
+        let written = write(&table, &Measured::default(), &location).unwrap();
         assert_eq!(
             names(&written),
             ["x.frequencies.csv", "x.modes.csv", "x.frequencies.txt"]

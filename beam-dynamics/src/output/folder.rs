@@ -11,7 +11,7 @@ const FIELD_ENDINGS: [&str; 2] = ["vtu", "pvd"];
 
 /// Destination of the results of a file, and their kinds.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ResultPlace {
+pub struct ResultLocation {
     /// Folder, created if it does not exist.
     pub folder: PathBuf,
     /// Beginning of the names of all files, before a dot.
@@ -20,7 +20,7 @@ pub struct ResultPlace {
     pub figures: bool,
 }
 
-impl ResultPlace {
+impl ResultLocation {
     /// Results called `name` in `folder`, with figures.
     pub fn new(folder: impl Into<PathBuf>, name: impl Into<String>) -> Self {
         Self {
@@ -50,30 +50,30 @@ pub struct Written {
 /// Files `NAME.*` in a folder.
 #[derive(Debug)]
 pub(super) struct Results<'a> {
-    place: &'a ResultPlace,
+    location: &'a ResultLocation,
     /// Files written so far; for many field files their folder.
     pub written: Written,
 }
 
 impl<'a> Results<'a> {
-    /// Files at `place`, whose folder exists.
-    pub fn new(place: &'a ResultPlace) -> Self {
+    /// Files at `location`, whose folder exists.
+    pub fn new(location: &'a ResultLocation) -> Self {
         Self {
-            place,
+            location,
             written: Written::default(),
         }
     }
 
     /// Whether figures are drawn.
     pub fn draws(&self) -> bool {
-        self.place.figures
+        self.location.figures
     }
 
     /// Path of the file `NAME.ENDING`.
     pub fn path(&self, ending: &str) -> PathBuf {
-        self.place
+        self.location
             .folder
-            .join(format!("{}.{ending}", self.place.name))
+            .join(format!("{}.{ending}", self.location.name))
     }
 
     /// Removes files of an earlier run.
@@ -87,8 +87,8 @@ impl<'a> Results<'a> {
     /// Removes the files of an earlier run whose endings begin and end like this, with a
     /// number between.
     pub fn remove_numbered(&self, first: &str, last: &str) {
-        let first = format!("{}.{first}", self.place.name);
-        remove_files(&self.place.folder, |name| {
+        let first = format!("{}.{first}", self.location.name);
+        remove_files(&self.location.folder, |name| {
             let number = name.strip_prefix(&first);
             let number = number.and_then(|rest| rest.strip_suffix(last));
             number.is_some_and(|number| number.parse::<f64>().is_ok())
@@ -145,7 +145,7 @@ impl<'a> Results<'a> {
         let folder = self.path(fields);
         make_folder(&folder)?;
         grid.write(&folder.join(file))?;
-        Ok(format!("{}.{fields}/{file}", self.place.name))
+        Ok(format!("{}.{fields}/{file}", self.location.name))
     }
 
     /// Writes a series into the folder `NAME.FIELDS`, next to its grids.
@@ -178,8 +178,8 @@ mod tests {
     #[test]
     fn only_own_files_are_removed() {
         let folder = tempfile::tempdir().unwrap();
-        let place = ResultPlace::new(folder.path(), "x");
-        let results = Results::new(&place);
+        let location = ResultLocation::new(folder.path(), "x");
+        let results = Results::new(&location);
         let fields = folder.path().join("x.static");
         std::fs::create_dir(&fields).unwrap();
         for file in [
@@ -206,12 +206,12 @@ mod tests {
     fn figures_are_not_even_made_where_they_are_left_out() {
         let folder = tempfile::tempdir().unwrap();
         let save = |_: &(), path: &Path| write_text(path, "");
-        let place = ResultPlace::new(folder.path(), "x");
-        let mut results = Results::new(&place);
+        let location = ResultLocation::new(folder.path(), "x");
+        let mut results = Results::new(&location);
         assert_eq!(results.figures(["a", "b"], || None, save), Ok(false));
         assert_eq!(results.figures(["a", "b"], || Some(()), save), Ok(true));
         assert_eq!(results.written.files, ["a", "b"].map(|e| results.path(e)));
-        let bare = place.clone().with_figures(false);
+        let bare = location.clone().with_figures(false);
         let mut results = Results::new(&bare);
         let made = || panic!("a figure is made");
         assert_eq!(results.figures(["c", "d"], made, save), Ok(false));

@@ -17,13 +17,13 @@ impl Structure {
     /// middle one and to the last, with the numbers of beam and member; a node without beams is a
     /// vertex with the numbers -1.
     pub fn grid(&self, positions: &[Vector3<f64>]) -> FieldFile {
-        let mut file = FieldFile::new(positions.iter().map(|place| (*place).into()));
+        let mut file = FieldFile::new(positions.iter().map(|position| (*position).into()));
         let (mut beams, mut members) = (Vec::new(), Vec::new());
-        for ((number, nodes), place) in self.beams.iter().enumerate().zip(self.places()) {
+        for ((number, nodes), position) in self.beams.iter().enumerate().zip(self.indices()) {
             for pair in nodes.windows(2) {
                 file.add_cell(Cell::Line, pair.iter().map(|node| *node as u64));
                 beams.push(number as i64);
-                members.push(place.0 as i64);
+                members.push(position.0 as i64);
             }
         }
         for node in self.loose_nodes() {

@@ -13,7 +13,7 @@ pub(super) const LIGHT: RGBColor = RGBColor(215, 215, 215);
 const TICK: f64 = 10.0;
 const FRAME: f64 = 2.5;
 /// Margin above and below the curves, as part of their range.
-const ROOM: f64 = 0.06;
+const MARGIN: f64 = 0.06;
 
 /// A frame \[figure pixels\] and its ranges.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,7 @@ pub(super) struct Panel {
 
 impl Panel {
     /// Position of a point.
-    pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub fn position(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let part = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
         [
             self.left + part(x, self.x) * (self.right - self.left),
@@ -52,7 +52,7 @@ impl Panel {
     /// Draws the line at zero, if zero is within the frame.
     pub fn draw_zero<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         if self.y[0] < 0.0 && self.y[1] > 0.0 {
-            let ends = [[self.x[0], 0.0], [self.x[1], 0.0]].map(|end| self.place(end));
+            let ends = [[self.x[0], 0.0], [self.x[1], 0.0]].map(|end| self.position(end));
             canvas.line(&ends, FRAME, LIGHT)?;
         }
         Ok(())
@@ -80,14 +80,14 @@ impl Panel {
         )?;
         let label = Label::new(SMALL);
         for (value, text) in Ticks::between(self.x[0], self.x[1], across).labeled() {
-            let [x, y] = self.place([value, self.y[0]]);
+            let [x, y] = self.position([value, self.y[0]]);
             canvas.line(&[[x, y], [x, y + TICK]], FRAME, BLACK)?;
             if below {
                 canvas.text(&text, [x, y + 3.4 * TICK], label.anchored(Anchor::Middle))?;
             }
         }
         for (value, text) in Ticks::between(self.y[0], self.y[1], up).labeled() {
-            let [x, y] = self.place([self.x[0], value]);
+            let [x, y] = self.position([self.x[0], value]);
             canvas.line(&[[x, y], [x - TICK, y]], FRAME, BLACK)?;
             canvas.text(&text, [x - 1.7 * TICK, y], label.anchored(Anchor::End))?;
         }
@@ -102,8 +102,8 @@ impl Panel {
         width: f64,
         color: RGBColor,
     ) -> Result<(), FigureProblem> {
-        let places: Vec<_> = points.iter().map(|point| self.place(*point)).collect();
-        canvas.line(&places, width, color)
+        let positions: Vec<_> = points.iter().map(|point| self.position(*point)).collect();
+        canvas.line(&positions, width, color)
     }
 }
 
@@ -125,8 +125,8 @@ pub(super) fn range(values: impl IntoIterator<Item = f64>, floor: f64) -> [f64; 
         let middle = 0.5 * (low + high);
         (low, high) = (middle - least, middle + least);
     }
-    let room = ROOM * (high - low);
-    [low - room, high + room]
+    let margin = MARGIN * (high - low);
+    [low - margin, high + margin]
 }
 
 /// A title above all panels that fits on one line, in smaller letters if it is long.
@@ -141,15 +141,15 @@ pub(super) fn draw_title<B: DrawingBackend>(
     canvas.text(title, [x, y], Label::new(size).bold())
 }
 
-/// A row of lines with their meaning, from `place` to the right; entries that do not fit into the
+/// A row of lines with their meaning, from `position` to the right; entries that do not fit into the
 /// canvas continue in the next row. Returns the height of the next row.
 pub(super) fn draw_legend<B: DrawingBackend>(
     canvas: &Canvas<B>,
-    place: [f64; 2],
+    position: [f64; 2],
     entries: &[(String, f64, RGBColor)],
 ) -> Result<f64, FigureProblem> {
     const LINE: f64 = 56.0;
-    let [left, mut y] = place;
+    let [left, mut y] = position;
     let mut x = left;
     for (text, width, color) in entries {
         let needed = LINE + 16.0 + canvas.text_width(text, SMALL) + 40.0;
@@ -168,7 +168,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_have_their_places() {
+    fn points_have_their_positions() {
         let panel = Panel {
             left: 100.0,
             right: 300.0,
@@ -177,11 +177,11 @@ mod tests {
             x: [0.0, 2.0],
             y: [-1.0, 1.0],
         };
-        assert_eq!(panel.place([0.5, 0.5]), [150.0, 75.0]);
+        assert_eq!(panel.position([0.5, 0.5]), [150.0, 75.0]);
     }
 
     #[test]
-    fn ranges_have_room_and_round_off_is_flat() {
+    fn ranges_have_a_margin_and_round_off_is_flat() {
         assert_eq!(range([0.0, 100.0], 1.0), [-6.0, 106.0]);
         assert_eq!(range([1e-9, -2e-9], 1e-3), [-1.0, 1.0]);
         assert_eq!(range([0.0, 1e-9], 0.0)[1], 1.06e-9);

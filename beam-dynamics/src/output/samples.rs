@@ -34,13 +34,13 @@ pub(super) fn names(written: &Written) -> Vec<String> {
 }
 
 /// Nodes `n0`, `n1`, ... at these positions, their axes along the axes of the model.
-pub(super) fn nodes_at(places: &[[f64; 3]]) -> Vec<Node> {
-    let node = |(k, place): (usize, &[f64; 3])| Node {
+pub(super) fn nodes_at(positions: &[[f64; 3]]) -> Vec<Node> {
+    let node = |(k, point): (usize, &[f64; 3])| Node {
         label: format!("n{k}"),
-        position: Vector3::from(*place),
+        position: Vector3::from(*point),
         rotation: Matrix3::identity(),
     };
-    places.iter().enumerate().map(node).collect()
+    positions.iter().enumerate().map(node).collect()
 }
 
 fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModePoint> {

@@ -22,7 +22,7 @@ type Components = [Complex<f64>; 4];
 
 /// The motion along a member, scaled so that the largest component is one.
 #[derive(Debug, Clone, PartialEq)]
-struct Along {
+struct MemberMotion {
     /// Index of the member.
     member: usize,
     /// Arc position \[m\] and motion of each node.
@@ -30,7 +30,11 @@ struct Along {
 }
 
 /// The motion along the member with the largest motion; `None` without members or motion.
-fn along(structure: &Structure, naming: &[NamingAxes], shape: &ModeShape) -> Option<Along> {
+fn member_motion(
+    structure: &Structure,
+    naming: &[NamingAxes],
+    shape: &ModeShape,
+) -> Option<MemberMotion> {
     let motions = structure
         .members
         .iter()
@@ -52,7 +56,7 @@ fn along(structure: &Structure, naming: &[NamingAxes], shape: &ModeShape) -> Opt
     for value in points.iter_mut().flat_map(|point| &mut point.1) {
         *value /= largest;
     }
-    Some(Along { member, points })
+    Some(MemberMotion { member, points })
 }
 
 /// Displacements along the axes of the blade, and rotation about its section axis times the lever,
@@ -125,7 +129,7 @@ mod tests {
         let (nodes, beams, shape) = samples::tip_motion();
         let structure = Structure::new(&nodes, &beams, &[]);
         let naming = vec![NamingAxes::default(); nodes.len()];
-        let found = along(&structure, &naming, &shape).unwrap();
+        let found = member_motion(&structure, &naming, &shape).unwrap();
         let (arc, motion) = found.points[found.points.len() - 1];
         assert!((arc - 10.0).abs() < 1e-12);
         for (found, expected) in motion.iter().zip([1.0, -0.5, 0.5, 0.0]) {
@@ -137,6 +141,6 @@ mod tests {
         let mut still = shape.clone();
         still.displacements.fill([Complex::new(0.0, 0.0); 3]);
         still.rotations.fill([Complex::new(0.0, 0.0); 3]);
-        assert_eq!(along(&structure, &naming, &still), None);
+        assert_eq!(member_motion(&structure, &naming, &still), None);
     }
 }

@@ -48,10 +48,10 @@ impl Structure {
         };
         let mut free: Vec<usize> = (0..beams.len()).collect();
         for blade in blades {
-            let place = |node: usize| blade.nodes.iter().position(|other| *other == node);
-            let is_own = |beam: &usize| beams[*beam].iter().all(|node| place(*node).is_some());
+            let index = |node: usize| blade.nodes.iter().position(|other| *other == node);
+            let is_own = |beam: &usize| beams[*beam].iter().all(|node| index(*node).is_some());
             let mut own: Vec<_> = free.iter().copied().filter(is_own).collect();
-            own.sort_by_key(|beam| place(beams[*beam][0]));
+            own.sort_by_key(|beam| index(beams[*beam][0]));
             free.retain(|beam| !own.contains(beam));
             structure.add_member(blade.name.clone(), own);
         }
@@ -88,44 +88,44 @@ impl Structure {
         });
     }
 
-    /// Arc position in its member of the position xi on beam `place` of the member \[m\].
-    pub fn arc_position(&self, member: &Member, place: usize, xi: f64) -> f64 {
-        let nodes = self.beams[member.beams[place]].map(|node| self.positions[node]);
-        member.starts[place] + arc_length(&nodes, xi)
+    /// Arc position in its member of the position xi on beam `index` of the member \[m\].
+    pub fn arc_position(&self, member: &Member, index: usize, xi: f64) -> f64 {
+        let nodes = self.beams[member.beams[index]].map(|node| self.positions[node]);
+        member.starts[index] + arc_length(&nodes, xi)
     }
 
     /// Member and index in it of each beam.
-    pub fn places(&self) -> Vec<(usize, usize)> {
-        let mut places = vec![(0, 0); self.beams.len()];
+    pub fn indices(&self) -> Vec<(usize, usize)> {
+        let mut indices = vec![(0, 0); self.beams.len()];
         for (number, member) in self.members.iter().enumerate() {
-            for (place, &beam) in member.beams.iter().enumerate() {
-                places[beam] = (number, place);
+            for (index, &beam) in member.beams.iter().enumerate() {
+                indices[beam] = (number, index);
             }
         }
-        places
+        indices
     }
 
     /// Member and arc position \[m\] of each evaluation point; `sections` contains them in the
     /// order of the beams, two per beam.
     pub fn along(&self, sections: &[SectionState]) -> Vec<(usize, f64)> {
-        let places = self.places();
+        let positions = self.indices();
         let along = |(k, section): (usize, &SectionState)| {
-            let (number, place) = places[k / 2];
+            let (number, position) = positions[k / 2];
             let member = &self.members[number];
-            (number, self.arc_position(member, place, section.xi))
+            (number, self.arc_position(member, position, section.xi))
         };
         // Only sections of three-node beams have an index here.
-        let known = sections.iter().take(2 * places.len());
+        let known = sections.iter().take(2 * positions.len());
         known.enumerate().map(along).collect()
     }
 
     /// Arc positions and indices of the nodes of a member, from the root to the tip.
     pub fn stations(&self, member: &Member) -> Vec<(f64, usize)> {
         let mut stations: Vec<(f64, usize)> = Vec::new();
-        for (place, &beam) in member.beams.iter().enumerate() {
+        for (index, &beam) in member.beams.iter().enumerate() {
             for (node, xi) in self.beams[beam].into_iter().zip([-1.0, 0.0, 1.0]) {
                 if stations.last().is_none_or(|last| last.1 != node) {
-                    stations.push((self.arc_position(member, place, xi), node));
+                    stations.push((self.arc_position(member, index, xi), node));
                 }
             }
         }
@@ -155,10 +155,10 @@ impl Structure {
 
     /// Extent of the undeformed nodes along an axis of the model \[m\].
     pub fn length(&self, axis: usize) -> f64 {
-        let places = || self.positions.iter().map(|place| place[axis]);
+        let positions = || self.positions.iter().map(|position| position[axis]);
         let [low, high] = [
-            places().fold(f64::INFINITY, f64::min),
-            places().fold(f64::NEG_INFINITY, f64::max),
+            positions().fold(f64::INFINITY, f64::min),
+            positions().fold(f64::NEG_INFINITY, f64::max),
         ];
         (high - low).max(0.0)
     }
@@ -240,7 +240,7 @@ mod tests {
             members,
             [("red", vec![1], 2.0), ("n0 to n4", vec![2, 0], 4.0)]
         );
-        assert_eq!(structure.places(), [(1, 1), (0, 0), (1, 0)]);
+        assert_eq!(structure.indices(), [(1, 1), (0, 0), (1, 0)]);
         let found = structure.arc_position(&structure.members[1], 1, 0.5);
         assert!((found - 3.5).abs() < 1e-14, "{found}");
         let stations = structure.stations(&structure.members[1]);

@@ -22,8 +22,8 @@ pub fn frequency_csv(table: &FrequencyTable) -> String {
     let number = |value: f64| short_number(value, DIGITS);
     let optional = |value: Option<f64>| value.map_or_else(String::new, number);
     for (index, &speed) in table.speeds.iter().enumerate() {
-        for (place, (branch, point)) in table.at_speed(index).into_iter().enumerate() {
-            let mut cells = vec![number(speed * RPM), (place + 1).to_string()];
+        for (entry, (branch, point)) in table.at_speed(index).into_iter().enumerate() {
+            let mut cells = vec![number(speed * RPM), (entry + 1).to_string()];
             cells.push(branch.name.clone());
             cells.push(number(point.frequency));
             cells.push(optional(per_rev(point.frequency, speed)));

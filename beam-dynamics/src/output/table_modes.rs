@@ -26,8 +26,8 @@ pub fn mode_csv(table: &FrequencyTable) -> String {
     let words = table.style.words;
     let mut rows = Vec::new();
     for (index, &speed) in table.speeds.iter().enumerate() {
-        for (place, (branch, point)) in table.at_speed(index).into_iter().enumerate() {
-            let mut row = vec![number(speed * RPM), (place + 1).to_string()];
+        for (entry, (branch, point)) in table.at_speed(index).into_iter().enumerate() {
+            let mut row = vec![number(speed * RPM), (entry + 1).to_string()];
             row.push(branch.name.clone());
             row.push(branch.kind_at(point).word_in(words).to_owned());
             row.push(number(point.frequency));

@@ -27,7 +27,7 @@ pub(super) type View = [usize; 2];
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// Margin around the content, as part of the largest extent.
-const ROOM: f64 = 0.04;
+const MARGIN: f64 = 0.04;
 /// Least extent of a view, as part of the largest: space for ticks and for a line.
 const LEAST: f64 = 0.13;
 /// Part of the largest extent below which the model has no view along a direction.
@@ -112,7 +112,7 @@ impl Extent {
     /// Content of the view along one of its axes: the extent with margins.
     fn range(&self, axis: usize) -> [f64; 2] {
         let half = (0.5 * self.length(axis)).max(0.5 * LEAST * self.largest());
-        let half = half + ROOM * self.largest();
+        let half = half + MARGIN * self.largest();
         let middle = 0.5 * (self.low[axis] + self.high[axis]);
         [middle - half, middle + half]
     }
@@ -128,9 +128,9 @@ pub(super) struct Arrangement {
 }
 
 impl Arrangement {
-    /// The views of an extent in at most `room` \[figure pixels\], arranged so that the
+    /// The views of an extent in at most `space` \[figure pixels\], arranged so that the
     /// scale is largest.
-    pub fn new(extent: &Extent, room: [f64; 2]) -> Self {
+    pub fn new(extent: &Extent, space: [f64; 2]) -> Self {
         let views = extent.views();
         let lengths: Vec<[f64; 2]> = views
             .iter()
@@ -141,7 +141,7 @@ impl Arrangement {
                 })
             })
             .collect();
-        let [below, beside] = [0, 1].map(|along| scale(&lengths, along, room));
+        let [below, beside] = [0, 1].map(|along| scale(&lengths, along, space));
         let is_beside = beside > below;
         let scale = below.max(beside);
         let mut corner = [0.0, 0.0];
@@ -197,7 +197,7 @@ pub(super) fn draw_view<B: DrawingBackend>(
         panel.curve(canvas, &points, stroke.width, stroke.color)?;
     }
     for (mark, color) in marks {
-        canvas.disc(panel.place(view.map(|i| mark[i])), 7.0, *color)?;
+        canvas.disc(panel.position(view.map(|i| mark[i])), 7.0, *color)?;
     }
     draw_axes(canvas, names, panel)
 }
@@ -221,7 +221,7 @@ fn draw_axes<B: DrawingBackend>(
 }
 
 /// Pixels per meter of views arranged below each other (`along` 0) or next to each other (1).
-fn scale(lengths: &[[f64; 2]], along: usize, room: [f64; 2]) -> f64 {
+fn scale(lengths: &[[f64; 2]], along: usize, space: [f64; 2]) -> f64 {
     let margins = [MARGINS[0] + MARGINS[1], MARGINS[2] + MARGINS[3]];
     let count = lengths.len() as f64;
     // In the direction of the arrangement lengths add up, across it the largest determines.
@@ -231,8 +231,8 @@ fn scale(lengths: &[[f64; 2]], along: usize, room: [f64; 2]) -> f64 {
         .iter()
         .map(|length| length[across])
         .fold(0.0, f64::max);
-    let of_sum = (room[sum] - count * margins[sum]) / total;
-    let of_largest = (room[across] - margins[across]) / largest;
+    let of_sum = (space[sum] - count * margins[sum]) / total;
+    let of_largest = (space[across] - margins[across]) / largest;
     of_sum.min(of_largest).max(0.0)
 }
 

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::Moment;
-use crate::case::{Column, ElectrodeQuantity, Model, OutputQuestion, Quantity};
+use super::AcceptedStep;
+use crate::case::{Column, ElectrodeQuantity, Model, OutputSettings, Quantity};
 use crate::elements::{
     ElectrodeState, Instant, JointMotion, NodeReading, Observations, Reading, Signal,
 };
@@ -15,7 +15,7 @@ pub struct ColumnValues<'a> {
     model: &'a Model,
     columns: &'a [Column],
     /// Elements to evaluate, with the columns that use their results.
-    asked: Vec<Asked>,
+    requested: Vec<RequestedColumns>,
     /// Columns that need no element.
     direct: Vec<usize>,
     /// Columns of the motion of nodes.
@@ -35,19 +35,19 @@ pub struct ColumnValues<'a> {
 
 /// An element and the columns that are filled from its results.
 #[derive(Debug)]
-struct Asked {
+struct RequestedColumns {
     element: usize,
     columns: Vec<usize>,
 }
 
 impl<'a> ColumnValues<'a> {
-    /// The columns of `question`, with the nodes of `model`.
-    pub fn new(model: &'a Model, question: &'a OutputQuestion) -> Self {
-        let columns = &question.columns[..];
+    /// The columns of `settings`, with the nodes of `model`.
+    pub fn new(model: &'a Model, settings: &'a OutputSettings) -> Self {
+        let columns = &settings.columns[..];
         let mut values = Self {
             model,
             columns,
-            asked: Vec::new(),
+            requested: Vec::new(),
             direct: Vec::new(),
             nodes: Vec::new(),
             energy: Vec::new(),
@@ -59,7 +59,7 @@ impl<'a> ColumnValues<'a> {
         };
         for (index, column) in columns.iter().enumerate() {
             match &column.quantity {
-                Quantity::Element { label, .. } => values.ask(label, index),
+                Quantity::Element { label, .. } => values.request(label, index),
                 Quantity::Node(quantity) => {
                     let reading = NodeReading::new(quantity, model.system.nodes());
                     values.nodes.push((index, reading));
@@ -79,12 +79,16 @@ impl<'a> ColumnValues<'a> {
     }
 
     /// Notes that a column needs results of the elements called `label`.
-    fn ask(&mut self, label: &str, column: usize) {
+    fn request(&mut self, label: &str, column: usize) {
         let elements = self.model.system.elements().enumerate();
         for (element, _) in elements.filter(|(_, element)| element.label() == label) {
-            match self.asked.iter_mut().find(|asked| asked.element == element) {
-                Some(asked) => asked.columns.push(column),
-                None => self.asked.push(Asked {
+            match self
+                .requested
+                .iter_mut()
+                .find(|requested| requested.element == element)
+            {
+                Some(requested) => requested.columns.push(column),
+                None => self.requested.push(RequestedColumns {
                     element,
                     columns: vec![column],
                 }),
@@ -108,16 +112,16 @@ impl<'a> ColumnValues<'a> {
     }
 
     /// Follows the angles of joints over full turns; must be called at every step.
-    pub fn follow(&mut self, moment: &Moment<'_>) {
-        for asked in &self.asked {
+    pub fn follow(&mut self, accepted: &AcceptedStep<'_>) {
+        for requested in &self.requested {
             let is_angle = |index: &usize| is_angle(&self.columns[*index].quantity);
-            if !asked.columns.iter().any(is_angle) {
+            if !requested.columns.iter().any(is_angle) {
                 continue;
             }
             self.observed.joints.clear();
             let system = &self.model.system;
-            let (state, conditions) = (moment.state, moment.conditions);
-            system.observe_element(asked.element, state, conditions, &mut self.observed);
+            let (state, conditions) = (accepted.state, accepted.conditions);
+            system.observe_element(requested.element, state, conditions, &mut self.observed);
             for joint in &self.observed.joints {
                 let before = self.angles.get(&joint.joint);
                 let angle = before.map_or(joint.angle, |before| joint.unwrapped(*before));
@@ -128,49 +132,52 @@ impl<'a> ColumnValues<'a> {
         }
     }
 
-    /// Writes the values at `moment` to `out`, one per column in its unit; NaN if an
+    /// Writes the values at `accepted` to `out`, one per column in its unit; NaN if an
     /// element reports no value.
-    pub fn evaluate(&mut self, moment: &Moment<'_>, out: &mut [f64]) {
+    pub fn evaluate(&mut self, accepted: &AcceptedStep<'_>, out: &mut [f64]) {
         out.fill(f64::NAN);
         for &index in &self.direct {
-            out[index] = self.direct_value(&self.columns[index].quantity, moment);
+            out[index] = self.direct_value(&self.columns[index].quantity, accepted);
         }
         if !self.energy.is_empty() {
-            let energy = self.model.system.energy(moment.state, moment.conditions);
+            let energy = self
+                .model
+                .system
+                .energy(accepted.state, accepted.conditions);
             for &index in &self.energy {
                 if let Quantity::Energy(part) = self.columns[index].quantity {
                     out[index] = energy.part(part);
                 }
             }
         }
-        self.evaluate_nodes(moment, out);
-        self.evaluate_electrodes(moment, out);
-        self.evaluate_signals(moment, out);
-        for asked in &self.asked {
+        self.evaluate_nodes(accepted, out);
+        self.evaluate_electrodes(accepted, out);
+        self.evaluate_signals(accepted, out);
+        for requested in &self.requested {
             self.observed.sections.clear();
             self.observed.reactions.clear();
             self.observed.joints.clear();
             self.observed.springs.clear();
             let system = &self.model.system;
             system.observe_element(
-                asked.element,
-                moment.state,
-                moment.conditions,
+                requested.element,
+                accepted.state,
+                accepted.conditions,
                 &mut self.observed,
             );
-            for &index in &asked.columns {
+            for &index in &requested.columns {
                 let quantity = &self.columns[index].quantity;
-                let told = match is_angle(quantity) {
+                let reported = match is_angle(quantity) {
                     true => self.observed.joints.first().and_then(|joint| {
                         let before = self.angles.get(&joint.joint);
                         before.map_or(joint.angle, |before| joint.unwrapped(*before))
                     }),
                     false => {
-                        let rotation = |node: usize| moment.state.nodes[node].rotation;
+                        let rotation = |node: usize| accepted.state.nodes[node].rotation;
                         reading(quantity).and_then(|of| of.of(&self.observed, rotation))
                     }
                 };
-                if let Some(value) = told {
+                if let Some(value) = reported {
                     out[index] = value;
                 }
             }
@@ -180,20 +187,23 @@ impl<'a> ColumnValues<'a> {
         }
     }
 
-    fn evaluate_nodes(&mut self, moment: &Moment<'_>, out: &mut [f64]) {
+    fn evaluate_nodes(&mut self, accepted: &AcceptedStep<'_>, out: &mut [f64]) {
         for (index, reading) in &self.nodes {
-            let nodes = reading.nodes().iter().map(|&node| moment.state.nodes[node]);
+            let nodes = reading
+                .nodes()
+                .iter()
+                .map(|&node| accepted.state.nodes[node]);
             self.seen.clear();
             self.seen.extend(nodes);
-            out[*index] = reading.value(&self.seen, &moment.conditions.frame);
+            out[*index] = reading.value(&self.seen, &accepted.conditions.frame);
         }
     }
 
-    fn evaluate_electrodes(&self, moment: &Moment<'_>, out: &mut [f64]) {
+    fn evaluate_electrodes(&self, accepted: &AcceptedStep<'_>, out: &mut [f64]) {
         if self.electrodes.is_empty() {
             return;
         }
-        let found = (self.model.system).electrodes(moment.state, moment.conditions);
+        let found = (self.model.system).electrodes(accepted.state, accepted.conditions);
         for &index in &self.electrodes {
             let Quantity::Electrode {
                 electrode,
@@ -208,10 +218,10 @@ impl<'a> ColumnValues<'a> {
         }
     }
 
-    fn evaluate_signals(&self, moment: &Moment<'_>, out: &mut [f64]) {
-        let state = moment.state;
+    fn evaluate_signals(&self, accepted: &AcceptedStep<'_>, out: &mut [f64]) {
+        let state = accepted.state;
         let now = Instant {
-            time: moment.conditions.loading.time,
+            time: accepted.conditions.loading.time,
             scalars: Scalars {
                 values: &state.scalars,
                 rates: &state.scalar_rates,
@@ -223,8 +233,8 @@ impl<'a> ColumnValues<'a> {
     }
 
     /// A number that needs no element, in SI units.
-    fn direct_value(&self, quantity: &Quantity, moment: &Moment<'_>) -> f64 {
-        let state = moment.state;
+    fn direct_value(&self, quantity: &Quantity, accepted: &AcceptedStep<'_>) -> f64 {
+        let state = accepted.state;
         match quantity {
             Quantity::Momentum(part) => {
                 let sum = state.nodes.iter().map(|node| node.momentum).sum();
@@ -238,9 +248,9 @@ impl<'a> ColumnValues<'a> {
                 part.of(&sum)
             }
             // At a corner the value before it, as in the whole row.
-            Quantity::Drive(drive) => drive.at(moment.conditions.loading.time).value,
-            Quantity::StepLength => moment.length,
-            Quantity::Iterations => moment.iterations as f64,
+            Quantity::Drive(drive) => drive.at(accepted.conditions.loading.time).value,
+            Quantity::StepLength => accepted.length,
+            Quantity::Iterations => accepted.iterations as f64,
             // These come from nodes and elements.
             Quantity::Node(_)
             | Quantity::Element { .. }

@@ -6,7 +6,7 @@ use shared_geom::rotation::vector;
 
 use super::*;
 use crate::assembly::System;
-use crate::case::OutputQuestion;
+use crate::case::OutputSettings;
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::clamped;
 use crate::elements::{Axes, Element, EnergyPart, NodeQuantity, NodeVector, Part};
@@ -63,7 +63,7 @@ fn of_tip(vector: NodeVector, part: Part, against: Option<usize>, axes: Axes) ->
 fn value(quantity: Quantity) -> f64 {
     let model = model();
     let state = state(&model);
-    let question = OutputQuestion {
+    let settings = OutputSettings {
         columns: vec![Column {
             name: "a".to_owned(),
             unit: "1".to_owned(),
@@ -71,9 +71,9 @@ fn value(quantity: Quantity) -> f64 {
             words: String::new(),
             quantity,
         }],
-        ..OutputQuestion::default()
+        ..OutputSettings::default()
     };
-    let moment = Moment {
+    let accepted = AcceptedStep {
         step: 3,
         time: 0.5,
         length: 0.125,
@@ -82,7 +82,7 @@ fn value(quantity: Quantity) -> f64 {
         conditions: &Conditions::at_rest(),
     };
     let mut out = [0.0];
-    ColumnValues::new(&model, &question).evaluate(&moment, &mut out);
+    ColumnValues::new(&model, &settings).evaluate(&accepted, &mut out);
     out[0]
 }
 
@@ -137,7 +137,7 @@ fn momenta_of_the_model_are_sums() {
 }
 
 #[test]
-fn reactions_are_those_that_the_joint_tells() {
+fn reactions_are_those_that_the_joint_reports() {
     let reaction = |moment, node, part| Quantity::Element {
         label: "clamp of root".to_owned(),
         reading: Reading::Reaction {
@@ -148,8 +148,8 @@ fn reactions_are_those_that_the_joint_tells() {
         },
     };
     let model = model();
-    let told = model.system.observe(&state(&model), &Conditions::at_rest());
-    let expected = &told.reactions[0];
+    let observed = model.system.observe(&state(&model), &Conditions::at_rest());
+    let expected = &observed.reactions[0];
     assert!(expected.force.norm() > 30.0 && expected.moment.norm() > 80.0);
     for k in 0..3 {
         let part = Part::Component(k);
@@ -161,7 +161,7 @@ fn reactions_are_those_that_the_joint_tells() {
 }
 
 #[test]
-fn the_run_and_drives_are_told() {
+fn the_run_and_drives_are_reported() {
     assert_eq!(value(Quantity::StepLength), 0.125);
     assert_eq!(value(Quantity::Iterations), 4.0);
     assert_eq!(value(Quantity::Drive(Drive::Constant(9.0))), 9.0);

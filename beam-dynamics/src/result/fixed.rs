@@ -316,7 +316,7 @@ mod tests {
     // A shaft whose forward whirl is 2 Hz in the fixed system: in the turning axes 2 - n Hz with
     // the rotation, and from 2 Hz on n - 2 Hz against it, where another branch begins.
     #[test]
-    fn a_whirl_goes_on_through_its_critical_speed() {
+    fn a_whirl_continues_through_its_critical_speed() {
         let speeds = [0.0, 1.0, 3.0, 4.0];
         let before = vec![
             point(2.0, 0.0, whirl(1, 0)),

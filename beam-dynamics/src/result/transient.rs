@@ -9,7 +9,7 @@ use crate::model::{Conditions, State};
 
 /// An accepted step.
 #[derive(Debug, Clone, Copy)]
-pub struct Moment<'a> {
+pub struct AcceptedStep<'a> {
     /// Number of the step; zero is the start.
     pub step: usize,
     /// Time [s].
@@ -27,10 +27,10 @@ pub struct Moment<'a> {
 /// Receiver of every accepted step, in order.
 pub trait Recorder {
     /// Takes a step; `false` ends the run, for example if nothing more can be written.
-    fn record(&mut self, moment: &Moment<'_>) -> bool;
+    fn record(&mut self, accepted: &AcceptedStep<'_>) -> bool;
 
     /// Whether a snapshot for a restart is needed after this step.
-    fn wants_snapshot(&self, _moment: &Moment<'_>) -> bool {
+    fn wants_snapshot(&self, _accepted: &AcceptedStep<'_>) -> bool {
         false
     }
 
@@ -41,7 +41,7 @@ pub trait Recorder {
 
     /// Takes the last accepted step, which was recorded already, of a run that cannot
     /// continue, and its snapshot for a restart; `false` if it cannot be written.
-    fn stopped(&mut self, _moment: &Moment<'_>, snapshot: &Snapshot) -> bool {
+    fn stopped(&mut self, _accepted: &AcceptedStep<'_>, snapshot: &Snapshot) -> bool {
         self.keep(snapshot)
     }
 }

@@ -41,18 +41,18 @@ impl GeneralSolver {
         let (n, starts) = (pattern.size(), pattern.column_starts());
         let analyzed = self.symbolic.get_or_init(|| {
             let rows: Vec<_> = pattern.rows().iter().map(|&row| row as usize).collect();
-            let places = SymbolicSparseColMatRef::new_checked(n, n, starts, None, &rows);
-            let symbolic = SymbolicLu::try_new(places).ok();
+            let indices = SymbolicSparseColMatRef::new_checked(n, n, starts, None, &rows);
+            let symbolic = SymbolicLu::try_new(indices).ok();
             (rows, symbolic)
         });
         let (rows, symbolic) = analyzed;
-        let places = SymbolicSparseColMatRef::new_checked(n, n, starts, None, rows);
+        let indices = SymbolicSparseColMatRef::new_checked(n, n, starts, None, rows);
         if values.iter().any(|value| !value.size().is_finite()) {
             return None;
         }
         let scales = scales(pattern, values)?;
         let scaled = scaled(pattern, values, &scales);
-        let view = SparseColMatRef::new(places, &scaled[..]);
+        let view = SparseColMatRef::new(indices, &scaled[..]);
         let lu = Lu::try_new_with_symbolic(symbolic.clone()?, view).ok()?;
         Some(GeneralLu { lu, scales })
     }

@@ -119,7 +119,7 @@ impl ComplexFactorization {
     /// Solves `A x = b` and replaces `b` by x; `None` if x is not finite.
     pub fn solve(&self, b: &mut [c64]) -> Option<()> {
         match &self.factors {
-            Factors::Kept(lu) => lu.solve(b, &mut vec![c64::ZERO; lu.plan().room()]),
+            Factors::Kept(lu) => lu.solve(b, &mut vec![c64::ZERO; lu.plan().buffer_len()]),
             Factors::General(lu) => lu.solve(b),
         }
         b.iter().all(|value| value.is_finite()).then_some(())
@@ -158,7 +158,7 @@ impl Factorization {
         };
         let none = <[f64; LANES] as Row<f64>>::NONE;
         let [mut right, mut x] = [(); 2].map(|()| vec![none; b.nrows()]);
-        let mut buffer = vec![none; lu.plan().room()];
+        let mut buffer = vec![none; lu.plan().buffer_len()];
         for first in (0..b.ncols()).step_by(LANES) {
             let columns = first..b.ncols().min(first + LANES);
             right.fill(none);
@@ -182,16 +182,16 @@ impl Factorization {
     fn subtract_product<R: Row<f64>>(&self, b: &mut [R], x: &[R]) {
         let (pattern, values) = (self.matrix.pattern(), self.matrix.values());
         for (j, x) in x.iter().enumerate() {
-            for place in pattern.column(j) {
-                let row = &mut b[pattern.rows()[place] as usize];
-                *row = row.minus(x.times(values[place]));
+            for index in pattern.column(j) {
+                let row = &mut b[pattern.rows()[index] as usize];
+                *row = row.minus(x.times(values[index]));
             }
         }
     }
 
     fn solve_once(&self, b: &mut [f64]) {
         match &self.factors {
-            Factors::Kept(lu) => lu.solve(b, &mut vec![0.0; lu.plan().room()]),
+            Factors::Kept(lu) => lu.solve(b, &mut vec![0.0; lu.plan().buffer_len()]),
             Factors::General(lu) => lu.solve(b),
         }
     }
@@ -201,9 +201,9 @@ impl Factorization {
 mod tests {
     use super::*;
 
-    fn solver(places: Vec<(usize, usize)>, values: &[f64]) -> (LinearSolver, Sparse) {
-        let n = places.iter().map(|place| place.0 + 1).max().unwrap_or(0);
-        let pattern = Arc::new(Pattern::new(n, places));
+    fn solver(indices: Vec<(usize, usize)>, values: &[f64]) -> (LinearSolver, Sparse) {
+        let n = indices.iter().map(|index| index.0 + 1).max().unwrap_or(0);
+        let pattern = Arc::new(Pattern::new(n, indices));
         let mut matrix = Sparse::zero(Arc::clone(&pattern));
         matrix.values_mut().copy_from_slice(values);
         (LinearSolver::new(&pattern), matrix)
@@ -212,8 +212,8 @@ mod tests {
     #[test]
     fn badly_scaled_unsymmetric_systems_are_solved() {
         // [1e9 2e-3; 3e4 0], x = (2, -5e8): b = (2e9 - 1e6, 6e4).
-        let places = vec![(0, 0), (1, 0), (0, 1)];
-        let (solver, matrix) = solver(places, &[1e9, 3e4, 2e-3]);
+        let indices = vec![(0, 0), (1, 0), (0, 1)];
+        let (solver, matrix) = solver(indices, &[1e9, 3e4, 2e-3]);
         let factorization = solver.factorize(matrix).unwrap();
         let mut b = [2e9 - 1e6, 6e4];
         factorization.solve(&mut b).unwrap();
@@ -223,8 +223,8 @@ mod tests {
 
     #[test]
     fn singular_matrices_give_no_solution() {
-        let places = vec![(0, 0), (1, 0), (0, 1), (1, 1)];
-        let (solver, matrix) = solver(places, &[1.0, 1.0, 1.0, 1.0]);
+        let indices = vec![(0, 0), (1, 0), (0, 1), (1, 1)];
+        let (solver, matrix) = solver(indices, &[1.0, 1.0, 1.0, 1.0]);
         let solution = solver.factorize(matrix).and_then(|f| {
             let mut b = [1.0, 2.0];
             f.solve(&mut b)

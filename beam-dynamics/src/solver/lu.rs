@@ -89,8 +89,8 @@ impl Plan {
     }
 
     /// Size of the buffer of a solution [numbers].
-    pub fn room(&self) -> usize {
-        solution::room(&self.structure)
+    pub fn buffer_len(&self) -> usize {
+        solution::buffer_len(&self.structure)
     }
 }
 
@@ -143,7 +143,7 @@ impl<T: Number> Lu<T> {
         self.growth < TRUSTED_GROWTH
     }
 
-    /// Replaces b by x; `ordered` is a buffer of [`Plan::room`] numbers.
+    /// Replaces b by x; `ordered` is a buffer of [`Plan::buffer_len`] numbers.
     pub fn solve<R: Row<T>>(&self, b: &mut [R], ordered: &mut [R]) {
         let Plan {
             pivots,

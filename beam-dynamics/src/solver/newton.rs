@@ -32,7 +32,7 @@ pub struct Worst {
     /// Residual relative to the largest term of its kind [-].
     pub relative: f64,
     /// Index of the equation.
-    pub place: usize,
+    pub index: usize,
     /// The largest term of its kind [unit of the equation].
     pub scale: f64,
 }
@@ -174,7 +174,7 @@ mod tests {
             let scale = self.a.abs();
             let worst = Worst {
                 relative: residual.abs() / scale,
-                place: 0,
+                index: 0,
                 scale,
             };
             (vec![residual], worst)
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn no_root_and_no_slope_are_told_apart() {
+    fn no_root_and_no_slope_are_distinguished() {
         let mut none = Root::from(0.7, -1.0);
         assert_eq!(
             solve(&mut none, &Newton::default()).status,

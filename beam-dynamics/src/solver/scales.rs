@@ -18,9 +18,9 @@ pub(super) fn scales<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Scale
     }
     let mut columns = vec![0.0_f64; n];
     for (j, column) in columns.iter_mut().enumerate() {
-        for place in pattern.column(j) {
-            let row = rows[pattern.rows()[place] as usize].max(f64::MIN_POSITIVE);
-            *column = column.max(values[place].size() / row);
+        for index in pattern.column(j) {
+            let row = rows[pattern.rows()[index] as usize].max(f64::MIN_POSITIVE);
+            *column = column.max(values[index].size() / row);
         }
     }
     let inverse = |sizes: Vec<f64>| -> Option<Vec<f64>> {
@@ -35,8 +35,8 @@ pub(super) fn scaled<T: Number>(pattern: &Pattern, values: &[T], scales: &Scales
     let (rows, columns) = scales;
     let mut scaled = values.to_vec();
     for (j, scale) in columns.iter().enumerate() {
-        for place in pattern.column(j) {
-            scaled[place] = scaled[place] * (rows[pattern.rows()[place] as usize] * scale);
+        for index in pattern.column(j) {
+            scaled[index] = scaled[index] * (rows[pattern.rows()[index] as usize] * scale);
         }
     }
     scaled

@@ -198,10 +198,10 @@ impl StepSolver {
             Some(lu) => {
                 self.usual_least = self.usual_least.max(lu.least());
                 self.is_vouched = false;
-                let room = lu.plan().room();
+                let buffer_len = lu.plan().buffer_len();
                 self.ordered
-                    .reserve_exact(room.saturating_sub(self.ordered.len()));
-                self.ordered.resize(room, 0.0);
+                    .reserve_exact(buffer_len.saturating_sub(self.ordered.len()));
+                self.ordered.resize(buffer_len, 0.0);
                 self.factors = Factors::Chosen(Box::new(lu));
             }
             None => self.fall_back()?,

@@ -9,14 +9,14 @@ use std::sync::Arc;
 use allocation_counter::measure;
 use beam_dynamics::analysis::transient::transient;
 use beam_dynamics::assembly::{Combination, Residual, Sparse, System, Variation};
-use beam_dynamics::case::{Model, Redundant, TransientQuestion};
+use beam_dynamics::case::{Model, Redundant, TransientSettings};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::{Hinge, HingeSpring, clamped};
 use beam_dynamics::integrator::{Jacobians, Scheme, StepControl, Stepping};
 use beam_dynamics::model::Node;
-use beam_dynamics::result::{Effort, Moment, Recorder};
+use beam_dynamics::result::{AcceptedStep, Effort, Recorder};
 use beam_dynamics::solver::StepSolver;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
@@ -67,7 +67,7 @@ fn an_iteration_allocates_nothing() {
     let variations = vec![
         Variation {
             turn: Matrix3::identity(),
-            spin: Matrix3::zeros(),
+            rate_by_turn: Matrix3::zeros(),
         };
         system.nodes().len()
     ];
@@ -97,7 +97,7 @@ fn an_iteration_allocates_nothing() {
 struct Silent;
 
 impl Recorder for Silent {
-    fn record(&mut self, _: &Moment<'_>) -> bool {
+    fn record(&mut self, _: &AcceptedStep<'_>) -> bool {
         true
     }
 }
@@ -117,12 +117,12 @@ const SCHEMES: [Scheme; 8] = [
 ];
 
 /// Number of allocations of a run, and its effort.
-fn allocations(model: &Model, question: &TransientQuestion) -> (u64, Effort) {
+fn allocations(model: &Model, settings: &TransientSettings) -> (u64, Effort) {
     let mut effort = Effort::default();
     let count = measure(|| {
-        let outcome = transient(model, question, None, &mut Silent, &|| 0.0);
+        let outcome = transient(model, settings, None, &mut Silent, &|| 0.0);
         if let Some(failure) = &outcome.failure {
-            panic!("{question:?}: {failure}");
+            panic!("{settings:?}: {failure}");
         }
         effort = outcome.effort;
     });
@@ -130,25 +130,25 @@ fn allocations(model: &Model, question: &TransientQuestion) -> (u64, Effort) {
 }
 
 /// A run of three times as many steps allocates no more than the shorter one.
-fn check(model: &Model, question: &TransientQuestion) {
-    let of = |to: f64| allocations(model, &TransientQuestion { to, ..*question });
+fn check(model: &Model, settings: &TransientSettings) {
+    let of = |to: f64| allocations(model, &TransientSettings { to, ..*settings });
     let (few, short) = of(0.01);
     let (many, long) = of(0.03);
     assert!(few > 0 && long.steps >= 3 * short.steps);
     // A new choice of pivots allocates: none is needed in these runs.
-    assert_eq!([short.pivotings, long.pivotings], [1; 2], "{question:?}");
-    assert_eq!(many, few, "{question:?}");
+    assert_eq!([short.pivotings, long.pivotings], [1; 2], "{settings:?}");
+    assert_eq!(many, few, "{settings:?}");
 }
 
 #[test]
 fn a_step_allocates_nothing() {
-    let question = TransientQuestion::new(1.0, 1e-3);
+    let settings = TransientSettings::new(1.0, 1e-3);
     let (held, falling) = (model(true), model(false));
     for scheme in SCHEMES {
-        check(&held, &TransientQuestion { scheme, ..question });
+        check(&held, &TransientSettings { scheme, ..settings });
     }
     let scheme = Scheme::CubicGauss;
-    check(&falling, &TransientQuestion { scheme, ..question });
+    check(&falling, &TransientSettings { scheme, ..settings });
 }
 
 /// The model of a file in this folder.
@@ -166,11 +166,11 @@ fn a_step_of_any_element_allocates_nothing() {
     let model = read("everything.dynamics.toml");
     for scheme in SCHEMES {
         for (jacobians, is_simplified) in [(Jacobians::Full, false), (Jacobians::Modified, true)] {
-            let mut question = TransientQuestion::new(1.0, 1e-3);
-            question.scheme = scheme;
-            question.newton.jacobians = jacobians;
-            question.simplified_jacobian = is_simplified;
-            check(&model, &question);
+            let mut settings = TransientSettings::new(1.0, 1e-3);
+            settings.scheme = scheme;
+            settings.newton.jacobians = jacobians;
+            settings.simplified_jacobian = is_simplified;
+            check(&model, &settings);
         }
     }
 }
@@ -179,13 +179,13 @@ fn a_step_of_any_element_allocates_nothing() {
 #[test]
 fn a_step_of_shared_loads_allocates_nothing() {
     let model = read("four-bar.dynamics.toml");
-    let mut question = TransientQuestion::new(1.0, 1e-3);
-    question.redundant = Redundant::Remove;
-    let outcome = transient(&model, &question, None, &mut Silent, &|| 0.0);
-    let mut told = outcome.remarks.iter();
-    assert!(told.any(|remark| remark.ends_with("they share its load")));
+    let mut settings = TransientSettings::new(1.0, 1e-3);
+    settings.redundant = Redundant::Remove;
+    let outcome = transient(&model, &settings, None, &mut Silent, &|| 0.0);
+    let mut reported = outcome.remarks.iter();
+    assert!(reported.any(|remark| remark.ends_with("they share its load")));
     for scheme in SCHEMES {
-        check(&model, &TransientQuestion { scheme, ..question });
+        check(&model, &TransientSettings { scheme, ..settings });
     }
 }
 
@@ -200,20 +200,20 @@ fn a_step_that_is_tried_in_vain_allocates_nothing() {
             most: 1e-2,
             tolerance: 1e-5,
         };
-        let mut question = TransientQuestion::new(1.0, 1e-3);
-        question.scheme = scheme;
-        question.stepping = Stepping::Variable(control);
-        let of = |to: f64| allocations(&model, &TransientQuestion { to, ..question });
+        let mut settings = TransientSettings::new(1.0, 1e-3);
+        settings.scheme = scheme;
+        settings.stepping = Stepping::Variable(control);
+        let of = |to: f64| allocations(&model, &TransientSettings { to, ..settings });
         let ((few, short), (many, long)) = (of(0.02), of(0.4));
         assert_eq!(short.rejected, 0);
-        assert!(long.rejected > 0, "{question:?}");
+        assert!(long.rejected > 0, "{settings:?}");
         // A trial that diverges may need one factorization with new pivots, which
         // allocates; accepted steps do not.
         let tried = (long.steps + long.rejected) as u64;
         let more = many.abs_diff(few);
         assert!(
             2 * more < tried,
-            "{more} in {tried} trials: {question:?} {long:?}"
+            "{more} in {tried} trials: {settings:?} {long:?}"
         );
     }
 }

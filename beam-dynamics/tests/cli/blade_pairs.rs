@@ -48,8 +48,11 @@ fn a_difference_is_shown_with_its_size_and_ends_with_one() {
     folder.write("b.csv", &table_of(&soft));
     let run = folder.run(&["compare", "a.csv", "b.csv"]);
     assert_eq!((run.code, run.err.as_str()), (1, ""));
-    let told = "largest first\n  quantity";
-    let at = run.out.find(told).unwrap_or_else(|| panic!("{}", run.out));
+    let reported = "largest first\n  quantity";
+    let at = run
+        .out
+        .find(reported)
+        .unwrap_or_else(|| panic!("{}", run.out));
     let list = &run.out[at..];
     assert!(list.contains("  stiffness torsion "), "{list}");
     assert!(list.contains("5.0e-1  0.0000"), "{list}");
@@ -150,7 +153,7 @@ fn problems_of_all_stations_are_one_in_lists() {
     let middle = last.replacen('2', "1", 1);
     let table = table.replace(&last, &format!("{middle}\n{last}"));
     folder.write("a.csv", &table);
-    let told = "all 3 stations: stiffness has 0e0 at (2, 2) (shear y), expected more than zero";
+    let reported = "all 3 stations: stiffness has 0e0 at (2, 2) (shear y), expected more than zero";
     for run in [
         folder.run(&["describe", "a.csv"]),
         folder.run(&["convert", "a.csv", "b.inp"]),
@@ -162,7 +165,7 @@ fn problems_of_all_stations_are_one_in_lists() {
             "{}",
             run.out
         );
-        assert!(run.out.contains(told), "{}", run.out);
+        assert!(run.out.contains(reported), "{}", run.out);
     }
     let run = folder.run(&["convert", "a.csv", "b.inp"]);
     assert!(

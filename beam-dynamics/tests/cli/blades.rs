@@ -123,21 +123,21 @@ fn wrong_blade_files_and_options_are_explained() {
 }
 
 #[test]
-fn a_blade_file_asks_for_no_statics() {
+fn a_blade_file_requests_no_statics() {
     let folder = folder();
     for command in ["static", "buckling"] {
         let run = folder.run(&[command, "a.blade.json"]);
         assert_eq!(run.code, 2);
-        let told = format!(
+        let reported = format!(
             "error: a.blade.json: is a blade file, which has no [{command}], expected a dynamics \
              file\n  help: write a NAME.dynamics.toml with [[blade]] and file = \"a.blade.json\""
         );
-        assert!(run.err.starts_with(&told), "{}", run.err);
+        assert!(run.err.starts_with(&reported), "{}", run.err);
     }
 }
 
 #[test]
-fn a_card_tells_a_missing_blade_file_and_a_mass_that_is_nowhere() {
+fn a_card_reports_a_missing_blade_file_and_a_mass_that_is_nowhere() {
     let folder = folder();
     let text = "units = \"SI\"\n[[blade]]\nname = \"b\"\nfile = \"aa.blade.json\"\n";
     let message = "error: a.dynamics.toml:4: \"file\": no file \"aa.blade.json\"\n  \

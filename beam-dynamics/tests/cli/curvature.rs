@@ -79,18 +79,18 @@ fn a_piece_without_the_twist_of_its_section_is_refused() {
 }
 
 #[test]
-fn a_piece_with_that_twist_is_taken_and_a_near_one_told() {
+fn a_piece_with_that_twist_is_taken_and_a_near_one_reported() {
     let folder = twisted();
     let run = checked(&folder, &piece(10.0));
     assert_good(&run);
     assert!(!run.out.contains("solved for"), "{}", run.out);
     let run = checked(&folder, &piece(9.5));
     assert_good(&run);
-    let told = "blade \"b\", piece 1, properties \"strip\": the section was solved for a beam with \
+    let reported = "blade \"b\", piece 1, properties \"strip\": the section was solved for a beam with \
                 curvature [20, 0, 0] deg/m, and the line has curvature [19, 0, 0] deg/m; couplings \
                 Kij/sqrt(Kii Kjj) differ by at most 0.00102; the couplings of the section by \
                 curvature are up to 0.0204; the matrices are used as given";
-    assert!(run.out.contains(told), "{}", run.out);
+    assert!(run.out.contains(reported), "{}", run.out);
 }
 
 /// Frequencies of the first modes [Hz].
@@ -132,9 +132,9 @@ fn another_parameter_becomes_the_arc_length() {
     folder.write("strip.properties.json", &section::write(&section));
     let run = checked(&folder, &piece(10.0));
     assert_good(&run);
-    let told = "properties \"strip\": the line of the section is 1.250000 long per unit of the \
+    let reported = "properties \"strip\": the line of the section is 1.250000 long per unit of the \
                 parameter of its matrices";
-    assert!(run.out.contains(told), "{}", run.out);
+    assert!(run.out.contains(reported), "{}", run.out);
     let plain = twisted();
     assert_same(
         &frequencies(&folder, &piece(10.0)),
@@ -164,10 +164,10 @@ fn beams_between_nodes_are_compared_at_their_evaluation_points() {
     assert_good(&checked(&folder, &beam([2.0, 7.0, 12.0])));
     let run = checked(&folder, &beam([0.0; 3]));
     assert_eq!(run.code, 2);
-    let told = "error: a.dynamics.toml:15: beam \"one\", 0.1057 m of 0.5000 m, properties \
+    let reported = "error: a.dynamics.toml:15: beam \"one\", 0.1057 m of 0.5000 m, properties \
                 \"strip\": the section was solved for a beam with curvature [20, 0, 0] deg/m, and \
                 the line has curvature [0, 0, 0] deg/m";
-    assert!(run.err.starts_with(told), "{}", run.err);
+    assert!(run.err.starts_with(reported), "{}", run.err);
     // A larger twist on the outer half: only the second evaluation point is off.
     let run = checked(&folder, &beam([0.0, 5.0, 13.0]));
     assert!(
@@ -203,14 +203,18 @@ fn stations_of_a_blade_file_are_compared_with_its_line() {
     folder.write("a.blade.toml", &blade_file(-10.0, ""));
     let run = checked(&folder, &of_file("a.blade.toml"));
     assert_eq!(run.code, 2);
-    for told in [
+    for reported in [
         "error: a.blade.toml:7: station 1 at 0 m, \"strip.properties.json\": the section was \
          solved for a beam with curvature [20, 0, 0] deg/m, and the line has curvature \
          [-20, 0, 0] deg/m; couplings",
         "error: a.blade.toml:10: station 2 at 0.5 m, ",
         "\n  help: the signs are opposite: ",
     ] {
-        assert!(run.err.contains(told), "{told} is not in\n{}", run.err);
+        assert!(
+            run.err.contains(reported),
+            "{reported} is not in\n{}",
+            run.err
+        );
     }
 }
 
@@ -225,10 +229,10 @@ fn a_reference_point_off_the_line_has_a_line_of_its_own() {
     let above = "reference_point = [0, 0.05]\n";
     folder.write("a.blade.toml", &blade_file(10.0, above));
     let run = checked(&folder, &of_file("a.blade.toml"));
-    let told = format!("deg/m and slope = [{:.6}, {:.7}, 0]", 1.0 / c, side / c);
+    let reported = format!("deg/m and slope = [{:.6}, {:.7}, 0]", 1.0 / c, side / c);
     assert!(
-        run.code == 2 && run.err.contains(&told),
-        "{told}: {}",
+        run.code == 2 && run.err.contains(&reported),
+        "{reported}: {}",
         run.err
     );
     assert!(
@@ -243,7 +247,7 @@ fn a_reference_point_off_the_line_has_a_line_of_its_own() {
 
 // Between two stations of 20 deg/m the line has 32 deg/m and then 14.
 #[test]
-fn a_line_that_differs_between_stations_is_told() {
+fn a_line_that_differs_between_stations_is_reported() {
     let folder = twisted();
     let points = "x = [0, 0.1, 0.2, 0.3, 0.4, 0.5]\ntwist = [0, 2, 5.2, 6.6, 8, 10]";
     let text = blade_file(10.0, "").replace("length = 0.5\ntwist = [0, 10]", points);
@@ -253,9 +257,9 @@ fn a_line_that_differs_between_stations_is_told() {
     );
     let run = checked(&folder, &of_file("a.blade.toml"));
     assert_good(&run);
-    let told = "between stations, most at 0.15 m: the section was solved for a beam with curvature \
+    let reported = "between stations, most at 0.15 m: the section was solved for a beam with curvature \
                 [20, 0, 0] deg/m, and the line has curvature [32, 0, 0] deg/m";
-    assert!(run.out.contains(told), "{}", run.out);
+    assert!(run.out.contains(reported), "{}", run.out);
 }
 
 #[test]
@@ -343,6 +347,6 @@ fn the_angle_of_a_station_turns_its_curvature() {
     };
     assert_good(&section([0.0, degrees, 0.0]));
     let run = section([0.0, 0.0, degrees]);
-    let told = "has curvature [0, 28.6479, 0] deg/m";
-    assert!(run.code == 2 && run.err.contains(told), "{}", run.err);
+    let reported = "has curvature [0, 28.6479, 0] deg/m";
+    assert!(run.code == 2 && run.err.contains(reported), "{}", run.err);
 }

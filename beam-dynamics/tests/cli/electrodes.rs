@@ -55,20 +55,20 @@ fn card(lines: &str) -> String {
 /// The report of statics has voltages and charges, the remarks list the sources and the
 /// electrodes without a card; `theta^2 / EI + c` is 1e-8 / 0.634 + 1e-6 C per volt.
 #[test]
-fn statics_tells_of_electrodes() {
+fn statics_reports_electrodes() {
     let folder = folder(SOUND);
     let cards = card("name = \"top\"\nblade = \"blade\"\nvoltage = \"50 V\"");
     folder.write("a.dynamics.toml", &format!("{STRIPS}{cards}"));
     let run = folder.run(&["static", "a.dynamics.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let charge = 50.0 * (1e-6 + 1e-8 / 0.634);
-    for told in [
+    for reported in [
         "Electrodes at factor 0",
         "electrode \"top\": voltage 50 V",
         "no [[electrode]] names electrode \"bottom\" of \"blade/beam 1\", \"blade/beam 2\": its \
          voltage is zero",
     ] {
-        assert!(run.out.contains(told), "{told}\n{}", run.out);
+        assert!(run.out.contains(reported), "{reported}\n{}", run.out);
     }
     let table = folder.read("results/a.electrodes.csv");
     let last = table.lines().last().unwrap();
@@ -86,9 +86,9 @@ fn runs_in_time_write_and_continue_circuits() {
     let cards = card("name = \"top\"\nblade = \"blade\"\nvoltage = \"= 50*cos(300*t)\"")
         + &card("name = \"bottom\"\nblade = \"blade\"\nresistance = \"2 kOhm\"\ninductance = 0.5");
     let input = |to: f64| {
-        let questions = format!("[transient]\nto = {to}\nstep = 1e-4\n");
+        let all_settings = format!("[transient]\nto = {to}\nstep = 1e-4\n");
         let text = STRIPS.split("[static]").next().unwrap();
-        format!("{text}{cards}{questions}[output]\nrestart_every = 20\n")
+        format!("{text}{cards}{all_settings}[output]\nrestart_every = 20\n")
     };
     folder.write("a.dynamics.toml", &input(4e-3));
     let run = folder.run(&["transient", "a.dynamics.toml"]);
@@ -121,7 +121,7 @@ fn refuses(cards: &str, line: usize, message: &str) {
 
 /// Problems of the names and beams of a card, with their remedies.
 #[test]
-fn wrong_names_and_beams_are_told() {
+fn wrong_names_and_beams_are_reported() {
     let top = "name = \"top\"\nblade = \"blade\"\n";
     for (cards, line, message) in [
         (
@@ -165,7 +165,7 @@ fn wrong_names_and_beams_are_told() {
 
 /// Problems of a circuit, with their remedies.
 #[test]
-fn wrong_circuits_are_told() {
+fn wrong_circuits_are_reported() {
     let top = "name = \"top\"\nblade = \"blade\"\n";
     for (cards, line, message) in [
         (
@@ -242,7 +242,7 @@ fn charges_need_a_capacitance() {
 
 /// All problems are reported at once.
 #[test]
-fn several_cards_are_told_together() {
+fn several_cards_are_reported_together() {
     let folder = folder(SOUND);
     let cards = card("name = \"tpo\"\nblade = \"blade\"\nvoltage = 1")
         + &card("name = \"bottom\"\nblade = \"blade\"\nresistance = -1");
@@ -251,12 +251,12 @@ fn several_cards_are_told_together() {
     folder.write("a.dynamics.toml", &format!("{STRIPS}{cards}{output}"));
     let run = folder.run(&["check", "a.dynamics.toml"]);
     assert_eq!(run.code, 2);
-    for told in [
+    for reported in [
         "a.dynamics.toml:25: no beam of blade \"blade\" has an electrode \"tpo\"",
         "a.dynamics.toml:30: \"resistance\" is -1, expected a resistance, zero or more",
         "a.dynamics.toml:37: unknown electrode \"botom\" in column \"v\"\n  \
          help: did you mean \"bottom\"?",
     ] {
-        assert!(run.err.contains(told), "{told}\n{}", run.err);
+        assert!(run.err.contains(reported), "{reported}\n{}", run.err);
     }
 }

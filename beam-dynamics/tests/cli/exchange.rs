@@ -65,7 +65,7 @@ fn describe_says_what_a_file_holds() {
 }
 
 #[test]
-fn describe_goes_on_behind_a_file_that_is_wrong() {
+fn describe_continues_behind_a_file_that_is_wrong() {
     let folder = folder();
     folder.write("notes.txt", "dear colleague\n");
     let run = folder.run(&["describe", "notes.txt", "strip.csv"]);
@@ -157,7 +157,7 @@ fn exports_state_the_hash_of_what_was_read() {
 
 // Six damping times become one in a DYMORE table: 1 to 6 ms have the mean 3.5 ms.
 #[test]
-fn what_cannot_be_carried_is_told_with_its_size() {
+fn what_cannot_be_carried_is_reported_with_its_size() {
     let folder = folder();
     let times = table().replace("proportional 0.002", "times 1e-3 2e-3 3e-3 4e-3 5e-3 6e-3");
     folder.write("times.csv", &times);
@@ -202,7 +202,7 @@ fn convert_refuses_to_overwrite_what_it_reads() {
 }
 
 #[test]
-fn formats_that_are_not_known_are_told_with_those_that_are() {
+fn formats_that_are_not_known_are_reported_with_those_that_are() {
     let folder = folder();
     let run = folder.run(&["convert", "strip.csv", "a.dat"]);
     assert_eq!(run.code, 2);
@@ -260,22 +260,22 @@ fn the_table_of_the_book_is_read() {
 }
 
 #[test]
-fn toml_is_not_written_and_the_first_of_several_files_is_told() {
+fn toml_is_not_written_and_the_first_of_several_files_is_reported() {
     let folder = folder();
     let run = folder.run(&["convert", "strip.csv", "y.blade.toml"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
-    let told = "error: \"y.blade.toml\": blade files in TOML are written by people, expected one \
+    let reported = "error: \"y.blade.toml\": blade files in TOML are written by people, expected one \
         in JSON\n  help: convert to \"y.blade.json\"";
-    assert!(run.err.starts_with(told), "{}", run.err);
+    assert!(run.err.starts_with(reported), "{}", run.err);
     assert!(!folder.path("y.blade.json").exists());
     let run = folder.run(&["convert", "strip.csv", "y.K"]);
     assert_eq!(run.code, 0, "{}", run.err);
-    let told = "y.sections.csv is the file for modes and describe: it refers to the others\n";
-    assert!(run.out.ends_with(told), "{}", run.out);
+    let reported = "y.sections.csv is the file for modes and describe: it refers to the others\n";
+    assert!(run.out.ends_with(reported), "{}", run.out);
 }
 
 #[test]
-fn describe_tells_the_frame_that_a_file_declares() {
+fn describe_reports_the_frame_that_a_file_declares() {
     let folder = folder();
     let matrix = "[[3e6,0,0,0,0,0],[0,3e6,0,0,0,0],[0,0,3e6,0,0,0],[0,0,0,9,0,0],[0,0,0,0,2,0],\
         [0,0,0,0,0,4]]";

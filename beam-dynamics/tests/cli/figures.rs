@@ -101,7 +101,7 @@ fn several_files_without_figures() {
 }
 
 #[test]
-fn the_help_tells_of_it() {
+fn the_help_reports_it() {
     let folder = Folder::new();
     for (command, ..) in commands() {
         let help = folder.run(&[command, "--help"]).out;

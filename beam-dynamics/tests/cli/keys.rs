@@ -163,7 +163,7 @@ fn every_key_of_the_cards_is_in_the_book() {
         }
     }
     assert!(keys.len() > 120, "{}", keys.len());
-    let is_told = |key: &&String| {
+    let is_reported = |key: &&String| {
         // `key`, `key = ...`, a card `[key]`, `[[key]]`, or one of { a, key, b }.
         [
             format!("`{key}`"),
@@ -177,7 +177,7 @@ fn every_key_of_the_cards_is_in_the_book() {
         .iter()
         .any(|form| book.contains(form.as_str()))
     };
-    let missing: Vec<_> = keys.iter().filter(|key| !is_told(key)).collect();
+    let missing: Vec<_> = keys.iter().filter(|key| !is_reported(key)).collect();
     assert!(missing.is_empty(), "not in the book: {missing:?}");
 }
 

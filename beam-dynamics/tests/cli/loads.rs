@@ -71,8 +71,8 @@ fn a_limit_point_ends_statics_with_what_was_reached() {
     folder.write("a.dynamics.toml", &format!("{ARCH}[static]\n"));
     let run = folder.run(&["static", "a.dynamics.toml"]);
     assert_eq!(run.code, 1, "{}", run.err);
-    let told = "error: a: limit point near the load factor ";
-    assert!(run.err.starts_with(told), "{}", run.err);
+    let reported = "error: a: limit point near the load factor ";
+    assert!(run.err.starts_with(reported), "{}", run.err);
     for part in ["worst equation there: ", "arc_length = true", "are written"] {
         assert!(run.err.contains(part), "{part}: {}", run.err);
     }
@@ -92,7 +92,7 @@ fn a_limit_point_ends_statics_with_what_was_reached() {
 }
 
 #[test]
-fn critical_loads_are_told_and_written() {
+fn critical_loads_are_reported_and_written() {
     let folder = Folder::new();
     folder.write("a.dynamics.toml", &format!("{ARCH}[buckling]\ncount = 2\n"));
     let run = folder.run(&["buckling", "a.dynamics.toml"]);
@@ -106,14 +106,15 @@ fn critical_loads_are_told_and_written() {
 }
 
 #[test]
-fn a_file_without_the_question_is_refused() {
+fn a_file_without_the_settings_is_refused() {
     let folder = Folder::new();
     folder.write("a.dynamics.toml", BLADE);
     for (command, table) in [("static", "[static]"), ("buckling", "[buckling]")] {
         let run = folder.run(&[command, "a.dynamics.toml"]);
         assert_eq!(run.code, 2);
-        let told = format!("error: a.dynamics.toml: has no {table}, which defines the analysis");
-        assert!(run.err.starts_with(&told), "{}", run.err);
+        let reported =
+            format!("error: a.dynamics.toml: has no {table}, which defines the analysis");
+        assert!(run.err.starts_with(&reported), "{}", run.err);
     }
 }
 
@@ -123,8 +124,8 @@ fn buckling_without_loads_ends_with_the_reason() {
     folder.write("a.dynamics.toml", &format!("{BLADE}[buckling]\n"));
     let run = folder.run(&["buckling", "a.dynamics.toml"]);
     assert_eq!(run.code, 1);
-    let told = "error: a: no load grows with the load factor";
-    assert!(run.err.starts_with(told), "{}", run.err);
+    let reported = "error: a: no load grows with the load factor";
+    assert!(run.err.starts_with(reported), "{}", run.err);
 }
 
 // A column of EI = 0.64 and 160 N m^2, clamped, 0.95 m: buckles under
@@ -135,13 +136,13 @@ fn buckling_beyond_the_critical_load_is_remarked() {
     let load = |force: f64, keys: &str| {
         format!("[[load]]\nnode = \"blade/tip\"\nforce = [{force:e}, 0, 0]\n{keys}")
     };
-    for (constant, is_told) in [(-1.7, false), (-3.5, true)] {
+    for (constant, is_reported) in [(-1.7, false), (-3.5, true)] {
         let loads = load(constant, "constant = true\n") + &load(-1.0, "");
         folder.write("a.dynamics.toml", &format!("{STRIP}{loads}[buckling]\n"));
         let run = folder.run(&["buckling", "a.dynamics.toml"]);
         assert_eq!(run.code, 0, "{}", run.err);
-        let told = run.out.contains("under about 0.4999 of the constant loads");
-        assert_eq!(told, is_told, "{}", run.out);
+        let reported = run.out.contains("under about 0.4999 of the constant loads");
+        assert_eq!(reported, is_reported, "{}", run.out);
     }
     folder.write(
         "a.dynamics.toml",
@@ -155,10 +156,10 @@ fn buckling_beyond_the_critical_load_is_remarked() {
 // The critical load of the strip again: the straight path continues past it. A load across
 // the strip has no critical point, however far it bends.
 #[test]
-fn statics_tells_where_another_path_branches_off() {
+fn statics_reports_where_another_path_branches_off() {
     let folder = Folder::new();
-    let told = "a critical point was passed near the load factor 0.";
-    for (force, is_told) in [
+    let reported = "a critical point was passed near the load factor 0.";
+    for (force, is_reported) in [
         ("-3.5, 0, 0", true),
         ("-1.7, 0, 0", false),
         ("0, 0, 9", false),
@@ -167,10 +168,10 @@ fn statics_tells_where_another_path_branches_off() {
         folder.write("a.dynamics.toml", &format!("{STRIP}{load}[static]\n"));
         let run = folder.run(&["static", "a.dynamics.toml"]);
         assert_eq!(run.code, 0, "{}", run.err);
-        assert_eq!(run.out.contains(told), is_told, "{}", run.out);
+        assert_eq!(run.out.contains(reported), is_reported, "{}", run.out);
         assert_eq!(
-            run.out.contains(&format!("{told}4999")),
-            is_told,
+            run.out.contains(&format!("{reported}4999")),
+            is_reported,
             "{}",
             run.out
         );
@@ -269,7 +270,7 @@ const WRONG_LOADS: &[(&str, &str)] = &[
 ];
 
 #[test]
-fn wrong_loads_are_told_where_they_stand() {
+fn wrong_loads_are_reported_where_they_are() {
     let folder = Folder::new();
     for (card, message) in WRONG_LOADS {
         folder.write("a.dynamics.toml", &format!("{BLADE}{card}"));

@@ -226,7 +226,7 @@ fn a_good_run_writes_everything_and_says_where() {
 }
 
 #[test]
-fn animated_shapes_are_written_when_asked_for() {
+fn animated_shapes_are_written_when_requested() {
     let folder = Folder::new();
     folder.write("a.dynamics.toml", BLADE);
     let run = folder.run(&["modes", "a.dynamics.toml", "--vtu"]);
@@ -281,7 +281,7 @@ fn a_check_says_what_was_read() {
 }
 
 #[test]
-fn an_unknown_key_is_told() {
+fn an_unknown_key_is_reported() {
     let message = "\
 error: a.dynamics.toml:14: unknown key \"swep\" in [[blade.piece]] number 2
   help: did you mean \"sweep\"?";
@@ -289,7 +289,7 @@ error: a.dynamics.toml:14: unknown key \"swep\" in [[blade.piece]] number 2
 }
 
 #[test]
-fn a_wrong_unit_is_told() {
+fn a_wrong_unit_is_reported() {
     let folder = Folder::new();
     let message = "\
 error: a.dynamics.toml:12: \"length\": \"kg\" measures a mass, expected a length
@@ -308,7 +308,7 @@ error: a.dynamics.toml:12: \"length\": unknown unit \"inch\"
 }
 
 #[test]
-fn missing_files_are_told() {
+fn missing_files_are_reported() {
     let folder = Folder::new();
     let message = "\
 error: a.dynamics.toml:3: properties \"strip\": no property file at \"stripe.properties.json\"
@@ -323,7 +323,7 @@ error: a.dynamics.toml:3: properties \"strip\": no property file at \"stripe.pro
 }
 
 #[test]
-fn a_newer_property_file_is_told() {
+fn a_newer_property_file_is_reported() {
     let folder = Folder::new();
     let text = section::write(&strip()).replace("\"version\": 1,", "\"version\": 7,");
     folder.write("strip.properties.json", &text);
@@ -356,7 +356,7 @@ fn a_property_file_with_a_history_is_read() {
 }
 
 #[test]
-fn a_free_mechanism_is_told_by_node_and_direction() {
+fn a_free_mechanism_is_reported_by_node_and_direction() {
     let folder = Folder::new();
     folder.write(
         "a.dynamics.toml",
@@ -426,7 +426,7 @@ fn results_are_not_written_over_each_other() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_made_is_told() {
+fn a_folder_that_cannot_be_made_is_reported() {
     let folder = Folder::new();
     folder.write("a.dynamics.toml", BLADE);
     folder.write("results", "");
@@ -444,7 +444,7 @@ fn a_folder_that_cannot_be_made_is_told() {
 }
 
 #[test]
-fn usage_is_told_with_code_two_and_help_with_zero() {
+fn usage_is_reported_with_code_two_and_help_with_zero() {
     let folder = Folder::new();
     for arguments in [
         &["modes"][..],

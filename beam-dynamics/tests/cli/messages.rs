@@ -32,22 +32,22 @@ fn without_numbers(text: &str) -> String {
 }
 
 #[test]
-fn ten_mistakes_of_the_book_are_told_at_once() {
+fn ten_mistakes_of_the_book_are_reported_at_once() {
     let folder = Folder::new();
-    let [file, told] = blocks(&page("dynamics-input.md"), "# ten mistakes");
+    let [file, reported] = blocks(&page("dynamics-input.md"), "# ten mistakes");
     folder.write("crane.dynamics.toml", &file);
     let run = folder.run(&["check", "crane.dynamics.toml"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
-    assert_eq!(run.err.trim_end(), told.trim_end());
-    assert_eq!(told.matches("error: crane.dynamics.toml:").count(), 10);
+    assert_eq!(run.err.trim_end(), reported.trim_end());
+    assert_eq!(reported.matches("error: crane.dynamics.toml:").count(), 10);
     // All problems with a similar known name suggest it.
-    assert!(told.matches("did you mean").count() >= 3, "{told}");
+    assert!(reported.matches("did you mean").count() >= 3, "{reported}");
 }
 
 #[test]
-fn the_failure_of_the_book_is_told() {
+fn the_failure_of_the_book_is_reported() {
     let folder = Folder::new();
-    let [file, told] = blocks(&page("start-up.md"), "# a rod");
+    let [file, reported] = blocks(&page("start-up.md"), "# a rod");
     folder.write("rod.dynamics.toml", &file);
     let run = folder.run(&["transient", "rod.dynamics.toml"]);
     assert_eq!(run.code, 1);
@@ -61,7 +61,7 @@ fn the_failure_of_the_book_is_told() {
         });
         lines.collect()
     };
-    assert_eq!(comparable(&run.err), comparable(&told), "{}", run.err);
+    assert_eq!(comparable(&run.err), comparable(&reported), "{}", run.err);
 }
 
 /// A cart of 1 kg on a rail along x at 1 m/s, and the name of its position.
@@ -186,12 +186,12 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
 ];
 
 #[test]
-fn failures_are_told_with_their_cause_and_what_to_try() {
+fn failures_are_reported_with_their_cause_and_what_to_try() {
     let folder = Folder::new();
-    for (acting, asked, expected) in FAILURES {
+    for (acting, requested, expected) in FAILURES {
         folder.write(
             "a.dynamics.toml",
-            &format!("{CART}{acting}\n[transient]\n{asked}\nredundant = \"remove\"\n"),
+            &format!("{CART}{acting}\n[transient]\n{requested}\nredundant = \"remove\"\n"),
         );
         let run = folder.run(&["transient", "a.dynamics.toml"]);
         assert_eq!(run.code, 1, "{acting}\n{}{}", run.out, run.err);
@@ -318,7 +318,7 @@ const SLIPS: &[(&str, &str, &str)] = &[
 ];
 
 #[test]
-fn slips_are_told_where_they_stand_and_nothing_else() {
+fn slips_are_reported_where_they_are_and_nothing_else() {
     let folder = Folder::new();
     for (old, new, expected) in SLIPS {
         assert!(BOB.contains(old), "{old}");
@@ -368,7 +368,7 @@ fn files_may_be_written_elsewhere() {
 // the other component; weights of 1e-8 of unspecified velocities leave an error of the same
 // size.
 #[test]
-fn changes_of_a_start_that_does_not_fit_are_told() {
+fn changes_of_a_start_that_does_not_fit_are_reported() {
     let folder = Folder::new();
     let thrown = BOB.replace("[[body]]", "velocity = [1, -1, 0]\n[[body]]");
     folder.write("a.dynamics.toml", &thrown);
@@ -385,17 +385,17 @@ fn changes_of_a_start_that_does_not_fit_are_told() {
 
 /// Mistakes that point to the right table, number or drive.
 #[test]
-fn near_mistakes_are_told_with_their_remedy() {
+fn near_mistakes_are_reported_with_their_remedy() {
     let folder = Folder::new();
-    let told = |cards: &str| {
+    let reported = |cards: &str| {
         let text = super::loads::STRIP.to_owned() + cards;
         folder.write("a.dynamics.toml", &text);
         folder.run(&["check", "a.dynamics.toml"]).err
     };
-    let mode = told("[mode]\nspeeds = 0\n");
+    let mode = reported("[mode]\nspeeds = 0\n");
     let expected = "unknown key \"mode\" in the file\n  help: did you mean [modes]?";
     assert!(mode.contains(expected), "{mode}");
-    let ramp = told("[modes]\nspeeds = 0\n[drives.up]\nkind = \"ramp\"\nto = 1\n");
+    let ramp = reported("[modes]\nspeeds = 0\n[drives.up]\nkind = \"ramp\"\nto = 1\n");
     let expected = "drives \"up\" has none of \"end\" and \"duration\", expected one";
     assert!(ramp.contains(expected), "{ramp}");
     let run = folder.run(&["modes", "a.json", "--speeds", "0-8"]);

@@ -84,7 +84,7 @@ fn read(file: &[u8]) -> (BTreeMap<String, String>, Vec<Variable>) {
         assert_eq!(bytes.number(), 8, "{name}: bytes of a record");
         heads.push((name, attributes, bytes.offset()));
     }
-    let value = |place: usize| f64::from_be_bytes(file[place..place + 8].try_into().unwrap());
+    let value = |index: usize| f64::from_be_bytes(file[index..index + 8].try_into().unwrap());
     let variables = heads.into_iter().map(|(name, attributes, begin)| Variable {
         name,
         attributes,
@@ -130,7 +130,7 @@ quantity = \"iterations\"
 ";
 
 #[test]
-fn a_table_in_binary_tells_what_it_holds_to_any_reader() {
+fn a_table_in_binary_reports_what_it_holds_to_any_reader() {
     let folder = Folder::new();
     folder.write("m.dynamics.toml", MODEL);
     let run = folder.run(&["transient", "m.dynamics.toml"]);
@@ -140,7 +140,7 @@ fn a_table_in_binary_tells_what_it_holds_to_any_reader() {
     assert_eq!(about["title"], "swinging mass");
     assert!(about["source"].starts_with("beam-dynamics "));
     assert!(about["comment"].contains("axes of the model"));
-    let told: Vec<_> = variables
+    let reported: Vec<_> = variables
         .iter()
         .map(|variable| {
             let of = |name: &str| variable.attributes[name].as_str();
@@ -154,7 +154,7 @@ fn a_table_in_binary_tells_what_it_holds_to_any_reader() {
         ("tension", "N", "spring force x of rod in its own axes"),
         ("effort", "1", "iterations"),
     ];
-    assert_eq!(told, expected);
+    assert_eq!(reported, expected);
     assert_eq!(variables[0].attributes["axis"], "T");
 
     // The numbers equal the numbers of the text, to the last bit.

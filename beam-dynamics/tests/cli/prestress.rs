@@ -27,7 +27,7 @@ fn prestressed() -> Folder {
 }
 
 #[test]
-fn a_file_without_a_table_is_told_with_the_remedy() {
+fn a_file_without_a_table_is_reported_with_the_remedy() {
     let folder = Folder::new();
     let path = folder.path("strip.properties.json");
     let message = "properties \"strip\" request the effect of prestress, but ";
@@ -62,7 +62,7 @@ fn a_law_and_prestress_exclude_each_other() {
 }
 
 #[test]
-fn numbers_in_place_have_no_table() {
+fn inline_numbers_have_no_table() {
     let folder = Folder::new();
     let text = "units = \"SI\"\n[properties.p]\nprestress = true\nea = 1\n";
     folder.write("a.dynamics.toml", text);

@@ -6,7 +6,7 @@ use std::path::Path;
 use beam_dynamics::analysis::transient::{difference, transient};
 use beam_dynamics::input;
 use beam_dynamics::output::{TimeTable, parse_snapshot};
-use beam_dynamics::result::{Moment, Recorder, Snapshot};
+use beam_dynamics::result::{AcceptedStep, Recorder, Snapshot};
 use shared_geom::expression::{Expression, Jet, Names};
 
 const FUZZ: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../fuzz");
@@ -68,8 +68,8 @@ fn dynamics_files_of_any_content_are_read_or_refused() {
         match input::parse(&text, path) {
             Ok(input) => assert!(!input.model.system.nodes().is_empty()),
             Err(problems) => {
-                let told = problems.to_string();
-                assert!(!told.is_empty() && !told.contains("no reason was noted"));
+                let reported = problems.to_string();
+                assert!(!reported.is_empty() && !reported.contains("no reason was noted"));
             }
         }
     });
@@ -77,8 +77,8 @@ fn dynamics_files_of_any_content_are_read_or_refused() {
     for seed in ["strip", "rotor", "mechanism"] {
         let file = format!("{FUZZ}/corpus/dynamics_file/{seed}.dynamics.toml");
         let read = input::read(Path::new(&file));
-        let told = read.err().map(|problems| problems.to_string());
-        assert_eq!(told, None);
+        let reported = read.err().map(|problems| problems.to_string());
+        assert_eq!(reported, None);
     }
 }
 
@@ -109,7 +109,7 @@ fn expressions_of_any_content_are_read_or_refused() {
 struct Few(usize);
 
 impl Recorder for Few {
-    fn record(&mut self, _: &Moment<'_>) -> bool {
+    fn record(&mut self, _: &AcceptedStep<'_>) -> bool {
         self.0 += 1;
         self.0 < 3
     }
@@ -119,13 +119,13 @@ impl Recorder for Few {
 fn restart_files_of_any_content_are_continued_or_refused() {
     let file = format!("{FUZZ}/support/strip.dynamics.toml");
     let input = input::read(Path::new(&file)).unwrap();
-    let question = input.transient.unwrap();
+    let settings = input.transient.unwrap();
     let go = |snapshot: &Snapshot| {
         let fits = difference(&input.model, snapshot).is_none();
-        if fits && snapshot.progress.time < question.to {
+        if fits && snapshot.progress.time < settings.to {
             let _ = transient(
                 &input.model,
-                &question,
+                &settings,
                 Some(snapshot),
                 &mut Few(0),
                 &|| 0.0,

@@ -199,7 +199,7 @@ impl Sample {
         self.of_keys(keys.filter(|key| key.need == Need::Required))
     }
 
-    fn place(&self) -> String {
+    fn location(&self) -> String {
         let form = self.form.map_or("", |family| family.name);
         format!("{} {form} {:?}", self.table.title, self.word)
     }
@@ -319,19 +319,19 @@ fn reader_and_description_have_the_same_keys() {
     let validator = validator();
     let (mut seen, mut faults) = (0, Vec::new());
     visit_all(&mut |path, sample, embed| {
-        let place = format!("{} in {}", sample.place(), path.join("."));
+        let location = format!("{} in {}", sample.location(), path.join("."));
         let units = |mut file: Table| {
             file.entry("units").or_insert("SI".into());
             file
         };
         if let Err(errors) = fits(&validator, &units(embed(sample.complete()))) {
-            faults.push(format!("{place}: {errors}"));
+            faults.push(format!("{location}: {errors}"));
         }
         let mut strange = sample.complete();
         strange.insert(STRANGE.to_owned(), Value::Integer(1));
         let file = units(embed(strange));
         if fits(&validator, &file).is_ok() {
-            faults.push(format!("{place}: the schema accepts a strange key"));
+            faults.push(format!("{location}: the schema accepts a strange key"));
         }
         let problems = problems(&folder, &file);
         let known = known_to_the_reader(&problems);
@@ -344,7 +344,7 @@ fn reader_and_description_have_the_same_keys() {
         let missing: Vec<_> = known.difference(&all_forms[&path.join(".")]).collect();
         if !unknown.is_empty() || !missing.is_empty() {
             faults.push(format!(
-                "{place}: the reader does not know {unknown:?}, the description lacks \
+                "{location}: the reader does not know {unknown:?}, the description lacks \
                  {missing:?}\n{problems:#?}"
             ));
         }
@@ -379,8 +379,8 @@ fn every_declared_key_is_read() {
                 problem.contains(&quoted) && !is_absent
             };
             if !problems.iter().any(is_read) {
-                let place = format!("{} in {}", sample.place(), path.join("."));
-                faults.push(format!("{place}: \"{}\"\n{problems:#?}", key.name));
+                let location = format!("{} in {}", sample.location(), path.join("."));
+                faults.push(format!("{location}: \"{}\"\n{problems:#?}", key.name));
             }
             seen += 1;
         }
@@ -408,14 +408,23 @@ fn required_keys_are_required_by_both() {
             let mut table = sample.minimal();
             table.remove(key.name);
             let file = with_base(embed(table));
-            let place = format!("{} in {}: \"{}\"", sample.place(), path.join("."), key.name);
+            let location = format!(
+                "{} in {}: \"{}\"",
+                sample.location(),
+                path.join("."),
+                key.name
+            );
             // Without the key that distinguishes it, the table may be of another form.
             let is_other = sample.form.is_some() && fits(&validator, &file).is_ok();
             if !is_other && fits(&validator, &file).is_ok() {
-                faults.push(format!("{place}: the schema accepts the table without it"));
+                faults.push(format!(
+                    "{location}: the schema accepts the table without it"
+                ));
             }
             if !is_other && problems(&folder, &file).is_empty() {
-                faults.push(format!("{place}: the reader accepts the table without it"));
+                faults.push(format!(
+                    "{location}: the reader accepts the table without it"
+                ));
             }
         }
     });

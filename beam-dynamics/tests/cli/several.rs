@@ -48,7 +48,7 @@ fn run(folder: &Folder, command: &str, files: &[&str], threads: &str) -> (Run, S
 
 /// Files of which the first takes longest and the middle one ends early, with the expected
 /// message.
-fn asked() -> Vec<(&'static str, [String; 3], &'static str)> {
+fn requested() -> Vec<(&'static str, [String; 3], &'static str)> {
     let late = "[[load]]\nname = \"late\"\nnode = \"blade/tip\"\nforce = [1, 0, 0]\n\
                 drive = \"= sqrt(0.01 - t)\"\n";
     let long = BLADE.replace(
@@ -94,7 +94,7 @@ fn asked() -> Vec<(&'static str, [String; 3], &'static str)> {
 /// between them; the middle one fails, the last one is still run.
 #[test]
 fn what_is_printed_does_not_depend_on_the_number_of_threads() {
-    for (command, texts, told) in asked() {
+    for (command, texts, reported) in requested() {
         let folder = Folder::new();
         for (file, text) in FILES.iter().zip(&texts) {
             folder.write(file, text);
@@ -102,17 +102,17 @@ fn what_is_printed_does_not_depend_on_the_number_of_threads() {
         let alone = FILES.map(|file| run(&folder, command, &[file], "1").0);
         let codes = alone.each_ref().map(|run| run.code);
         assert_eq!(codes, [0, 1, 0], "{command}: {}", alone[1].err);
-        assert!(alone[1].err.contains(told), "{}", alone[1].err);
+        assert!(alone[1].err.contains(reported), "{}", alone[1].err);
         let out = alone.each_ref().map(|run| run.out.as_str()).join("\n\n");
         let (one, together) = run(&folder, command, &FILES, "1");
         assert_eq!((one.code, one.err.as_str()), (1, alone[1].err.as_str()));
         assert_eq!(one.out, out, "{command}");
         for threads in ["2", "3"] {
             fs::remove_dir_all(folder.path("results")).unwrap();
-            let (more, told_together) = run(&folder, command, &FILES, threads);
+            let (more, reported_together) = run(&folder, command, &FILES, threads);
             assert_eq!((more.code, &more.err), (1, &one.err), "{command}");
             assert_eq!(more.out, one.out, "{command}");
-            assert_eq!(told_together, together, "{command}");
+            assert_eq!(reported_together, together, "{command}");
             assert!(folder.path("results").is_dir());
         }
     }
@@ -120,7 +120,7 @@ fn what_is_printed_does_not_depend_on_the_number_of_threads() {
 
 /// Nothing runs if one input is wrong; all problems are reported, in order.
 #[test]
-fn wrong_files_are_told_in_their_order() {
+fn wrong_files_are_reported_in_their_order() {
     let folder = Folder::new();
     folder.write(
         FILES[0],
@@ -132,9 +132,9 @@ fn wrong_files_are_told_in_their_order() {
     assert_eq!((one.code, one.out.as_str()), (2, ""));
     let [first, last] = [FILES[0], FILES[2]].map(|file| one.err.find(file).unwrap());
     assert!(first < last && !one.err.contains(FILES[1]), "{}", one.err);
-    let (two, told_together) = run(&folder, "transient", &FILES, "2");
+    let (two, reported_together) = run(&folder, "transient", &FILES, "2");
     assert_eq!((two.code, two.out.as_str()), (2, ""));
-    assert_eq!((two.err, told_together), (one.err, together));
+    assert_eq!((two.err, reported_together), (one.err, together));
     assert!(!folder.path("results").exists());
 }
 
@@ -150,9 +150,9 @@ fn blade_files_are_described_in_their_order() {
     let (one, together) = run(&folder, "describe", &files, "1");
     assert_eq!(one.code, 2);
     assert!(one.err.contains("none.blade.json"), "{}", one.err);
-    let (two, told_together) = run(&folder, "describe", &files, "2");
+    let (two, reported_together) = run(&folder, "describe", &files, "2");
     assert_eq!((two.code, two.out, two.err), (2, one.out, one.err));
-    assert_eq!(told_together, together);
+    assert_eq!(reported_together, together);
 }
 
 /// Two runs that do not end: both write their rows.
@@ -189,7 +189,7 @@ fn one_file_in_two_ways_is_refused() {
     folder.write(FILES[0], &beam(0.1));
     let run = folder.run(&["transient", FILES[0], "./a.dynamics.toml"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
-    let told = "error: results of \"a.dynamics.toml\" and \"./a.dynamics.toml\" would both be ";
-    assert!(run.err.starts_with(told), "{}", run.err);
+    let reported = "error: results of \"a.dynamics.toml\" and \"./a.dynamics.toml\" would both be ";
+    assert!(run.err.starts_with(reported), "{}", run.err);
     assert!(!folder.path("results").exists());
 }

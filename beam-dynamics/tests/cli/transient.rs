@@ -111,7 +111,7 @@ fn a_run_writes_its_tables_figures_and_effort() {
 }
 
 #[test]
-fn a_killed_run_goes_on_to_the_last_bit() {
+fn a_killed_run_continues_to_the_last_bit() {
     let folder = Folder::new();
     folder.write("a.dynamics.toml", &beam(1000.0));
     let arguments = ["transient", "a.dynamics.toml", "--out", "parts"];
@@ -145,7 +145,7 @@ fn a_killed_run_goes_on_to_the_last_bit() {
     );
     for file in ["a.transient.csv", "a.transient.nc", "a.transient.pvd"] {
         let [once, twice] = ["whole", "parts"]
-            .map(|place| fs::read(folder.path(&format!("{place}/{file}"))).unwrap());
+            .map(|position| fs::read(folder.path(&format!("{position}/{file}"))).unwrap());
         assert!(once == twice, "{file}");
     }
 }
@@ -207,7 +207,7 @@ fn a_state_that_does_not_fit_is_refused() {
 
 // The requested output and names in the file may differ; the model may not.
 #[test]
-fn a_state_goes_on_with_other_questions_but_not_with_another_model() {
+fn a_state_continues_with_other_settings_but_not_with_another_model() {
     let folder = Folder::new();
     folder.write("a.dynamics.toml", &beam(0.1));
     let restart = ["--restart", "parts/a.restart.json"];
@@ -319,7 +319,7 @@ fn a_run_that_fails_keeps_its_last_state_and_angles_their_turns() {
 }
 
 #[test]
-fn columns_are_drawn_and_wrong_names_are_told() {
+fn columns_are_drawn_and_wrong_names_are_reported() {
     let folder = Folder::new();
     folder.write("a.dynamics.toml", &beam(0.02));
     folder.run(&["transient", "a.dynamics.toml"]);
@@ -377,7 +377,7 @@ fn columns_are_drawn_and_wrong_names_are_told() {
 }
 
 #[test]
-fn a_file_without_a_run_is_told() {
+fn a_file_without_a_run_is_reported() {
     let folder = Folder::new();
     folder.write("a.dynamics.toml", BEAM);
     let run = folder.run(&["transient", "a.dynamics.toml"]);

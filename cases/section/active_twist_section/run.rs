@@ -123,7 +123,7 @@ impl Convergence {
     }
 }
 
-fn place([nodes, difference]: [f64; 2]) -> [f64; 2] {
+fn position([nodes, difference]: [f64; 2]) -> [f64; 2] {
     let part = |value: f64, [low, high]: [f64; 2]| (value.log10() - low) / (high - low);
     [
         LEFT + (RIGHT - LEFT) * part(nodes, NODES),
@@ -139,13 +139,13 @@ impl Drawing for Convergence {
         let gray = RGBColor(215, 215, 215);
         let small = Label::new(0.8 * TEXT);
         for power in -6..=-2 {
-            let at = place([2000.0, 10f64.powi(power)])[1];
+            let at = position([2000.0, 10f64.powi(power)])[1];
             canvas.line(&[[LEFT, at], [RIGHT, at]], 1.5, gray)?;
             let text = format!("1e{power}");
             canvas.text(&text, [LEFT - 15.0, at], small.anchored(Anchor::End))?;
         }
         for nodes in [2000, 3000, 5000, 10000] {
-            let at = place([f64::from(nodes), 0.01])[0];
+            let at = position([f64::from(nodes), 0.01])[0];
             canvas.line(&[[at, TOP], [at, BOTTOM]], 1.5, gray)?;
             let below = [at, BOTTOM + 35.0];
             canvas.text(&nodes.to_string(), below, small.anchored(Anchor::Middle))?;
@@ -165,7 +165,7 @@ impl Drawing for Convergence {
         canvas.text(text, beside, small.anchored(Anchor::Middle).upward())?;
         for (index, line) in self.lines.iter().enumerate() {
             let color = if index < 7 { category(index) } else { BLACK };
-            let points: Vec<_> = line.iter().map(|point| place(*point)).collect();
+            let points: Vec<_> = line.iter().map(|point| position(*point)).collect();
             canvas.line(&points, 4.0, color)?;
             for point in &points {
                 canvas.disc(*point, 9.0, color)?;

@@ -20,8 +20,8 @@ pub fn refined(mesh: &Mesh, r: usize) -> Mesh {
     for cell in &mesh.cells {
         for [a, b, c] in triangles(r) {
             let middle = |p: [usize; 2], q: [usize; 2]| [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
-            let places = [a, b, c, middle(a, b), middle(b, c), middle(c, a)];
-            let found = places.map(|place| nodes.at(cell.corners(), place));
+            let positions = [a, b, c, middle(a, b), middle(b, c), middle(c, a)];
+            let found = positions.map(|position| nodes.at(cell.corners(), position));
             let tag = cells.len() as u64 + 1;
             let mut small = Cell::new(tag, CellKind::Triangle6, cell.entity, |i| found[i]);
             small.groups = cell.groups.clone();

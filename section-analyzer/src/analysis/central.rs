@@ -36,7 +36,7 @@ pub(super) const OF_CELLS: Limits = Limits {
 pub(super) struct Named {
     pub tag: u64,
     /// Position (y, z) [m].
-    pub place: [f64; 2],
+    pub position: [f64; 2],
 }
 
 /// The names of the nodes of a model.
@@ -156,7 +156,10 @@ fn require_pivot(naming: Naming<'_>, pivot: Pivot) -> Result<(), Failure> {
 }
 
 fn loose(naming: Naming<'_>, pivot: Pivot) -> Failure {
-    let Named { tag, place: [y, z] } = naming(pivot.node);
+    let Named {
+        tag,
+        position: [y, z],
+    } = naming(pivot.node);
     Failure::Loose {
         node: tag,
         y,
@@ -188,7 +191,7 @@ pub(super) fn require_small(
     if error <= limit {
         return Ok(());
     }
-    let [y, z] = weakest.place;
+    let [y, z] = weakest.position;
     Err(Failure::Inaccurate {
         check,
         error,

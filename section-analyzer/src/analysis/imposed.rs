@@ -180,7 +180,7 @@ mod tests {
     /// A body that expands evenly, (S-133), of any material; a condition of about 1e4 times
     /// round-off.
     #[test]
-    fn a_curved_beam_that_grows_evenly_moves_by_the_mean_of_its_places() {
+    fn a_curved_beam_that_grows_evenly_moves_by_the_mean_of_its_positions() {
         for section in sections() {
             let even = FreeStrain {
                 at_origin: Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0),
@@ -193,12 +193,12 @@ mod tests {
             let analysis = Analysis::new(&section).expect("sound");
             let solved = &analysis.imposed(&[state]).expect("sound")[0];
             let domain = analysis.domain();
-            let mut places = DVector::zeros(domain.unknowns());
+            let mut positions = DVector::zeros(domain.unknowns());
             for (node, [y, z]) in domain.nodes.iter().enumerate() {
-                places[3 * node + 1] = *y;
-                places[3 * node + 2] = *z;
+                positions[3 * node + 1] = *y;
+                positions[3 * node + 2] = *z;
             }
-            let mean = analysis.central().face.tr_mul(&places);
+            let mean = analysis.central().face.tr_mul(&positions);
             let mean: Vector6<f64> = mean.fixed_rows::<6>(0).into();
             let mut growth = domain.line.equilibrium().transpose() * mean;
             for axis in 0..3 {

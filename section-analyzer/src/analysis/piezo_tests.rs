@@ -8,7 +8,7 @@ use crate::section::samples::{Random, coupled_rectangle};
 use crate::section::{Circuit, Electrode, FingeredCell, Section};
 use crate::solve::{CentralSolution, Decoupled, Pins};
 use nalgebra::{Matrix3, Matrix3x6};
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::InitialCurvature;
 
@@ -75,7 +75,7 @@ fn central(domain: &Domain, pattern: &Pattern) -> (Central, CentralSystems) {
     let matrices = SectionMatrices::assemble(domain, pattern).expect("sound");
     let naming = |_| super::super::Named {
         tag: 0,
-        place: [0.0; 2],
+        position: [0.0; 2],
     };
     solve_central(domain, pattern, matrices, &naming, OF_CELLS).expect("sound")
 }
@@ -197,7 +197,11 @@ fn ends_take_no_part_in_symmetric_sections() {
         kind: CellKind::Quadrilateral9,
         name: "layer".into(),
     };
-    let mesh = SectionMesh::from_mesh(&mesh.generate().expect("sound"), 1.0, &Place::file("test"));
+    let mesh = SectionMesh::from_mesh(
+        &mesh.generate().expect("sound"),
+        1.0,
+        &SourceLocation::file("test"),
+    );
     section.mesh = mesh.expect("sound").0;
     for made_of in &mut section.cells {
         (made_of.fiber_angle, made_of.plane_angle) = (0.0, 0.0);

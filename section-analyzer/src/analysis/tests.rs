@@ -67,8 +67,8 @@ fn warping_and_strain_belong_together_in_si() {
     let mut plain = Domain::new(&section).expect("sound section");
     let unit = plain.scaling.modulus;
     plain.laws.iter_mut().for_each(|law| *law *= unit);
-    for (place, &mesh_node) in plain.nodes.iter_mut().zip(&plain.mesh_nodes) {
-        *place = section.mesh.nodes[mesh_node as usize];
+    for (position, &mesh_node) in plain.nodes.iter_mut().zip(&plain.mesh_nodes) {
+        *position = section.mesh.nodes[mesh_node as usize];
     }
     let state = State {
         rate: Rate::Central,

@@ -75,8 +75,8 @@ impl<'a> NodesOfMesh<'a> {
     fn placed(&self, nodes: &[u32]) -> (Vec<usize>, Vec<[f64; 2]>) {
         let nodes = nodes.iter().map(|&node| self.node_of_mesh[node as usize]);
         let nodes: Vec<_> = nodes.collect();
-        let places = nodes.iter().map(|&node| self.domain.nodes[node]).collect();
-        (nodes, places)
+        let positions = nodes.iter().map(|&node| self.domain.nodes[node]).collect();
+        (nodes, positions)
     }
 
     fn of_traction(&self, sides: &[CurveSide], traction: &Traction) -> NodalForces {
@@ -84,8 +84,8 @@ impl<'a> NodesOfMesh<'a> {
         let unit = 1.0 / self.domain.scaling.modulus;
         let mut forces = Vec::new();
         for side in sides {
-            let (nodes, places) = self.placed(side.nodes());
-            for point in side_points(line, &places) {
+            let (nodes, positions) = self.placed(side.nodes());
+            for point in side_points(line, &positions) {
                 let area = point.surface.norm();
                 let force = match traction {
                     Traction::Force(force) => area * force,
@@ -120,8 +120,8 @@ impl<'a> NodesOfMesh<'a> {
                     section.materials[made_of.material].density * acceleration
                 }
             };
-            let (nodes, places) = self.placed(cell.nodes());
-            for point in cell_points(cell.kind, &places) {
+            let (nodes, positions) = self.placed(cell.nodes());
+            for point in cell_points(cell.kind, &positions) {
                 let volume = point.area * domain.line.metric(point.y, point.z).volume;
                 let shares = nodes.iter().zip(&point.n);
                 forces.extend(shares.map(|(&node, n)| (node, unit * volume * *n * force)));

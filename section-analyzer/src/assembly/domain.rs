@@ -60,7 +60,7 @@ impl Domain {
             ..scaling
         };
 
-        let place = |&node: &u32| {
+        let position = |&node: &u32| {
             let [y, z] = section.mesh.nodes[node as usize];
             [
                 (y - scaling.origin[0]) / scaling.length,
@@ -87,7 +87,7 @@ impl Domain {
         let numbering = (&mesh_nodes[..], &node_of_mesh[..]);
         let electric = electric(section, &scaling, numbering, &mut cells);
         let domain = Self {
-            nodes: mesh_nodes.iter().map(place).collect(),
+            nodes: mesh_nodes.iter().map(position).collect(),
             cells,
             electric,
             laws: laws.iter().map(|law| law / scaling.modulus).collect(),
@@ -105,13 +105,13 @@ impl Domain {
             return Ok(());
         }
         for cell in &self.cells {
-            let places = self.places(cell);
-            let places = &places[..cell.kind.node_count()];
+            let positions = self.positions(cell);
+            let positions = &positions[..cell.kind.node_count()];
             let points = rule_points(cell.kind).iter().map(|point| {
-                let point = point.of_cell(places);
+                let point = point.of_cell(positions);
                 [point.y, point.z]
             });
-            for [y, z] in points.chain(places.iter().copied()) {
+            for [y, z] in points.chain(positions.iter().copied()) {
                 let volume = self.line.metric(y, z).volume;
                 let is_positive = volume > 0.0;
                 if !is_positive {
@@ -132,19 +132,19 @@ impl Domain {
     /// The same domain with its nodes in another order, and the cells in the order of their
     /// nodes: `order` lists the present nodes, each once.
     pub fn renumbered(mut self, order: &[u32]) -> Self {
-        let mut place = vec![0; order.len()];
+        let mut position = vec![0; order.len()];
         for (new, &old) in order.iter().enumerate() {
-            place[old as usize] = new as u32;
+            position[old as usize] = new as u32;
         }
-        let places = order.iter().map(|&old| self.nodes[old as usize]);
-        self.nodes = places.collect();
+        let positions = order.iter().map(|&old| self.nodes[old as usize]);
+        self.nodes = positions.collect();
         let mesh_nodes = order.iter().map(|&old| self.mesh_nodes[old as usize]);
         self.mesh_nodes = mesh_nodes.collect();
-        self.electric = self.electric.renumbered(order, &place);
+        self.electric = self.electric.renumbered(order, &position);
         for cell in &mut self.cells {
             let count = cell.kind.node_count();
             for node in &mut cell.nodes[..count] {
-                *node = place[*node as usize];
+                *node = position[*node as usize];
             }
         }
         // cells in the order of their nodes: sums over cells access neighboring memory
@@ -167,7 +167,7 @@ impl Domain {
 
     /// Positions of the nodes of `cell`; only the first `cell.kind.node_count()` entries
     /// are used.
-    pub fn places(&self, cell: &DomainCell) -> [[f64; 2]; 9] {
+    pub fn positions(&self, cell: &DomainCell) -> [[f64; 2]; 9] {
         cell.nodes.map(|node| self.nodes[node as usize])
     }
 }

@@ -73,7 +73,7 @@ impl Electric {
     }
 
     /// The same with the nodes in another order: `order` lists the present nodes.
-    pub(super) fn renumbered(mut self, order: &[u32], place: &[u32]) -> Self {
+    pub(super) fn renumbered(mut self, order: &[u32], index: &[u32]) -> Self {
         let has_potential = |&old: &u32| self.potential(old as usize).is_some();
         let has: Vec<bool> = order.iter().map(has_potential).collect();
         self.potential_of_node = numbered(&has);
@@ -83,7 +83,7 @@ impl Electric {
         }
         for electrode in &mut self.electrodes {
             for node in &mut electrode.nodes {
-                *node = place[*node as usize];
+                *node = index[*node as usize];
             }
         }
         self
@@ -213,8 +213,8 @@ fn shape(
                 .iter()
                 .map(|&node| (node, node_of_mesh[node as usize]));
             // nodes without a cell are not part of the domain
-            let attached = placed.filter(|&(node, place)| mesh_nodes[place as usize] == node);
-            let nodes = attached.map(|(_, place)| place);
+            let attached = placed.filter(|&(node, index)| mesh_nodes[index as usize] == node);
+            let nodes = attached.map(|(_, index)| index);
             DomainElectrode {
                 nodes: nodes.collect(),
                 ..DomainElectrode::default()

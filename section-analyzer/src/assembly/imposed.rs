@@ -46,8 +46,8 @@ pub fn imposed_forces(
     for cell in &domain.cells {
         let index = cell.mesh_cell as usize;
         let made_of = &section.cells[index];
-        let places = domain.places(cell);
-        let places = &places[..cell.kind.node_count()];
+        let positions = domain.positions(cell);
+        let positions = &positions[..cell.kind.node_count()];
         for (case, state) in states.iter().take(6).enumerate() {
             // a state without an entry for the cell has no strain there
             let Some(free) = state.cells.get(index) else {
@@ -55,8 +55,8 @@ pub fn imposed_forces(
             };
             let free = in_section_axes(free, made_of);
             for point in rule_points(cell.kind) {
-                let point = point.of_cell(places);
-                let strain = free.at(place_in_mesh(domain, &point));
+                let point = point.of_cell(positions);
+                let strain = free.at(position_in_mesh(domain, &point));
                 forces.largest[case] = largest(forces.largest[case], strain.amax());
                 let stress = domain.laws[cell.law as usize] * strain;
                 forces.add(case, cell, &domain.line, &point, &stress);
@@ -83,7 +83,7 @@ fn in_section_axes(free: &FreeStrain, made_of: &CellMaterial) -> FreeStrain {
 }
 
 /// The position of a point in the mesh \[m\].
-fn place_in_mesh(domain: &Domain, point: &CellPoint) -> [f64; 2] {
+fn position_in_mesh(domain: &Domain, point: &CellPoint) -> [f64; 2] {
     let scaling = &domain.scaling;
     let [y, z] = scaling.origin;
     [y + scaling.length * point.y, z + scaling.length * point.z]

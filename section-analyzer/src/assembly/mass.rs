@@ -16,9 +16,9 @@ pub fn mass_per_length(domain: &Domain) -> Matrix6<f64> {
     // sums of rho (1, y, z, y y, y z, z z) dA
     let mut sums = [0.0; 6];
     for cell in &domain.cells {
-        let places = domain.places(cell);
+        let positions = domain.positions(cell);
         for point in rule_points(cell.kind) {
-            let point = point.of_cell(&places[..cell.kind.node_count()]);
+            let point = point.of_cell(&positions[..cell.kind.node_count()]);
             let volume = point.area * domain.line.metric(point.y, point.z).volume;
             let (y, z, rho) = (point.y, point.z, cell.density * volume);
             for (sum, term) in sums.iter_mut().zip([1.0, y, z, y * y, y * z, z * z]) {

@@ -128,8 +128,8 @@ impl<'a, T: Scalar> Sums<'a, T> {
                     continue;
                 }
                 let block = e(i, j);
-                let places = self.pattern.block(row, column);
-                for (b, at) in places.into_iter().enumerate().take(C) {
+                let indices = self.pattern.block(row, column);
+                for (b, at) in indices.into_iter().enumerate().take(C) {
                     let first = if row == column { b } else { 0 };
                     for a in first..C {
                         self.e[at + a - first] += block[(a, b)];
@@ -188,8 +188,8 @@ impl WithSimd for StraightSum<'_> {
             .collect();
         let mut sums = Sums::none(domain, pattern)?;
         for cell in &domain.cells {
-            let places = domain.places(cell);
-            let integrals = CellIntegrals::new(cell.kind, &places[..cell.kind.node_count()])
+            let positions = domain.positions(cell);
+            let integrals = CellIntegrals::new(cell.kind, &positions[..cell.kind.node_count()])
                 .map_err(|_| Failure::CellWithoutArea { tag: cell.tag })?;
             let (of, integrals) = ((&domain.electric, cell), &integrals);
             if let Some(law) = cell.coupled {
@@ -236,8 +236,8 @@ impl<T: Scalar> WithSimd for CurvedSum<'_, T> {
             .collect();
         let mut sums = Sums::none(domain, pattern)?;
         for cell in &domain.cells {
-            let places = domain.places(cell);
-            let integrals = CurvedCell::new(line, cell.kind, &places[..cell.kind.node_count()])
+            let positions = domain.positions(cell);
+            let integrals = CurvedCell::new(line, cell.kind, &positions[..cell.kind.node_count()])
                 .map_err(|_| Failure::CellWithoutArea { tag: cell.tag })?;
             let of = (electric, cell);
             if let Some(law) = cell.coupled {

@@ -36,7 +36,7 @@ struct Potentials {
     first: Vec<u32>,
     /// For each neighbor of each node, number of rows of the neighbors before it, from the
     /// node on.
-    places: Vec<u32>,
+    indices: Vec<u32>,
     /// For each row its index among the unknowns of the model.
     order: Vec<u32>,
 }
@@ -83,13 +83,13 @@ impl Pattern {
             order.extend((0..3).map(|axis| (3 * node + axis) as u32));
             order.extend(potential(node).map(|number| (3 * count + number) as u32));
         }
-        let mut places = vec![0; self.neighbors.len()];
+        let mut indices = vec![0; self.neighbors.len()];
         let mut next = 0;
         for node in 0..count {
             let start = self.starts[node] as usize;
             let mut rows = 0;
             for at in start + self.own[node]..self.starts[node + 1] as usize {
-                places[at] = rows;
+                indices[at] = rows;
                 rows += size(self.neighbors[at] as usize);
             }
             self.columns[node] = next;
@@ -100,7 +100,7 @@ impl Pattern {
         self.columns[count] = next;
         self.potentials = Some(Potentials {
             first,
-            places,
+            indices,
             order,
         });
     }
@@ -220,14 +220,14 @@ impl Pattern {
     pub fn block(&self, row: u32, column: u32) -> [usize; 4] {
         let node = column as usize;
         let below = &self.neighbors(node)[self.own[node]..];
-        let place = below.partition_point(|&other| other < row);
-        let (size, rows, place) = match &self.potentials {
-            None => (3, 3 * below.len(), 3 * place),
-            Some(Potentials { places, .. }) => {
+        let index = below.partition_point(|&other| other < row);
+        let (size, rows, index) = match &self.potentials {
+            None => (3, 3 * below.len(), 3 * index),
+            Some(Potentials { indices, .. }) => {
                 let start = self.starts[node] as usize + self.own[node];
                 let last = below.len() - 1;
-                let rows = places[start + last] as usize + self.size(below[last] as usize);
-                (self.size(node), rows, places[start + place] as usize)
+                let rows = indices[start + last] as usize + self.size(below[last] as usize);
+                (self.size(node), rows, indices[start + index] as usize)
             }
         };
         let first = self.columns[node];
@@ -240,7 +240,7 @@ impl Pattern {
         if row != column {
             // the rows of the own block above the diagonal are left out
             for (b, at) in at.iter_mut().enumerate().take(size) {
-                *at += place - b;
+                *at += index - b;
             }
         }
         at

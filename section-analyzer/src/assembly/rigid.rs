@@ -38,9 +38,9 @@ pub const IDENTITIES: [&str; 6] = [
 
 /// `H z`: adds rigid motions, a column of `z` each, to the columns of `x` (n x 6).
 pub fn add_rigid_motions(model: &impl Model, z: &Matrix6<f64>, x: &mut DMatrix<f64>) {
-    for (node, &[y, z_place]) in model.nodes().iter().enumerate() {
+    for (node, &[y, z_position]) in model.nodes().iter().enumerate() {
         let mut rows = x.fixed_view_mut::<3, 6>(3 * node, 0);
-        rows += rigid_displacement(1.0, y, z_place) * z;
+        rows += rigid_displacement(1.0, y, z_position) * z;
     }
 }
 

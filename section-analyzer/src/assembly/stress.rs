@@ -106,8 +106,8 @@ fn sum<P: Product>(
             continue;
         }
         gather(cell, state, along.as_ref(), &mut of_cell);
-        let places = domain.places(cell);
-        let geometry = (rule_points(cell.kind), &places[..cell.kind.node_count()]);
+        let positions = domain.positions(cell);
+        let geometry = (rule_points(cell.kind), &positions[..cell.kind.node_count()]);
         let law = &laws[cell.law as usize];
         forces.clear_nodes();
         if let Some(law) = cell.coupled {

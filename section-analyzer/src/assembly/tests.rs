@@ -107,11 +107,11 @@ fn matrices_of_a_wave_are_the_forces_of_unit_waves() {
                     },
                 )
             };
-            let (place, rate) = (of(Rate::Zero, Some(&unit)), of(Rate::Given(&unit), None));
+            let (position, rate) = (of(Rate::Zero, Some(&unit)), of(Rate::Given(&unit), None));
             for i in j..n {
                 let found = matrices.e.get(i, j).copied().unwrap_or_default();
-                let real = place.within[i] + w * w * rate.face[i];
-                let imaginary = w * (rate.within[i] - place.face[i]);
+                let real = position.within[i] + w * w * rate.face[i];
+                let imaginary = w * (rate.within[i] - position.face[i]);
                 assert_relative_eq!(found.re, real, epsilon = 1e-13);
                 assert_relative_eq!(found.im, imaginary, epsilon = 1e-13);
             }

@@ -53,20 +53,20 @@ pub fn voltage_forces(domain: &Domain, electrodes: &[DomainElectrode]) -> Voltag
         strain: &Matrix6::zeros(),
     };
     forces.measure_in(domain, state, Some(&cells_at(domain, electrodes)));
-    let mut asked = ImposedForces {
+    let mut requested = ImposedForces {
         within: -forces.within,
         resultant: -forces.resultant,
         ..ImposedForces::none(domain)
     };
     for (case, electrode) in electrodes.iter().enumerate().take(6) {
         each_fingered(domain, electrode, |cell, fingered, point| {
-            asked.add(case, cell, &domain.line, point, &fingered.stress);
+            requested.add(case, cell, &domain.line, point, &fingered.stress);
         });
     }
     VoltageForces {
         potential,
-        within: asked.within,
-        resultant: asked.resultant,
+        within: requested.within,
+        resultant: requested.resultant,
     }
 }
 
@@ -103,9 +103,9 @@ fn each_fingered(
         let Some(fingered) = of_mesh[cell.mesh_cell as usize] else {
             continue;
         };
-        let places = domain.places(cell);
+        let positions = domain.positions(cell);
         for point in rule_points(cell.kind) {
-            let point = point.of_cell(&places[..cell.kind.node_count()]);
+            let point = point.of_cell(&positions[..cell.kind.node_count()]);
             see(cell, fingered, &point);
         }
     }

@@ -74,14 +74,14 @@ pub(super) fn analyze_files(
         .collect();
     let overlaps = overlap::overlaps(&jobs);
     for problem in &overlaps {
-        terminal.tell(problem, WRONG_INPUT);
+        terminal.report(problem, WRONG_INPUT);
     }
     if !overlaps.is_empty() {
-        return Err(Stop::Told(WRONG_INPUT));
+        return Err(Stop::Reported(WRONG_INPUT));
     }
     let run = Run {
         force: arguments.force,
-        figures: Figures::asked(arguments.no_figures, arguments.svg),
+        figures: Figures::requested(arguments.no_figures, arguments.svg),
         sensitivity: arguments
             .sensitivity
             .then(|| arguments.sensitivity_nodes.clone()),
@@ -101,13 +101,13 @@ fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     write!(terminal.out, "{}", outcome.report)?;
     if let Some(problems) = &outcome.problems {
         // Reported first; the written files are listed all the same.
-        terminal.tell_text(problems, outcome.status.code());
+        terminal.report_text(problems, outcome.status.code());
     }
     list(outcome.status.heading(), &outcome.files, terminal)?;
     list(REMOVED, &outcome.removed, terminal)?;
     match outcome.status.code() {
         DONE => Ok(()),
-        code => Err(Stop::Told(code)),
+        code => Err(Stop::Reported(code)),
     }
 }
 
@@ -117,7 +117,7 @@ mod tests {
 
     /// The id of the build is a SHA-256, made by the build script.
     #[test]
-    fn the_program_is_told_by_version_and_build() {
+    fn the_program_is_reported_by_version_and_build() {
         let (version, build) = PROGRAM.split_once(' ').unwrap();
         assert_eq!(version, env!("CARGO_PKG_VERSION"));
         assert_eq!(build.len(), 64);

@@ -15,8 +15,11 @@ use crate::output::{property_axes, property_centers};
 #[derive(Debug, thiserror::Error)]
 enum ChangeProblem {
     /// A center or axes of mass are requested of a section without mass.
-    #[error("section \"{name}\" has no mass, expected one for {asked}")]
-    NoMass { name: String, asked: &'static str },
+    #[error("section \"{name}\" has no mass, expected one for {requested}")]
+    NoMass {
+        name: String,
+        requested: &'static str,
+    },
     /// The result would overwrite its own input.
     #[error("--out names the file that is read, \"{file}\", expected another one")]
     SameFile { file: String },
@@ -76,19 +79,19 @@ pub(super) fn rotate_file(
 }
 
 fn read(file: &Path, terminal: &mut Terminal<'_>) -> Result<SectionProperties, Stop> {
-    section::read(file).map_err(|problems| terminal.tell_all(&problems))
+    section::read(file).map_err(|problems| terminal.report_all(&problems))
 }
 
 fn require_mass(
     properties: &SectionProperties,
-    asked: &'static str,
+    requested: &'static str,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
     if properties.mass[(0, 0)] > 0.0 {
         return Ok(());
     }
     let name = properties.name.clone();
-    Err(terminal.tell(&ChangeProblem::NoMass { name, asked }, WRONG_INPUT))
+    Err(terminal.report(&ChangeProblem::NoMass { name, requested }, WRONG_INPUT))
 }
 
 /// Writes the section after `change` from the first into the second of `files`.
@@ -100,15 +103,15 @@ fn write_changed(
 ) -> Result<(), Stop> {
     if is_same(file, out) {
         let file = file.display().to_string();
-        return Err(terminal.tell(&ChangeProblem::SameFile { file }, WRONG_INPUT));
+        return Err(terminal.report(&ChangeProblem::SameFile { file }, WRONG_INPUT));
     }
     let (program, version) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION"));
     let changed = properties.changed(change, program, version);
     if let Some(problem) = changed.problems().into_iter().next() {
-        return Err(terminal.tell(&ChangeProblem::Unsound { problem }, WRONG_INPUT));
+        return Err(terminal.report(&ChangeProblem::Unsound { problem }, WRONG_INPUT));
     }
     write_text(out, &section::write(&changed))
-        .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+        .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     let name = &properties.name;
     let (centers, axes) = (property_centers(&changed), property_axes(&changed));
     writeln!(

@@ -31,11 +31,11 @@ fn draw(
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
     let files = OutputFiles::new(folder, &input::name_of(file))
-        .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+        .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     let mut results = ResultWriter::beside(files);
     let outline = LazyCell::new(|| Outline::new(&input.section));
     let drawn = draw_section(input, &outline, None, &mut results);
-    let told = drawn.map_err(|problem| terminal.tell(&problem, NOT_REACHED));
+    let reported = drawn.map_err(|problem| terminal.report(&problem, NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
-    told
+    reported
 }

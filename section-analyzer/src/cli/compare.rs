@@ -17,7 +17,7 @@ pub(super) fn compare_files(
     let a = problems.keep(section::read(&arguments.a));
     let b = problems.keep(section::read(&arguments.b));
     let (Some(a), Some(b)) = (a, b) else {
-        return Err(terminal.tell_all(&problems));
+        return Err(terminal.report_all(&problems));
     };
     let difference = Difference::between(&a, &b, arguments.as_given);
     let names = [&arguments.a, &arguments.b].map(|file| file.display().to_string());
@@ -27,6 +27,6 @@ pub(super) fn compare_files(
     write!(terminal.out, "{text}")?;
     match difference.beyond(tolerance).is_empty() && difference.unlike.is_empty() {
         true => Ok(()),
-        false => Err(Stop::Told(NOT_REACHED)),
+        false => Err(Stop::Reported(NOT_REACHED)),
     }
 }

@@ -22,9 +22,9 @@ pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(
         Ok(mesh) => mesh,
         Err(problems) => {
             for problem in &problems {
-                terminal.tell(problem, WRONG_INPUT);
+                terminal.report(problem, WRONG_INPUT);
             }
-            return Err(Stop::Told(WRONG_INPUT));
+            return Err(Stop::Reported(WRONG_INPUT));
         }
     };
     write_file(&mesh, file, terminal)
@@ -32,7 +32,8 @@ pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(
 
 /// Writes a mesh and lists its contents.
 fn write_file(mesh: &Mesh, file: &Path, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
-    write_text(file, &gmsh::write(mesh)).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+    write_text(file, &gmsh::write(mesh))
+        .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     let groups = |dimension: u8| {
         let of_dimension = mesh
             .groups
@@ -61,19 +62,19 @@ fn write_file(mesh: &Mesh, file: &Path, terminal: &mut Terminal<'_>) -> Result<(
 /// Meshes the section of a blade, and starts its section file.
 fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     let (out, section) = (&arguments.out, arguments.section.as_deref());
-    let blade = blade::read(&arguments.file).map_err(|problems| terminal.tell_all(&problems))?;
+    let blade = blade::read(&arguments.file).map_err(|problems| terminal.report_all(&problems))?;
     if let Some(section) = section.filter(|section| section.exists()) {
         let text = format!(
             "error: \"{}\" exists already, expected the name of a new section file\n  \
              help: without --section only the mesh is made again",
             section.display()
         );
-        return Err(terminal.tell_text(&text, WRONG_INPUT));
+        return Err(terminal.report_text(&text, WRONG_INPUT));
     }
     // both files first: nobody may read the report about them
     if let Some(section) = section {
         let text = blade_section(&blade, &name_from(section, out));
-        write_text(section, &text).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+        write_text(section, &text).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     }
     write_file(&blade.mesh, out, terminal)?;
     let Some(section) = section else {

@@ -26,8 +26,8 @@ pub(super) fn write_manual(out: Option<&Path>, terminal: &mut Terminal<'_>) -> R
         }
         return Ok(());
     };
-    make_folder(folder).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+    make_folder(folder).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     let written = command_help::write_manual(&pages, folder);
-    let files = written.map_err(|problem: OutputProblem| terminal.tell(&problem, NOT_REACHED))?;
+    let files = written.map_err(|problem: OutputProblem| terminal.report(&problem, NOT_REACHED))?;
     list("Written", &files, terminal)
 }

@@ -2,20 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::error::{Diagnostics, Explain, Place};
+use shared_geom::error::{Diagnostics, Explain, SourceLocation};
 use shared_geom::files::OutputProblem;
 use shared_geom::section;
 
 use super::solved::open_end_effects;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
-use crate::analysis::OutsideAnalysis;
+use crate::analysis::ExternalAnalysis;
 use crate::failure::Failure;
-use crate::input::outside::{self, OutsideInput};
+use crate::input::external::{self, ExternalInput};
 use crate::output::{
-    OutputFiles, ResultWriter, checks, end_effects, outside_properties, outside_warping_csv,
-    outside_warping_vtu, property_report,
+    OutputFiles, ResultWriter, checks, end_effects, external_properties, external_warping_csv,
+    external_warping_vtu, property_report,
 };
-use crate::section::OutsideSection;
+use crate::section::ExternalSection;
 use crate::solution::{EndEffects, SectionSolution};
 
 /// Reads a matrices file, solves, and writes the available results.
@@ -24,11 +24,11 @@ pub(super) fn analyze_file(
     out: Option<PathBuf>,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
-    let input = outside::read(file).map_err(|problems| terminal.tell_all(&problems))?;
+    let input = external::read(file).map_err(|problems| terminal.report_all(&problems))?;
     let beside = || file.parent().unwrap_or(Path::new("")).join("results");
     let folder = out.unwrap_or_else(beside);
-    let files = OutputFiles::new(&folder, &outside::name_of(file))
-        .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+    let files = OutputFiles::new(&folder, &external::name_of(file))
+        .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     // results of an earlier run are removed
     files.remove_results();
     let solved = solve(&input.section).map_err(|failure| {
@@ -37,29 +37,29 @@ pub(super) fn analyze_file(
             // all other failures are due to the matrices
             _ => WRONG_INPUT,
         };
-        terminal.tell_text(&told(file, &failure), code)
+        terminal.report_text(&reported(file, &failure), code)
     })?;
     let mut results = ResultWriter::new(files);
     let report = report(file, &input, &solved);
     write!(terminal.out, "{report}")?;
     let written = write_results(&input, solved.analysis.solution(), &report, &mut results);
-    let told = written.map_err(|problem| terminal.tell(&problem, NOT_REACHED));
+    let reported = written.map_err(|problem| terminal.report(&problem, NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
-    told?;
+    reported?;
     match solved.open_problem(file) {
-        Some(problem) => Err(terminal.tell_text(&problem, NOT_REACHED)),
+        Some(problem) => Err(terminal.report_text(&problem, NOT_REACHED)),
         None => Ok(()),
     }
 }
 
 /// The solution, and the further results that the file requests.
 struct Solved {
-    analysis: OutsideAnalysis,
+    analysis: ExternalAnalysis,
     end_effects: Option<EndEffects>,
 }
 
-fn solve(section: &OutsideSection) -> Result<Solved, Failure> {
-    let analysis = OutsideAnalysis::new(section)?;
+fn solve(section: &ExternalSection) -> Result<Solved, Failure> {
+    let analysis = ExternalAnalysis::new(section)?;
     let found = section
         .end_effects
         .map(|wanted| analysis.end_effects(wanted));
@@ -74,18 +74,18 @@ impl Solved {
     /// Searches that did not converge, as text.
     fn open_problem(&self, file: &Path) -> Option<String> {
         let failure = open_end_effects(self.end_effects.as_ref()?)?;
-        Some(told(file, &failure))
+        Some(reported(file, &failure))
     }
 }
 
-fn told(file: &Path, failure: &Failure) -> String {
-    let place = Place::file(file.display().to_string());
-    Diagnostics::one(place, failure).to_string()
+fn reported(file: &Path, failure: &Failure) -> String {
+    let location = SourceLocation::file(file.display().to_string());
+    Diagnostics::one(location, failure).to_string()
 }
 
-fn report(file: &Path, input: &OutsideInput, solved: &Solved) -> String {
+fn report(file: &Path, input: &ExternalInput, solved: &Solved) -> String {
     let solution = solved.analysis.solution();
-    let properties = outside_properties(&input.section, solution, &input.input_hash);
+    let properties = external_properties(&input.section, solution, &input.input_hash);
     let text = property_report(&file.display().to_string(), &properties);
     let warnings = solved.analysis.warnings().iter().map(|warning| {
         let help = warning.help().unwrap_or_default();
@@ -106,17 +106,17 @@ fn report(file: &Path, input: &OutsideInput, solved: &Solved) -> String {
 }
 
 fn write_results(
-    input: &OutsideInput,
+    input: &ExternalInput,
     solution: &SectionSolution,
     report: &str,
     results: &mut ResultWriter,
 ) -> Result<(), OutputProblem> {
     let files = results.files().clone();
-    let properties = outside_properties(&input.section, solution, &input.input_hash);
+    let properties = external_properties(&input.section, solution, &input.input_hash);
     results.text(files.properties(), &section::write(&properties))?;
     results.text(files.report(), report)?;
-    let warping = outside_warping_csv(&input.section, solution);
+    let warping = external_warping_csv(&input.section, solution);
     results.text(files.warping_table(), &warping)?;
-    let field = outside_warping_vtu(&input.section, solution);
+    let field = external_warping_vtu(&input.section, solution);
     results.add(files.warping_field(), |file| field.write(file))
 }

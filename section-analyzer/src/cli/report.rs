@@ -21,7 +21,7 @@ pub(super) fn report_files(
                 write!(terminal.out, "{space}{text}")?;
                 shown += 1;
             }
-            Err(problems) => wrong = Some(terminal.tell_text(&problems.to_string(), WRONG_INPUT)),
+            Err(problems) => wrong = Some(terminal.report_text(&problems.to_string(), WRONG_INPUT)),
         }
     }
     wrong.map_or(Ok(()), Err)

@@ -21,6 +21,6 @@ pub(super) fn write_schema(
     let Some(file) = out else {
         return Ok(terminal.out.write_all(text.as_bytes())?);
     };
-    write_text(file, &text).map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+    write_text(file, &text).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     Ok(writeln!(terminal.out, "{}", file.display())?)
 }

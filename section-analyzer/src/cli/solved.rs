@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 
 use crate::analysis::{Analysis, analyze};
 use crate::failure::Failure;
@@ -48,8 +48,8 @@ impl Solved {
     /// Searches that did not converge, as text; `file` is the section file.
     pub fn open_problem(&self, file: &Path) -> Option<String> {
         let failure = open_end_effects(self.end_effects.as_ref()?)?;
-        let place = Place::file(file.display().to_string());
-        Some(Diagnostics::one(place, &failure).to_string())
+        let location = SourceLocation::file(file.display().to_string());
+        Some(Diagnostics::one(location, &failure).to_string())
     }
 }
 
@@ -69,11 +69,11 @@ pub(super) fn open_end_effects(found: &EndEffects) -> Option<Failure> {
 /// As [`Analysis::new`] and its methods.
 pub(super) fn solve(input: &Input, ends: bool) -> Result<Solved, Failure> {
     let section = &input.section;
-    let asks = input.end_effects.filter(|_| ends).is_some()
+    let requests = input.end_effects.filter(|_| ends).is_some()
         || input.distributed.iter().any(|load| !load.is_empty())
         || !input.imposed.is_empty()
         || section.expands();
-    if asks {
+    if requests {
         return Solved::by(&Analysis::new(section)?, input, ends);
     }
     Ok(Solved {

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector6;
-use shared_geom::error::{Diagnostics, Explain, Place};
+use shared_geom::error::{Diagnostics, Explain, SourceLocation};
 use shared_geom::files::OutputProblem;
 
 use super::arguments::LoadArguments;
@@ -47,19 +47,19 @@ pub(super) fn recover_file(
         input.distributed = vec![DistributedLoad::default()];
         input.distributed_words = vec![Vec::new()];
     }
-    let place = Place::file(file.display().to_string());
+    let location = SourceLocation::file(file.display().to_string());
     if input.loads.is_empty() {
-        return Err(terminal.tell_all(&Diagnostics::one(place, &NoLoad)));
+        return Err(terminal.report_all(&Diagnostics::one(location, &NoLoad)));
     }
     let folder = out.unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).join("results"));
     let files = OutputFiles::new(&folder, &input::name_of(file))
-        .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))?;
+        .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     let solved = solve(&input, false).map_err(|failure| {
         for load in &input.loads {
             files.remove_stresses(&load.name);
         }
-        let problem = Diagnostics::one(place, &failure);
-        terminal.tell_text(&problem.to_string(), NOT_REACHED)
+        let problem = Diagnostics::one(location, &failure);
+        terminal.report_text(&problem.to_string(), NOT_REACHED)
     })?;
 
     let mut results = ResultWriter::beside(files).with_figures(figures);
@@ -71,10 +71,10 @@ pub(super) fn recover_file(
         stresses.problems(file),
     ];
     let problems: Vec<_> = problems.into_iter().flatten().collect();
-    let told =
-        (!problems.is_empty()).then(|| terminal.tell_text(&problems.join("\n"), NOT_REACHED));
+    let reported =
+        (!problems.is_empty()).then(|| terminal.report_text(&problems.join("\n"), NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
-    told.map_or(Ok(()), Err)
+    reported.map_or(Ok(()), Err)
 }
 
 /// The load of the command line, if given.
@@ -90,7 +90,7 @@ fn written_load(
     let name = arguments.name.clone();
     if force == Vector6::zeros() {
         let problem = InputProblem::ZeroLoad { load: name };
-        return Err(terminal.tell(&problem, WRONG_INPUT));
+        return Err(terminal.report(&problem, WRONG_INPUT));
     }
     let point = match arguments.point[..] {
         [y, z] => [y, z],
@@ -98,7 +98,7 @@ fn written_load(
     };
     let load = input::checked_load(LoadCase::at_point(name, &force, point));
     load.map(Some)
-        .map_err(|problem| terminal.tell(&problem, WRONG_INPUT))
+        .map_err(|problem| terminal.report(&problem, WRONG_INPUT))
 }
 
 /// The recovered stresses.
@@ -185,7 +185,7 @@ impl Stresses {
     pub fn problems(&self, file: &Path) -> Option<String> {
         let mut problems = Diagnostics::new();
         for failure in &self.failures {
-            problems.push(Place::file(file.display().to_string()), failure);
+            problems.push(SourceLocation::file(file.display().to_string()), failure);
         }
         (!problems.is_empty()).then(|| problems.to_string())
     }

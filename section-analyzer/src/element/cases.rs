@@ -183,9 +183,9 @@ pub fn strain_along<P: Product>(
     let turn = line.curvature.as_ref();
     let mut strain = strain_in_cases::<P>(point, &state.rate, &NO_FIELD, psi);
     let gradients = along_section::<P>(point, difference);
-    let place = at_point::<P>(point, &state.warping);
+    let position = at_point::<P>(point, &state.warping);
     for k in 0..CASES {
-        let turned = cross(turn, &place, k);
+        let turned = cross(turn, &position, k);
         for axis in 0..3 {
             let slid =
                 metric.tilt[0] * gradients[0][axis][k] + metric.tilt[1] * gradients[1][axis][k];

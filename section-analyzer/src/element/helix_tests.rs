@@ -18,7 +18,7 @@ struct Beam {
     line: Line,
     nodes: [[f64; 2]; 9],
     /// Displacement and rotation of the axis at x = 0.
-    place: [Vector3<f64>; 2],
+    position: [Vector3<f64>; 2],
     psi: Vector6<f64>,
     warping: [Vector3<f64>; 9],
     rate: [Vector3<f64>; 9],
@@ -38,7 +38,7 @@ impl Beam {
                 slope: Vector3::x() + 0.1 * vector(random),
             },
             nodes,
-            place: [vector(random), vector(random)],
+            position: [vector(random), vector(random)],
             psi: Vector6::from_fn(|_, _| random.next()),
             warping: std::array::from_fn(|_| vector(random)),
             rate: std::array::from_fn(|_| vector(random)),
@@ -63,7 +63,7 @@ impl Beam {
         let frame = rotation::vector::to_rotation(&(x * k));
         let at = CellPoint::at(CellKind::Quadrilateral9, &self.nodes, r, s, 1.0);
         let t = Vector3::new(0.0, at.y, at.z);
-        let [p, phi] = &self.place;
+        let [p, phi] = &self.position;
         let (nu, kappa) = (self.psi.fixed_rows::<3>(0), self.psi.fixed_rows::<3>(3));
         let p = p + x * (nu - k.cross(p) + phi.cross(l));
         let phi = phi + x * (kappa - k.cross(phi));
@@ -81,7 +81,7 @@ impl Beam {
     /// fourth order in x, r, s, order yz yy zz xx xy xz.
     fn strain_of_motion(&self, r: f64, s: f64) -> Vector6<f64> {
         const H: f64 = 4e-3;
-        let (mut place, mut moved) = (Matrix3::zeros(), Matrix3::zeros());
+        let (mut position, mut moved) = (Matrix3::zeros(), Matrix3::zeros());
         for axis in 0..3 {
             let at = |steps: f64| {
                 let step = Vector3::ith(axis, steps * H);
@@ -92,10 +92,10 @@ impl Beam {
                 let [near, far] = [near, far].map(|[after, before]| after[what] - before[what]);
                 (8.0 * near - far) / (12.0 * H)
             };
-            place.set_column(axis, &slope(0));
+            position.set_column(axis, &slope(0));
             moved.set_column(axis, &slope(1));
         }
-        let gradient = moved * place.try_inverse().expect("a sound cell");
+        let gradient = moved * position.try_inverse().expect("a sound cell");
         let g = gradient + gradient.transpose();
         Vector6::new(
             g[(1, 2)],

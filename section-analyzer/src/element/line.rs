@@ -83,12 +83,12 @@ impl Line {
     pub fn equilibrium(&self) -> Matrix6<f64> {
         let (turn, arm) = (-skew(&self.curvature), -skew(&self.slope));
         let mut t: Matrix6<f64> = Matrix6::zeros();
-        let mut place = |row: usize, column: usize, part: &Matrix3<f64>| {
+        let mut position = |row: usize, column: usize, part: &Matrix3<f64>| {
             t.fixed_view_mut::<3, 3>(row, column).copy_from(part);
         };
-        place(0, 0, &turn);
-        place(3, 0, &arm);
-        place(3, 3, &turn);
+        position(0, 0, &turn);
+        position(3, 0, &arm);
+        position(3, 3, &turn);
         t
     }
 }
@@ -118,8 +118,8 @@ mod tests {
         // frame exp(s k x) and position s l to first order: exact for the rate at s = 0
         let at = |s: f64| {
             let frame = nalgebra::Rotation3::new(s * line.curvature);
-            let place = s * line.slope;
-            let about = moment - place.cross(&force);
+            let position = s * line.slope;
+            let about = moment - position.cross(&force);
             let (f, m) = (frame.inverse() * force, frame.inverse() * about);
             Vector6::new(f.x, f.y, f.z, m.x, m.y, m.z)
         };

@@ -75,14 +75,14 @@ mod tests {
             slope: Vector3::new(0.9, 0.2, -0.1),
         };
         let (start, way) = ([0.3, -0.2], [0.6, 0.35]);
-        let place = |x: f64, t: f64| {
+        let position = |x: f64, t: f64| {
             let frame = nalgebra::Rotation3::new(x * line.curvature);
             let p = Vector3::new(0.0, start[0] + t * way[0], start[1] + t * way[1]);
             x * line.slope + frame * p
         };
         let h = 1e-5;
-        let (o, along, side) = (place(0.0, 0.0), place(h, 0.0), place(0.0, h));
-        let opposite = place(h, h);
+        let (o, along, side) = (position(0.0, 0.0), position(h, 0.0), position(0.0, h));
+        let opposite = position(h, h);
         let piece = 0.5 * (side - o).cross(&(along - o))
             + 0.5 * (along - opposite).cross(&(side - opposite));
         let end = [start[0] + way[0], start[1] + way[1]];

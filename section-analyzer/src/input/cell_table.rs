@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 
 use super::problem::InputProblem;
 
@@ -136,7 +136,8 @@ impl RowProblems {
     fn push(&mut self, line: usize, problem: &InputProblem) {
         self.count += 1;
         if self.count <= ROWS_SHOWN {
-            self.found.push(Place::line(&self.file, line), problem);
+            self.found
+                .push(SourceLocation::line(&self.file, line), problem);
         }
     }
 
@@ -154,8 +155,10 @@ impl RowProblems {
     fn finish(mut self) -> Diagnostics {
         if self.count > ROWS_SHOWN {
             let count = self.count - ROWS_SHOWN;
-            self.found
-                .push(Place::file(&self.file), &InputProblem::TableMore { count });
+            self.found.push(
+                SourceLocation::file(&self.file),
+                &InputProblem::TableMore { count },
+            );
         }
         self.found
     }
@@ -211,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn every_wrong_row_is_told_with_its_line() {
+    fn every_wrong_row_is_reported_with_its_line() {
         let shown = parse("cell,angle\n1,2\n\nx,2\n3\n1,4\n4,nan\n5,2 deg\n").unwrap_err();
         assert_eq!(
             shown.to_string(),

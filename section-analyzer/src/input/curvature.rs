@@ -111,19 +111,19 @@ struct Least {
     cell: u64,
     node: u64,
     /// (y, z) [m].
-    place: [f64; 2],
+    position: [f64; 2],
 }
 
 /// The least J of (S-71), which is linear over the section: its minimum is at a node.
 fn least_length(initial: &InitialCurvature, mesh: &SectionMesh) -> Option<Least> {
     let of_cells = mesh.cells.iter().flat_map(|cell| {
         cell.nodes().iter().map(move |&node| {
-            let place = mesh.nodes[node as usize];
+            let position = mesh.nodes[node as usize];
             Least {
-                length: initial.tangent_at(place[0], place[1]).x,
+                length: initial.tangent_at(position[0], position[1]).x,
                 cell: cell.tag,
                 node: mesh.node_tag(node as usize),
-                place,
+                position,
             }
         })
     });
@@ -144,7 +144,7 @@ fn folded(
     InputProblem::Folded {
         cell: least.cell,
         node: least.node,
-        place: least.place.map(|x| x / unit),
+        position: least.position.map(|x| x / unit),
         length: least.length,
         curvature: bending.to_degrees(),
         largest: (part * bending).to_degrees(),

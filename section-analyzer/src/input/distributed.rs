@@ -36,12 +36,12 @@ pub(super) struct WrittenDistribution {
 /// missing.
 #[derive(Debug, Clone)]
 struct WrittenPart {
-    place: WrittenPlace,
+    location: WrittenLocation,
     along: Option<Vec<f64>>,
 }
 
 #[derive(Debug, Clone)]
-enum WrittenPlace {
+enum WrittenLocation {
     Curve(Option<Written>, Option<Traction>),
     /// A region, or the whole section.
     Region(Option<Option<Written>>, Option<VolumeForce>),
@@ -49,7 +49,7 @@ enum WrittenPlace {
 
 /// Data in which names of loads are looked up.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Places<'a> {
+pub(super) struct Lookup<'a> {
     pub document: &'a Document,
     /// The mesh as in its file, with the laminates.
     pub mesh: &'a Mesh,
@@ -93,7 +93,7 @@ fn traction(table: &Table<'_>) -> WrittenPart {
         note_zero(table, "traction");
     }
     WrittenPart {
-        place: WrittenPlace::Curve(curve, traction),
+        location: WrittenLocation::Curve(curve, traction),
         along,
     }
 }
@@ -122,7 +122,7 @@ fn volume(table: &Table<'_>) -> WrittenPart {
         note_zero(table, "volume force");
     }
     WrittenPart {
-        place: WrittenPlace::Region(region, force),
+        location: WrittenLocation::Region(region, force),
         along,
     }
 }
@@ -217,9 +217,9 @@ impl WrittenDistribution {
     }
 
     /// The load on the mesh; `None` if it has a problem, which has been noted.
-    pub fn on_mesh(&self, places: Places<'_>) -> Option<DistributedLoad> {
+    pub fn on_mesh(&self, lookup: Lookup<'_>) -> Option<DistributedLoad> {
         // all parts are checked before the first wrong one ends the search
-        let parts: Vec<_> = self.parts.iter().map(|part| part.on_mesh(places)).collect();
+        let parts: Vec<_> = self.parts.iter().map(|part| part.on_mesh(lookup)).collect();
         let parts: Option<Vec<_>> = parts.into_iter().collect();
         Some(DistributedLoad {
             parts: parts?.concat(),
@@ -229,17 +229,17 @@ impl WrittenDistribution {
 
 impl WrittenPart {
     /// The part on the mesh: one for each ply if a laminate is named.
-    fn on_mesh(&self, places: Places<'_>) -> Option<Vec<DistributedForce>> {
+    fn on_mesh(&self, lookup: Lookup<'_>) -> Option<Vec<DistributedForce>> {
         // the names are looked up even if the values are wrong
-        let actions = match &self.place {
-            WrittenPlace::Curve(curve, traction) => {
-                let found = sides(places, curve.as_ref()?, traction.as_ref());
+        let actions = match &self.location {
+            WrittenLocation::Curve(curve, traction) => {
+                let found = sides(lookup, curve.as_ref()?, traction.as_ref());
                 let (sides, traction) = (found?, (*traction)?);
                 vec![Action::Traction { sides, traction }]
             }
-            WrittenPlace::Region(region, force) => {
+            WrittenLocation::Region(region, force) => {
                 let groups = match region.as_ref()? {
-                    Some(region) => groups_of(places, region)?.into_iter().map(Some).collect(),
+                    Some(region) => groups_of(lookup, region)?.into_iter().map(Some).collect(),
                     None => vec![None],
                 };
                 let force = (*force)?;
@@ -258,22 +258,22 @@ impl WrittenPart {
 
 /// The sides on the curve that `written` names.
 fn sides(
-    places: Places<'_>,
+    lookup: Lookup<'_>,
     written: &Written,
     traction: Option<&Traction>,
 ) -> Option<Vec<CurveSide>> {
-    let Places {
+    let Lookup {
         document,
         mesh,
         faces,
         ..
-    } = places;
+    } = lookup;
     if faces.is_open(&written.text) {
         return None;
     }
     let group = groups::curve(document, mesh, written)?;
     let label = mesh.groups[group].label();
-    let section_mesh = places.section_mesh?;
+    let section_mesh = lookup.section_mesh?;
     let curve = section_mesh.curves.iter().find(|c| c.label == label)?;
     let sides = match section_mesh.sides_of_curve(curve) {
         Ok(sides) => sides,
@@ -305,28 +305,28 @@ fn sides(
 
 /// The region that `written` names, or the regions of the plies of a laminate: their
 /// indices in the groups of the section mesh.
-pub(super) fn groups_of(places: Places<'_>, written: &Written) -> Option<Vec<usize>> {
-    if places.faces.is_open(&written.text) {
+pub(super) fn groups_of(lookup: Lookup<'_>, written: &Written) -> Option<Vec<usize>> {
+    if lookup.faces.is_open(&written.text) {
         return None;
     }
-    let plies = laminae::plies_of(places.laminae, &written.text);
+    let plies = laminae::plies_of(lookup.laminae, &written.text);
     let found = plies.iter().map(|ply| {
         let text = ply.clone();
         let line = written.line;
-        group(places, &Written { text, line })
+        group(lookup, &Written { text, line })
     });
     match plies.is_empty() {
-        true => Some(vec![group(places, written)?]),
+        true => Some(vec![group(lookup, written)?]),
         false => found.collect(),
     }
 }
 
 /// The region that `written` names: its index in the groups of the section mesh.
-fn group(places: Places<'_>, written: &Written) -> Option<usize> {
-    let Places { document, mesh, .. } = places;
+fn group(lookup: Lookup<'_>, written: &Written) -> Option<usize> {
+    let Lookup { document, mesh, .. } = lookup;
     let group = groups::surface(document, mesh, written)?;
     let label = mesh.groups[group].label();
-    let known = &places.section_mesh?.groups;
+    let known = &lookup.section_mesh?.groups;
     let found = known.iter().position(|known| *known == label);
     if found.is_none() {
         let problem = DistributedProblem::NoRegion {

@@ -26,8 +26,8 @@ const SPACINGS: std::ops::RangeInclusive<f64> = 1e-9..=1.0;
 
 /// The circuit as a word of the input.
 pub fn circuit_word(circuit: Circuit) -> &'static str {
-    let place = CIRCUITS.iter().position(|known| *known == circuit);
-    CIRCUIT_WORDS[place.unwrap_or(0)]
+    let index = CIRCUITS.iter().position(|known| *known == circuit);
+    CIRCUIT_WORDS[index.unwrap_or(0)]
 }
 
 /// All electrodes, as far as they could be read.
@@ -43,13 +43,13 @@ pub(super) struct WrittenElectrodes {
 struct WrittenElectrode {
     line: usize,
     name: Option<Written>,
-    place: Option<WrittenPlace>,
+    location: Option<WrittenLocation>,
     circuit: Option<Circuit>,
 }
 
 /// Location of an electrode.
 #[derive(Debug, Clone)]
-enum WrittenPlace {
+enum WrittenLocation {
     /// On physical curves.
     Curves(Vec<Written>),
     /// All of some regions.
@@ -76,7 +76,7 @@ struct WrittenFingers {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Placed {
     pub electrode: Electrode,
-    pub place: String,
+    pub location: String,
 }
 
 /// Reads every `[[electrode]]`.
@@ -112,7 +112,7 @@ pub(super) fn read(root: &Table<'_>) -> WrittenElectrodes {
 fn read_one(table: &Table<'_>) -> WrittenElectrode {
     // All keys are read before the first wrong one ends the reading.
     let name = name(table);
-    let place = place(table);
+    let location = location(table);
     let circuit = match table.has("circuit") {
         true => table
             .word("circuit", &CIRCUIT_WORDS)
@@ -123,7 +123,7 @@ fn read_one(table: &Table<'_>) -> WrittenElectrode {
     WrittenElectrode {
         line: table.line(),
         name,
-        place,
+        location,
         circuit,
     }
 }
@@ -143,33 +143,33 @@ fn name(table: &Table<'_>) -> Option<Written> {
 /// Largest number of letters of a name: names are parts of file names.
 const LONGEST_NAME: usize = 100;
 
-const PLACES: [&str; 4] = ["curve", "region", "point", "interdigitated"];
+const LOCATION_KEYS: [&str; 4] = ["curve", "region", "point", "interdigitated"];
 
-fn place(table: &Table<'_>) -> Option<WrittenPlace> {
-    let found = PLACES.map(|key| (key, table.has(key)));
+fn location(table: &Table<'_>) -> Option<WrittenLocation> {
+    let found = LOCATION_KEYS.map(|key| (key, table.has(key)));
     let mut found = found.iter().filter(|(_, has)| *has).map(|(key, _)| *key);
     match (found.next(), found.next()) {
         (None, _) => {
-            table.note("", &ElectrodeProblem::NoPlace);
+            table.note("", &ElectrodeProblem::NoLocation);
             None
         }
         (Some(first), Some(second)) => {
-            table.note(second, &ElectrodeProblem::TwoPlaces { first, second });
+            table.note(second, &ElectrodeProblem::TwoLocations { first, second });
             None
         }
         (Some("curve"), None) => {
             let expected = "the name of a physical curve, or a list of such names";
-            names(table, "curve", expected).map(WrittenPlace::Curves)
+            names(table, "curve", expected).map(WrittenLocation::Curves)
         }
         (Some("region"), None) => {
             let expected = "the name of a physical surface, or a list of such names";
-            names(table, "region", expected).map(WrittenPlace::Regions)
+            names(table, "region", expected).map(WrittenLocation::Regions)
         }
         (Some("point"), None) => {
             let expected = "the name of a physical point, or a list of such names";
-            names(table, "point", expected).map(WrittenPlace::Points)
+            names(table, "point", expected).map(WrittenLocation::Points)
         }
-        (Some(key), None) => fingers(&table.table(key)?).map(WrittenPlace::Fingers),
+        (Some(key), None) => fingers(&table.table(key)?).map(WrittenLocation::Fingers),
     }
 }
 

@@ -51,9 +51,9 @@ fn bounds(mesh: &SectionMesh) -> ([f64; 2], [f64; 2]) {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for &node in mesh.cells.iter().flat_map(|cell| cell.nodes()) {
         for axis in 0..2 {
-            let place = mesh.nodes[node as usize][axis];
-            low[axis] = low[axis].min(place);
-            high[axis] = high[axis].max(place);
+            let position = mesh.nodes[node as usize][axis];
+            low[axis] = low[axis].min(position);
+            high[axis] = high[axis].max(position);
         }
     }
     (low, high)

@@ -57,7 +57,7 @@ impl Parabola {
         }
     }
 
-    fn place(&self, t: f64) -> Vector2<f64> {
+    fn position(&self, t: f64) -> Vector2<f64> {
         self.c0 + t * (self.c1 + t * self.c2)
     }
 
@@ -109,7 +109,7 @@ impl Parabola {
     }
 
     fn at(&self, t: f64, p: &Vector2<f64>) -> Nearest {
-        let way = p - self.place(t);
+        let way = p - self.position(t);
         let tangent = self.tangent(t);
         let product = way.norm() * tangent.norm();
         let abreast = if product > 0.0 {

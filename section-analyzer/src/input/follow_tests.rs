@@ -44,14 +44,14 @@ fn at_a_corner_the_side_abreast_of_the_point_counts() {
 /// Brute force over 20001 positions: none is nearer than the one found, for random
 /// parabolas (including sharply bent ones) and random points.
 #[test]
-fn nearest_place_on_a_parabola_beats_a_fine_scan() {
+fn nearest_position_on_a_parabola_beats_a_fine_scan() {
     let mut random = Random(3);
     for _ in 0..300 {
         let line = Parabola::new(random.point(), random.point(), Some(random.point()));
         let p = Vector2::from(random.point()) * 2.0;
         let found = line.nearest(&p);
         let scanned = (0..=20_000)
-            .map(|k| (p - line.place(f64::from(k) * 1e-4 - 1.0)).norm_squared())
+            .map(|k| (p - line.position(f64::from(k) * 1e-4 - 1.0)).norm_squared())
             .fold(f64::INFINITY, f64::min);
         // round-off of the squared distance
         assert!(found.squared_distance <= scanned + 1e-14);

@@ -1,7 +1,7 @@
 //! Laminates along curves as written, and their cells in the mesh.
 
 use shared_geom::document::{Document, Table};
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 use shared_geom::units::Dimension;
 
@@ -189,7 +189,7 @@ pub(super) fn add(
         Some((Made { found, laminated }, faces))
     });
     match made {
-        Some((made, faces)) if names.are_told_apart(document) => Added {
+        Some((made, faces)) if names.are_distinguished(document) => Added {
             cells: Some(made),
             faces,
         },
@@ -234,7 +234,7 @@ impl Added {
         document: &Document,
         mesh: &Mesh,
         laminae: &[WrittenLamina],
-        (unit, doubled_nodes, place): (f64, DoubledNodes, &Place),
+        (unit, doubled_nodes, position): (f64, DoubledNodes, &SourceLocation),
     ) -> Option<(SectionMesh, MeshReport)> {
         // without its laminates the section may be in separate parts
         let made = self.cells.as_ref()?;
@@ -242,11 +242,11 @@ impl Added {
             Ok(checked) => return Some(checked),
             Err(problems) => problems,
         };
-        let (own, told) = of_laminae(mesh, &made.found, &made.laminated, problems);
-        note(document, laminae, told);
+        let (own, reported) = of_laminae(mesh, &made.found, &made.laminated, problems);
+        note(document, laminae, reported);
         let mut diagnostics = Diagnostics::new();
         for problem in &own {
-            diagnostics.push(place.clone(), problem);
+            diagnostics.push(position.clone(), problem);
         }
         document.keep::<()>(diagnostics.into_result(()));
         None
@@ -366,12 +366,12 @@ impl Names {
     }
 
     /// Notes laminates on one curve that have the same name.
-    fn are_told_apart(self, document: &Document) -> bool {
-        let is_told = self.twice.is_empty();
+    fn are_distinguished(self, document: &Document) -> bool {
+        let is_reported = self.twice.is_empty();
         for (line, name) in self.twice {
             document.note(line, &InputProblem::LaminaName { name });
         }
-        is_told
+        is_reported
     }
 }
 

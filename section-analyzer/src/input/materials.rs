@@ -309,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_short_forms_are_told() {
+    fn wrong_short_forms_are_reported() {
         let short = "e1 = 142e9\ne2 = 9.8e9\ng12 = 6e9\nnu12 = 0.3\n";
         for (last, expected) in [
             (

@@ -1,7 +1,7 @@
 //! The mesh of a section with its regions and laminates.
 
 use shared_geom::document::Document;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::Mesh;
 use shared_geom::mesh_file;
 use shared_geom::units::Dimension;
@@ -44,8 +44,8 @@ impl WrittenSection {
         let unit = document.factor(Dimension::LENGTH);
         let bare = (!self.laminae.is_empty()).then(|| mesh.clone());
         let added = laminae::add(document, &mut mesh, &self.laminae, unit);
-        let place = Place::file(files.path(mesh_key).display().to_string());
-        let how = (unit, self.doubled_nodes, &place);
+        let location = SourceLocation::file(files.path(mesh_key).display().to_string());
+        let how = (unit, self.doubled_nodes, &location);
         let checked = added.checked(document, &mesh, &self.laminae, how);
         let section_mesh = checked.as_ref().map(|(section_mesh, _)| section_mesh);
         if let Some(Err(problem)) = section_mesh.map(extent::check) {

@@ -286,37 +286,37 @@ mod tests {
 
     #[test]
     fn forgotten_units_are_remarked_with_the_likely_one() {
-        let told = |young, density, words: &str| {
+        let reported = |young, density, words: &str| {
             let shown = remark(young, density);
             assert!(shown.contains(words), "{young} {density}: {shown}");
         };
-        told(73.1, 2780.0, "modulus 7.310e1 Pa at its density");
-        told(73.1, 2780.0, "73.1 GPa would be usual");
-        told(73_100.0, 2780.0, " MPa would be usual");
-        told(210_000.0, 7850.0, "MPa would be usual");
-        told(10.6e6 / 1e6, 2780.0, "GPa would be usual");
-        told(73.1, 0.0, "GPa would be usual");
-        told(
+        reported(73.1, 2780.0, "modulus 7.310e1 Pa at its density");
+        reported(73.1, 2780.0, "73.1 GPa would be usual");
+        reported(73_100.0, 2780.0, " MPa would be usual");
+        reported(210_000.0, 7850.0, "MPa would be usual");
+        reported(10.6e6 / 1e6, 2780.0, "GPa would be usual");
+        reported(73.1, 0.0, "GPa would be usual");
+        reported(
             73.1e18,
             2780.0,
             " Pa would be usual; is a number in Pa read as GPa?",
         );
-        told(
+        reported(
             73.1e9,
             2.78,
             "density 2.780e0 kg/m^3: 2.78 g/cm^3 would be usual",
         );
-        told(411e9, 19.3, "19.3 g/cm^3 would be usual");
-        told(30e6, 0.06, "g/cm^3 would be usual");
-        told(3e9, 1.15, "g/cm^3 would be usual");
-        told(
+        reported(411e9, 19.3, "19.3 g/cm^3 would be usual");
+        reported(30e6, 0.06, "g/cm^3 would be usual");
+        reported(3e9, 1.15, "g/cm^3 would be usual");
+        reported(
             73.1e9,
             2.78e6,
             " kg/m^3 would be usual; is a number in kg/m^3 read as g/cm^3?",
         );
-        told(210e9, 7.85e-9, "t/mm^3 would be usual");
+        reported(210e9, 7.85e-9, "t/mm^3 would be usual");
         // both in the units of mm, N, t: the modulus is 1e-6 of that of steel
-        told(2.1e5, 7.85e-9, "density");
+        reported(2.1e5, 7.85e-9, "density");
     }
 
     /// A ply of carbon in MPa: 142e3 Pa, 1600 kg/m^3, 9.4 m/s.

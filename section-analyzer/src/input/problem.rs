@@ -161,7 +161,7 @@ pub enum InputProblem {
         "the beam is curved by {} deg/m, and the section reaches its center of curvature: at node \
          {node} of cell {cell}, ({}, {}) in the mesh, J = l1 + k2 z - k3 y is {}, expected more \
          than 0 everywhere, which requires less than {} deg/m",
-        label(*.curvature), label(.place[0]), label(.place[1]), label(*.length), label(*.largest)
+        label(*.curvature), label(.position[0]), label(.position[1]), label(*.length), label(*.largest)
     )]
     Folded {
         /// Tag of a cell there.
@@ -169,7 +169,7 @@ pub enum InputProblem {
         /// Tag of the node with the least J.
         node: u64,
         /// Its position (y, z) \[unit of length of the file\].
-        place: [f64; 2],
+        position: [f64; 2],
         /// J at this node \[-\].
         length: f64,
         /// Curvature about y and z together \[deg/m\].

@@ -216,13 +216,13 @@ impl Source {
         let step = STEP * neighbor;
         let at = |steps: f64| {
             let by = way.map(|x| steps * step * x);
-            let place = self.mesh.nodes[node as usize].position;
+            let position = self.mesh.nodes[node as usize].position;
             self.shape(section, (node, by), &turning)
                 .ok_or(NodeProblem::Jump {
                     node: tag,
                     what: NODE,
-                    y: self.meters_per_unit * place.x,
-                    z: self.meters_per_unit * place.y,
+                    y: self.meters_per_unit * position.x,
+                    z: self.meters_per_unit * position.y,
                 })
         };
         let shapes = [at(-1.0)?, at(0.0)?, at(1.0)?];
@@ -235,10 +235,11 @@ impl Source {
         let meters = self.meters_per_unit;
         let mut motion = Motion::default();
         for node in 0..section.mesh.nodes.len() {
-            let places = shapes.each_ref().map(|shape| shape.mesh.nodes[node]);
-            let rate = [0, 1].map(|i| rate(places.map(|place| place[i]), meters * step, 1.0));
+            let positions = shapes.each_ref().map(|shape| shape.mesh.nodes[node]);
+            let rate =
+                [0, 1].map(|i| rate(positions.map(|position| position[i]), meters * step, 1.0));
             let [Some(y), Some(z)] = rate else {
-                return Err(jump(NODE, places[1]));
+                return Err(jump(NODE, positions[1]));
             };
             if y != 0.0 || z != 0.0 {
                 motion.nodes.push(NodeVelocity { node, y, z });
@@ -249,8 +250,8 @@ impl Source {
             let angles = shapes.each_ref().map(|shape| shape.angles[index]);
             let angles = angles.map(|angle| nearest_turn(angle, angles[1]));
             let Some(rate) = rate(angles, meters * step, 1.0 / (meters * neighbor)) else {
-                let place = section.mesh.middle(&section.mesh.cells[cell]);
-                return Err(jump(ANGLE, place));
+                let position = section.mesh.middle(&section.mesh.cells[cell]);
+                return Err(jump(ANGLE, position));
             };
             if rate != 0.0 {
                 motion.turns.push(CellTurn { cell, rate });
@@ -288,10 +289,10 @@ impl Source {
     fn neighbor(&self, node: u32) -> f64 {
         let cells = self.mesh.cells.iter().map(|cell| cell.nodes());
         let lines = self.mesh.lines.iter().map(|line| line.nodes());
-        let place = |node: u32| self.mesh.nodes[node as usize].position.xy();
+        let position = |node: u32| self.mesh.nodes[node as usize].position.xy();
         let beside = cells.chain(lines).filter(|nodes| nodes.contains(&node));
         let others = beside.flatten().filter(|&&other| other != node);
-        let distances = others.map(|&other| (place(other) - place(node)).norm());
+        let distances = others.map(|&other| (position(other) - position(node)).norm());
         distances.filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min)
     }
 
@@ -308,7 +309,9 @@ impl Source {
         position.x += by[0];
         position.y += by[1];
         let (laminated, _) = add_with_faces(&mut mesh, &self.names, &self.laminae).ok()?;
-        let mesh = section.mesh.with_places_of(&mesh, self.meters_per_unit)?;
+        let mesh = section
+            .mesh
+            .with_positions_of(&mesh, self.meters_per_unit)?;
         let mut angles = Vec::with_capacity(turning.len() + laminated.cells.len());
         let mut known: Option<(&str, Vec<Parabola>)> = None;
         for &cell in turning {

@@ -51,7 +51,7 @@ impl InputSummary {
         let count = self.quality.poor();
         let poor = self.quality.worst.iter().filter(|cell| cell.is_poor);
         let in_file_unit = |cell: &NamedCell| NamedCell {
-            place: cell.place.map(|x| x / self.length_factor),
+            position: cell.position.map(|x| x / self.length_factor),
             ..cell.clone()
         };
         if count > 0 {
@@ -306,7 +306,7 @@ fn write_poor_cells(f: &mut fmt::Formatter<'_>, count: usize, worst: &[NamedCell
         "{cells} {have} a poor shape: results near by are less accurate"
     )?;
     for cell in worst {
-        let [y, z] = cell.place.map(|x| tick_label(x, 0.0));
+        let [y, z] = cell.position.map(|x| tick_label(x, 0.0));
         let (tag, group, worst) = (cell.cell, &cell.group, cell.worst);
         write!(
             f,

@@ -237,7 +237,7 @@ mod tests {
             (ElasticLaw::Isotropic { young, .. }, Constant::Young) => *young = value,
             (ElasticLaw::Isotropic { poisson, .. }, Constant::Poisson) => *poisson = value,
             (ElasticLaw::Orthotropic(k), Constant::Engineering(name)) => {
-                let places = [
+                let positions = [
                     &mut k.e1,
                     &mut k.e2,
                     &mut k.e3,
@@ -248,9 +248,9 @@ mod tests {
                     &mut k.nu13,
                     &mut k.nu23,
                 ];
-                for (place, known) in places.into_iter().zip(Constant::ORTHOTROPIC) {
+                for (position, known) in positions.into_iter().zip(Constant::ORTHOTROPIC) {
                     if known == name {
-                        *place = value;
+                        *position = value;
                     }
                 }
             }

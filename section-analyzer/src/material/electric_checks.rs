@@ -286,7 +286,7 @@ mod tests {
     /// k33 of the ceramic is 0.75: with a d33 larger by more than 1/0.75 the energy of
     /// the field is not positive; likewise for d15.
     #[test]
-    fn too_much_coupling_is_told_with_the_part_that_is_negative() {
+    fn too_much_coupling_is_reported_with_the_part_that_is_negative() {
         let Ceramic {
             mut d, at_stress, ..
         } = ceramic();

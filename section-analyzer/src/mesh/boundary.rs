@@ -111,8 +111,8 @@ impl Curve {
         let best = (0..CHORDS).map(chord).min_by(|a, b| a.1.total_cmp(&b.1));
         let mut t = best.map_or(0.0, |(t, _)| t);
         for _ in 0..4 {
-            let (place, d) = (self.at(t), self.direction(t));
-            let off = (p[0] - place[0]) * d[0] + (p[1] - place[1]) * d[1];
+            let (position, d) = (self.at(t), self.direction(t));
+            let off = (p[0] - position[0]) * d[0] + (p[1] - position[1]) * d[1];
             let speed = 2.0
                 * [0, 1]
                     .map(|i| {
@@ -196,18 +196,18 @@ impl Boundary {
 
 impl BoundarySide {
     pub(super) fn curve(&self, mesh: &PlaneMesh) -> Curve {
-        let place = |node: u32| mesh.nodes[node as usize];
-        let [first, second] = self.ends.map(place);
-        Curve::new(first, second, self.middle.map(place))
+        let position = |node: u32| mesh.nodes[node as usize];
+        let [first, second] = self.ends.map(position);
+        Curve::new(first, second, self.middle.map(position))
     }
 }
 
 /// The sides of a cell as curves, counterclockwise.
 pub(super) fn curves<'a>(mesh: &'a PlaneMesh, cell: &'a Cell) -> impl Iterator<Item = Curve> + 'a {
-    let place = |node: u32| mesh.nodes[node as usize];
+    let position = |node: u32| mesh.nodes[node as usize];
     let sides = cell.kind.sides(cell.nodes());
     sides.map(move |([first, second], middle)| {
-        Curve::new(place(first), place(second), middle.map(place))
+        Curve::new(position(first), position(second), middle.map(position))
     })
 }
 
@@ -233,9 +233,9 @@ fn single_sides(mesh: &PlaneMesh) -> Vec<bool> {
     let mut sorted = vec![(0_u32, 0_u32); count];
     let mut next = start.clone();
     for (number, (low, high)) in ends().enumerate() {
-        let place = &mut next[low as usize];
-        sorted[*place as usize] = (high, number as u32);
-        *place += 1;
+        let slot = &mut next[low as usize];
+        sorted[*slot as usize] = (high, number as u32);
+        *slot += 1;
     }
     let mut is_single = vec![true; count];
     for node in 0..mesh.nodes.len() {
@@ -257,7 +257,7 @@ mod tests {
     /// error by the distance over the radius of curvature, here at most 0.04: after four
     /// steps 1e-6 of the chords' error of 0.1 remains.
     #[test]
-    fn nearest_place_of_a_parabola() {
+    fn nearest_position_of_a_parabola() {
         let parabola = Curve::new([-1.0, 1.0], [1.0, 1.0], Some([0.0, 0.0]));
         assert!((parabola.sagitta() - 1.0).abs() < 1e-15);
         for y in [-0.9, -0.3, 0.4, 0.75] {
@@ -277,7 +277,7 @@ mod tests {
 
     /// A parabola in n equal pieces deviates from its chords by its sagitta / n^2.
     #[test]
-    fn pieces_are_as_near_as_asked() {
+    fn pieces_are_as_near_as_requested() {
         let parabola = Curve::new([-1.0, 1.0], [1.0, 1.0], Some([0.0, 0.0]));
         let mut points = Vec::new();
         let left = parabola.pieces(1.0 / 9.0 + 1e-9, &mut points);

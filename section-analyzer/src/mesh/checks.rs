@@ -12,7 +12,7 @@ use super::seams::{Groups, doubled_sides, representatives, seams};
 use super::sides::sides;
 
 /// Surface pairs reported per kind of problem.
-const TOLD: usize = 5;
+const MOST_REPORTED: usize = 5;
 
 /// Warnings about cells without problems.
 #[derive(Debug)]
@@ -67,7 +67,7 @@ pub(super) fn check_cells(
 
     let overlaps = contacts.overlaps.into_iter().map(MeshProblem::DoubleCover);
     problems.extend(limited_to(
-        TOLD,
+        MOST_REPORTED,
         overlaps.collect(),
         "pairs of surfaces that overlap",
     ));
@@ -131,7 +131,7 @@ impl Slits {
         let wrong = wrong.into_iter().map(problem).collect();
         (
             slits,
-            limited_to(TOLD, wrong, "pairs of surfaces that touch"),
+            limited_to(MOST_REPORTED, wrong, "pairs of surfaces that touch"),
         )
     }
 
@@ -165,7 +165,7 @@ impl Slits {
         let wrong = wrong.into_iter().map(problem).collect();
         (
             slits,
-            limited_to(TOLD, wrong, "pairs of surfaces with hanging nodes"),
+            limited_to(MOST_REPORTED, wrong, "pairs of surfaces with hanging nodes"),
         )
     }
 }

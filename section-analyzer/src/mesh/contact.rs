@@ -12,7 +12,7 @@ use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 
 use super::boundary::{Boundary, BoundarySide, Curve, curves};
 use super::findings::{CellOverlap, HangingNode, NarrowGap};
-use super::overlap::{is_inside, place_inside};
+use super::overlap::{is_inside, position_inside};
 use super::plane::{PlaneMesh, distance};
 use super::seams::{Groups, SidePair};
 
@@ -137,14 +137,14 @@ impl Search<'_> {
         let BoundarySide { cell, number, .. } = self.boundary.sides[side];
         let cell = &self.mesh.cells[cell];
         PROBES.map(|[along, inward]| {
-            let [r, s] = reference_place(cell.kind, number, along, inward);
+            let [r, s] = reference_position(cell.kind, number, along, inward);
             let shape = cell.kind.shape(r, s);
-            let mut place = [0.0; 2];
+            let mut position = [0.0; 2];
             for (n, &node) in shape.n.iter().zip(cell.nodes()) {
                 let node = self.mesh.nodes[node as usize];
-                place = [place[0] + n * node[0], place[1] + n * node[1]];
+                position = [position[0] + n * node[0], position[1] + n * node[1]];
             }
-            place
+            position
         })
     }
 
@@ -159,14 +159,14 @@ impl Search<'_> {
                 && (low_z..=high_z).contains(&z)
                 && is_inside(mesh, &mesh.cells[cell], [y, z], tolerance)
         };
-        let found = place_inside(mesh, &mesh.cells[cell], &self.curves[side], tolerance)
+        let found = position_inside(mesh, &mesh.cells[cell], &self.curves[side], tolerance)
             .or_else(|| probes.iter().copied().find(is_held));
-        if let Some(place) = found {
-            self.cover([own, cell], place);
+        if let Some(position) = found {
+            self.cover([own, cell], position);
         }
     }
 
-    fn cover(&mut self, mut cells: [usize; 2], place: [f64; 2]) {
+    fn cover(&mut self, mut cells: [usize; 2], position: [f64; 2]) {
         let group = |cell: usize| self.groups.of_cell[cell];
         cells.sort_unstable_by_key(|&cell| (group(cell), cell));
         if !self.covered.insert(cells) {
@@ -180,13 +180,13 @@ impl Search<'_> {
             overlaps.push(CellOverlap {
                 groups,
                 cells: Vec::new(),
-                places: Vec::new(),
+                positions: Vec::new(),
             });
             overlaps.len() - 1
         });
         let tags = cells.map(|cell| self.mesh.cells[cell].tag);
         overlaps[at].cells.push(tags);
-        overlaps[at].places.push(place);
+        overlaps[at].positions.push(position);
     }
 
     /// Compares the side `one` with the side `other`: hanging nodes, overlap, gap.
@@ -200,9 +200,9 @@ impl Search<'_> {
         }
         self.hang(one, other, TOUCHING * height);
         for t in SAMPLES {
-            let place = self.curves[one].at(t);
-            let on = self.curves[other].nearest(place);
-            let width = distance(place, self.curves[other].at(on));
+            let position = self.curves[one].at(t);
+            let on = self.curves[other].nearest(position);
+            let width = distance(position, self.curves[other].at(on));
             if width > NARROW * height {
                 continue;
             }
@@ -212,10 +212,10 @@ impl Search<'_> {
             );
             if cosine > ALONG {
                 // both cells lie on the same side of the line
-                self.cover(cells, place);
+                self.cover(cells, position);
             } else if cosine < -ALONG && !self.share_nodes(one, other) {
                 self.near
-                    .push(([one.min(other), one.max(other)], place, width));
+                    .push(([one.min(other), one.max(other)], position, width));
             }
         }
     }
@@ -226,11 +226,11 @@ impl Search<'_> {
         let [on, of] = [one, other].map(|side| self.boundary.sides[side]);
         let carrier = self.mesh.cells[on.cell].nodes();
         for (end, node) in of.ends.into_iter().enumerate() {
-            let place = self.mesh.nodes[node as usize];
+            let position = self.mesh.nodes[node as usize];
             let curve = &self.curves[one];
-            let t = curve.nearest(place);
+            let t = curve.nearest(position);
             let is_between = t > TOUCHING && t < 1.0 - TOUCHING;
-            if !is_between || distance(curve.at(t), place) > tolerance {
+            if !is_between || distance(curve.at(t), position) > tolerance {
                 continue;
             }
             let least = |node: u32| self.least[node as usize];
@@ -244,7 +244,7 @@ impl Search<'_> {
                 let tag = |node: u32| self.mesh.node_tags[node as usize];
                 self.found.hanging.push(HangingNode {
                     node: tag(node),
-                    place,
+                    position,
                     corner_of: self.mesh.cells[of.cell].tag,
                     side_of: self.mesh.cells[on.cell].tag,
                     side: on.ends.map(tag),
@@ -277,14 +277,15 @@ impl Search<'_> {
 
     /// Collects the gaps that no other check reports.
     fn finish(mut self, doubled: &[SidePair]) -> Contacts {
-        let told: HashSet<SidePair> = doubled.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        let reported: HashSet<SidePair> =
+            doubled.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
         let mut gaps: Vec<([usize; 2], NarrowGap, HashSet<usize>)> = Vec::new();
-        for &(pair, place, width) in &self.near {
+        for &(pair, position, width) in &self.near {
             let cells = pair.map(|side| self.boundary.sides[side].cell);
             let mut ordered = cells;
             ordered.sort_unstable_by_key(|&cell| (self.groups.of_cell[cell], cell));
             let hangs = pair.iter().any(|side| self.carrying.contains(side));
-            if told.contains(&pair) || hangs || self.covered.contains(&ordered) {
+            if reported.contains(&pair) || hangs || self.covered.contains(&ordered) {
                 continue;
             }
             let mut key = cells.map(|cell| self.groups.of_cell[cell]);
@@ -296,7 +297,7 @@ impl Search<'_> {
                     sides: 0,
                     narrowest: f64::INFINITY,
                     widest: 0.0,
-                    places: Vec::new(),
+                    positions: Vec::new(),
                 };
                 gaps.push((key, empty, HashSet::new()));
                 gaps.len() - 1
@@ -304,7 +305,7 @@ impl Search<'_> {
             let (_, gap, sides) = &mut gaps[at];
             gap.narrowest = gap.narrowest.min(width);
             gap.widest = gap.widest.max(width);
-            gap.places.push(place);
+            gap.positions.push(position);
             sides.insert(pair[0]);
             gap.sides = sides.len();
         }
@@ -315,14 +316,14 @@ impl Search<'_> {
 
 /// A point of the reference cell: on its side `side`, at `along` from the first to the
 /// second end, then `inward` toward the opposite side or corner.
-fn reference_place(kind: CellKind, side: usize, along: f64, inward: f64) -> [f64; 2] {
+fn reference_position(kind: CellKind, side: usize, along: f64, inward: f64) -> [f64; 2] {
     let corners = &kind.reference_nodes()[..kind.corner_count()];
     let at = |i: usize| corners[i % corners.len()];
     let mix = |a: [f64; 2], b: [f64; 2], t: f64| [0, 1].map(|i| a[i] + t * (b[i] - a[i]));
-    let place = mix(at(side), at(side + 1), along);
+    let position = mix(at(side), at(side + 1), along);
     // in a triangle both lead to the corner
     let opposite = mix(at(side + corners.len() - 1), at(side + 2), along);
-    mix(place, opposite, inward)
+    mix(position, opposite, inward)
 }
 
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -365,11 +366,11 @@ fn is_beyond(a: &[f64; 4], b: &[f64; 4], reach: f64) -> bool {
 /// sides.
 fn height(mesh: &PlaneMesh, cell: usize) -> f64 {
     let corners = mesh.cells[cell].corners();
-    let place = |i: usize| mesh.nodes[corners[i % corners.len()] as usize];
-    let origin = place(0);
+    let position = |i: usize| mesh.nodes[corners[i % corners.len()] as usize];
+    let origin = position(0);
     let (mut doubled, mut longest) = (0.0, 0.0_f64);
     for i in 0..corners.len() {
-        let (p, q) = (place(i), place(i + 1));
+        let (p, q) = (position(i), position(i + 1));
         let side = [q[0] - p[0], q[1] - p[1]];
         doubled += (p[0] - origin[0]) * side[1] - (p[1] - origin[1]) * side[0];
         longest = longest.max(dot(side, side));

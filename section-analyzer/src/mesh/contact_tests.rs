@@ -16,14 +16,14 @@ struct Patches {
 
 impl Patches {
     /// Adds a structured surface with its own nodes, `cells` by `cells` bilinear
-    /// quadrilaterals, as the image of the unit square under `place`, as physical surface
+    /// quadrilaterals, as the image of the unit square under `point`, as physical surface
     /// `name`.
     fn add(
         mut self,
         name: &str,
         [columns, rows]: [u32; 2],
         kind: CellKind,
-        place: impl Fn(f64, f64) -> [f64; 2],
+        point: impl Fn(f64, f64) -> [f64; 2],
     ) -> Self {
         let patch = Rectangle {
             width: 1.0,
@@ -37,7 +37,7 @@ impl Patches {
         let (nodes, cells) = (self.mesh.nodes.len() as u32, self.mesh.cells.len() as u64);
         let group = self.group(name);
         for (i, node) in (1..).zip(&patch.nodes) {
-            let [x, y] = place(node.position.x + 0.5, node.position.y + 0.5);
+            let [x, y] = point(node.position.x + 0.5, node.position.y + 0.5);
             self.mesh.nodes.push(Node {
                 tag: u64::from(nodes) + i,
                 position: Vector3::new(x, y, 0.0),
@@ -77,9 +77,9 @@ impl Patches {
     }
 
     /// Merges the two nodes at each of these positions.
-    fn joined(mut self, places: &[[f64; 2]]) -> Self {
-        for place in places {
-            let at = |node: &Node| [node.position.x, node.position.y] == *place;
+    fn joined(mut self, positions: &[[f64; 2]]) -> Self {
+        for position in positions {
+            let at = |node: &Node| [node.position.x, node.position.y] == *position;
             let nodes = &self.mesh.nodes;
             let first = nodes.iter().position(at).unwrap() as u32;
             let doubled = nodes.iter().rposition(at).unwrap() as u32;
@@ -247,7 +247,7 @@ fn a_hanging_node_is_named_with_its_side() {
     assert_eq!(
         patches.messages(),
         [
-            "node 6 at (1, 1), a corner of cell 2 in \"skin\", hangs on the side from node 4 to \
+            "node 6 at (1, 1), a corner of cell 2 in \"skin\", lies on the side from node 4 to \
           node 3 of cell 1 in \"web\", which has no node there: the cells are not joined"
         ]
     );
@@ -280,7 +280,7 @@ fn hanging_nodes_are_slits_where_slits_are_allowed() {
     };
     let report = patches.accepted(DoubledNodes::Allow);
     assert_eq!(report.hanging_nodes.len(), 1);
-    assert_eq!(report.hanging_nodes[0].place, [1.0, 1.0]);
+    assert_eq!(report.hanging_nodes[0].position, [1.0, 1.0]);
     assert!(matches!(
         patches.refused(DoubledNodes::Error)[..],
         [MeshProblem::Hanging { allowed: false, .. }]
@@ -288,8 +288,8 @@ fn hanging_nodes_are_slits_where_slits_are_allowed() {
 }
 
 /// Merges all nodes at one position.
-fn merged(mut mesh: Mesh, place: [f64; 2]) -> Mesh {
-    let at = |node: &Node| [node.position.x, node.position.y] == place;
+fn merged(mut mesh: Mesh, position: [f64; 2]) -> Mesh {
+    let at = |node: &Node| [node.position.x, node.position.y] == position;
     let is_there: Vec<bool> = mesh.nodes.iter().map(at).collect();
     let first = is_there.iter().position(|is| *is).unwrap() as u32;
     for cell in &mut mesh.cells {
@@ -324,7 +324,7 @@ fn a_corner_that_only_pokes_at_a_side_is_no_hanging_node() {
 }
 
 #[test]
-fn overlapping_cells_are_named_with_a_place() {
+fn overlapping_cells_are_named_with_a_location() {
     let overlap = |depth: f64| {
         Patches::default()
             .square("web", [1, 1], [0.0, 0.0], [1.0, 1.0])
@@ -514,7 +514,7 @@ fn any_soup_of_cells_has_an_answer() {
 /// A square of two triangles, a thousand times: the search of all pairs of cells
 /// or nodes would take minutes and a gigabyte.
 #[test]
-fn a_stack_of_copies_is_told_in_a_short_time() {
+fn a_stack_of_copies_is_reported_in_a_short_time() {
     let mut patches = Patches::default();
     for _ in 0..1000 {
         patches = patches.add("web", [1, 1], CellKind::Triangle3, |a, b| [a, b]);

@@ -54,7 +54,7 @@ impl SectionMesh {
     /// The first line that is not a side of a cell.
     pub fn sides_of_curve<'a>(&self, curve: &'a Curve) -> Result<Vec<CurveSide>, &'a CurveLine> {
         let sides = self.sides_by_ends();
-        let nodes_at = self.nodes_by_place();
+        let nodes_at = self.nodes_by_position();
         let found = curve.lines.iter().map(|line| {
             let [first, second] = [line.first, line.second].map(|end| at(&nodes_at, &end));
             side_between(&sides, line.tag, first, second).ok_or(line)
@@ -69,7 +69,7 @@ impl SectionMesh {
     /// The first line that is not a side of a cell.
     pub fn nodes_of_curve<'a>(&self, curve: &'a Curve) -> Result<Vec<u32>, &'a CurveLine> {
         let sides = self.sides_by_ends();
-        let nodes_at = self.nodes_by_place();
+        let nodes_at = self.nodes_by_position();
         let mut nodes = Vec::new();
         for line in &curve.lines {
             let [first, second] = [line.first, line.second].map(|end| at(&nodes_at, &end));
@@ -88,10 +88,10 @@ impl SectionMesh {
         Ok(nodes)
     }
 
-    fn nodes_by_place(&self) -> HashMap<[u64; 2], Vec<u32>> {
+    fn nodes_by_position(&self) -> HashMap<[u64; 2], Vec<u32>> {
         let mut nodes_at: HashMap<[u64; 2], Vec<u32>> = HashMap::new();
-        for (node, place) in self.nodes.iter().enumerate() {
-            nodes_at.entry(key(place)).or_default().push(node as u32);
+        for (node, position) in self.nodes.iter().enumerate() {
+            nodes_at.entry(key(position)).or_default().push(node as u32);
         }
         nodes_at
     }
@@ -114,13 +114,13 @@ impl SectionMesh {
 }
 
 /// A position as a key; both zeros are equal.
-fn key(place: &[f64; 2]) -> [u64; 2] {
-    place.map(|x| (x + 0.0).to_bits())
+fn key(position: &[f64; 2]) -> [u64; 2] {
+    position.map(|x| (x + 0.0).to_bits())
 }
 
 /// The nodes at a position.
-fn at<'a>(nodes_at: &'a HashMap<[u64; 2], Vec<u32>>, place: &[f64; 2]) -> &'a [u32] {
-    nodes_at.get(&key(place)).map_or(&[], Vec::as_slice)
+fn at<'a>(nodes_at: &'a HashMap<[u64; 2], Vec<u32>>, position: &[f64; 2]) -> &'a [u32] {
+    nodes_at.get(&key(position)).map_or(&[], Vec::as_slice)
 }
 
 /// All pairs of a node of `first` and a node of `second`.
@@ -171,7 +171,7 @@ fn side_between(
 mod tests {
     use super::*;
     use crate::mesh::generate::Rectangle;
-    use shared_geom::error::Place;
+    use shared_geom::error::SourceLocation;
     use shared_geom::mesh::CellKind;
 
     fn rectangle(kind: CellKind) -> SectionMesh {
@@ -184,7 +184,8 @@ mod tests {
             name: "bar".into(),
         };
         let mesh = mesh.generate().expect("sound measures");
-        let (mesh, _) = SectionMesh::from_mesh(&mesh, 1e-3, &Place::file("test")).expect("sound");
+        let (mesh, _) =
+            SectionMesh::from_mesh(&mesh, 1e-3, &SourceLocation::file("test")).expect("sound");
         mesh
     }
 
@@ -212,9 +213,9 @@ mod tests {
                 assert_eq!(sides.len(), curve.lines.len());
                 for (side, line) in sides.iter().zip(&curve.lines) {
                     assert_eq!(side.bank, Bank::Right, "{kind:?}");
-                    let places = [line.first, line.second].into_iter().chain(line.middle);
+                    let positions = [line.first, line.second].into_iter().chain(line.middle);
                     let nodes = side.nodes().iter().map(|&node| mesh.nodes[node as usize]);
-                    assert!(nodes.eq(places), "{kind:?}");
+                    assert!(nodes.eq(positions), "{kind:?}");
                 }
                 let mut all: Vec<u32> = sides.iter().flat_map(|s| s.nodes().to_vec()).collect();
                 all.sort_unstable();
@@ -225,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_inside_and_lines_of_no_cell_are_told() {
+    fn lines_inside_and_lines_of_no_cell_are_reported() {
         let mesh = rectangle(CellKind::Quadrilateral8);
         let inside = [mesh.nodes[0], mesh.nodes[0]];
         assert!(mesh.sides_of_curve(&line(inside)).is_err());

@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use super::words::{counted, place, short};
+use super::words::{coordinates, counted, short};
 
 /// Number of pairs of nodes listed in a message.
 const LISTED: usize = 3;
@@ -29,7 +29,7 @@ pub struct CellOverlap {
     /// Tags of the pairs of cells found along the boundary of the mesh.
     pub cells: Vec<[u64; 2]>,
     /// A position in both cells of each pair [file unit].
-    pub places: Vec<[f64; 2]>,
+    pub positions: Vec<[f64; 2]>,
 }
 
 impl fmt::Display for CellOverlap {
@@ -39,14 +39,18 @@ impl fmt::Display for CellOverlap {
             true => write!(f, "cells of \"{one}\" overlap")?,
             false => write!(f, "cells of \"{one}\" overlap cells of \"{other}\"")?,
         }
-        let pairs = self.cells.iter().zip(&self.places).take(LISTED);
+        let pairs = self.cells.iter().zip(&self.positions).take(LISTED);
         for (i, ([a, b], at)) in pairs.enumerate() {
             let lead = if i == 0 { ":" } else { "," };
-            write!(f, "{lead} {a} and {b} at {}", place(*at))?;
+            write!(f, "{lead} {a} and {b} at {}", coordinates(*at))?;
         }
         if let Some(more) = self.cells.len().checked_sub(LISTED + 1) {
-            let places = between(&self.places);
-            write!(f, " and {} like these{places}", counted(more + 1, "pair"))?;
+            let positions = between(&self.positions);
+            write!(
+                f,
+                " and {} like these{positions}",
+                counted(more + 1, "pair")
+            )?;
         }
         f.write_str("; the area there would be counted twice")
     }
@@ -58,7 +62,7 @@ pub struct HangingNode {
     /// Tag of the node.
     pub node: u64,
     /// Its position [file unit].
-    pub place: [f64; 2],
+    pub position: [f64; 2],
     /// Tag of the cell whose corner it is.
     pub corner_of: u64,
     /// Tag of the cell on whose side it lies.
@@ -73,10 +77,10 @@ impl fmt::Display for HangingNode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "node {} at {}, a corner of cell {} in \"{}\", hangs on the side from node {} to \
+            "node {} at {}, a corner of cell {} in \"{}\", lies on the side from node {} to \
              node {} of cell {} in \"{}\", which has no node there: the cells are not joined",
             self.node,
-            place(self.place),
+            coordinates(self.position),
             self.corner_of,
             self.groups[0],
             self.side[0],
@@ -97,7 +101,7 @@ pub struct Seam {
     /// Tags of the coincident nodes.
     pub pairs: Vec<[u64; 2]>,
     /// Their positions, parallel to `pairs` [file unit].
-    pub places: Vec<[f64; 2]>,
+    pub positions: Vec<[f64; 2]>,
     /// Number of parts of the section, if seams separate it.
     pub parts: Option<usize>,
 }
@@ -112,15 +116,21 @@ impl fmt::Display for Seam {
             f,
             " along {}{} but share no nodes there: {} doubled",
             counted(self.sides, "side"),
-            between(&self.places),
+            between(&self.positions),
             match self.pairs.len() {
                 1 => "1 node is".to_owned(),
                 count => format!("{count} nodes are"),
             },
         )?;
-        for (i, ([a, b], at)) in self.pairs.iter().zip(&self.places).enumerate().take(LISTED) {
+        for (i, ([a, b], at)) in self
+            .pairs
+            .iter()
+            .zip(&self.positions)
+            .enumerate()
+            .take(LISTED)
+        {
             let lead = if i == 0 { ", as" } else { "," };
-            write!(f, "{lead} {a} and {b} at {}", place(*at))?;
+            write!(f, "{lead} {a} and {b} at {}", coordinates(*at))?;
         }
         match self.parts {
             Some(parts) => write!(f, "; so the section falls into {parts} parts"),
@@ -141,7 +151,7 @@ pub struct NarrowGap {
     /// Largest width that is treated as narrow [file unit].
     pub widest: f64,
     /// Positions along it, two per side [file unit].
-    pub places: Vec<[f64; 2]>,
+    pub positions: Vec<[f64; 2]>,
 }
 
 impl fmt::Display for NarrowGap {
@@ -156,15 +166,21 @@ impl fmt::Display for NarrowGap {
              this gap",
             short(self.widest),
             counted(self.sides, "side"),
-            between(&self.places),
+            between(&self.positions),
         )
     }
 }
 
 /// ` between (0, 0) and (1, 0)`: the box of the positions.
-fn between(places: &[[f64; 2]]) -> String {
+fn between(positions: &[[f64; 2]]) -> String {
     let [low, high] = [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
-        [0, 1].map(|axis| places.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0.0))
+        [0, 1].map(|axis| {
+            positions
+                .iter()
+                .map(|p| p[axis])
+                .reduce(pick)
+                .unwrap_or(0.0)
+        })
     });
-    format!(" between {} and {}", place(low), place(high))
+    format!(" between {} and {}", coordinates(low), coordinates(high))
 }

@@ -43,7 +43,7 @@ struct Piece {
 #[derive(Debug, Clone, Copy)]
 struct Search<'a> {
     kind: CellKind,
-    places: &'a [[f64; 2]],
+    positions: &'a [[f64; 2]],
     sign: f64,
     tolerance: f64,
 }
@@ -61,16 +61,16 @@ impl Jacobian {
         }
     }
 
-    /// Least and largest Jacobian determinant of the cell with nodes at `places`
+    /// Least and largest Jacobian determinant of the cell with nodes at `positions`
     /// [square of their unit].
-    pub(super) fn extremes(&self, kind: CellKind, places: &[[f64; 2]]) -> [f64; 2] {
-        let kind = straight_kind(kind, places);
-        let places = &places[..kind.node_count()];
+    pub(super) fn extremes(&self, kind: CellKind, positions: &[[f64; 2]]) -> [f64; 2] {
+        let kind = straight_kind(kind, positions);
+        let positions = &positions[..kind.node_count()];
         let mut values = [0.0; POINTS * POINTS];
         let mut count = 0;
         let shapes = self.whole.iter().filter(|(known, _)| *known == kind);
         for shape in shapes.flat_map(|(_, shapes)| shapes) {
-            values[count] = determinant(shape, places);
+            values[count] = determinant(shape, positions);
             count += 1;
         }
         let values = &mut values[..count];
@@ -80,7 +80,7 @@ impl Jacobian {
         let tolerance = SHARPNESS * bound_low.abs().max(bound_high.abs());
         let search = |sign| Search {
             kind,
-            places,
+            positions,
             sign,
             tolerance,
         };
@@ -97,14 +97,14 @@ impl Jacobian {
 
 /// The linear kind of a quadratic cell whose middle nodes are all at the midpoints, up to
 /// rounding: its mapping is the mapping of the linear cell.
-fn straight_kind(kind: CellKind, places: &[[f64; 2]]) -> CellKind {
+fn straight_kind(kind: CellKind, positions: &[[f64; 2]]) -> CellKind {
     /// Square of the distance from the midpoint, relative to the square of the chord.
     const ROUNDING: f64 = 1e-26;
     let square = |p: [f64; 2]| p[0] * p[0] + p[1] * p[1];
     let is_middle = |node: usize, of: &[usize]| {
-        let mean = |i: usize| of.iter().map(|&n| places[n][i]).sum::<f64>() / of.len() as f64;
-        let chord = [0, 1].map(|i| places[of[1]][i] - places[of[0]][i]);
-        square([0, 1].map(|i| places[node][i] - mean(i))) <= ROUNDING * square(chord)
+        let mean = |i: usize| of.iter().map(|&n| positions[n][i]).sum::<f64>() / of.len() as f64;
+        let chord = [0, 1].map(|i| positions[of[1]][i] - positions[of[0]][i]);
+        square([0, 1].map(|i| positions[node][i] - mean(i))) <= ROUNDING * square(chord)
     };
     let is_straight = (0..kind.corner_count()).all(|side| match kind.side(side) {
         (a, b, Some(middle)) => is_middle(middle, &[a, b]),
@@ -127,7 +127,7 @@ impl Search<'_> {
         for quarter in piece.quarters(self.kind) {
             let points = points(self.kind, &quarter);
             let value =
-                |[r, s]: [f64; 2]| self.sign * determinant(&self.kind.shape(r, s), self.places);
+                |[r, s]: [f64; 2]| self.sign * determinant(&self.kind.shape(r, s), self.positions);
             let mut values: Vec<f64> = points.into_iter().map(value).collect();
             least = least.min(range(&values)[0]);
             to_bernstein(self.kind, &mut values);
@@ -243,12 +243,12 @@ fn cubic(values: &mut [f64], start: usize, step: usize) {
 }
 
 /// `J = y,r z,s - y,s z,r`.
-fn determinant(shape: &ShapeValues, places: &[[f64; 2]]) -> f64 {
+fn determinant(shape: &ShapeValues, positions: &[[f64; 2]]) -> f64 {
     let (mut dr, mut ds) = ([0.0; 2], [0.0; 2]);
-    for (i, place) in places.iter().enumerate() {
+    for (i, position) in positions.iter().enumerate() {
         for axis in 0..2 {
-            dr[axis] += shape.dr[i] * place[axis];
-            ds[axis] += shape.ds[i] * place[axis];
+            dr[axis] += shape.dr[i] * position[axis];
+            ds[axis] += shape.ds[i] * position[axis];
         }
     }
     dr[0] * ds[1] - dr[1] * ds[0]
@@ -285,15 +285,15 @@ mod tests {
         let finder = Jacobian::new();
         for kind in CellKind::ALL {
             for seed in 0..40 {
-                let places = shaken(kind, seed);
-                let [low, high] = finder.extremes(kind, &places);
+                let positions = shaken(kind, seed);
+                let [low, high] = finder.extremes(kind, &positions);
                 let whole = Piece::whole(kind);
                 let inside = grid(81)
                     .into_iter()
                     .filter(|[a, b]| kind.corner_count() == 4 || a + b <= 1.0);
                 let values: Vec<f64> = inside
                     .map(|[a, b]| whole.at(a, b))
-                    .map(|[r, s]| determinant(&kind.shape(r, s), &places))
+                    .map(|[r, s]| determinant(&kind.shape(r, s), &positions))
                     .collect();
                 let [seen_low, seen_high] = range(&values);
                 let size = low.abs().max(high.abs());
@@ -323,16 +323,17 @@ mod tests {
                 _ => CellKind::Quadrilateral4,
             };
             let corners = shaken(linear, 5);
-            let place = |&[r, s]: &[f64; 2]| {
+            let position = |&[r, s]: &[f64; 2]| {
                 let shape = linear.shape(r, s);
                 [0, 1].map(|i| (0..corners.len()).map(|n| shape.n[n] * corners[n][i]).sum())
             };
-            let mut places: Vec<[f64; 2]> = kind.reference_nodes().iter().map(place).collect();
-            assert_eq!(straight_kind(kind, &places), linear);
-            let straight = finder.extremes(kind, &places);
-            places[kind.corner_count()][0] += 1e-9;
-            assert_eq!(straight_kind(kind, &places), kind);
-            let curved = finder.extremes(kind, &places);
+            let mut positions: Vec<[f64; 2]> =
+                kind.reference_nodes().iter().map(position).collect();
+            assert_eq!(straight_kind(kind, &positions), linear);
+            let straight = finder.extremes(kind, &positions);
+            positions[kind.corner_count()][0] += 1e-9;
+            assert_eq!(straight_kind(kind, &positions), kind);
+            let curved = finder.extremes(kind, &positions);
             for (a, b) in straight.into_iter().zip(curved) {
                 assert!((a - b).abs() < 1e-7, "{kind:?} {a} {b}");
             }
@@ -347,17 +348,17 @@ mod tests {
         let finder = Jacobian::new();
         let mut found = 0;
         for seed in 0..4000 {
-            let places: Vec<[f64; 2]> = kind
+            let positions: Vec<[f64; 2]> = kind
                 .reference_nodes()
                 .iter()
                 .zip(shaken(kind, seed))
                 .map(|(node, moved)| [0, 1].map(|i| node[i] + 2.6 * (moved[i] - node[i])))
                 .collect();
-            let at = |r: f64, s: f64| determinant(&kind.shape(r, s), &places);
+            let at = |r: f64, s: f64| determinant(&kind.shape(r, s), &positions);
             let nodes = kind.reference_nodes().iter().map(|&[r, s]| at(r, s));
             let points = kind.rule().iter().map(|point| at(point.r, point.s));
             let seen = nodes.chain(points).fold(f64::INFINITY, f64::min);
-            let [low, _] = finder.extremes(kind, &places);
+            let [low, _] = finder.extremes(kind, &positions);
             found += usize::from(seen > 0.02 && low < -0.02);
         }
         assert!(found > 0, "no such cell among the samples");

@@ -24,6 +24,7 @@ use shared_geom::mesh::{Line, Mesh};
 
 use super::plane::check_references;
 
+mod attribution;
 mod build;
 mod faces;
 mod fits;
@@ -35,12 +36,11 @@ mod segments;
 mod sides;
 mod steps;
 mod tees;
-mod told;
 mod types;
 mod words;
 
+pub use attribution::of_laminae;
 pub use problem::LaminaProblem;
-pub use told::of_laminae;
 pub use types::{Lamina, LaminaCell, LaminaFace, LaminaSide, Laminated};
 pub use words::Wall;
 

@@ -34,11 +34,11 @@ pub(super) fn orient(mesh: &mut PlaneMesh) -> Result<usize, Vec<MeshProblem>> {
     let mut turns = Vec::with_capacity(mesh.cells.len());
     let mut counts: HashMap<i32, [usize; 2]> = HashMap::new();
     for cell in &mesh.cells {
-        let mut places = [[0.0; 2]; 9];
-        for (place, &node) in places.iter_mut().zip(cell.nodes()) {
-            *place = mesh.nodes[node as usize];
+        let mut positions = [[0.0; 2]; 9];
+        for (position, &node) in positions.iter_mut().zip(cell.nodes()) {
+            *position = mesh.nodes[node as usize];
         }
-        let extremes = jacobian.extremes(cell.kind, &places[..cell.nodes().len()]);
+        let extremes = jacobian.extremes(cell.kind, &positions[..cell.nodes().len()]);
         let turn = turn(extremes, mesh.longest_side(cell));
         turns.push(turn);
         match turn {
@@ -152,15 +152,15 @@ fn repeated(cell: &Cell) -> Option<u32> {
 
 /// The node farthest from the middle of its side or of the cell.
 fn farthest_middle(mesh: &PlaneMesh, cell: &Cell, longest: f64) -> Option<Inversion> {
-    let place = |local: usize| mesh.nodes[cell.nodes()[local] as usize];
+    let position = |local: usize| mesh.nodes[cell.nodes()[local] as usize];
     let sides = (0..cell.kind.corner_count()).filter_map(|side| {
         let (a, b, middle) = cell.kind.side(side);
-        let (a, b) = (place(a), place(b));
+        let (a, b) = (position(a), position(b));
         let mean = [0, 1].map(|axis| 0.5 * (a[axis] + b[axis]));
-        Some((middle?, distance(place(middle?), mean) / distance(a, b)))
+        Some((middle?, distance(position(middle?), mean) / distance(a, b)))
     });
     let center = (cell.kind == CellKind::Quadrilateral9)
-        .then(|| (8, distance(place(8), mesh.center(cell)) / longest));
+        .then(|| (8, distance(position(8), mesh.center(cell)) / longest));
     let (local, distance) = sides.chain(center).max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(Inversion::Middle {
         node: mesh.node_tags[cell.nodes()[local] as usize],

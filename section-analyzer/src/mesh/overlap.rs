@@ -10,7 +10,7 @@ const PIECES: f64 = 0.25;
 
 /// A point of `side` that lies inside of `cell`, farther than `tolerance` from all of its
 /// sides; `None` if there is none.
-pub(super) fn place_inside(
+pub(super) fn position_inside(
     mesh: &PlaneMesh,
     cell: &Cell,
     side: &Curve,
@@ -29,9 +29,9 @@ pub(super) fn place_inside(
 }
 
 /// Whether a point lies inside of `cell`, farther than `tolerance` from all of its sides.
-pub(super) fn is_inside(mesh: &PlaneMesh, cell: &Cell, place: [f64; 2], tolerance: f64) -> bool {
+pub(super) fn is_inside(mesh: &PlaneMesh, cell: &Cell, position: [f64; 2], tolerance: f64) -> bool {
     let (polygon, left) = polygon_of(mesh, cell, tolerance);
-    is_deep(&polygon, place, tolerance + left)
+    is_deep(&polygon, position, tolerance + left)
 }
 
 /// The polygon that represents a cell, and its distance from the cell's sides.
@@ -86,8 +86,9 @@ fn piece_inside(polygon: &[[f64; 2]], piece: [[f64; 2]; 2], tolerance: f64) -> O
     })
 }
 
-fn is_deep(polygon: &[[f64; 2]], place: [f64; 2], tolerance: f64) -> bool {
-    is_within(polygon, place) && edges(polygon).all(|(a, b)| from_edge(place, a, b) > tolerance)
+fn is_deep(polygon: &[[f64; 2]], position: [f64; 2], tolerance: f64) -> bool {
+    is_within(polygon, position)
+        && edges(polygon).all(|(a, b)| from_edge(position, a, b) > tolerance)
 }
 
 fn edges(polygon: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {

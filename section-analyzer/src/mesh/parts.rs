@@ -67,7 +67,7 @@ impl SectionMesh {
 mod tests {
     use super::*;
     use crate::mesh::generate::Rectangle;
-    use shared_geom::error::Place;
+    use shared_geom::error::SourceLocation;
     use shared_geom::mesh::CellKind;
 
     /// A row of five cells without the second is in parts of one and three; two cells
@@ -84,7 +84,7 @@ mod tests {
                 name: "bar".into(),
             };
             let mesh = bar.generate().expect("sound measures");
-            SectionMesh::from_mesh(&mesh, 1.0, &Place::file("bar"))
+            SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("bar"))
                 .expect("sound")
                 .0
         };

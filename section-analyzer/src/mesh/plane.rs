@@ -28,15 +28,15 @@ impl PlaneMesh {
                 used[node as usize] = true;
             }
         }
-        let mut place = vec![0; mesh.nodes.len()];
+        let mut position = vec![0; mesh.nodes.len()];
         let (mut nodes, mut node_tags) = (Vec::new(), Vec::new());
         for (i, node) in mesh.nodes.iter().enumerate().filter(|&(i, _)| used[i]) {
-            place[i] = nodes.len() as u32;
+            position[i] = nodes.len() as u32;
             nodes.push([node.position.x, node.position.y]);
             node_tags.push(node.tag);
         }
         let cells = mesh.cells.iter().map(|cell| {
-            let node = |i: usize| place[cell.nodes()[i] as usize];
+            let node = |i: usize| position[cell.nodes()[i] as usize];
             let mut moved = Cell::new(cell.tag, cell.kind, cell.entity, node);
             moved.groups = cell.groups.clone();
             moved

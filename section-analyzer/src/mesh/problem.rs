@@ -9,7 +9,7 @@ use shared_geom::error::Explain;
 use shared_geom::mesh::CellKind;
 
 use super::findings::{CellOverlap, HangingNode, NarrowGap, Seam};
-use super::words::{counted, place, short};
+use super::words::{coordinates, counted, short};
 
 /// A problem of the mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -58,7 +58,7 @@ pub enum MeshProblem {
         tolerance: f64,
     },
     /// A cell whose mapping folds.
-    #[error("cell {cell} at {} {reason}", place(*.center))]
+    #[error("cell {cell} at {} {reason}", coordinates(*.center))]
     InvertedCell {
         /// Tag of the cell.
         cell: u64,
@@ -70,7 +70,7 @@ pub enum MeshProblem {
     /// A cell listed in the other direction than its neighbors.
     #[error(
         "cell {cell} at {} is inverted: its nodes run in the opposite direction to the {others} \
-         other cells of surface entity {entity}", place(*.center)
+         other cells of surface entity {entity}", coordinates(*.center)
     )]
     TurnedCell {
         /// Tag of the cell.
@@ -112,7 +112,7 @@ pub enum MeshProblem {
     /// Quadratic cells that meet at a side with two different middle nodes.
     #[error(
         "cells {} and {} share the side from node {} to node {} at {}, but not the node in its \
-         middle", .cells[0], .cells[1], .nodes[0], .nodes[1], place(*.at)
+         middle", .cells[0], .cells[1], .nodes[0], .nodes[1], coordinates(*.at)
     )]
     SideMiddle {
         /// Tags of the cells.
@@ -231,9 +231,9 @@ impl fmt::Display for Part {
             f,
             "{} at {}, between {} and {}, in {}",
             counted(self.cells, "cell"),
-            place(self.centroid),
-            place(self.low),
-            place(self.high),
+            coordinates(self.centroid),
+            coordinates(self.low),
+            coordinates(self.high),
             groups.join(", ")
         )
     }
@@ -250,7 +250,7 @@ fn hanging(
     format!(
         "node {node} at {} hangs in the middle of the side from node {} to node {}: cell {with} \
          ({}) has it there, cell {other} ({}) {}",
-        place(at),
+        coordinates(at),
         side[0],
         side[1],
         with_kind.name(),

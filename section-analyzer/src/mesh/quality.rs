@@ -222,7 +222,7 @@ pub struct NamedCell {
     /// Tag of the cell.
     pub cell: u64,
     /// Mean of its corners (y, z) \[m\].
-    pub place: [f64; 2],
+    pub position: [f64; 2],
     /// Its physical surface.
     pub group: String,
     /// Its worst value.
@@ -252,20 +252,20 @@ impl MeshQuality {
         // severity, index of the cell, its worst value
         let mut worst: Vec<((usize, f64), usize, ShapeValue)> = Vec::new();
         for (number, cell) in mesh.cells.iter().enumerate() {
-            let mut places = [[0.0; 2]; 9];
-            for (place, of_node) in places.iter_mut().zip(mesh.places(cell)) {
-                *place = of_node;
+            let mut positions = [[0.0; 2]; 9];
+            for (at, of_node) in positions.iter_mut().zip(mesh.positions(cell)) {
+                *at = of_node;
             }
-            let values = values_of(&jacobian, cell.kind, &places[..cell.nodes().len()]);
+            let values = values_of(&jacobian, cell.kind, &positions[..cell.nodes().len()]);
             if let Some(region) = regions.get_mut(cell.group) {
                 region.has_middles |= cell.kind.is_quadratic();
                 region.add(&values);
             }
             let (severity, value) = worst_of(&values);
-            let place = worst.partition_point(|(other, ..)| *other >= severity);
-            if place < NAMED {
+            let at = worst.partition_point(|(other, ..)| *other >= severity);
+            if at < NAMED {
                 worst.truncate(NAMED - 1);
-                worst.insert(place, (severity, number, value));
+                worst.insert(at, (severity, number, value));
             }
         }
         for region in &mut regions {
@@ -275,7 +275,7 @@ impl MeshQuality {
             let cell = &mesh.cells[number];
             NamedCell {
                 cell: cell.tag,
-                place: mesh.middle(cell),
+                position: mesh.middle(cell),
                 group: mesh.groups.get(cell.group).cloned().unwrap_or_default(),
                 worst,
                 is_poor: worst.measure.grade(worst.value) == Grade::Poor,

@@ -69,19 +69,19 @@ pub(super) fn seams(
         let cells = [one.cell, other.cell];
         let mut key = cells.map(|cell| groups.of_cell[cell]);
         key.sort_unstable();
-        let place = seams.iter().position(|(known, ..)| *known == key);
-        let place = place.unwrap_or_else(|| {
+        let index = seams.iter().position(|(known, ..)| *known == key);
+        let index = index.unwrap_or_else(|| {
             let empty = Seam {
                 groups: key.map(|group| groups.labels[group].clone()),
                 sides: 0,
                 pairs: Vec::new(),
-                places: Vec::new(),
+                positions: Vec::new(),
                 parts: None,
             };
             seams.push((key, empty, Vec::new()));
             seams.len() - 1
         });
-        let (_, seam, nodes) = &mut seams[place];
+        let (_, seam, nodes) = &mut seams[index];
         seam.sides += 1;
         seam.parts = seam.parts.or(parts(cells));
         // the sides have opposite directions
@@ -105,10 +105,10 @@ fn with_nodes(mesh: &PlaneMesh, seam: Seam, mut nodes: Vec<[u32; 2]>) -> Seam {
     nodes.sort_unstable();
     nodes.dedup();
     let tags = |pair: &[u32; 2]| pair.map(|node| mesh.node_tags[node as usize]);
-    let place = |pair: &[u32; 2]| mesh.nodes[pair[0] as usize];
+    let position = |pair: &[u32; 2]| mesh.nodes[pair[0] as usize];
     Seam {
         pairs: nodes.iter().map(tags).collect(),
-        places: nodes.iter().map(place).collect(),
+        positions: nodes.iter().map(position).collect(),
         ..seam
     }
 }

@@ -1,6 +1,6 @@
 //! The plane mesh that the analysis uses, in section axes and meters.
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::mesh::{Cell, CellKind, Line, Mesh};
 
 use super::checks::check_cells;
@@ -115,7 +115,7 @@ pub struct MeshReport {
 
 impl SectionMesh {
     /// Positions of the nodes of a cell \[m\].
-    pub fn places(&self, cell: &SectionCell) -> impl Iterator<Item = [f64; 2]> {
+    pub fn positions(&self, cell: &SectionCell) -> impl Iterator<Item = [f64; 2]> {
         cell.nodes().iter().map(|&node| self.nodes[node as usize])
     }
 
@@ -123,8 +123,8 @@ impl SectionMesh {
     pub fn middle(&self, cell: &SectionCell) -> [f64; 2] {
         let corners = cell.corners();
         [0, 1].map(|axis| {
-            let places = corners.iter().map(|&node| self.nodes[node as usize][axis]);
-            places.sum::<f64>() / corners.len() as f64
+            let positions = corners.iter().map(|&node| self.nodes[node as usize][axis]);
+            positions.sum::<f64>() / corners.len() as f64
         })
     }
 
@@ -135,7 +135,7 @@ impl SectionMesh {
 
     /// The same cells with the node positions and curves of `mesh`, whose unit of length
     /// is `meters_per_unit`; `None` if its nodes and cells differ. Nothing is checked.
-    pub fn with_places_of(&self, mesh: &Mesh, meters_per_unit: f64) -> Option<Self> {
+    pub fn with_positions_of(&self, mesh: &Mesh, meters_per_unit: f64) -> Option<Self> {
         check_references(mesh).ok()?;
         let plane = PlaneMesh::new(mesh);
         let sorted = |nodes: &[u32]| {
@@ -148,7 +148,7 @@ impl SectionMesh {
             && self.cells.len() == plane.cells.len()
             && cells.all(|(own, other)| sorted(own.nodes()) == sorted(other.nodes()));
         is_same.then(|| Self {
-            nodes: places(&plane, meters_per_unit),
+            nodes: positions(&plane, meters_per_unit),
             node_tags: self.node_tags.clone(),
             cells: self.cells.clone(),
             groups: self.groups.clone(),
@@ -157,7 +157,7 @@ impl SectionMesh {
     }
 
     /// The section mesh of `mesh`, whose unit of length is `meters_per_unit`, with its
-    /// report; `place` is the source of the mesh, for messages. Nodes doubled along the
+    /// report; `location` is the source of the mesh, for messages. Nodes doubled along the
     /// border of two surfaces are an error.
     ///
     /// # Errors
@@ -166,9 +166,9 @@ impl SectionMesh {
     pub fn from_mesh(
         mesh: &Mesh,
         meters_per_unit: f64,
-        place: &Place,
+        location: &SourceLocation,
     ) -> Result<(Self, MeshReport), Diagnostics> {
-        Self::from_mesh_with(mesh, meters_per_unit, DoubledNodes::Error, place)
+        Self::from_mesh_with(mesh, meters_per_unit, DoubledNodes::Error, location)
     }
 
     /// As [`SectionMesh::from_mesh`]; slits may be allowed.
@@ -179,12 +179,12 @@ impl SectionMesh {
         mesh: &Mesh,
         meters_per_unit: f64,
         doubled_nodes: DoubledNodes,
-        place: &Place,
+        location: &SourceLocation,
     ) -> Result<(Self, MeshReport), Diagnostics> {
         Self::checked(mesh, meters_per_unit, doubled_nodes).map_err(|problems| {
             let mut diagnostics = Diagnostics::new();
             for problem in &problems {
-                diagnostics.push(place.clone(), problem);
+                diagnostics.push(location.clone(), problem);
             }
             diagnostics
         })
@@ -223,7 +223,7 @@ impl SectionMesh {
         };
         let section = Self {
             cells: plane.cells.iter().zip(&group_of_cell).map(cell).collect(),
-            nodes: places(&plane, meters_per_unit),
+            nodes: positions(&plane, meters_per_unit),
             node_tags: plane.node_tags,
             groups,
             curves: curves(mesh, meters_per_unit),
@@ -232,7 +232,7 @@ impl SectionMesh {
     }
 }
 
-fn places(plane: &PlaneMesh, meters_per_unit: f64) -> Vec<[f64; 2]> {
+fn positions(plane: &PlaneMesh, meters_per_unit: f64) -> Vec<[f64; 2]> {
     let nodes = plane.nodes.iter();
     nodes.map(|p| p.map(|x| meters_per_unit * x)).collect()
 }
@@ -296,7 +296,7 @@ fn surface_groups(mesh: &Mesh) -> (Vec<String>, Vec<usize>) {
 
 /// The physical curves, in the order of their first lines, in meters.
 fn curves(mesh: &Mesh, meters_per_unit: f64) -> Vec<Curve> {
-    let place = |node: u32| {
+    let point = |node: u32| {
         let position = mesh.nodes[node as usize].position;
         [position.x, position.y].map(|x| meters_per_unit * x)
     };
@@ -304,9 +304,9 @@ fn curves(mesh: &Mesh, meters_per_unit: f64) -> Vec<Curve> {
         let nodes = line.nodes();
         CurveLine {
             tag: line.tag,
-            first: place(nodes[0]),
-            second: place(nodes[1]),
-            middle: nodes.get(2).map(|&node| place(node)),
+            first: point(nodes[0]),
+            second: point(nodes[1]),
+            middle: nodes.get(2).map(|&node| point(node)),
         }
     };
     let mut curves: Vec<Curve> = Vec::new();

@@ -61,8 +61,8 @@ const LEFT: &[u32] = &[0, 1, 4, 3];
 const RIGHT: &[u32] = &[1, 2, 5, 4];
 
 fn accepted(mesh: &Mesh) -> (SectionMesh, MeshReport) {
-    let place = Place::file("test.msh");
-    SectionMesh::from_mesh(mesh, 1.0, &place).unwrap_or_else(|problems| panic!("{problems}"))
+    let location = SourceLocation::file("test.msh");
+    SectionMesh::from_mesh(mesh, 1.0, &location).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 fn refused(mesh: &Mesh) -> Vec<MeshProblem> {
@@ -82,8 +82,8 @@ fn a_sound_mesh_comes_out_in_meters_without_unused_nodes() {
     nodes.insert(0, [9.0, 9.0]);
     let mut mesh = mesh(&nodes, &[&[1, 2, 5, 4], &[2, 3, 6, 5]]);
     mesh.cells[0].groups = 1.into();
-    let place = Place::file("test.msh");
-    let (section, report) = SectionMesh::from_mesh(&mesh, 0.5, &place).unwrap();
+    let location = SourceLocation::file("test.msh");
+    let (section, report) = SectionMesh::from_mesh(&mesh, 0.5, &location).unwrap();
     assert_eq!(section.nodes, LADDER.map(|p| p.map(|x| 0.5 * x)));
     assert_eq!(section.node_tags, [102, 103, 104, 105, 106, 107]);
     let found: Vec<_> = section.cells.iter().map(|c| (c.tag, c.nodes())).collect();
@@ -317,7 +317,7 @@ fn a_mesh_in_another_coordinate_plane_is_recognized() {
 }
 
 #[test]
-fn a_cell_that_lists_a_node_twice_is_told_once() {
+fn a_cell_that_lists_a_node_twice_is_reported_once() {
     let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
     assert_eq!(
         message(&mesh(&nodes, &[&[0, 1, 2, 2]])),
@@ -425,7 +425,7 @@ fn many_problems_of_a_kind_are_counted() {
 }
 
 #[test]
-fn overlapping_cells_are_told() {
+fn overlapping_cells_are_reported() {
     // three cells on one side
     let nodes = [LADDER.as_slice(), &[[0.0, 2.0]]].concat();
     let problems = refused(&mesh(&nodes, &[LEFT, RIGHT, &[1, 4, 6]]));
@@ -475,7 +475,7 @@ fn parts_are_described() {
 }
 
 #[test]
-fn parts_that_touch_at_a_node_are_told() {
+fn parts_that_touch_at_a_node_are_reported() {
     let nodes = [LADDER.as_slice(), &[[2.0, 2.0], [1.0, 2.0]]].concat();
     let text = message(&mesh(&nodes, &[LEFT, &[4, 5, 6, 7]]));
     assert!(
@@ -501,7 +501,7 @@ fn a_slit_in_one_part_is_reported_but_no_error() {
 }
 
 #[test]
-fn many_parts_are_told_in_a_short_message_and_a_short_time() {
+fn many_parts_are_reported_in_a_short_message_and_a_short_time() {
     // 20000 separate triangles: a search of all pairs would take minutes
     let count = 20_000;
     let nodes: Vec<[f64; 2]> = (0..count)

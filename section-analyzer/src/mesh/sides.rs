@@ -151,7 +151,7 @@ mod tests {
     use super::*;
 
     /// The messages for cells on these nodes, all tags from one.
-    fn messages(places: &[[f64; 2]], cells: &[(CellKind, &[u32])]) -> Vec<String> {
+    fn messages(positions: &[[f64; 2]], cells: &[(CellKind, &[u32])]) -> Vec<String> {
         let node = |(&[x, y], tag): (&[f64; 2], u64)| Node {
             tag,
             position: [x, y, 0.0].into(),
@@ -160,7 +160,7 @@ mod tests {
             Cell::new(tag, kind, 1, |i| nodes[i] - 1)
         };
         let mesh = Mesh {
-            nodes: places.iter().zip(1..).map(node).collect(),
+            nodes: positions.iter().zip(1..).map(node).collect(),
             cells: cells.iter().zip(1..).map(cell).collect(),
             ..Mesh::default()
         };
@@ -175,7 +175,7 @@ mod tests {
     ///   |       |       |
     ///   1---5---2--12--13
     /// ```
-    const PLACES: [[f64; 2]; 13] = [
+    const POSITIONS: [[f64; 2]; 13] = [
         [0.0, 0.0],
         [2.0, 0.0],
         [2.0, 2.0],
@@ -196,7 +196,7 @@ mod tests {
     fn a_linear_cell_beside_a_quadratic_one_lets_the_middle_hang() {
         let quadratic: &[u32] = &[2, 13, 9, 3, 12, 11, 10, 6];
         let fits = [LEFT, (CellKind::Quadrilateral8, quadratic)];
-        assert!(messages(&PLACES, &fits).is_empty());
+        assert!(messages(&POSITIONS, &fits).is_empty());
         for cells in [
             [LEFT, (CellKind::Quadrilateral4, &quadratic[..4])],
             [(CellKind::Quadrilateral4, &LEFT.1[..4]), fits[1]],
@@ -210,7 +210,7 @@ mod tests {
                  {with} (quadrilateral with 8 nodes) has it there, cell {without} \
                  (quadrilateral with 4 nodes) does not"
             );
-            assert_eq!(messages(&PLACES, &cells), [expected]);
+            assert_eq!(messages(&POSITIONS, &cells), [expected]);
         }
     }
 
@@ -218,7 +218,7 @@ mod tests {
     fn a_middle_at_a_corner_hangs() {
         let right: &[u32] = &[6, 9, 3];
         assert_eq!(
-            messages(&PLACES, &[LEFT, (CellKind::Triangle3, right)]),
+            messages(&POSITIONS, &[LEFT, (CellKind::Triangle3, right)]),
             [
                 "node 6 at (2, 1) hangs in the middle of the side from node 2 to node 3: cell 1 \
                  (quadrilateral with 8 nodes) has it there, cell 2 (triangle with 3 nodes) has \
@@ -228,11 +228,11 @@ mod tests {
     }
 
     #[test]
-    fn doubled_middles_are_told() {
-        let places = [PLACES.as_slice(), &[[2.0, 1.0]]].concat();
+    fn doubled_middles_are_reported() {
+        let positions = [POSITIONS.as_slice(), &[[2.0, 1.0]]].concat();
         let right: &[u32] = &[2, 13, 9, 3, 12, 11, 10, 14];
         assert_eq!(
-            messages(&places, &[LEFT, (CellKind::Quadrilateral8, right)]),
+            messages(&positions, &[LEFT, (CellKind::Quadrilateral8, right)]),
             [
                 "cells 1 and 2 share the side from node 2 to node 3 at (2, 1), but not the node \
                  in its middle"

@@ -13,6 +13,6 @@ pub(crate) fn short(value: f64) -> String {
 }
 
 /// A position in the mesh file, `(1, 2.5)`.
-pub(super) fn place([x, y]: [f64; 2]) -> String {
+pub(super) fn coordinates([x, y]: [f64; 2]) -> String {
     format!("({}, {})", short(x), short(y))
 }

@@ -30,11 +30,11 @@ pub(super) fn areas(areas: &AreaTable) -> String {
     ])];
     let size = areas.total.area.sqrt();
     about_centroid.extend(rows().map(|row| {
-        let place = row.centroid.map(|value| coordinate(value, size));
+        let position = row.centroid.map(|value| coordinate(value, size));
         let second = [row.central.yy, row.central.zz, row.central.yz];
         let second = second.map(|moment| shown(moment, row.area * row.area));
         let perimeter = number(row.perimeter.length());
-        named(row, place.into_iter().chain(second).chain([perimeter]))
+        named(row, position.into_iter().chain(second).chain([perimeter]))
     }));
     format!(
         "Moments of area about the reference point [m^3, m^4]\n{}\n\

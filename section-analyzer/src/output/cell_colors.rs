@@ -13,38 +13,38 @@ use crate::section::Section;
 /// Straight pieces of the border of a region.
 type Border = Vec<[[f64; 2]; 2]>;
 
-/// Fills the cells with the colors `color(cell)`, where `place` puts the nodes; those of thin
+/// Fills the cells with the colors `color(cell)`, where `position` puts the nodes; cells of thin
 /// walls with their rims, so that they can be seen.
 ///
 /// On a bitmap cells of one color are one region, so that a fine mesh takes no longer than
-/// its borders. Those of thin walls hide each other's rims in their order, one by one.
+/// its borders. Cells of thin walls hide each other's rims in their order, one by one.
 pub(super) fn fill_cells<B: DrawingBackend>(
     canvas: &Canvas<B>,
     (section, sides): (&Section, &[Side]),
-    place: &impl Fn(u32) -> [f64; 2],
+    position: &impl Fn(u32) -> [f64; 2],
     color: impl Fn(usize) -> RGBColor,
     is_thin: bool,
 ) -> Result<(), FigureProblem> {
     if is_thin || !canvas.is_bitmap() {
         let cells = section.mesh.cells.iter().enumerate();
         return cells.into_iter().try_for_each(|(k, cell)| {
-            fill_cell(canvas, cell_points(cell, place), color(k), is_thin)
+            fill_cell(canvas, cell_points(cell, position), color(k), is_thin)
         });
     }
-    for (RGBColorKey(r, g, b), border) in borders(sides, place, color) {
+    for (RGBColorKey(r, g, b), border) in borders(sides, position, color) {
         canvas.region(&border, RGBColor(r, g, b));
     }
     Ok(())
 }
 
-/// A color that can be told by its order.
+/// A color with an order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct RGBColorKey(u8, u8, u8);
 
 /// The border of the cells of each color, which lies on its left.
 fn borders(
     sides: &[Side],
-    place: &impl Fn(u32) -> [f64; 2],
+    position: &impl Fn(u32) -> [f64; 2],
     color: impl Fn(usize) -> RGBColor,
 ) -> BTreeMap<RGBColorKey, Border> {
     let key = |cell: usize| {
@@ -57,7 +57,7 @@ fn borders(
         if right == Some(left) {
             continue;
         }
-        let points = side_points(side.ends, side.middle, place);
+        let points = side_points(side.ends, side.middle, position);
         let pieces = || points.windows(2).map(|pair| [pair[0], pair[1]]);
         borders.entry(left).or_default().extend(pieces());
         if let Some(right) = right {

@@ -137,11 +137,11 @@ mod tests {
             let mut nodes = [[0.0; 2]; 9];
             nodes[..kind.node_count()].copy_from_slice(kind.reference_nodes());
             let pattern = Pattern::new(kind, 1);
-            let places: Vec<_> = pattern.at(&nodes).collect();
+            let positions: Vec<_> = pattern.at(&nodes).collect();
             let found = pattern
                 .triangles
                 .iter()
-                .map(|t| t.map(|point| places[point]));
+                .map(|t| t.map(|point| positions[point]));
             let found: Vec<_> = found.collect();
             let by_corners = Patterns::new(2.0).of_corners(kind, &nodes).unwrap();
             let expected = by_corners.iter().map(|t| t.map(|corner| nodes[corner]));
@@ -158,11 +158,11 @@ mod tests {
             nodes[..kind.node_count()].copy_from_slice(kind.reference_nodes());
             for count in 1..5 {
                 let pattern = Pattern::new(kind, count);
-                let places: Vec<_> = pattern.at(&nodes).collect();
+                let positions: Vec<_> = pattern.at(&nodes).collect();
                 let area: f64 = pattern
                     .triangles
                     .iter()
-                    .map(|corners| polygon_area(corners.map(|corner| places[corner])))
+                    .map(|corners| polygon_area(corners.map(|corner| positions[corner])))
                     .sum();
                 let expected = if kind.corner_count() == 3 { 0.5 } else { 4.0 };
                 assert!((area - expected).abs() < 1e-12, "{kind:?} {count} {area}");

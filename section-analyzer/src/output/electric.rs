@@ -50,7 +50,7 @@ pub(super) fn electrodes(section: &Section, summary: &InputSummary) -> String {
         "field per volt [1/m]",
     ];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
-    let mut places = summary.electrodes.iter();
+    let mut positions = summary.electrodes.iter();
     for electrode in &section.electrodes {
         let (size, field) = match &electrode.shape {
             ElectrodeShape::Conductor { nodes } => (counted(nodes.len(), "node"), String::new()),
@@ -61,7 +61,7 @@ pub(super) fn electrodes(section: &Section, summary: &InputSummary) -> String {
         rows.push(vec![
             electrode.name.clone(),
             circuit_word(electrode.circuit).to_owned(),
-            places.next().cloned().unwrap_or_default(),
+            positions.next().cloned().unwrap_or_default(),
             size,
             field,
         ]);

@@ -11,7 +11,7 @@ use crate::section::{ElectrodeShape, Section};
 const NEGLIGIBLE: f64 = 1e-9;
 
 /// Largest number of voltages shown.
-const TOLD: usize = 4;
+const MOST_REPORTED: usize = 4;
 
 /// The figures of one recovery.
 #[derive(Debug)]
@@ -63,7 +63,7 @@ fn potential(section: &Section, electric: &ElectricRecovery) -> Option<Field> {
         vectors: None,
         negligible: NEGLIGIBLE * electric.potential.amax(),
     };
-    tell_white(&mut field, "without potential");
+    report_white(&mut field, "without potential");
     Some(field)
 }
 
@@ -110,12 +110,12 @@ fn magnitude(recovery: &Recovery, electric: &ElectricRecovery) -> Field {
         vectors: (across > NEGLIGIBLE * along).then_some(vectors),
         negligible: NEGLIGIBLE * electric.field_scale,
     };
-    tell_white(&mut field, "no field");
+    report_white(&mut field, "no field");
     field
 }
 
 /// Adds the meaning of white cells, which have no number, to the note.
-fn tell_white(field: &mut Field, what: &str) {
+fn report_white(field: &mut Field, what: &str) {
     if field.values.iter().any(|values| values[0].is_nan()) {
         let comma = if field.note.is_empty() { "" } else { "; " };
         field.note += &format!("{comma}white: {what}");
@@ -129,19 +129,19 @@ fn voltages(section: &Section, electric: &ElectricRecovery) -> Vec<String> {
         .iter()
         .fold(0.0, |s: f64, v| s.max(v.abs()));
     let pairs = section.electrodes.iter().zip(&electric.voltages);
-    let mut told: Vec<_> = pairs
+    let mut reported: Vec<_> = pairs
         .clone()
         .filter(|(_, voltage)| voltage.abs() > NEGLIGIBLE * scale)
-        .take(TOLD)
+        .take(MOST_REPORTED)
         .map(|(known, voltage)| {
             let value: f64 = format!("{voltage:.3e}").parse().unwrap_or(*voltage);
             format!("{} {} V", known.name, tick_label(value, 0.0))
         })
         .collect();
-    if told.len() < pairs.len() {
-        told.push("others 0".to_owned());
+    if reported.len() < pairs.len() {
+        reported.push("others 0".to_owned());
     }
-    vec![format!("voltages: {}", told.join(", "))]
+    vec![format!("voltages: {}", reported.join(", "))]
 }
 
 #[cfg(test)]
@@ -160,7 +160,7 @@ mod tests {
         recover(section, &analyze(section).unwrap(), &load).unwrap()
     }
 
-    /// One volt at the top of a bimorph: nodes of the upper face are at one, those of the
+    /// One volt at the top of a bimorph: nodes of the upper face are at one, nodes of the
     /// lower face at zero; the field is normal to the faces: arrows down, against the potential.
     #[test]
     fn potential_and_field_of_a_driven_face() {

@@ -27,16 +27,16 @@ fn voltages(section: &Section, electric: &ElectricRecovery) -> String {
         })
     };
     let scale = largest(&electric.voltages);
-    for (place, electrode) in section.electrodes.iter().enumerate() {
+    for (index, electrode) in section.electrodes.iter().enumerate() {
         let charge = electric
             .charges
             .as_ref()
             .map_or_else(String::new, |charges| {
-                shown(charges[place], electric.charge_scale)
+                shown(charges[index], electric.charge_scale)
             });
         rows.push(vec![
             electrode.name.clone(),
-            shown(electric.voltages[place], scale),
+            shown(electric.voltages[index], scale),
             charge,
         ]);
     }
@@ -80,7 +80,7 @@ fn fields(section: &Section, recovery: &Recovery, electric: &ElectricRecovery) -
         if field <= ZERO * electric.field_scale {
             row.extend(["0", "", "", "", "0"].map(str::to_owned));
         } else {
-            let [y, z] = point.place.map(|x| coordinate(x, size));
+            let [y, z] = point.position.map(|x| coordinate(x, size));
             let tag = section.mesh.cells[point.cell].tag.to_string();
             row.extend([number(field), tag, y, z, number(sum / area)]);
         }

@@ -53,7 +53,7 @@ mod tests {
     use crate::solution::DecayingMode;
 
     #[test]
-    fn the_farthest_is_told_in_words() {
+    fn the_farthest_is_reported_in_words() {
         let mut found = EndEffects {
             modes: vec![
                 DecayingMode {

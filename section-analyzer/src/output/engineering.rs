@@ -98,7 +98,7 @@ mod tests {
     use crate::mesh::SectionMesh;
     use crate::mesh::generate::Rectangle;
     use crate::section::{CellMaterial, Section};
-    use shared_geom::error::Place;
+    use shared_geom::error::SourceLocation;
     use shared_geom::mesh::CellKind;
     use shared_geom::section::InitialCurvature;
 
@@ -148,7 +148,7 @@ mod tests {
             node.position.x += y;
             node.position.y += z;
         }
-        let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("bar")).unwrap();
+        let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("bar")).unwrap();
         let law = ElasticLaw::Isotropic {
             young: 210e9,
             poisson: 0.3,

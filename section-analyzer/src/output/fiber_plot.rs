@@ -87,11 +87,11 @@ impl<'a> FiberPlot<'a> {
         let largest = cells.iter().map(angle).reduce(f64::max)?;
         let scale = SCALES.into_iter().find(|scale| largest <= scale + 1e-6);
         let bare = Extent::of(section.mesh.nodes.iter().copied());
-        let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
+        let space = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
         // pixels are converted to meters before the frame is known: by the widest frame
-        let pixel = (0..2).map(|axis| bare.size(axis) / (room[axis] - 2.0 * MARGIN));
+        let pixel = (0..2).map(|axis| bare.size(axis) / (space[axis] - 2.0 * MARGIN));
         let margin = MARGIN * pixel.fold(0.0, f64::max);
-        let plane = Plane::fitted(bare.grown(margin), [LEFT, TOP], room);
+        let plane = Plane::fitted(bare.grown(margin), [LEFT, TOP], space);
         let flags = spread(section, &plane, &cells);
         Some(Self {
             section,
@@ -121,24 +121,34 @@ impl<'a> FiberPlot<'a> {
     }
 
     fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
+        let position = |node: u32| self.plane.position(self.section.mesh.nodes[node as usize]);
         let is_thin = self.wall < THINNEST;
         let color = |cell| self.color(cell);
-        fill_cells(canvas, (self.section, self.sides), &place, color, is_thin)?;
+        fill_cells(
+            canvas,
+            (self.section, self.sides),
+            &position,
+            color,
+            is_thin,
+        )?;
         for side in self.sides {
             let (width, color) = match side.role {
                 SideRole::Boundary => (2.0, INK),
                 SideRole::Interface => (1.2, FAINT),
                 SideRole::Inner(_) => continue,
             };
-            canvas.line(&side_points(side.ends, side.middle, &place), width, color)?;
+            canvas.line(
+                &side_points(side.ends, side.middle, &position),
+                width,
+                color,
+            )?;
         }
         Ok(())
     }
 
     fn draw_flags<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         for &cell in &self.flags {
-            let foot = self.plane.place(center(self.section, cell));
+            let foot = self.plane.position(center(self.section, cell));
             let angle = self.section.cells[cell].plane_angle;
             let rim = if self.wall < SPARED { 0.0 } else { RIM };
             draw_flag(canvas, foot, angle, (self.color(cell), rim))?;
@@ -209,8 +219,8 @@ impl<'a> FiberPlot<'a> {
 impl Drawing for FiberPlot<'_> {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let title = [self.section.name.as_str(), ": fiber directions"];
-        let room = f64::from(WIDTH) - LEFT - RIGHT;
-        draw_title(canvas, title, TITLE, [LEFT, 50.0], room)?;
+        let space = f64::from(WIDTH) - LEFT - RIGHT;
+        draw_title(canvas, title, TITLE, [LEFT, 50.0], space)?;
         let line = format!(
             "flags in {} of {} cells{}",
             self.flags.len(),
@@ -253,7 +263,7 @@ impl Flag {
     fn of(section: &Section, plane: &Plane, cell: usize) -> Self {
         Self {
             cell,
-            foot: plane.place(center(section, cell)),
+            foot: plane.position(center(section, cell)),
             angle: section.cells[cell].plane_angle,
         }
     }
@@ -262,14 +272,14 @@ impl Flag {
         distance(self.foot, other.foot)
     }
 
-    fn points_elsewhere(&self, other: &Self) -> bool {
+    fn has_other_direction(&self, other: &Self) -> bool {
         (self.angle - other.angle).cos() < OTHER
     }
 
     /// Whether the arrows of both can be distinguished.
-    fn leaves_room(&self, other: &Self) -> bool {
+    fn leaves_space(&self, other: &Self) -> bool {
         let distance = self.distance(other);
-        distance >= SPACING || (distance >= CLOSE && self.points_elsewhere(other))
+        distance >= SPACING || (distance >= CLOSE && self.has_other_direction(other))
     }
 }
 
@@ -286,7 +296,7 @@ fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
         let (column, row) = (square(0).min(columns - 2), square(1).min(rows - 2));
         let mut around = (row - 1..=row + 1)
             .flat_map(|row| &near[row * columns + column - 1..=row * columns + column + 1]);
-        if around.all(|others| others.iter().all(|other| flag.leaves_room(other))) {
+        if around.all(|others| others.iter().all(|other| flag.leaves_space(other))) {
             chosen.push(flag);
             near[row * columns + column].push(flag);
         }
@@ -300,15 +310,15 @@ fn spread(section: &Section, plane: &Plane, cells: &[usize]) -> Vec<usize> {
         let flags = of_group.map(|&cell| Flag::of(section, plane, cell));
         let is_new = |flag: &Flag| {
             let mut near = chosen.iter().filter(|other| flag.distance(other) < SPACING);
-            near.all(|other| flag.points_elsewhere(other))
+            near.all(|other| flag.has_other_direction(other))
         };
-        let room = |flag: &Flag| {
+        let space = |flag: &Flag| {
             let distances = chosen.iter().map(|other| flag.distance(other));
             distances.fold(f64::INFINITY, f64::min)
         };
         let best = flags
             .filter(is_new)
-            .max_by(|a, b| room(a).total_cmp(&room(b)));
+            .max_by(|a, b| space(a).total_cmp(&space(b)));
         chosen.extend(best);
     }
     chosen.into_iter().map(|flag| flag.cell).collect()
@@ -367,7 +377,7 @@ mod tests {
     /// third of the row has a flag, and the one next to it only if its arrow points in another
     /// direction.
     #[test]
-    fn flags_leave_room_and_show_every_direction() {
+    fn flags_leave_space_and_show_every_direction() {
         let flags = |angle: f64| {
             let corner = |i: u32, j: u32| [f64::from(i), f64::from(j)];
             let nodes: Vec<[f64; 2]> = (0..=2)

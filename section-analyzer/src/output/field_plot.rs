@@ -84,8 +84,8 @@ impl<'a> FieldPlot<'a> {
         let unit = PlotUnit::of(summary, size);
         let sides = sides_by(&section.mesh.cells, |cell| section.mesh.cells[cell].group);
         let (wall, _) = widths(section, &sides);
-        let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
-        let mut plane = Plane::fitted(bare.grown(MARGIN * size), [LEFT, TOP], room);
+        let space = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
+        let mut plane = Plane::fitted(bare.grown(MARGIN * size), [LEFT, TOP], space);
         let walls = wall_words(wall / unit.meters, wall * plane.scale, &unit);
         let notes = [field.note.clone(), walls.unwrap_or_default()];
         let notes = notes.into_iter().filter(|note| !note.is_empty());
@@ -104,7 +104,7 @@ impl<'a> FieldPlot<'a> {
             wall: wall * plane.scale,
             regions: regions.iter().map(|width| width * plane.scale).collect(),
             plane,
-            extremes: scale.tells(ends).then_some([lowest, highest]),
+            extremes: scale.distinguishes(ends).then_some([lowest, highest]),
             field,
             scale,
             sides,
@@ -139,14 +139,14 @@ impl<'a> FieldPlot<'a> {
     }
 
     fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let room = f64::from(WIDTH) - LEFT - RIGHT;
+        let space = f64::from(WIDTH) - LEFT - RIGHT;
         let label = Label::new(0.88 * TEXT).colored(INK);
         let what = format!(": {}", self.field.title);
         let title = [self.section.name.as_str(), &what];
-        draw_title(canvas, title, TITLE, [LEFT, 50.0], room)?;
+        draw_title(canvas, title, TITLE, [LEFT, 50.0], space)?;
         for (row, words) in self.words.iter().enumerate() {
             let y = 105.0 + NOTE * row as f64;
-            canvas.text(&canvas.shortened(words, label, room), [LEFT, y], label)?;
+            canvas.text(&canvas.shortened(words, label, space), [LEFT, y], label)?;
         }
         Ok(())
     }
@@ -183,18 +183,18 @@ impl<'a> FieldPlot<'a> {
 
     /// Lines between materials: the walls around a core are separate walls.
     fn material_borders(&self) -> Vec<Vec<[f64; 2]>> {
-        let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
+        let position = |node: u32| self.plane.position(self.section.mesh.nodes[node as usize]);
         let material = |cell: usize| self.section.cells[cell].material;
         sides_by(&self.section.mesh.cells, material)
             .iter()
             .filter(|side| matches!(side.role, SideRole::Interface))
-            .map(|side| side_points(side.ends, side.middle, &place))
+            .map(|side| side_points(side.ends, side.middle, &position))
             .collect()
     }
 
     /// Lines between regions, if these are wide enough compared with the lines.
     fn draw_borders<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let place = |node: u32| self.plane.place(self.section.mesh.nodes[node as usize]);
+        let position = |node: u32| self.plane.position(self.section.mesh.nodes[node as usize]);
         let borders = self
             .sides
             .iter()
@@ -206,7 +206,7 @@ impl<'a> FieldPlot<'a> {
                 self.regions[region] >= NARROWEST
             };
             if cells.into_iter().all(is_wide) {
-                canvas.line(&side_points(side.ends, side.middle, &place), 1.6, INK)?;
+                canvas.line(&side_points(side.ends, side.middle, &position), 1.6, INK)?;
             }
         }
         Ok(())
@@ -214,7 +214,7 @@ impl<'a> FieldPlot<'a> {
 
     fn draw_marks<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         for (extreme, mark) in self.extremes.iter().flatten().zip(Mark::BOTH) {
-            mark.draw(canvas, self.plane.place(extreme.place))?;
+            mark.draw(canvas, self.plane.position(extreme.position))?;
         }
         Ok(())
     }
@@ -223,14 +223,14 @@ impl<'a> FieldPlot<'a> {
     fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let top = self.legend();
         let label = Label::new(0.94 * TEXT).colored(INK);
-        let room = f64::from(WIDTH) - LEFT - RIGHT - 50.0;
+        let space = f64::from(WIDTH) - LEFT - RIGHT - 50.0;
         // the highest first
         let both = self.extremes.iter().flatten().zip(Mark::BOTH);
         for ((extreme, mark), row) in both.zip([1.0, 0.0]) {
             let y = top + LINE * row;
             mark.draw(canvas, [LEFT + 16.0, y])?;
             let text = format!("{} {}", mark.word(), self.words(extreme));
-            let text = canvas.shortened(&text, label, room);
+            let text = canvas.shortened(&text, label, space);
             canvas.text(&text, [LEFT + 50.0, y], label)?;
         }
         if self.extremes.is_none() {
@@ -242,7 +242,7 @@ impl<'a> FieldPlot<'a> {
 
     /// `12.3 MPa at (10, -5) mm, region skin`.
     fn words(&self, extreme: &Extreme) -> String {
-        let [y, z] = extreme.place.map(|value| self.coordinate(value));
+        let [y, z] = extreme.position.map(|value| self.coordinate(value));
         let region = match &self.section.mesh.groups[..] {
             [_] => String::new(),
             groups => format!(", region {}", groups[extreme.region]),

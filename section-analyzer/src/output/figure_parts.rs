@@ -37,18 +37,22 @@ pub trait Figure: Drawing {
     fn size(&self) -> (u32, u32);
 }
 
-/// The name of the section, cut if it is longer than the width `room`, and `what` is shown;
-/// letters of `size` at the position `place` [figure pixels].
+/// The name of the section, cut if it is longer than the width `space`, and `what` is shown;
+/// letters of `size` at the position `position` [figure pixels].
 pub(super) fn draw_title<B: DrawingBackend>(
     canvas: &Canvas<B>,
     [name, what]: [&str; 2],
     size: f64,
-    place: [f64; 2],
-    room: f64,
+    position: [f64; 2],
+    space: f64,
 ) -> Result<(), FigureProblem> {
     let label = Label::new(size).bold();
-    let left = room - canvas.text_width(what, BOLD * size);
-    canvas.text(&(canvas.shortened(name, label, left) + what), place, label)
+    let left = space - canvas.text_width(what, BOLD * size);
+    canvas.text(
+        &(canvas.shortened(name, label, left) + what),
+        position,
+        label,
+    )
 }
 
 /// Fills a cell, or a piece of one, and if `is_thin` its rim too, so that it can be seen.

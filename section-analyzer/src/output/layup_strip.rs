@@ -85,7 +85,7 @@ impl LayupStrip {
         canvas: &Canvas<B>,
         plane: &Plane,
     ) -> Result<(), FigureProblem> {
-        let [a, b] = self.ends.map(|end| plane.place(end));
+        let [a, b] = self.ends.map(|end| plane.position(end));
         let length = distance(a, b).max(1e-9);
         let along = [0, 1].map(|axis| (b[axis] - a[axis]) / length);
         let at = |from: [f64; 2], by: f64| [0, 1].map(|axis| from[axis] + by * along[axis]);
@@ -235,7 +235,7 @@ mod tests {
     /// A strip of 20 x 6 cells of 10 by 0.1: five plies, the middle one two cells thick. Cuts
     /// from the ends of the strip run along plies and are rejected.
     #[test]
-    fn plies_are_told_from_one_face_to_the_other() {
+    fn plies_are_distinguished_from_one_face_to_the_other() {
         let nodes =
             (0..=6).flat_map(|j| (0..=20).map(move |i| [10.0 * f64::from(i), 0.1 * f64::from(j)]));
         let nodes: Vec<[f64; 2]> = nodes.collect();

@@ -54,7 +54,7 @@ pub struct MeshPlot<'a> {
 #[derive(Debug, Clone, Copy)]
 struct Mark {
     name: &'static str,
-    place: [f64; 2],
+    position: [f64; 2],
     shape: Shape,
 }
 
@@ -81,12 +81,12 @@ impl<'a> MeshPlot<'a> {
         let mut extent = bare;
         let near = bare.grown(REACH * size);
         for mark in &marks {
-            if near.holds(mark.place) {
-                extent.include(mark.place);
+            if near.holds(mark.position) {
+                extent.include(mark.position);
             }
         }
-        let room = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
-        let plane = Plane::fitted(extent.grown(0.05 * size), [LEFT, TOP], room);
+        let space = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
+        let plane = Plane::fitted(extent.grown(0.05 * size), [LEFT, TOP], space);
         let (color_of, colors) = colors(section);
         Self {
             section,
@@ -120,8 +120,8 @@ impl<'a> MeshPlot<'a> {
 
     fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let section = self.section;
-        let room = f64::from(WIDTH) - LEFT - RIGHT;
-        draw_title(canvas, [&section.name, ""], TITLE, [LEFT, 50.0], room)?;
+        let space = f64::from(WIDTH) - LEFT - RIGHT;
+        draw_title(canvas, [&section.name, ""], TITLE, [LEFT, 50.0], space)?;
         let line = format!(
             "{} nodes, {} cells{}",
             section.mesh.nodes.len(),
@@ -147,10 +147,10 @@ impl<'a> MeshPlot<'a> {
 
     fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         let section = self.section;
-        let place = |node: u32| self.plane.place(section.mesh.nodes[node as usize]);
+        let position = |node: u32| self.plane.position(section.mesh.nodes[node as usize]);
         let color = |cell: usize| category(self.color_of[section.cells[cell].material]);
         let is_thin = self.wall < THINNEST;
-        fill_cells(canvas, (section, self.sides), &place, color, is_thin)?;
+        fill_cells(canvas, (section, self.sides), &position, color, is_thin)?;
         if is_thin {
             return Ok(());
         }
@@ -162,7 +162,11 @@ impl<'a> MeshPlot<'a> {
                 SideRole::Inner(_) if self.cell < NARROWEST => continue,
                 SideRole::Inner(material) => (1.2, shaded(category(self.color_of[material]))),
             };
-            canvas.line(&side_points(side.ends, side.middle, &place), width, color)?;
+            canvas.line(
+                &side_points(side.ends, side.middle, &position),
+                width,
+                color,
+            )?;
         }
         Ok(())
     }
@@ -171,10 +175,11 @@ impl<'a> MeshPlot<'a> {
         for mark in self
             .marks
             .iter()
-            .filter(|mark| self.plane.shows(mark.place))
+            .filter(|mark| self.plane.shows(mark.position))
         {
             let rim = if self.wall < SPARED { 0.0 } else { RIM };
-            mark.shape.draw(canvas, self.plane.place(mark.place), rim)?;
+            mark.shape
+                .draw(canvas, self.plane.position(mark.position), rim)?;
         }
         Ok(())
     }
@@ -196,9 +201,9 @@ impl<'a> MeshPlot<'a> {
                 canvas.polygon(&box_, category(row))?;
                 canvas.line(&[box_[0], box_[1], box_[2], box_[3], box_[0]], 2.0, INK)?;
             }
-            let room = second - LEFT - 110.0;
+            let space = second - LEFT - 110.0;
             canvas.text(
-                &canvas.shortened(name, label, room),
+                &canvas.shortened(name, label, space),
                 [LEFT + 76.0, y],
                 label,
             )?;
@@ -206,8 +211,8 @@ impl<'a> MeshPlot<'a> {
         for (row, mark) in self.marks.iter().enumerate() {
             let y = top + LINE * row as f64;
             mark.shape.draw_in_legend(canvas, [second, y])?;
-            let [at_y, at_z] = mark.place.map(|value| self.unit.shown(value, self.size));
-            let beyond = if self.plane.shows(mark.place) {
+            let [at_y, at_z] = mark.position.map(|value| self.unit.shown(value, self.size));
+            let beyond = if self.plane.shows(mark.position) {
                 ""
             } else {
                 ", outside of the figure"
@@ -321,14 +326,18 @@ fn shaded(RGBColor(r, g, b): RGBColor) -> RGBColor {
 }
 
 fn marks(centers: Option<&Centers>) -> Vec<Mark> {
-    let mark = |name, place, shape| Mark { name, place, shape };
+    let mark = |name, position, shape| Mark {
+        name,
+        position,
+        shape,
+    };
     let mut marks = vec![mark("reference point", [0.0; 2], Shape::Cross)];
     if let Some(centers) = centers {
         marks.push(mark("shear center", centers.shear, Shape::Triangle));
         marks.extend(
             centers
                 .mass
-                .map(|place| mark("mass center", place, Shape::Ring)),
+                .map(|position| mark("mass center", position, Shape::Ring)),
         );
         marks.push(mark("tension center", centers.tension, Shape::Disc));
     }

@@ -117,14 +117,14 @@ impl KnownSides {
     }
 }
 
-/// The points of a side, with the nodes at the positions `place`: two for a straight side.
+/// The points of a side, with the nodes at the positions `position`: two for a straight side.
 pub(super) fn side_points(
     ends: [u32; 2],
     middle: Option<u32>,
-    place: &impl Fn(u32) -> [f64; 2],
+    position: &impl Fn(u32) -> [f64; 2],
 ) -> Vec<[f64; 2]> {
     let mut points = Vec::with_capacity(2);
-    add_side(&mut points, ends.map(place), middle.map(place));
+    add_side(&mut points, ends.map(position), middle.map(position));
     points
 }
 
@@ -143,16 +143,19 @@ fn add_side(points: &mut Vec<[f64; 2]>, [a, b]: [[f64; 2]; 2], middle: Option<[f
 }
 
 /// The corners of the polygon by which a cell is drawn.
-pub(super) fn cell_points(cell: &SectionCell, place: &impl Fn(u32) -> [f64; 2]) -> Vec<[f64; 2]> {
+pub(super) fn cell_points(
+    cell: &SectionCell,
+    position: &impl Fn(u32) -> [f64; 2],
+) -> Vec<[f64; 2]> {
     let mut points = Vec::with_capacity(4);
-    add_cell(&mut points, cell, place);
+    add_cell(&mut points, cell, position);
     points
 }
 
 /// Adds the corners of the polygon that a cell is drawn as.
-fn add_cell(points: &mut Vec<[f64; 2]>, cell: &SectionCell, place: &impl Fn(u32) -> [f64; 2]) {
+fn add_cell(points: &mut Vec<[f64; 2]>, cell: &SectionCell, position: &impl Fn(u32) -> [f64; 2]) {
     for (ends, middle) in cell.kind.sides(cell.nodes()) {
-        add_side(points, ends.map(place), middle.map(place));
+        add_side(points, ends.map(position), middle.map(position));
         // the last point of a side is the first of the next
         points.pop();
     }
@@ -161,18 +164,22 @@ fn add_cell(points: &mut Vec<[f64; 2]>, cell: &SectionCell, place: &impl Fn(u32)
 /// Mean thickness of the walls (area over half the length of the boundary), and
 /// mean width of the cells (area over a quarter of their circumference) [m].
 pub(super) fn widths(section: &Section, sides: &[Side]) -> (f64, f64) {
-    let place = |node: u32| section.mesh.nodes[node as usize];
+    let position = |node: u32| section.mesh.nodes[node as usize];
     let mut points = Vec::new();
     let mut boundary = 0.0;
     for side in sides.iter().filter(|side| side.role == SideRole::Boundary) {
         points.clear();
-        add_side(&mut points, side.ends.map(place), side.middle.map(place));
+        add_side(
+            &mut points,
+            side.ends.map(position),
+            side.middle.map(position),
+        );
         boundary += length(&points);
     }
     let (mut area, mut width) = (0.0, 0.0);
     for cell in &section.mesh.cells {
         points.clear();
-        add_cell(&mut points, cell, &place);
+        add_cell(&mut points, cell, &position);
         let cell_area = polygon_area(points.iter().copied());
         points.push(points[0]);
         area += cell_area;
@@ -201,7 +208,7 @@ mod tests {
     use crate::mesh::SectionMesh;
     use crate::mesh::generate::Tube;
     use crate::section::CellMaterial;
-    use shared_geom::error::Place;
+    use shared_geom::error::SourceLocation;
     use shared_geom::mesh::CellKind;
     use shared_geom::section::InitialCurvature;
     use std::f64::consts::PI;
@@ -218,7 +225,7 @@ mod tests {
             curved: true,
         };
         let mesh = tube.generate().unwrap();
-        let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("tube")).unwrap();
+        let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("tube")).unwrap();
         let material = |cell: &SectionCell| {
             let node = cell.nodes()[8] as usize;
             usize::from(mesh.nodes[node][1] > 0.0)

@@ -252,7 +252,7 @@ mod tests {
     /// With an open electrode, properties and report refer to the circuit: the driven
     /// electrode remains, with its coupling by (S-169).
     #[test]
-    fn open_electrodes_are_condensed_in_properties_and_told() {
+    fn open_electrodes_are_condensed_in_properties_and_reported() {
         let mut section = bimorph();
         let held = analyze(&section).unwrap();
         let none = ImposedSolutions::default();

@@ -117,13 +117,13 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// The largest frame for `extent` within the space `room` (width, height) whose upper
+    /// The largest frame for `extent` within the space `space` (width, height) whose upper
     /// left corner is `corner`, centered horizontally.
-    pub fn fitted(extent: Extent, corner: [f64; 2], room: [f64; 2]) -> Self {
-        let scale = (room[0] / extent.size(0)).min(room[1] / extent.size(1));
+    pub fn fitted(extent: Extent, corner: [f64; 2], space: [f64; 2]) -> Self {
+        let scale = (space[0] / extent.size(0)).min(space[1] / extent.size(1));
         let frame = [0, 1].map(|axis| scale * extent.size(axis));
         Self {
-            corner: [corner[0] + 0.5 * (room[0] - frame[0]), corner[1]],
+            corner: [corner[0] + 0.5 * (space[0] - frame[0]), corner[1]],
             frame,
             scale,
             extent,
@@ -131,7 +131,7 @@ impl Plane {
     }
 
     /// Position of a point (y, z) of the section on the figure.
-    pub fn place(&self, [y, z]: [f64; 2]) -> [f64; 2] {
+    pub fn position(&self, [y, z]: [f64; 2]) -> [f64; 2] {
         [
             self.corner[0] + self.scale * (y - self.extent.low[0]),
             self.corner[1] + self.scale * (self.extent.high[1] - z),
@@ -154,19 +154,19 @@ impl Plane {
         let label = Label::new(0.88 * TEXT).colored(INK);
 
         for (tick, text) in self.ticks(0, unit).labeled() {
-            let [x, _] = self.place([tick * unit.meters, 0.0]);
+            let [x, _] = self.position([tick * unit.meters, 0.0]);
             canvas.line(&[[x, top], [x, bottom]], 1.0, GRID)?;
             canvas.line(&[[x, bottom], [x, bottom + TICK]], 2.0, INK)?;
-            let place = [x, bottom + TICK + 0.7 * TEXT];
-            canvas.text(&text, place, label.anchored(Anchor::Middle))?;
+            let position = [x, bottom + TICK + 0.7 * TEXT];
+            canvas.text(&text, position, label.anchored(Anchor::Middle))?;
         }
         let mut widest = 0.0_f64;
         for (tick, text) in self.ticks(1, unit).labeled() {
-            let [_, y] = self.place([0.0, tick * unit.meters]);
+            let [_, y] = self.position([0.0, tick * unit.meters]);
             canvas.line(&[[left, y], [right, y]], 1.0, GRID)?;
             canvas.line(&[[left - TICK, y], [left, y]], 2.0, INK)?;
-            let place = [left - 1.8 * TICK, y];
-            canvas.text(&text, place, label.anchored(Anchor::End))?;
+            let position = [left - 1.8 * TICK, y];
+            canvas.text(&text, position, label.anchored(Anchor::End))?;
             widest = widest.max(canvas.text_width(&text, label.size));
         }
         let corners = [
@@ -190,8 +190,8 @@ impl Plane {
 
     /// Ticks as close as their labels allow.
     fn ticks(&self, axis: usize, unit: &PlotUnit) -> Ticks {
-        let room = if axis == 0 { 170.0 } else { 75.0 };
-        let count = (self.frame[axis] / room).floor().clamp(2.0, 12.0) as usize;
+        let space = if axis == 0 { 170.0 } else { 75.0 };
+        let count = (self.frame[axis] / space).floor().clamp(2.0, 12.0) as usize;
         let [low, high] = [self.extent.low, self.extent.high].map(|end| end[axis] / unit.meters);
         Ticks::between(low, high, count)
     }

@@ -112,7 +112,7 @@ fn worst_cells(summary: &InputSummary) -> String {
     let is_good = |cell: &&NamedCell| cell.worst.measure.grade(cell.worst.value) == Grade::Good;
     for cell in summary.quality.worst.iter().filter(|cell| !is_good(cell)) {
         let [y, z] = cell
-            .place
+            .position
             .map(|x| tick_label(x / summary.length_factor, 0.0));
         rows.push(vec![
             cell.cell.to_string(),

@@ -33,7 +33,7 @@ pub enum Figures {
 
 impl Figures {
     /// The figures of a command with the options `--no-figures` and `--svg`.
-    pub fn asked(no_figures: bool, svg: bool) -> Self {
+    pub fn requested(no_figures: bool, svg: bool) -> Self {
         match (no_figures, svg) {
             (true, _) => Self::None,
             (false, false) => Self::Png,

@@ -1,7 +1,7 @@
 //! Sections with stresses in closed form, for the tests of the output.
 
 use nalgebra::Vector6;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::section::InitialCurvature;
 
@@ -18,7 +18,7 @@ pub(super) const YOUNG: f64 = 70e9;
 /// have a mean z > 0 are a separate region.
 pub(super) fn section(mesh: &Mesh, name: &str, halves: bool) -> Section {
     let (mut mesh, _) =
-        SectionMesh::from_mesh(mesh, 1.0, &Place::file("test")).expect("a sound mesh");
+        SectionMesh::from_mesh(mesh, 1.0, &SourceLocation::file("test")).expect("a sound mesh");
     if halves {
         mesh.groups = vec!["lower".into(), "upper".into()];
         let corners = |cell: &SectionCell| cell.kind.corner_count();
@@ -82,8 +82,8 @@ pub(super) fn recovery(
     stress: impl Fn(usize, [f64; 2]) -> Vector6<f64>,
 ) -> Recovery {
     let mesh = &section.mesh;
-    let tensors = |group, place| {
-        let stress = stress(group, place);
+    let tensors = |group, position| {
+        let stress = stress(group, position);
         Tensors {
             stress,
             strain: stress / YOUNG,

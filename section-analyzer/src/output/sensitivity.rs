@@ -206,13 +206,13 @@ fn per_cent(solution: &SectionSolution, derivative: &Derivative, step: f64) -> [
 
 /// Changes of the centers, times `step`.
 fn per_size(derivative: &Derivative, step: f64) -> [Option<f64>; 6] {
-    let of_mass = derivative.mass_center.map(|place| place.map(Some));
-    let places = [
+    let of_mass = derivative.mass_center.map(|position| position.map(Some));
+    let positions = [
         derivative.tension.map(Some),
         derivative.shear.map(Some),
         of_mass.unwrap_or_default(),
     ];
-    std::array::from_fn(|i| places[i / 2][i % 2].map(|place| step * place))
+    std::array::from_fn(|i| positions[i / 2][i % 2].map(|position| step * position))
 }
 
 /// The [`MOST`] rows that change most, in their order, and the number of the others.
@@ -260,9 +260,9 @@ fn size(section: &Section) -> f64 {
     let mut high = [f64::NEG_INFINITY; 2];
     for &node in nodes {
         for axis in 0..2 {
-            let place = mesh.nodes[node as usize][axis];
-            low[axis] = low[axis].min(place);
-            high[axis] = high[axis].max(place);
+            let position = mesh.nodes[node as usize][axis];
+            low[axis] = low[axis].min(position);
+            high[axis] = high[axis].max(position);
         }
     }
     (high[0] - low[0]).max(high[1] - low[1])

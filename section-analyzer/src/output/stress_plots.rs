@@ -191,7 +191,7 @@ mod tests {
 
     /// All components are shown, in as many lines as necessary.
     #[test]
-    fn load_is_told_in_lines_that_fit() {
+    fn load_is_reported_in_lines_that_fit() {
         let section = rectangle(CellKind::Triangle6);
         let words = |force: [f64; 6]| {
             let zero = |_, _| Vector6::zeros();

@@ -141,7 +141,7 @@ fn extreme(extreme: &Extreme, scale: f64, size: f64) -> [String; 4] {
     if extreme.value.abs() <= ZERO * scale {
         return ["0", "", "", ""].map(str::to_owned);
     }
-    let [y, z] = extreme.place.map(|x| coordinate(x, size));
+    let [y, z] = extreme.position.map(|x| coordinate(x, size));
     [number(extreme.value), extreme.tag.to_string(), y, z]
 }
 
@@ -175,7 +175,7 @@ fn failures(section: &Section, limits: &[MaterialLimits], recovery: &Recovery) -
             ]);
             continue;
         }
-        let [y, z] = failure.place.map(|x| coordinate(x, size));
+        let [y, z] = failure.position.map(|x| coordinate(x, size));
         rows.push(vec![
             section.mesh.groups[failure.group].clone(),
             failure.worst.criterion.name().to_owned(),

@@ -35,7 +35,7 @@ pub fn stress_points_csv(
     }));
     let rows = recovery.points.iter().enumerate().map(|(index, point)| {
         let cell = &section.mesh.cells[point.cell];
-        let mut row = place_columns(cell.tag, &section.mesh.groups[cell.group], point.place);
+        let mut row = position_columns(cell.tag, &section.mesh.groups[cell.group], point.position);
         row.push(number(point.area));
         row.extend(tensor_values(&point.tensors));
         row.extend(
@@ -61,7 +61,7 @@ pub fn stress_cells_csv(section: &Section, recovery: &Recovery) -> String {
     let cells = section.mesh.cells.iter().zip(&recovery.cells).enumerate();
     let rows = cells.map(|(index, (cell, state))| {
         let region = &section.mesh.groups[cell.group];
-        let mut row = place_columns(cell.tag, region, state.centroid);
+        let mut row = position_columns(cell.tag, region, state.centroid);
         row.extend(tensor_values(&state.tensors));
         row.extend(
             electric
@@ -81,7 +81,7 @@ pub fn stress_nodes_csv(section: &Section, recovery: &Recovery) -> String {
     let rows = recovery.nodes.iter().enumerate().map(|(index, state)| {
         let mesh = &section.mesh;
         let region = &mesh.groups[state.group];
-        let mut row = place_columns(mesh.node_tag(state.node), region, mesh.nodes[state.node]);
+        let mut row = position_columns(mesh.node_tag(state.node), region, mesh.nodes[state.node]);
         row.extend(tensor_values(&state.tensors));
         row.extend(
             electric
@@ -97,9 +97,9 @@ pub fn stress_nodes_csv(section: &Section, recovery: &Recovery) -> String {
 }
 
 fn heading(what: &str, electric: Option<&ElectricRecovery>) -> Vec<String> {
-    let place = [what, "region", "y [m]", "z [m]"].map(str::to_owned);
+    let position = [what, "region", "y [m]", "z [m]"].map(str::to_owned);
     let electric = electric.into_iter().flat_map(|_| electric_columns());
-    place
+    position
         .into_iter()
         .chain(tensor_columns())
         .chain(electric)
@@ -141,7 +141,7 @@ fn tensor_columns() -> Vec<String> {
     names
 }
 
-fn place_columns(tag: u64, region: &str, [y, z]: [f64; 2]) -> Vec<String> {
+fn position_columns(tag: u64, region: &str, [y, z]: [f64; 2]) -> Vec<String> {
     vec![tag.to_string(), region.to_owned(), number(y), number(z)]
 }
 

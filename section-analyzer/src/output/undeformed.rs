@@ -27,7 +27,7 @@ pub(super) fn undeformed_beam(initial: &InitialCurvature) -> String {
         ),
     };
     format!(
-        "Undeformed beam, curved or twisted\n{}  stiffness and mass are those of this beam, {per}\n",
+        "Undeformed beam, curved or twisted\n{}  stiffness and mass apply to this beam, {per}\n",
         table(&rows, "lr")
     )
 }

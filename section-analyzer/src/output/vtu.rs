@@ -11,4 +11,4 @@ mod warping;
 mod tests;
 
 pub use stress::stress_vtu;
-pub use warping::{outside_warping_vtu, warping_vtu};
+pub use warping::{external_warping_vtu, warping_vtu};

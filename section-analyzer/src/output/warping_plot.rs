@@ -55,7 +55,7 @@ pub struct WarpingPlot<'a> {
     wall: f64,
     columns: usize,
     /// Width and height of the part of a panel below its heading [figure pixels].
-    room: [f64; 2],
+    space: [f64; 2],
 }
 
 /// The contents of one panel.
@@ -72,7 +72,7 @@ impl<'a> WarpingPlot<'a> {
         let bare = Extent::of(section.mesh.nodes.iter().copied());
         let size = bare.largest();
         let extent = bare.grown((EXAGGERATED + MARGIN) * size);
-        let (columns, room) = layout(&extent);
+        let (columns, space) = layout(&extent);
         Self {
             section,
             warping: &solution.warping,
@@ -81,7 +81,7 @@ impl<'a> WarpingPlot<'a> {
             extent,
             size,
             columns,
-            room,
+            space,
         }
     }
 
@@ -106,15 +106,15 @@ impl<'a> WarpingPlot<'a> {
     ) -> Result<(), FigureProblem> {
         let column = (component % self.columns) as f64;
         let row = (component / self.columns) as f64;
-        let left = EDGE + column * (self.room[0] + GAP);
-        let top = TITLE + row * (HEADING + self.room[1] + GAP);
-        let plane = Plane::fitted(self.extent, [left, top + HEADING], self.room);
+        let left = EDGE + column * (self.space[0] + GAP);
+        let top = TITLE + row * (HEADING + self.space[1] + GAP);
+        let plane = Plane::fitted(self.extent, [left, top + HEADING], self.space);
         let panel = Panel {
             plane: &plane,
             component,
             largest: self.largest(component),
         };
-        let middle = left + 0.5 * self.room[0];
+        let middle = left + 0.5 * self.space[0];
         let label = Label::new(TEXT).anchored(Anchor::Middle);
         canvas.text(&title(component), [middle, top + 28.0], label.bold())?;
         let words = Label {
@@ -141,7 +141,7 @@ impl<'a> WarpingPlot<'a> {
             // position on the figure, and relative warping
             let mut nodes = [[0.0; 3]; 9];
             for (at, &node) in nodes.iter_mut().zip(cell.nodes()) {
-                let [x, y] = panel.plane.place(self.section.mesh.nodes[node as usize]);
+                let [x, y] = panel.plane.position(self.section.mesh.nodes[node as usize]);
                 let axial = self.warping[(3 * node as usize, panel.component)];
                 *at = [x, y, panel.relative(axial)];
             }
@@ -178,11 +178,11 @@ impl<'a> WarpingPlot<'a> {
             true => EXAGGERATED * self.size / panel.largest[1],
             false => 0.0,
         };
-        let before = |node: u32| panel.plane.place(self.section.mesh.nodes[node as usize]);
+        let before = |node: u32| panel.plane.position(self.section.mesh.nodes[node as usize]);
         let after = |node: u32| {
             let [y, z] = self.section.mesh.nodes[node as usize];
             let [_, uy, uz] = self.of_node(node as usize, panel.component);
-            panel.plane.place([y + factor * uy, z + factor * uz])
+            panel.plane.position([y + factor * uy, z + factor * uz])
         };
         let boundary = || {
             self.sides
@@ -237,8 +237,8 @@ impl Drawing for WarpingPlot<'_> {
             self.section.name.as_str(),
             ": warping per unit internal force",
         ];
-        let room = f64::from(WIDTH) - 2.0 * EDGE;
-        draw_title(canvas, title, 1.1 * TEXT, [EDGE, 45.0], room)?;
+        let space = f64::from(WIDTH) - 2.0 * EDGE;
+        draw_title(canvas, title, 1.1 * TEXT, [EDGE, 45.0], space)?;
         for component in 0..COMPONENTS.len() {
             self.draw_panel(canvas, component)?;
         }
@@ -249,7 +249,7 @@ impl Drawing for WarpingPlot<'_> {
 impl Figure for WarpingPlot<'_> {
     fn size(&self) -> (u32, u32) {
         let rows = COMPONENTS.len().div_ceil(self.columns) as f64;
-        let height = TITLE + rows * (HEADING + self.room[1] + GAP) + BAR;
+        let height = TITLE + rows * (HEADING + self.space[1] + GAP) + BAR;
         (WIDTH, height.ceil() as u32)
     }
 }
@@ -301,7 +301,7 @@ fn layout(extent: &Extent) -> (usize, [f64; 2]) {
         let height = (width * aspect).min(highest);
         (columns, [width, height])
     };
-    let drawn = |(_, room): &(usize, [f64; 2])| room[0].min(room[1] / aspect);
+    let drawn = |(_, space): &(usize, [f64; 2])| space[0].min(space[1] / aspect);
     // Three columns leave enough width for the text above a panel; six do not.
     let best = [1, 2, 3]
         .map(fit)
@@ -315,7 +315,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wide_sections_stand_above_each_other() {
+    fn wide_sections_are_above_each_other() {
         let extent = |width: f64, height: f64| Extent {
             low: [0.0; 2],
             high: [width, height],

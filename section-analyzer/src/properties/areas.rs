@@ -133,8 +133,8 @@ fn properties(
     }
 }
 
-fn placed(origin: [f64; 2], place: [f64; 2]) -> [f64; 2] {
-    [origin[0] + place[0], origin[1] + place[1]]
+fn placed(origin: [f64; 2], position: [f64; 2]) -> [f64; 2] {
+    [origin[0] + position[0], origin[1] + position[1]]
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use crate::section::CellMaterial;
 use crate::section::samples::of_quadrilaterals;
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::quadrature;
 use shared_geom::section::InitialCurvature;
@@ -16,7 +16,8 @@ use std::f64::consts::PI;
 /// The section of a mesh in which the cells with a center that `is_second` accepts are a
 /// second region of a second material; densities 2 and 5.
 fn section(mesh: &Mesh, is_second: impl Fn([f64; 2]) -> bool) -> Section {
-    let (mut mesh, _) = SectionMesh::from_mesh(mesh, 1.0, &Place::file("test")).expect("sound");
+    let (mut mesh, _) =
+        SectionMesh::from_mesh(mesh, 1.0, &SourceLocation::file("test")).expect("sound");
     let material = |density: f64| Material {
         name: density.to_string(),
         law: ElasticLaw::Isotropic {
@@ -261,12 +262,12 @@ fn a_thin_region_keeps_its_digits() {
 /// the hole touches the outline at a node and belongs to the outline. Two opposite corners
 /// left out alone are no holes.
 #[test]
-fn holes_are_told_from_the_outline() {
+fn holes_are_distinguished_from_the_outline() {
     let node = |i: usize, j: usize| (4 * j + i) as u32;
     let nodes: Vec<_> = (0..16).map(|n| [(n % 4) as f64, (n / 4) as f64]).collect();
     let without = |left_out: &[[usize; 2]]| {
         let all = (0..9).map(|n| [n % 3, n / 3]);
-        let kept = all.filter(|place| !left_out.contains(place));
+        let kept = all.filter(|position| !left_out.contains(position));
         let cells: Vec<_> = kept
             .map(|[i, j]| {
                 [

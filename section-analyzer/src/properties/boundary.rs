@@ -144,10 +144,10 @@ fn measure(mesh: &SectionMesh, (cell, side): SideOf, base: [f64; 2]) -> (f64, f6
     for piece in 0..PIECES {
         let middle = (2 * piece + 1) as f64 / PIECES as f64 - 1.0;
         for &(xi, weight) in quadrature::line(POINTS) {
-            let SidePoint { place, tangent } = side.at(middle + xi / PIECES as f64);
+            let SidePoint { position, tangent } = side.at(middle + xi / PIECES as f64);
             let weight = weight / PIECES as f64;
             length += weight * tangent[0].hypot(tangent[1]);
-            let [y, z] = [place[0] - base[0], place[1] - base[1]];
+            let [y, z] = [position[0] - base[0], position[1] - base[1]];
             area += 0.5 * weight * (y * tangent[1] - z * tangent[0]);
         }
     }

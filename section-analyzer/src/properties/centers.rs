@@ -46,11 +46,11 @@ impl Centers {
 
     /// The same centers from a reference point moved by minus `offset` \[m\].
     pub fn placed(&self, offset: [f64; 2]) -> Self {
-        let place = |[y, z]: [f64; 2]| [y + offset[0], z + offset[1]];
+        let position = |[y, z]: [f64; 2]| [y + offset[0], z + offset[1]];
         Self {
-            tension: place(self.tension),
-            shear: place(self.shear),
-            mass: self.mass.map(place),
+            tension: position(self.tension),
+            shear: position(self.shear),
+            mass: self.mass.map(position),
         }
     }
 }

@@ -60,8 +60,8 @@ impl AreaMoments {
     /// Adds the integrals of (S-60) along one side, about `origin`.
     fn add_side(&mut self, side: &CellSide, origin: [f64; 2]) {
         for &(xi, weight) in quadrature::line(POINTS) {
-            let SidePoint { place, tangent } = side.at(xi);
-            let [y, z] = [place[0] - origin[0], place[1] - origin[1]];
+            let SidePoint { position, tangent } = side.at(xi);
+            let [y, z] = [position[0] - origin[0], position[1] - origin[1]];
             let [dy, dz] = tangent.map(|rate| weight * rate);
             self.area += 0.5 * (y * dz - z * dy);
             self.first[0] += 0.5 * y * y * dz;
@@ -124,7 +124,7 @@ pub(super) struct CellSide {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SidePoint {
     /// Position (y, z) [m].
-    pub place: [f64; 2],
+    pub position: [f64; 2],
     /// Its derivative with respect to the parameter of the side [m].
     pub tangent: [f64; 2],
 }
@@ -133,9 +133,13 @@ impl CellSide {
     /// Side number `side` of a cell.
     pub fn new(mesh: &SectionMesh, cell: &SectionCell, side: usize) -> Self {
         let (first, second, middle) = cell.kind.side(side);
-        let place = |local: usize| mesh.nodes[cell.nodes()[local] as usize];
+        let position = |local: usize| mesh.nodes[cell.nodes()[local] as usize];
         Self {
-            nodes: [place(first), place(second), place(middle.unwrap_or(first))],
+            nodes: [
+                position(first),
+                position(second),
+                position(middle.unwrap_or(first)),
+            ],
             kind: cell.kind.side_kind(),
         }
     }
@@ -148,7 +152,7 @@ impl CellSide {
             terms.map(|(node, weight)| node[axis] * weight).sum()
         };
         SidePoint {
-            place: [sum(&shape.n, 0), sum(&shape.n, 1)],
+            position: [sum(&shape.n, 0), sum(&shape.n, 1)],
             tangent: [sum(&shape.d, 0), sum(&shape.d, 1)],
         }
     }

@@ -209,9 +209,9 @@ impl<'a> Fields<'a> {
 
     /// The integration points of a cell, from the centroid.
     fn points(&self, cell: &crate::mesh::SectionCell) -> Vec<CellPoint> {
-        let places = self.section.mesh.places(cell);
-        let places = places.map(|[y, z]| [y - self.center[0], z - self.center[1]]);
-        cell_points(cell.kind, &places.collect::<Vec<_>>()).collect()
+        let positions = self.section.mesh.positions(cell);
+        let positions = positions.map(|[y, z]| [y - self.center[0], z - self.center[1]]);
+        cell_points(cell.kind, &positions.collect::<Vec<_>>()).collect()
     }
 
     /// T about the centroid.
@@ -240,9 +240,9 @@ impl<'a> Fields<'a> {
             let of_cell = warping_of_cell(nodes, |node| warping[node]);
             let own = PointGradient::at(point, &strain, &of_cell);
             let made_of = &self.section.cells[index];
-            let place = [point.y + y, point.z + z];
+            let position = [point.y + y, point.z + z];
             let imposed = free.imposed.cells.get(index);
-            let imposed = imposed.map_or_else(Vector6::zeros, |imposed| imposed.at(place));
+            let imposed = imposed.map_or_else(Vector6::zeros, |imposed| imposed.at(position));
             let imposed = section_strain(&imposed, made_of.fiber_angle, made_of.plane_angle);
             let stress = law * (own.strain() - imposed);
             sum += point.area * change_at_point(states, (&own, &stress), law, measure);
@@ -333,8 +333,8 @@ fn centroid(section: &Section) -> [f64; 2] {
     let base = mesh.nodes[0];
     let (mut area, mut sum) = (0.0, [0.0; 2]);
     for cell in &mesh.cells {
-        let places: Vec<_> = mesh.places(cell).collect();
-        for point in cell_points(cell.kind, &places) {
+        let positions: Vec<_> = mesh.positions(cell).collect();
+        for point in cell_points(cell.kind, &positions) {
             area += point.area;
             sum[0] += point.area * (point.y - base[0]);
             sum[1] += point.area * (point.z - base[1]);

@@ -37,8 +37,8 @@ impl LargeStrain {
         for (cell, made_of) in mesh.cells.iter().zip(&section.cells) {
             let law = section.materials[made_of.material].law.stiffness();
             let law = section_stiffness(&law, made_of.fiber_angle, made_of.plane_angle);
-            let places: Vec<_> = mesh.places(cell).collect();
-            for point in cell_points(cell.kind, &places) {
+            let positions: Vec<_> = mesh.positions(cell).collect();
+            for point in cell_points(cell.kind, &positions) {
                 for (i, &node) in cell.nodes().iter().enumerate() {
                     let n = point.n[i] * point.area;
                     let first = 3 * node as usize;
@@ -69,8 +69,8 @@ impl LargeStrain {
             .zip(&section.cells)
             .zip(&imposed.cells)
         {
-            let places: Vec<_> = section.mesh.places(cell).collect();
-            for point in cell_points(cell.kind, &places) {
+            let positions: Vec<_> = section.mesh.positions(cell).collect();
+            for point in cell_points(cell.kind, &positions) {
                 let strain = free.at([point.y, point.z]);
                 let turned = section_strain(&strain, made_of.fiber_angle, made_of.plane_angle);
                 all.push(factor * turned);
@@ -96,12 +96,12 @@ impl LargeStrain {
         }
         let mut force = Vector4::zeros();
         for ((point, nodes, law), free) in self.points.iter().zip(&self.imposed) {
-            let (f, place) = gradient(p, point, nodes, &warping);
+            let (f, position) = gradient(p, point, nodes, &warping);
             let stress = law * (green(&f) - free);
             for a in 0..4 {
                 let by = match a {
                     0 => Vector3::x(),
-                    _ => Vector3::ith(a - 1, 1.0).cross(&place),
+                    _ => Vector3::ith(a - 1, 1.0).cross(&position),
                 };
                 let by = [by, Vector3::zeros(), Vector3::zeros()];
                 force[a] += point.area * stress.dot(&variation(&f, &by));
@@ -163,17 +163,20 @@ fn gradient(
     nodes: &[u32],
     warping: &DVector<f64>,
 ) -> (Matrix3<f64>, Vector3<f64>) {
-    let mut place = Vector3::new(0.0, point.y, point.z);
+    let mut position = Vector3::new(0.0, point.y, point.z);
     let (mut along_y, mut along_z) = (Vector3::y(), Vector3::z());
     for (i, &node) in nodes.iter().enumerate() {
         let at_node: Vector3<f64> = warping.fixed_rows::<3>(3 * node as usize).into_owned();
-        place += point.n[i] * at_node;
+        position += point.n[i] * at_node;
         along_y += point.dy[i] * at_node;
         along_z += point.dz[i] * at_node;
     }
     let curvature = Vector3::new(p[1], p[2], p[3]);
-    let along_x = (1.0 + p[0]) * Vector3::x() + curvature.cross(&place);
-    (Matrix3::from_columns(&[along_x, along_y, along_z]), place)
+    let along_x = (1.0 + p[0]) * Vector3::x() + curvature.cross(&position);
+    (
+        Matrix3::from_columns(&[along_x, along_y, along_z]),
+        position,
+    )
 }
 
 /// Green's strain, order yz yy zz xx xy xz, engineering shears.

@@ -114,8 +114,8 @@ impl RestrainedWarping {
             .collect();
 
         let fit = LinearPart::of(section, &function, modulus);
-        for (value, place) in function.iter_mut().zip(&section.mesh.nodes) {
-            *value -= fit.at(*place);
+        for (value, position) in function.iter_mut().zip(&section.mesh.nodes) {
+            *value -= fit.at(*position);
         }
         let stiffness = integral(section, modulus, |at| at.value(&function).powi(2));
         let torsional_stiffness = 1.0 / twist;
@@ -150,9 +150,9 @@ impl LinearPart {
         let base = section.mesh.nodes[0];
         let weight = integral(section, modulus, |_| 1.0);
         let mean_of = |what: &dyn Fn(&Point<'_>) -> f64| integral(section, modulus, what) / weight;
-        let center = [0, 1].map(|axis| base[axis] + mean_of(&|at| at.place[axis] - base[axis]));
+        let center = [0, 1].map(|axis| base[axis] + mean_of(&|at| at.position[axis] - base[axis]));
         let mean = mean_of(&|at| at.value(field));
-        let from = |at: &Point<'_>, axis: usize| at.place[axis] - center[axis];
+        let from = |at: &Point<'_>, axis: usize| at.position[axis] - center[axis];
         let second = |a: usize, b: usize| mean_of(&|at| from(at, a) * from(at, b));
         let first = |a: usize| mean_of(&|at| from(at, a) * (at.value(field) - mean));
         let matrix = Matrix2::new(second(0, 0), second(0, 1), second(1, 0), second(1, 1));
@@ -172,7 +172,7 @@ impl LinearPart {
 
 /// An integration point: its position, and the weights of the nodes of its cell.
 struct Point<'a> {
-    place: [f64; 2],
+    position: [f64; 2],
     nodes: &'a [u32],
     shape: &'a [f64; 9],
 }
@@ -193,10 +193,10 @@ fn integral(
     let mesh = &section.mesh;
     let mut sum = 0.0;
     for (index, cell) in mesh.cells.iter().enumerate() {
-        let places: Vec<_> = mesh.places(cell).collect();
-        let of_cell = cell_points(cell.kind, &places).map(|point| {
+        let positions: Vec<_> = mesh.positions(cell).collect();
+        let of_cell = cell_points(cell.kind, &positions).map(|point| {
             let at = Point {
-                place: [point.y, point.z],
+                position: [point.y, point.z],
                 nodes: cell.nodes(),
                 shape: &point.n,
             };

@@ -19,9 +19,9 @@ impl Recoverer<'_> {
     /// yz yy zz xx xy xz.
     pub(super) fn added_strains(&self, cell: usize, state: &DistributedState) -> Vec<Vector6<f64>> {
         let kind = self.section().mesh.cells[cell].kind;
-        let places = self.places(cell);
+        let positions = self.positions(cell);
         let fields = self.added_fields(cell, state);
-        cell_points(kind, &places)
+        cell_points(kind, &positions)
             .map(|point| self.strain_of(&fields, &point))
             .collect()
     }

@@ -60,7 +60,7 @@ impl Extrapolation {
             .reference_nodes()
             .iter()
             .zip(nodes)
-            .map(|(&[r, s], &place)| basis.at(r, s, place));
+            .map(|(&[r, s], &position)| basis.at(r, s, position));
         Self {
             weights: at_nodes
                 .flat_map(|node| at_points.iter().map(move |point| (node, point)))
@@ -121,14 +121,14 @@ mod tests {
 
     /// A cell of moderate shape; of quadratic kinds, curved.
     fn curved(kind: CellKind) -> Vec<[f64; 2]> {
-        let place = |&[r, s]: &[f64; 2]| {
+        let position = |&[r, s]: &[f64; 2]| {
             let bend = if kind.is_quadratic() { 0.1 } else { 0.0 };
             [
                 2.0 + 0.7 * r - 0.3 * s + bend * s * s,
                 -1.0 + 0.2 * r + 0.5 * s - bend * r * s,
             ]
         };
-        kind.reference_nodes().iter().map(place).collect()
+        kind.reference_nodes().iter().map(position).collect()
     }
 
     fn extrapolated(

@@ -31,7 +31,7 @@ pub struct Extreme {
     /// Tag of the cell at integration points, of the node at nodes.
     pub tag: u64,
     /// Position (y, z) \[m\].
-    pub place: [f64; 2],
+    pub position: [f64; 2],
 }
 
 /// Smallest and largest value.
@@ -64,7 +64,7 @@ pub struct RegionFailure {
     /// Tag of its cell.
     pub tag: u64,
     /// Its position (y, z) \[m\].
-    pub place: [f64; 2],
+    pub position: [f64; 2],
 }
 
 /// Extreme stresses of each region that has cells, in the order of the mesh.
@@ -78,13 +78,13 @@ pub fn region_stresses(section: &Section, recovery: &Recovery) -> Vec<RegionStre
             &mut points[cell.group],
             &point.tensors,
             cell.tag,
-            point.place,
+            point.position,
         );
     }
     let mut nodes = vec![None; groups.len()];
     for state in &recovery.nodes {
-        let (tag, place) = (mesh.node_tag(state.node), mesh.nodes[state.node]);
-        widen(&mut nodes[state.group], &state.tensors, tag, place);
+        let (tag, position) = (mesh.node_tag(state.node), mesh.nodes[state.node]);
+        widen(&mut nodes[state.group], &state.tensors, tag, position);
     }
     groups
         .filter_map(|group| {
@@ -106,8 +106,12 @@ fn stresses(tensors: &Tensors) -> [f64; 13] {
     })
 }
 
-fn widen(ranges: &mut Option<[Range; 13]>, tensors: &Tensors, tag: u64, place: [f64; 2]) {
-    let here = stresses(tensors).map(|value| Extreme { value, tag, place });
+fn widen(ranges: &mut Option<[Range; 13]>, tensors: &Tensors, tag: u64, position: [f64; 2]) {
+    let here = stresses(tensors).map(|value| Extreme {
+        value,
+        tag,
+        position,
+    });
     let ranges = ranges.get_or_insert_with(|| here.map(|at| Range { min: at, max: at }));
     for (range, at) in ranges.iter_mut().zip(here) {
         if at.value < range.min.value {
@@ -136,7 +140,7 @@ pub fn region_failures(
                 group: cell.group,
                 worst: found,
                 tag: cell.tag,
-                place: point.place,
+                position: point.position,
             };
             let known = worst.iter_mut().find(|known| {
                 known.group == here.group && known.worst.criterion == found.criterion
@@ -208,7 +212,10 @@ mod tests {
             panic!("one criterion");
         };
         let highest = region.points[12].max;
-        assert_eq!((failure.tag, failure.place), (highest.tag, highest.place));
+        assert_eq!(
+            (failure.tag, failure.position),
+            (highest.tag, highest.position)
+        );
         assert_eq!(failure.worst.index, highest.value / 3.0);
     }
 }

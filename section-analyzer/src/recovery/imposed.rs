@@ -67,13 +67,13 @@ impl Imposed {
     }
 
     /// The strain that causes stress in cell number `cell` at its `point`, which is at
-    /// `place` in the mesh \[m\]; the point and psi_T, `strain`, are about the center of
+    /// `position` in the mesh \[m\]; the point and psi_T, `strain`, are about the center of
     /// `line`. Order yz yy zz xx xy xz.
     pub fn strain_at(
         &self,
         section: &Section,
         cell: usize,
-        (line, point, place): (&Line, &CellPoint, [f64; 2]),
+        (line, point, position): (&Line, &CellPoint, [f64; 2]),
         strain: &Vector6<f64>,
     ) -> Vector6<f64> {
         let mut warping: NodalColumns = NO_COLUMNS;
@@ -84,14 +84,14 @@ impl Imposed {
         let mut psi = Matrix6::zeros();
         psi.set_column(0, strain);
         let total = strain_at(line, point, None, Some(&warping), &psi);
-        total.column(0) - self.free_strain(section, cell, place)
+        total.column(0) - self.free_strain(section, cell, position)
     }
 
     /// The free strain of a cell at a point of the mesh \[m\], section axes, order yz yy zz
     /// xx xy xz.
-    pub fn free_strain(&self, section: &Section, cell: usize, place: [f64; 2]) -> Vector6<f64> {
+    pub fn free_strain(&self, section: &Section, cell: usize, position: [f64; 2]) -> Vector6<f64> {
         let made_of = &section.cells[cell];
-        let free = self.cells[cell].at(place);
+        let free = self.cells[cell].at(position);
         section_strain(&free, made_of.fiber_angle, made_of.plane_angle)
     }
 }

@@ -25,20 +25,20 @@ pub(super) struct Located {
     pub s: f64,
 }
 
-/// The cell that contains `place` (y, z); the first of several on a common side.
-pub(super) fn locate(mesh: &SectionMesh, place: [f64; 2]) -> Option<Located> {
+/// The cell that contains `position` (y, z); the first of several on a common side.
+pub(super) fn locate(mesh: &SectionMesh, position: [f64; 2]) -> Option<Located> {
     mesh.cells.iter().enumerate().find_map(|(index, cell)| {
-        let nodes: Vec<_> = mesh.places(cell).collect();
-        if !near_box(&nodes, place) {
+        let nodes: Vec<_> = mesh.positions(cell).collect();
+        if !near_box(&nodes, position) {
             return None;
         }
-        let (r, s) = inverted(cell.kind, &nodes, place)?;
+        let (r, s) = inverted(cell.kind, &nodes, position)?;
         let cell = index;
         (outside(mesh.cells[index].kind, r, s) <= MARGIN).then_some(Located { cell, r, s })
     })
 }
 
-fn near_box(nodes: &[[f64; 2]], place: [f64; 2]) -> bool {
+fn near_box(nodes: &[[f64; 2]], position: [f64; 2]) -> bool {
     let bounds = |axis: usize| {
         let values = nodes.iter().map(|node| node[axis]);
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
@@ -48,22 +48,22 @@ fn near_box(nodes: &[[f64; 2]], place: [f64; 2]) -> bool {
     let (y, z) = (bounds(0), bounds(1));
     let margin = BULGE * (y.1 - y.0).max(z.1 - z.0);
     let within = |(low, high): (f64, f64), x: f64| low - margin <= x && x <= high + margin;
-    within(y, place[0]) && within(z, place[1])
+    within(y, position[0]) && within(z, position[1])
 }
 
-/// Reference coordinates of `place` by Newton's method from the middle.
+/// Reference coordinates of `position` by Newton's method from the middle.
 ///
 /// ```text
-/// r <- r + J^-T (place - sum N_i(r) x_i)
+/// r <- r + J^-T (position - sum N_i(r) x_i)
 /// ```
-fn inverted(kind: CellKind, nodes: &[[f64; 2]], place: [f64; 2]) -> Option<(f64, f64)> {
+fn inverted(kind: CellKind, nodes: &[[f64; 2]], position: [f64; 2]) -> Option<(f64, f64)> {
     let (mut r, mut s) = match kind.corner_count() {
         3 => (1.0 / 3.0, 1.0 / 3.0),
         _ => (0.0, 0.0),
     };
     for _ in 0..STEPS {
         let at = CellPoint::at(kind, nodes, r, s, 1.0);
-        let (dy, dz) = (place[0] - at.y, place[1] - at.z);
+        let (dy, dz) = (position[0] - at.y, position[1] - at.z);
         // r as a function of the position has the gradient of its own interpolation
         let (mut step_r, mut step_s) = (0.0, 0.0);
         for (i, [node_r, node_s]) in kind.reference_nodes().iter().enumerate() {
@@ -106,7 +106,7 @@ mod tests {
                 for point in kind.rule() {
                     let at = CellPoint::at(
                         kind,
-                        &mesh.places(cell).collect::<Vec<_>>(),
+                        &mesh.positions(cell).collect::<Vec<_>>(),
                         point.r,
                         point.s,
                         point.weight,
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn nodes_are_found_and_places_outside_are_not() {
+    fn nodes_are_found_and_positions_outside_are_not() {
         let mesh = coupled_rectangle(CellKind::Quadrilateral9).mesh;
         assert!(mesh.nodes.iter().all(|&node| locate(&mesh, node).is_some()));
         assert_eq!(locate(&mesh, [10.0, 0.0]), None);

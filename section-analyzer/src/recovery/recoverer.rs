@@ -21,9 +21,9 @@
 //! # References
 //! - \[Giavotto1983\]: stresses of the central solutions.
 
+mod at_point;
 mod batch;
 mod fields;
-mod place;
 
 pub use batch::StressBlock;
 
@@ -186,14 +186,14 @@ impl<'a> Recoverer<'a> {
             let first = points.len();
             let more = added.map(|state| self.added_strains(cell, state));
             let more = |point: usize| more.as_ref().map_or(Vector6::zeros(), |more| more[point]);
-            points.extend(
-                (grid.points.iter().enumerate()).map(|(point, (unit, place, area))| PointState {
+            points.extend((grid.points.iter().enumerate()).map(
+                |(point, (unit, position, area))| PointState {
                     cell,
-                    place: [place[0] + self.center[0], place[1] + self.center[1]],
+                    position: [position[0] + self.center[0], position[1] + self.center[1]],
                     area: *area,
                     tensors: self.tensors(cell, &(unit * theta + more(point))),
-                }),
-            );
+                },
+            ));
             if let Some(imposed) = &imposed {
                 self.add_imposed(imposed, cell, &mut points[first..]);
             }
@@ -233,8 +233,8 @@ impl<'a> Recoverer<'a> {
     /// Adds strain and stress of imposed states at the points of a cell.
     fn add_imposed(&self, imposed: &Imposed, cell: usize, points: &mut [PointState]) {
         let kind = self.section.mesh.cells[cell].kind;
-        let places = self.places(cell);
-        for (state, point) in points.iter_mut().zip(cell_points(kind, &places)) {
+        let positions = self.positions(cell);
+        for (state, point) in points.iter_mut().zip(cell_points(kind, &positions)) {
             let strain = self.imposed_strain(imposed, cell, &point);
             state.tensors.add(1.0, &self.tensors(cell, &strain));
         }
@@ -243,8 +243,8 @@ impl<'a> Recoverer<'a> {
     /// The strain of imposed states at a point of a cell, about the centroid.
     fn imposed_strain(&self, imposed: &Imposed, cell: usize, point: &CellPoint) -> Vector6<f64> {
         let strain = self.back.transpose() * imposed.strain;
-        let place = [point.y + self.center[0], point.z + self.center[1]];
-        imposed.strain_at(self.section, cell, (&self.line, point, place), &strain)
+        let position = [point.y + self.center[0], point.z + self.center[1]];
+        imposed.strain_at(self.section, cell, (&self.line, point, position), &strain)
     }
 
     /// The law of a cell in section axes, order yz yy zz xx xy xz \[Pa\].
@@ -287,18 +287,18 @@ impl<'a> Recoverer<'a> {
     }
 
     /// Positions of the nodes of a cell from the centroid.
-    pub(super) fn places(&self, cell: usize) -> Vec<[f64; 2]> {
+    pub(super) fn positions(&self, cell: usize) -> Vec<[f64; 2]> {
         let mesh = &self.section.mesh;
-        let places = mesh.places(&mesh.cells[cell]);
-        places
+        let positions = mesh.positions(&mesh.cells[cell]);
+        positions
             .map(|[y, z]| [y - self.center[0], z - self.center[1]])
             .collect()
     }
 
     fn grid(&self, cell: usize) -> CellGrid {
         let kind = self.section.mesh.cells[cell].kind;
-        let places = self.places(cell);
-        let points: Vec<_> = cell_points(kind, &places).collect();
+        let positions = self.positions(cell);
+        let points: Vec<_> = cell_points(kind, &positions).collect();
         let (rate, warping) = self.columns(cell);
         let strain = &self.generalized;
         let unit = |p: &CellPoint| strain_at(&self.line, p, Some(&rate), Some(&warping), strain);
@@ -312,7 +312,7 @@ impl<'a> Recoverer<'a> {
         });
         CellGrid {
             fields,
-            extrapolation: Extrapolation::new(kind, &places, &points),
+            extrapolation: Extrapolation::new(kind, &positions, &points),
             points: points
                 .iter()
                 .map(|point| (unit(point), [point.y, point.z], point.area))
@@ -411,8 +411,8 @@ fn mean_of(points: &[PointState]) -> (CellState, f64) {
     for point in points {
         let part = point.area / area;
         mean.tensors.add(part, &point.tensors);
-        mean.centroid[0] += part * point.place[0];
-        mean.centroid[1] += part * point.place[1];
+        mean.centroid[0] += part * point.position[0];
+        mean.centroid[1] += part * point.position[1];
     }
     (mean, area)
 }

@@ -28,7 +28,7 @@ fn resultants_are_the_load() {
     }
 }
 
-/// Many forces at once: the stresses of each force equal those of its own recovery, point
+/// Many forces at once: the stresses of each force equal the stresses of a single recovery, point
 /// by point, with more points than one block contains.
 #[test]
 fn stresses_of_many_forces_are_those_of_each() {
@@ -61,7 +61,7 @@ fn stresses_of_many_forces_are_those_of_each() {
 /// section, has the same stresses: three digits of the sixteen are lost by the coordinates,
 /// and another two by the force about the reference point.
 #[test]
-fn stresses_do_not_depend_on_the_place_of_the_reference_point() {
+fn stresses_do_not_depend_on_the_position_of_the_reference_point() {
     let section = coupled_rectangle(CellKind::Quadrilateral9);
     let mut moved = section.clone();
     let by = [150.0, -70.0];
@@ -100,13 +100,13 @@ fn law_holds_in_material_axes() {
 
 /// `at` an integration point is the state of that point.
 #[test]
-fn any_place_can_be_asked() {
+fn any_position_can_be_requested() {
     let section = coupled_rectangle(CellKind::Quadrilateral8);
     let solution = analyze(&section).unwrap();
     let recoverer = Recoverer::new(&section, &solution);
     let load = load(ALL_SIX);
     for point in &recoverer.recover(&load).unwrap().points {
-        let (cell, tensors) = recoverer.at(&load, point.place).unwrap();
+        let (cell, tensors) = recoverer.at(&load, point.position).unwrap();
         assert_eq!(cell, point.cell);
         let difference = (tensors.stress - point.tensors.stress).amax();
         assert!(difference < 1e-10 * point.tensors.stress.amax());

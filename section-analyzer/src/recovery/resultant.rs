@@ -22,7 +22,7 @@ pub(super) fn resultant(points: &[PointState], center: [f64; 2]) -> Vector6<f64>
     for point in points {
         let stress = &point.tensors.stress;
         let face = Vector3::new(stress[0], stress[5], stress[4]);
-        let [y, z] = [point.place[0] - center[0], point.place[1] - center[1]];
+        let [y, z] = [point.position[0] - center[0], point.position[1] - center[1]];
         sum += rigid_displacement(1.0, y, z).tr_mul(&(point.area * face));
     }
     sum

@@ -50,7 +50,7 @@ impl Recoverer<'_> {
     /// The largest stress \[Pa\] and strain \[-\] of fully restrained imposed states.
     fn largest_held(&self, imposed: &Imposed, points: &[PointState]) -> [f64; 2] {
         points.iter().fold([0.0, 0.0], |[stress, strain], point| {
-            let free = imposed.free_strain(self.section(), point.cell, point.place);
+            let free = imposed.free_strain(self.section(), point.cell, point.position);
             let held = self.stiffness(point.cell) * free;
             [largest(stress, held.amax()), largest(strain, free.amax())]
         })
@@ -60,7 +60,7 @@ impl Recoverer<'_> {
     /// reference for their resultant.
     pub(super) fn held(&self, imposed: &Imposed, points: &[PointState]) -> f64 {
         let of_point = |point: &PointState| {
-            let strain = imposed.free_strain(self.section(), point.cell, point.place);
+            let strain = imposed.free_strain(self.section(), point.cell, point.position);
             point.area * (self.stiffness(point.cell) * strain).amax()
         };
         points.iter().map(of_point).sum()

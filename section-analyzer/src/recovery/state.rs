@@ -73,7 +73,7 @@ pub struct PointState {
     /// Cell: index in the mesh of the section.
     pub cell: usize,
     /// Position (y, z) \[m\].
-    pub place: [f64; 2],
+    pub position: [f64; 2],
     /// Area that the point represents \[m^2\].
     pub area: f64,
     /// Strain and stress.

@@ -7,7 +7,7 @@ use crate::section::{
     CellMaterial, Circuit, Electrode, ElectrodeShape, FingeredCell, InitialCurvature, Section,
 };
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, Vector3};
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::CellKind;
 
 const S11: f64 = 16.5e-12;
@@ -76,7 +76,8 @@ fn rectangle(height: f64, cells: usize) -> Section {
         name: "layer".into(),
     };
     let mesh = mesh.generate().expect("sound measures");
-    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("test")).expect("sound mesh");
+    let (mesh, _) =
+        SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("test")).expect("sound mesh");
     let cell = CellMaterial {
         material: 0,
         fiber_angle: 0.0,
@@ -93,8 +94,8 @@ fn rectangle(height: f64, cells: usize) -> Section {
 }
 
 fn add_conductor(section: &mut Section, name: &str, circuit: Circuit, z: f64) {
-    let places = section.mesh.nodes.iter().enumerate();
-    let there = places.filter(|(_, place)| (place[1] - z).abs() < 1e-9 * LAYER);
+    let positions = section.mesh.nodes.iter().enumerate();
+    let there = positions.filter(|(_, position)| (position[1] - z).abs() < 1e-9 * LAYER);
     let nodes = there.map(|(node, _)| node as u32).collect();
     section.electrodes.push(Electrode {
         name: name.into(),

@@ -5,7 +5,7 @@ use crate::mesh::generate::Rectangle;
 use crate::mesh::{SectionCell, SectionMesh};
 use crate::section::{CellMaterial, FreeStrain, ImposedStrain, Section};
 use nalgebra::Vector6;
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::InitialCurvature;
 
@@ -64,7 +64,8 @@ pub(crate) fn coupled_rectangle(kind: CellKind) -> Section {
     }
     .generate()
     .expect("sound measures");
-    let (mut mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("test")).expect("sound");
+    let (mut mesh, _) =
+        SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("test")).expect("sound");
     // off the origin, sides curved
     for [y, z] in &mut mesh.nodes {
         (*y, *z) = (*y + 0.7 + 0.1 * *z * *z, *z - 0.4 + 0.05 * *y * *y);
@@ -84,7 +85,8 @@ pub(crate) fn strip(width: f64, height: f64, cells: usize) -> Section {
     }
     .generate()
     .expect("sound measures");
-    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("test")).expect("sound");
+    let (mesh, _) =
+        SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("test")).expect("sound");
     let (young, poisson) = (1.0, 0.33);
     of_cells(mesh, ElasticLaw::Isotropic { young, poisson })
 }

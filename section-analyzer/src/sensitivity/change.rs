@@ -34,25 +34,25 @@ impl Change {
         domain: &Domain,
         parameters: &[Parameter],
     ) -> Result<Vec<Self>, SensitivityProblem> {
-        let mut places = Places::of(section, domain);
+        let mut indices = DomainIndices::of(section, domain);
         let motions: Vec<_> = parameters.iter().map(Parameter::motion).collect();
         if motions.iter().any(Option::is_some) {
-            places.look_around(domain);
+            indices.look_around(domain);
         }
         let changes = parameters.iter().zip(motions).map(|(parameter, motion)| {
             parameter.check(section)?;
-            let at = (section, domain, &places);
+            let at = (section, domain, &indices);
             match parameter {
                 Parameter::Constant { material, constant } => {
                     Ok(Self::of_constant(at, *material, *constant))
                 }
                 Parameter::FiberAngle(cells) => {
-                    Ok(Self::of_laws(at, &places.of_cells(cells), |law, of| {
+                    Ok(Self::of_laws(at, &indices.of_cells(cells), |law, of| {
                         fiber_angle_rate(law, of.fiber_angle, of.plane_angle)
                     }))
                 }
                 Parameter::PlaneAngle(cells) => {
-                    let cells = places.of_cells(cells);
+                    let cells = indices.of_cells(cells);
                     Ok(Self::of_laws(at, &cells, |law, _| plane_angle_rate(law)))
                 }
                 Parameter::Node { .. } | Parameter::MeshNode(_) | Parameter::Motion(_) => {
@@ -81,9 +81,13 @@ impl Change {
         Some(velocities)
     }
 
-    fn of_constant(at: (&Section, &Domain, &Places), material: usize, constant: Constant) -> Self {
-        let (section, domain, places) = at;
-        let cells = &places.of_material[material];
+    fn of_constant(
+        at: (&Section, &Domain, &DomainIndices),
+        material: usize,
+        constant: Constant,
+    ) -> Self {
+        let (section, domain, indices) = at;
+        let cells = &indices.of_material[material];
         if constant == Constant::Density {
             return Self {
                 cells: cells.clone(),
@@ -101,7 +105,7 @@ impl Change {
 
     /// The changes of the laws of `cells`, one per law.
     fn of_laws(
-        (section, domain, _): (&Section, &Domain, &Places),
+        (section, domain, _): (&Section, &Domain, &DomainIndices),
         cells: &[u32],
         rate: impl Fn(&Matrix6<f64>, &CellMaterial) -> Matrix6<f64>,
     ) -> Self {
@@ -125,21 +129,21 @@ impl Change {
     }
 
     fn of_motion(
-        (_, domain, places): (&Section, &Domain, &Places),
+        (_, domain, indices): (&Section, &Domain, &DomainIndices),
         motion: &Motion,
     ) -> Result<Self, SensitivityProblem> {
         let mut nodes: HashMap<u32, [f64; 2]> = HashMap::new();
         let mut cells = Vec::new();
         for at in &motion.nodes {
-            let node = places.of_node(at.node)?;
+            let node = indices.of_node(at.node)?;
             let velocity = nodes.entry(node).or_default();
             velocity[0] += at.y / domain.scaling.length;
             velocity[1] += at.z / domain.scaling.length;
-            cells.extend(places.around(node));
+            cells.extend(indices.around(node));
         }
         let mut of_cells: HashMap<u32, Matrix6<f64>> = HashMap::new();
         for turn in &motion.turns {
-            let index = places.of_mesh_cell[turn.cell];
+            let index = indices.of_mesh_cell[turn.cell];
             let cell = &domain.cells[index as usize];
             let rate = turn.rate * plane_angle_rate(&domain.laws[cell.law as usize]);
             *of_cells.entry(cell.mesh_cell).or_default() += rate;
@@ -158,7 +162,7 @@ impl Change {
 }
 
 /// Indices of the cells and nodes of the mesh in the domain.
-struct Places {
+struct DomainIndices {
     of_material: Vec<Vec<u32>>,
     of_region: Vec<Vec<u32>>,
     /// Cells of the domain, by their index in the mesh.
@@ -169,9 +173,9 @@ struct Places {
     around: Vec<(u32, u32)>,
 }
 
-impl Places {
+impl DomainIndices {
     fn of(section: &Section, domain: &Domain) -> Self {
-        let mut places = Self {
+        let mut indices = Self {
             of_material: vec![Vec::new(); section.materials.len()],
             of_region: vec![Vec::new(); section.mesh.groups.len()],
             of_mesh_cell: vec![0; domain.cells.len()],
@@ -180,11 +184,11 @@ impl Places {
         };
         for (index, cell) in (0..).zip(&domain.cells) {
             let mesh_cell = cell.mesh_cell as usize;
-            places.of_material[section.cells[mesh_cell].material].push(index);
-            places.of_region[section.mesh.cells[mesh_cell].group].push(index);
-            places.of_mesh_cell[mesh_cell] = index;
+            indices.of_material[section.cells[mesh_cell].material].push(index);
+            indices.of_region[section.mesh.cells[mesh_cell].group].push(index);
+            indices.of_mesh_cell[mesh_cell] = index;
         }
-        places
+        indices
     }
 
     /// Finds the nodes, and the cells around them.

@@ -163,7 +163,7 @@ impl Sums {
     ) {
         let law = &domain.laws[cell.law as usize];
         let count = cell.kind.node_count();
-        for point in cell_points(cell.kind, &domain.places(cell)[..count]) {
+        for point in cell_points(cell.kind, &domain.positions(cell)[..count]) {
             let moved = MovedPoint::new(&domain.line, &point, &velocities[..count]);
             self.add_moved(law, &moved, at_nodes);
         }
@@ -194,9 +194,9 @@ impl Sums {
             return;
         }
         let count = cell.kind.node_count();
-        let places = domain.places(cell);
+        let positions = domain.positions(cell);
         let velocities = velocities.unwrap_or_default();
-        for point in cell_points(cell.kind, &places[..count]) {
+        for point in cell_points(cell.kind, &positions[..count]) {
             let moved = MovedPoint::new(&domain.line, &point, &velocities[..count]);
             let (volume, growth) = moved.volume();
             let [vy, vz] = moved.velocity();

@@ -101,7 +101,7 @@ fn cell_forces(
     };
     let count = cell.kind.node_count();
     let (law_rate, velocities) = (change.law(cell), change.velocities(cell));
-    for point in cell_points(cell.kind, &domain.places(cell)[..count]) {
+    for point in cell_points(cell.kind, &domain.positions(cell)[..count]) {
         if let Some(law) = law_rate {
             let at = MovedPoint::at_rest(&domain.line, &point);
             let (strain, _) = at.strain(state);

@@ -189,8 +189,8 @@ impl<'a> Strains<'a> {
     #[inline(always)]
     pub fn go_to<P: Product>(&mut self, cell: &DomainCell) {
         let count = self.fields.count();
-        let places = self.domain.places(cell);
-        let points = cell_points(cell.kind, &places[..cell.kind.node_count()]);
+        let positions = self.domain.positions(cell);
+        let points = cell_points(cell.kind, &positions[..cell.kind.node_count()]);
         self.points.clear();
         self.points.extend(points);
         self.strains.resize(count * self.points.len(), NO_ROWS);

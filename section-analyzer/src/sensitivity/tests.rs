@@ -39,10 +39,10 @@ fn section(line: InitialCurvature) -> Section {
 fn parameters(section: &Section) -> Vec<Parameter> {
     let constant = |material, constant| Parameter::Constant { material, constant };
     let node = section.mesh.cells[2].nodes()[1] as usize;
-    let swing = |(node, place): (usize, &[f64; 2])| NodeVelocity {
+    let swing = |(node, position): (usize, &[f64; 2])| NodeVelocity {
         node,
-        y: place[0] * place[1],
-        z: 0.3 - place[0],
+        y: position[0] * position[1],
+        z: 0.3 - position[0],
     };
     let turn = |cell: usize| CellTurn {
         cell,

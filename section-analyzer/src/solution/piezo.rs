@@ -177,14 +177,14 @@ impl PiezoSolution {
         let own = DMatrix::from_fn(floating.len(), floating.len(), |i, j| {
             cap[(floating[i], floating[j])]
         });
-        let asked = DVector::from_fn(floating.len(), |i, _| {
+        let requested = DVector::from_fn(floating.len(), |i, _| {
             let electrode = floating[i];
             let by_voltage: f64 = (voltages.iter().enumerate())
                 .map(|(other, voltage)| cap[(electrode, other)] * voltage)
                 .sum();
             self.electrodes[electrode].coupling.dot(&strain) - by_voltage
         });
-        let found = factored(own)?.solve(&asked);
+        let found = factored(own)?.solve(&requested);
         for (&electrode, voltage) in floating.iter().zip(found.iter()) {
             voltages[electrode] = *voltage;
         }

@@ -27,7 +27,7 @@
 
 use std::ops::Range;
 
-use super::along::CentralSystems;
+use super::columns::CentralSystems;
 use crate::assembly::{Model, Rate, SectionForces, State, largest};
 use crate::element::Line;
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};

@@ -75,12 +75,12 @@ impl DistributedSolution {
             };
             model.measure(along, &mut forces);
             forces.face += load;
-            let asked = Load {
+            let requested = Load {
                 within: &forces.face,
                 resultant: &Matrix6::zeros(),
                 rate: Rate::Given(&rate),
             };
-            let found = ParticularSolution::solve(model, system, &central.face, &asked)?;
+            let found = ParticularSolution::solve(model, system, &central.face, &requested)?;
             second = std::mem::replace(&mut next, found.x);
             (next_y, next_s) = (found.y, s);
         }

@@ -40,7 +40,7 @@
 
 use std::ops::Range;
 
-use super::along::{CentralSystems, Wave};
+use super::columns::{CentralSystems, Wave};
 use super::decouple::Decoupled;
 use super::system::CentralSystem;
 use crate::assembly::{Domain, Rate, SectionForces, State, largest};

@@ -37,8 +37,8 @@ impl Pins {
         let structural: Vec<usize> = (0..nodes.len())
             .filter(|&node| model.is_structural(node))
             .collect();
-        let places: Vec<[f64; 2]> = structural.iter().map(|&node| nodes[node]).collect();
-        let chosen = triangle(&places).ok_or(Failure::NodesOnOneLine)?;
+        let positions: Vec<[f64; 2]> = structural.iter().map(|&node| nodes[node]).collect();
+        let chosen = triangle(&positions).ok_or(Failure::NodesOnOneLine)?;
         Ok(Self::at(nodes, chosen.map(|node| structural[node])).with(model.held()))
     }
 

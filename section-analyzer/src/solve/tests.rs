@@ -97,8 +97,8 @@ fn elimination_order_keeps_the_factor_small() {
         let before = before.expect("the same cells");
         let count = cell.kind.node_count();
         assert_eq!(
-            ordered.places(cell)[..count],
-            p.domain.places(before)[..count]
+            ordered.positions(cell)[..count],
+            p.domain.positions(before)[..count]
         );
     }
 }

@@ -16,7 +16,7 @@
 //! # References
 //! - Giavotto et al. 1983: the equations that are differentiated here.
 
-use super::along::CentralSystems;
+use super::columns::CentralSystems;
 use crate::assembly::{Domain, Rate, SectionForces, State, largest};
 use nalgebra::{DMatrix, Matrix6, Matrix6xX};
 

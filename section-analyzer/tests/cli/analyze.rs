@@ -25,38 +25,38 @@ material = \"aluminum\"
 ";
 
 fn strip() -> Workplace {
-    let place = Workplace::new();
-    place.write("strip.section.toml", STRIP);
+    let workplace = Workplace::new();
+    workplace.write("strip.section.toml", STRIP);
     let size = ["mesh", "rectangle", "--width", "1", "--height", "0.063"];
     let cells = ["--cells-y", "16", "--cells-z", "2", "--out", "strip.msh"];
-    let run = place.run(&[&size[..], &cells].concat());
+    let run = workplace.run(&[&size[..], &cells].concat());
     assert_eq!(
         run.out,
         "strip.msh: 165 nodes, 32 cells\n  physical surface: section\n  \
          physical curves: bottom, right, top, left\n"
     );
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    place
+    workplace
 }
 
 #[test]
 fn all_files_are_written_and_listed() {
-    let place = strip();
-    let run = place.run(&["analyze", "strip.section.toml"]);
+    let workplace = strip();
+    let run = workplace.run(&["analyze", "strip.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    let report = place.read("results/strip.report.txt");
+    let report = workplace.read("results/strip.report.txt");
     let list = "\nWritten\n  results/strip.properties.json\n  results/strip.report.txt\n  \
         results/strip.areas.csv\n  results/strip.constants.csv\n  \
         results/strip.mesh.png\n  results/strip.warping.png\n  \
         results/strip.warping.vtu\n  results/strip.analysis.json\n";
     assert_eq!(run.out, report + list);
     for figure in ["results/strip.mesh.png", "results/strip.warping.png"] {
-        let bytes = std::fs::read(place.path(figure)).unwrap();
+        let bytes = std::fs::read(workplace.path(figure)).unwrap();
         assert_eq!(&bytes[..4], b"\x89PNG");
         // width in the header of the file
         assert_eq!(bytes[16..20], 1800_u32.to_be_bytes());
     }
-    let grid = place.read("results/strip.warping.vtu");
+    let grid = workplace.read("results/strip.warping.vtu");
     assert!(grid.starts_with("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\""));
 }
 
@@ -65,15 +65,15 @@ fn all_files_are_written_and_listed() {
 /// that only round-off remains: 1e-11.
 #[test]
 fn property_file_holds_the_properties() {
-    let place = strip();
+    let workplace = strip();
     assert_eq!(
-        place
+        workplace
             .run(&["analyze", "strip.section.toml", "--out", "deep/down"])
             .code,
         0
     );
     let properties =
-        shared_geom::section::read(&place.path("deep/down/strip.properties.json")).unwrap();
+        shared_geom::section::read(&workplace.path("deep/down/strip.properties.json")).unwrap();
     let (width, height, young) = (0.0254, 0.063 * 0.0254, 10.6e6 * 6_894.757_293_168_361);
     let stiffness = properties.stiffness;
     let near = |found: f64, expected: f64| {
@@ -97,11 +97,11 @@ fn property_file_holds_the_properties() {
 /// `b^3 h^3/144` except for its ends, 4.8 (h/b)^2 = 2 % of it.
 #[test]
 fn tables_hold_areas_and_constants() {
-    let place = strip();
-    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    let index = strip();
+    assert_eq!(index.run(&["analyze", "strip.section.toml"]).code, 0);
     let (b, h) = (0.0254_f64, 0.063 * 0.0254_f64);
 
-    let areas = place.read("results/strip.areas.csv");
+    let areas = index.read("results/strip.areas.csv");
     let rows: Vec<Vec<&str>> = areas
         .lines()
         .map(|line| line.split(',').collect())
@@ -110,8 +110,8 @@ fn tables_hold_areas_and_constants() {
     assert_eq!((rows[1][0], rows[2][0]), ("section", "total"));
     assert_eq!(rows[1][1..], rows[2][1..]);
     let column = |name: &str| {
-        let place = rows[0].iter().position(|heading| *heading == name);
-        rows[2][place.unwrap_or_else(|| panic!("no column {name}"))]
+        let index = rows[0].iter().position(|heading| *heading == name);
+        rows[2][index.unwrap_or_else(|| panic!("no column {name}"))]
             .parse::<f64>()
             .unwrap()
     };
@@ -128,7 +128,7 @@ fn tables_hold_areas_and_constants() {
     }
     assert_eq!((column("holes"), column("hole_perimeter [m]")), (0.0, 0.0));
 
-    let constants = place.read("results/strip.constants.csv");
+    let constants = index.read("results/strip.constants.csv");
     assert!(constants.starts_with("quantity,value,unit\nshear_flow_center_y,"));
     let gamma = constants.lines().find_map(|line| {
         let value = line.strip_prefix("warping_constant,")?;
@@ -143,14 +143,14 @@ fn tables_hold_areas_and_constants() {
 /// table of an earlier run is removed.
 #[test]
 fn anisotropic_sections_have_no_constants() {
-    let place = strip();
-    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
-    assert!(place.path("results/strip.constants.csv").exists());
+    let workplace = strip();
+    assert_eq!(workplace.run(&["analyze", "strip.section.toml"]).code, 0);
+    assert!(workplace.path("results/strip.constants.csv").exists());
     let ply = "e1 = 2e7\ne2 = 1e6\ne3 = 1e6\ng12 = 7e5\ng13 = 7e5\ng23 = 4e5\n\
         nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.4";
     let text = STRIP.replace("young = 10.6e6\npoisson = 0.325", ply);
-    place.write("strip.section.toml", &text);
-    let run = place.run(&["analyze", "strip.section.toml"]);
+    workplace.write("strip.section.toml", &text);
+    let run = workplace.run(&["analyze", "strip.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert!(
         run.out.contains(
@@ -160,13 +160,13 @@ fn anisotropic_sections_have_no_constants() {
         run.out
     );
     assert!(!run.out.contains("constants.csv"));
-    assert!(!place.path("results/strip.constants.csv").exists());
+    assert!(!workplace.path("results/strip.constants.csv").exists());
 }
 
 #[test]
 fn report_says_what_went_in_and_in_which_axes() {
-    let place = strip();
-    let report = place.run(&["analyze", "strip.section.toml"]).out;
+    let workplace = strip();
+    let report = workplace.run(&["analyze", "strip.section.toml"]).out;
     for line in [
         "Section \"strip of aluminum\"",
         "  mesh      strip.msh: 165 nodes, 32 quadrilaterals with 9 nodes",
@@ -186,36 +186,40 @@ fn report_says_what_went_in_and_in_which_axes() {
 
 #[test]
 fn runs_repeat_to_the_last_digit_and_inputs_have_a_fingerprint() {
-    let place = strip();
-    let hash = |place: &Workplace| {
-        let properties = shared_geom::section::read(&place.path("results/strip.properties.json"));
+    let workplace = strip();
+    let hash = |workplace: &Workplace| {
+        let properties =
+            shared_geom::section::read(&workplace.path("results/strip.properties.json"));
         properties.unwrap().provenance.input_hash
     };
-    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
-    let (first, first_hash) = (place.read("results/strip.properties.json"), hash(&place));
-    let again = place.run(&["analyze", "strip.section.toml", "--force"]);
+    assert_eq!(workplace.run(&["analyze", "strip.section.toml"]).code, 0);
+    let (first, first_hash) = (
+        workplace.read("results/strip.properties.json"),
+        hash(&workplace),
+    );
+    let again = workplace.run(&["analyze", "strip.section.toml", "--force"]);
     assert!(again.out.contains("\nWritten\n"), "{}", again.out);
-    assert_eq!(place.read("results/strip.properties.json"), first);
-    let mesh = place.read("strip.msh");
-    place.write("strip.msh", &(mesh + "\n"));
-    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
-    assert_ne!(hash(&place), first_hash);
+    assert_eq!(workplace.read("results/strip.properties.json"), first);
+    let mesh = workplace.read("strip.msh");
+    workplace.write("strip.msh", &(mesh + "\n"));
+    assert_eq!(workplace.run(&["analyze", "strip.section.toml"]).code, 0);
+    assert_ne!(hash(&workplace), first_hash);
     assert!(first_hash.starts_with("sha256:"));
 }
 
 #[test]
 fn check_prints_what_was_read_and_writes_nothing() {
-    let place = strip();
-    let run = place.run(&["check", "strip.section.toml"]);
+    let workplace = strip();
+    let run = workplace.run(&["check", "strip.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert!(run.out.starts_with("Section \"strip of aluminum\"\n"));
     assert!(run.out.ends_with("\nNo problem found\n"));
-    assert!(!place.path("results").exists());
+    assert!(!workplace.path("results").exists());
 }
 
 #[test]
 fn every_shape_and_kind_of_cell_gives_a_section() {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     let shapes: [(&str, &[&str], &str); 3] = [
         (
             "rectangle",
@@ -263,11 +267,11 @@ fn every_shape_and_kind_of_cell_gives_a_section() {
         let section = STRIP
             .replace("strip.msh", "a.msh")
             .replace("\"section\"", &format!("\"{group}\""));
-        place.write("a.section.toml", &section);
+        workplace.write("a.section.toml", &section);
         for cell in ["tri3", "tri6", "quad4", "quad8", "quad9"] {
             let arguments = [&["mesh", shape, "--cell", cell, "--out", "a.msh"], sizes].concat();
-            assert_eq!(place.run(&arguments).code, 0, "{shape} {cell}");
-            let run = place.run(&["check", "a.section.toml"]);
+            assert_eq!(workplace.run(&arguments).code, 0, "{shape} {cell}");
+            let run = workplace.run(&["check", "a.section.toml"]);
             assert_eq!((run.code, run.err.as_str()), (0, ""), "{shape} {cell}");
         }
     }
@@ -276,15 +280,15 @@ fn every_shape_and_kind_of_cell_gives_a_section() {
 /// A file instead of the results folder is reported before anything is solved.
 #[test]
 fn results_need_a_folder() {
-    let place = strip();
-    let run = place.run(&["analyze", "strip.section.toml", "--out", "strip.msh"]);
+    let workplace = strip();
+    let run = workplace.run(&["analyze", "strip.section.toml", "--out", "strip.msh"]);
     assert_eq!(
         run.err,
         "error: folder \"strip.msh\" cannot be made: a file of this name exists\n  \
          help: name another folder with --out\n"
     );
     assert_eq!((run.code, run.out.as_str()), (2, ""));
-    assert!(Path::new(&place.path("strip.msh")).is_file());
+    assert!(Path::new(&workplace.path("strip.msh")).is_file());
 }
 
 /// A folder at the path of a result file is reported as text, for texts and figures.
@@ -295,9 +299,9 @@ fn files_that_cannot_be_written_end_with_one() {
         ("strip.warping.png", "file"),
         ("strip.warping.vtu", "file"),
     ] {
-        let place = strip();
-        std::fs::create_dir_all(place.path("results").join(file)).unwrap();
-        let run = place.run(&["analyze", "strip.section.toml"]);
+        let workplace = strip();
+        std::fs::create_dir_all(workplace.path("results").join(file)).unwrap();
+        let run = workplace.run(&["analyze", "strip.section.toml"]);
         let expected =
             format!("error: {what} \"results/{file}\" cannot be written: it is a folder\n");
         assert_eq!((run.code, run.err), (1, expected));
@@ -308,8 +312,8 @@ fn files_that_cannot_be_written_end_with_one() {
 /// accuracy. The position is reported with few digits, and the remedy mentions thin
 /// walls.
 #[test]
-fn a_wall_too_thin_to_solve_is_told_with_its_remedy() {
-    let place = Workplace::with(
+fn a_wall_too_thin_to_solve_is_reported_with_its_remedy() {
+    let workplace = Workplace::with(
         &[
             ("two.msh", "tube.msh"),
             ("\"skin\"", "\"wall\""),
@@ -322,8 +326,8 @@ fn a_wall_too_thin_to_solve_is_told_with_its_remedy() {
     );
     let sizes = ["mesh", "tube", "--outer-radius", "1", "--thickness", "1e-6"];
     let cells = ["--cells-around", "48", "--cells-through", "1", "--out"];
-    place.run(&[&sizes[..], &cells, &["tube.msh"]].concat());
-    let run = place.run(&["analyze", "a.section.toml"]);
+    workplace.run(&[&sizes[..], &cells, &["tube.msh"]].concat());
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!(run.code, 1);
     assert!(
         run.err.contains("thousands of times longer than thick"),
@@ -338,15 +342,15 @@ fn a_wall_too_thin_to_solve_is_told_with_its_remedy() {
 /// removed.
 #[test]
 fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
-    let place = Workplace::with(&[], &[]);
-    assert_eq!(place.run(&["analyze", "a.section.toml"]).code, 0);
-    assert!(place.path("results/a.properties.json").exists());
+    let workplace = Workplace::with(&[], &[]);
+    assert_eq!(workplace.run(&["analyze", "a.section.toml"]).code, 0);
+    assert!(workplace.path("results/a.properties.json").exists());
 
     let soft = "[material.air]\nyoung = 1e-20\npoisson = 0\ndensity = 1\n\n[[region]]\ngroup = \"web\"\nmaterial = \"air\"";
-    let section = place.read("a.section.toml");
+    let section = workplace.read("a.section.toml");
     let web = "[[region]]\ngroup = \"web\"\nmaterial = \"steel\"";
-    place.write("a.section.toml", &section.replace(web, soft));
-    let run = place.run(&["analyze", "a.section.toml"]);
+    workplace.write("a.section.toml", &section.replace(web, soft));
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!(run.code, 1);
     assert!(
         run.err
@@ -360,12 +364,12 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
         "\nWritten\n  results/a.report.txt\n  results/a.mesh.png\n"
     );
     assert!(
-        place
+        workplace
             .read("results/a.report.txt")
             .contains("\nNo result\n  the section is loose at node ")
     );
-    assert!(place.path("results/a.mesh.png").exists());
-    assert!(!place.path("results/a.properties.json").exists());
+    assert!(workplace.path("results/a.mesh.png").exists());
+    assert!(!workplace.path("results/a.properties.json").exists());
     for file in [
         "warping.png",
         "warping.vtu",
@@ -373,7 +377,10 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
         "constants.csv",
         "analysis.json",
     ] {
-        assert!(!place.path(&format!("results/a.{file}")).exists(), "{file}");
+        assert!(
+            !workplace.path(&format!("results/a.{file}")).exists(),
+            "{file}"
+        );
     }
 }
 
@@ -381,8 +388,8 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
 /// together.
 #[test]
 fn open_electrodes_are_electrodes_of_the_section() {
-    let place = Workplace::with(&[], &[]);
-    let run = place.run(&[
+    let workplace = Workplace::with(&[], &[]);
+    let run = workplace.run(&[
         "analyze",
         "a.section.toml",
         "--open",
@@ -400,5 +407,5 @@ fn open_electrodes_are_electrodes_of_the_section() {
             "  help: the section has no driven electrodes",
         ]
     );
-    assert!(!place.path("results").exists());
+    assert!(!workplace.path("results").exists());
 }

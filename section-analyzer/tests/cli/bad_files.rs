@@ -3,7 +3,7 @@
 use crate::workplace::Workplace;
 
 #[test]
-fn missing_files_are_told_where_they_are_named() {
+fn missing_files_are_reported_where_they_are_named() {
     Workplace::with(&[("two.msh", "tow.msh")], &[]).is_refused(&[
         "error: a.section.toml:1: mesh \"tow.msh\" cannot be read: no such file",
         "  help: did you mean \"two.msh\"?",
@@ -25,7 +25,7 @@ fn mesh_file_errors_carry_the_line_of_the_mesh() {
 }
 
 #[test]
-fn surface_without_material_is_told() {
+fn surface_without_material_is_reported() {
     let region =
         "[[region]]\ngroup = \"web\"\nmaterial = \"steel\"\nfiber_angle = 0\nplane_angle = 0\n";
     Workplace::with(&[(region, "")], &[]).is_refused(&[
@@ -37,8 +37,8 @@ fn surface_without_material_is_told() {
 #[test]
 fn cells_without_surface_are_counted() {
     let free = ("12 3 2 2 2 2 3 6 5", "12 3 2 0 2 2 3 6 5");
-    let place = Workplace::with(&[], &[free]);
-    place.is_refused(&[
+    let workplace = Workplace::with(&[], &[free]);
+    workplace.is_refused(&[
         "error: a.section.toml:1: mesh \"two.msh\" has 1 cell in no physical surface (cell 12 \
          for example), expected every cell in one",
         "  help: in gmsh, put every surface of the section in a physical surface, and set \
@@ -50,7 +50,7 @@ fn cells_without_surface_are_counted() {
 
 /// The second cell moved away by one: the parts are reported with their positions.
 #[test]
-fn parts_of_a_section_are_named_by_their_place() {
+fn parts_of_a_section_are_named_by_their_location() {
     let changes = [
         ("6\n1 0 0 0", "8\n7 3 0 0\n8 3 1 0\n1 0 0 0"),
         ("12 3 2 2 2 2 3 6 5", "12 3 2 2 2 3 7 8 6"),
@@ -66,7 +66,7 @@ fn parts_of_a_section_are_named_by_their_place() {
 /// Node 5 pulled into the lower left of cell 12: its corner there opens beyond 180
 /// degrees.
 #[test]
-fn inverted_cell_is_named_with_its_place_and_node() {
+fn inverted_cell_is_named_with_its_location_and_node() {
     Workplace::with(&[], &[("5 1 1 0", "5 1.6 0.3 0")]).is_refused(&[
         "error: two.msh: cell 12 at (1.65, 0.325) is inverted: the corner at node 5 is not \
          less than 180 degrees, or its sides cross",
@@ -80,9 +80,9 @@ fn with_table(text: &str) -> Workplace {
         "plane_angle = 0",
         "plane_angle = { table = \"angles.csv\" }",
     );
-    let place = Workplace::with(&[table], &[]);
-    place.write("angles.csv", text);
-    place
+    let workplace = Workplace::with(&[table], &[]);
+    workplace.write("angles.csv", text);
+    workplace
 }
 
 #[test]
@@ -114,18 +114,18 @@ fn table_for_two_regions_must_have_the_cells_of_both() {
         ("group = \"skin\"", &*format!("{table}\ngroup = \"skin\"")),
         ("plane_angle = 0", table),
     ];
-    let place = Workplace::with(&changes, &[]);
-    place.write("angles.csv", "cell,angle\n12,30\n");
-    place.is_refused(&[
+    let workplace = Workplace::with(&changes, &[]);
+    workplace.write("angles.csv", "cell,angle\n12,30\n");
+    workplace.is_refused(&[
         "error: a.section.toml:13: angle table \"angles.csv\" has 1 row, expected 2, one for \
          each cell of \"skin\", \"web\"; no angle for cell 11",
     ]);
-    place.write("angles.csv", "cell,angle\n12,30\n11,0\n");
-    assert_eq!(place.run(&["check", "a.section.toml"]).code, 0);
+    workplace.write("angles.csv", "cell,angle\n12,30\n11,0\n");
+    assert_eq!(workplace.run(&["check", "a.section.toml"]).code, 0);
 }
 
 #[test]
-fn unreadable_rows_are_told_with_the_line_of_the_table() {
+fn unreadable_rows_are_reported_with_the_line_of_the_table() {
     with_table("cell;angle\n12;x\n").is_refused(&[
         "error: angles.csv:1: the columns are \"cell;angle\", expected \"cell,angle\"",
         "error: angles.csv:2: row \"12;x\" cannot be read, expected two columns, the number of \
@@ -141,13 +141,13 @@ fn unreadable_rows_are_told_with_the_line_of_the_table() {
 
 #[test]
 fn a_file_of_the_other_program_is_recognized() {
-    let place = Workplace::new();
-    place.write(
+    let workplace = Workplace::new();
+    workplace.write(
         "a.dynamics.toml",
         "units = \"SI\"\n[[blade]]\nname = \"b\"\n",
     );
     for command in ["check", "analyze"] {
-        let run = place.run(&[command, "a.dynamics.toml"]);
+        let run = workplace.run(&[command, "a.dynamics.toml"]);
         assert_eq!(
             run.err,
             "error: a.dynamics.toml: this is a .dynamics.toml file, expected a .section.toml \

@@ -5,19 +5,19 @@ use shared_geom::section;
 use crate::workplace::Workplace;
 
 fn steel() -> Workplace {
-    let place = Workplace::with(&[], &[]);
-    assert_eq!(place.run(&["analyze", "a.section.toml"]).code, 0);
-    let text = place.read("results/a.properties.json");
-    place.write("a.json", &text);
-    place
+    let workplace = Workplace::with(&[], &[]);
+    assert_eq!(workplace.run(&["analyze", "a.section.toml"]).code, 0);
+    let text = workplace.read("results/a.properties.json");
+    workplace.write("a.json", &text);
+    workplace
 }
 
 /// Every command reports the same problem of a file that it cannot read, and writes
 /// nothing.
 #[test]
 fn files_that_are_no_property_files_are_refused_by_all_commands() {
-    let place = steel();
-    let good = place.read("a.json");
+    let workplace = steel();
+    let good = workplace.read("a.json");
     let first_row = good
         .lines()
         .position(|line| line == "  \"stiffness\": [")
@@ -56,7 +56,7 @@ fn files_that_are_no_property_files_are_refused_by_all_commands() {
         ),
     ];
     for (text, start) in cases {
-        place.write("b.json", text);
+        workplace.write("b.json", text);
         for arguments in [
             &["report", "b.json"][..],
             &["compare", "a.json", "b.json"],
@@ -64,22 +64,22 @@ fn files_that_are_no_property_files_are_refused_by_all_commands() {
             &["shift", "b.json", "--to", "0,0", "--out", "c.json"],
             &["rotate", "b.json", "--angle", "1 deg", "--out", "c.json"],
         ] {
-            let run = place.run(arguments);
+            let run = workplace.run(arguments);
             assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");
             assert!(run.err.starts_with(start), "{arguments:?}: {}", run.err);
         }
     }
-    assert!(!place.path("c.json").exists());
+    assert!(!workplace.path("c.json").exists());
 }
 
 #[test]
-fn all_files_that_are_missing_are_told() {
-    let place = steel();
-    let run = place.run(&["compare", "none.json", "neither.json"]);
+fn all_files_that_are_missing_are_reported() {
+    let workplace = steel();
+    let run = workplace.run(&["compare", "none.json", "neither.json"]);
     let expected = "error: none.json: cannot be read: no such file\n\
                     error: neither.json: cannot be read: no such file\n";
     assert_eq!((run.code, run.err.as_str()), (2, expected));
-    let run = place.run(&["report", "none.json", "a.json", "neither.json"]);
+    let run = workplace.run(&["report", "none.json", "a.json", "neither.json"]);
     assert_eq!((run.code, run.err.as_str()), (2, expected));
     assert!(run.out.starts_with("Section \"a\"\n"), "{}", run.out);
     assert_eq!(run.out.matches("Section \"").count(), 1);
@@ -87,11 +87,11 @@ fn all_files_that_are_missing_are_told() {
 
 #[test]
 fn the_input_is_never_overwritten() {
-    let place = steel();
-    let before = place.read("a.json");
-    std::fs::create_dir(place.path("deep")).unwrap();
+    let workplace = steel();
+    let before = workplace.read("a.json");
+    std::fs::create_dir(workplace.path("deep")).unwrap();
     for out in ["a.json", "./a.json", "deep/../a.json"] {
-        let run = place.run(&["shift", "a.json", "--to", "1,1", "--out", out]);
+        let run = workplace.run(&["shift", "a.json", "--to", "1,1", "--out", out]);
         assert_eq!(
             (run.code, run.err.as_str()),
             (
@@ -100,15 +100,15 @@ fn the_input_is_never_overwritten() {
                  help: the input is never overwritten\n"
             )
         );
-        let run = place.run(&["rotate", "a.json", "--angle", "1 deg", "--out", out]);
+        let run = workplace.run(&["rotate", "a.json", "--angle", "1 deg", "--out", out]);
         assert_eq!((run.code, run.out.as_str()), (2, ""));
     }
-    assert_eq!(place.read("a.json"), before);
+    assert_eq!(workplace.read("a.json"), before);
 }
 
 #[test]
-fn points_and_angles_must_be_told_with_sense() {
-    let place = steel();
+fn points_and_angles_must_be_reported_with_sense() {
+    let workplace = steel();
     let cases = [
         (
             ["shift", "--to", "sheer-center"],
@@ -128,14 +128,17 @@ fn points_and_angles_must_be_told_with_sense() {
             ["rotate", "--angle", "30"],
             "it has no unit, expected an angle with its unit",
         ),
-        (["rotate", "--angle", "inf deg"], "expected finite numbers"),
+        (
+            ["rotate", "--angle", "inf deg"],
+            "expected an angle with its unit",
+        ),
         (
             ["rotate", "--to-principal", "torsion"],
             "possible values: bending, inertia",
         ),
     ];
     for ([command, option, value], expected) in cases {
-        let run = place.run(&[command, "a.json", option, value, "--out", "b.json"]);
+        let run = workplace.run(&[command, "a.json", option, value, "--out", "b.json"]);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{value}");
         assert!(run.err.contains(expected), "{}", run.err);
     }
@@ -158,25 +161,25 @@ fn points_and_angles_must_be_told_with_sense() {
         &["compare", "a.json", "a.json", "--tolerance", "nan"],
         &["report"],
     ] {
-        let run = place.run(arguments);
+        let run = workplace.run(arguments);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");
     }
-    assert!(!place.path("b.json").exists());
+    assert!(!workplace.path("b.json").exists());
 }
 
 #[test]
 fn centers_of_mass_need_mass() {
-    let place = steel();
-    let mut properties = section::read(&place.path("a.json")).unwrap();
+    let workplace = steel();
+    let mut properties = section::read(&workplace.path("a.json")).unwrap();
     properties.mass.fill(0.0);
-    place.write("b.json", &section::write(&properties));
-    let run = place.run(&["shift", "b.json", "--to", "mass-center", "--out", "c.json"]);
+    workplace.write("b.json", &section::write(&properties));
+    let run = workplace.run(&["shift", "b.json", "--to", "mass-center", "--out", "c.json"]);
     assert_eq!(
         run.err,
         "error: section \"a\" has no mass, expected one for the mass center\n"
     );
     assert_eq!(run.code, 2);
-    let run = place.run(&[
+    let run = workplace.run(&[
         "rotate",
         "b.json",
         "--to-principal",
@@ -185,16 +188,16 @@ fn centers_of_mass_need_mass() {
         "c.json",
     ]);
     assert_eq!(run.code, 2);
-    let run = place.run(&["shift", "b.json", "--to", "shear-center", "--out", "c.json"]);
+    let run = workplace.run(&["shift", "b.json", "--to", "shear-center", "--out", "c.json"]);
     assert_eq!(run.code, 0);
 }
 
 /// So far away that the section's own stiffness is lost in round-off of Steiner's terms.
 #[test]
 fn a_point_out_of_reach_is_refused() {
-    let place = steel();
+    let workplace = steel();
     for to in ["1e9, 0", "0, 1e200"] {
-        let run = place.run(&["shift", "a.json", "--to", to, "--out", "b.json"]);
+        let run = workplace.run(&["shift", "a.json", "--to", to, "--out", "b.json"]);
         assert_eq!((run.code, run.out.as_str()), (2, ""));
         assert!(
             run.err
@@ -208,8 +211,8 @@ fn a_point_out_of_reach_is_refused() {
             run.err
         );
     }
-    assert!(!place.path("b.json").exists());
-    let run = place.run(&["shift", "a.json", "--to", "1,1", "--out", "no/b.json"]);
+    assert!(!workplace.path("b.json").exists());
+    let run = workplace.run(&["shift", "a.json", "--to", "1,1", "--out", "no/b.json"]);
     assert_eq!(
         run.err,
         "error: file \"no/b.json\" cannot be written: its folder does not exist\n"

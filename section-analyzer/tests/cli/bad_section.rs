@@ -3,20 +3,21 @@
 use crate::workplace::Workplace;
 
 #[test]
-fn unknown_key_is_told_with_the_nearest() {
-    let place = Workplace::with(&[("fiber_angle = 0", "fibre_angle = 0")], &[]);
-    place.is_refused(&[
+fn unknown_key_is_reported_with_the_nearest() {
+    let workplace = Workplace::with(&[("fiber_angle = 0", "fibre_angle = 0")], &[]);
+    workplace.is_refused(&[
         "error: a.section.toml:19: unknown key \"fibre_angle\" in [[region]] number 2",
         "  help: did you mean \"fiber_angle\"?",
     ]);
 }
 
 #[test]
-fn wrong_units_are_told_with_those_that_fit() {
+fn wrong_units_are_reported_with_those_that_fit() {
     let density = ("\"7850 kg/m^3\"", "\"7850 kg/m^2\"");
     Workplace::with(&[density], &[]).is_refused(&[
         "error: a.section.toml:10: \"density\": \"kg/m^2\" measures a quantity in kg m^-2, \
          expected a density",
+        "  help: units of it: kg/m^3, g/cm^3, lb/in^3, slug/ft^3",
     ]);
     Workplace::with(&[("\"mm\"", "\"inch\"")], &[]).is_refused(&[
         "error: a.section.toml:4: \"length\": unknown unit \"inch\"",
@@ -43,7 +44,7 @@ fn wrong_units_are_told_with_those_that_fit() {
 }
 
 #[test]
-fn materials_that_cannot_exist_are_told_with_the_bound() {
+fn materials_that_cannot_exist_are_reported_with_the_bound() {
     Workplace::with(&[("poisson = 0.3", "poisson = 0.5")], &[]).is_refused(&[
         "error: a.section.toml:9: material \"steel\": nu is 0.5, expected more than -1 and \
          less than 0.5",
@@ -84,7 +85,7 @@ fn kind_of_material_must_be_clear() {
 }
 
 #[test]
-fn unknown_material_is_told_with_the_nearest() {
+fn unknown_material_is_reported_with_the_nearest() {
     let slip = (
         "group = \"web\"\nmaterial = \"steel\"",
         "group = \"web\"\nmaterial = \"steal\"",
@@ -104,7 +105,7 @@ fn unknown_material_is_told_with_the_nearest() {
 }
 
 #[test]
-fn unknown_group_is_told_with_the_nearest_and_all() {
+fn unknown_group_is_reported_with_the_nearest_and_all() {
     Workplace::with(&[("\"web\"", "\"wib\"")], &[]).is_refused(&[
         "error: a.section.toml:1: physical surface \"web\" (1 cell) has no region",
         "  help: add [[region]] with group = \"web\" and its material",
@@ -131,8 +132,8 @@ fn group_needs_one_region() {
 #[test]
 fn group_may_be_given_by_its_number() {
     for number in ["2", "\"2\""] {
-        let place = Workplace::with(&[("\"web\"", number)], &[]);
-        assert_eq!(place.run(&["check", "a.section.toml"]).code, 0);
+        let workplace = Workplace::with(&[("\"web\"", number)], &[]);
+        assert_eq!(workplace.run(&["check", "a.section.toml"]).code, 0);
     }
 }
 
@@ -188,7 +189,7 @@ fn several_problems_come_together() {
 }
 
 #[test]
-fn text_that_is_no_toml_is_told_with_its_line() {
+fn text_that_is_no_toml_is_reported_with_its_line() {
     let run =
         Workplace::with(&[("young = 210", "young 210")], &[]).run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 2);
@@ -233,14 +234,14 @@ fn a_mesh_far_from_its_origin_is_refused() {
         )
     })
     .to_vec();
-    let place = Workplace::with(&[], &[]);
-    let mut mesh = place.read("two.msh");
+    let workplace = Workplace::with(&[], &[]);
+    let mut mesh = workplace.read("two.msh");
     for (from, to) in moved {
         mesh = mesh.replacen(&from, &to, 1);
     }
-    place.write("two.msh", &mesh);
+    workplace.write("two.msh", &mesh);
     // the middle at 1000000001 mm, the size sqrt(5) mm
-    place.is_refused(&[
+    workplace.is_refused(&[
         "error: a.section.toml:1: the section lies 1.000e6 m from the origin of the mesh, 4.5e8 \
          times its size, expected at most 1e5 times: torsion about the origin would have no \
          accurate digits",
@@ -251,17 +252,17 @@ fn a_mesh_far_from_its_origin_is_refused() {
 /// Its stiffness would not be finite.
 #[test]
 fn a_section_beyond_all_structures_is_refused() {
-    let place = Workplace::with(&[], &[]);
-    let mesh = place.read("two.msh");
+    let workplace = Workplace::with(&[], &[]);
+    let mesh = workplace.read("two.msh");
     let tiny = mesh
         .replace("2 1 0 0", "2 1e-80 0 0")
         .replace("3 2 0 0", "3 2e-80 0 0")
         .replace("4 0 1 0", "4 0 1e-80 0")
         .replace("5 1 1 0", "5 1e-80 1e-80 0")
         .replace("6 2 1 0", "6 2e-80 1e-80 0");
-    place.write("two.msh", &tiny);
-    let run = place.run(&["analyze", "a.section.toml"]);
-    let told = "error: a.section.toml:1: the section is 2.2";
-    assert!(run.err.starts_with(told), "{}", run.err);
+    workplace.write("two.msh", &tiny);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
+    let reported = "error: a.section.toml:1: the section is 2.2";
+    assert!(run.err.starts_with(reported), "{}", run.err);
     assert_eq!(run.code, 2);
 }

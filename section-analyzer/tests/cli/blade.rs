@@ -42,9 +42,9 @@ fn run(changes: &[(&str, &str)]) -> (Workplace, i32, String, String) {
         assert_eq!(text.matches(from).count(), 1, "\"{from}\"");
         text = text.replacen(from, to, 1);
     }
-    let place = Workplace::new();
-    place.write("a.blade.toml", &text);
-    let run = place.run(&[
+    let workplace = Workplace::new();
+    workplace.write("a.blade.toml", &text);
+    let run = workplace.run(&[
         "mesh",
         "blade",
         "a.blade.toml",
@@ -53,24 +53,24 @@ fn run(changes: &[(&str, &str)]) -> (Workplace, i32, String, String) {
         "--section",
         "a.section.toml",
     ]);
-    (place, run.code, run.out, run.err)
+    (workplace, run.code, run.out, run.err)
 }
 
 /// Checks the reported lines: the beginnings of all of them.
 fn is_refused(changes: &[(&str, &str)], expected: &[&str]) {
-    let (place, code, out, err) = run(changes);
+    let (workplace, code, out, err) = run(changes);
     let lines: Vec<&str> = err.lines().collect();
     assert_eq!(lines.len(), expected.len(), "{err}");
     for (line, expected) in lines.iter().zip(expected) {
         assert!(line.starts_with(expected), "{line}\n{expected}");
     }
     assert_eq!((code, out.as_str()), (2, ""));
-    assert!(!place.path("a.msh").exists() && !place.path("a.section.toml").exists());
+    assert!(!workplace.path("a.msh").exists() && !workplace.path("a.section.toml").exists());
 }
 
 #[test]
 fn a_blade_and_its_section_file_are_written() {
-    let (place, code, out, err) = run(&[]);
+    let (workplace, code, out, err) = run(&[]);
     assert_eq!((code, err.as_str()), (0, ""));
     for name in [
         "cap/upper",
@@ -82,7 +82,7 @@ fn a_blade_and_its_section_file_are_written() {
     ] {
         assert!(out.contains(name), "{name}: {out}");
     }
-    let section = place.read("a.section.toml");
+    let section = workplace.read("a.section.toml");
     for part in [
         "mesh = \"a.msh\"\n\n[units]\nlength = \"mm\"\n",
         "[material.glass]\n",
@@ -93,32 +93,32 @@ fn a_blade_and_its_section_file_are_written() {
         assert!(section.contains(part), "{part}\n{section}");
     }
     // only the constants of the four materials are missing
-    let check = place.run(&["check", "a.section.toml"]);
+    let check = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(check.err.matches("has no elastic constants").count(), 4);
     assert_eq!(check.err.matches("error:").count(), 8, "{}", check.err);
     let constants = "young = 1e4\npoisson = 0.3\ndensity = 1e-9\n";
     let solid = section.replace("# density =\n", constants);
-    place.write("b.section.toml", &solid);
-    let check = place.run(&["check", "b.section.toml"]);
+    workplace.write("b.section.toml", &solid);
+    let check = workplace.run(&["check", "b.section.toml"]);
     assert_eq!((check.code, check.err.as_str()), (0, ""));
     assert!(check.out.contains("No problem found"), "{}", check.out);
 }
 
 #[test]
 fn a_section_file_is_not_written_over() {
-    let place = Workplace::new();
-    place.write("a.blade.toml", BLADE);
-    place.write("a.section.toml", "mine");
+    let workplace = Workplace::new();
+    workplace.write("a.blade.toml", BLADE);
+    workplace.write("a.section.toml", "mine");
     let all = ["mesh", "blade", "a.blade.toml", "--out", "a.msh"];
-    let run = place.run(&[&all[..], &["--section", "a.section.toml"]].concat());
+    let run = workplace.run(&[&all[..], &["--section", "a.section.toml"]].concat());
     assert_eq!(run.code, 2);
     assert!(run.err.contains("exists already"), "{}", run.err);
-    assert_eq!(place.read("a.section.toml"), "mine");
-    assert_eq!(place.run(&all).code, 0);
+    assert_eq!(workplace.read("a.section.toml"), "mine");
+    assert_eq!(workplace.run(&all).code, 0);
 }
 
 #[test]
-fn all_that_is_wrong_is_told_at_once() {
+fn all_that_is_wrong_is_reported_at_once() {
     is_refused(
         &[
             ("front_web", "fornt_web"),
@@ -154,7 +154,7 @@ fn all_that_is_wrong_is_told_at_once() {
 }
 
 #[test]
-fn what_does_not_fit_is_told_where_it_is_written() {
+fn what_does_not_fit_is_reported_where_it_is_written() {
     let skin = "fiber_angle = 45, thickness = 0.5";
     is_refused(
         &[(skin, "thickness = 0.5"), ("\"sharp\"", "\"blunt\"")],
@@ -206,7 +206,7 @@ fn what_does_not_fit_is_told_where_it_is_written() {
 }
 
 #[test]
-fn fractions_out_of_order_are_told() {
+fn fractions_out_of_order_are_reported() {
     is_refused(
         &[("front_web = 0.12", "front_web = 0.62")],
         &[
@@ -231,7 +231,7 @@ fn fractions_out_of_order_are_told() {
 }
 
 #[test]
-fn names_mean_one_thing_and_cores_need_their_room() {
+fn names_mean_one_thing_and_cores_need_their_space() {
     is_refused(
         &[
             ("\"pad\"", "\"web\""),
@@ -261,10 +261,10 @@ fn run_on(foil: &str) -> Run {
     for (from, to) in from_file {
         text = text.replacen(from, to, 1);
     }
-    let place = Workplace::new();
-    place.write("a.blade.toml", &text);
-    place.write("foil.dat", foil);
-    place.run(&["mesh", "blade", "a.blade.toml", "--out", "a.msh"])
+    let workplace = Workplace::new();
+    workplace.write("a.blade.toml", &text);
+    workplace.write("foil.dat", foil);
+    workplace.run(&["mesh", "blade", "a.blade.toml", "--out", "a.msh"])
 }
 
 /// NACA 0015 around, and both surfaces from the nose on.
@@ -332,13 +332,13 @@ fn airfoil_files_are_read_in_all_their_forms() {
 /// The example of the help text, as typed by a new user.
 #[test]
 fn the_example_of_the_help_text_runs() {
-    let place = Workplace::new();
-    let help = place.run(&["mesh", "blade", "--help"]).out;
+    let workplace = Workplace::new();
+    let help = workplace.run(&["mesh", "blade", "--help"]).out;
     let (_, example) = help.split_once("<<'END'\n").unwrap();
     let (blade, command) = example.split_once("  END\n").unwrap();
-    place.write("blade.toml", &blade.replace("\n  ", "\n"));
+    workplace.write("blade.toml", &blade.replace("\n  ", "\n"));
     let words: Vec<&str> = command.split_whitespace().skip(1).collect();
-    let run = place.run(&words);
+    let run = workplace.run(&words);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{words:?}");
-    assert!(place.path("blade.section.toml").exists());
+    assert!(workplace.path("blade.section.toml").exists());
 }

@@ -7,25 +7,25 @@ use crate::workplace::Workplace;
 
 /// A folder with the property file `a.json` of two squares of steel.
 fn squares() -> Workplace {
-    let place = Workplace::with(&[], &[]);
-    assert_eq!(place.run(&["analyze", "a.section.toml"]).code, 0);
-    let text = place.read("results/a.properties.json");
-    place.write("a.json", &text);
-    place
+    let workplace = Workplace::with(&[], &[]);
+    assert_eq!(workplace.run(&["analyze", "a.section.toml"]).code, 0);
+    let text = workplace.read("results/a.properties.json");
+    workplace.write("a.json", &text);
+    workplace
 }
 
 /// Writes `b.json`: `a.json` with a change.
-fn changed(place: &Workplace, change: impl Fn(&mut section::SectionProperties)) {
-    let mut properties = section::read(&place.path("a.json")).unwrap();
+fn changed(workplace: &Workplace, change: impl Fn(&mut section::SectionProperties)) {
+    let mut properties = section::read(&workplace.path("a.json")).unwrap();
     change(&mut properties);
-    place.write("b.json", &section::write(&properties));
+    workplace.write("b.json", &section::write(&properties));
 }
 
 /// The same section about another point, in other axes, and both: equal to round-off, and
 /// the output states the changes. As given they differ.
 #[test]
 fn a_moved_section_is_the_same() {
-    let place = squares();
+    let workplace = squares();
     let out = ["--out", "b.json"];
     let moved = [
         ["shift", "a.json", "--to", "0.5 mm, -0.3 mm"],
@@ -36,8 +36,8 @@ fn a_moved_section_is_the_same() {
         "axes turned by -30 deg about +x",
     ];
     for (arguments, said) in moved.iter().zip(said) {
-        assert_eq!(place.run(&[&arguments[..], &out].concat()).code, 0);
-        let run = place.run(&["compare", "a.json", "b.json", "--tolerance", "1e-14"]);
+        assert_eq!(workplace.run(&[&arguments[..], &out].concat()).code, 0);
+        let run = workplace.run(&["compare", "a.json", "b.json", "--tolerance", "1e-14"]);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
         assert!(
             run.out
@@ -46,7 +46,7 @@ fn a_moved_section_is_the_same() {
             run.out
         );
         assert!(run.out.contains("\nEqual within 1e-14: "), "{}", run.out);
-        let run = place.run(&["compare", "a.json", "b.json", "--as-given"]);
+        let run = workplace.run(&["compare", "a.json", "b.json", "--as-given"]);
         assert_eq!((run.code, run.err.as_str()), (1, ""));
         assert!(run.out.contains("\nDifferent: "), "{}", run.out);
     }
@@ -54,15 +54,15 @@ fn a_moved_section_is_the_same() {
 
 /// A coupling of a thousandth of sqrt(Kii Kjj), inserted by hand.
 #[test]
-fn the_worst_entries_are_named_and_the_exit_code_tells() {
-    let place = squares();
-    changed(&place, |b| {
+fn the_worst_entries_are_named_and_the_exit_code_reports() {
+    let workplace = squares();
+    changed(&workplace, |b| {
         let scale = (b.stiffness[(0, 0)] * b.stiffness[(3, 3)]).sqrt();
         b.stiffness[(0, 3)] += 1e-3 * scale;
         b.stiffness[(3, 0)] += 1e-3 * scale;
         b.centers.shear.x += 1e-9;
     });
-    let run = place.run(&["compare", "a.json", "b.json"]);
+    let run = workplace.run(&["compare", "a.json", "b.json"]);
     assert_eq!((run.code, run.err.as_str()), (1, ""));
     let (_, verdict) = run
         .out
@@ -76,11 +76,11 @@ fn the_worst_entries_are_named_and_the_exit_code_tells() {
     assert!(lines[0].ends_with("  N m   +1.0e-3"), "{verdict}");
     assert!(lines[1].starts_with("  center     shear y "), "{verdict}");
     for (tolerance, code) in [("0.99e-3", 1), ("1.01e-3", 0), ("0", 1)] {
-        let run = place.run(&["compare", "a.json", "b.json", "--tolerance", tolerance]);
+        let run = workplace.run(&["compare", "a.json", "b.json", "--tolerance", tolerance]);
         assert_eq!(run.code, code, "{tolerance}");
     }
     assert_eq!(
-        place
+        workplace
             .run(&["compare", "a.json", "a.json", "--tolerance", "0"])
             .code,
         0
@@ -88,10 +88,10 @@ fn the_worst_entries_are_named_and_the_exit_code_tells() {
 }
 
 #[test]
-fn a_section_without_mass_is_told() {
-    let place = squares();
-    changed(&place, |b| b.mass = Matrix6::zeros());
-    let run = place.run(&["compare", "a.json", "b.json"]);
+fn a_section_without_mass_is_reported() {
+    let workplace = squares();
+    changed(&workplace, |b| b.mass = Matrix6::zeros());
+    let run = workplace.run(&["compare", "a.json", "b.json"]);
     assert_eq!((run.code, run.err.as_str()), (1, ""));
     assert!(
         run.out.contains("\nUnlike\n  only A has mass\n"),
@@ -103,7 +103,7 @@ fn a_section_without_mass_is_told() {
         "{}",
         run.out
     );
-    let run = place.run(&["compare", "b.json", "b.json"]);
+    let run = workplace.run(&["compare", "b.json", "b.json"]);
     assert_eq!(run.code, 0);
     assert!(
         run.out
@@ -114,12 +114,12 @@ fn a_section_without_mass_is_told() {
 }
 
 #[test]
-fn what_only_one_has_is_told() {
-    let place = squares();
-    changed(&place, |b| {
+fn what_only_one_has_is_reported() {
+    let workplace = squares();
+    changed(&workplace, |b| {
         b.thermal_force = Some([1.0, 0.0, 0.0, 0.0, 0.0, 0.0].into())
     });
-    let run = place.run(&["compare", "a.json", "b.json"]);
+    let run = workplace.run(&["compare", "a.json", "b.json"]);
     assert_eq!(run.code, 1);
     assert!(
         run.out.contains("\nUnlike\n  only B has a thermal force\n"),
@@ -136,11 +136,11 @@ fn what_only_one_has_is_told() {
 
 #[test]
 fn lines_are_short_and_nothing_is_written() {
-    let place = squares();
-    changed(&place, |b| b.stiffness *= 1.1);
-    let files = || std::fs::read_dir(place.path("")).unwrap().count();
+    let workplace = squares();
+    changed(&workplace, |b| b.stiffness *= 1.1);
+    let files = || std::fs::read_dir(workplace.path("")).unwrap().count();
     let before = files();
-    let run = place.run(&["compare", "a.json", "b.json"]);
+    let run = workplace.run(&["compare", "a.json", "b.json"]);
     assert!(
         run.out.lines().all(|line| line.chars().count() <= 110),
         "{}",

@@ -6,15 +6,15 @@ use crate::workplace::{SECTION, TWO_CELLS, Workplace};
 
 /// [`SECTION`] with a table of the undeformed beam, whose first key is on line 22.
 fn with(table: &str) -> Workplace {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     let text = format!("{SECTION}\n[initial_curvature]\n{table}\n");
-    place.write("a.section.toml", &text);
-    place.write("two.msh", TWO_CELLS);
-    place
+    workplace.write("a.section.toml", &text);
+    workplace.write("two.msh", TWO_CELLS);
+    workplace
 }
 
 #[test]
-fn wrong_tables_are_told() {
+fn wrong_tables_are_reported() {
     with("slope = [1, 0, 0]").is_refused(&[
         "error: a.section.toml:22: [initial_curvature] has no \"curvature\", expected an array of \
          3: twist about x, curvature about y and z",
@@ -44,13 +44,13 @@ fn wrong_tables_are_told() {
                  0] if the line is normal to the section";
     for wrong in ["[0, 1, 0]", "[-1, 0, 0]", "[0, 0, 0]"] {
         let text = format!("curvature = [0, 0, 0]\nslope = {wrong}");
-        let place = with(&text);
-        let run = place.run(&["check", "a.section.toml"]);
+        let workplace = with(&text);
+        let run = workplace.run(&["check", "a.section.toml"]);
         assert_eq!(run.code, 2, "{wrong}");
-        let told = run
+        let reported = run
             .err
             .starts_with("error: a.section.toml:24: \"slope\" is");
-        assert!(told && run.err.contains(slope), "{}", run.err);
+        assert!(reported && run.err.contains(slope), "{}", run.err);
     }
     let both = with("curvature = [1]\nslope = [1, 0]");
     let run = both.run(&["check", "a.section.toml"]);
@@ -72,8 +72,8 @@ fn a_section_that_reaches_its_center_of_curvature_is_refused() {
          is 2.23607 away)",
     ]);
     // Bent in the opposite direction the fibers are longer everywhere.
-    let place = with("curvature = [0, 0, \"-600 rad/m\"]");
-    let run = place.run(&["check", "a.section.toml"]);
+    let workplace = with("curvature = [0, 0, \"-600 rad/m\"]");
+    let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert!(
         run.out
@@ -86,22 +86,22 @@ fn a_section_that_reaches_its_center_of_curvature_is_refused() {
 // Plain numbers are in the declared units, here degrees per millimeter: 0.005 deg/mm are
 // 5 deg/m or 0.0872665 rad/m. A slope of any length is a direction.
 #[test]
-fn the_beam_is_told_and_written() {
-    let place = with("curvature = [0.005, 0, \"0.02 rad/m\"]\nslope = [2, 0.2, 0]");
-    let run = place.run(&["analyze", "a.section.toml"]);
+fn the_beam_is_reported_and_written() {
+    let workplace = with("curvature = [0.005, 0, \"0.02 rad/m\"]\nslope = [2, 0.2, 0]");
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     for words in [
         "\nUndeformed beam, curved or twisted\n",
         "  twist and curvature [1/m]        8.72665e-2           0  2.00000e-2\n",
         "  the same [deg/m]                  5.00000e0           0   1.14592e0\n",
         "  slope of the reference line [-]  9.95037e-1  9.95037e-2           0\n",
-        "  stiffness and mass are those of this beam, per length of the reference line\n",
+        "  stiffness and mass apply to this beam, per length of the reference line\n",
         "\nRestrained warping\n  not given: the beam is curved or twisted; ",
     ] {
         assert!(run.out.contains(words), "{words} is not in\n{}", run.out);
     }
     assert!(!run.out.contains("constants.csv"));
-    let file = place.path("results/a.properties.json");
+    let file = workplace.path("results/a.properties.json");
     let found = section::read(&file).unwrap().initial_curvature.unwrap();
     assert!((found.curvature.x - 5.0_f64.to_radians()).abs() < 1e-16);
     assert_eq!((found.curvature.y, found.curvature.z), (0.0, 0.02));
@@ -117,14 +117,14 @@ fn the_beam_is_told_and_written() {
         "--out",
         "b.json",
     ];
-    let run = place.run(&shift);
+    let run = workplace.run(&shift);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    let moved = section::read(&place.path("b.json")).unwrap();
+    let moved = section::read(&workplace.path("b.json")).unwrap();
     let slope = moved.initial_curvature.unwrap().slope;
     // l + k x d with d = (0, 0, 1): k x d = (k2, -k1, 0).
     assert!((slope.y - (found.slope.y - found.curvature.x)).abs() < 1e-15);
-    let report = place.run(&["report", "b.json"]).out;
-    let per = "  stiffness and mass are those of this beam, per unit of the parameter by which \
+    let report = workplace.run(&["report", "b.json"]).out;
+    let per = "  stiffness and mass apply to this beam, per unit of the parameter by which \
                the line has this slope: 9.95";
     assert!(report.contains(per), "{report}");
 }
@@ -135,11 +135,11 @@ fn the_beam_is_told_and_written() {
 fn no_curvature_is_a_straight_beam() {
     let (straight, plain) = (with("curvature = [0, 0, 0]\nslope = [3, 0, 0]"), with(""));
     plain.write("a.section.toml", SECTION);
-    let properties = [straight, plain].map(|place| {
-        let run = place.run(&["analyze", "a.section.toml"]);
+    let properties = [straight, plain].map(|workplace| {
+        let run = workplace.run(&["analyze", "a.section.toml"]);
         assert_eq!((run.code, run.err.as_str()), (0, ""));
         assert!(!run.out.contains("Undeformed"), "{}", run.out);
-        section::read(&place.path("results/a.properties.json")).unwrap()
+        section::read(&workplace.path("results/a.properties.json")).unwrap()
     });
     let [a, b] = properties;
     assert_eq!(a.stiffness, b.stiffness);
@@ -151,13 +151,13 @@ fn no_curvature_is_a_straight_beam() {
 // Tolerance: round-off of a solution with the section a few sizes off the origin, 1e-10.
 #[test]
 fn the_line_may_be_given_at_another_point() {
-    let place = with("curvature = [0.5, 0, 1]");
+    let workplace = with("curvature = [0.5, 0, 1]");
     let far = SECTION.replace("two.msh", "far.msh");
     // The origin 3 mm below: d = (0, 0, -3 mm), k x d = (0, 3 mm k1, 0).
     let mesh = TWO_CELLS
         .replace(" 0 0\n", " 3 0\n")
         .replace(" 1 0\n", " 4 0\n");
-    place.write("far.msh", &mesh);
+    workplace.write("far.msh", &mesh);
     let side = 3.0 * 0.5_f64.to_radians();
     let c = 1.0_f64.hypot(side);
     let table = format!(
@@ -165,13 +165,13 @@ fn the_line_may_be_given_at_another_point() {
         0.5 / c,
         1.0 / c
     );
-    place.write("b.section.toml", &(far + &table));
+    workplace.write("b.section.toml", &(far + &table));
     for name in ["a.section.toml", "b.section.toml"] {
-        let run = place.run(&["analyze", name]);
+        let run = workplace.run(&["analyze", name]);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{name}");
     }
     let [a, b] = ["a", "b"].map(|name| {
-        let file = place.path(&format!("results/{name}.properties.json"));
+        let file = workplace.path(&format!("results/{name}.properties.json"));
         section::read(&file).unwrap()
     });
     let back = b.shift([0.0, 0.003].into()).per_arc_length();

@@ -4,15 +4,15 @@ use crate::workplace::{Run, SECTION, Workplace};
 
 /// The section with more text at its end, from line 21 on, and changes of its mesh.
 fn with(more: &str, mesh_changes: &[(&str, &str)]) -> Workplace {
-    let place = Workplace::with(&[], mesh_changes);
-    place.write("a.section.toml", &format!("{SECTION}{more}"));
-    place
+    let workplace = Workplace::with(&[], mesh_changes);
+    workplace.write("a.section.toml", &format!("{SECTION}{more}"));
+    workplace
 }
 
 fn run(more: &str, command: &str) -> (Workplace, Run) {
-    let place = with(more, &[]);
-    let run = place.run(&[command, "a.section.toml"]);
-    (place, run)
+    let workplace = with(more, &[]);
+    let run = workplace.run(&[command, "a.section.toml"]);
+    (workplace, run)
 }
 
 /// Words of a text with one space between them.
@@ -42,9 +42,9 @@ force = [0, \"2 MN/m^3\", 0]
 #[test]
 fn loads_along_the_beam_are_recovered() {
     for command in ["analyze", "stress"] {
-        let (place, run) = run(GUST, command);
+        let (workplace, run) = run(GUST, command);
         assert_eq!((run.code, run.err.as_str()), (0, ""));
-        let report = squeezed(&place.read("results/a.gust.stress.txt"));
+        let report = squeezed(&workplace.read("results/a.gust.stress.txt"));
         for line in [
             "axial 1.00000e0",
             "shear y 4.00000e0",
@@ -64,15 +64,15 @@ fn loads_along_the_beam_are_recovered() {
         ] {
             assert!(report.contains(words), "{command} {words}: {report}");
         }
-        assert!(place.path("results/a.gust.stress.vtu").exists());
+        assert!(workplace.path("results/a.gust.stress.vtu").exists());
     }
 }
 
 /// A load of the command line replaces all loads of the file.
 #[test]
 fn a_load_of_the_command_line_has_no_distributed_part() {
-    let place = with(GUST, &[]);
-    let run = place.run(&["stress", "a.section.toml", "--axial", "1 N"]);
+    let workplace = with(GUST, &[]);
+    let run = workplace.run(&["stress", "a.section.toml", "--axial", "1 N"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert!(!run.out.contains("Distributed load"), "{}", run.out);
 }
@@ -105,14 +105,14 @@ force = [1, 0, 0]
 ";
 
 #[test]
-fn everything_wrong_with_loads_along_the_beam_is_told_at_once() {
-    let place = with(WRONG, &[]);
-    let text = format!("end_effects = 21\n{}", place.read("a.section.toml"));
-    place.write("a.section.toml", &text);
-    let run = place.run(&["check", "a.section.toml"]);
+fn everything_wrong_with_loads_along_the_beam_is_reported_at_once() {
+    let workplace = with(WRONG, &[]);
+    let text = format!("end_effects = 21\n{}", workplace.read("a.section.toml"));
+    workplace.write("a.section.toml", &text);
+    let run = workplace.run(&["check", "a.section.toml"]);
     println!("{}", run.err);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
-    for (line, told) in [
+    for (line, reported) in [
         (
             1,
             "\"end_effects\" is 21, expected a whole number from 1 to 20",
@@ -140,8 +140,8 @@ fn everything_wrong_with_loads_along_the_beam_is_told_at_once() {
         let found = run
             .err
             .lines()
-            .any(|l| l.starts_with(&start) && l.contains(told));
-        assert!(found, "{line} {told}:\n{}", run.err);
+            .any(|l| l.starts_with(&start) && l.contains(reported));
+        assert!(found, "{line} {reported}:\n{}", run.err);
     }
     assert!(run.err.contains("did you mean \"edge\"?"), "{}", run.err);
     assert!(run.err.contains("did you mean \"web\"?"), "{}", run.err);
@@ -178,11 +178,11 @@ axial = 1
 ";
 
 #[test]
-fn loads_without_effect_and_names_beside_wrong_values_are_told() {
+fn loads_without_effect_and_names_beside_wrong_values_are_reported() {
     let run = with(EMPTY, &[]).run(&["check", "a.section.toml"]);
     println!("{}", run.err);
     assert_eq!(run.code, 2);
-    for (line, told) in [
+    for (line, reported) in [
         (22, "load \"gust\" has a \"point\", but no force or moment"),
         (23, "the traction is zero, expected a nonzero number"),
         (26, "the volume force is zero, expected a nonzero number"),
@@ -202,15 +202,15 @@ fn loads_without_effect_and_names_beside_wrong_values_are_told() {
     ] {
         let start = format!("error: a.section.toml:{line}: ");
         let mut lines = run.err.lines();
-        let found = lines.any(|l| l.starts_with(&start) && l.contains(told));
-        assert!(found, "{line} {told}:\n{}", run.err);
+        let found = lines.any(|l| l.starts_with(&start) && l.contains(reported));
+        assert!(found, "{line} {reported}:\n{}", run.err);
     }
     assert!(run.err.contains("did you mean \"region\"?"), "{}", run.err);
     assert!(!run.err.contains("load \"single\" is zero"), "{}", run.err);
 }
 
 #[test]
-fn curves_inside_and_curves_of_no_cell_are_told() {
+fn curves_inside_and_curves_of_no_cell_are_reported() {
     let pressed = "[[load.a.traction]]\ncurve = \"edge\"\npressure = 1\n";
     with(pressed, &[("13 1 2 3 1 1 2", "13 1 2 3 1 2 5")]).is_refused(&[
         "error: a.section.toml:22: physical curve \"edge\" has cells on both sides of line 13, \
@@ -229,19 +229,19 @@ fn curves_inside_and_curves_of_no_cell_are_told() {
     ]);
     // a force may act inside
     let force = "[[load.a.traction]]\ncurve = \"edge\"\nforce = [0, 0, 1]\n";
-    let place = with(force, &[("13 1 2 3 1 1 2", "13 1 2 3 1 2 5")]);
-    assert_eq!(place.run(&["stress", "a.section.toml"]).code, 0);
+    let workplace = with(force, &[("13 1 2 3 1 1 2", "13 1 2 3 1 2 5")]);
+    assert_eq!(workplace.run(&["stress", "a.section.toml"]).code, 0);
 }
 
 /// Two linear cells: plausible numbers, one for each requested end effect, and the text.
 #[test]
 fn end_effects_are_reported() {
-    let place = Workplace::with(&[], &[]);
+    let workplace = Workplace::with(&[], &[]);
     let text = format!("end_effects = 3\n{SECTION}");
-    place.write("a.section.toml", &text);
-    let run = place.run(&["analyze", "a.section.toml"]);
+    workplace.write("a.section.toml", &text);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    let report = place.read("results/a.report.txt");
+    let report = workplace.read("results/a.report.txt");
     let (_, part) = report.split_once("End effects: ").unwrap();
     assert!(
         part.contains("End effects fall to 1/e within 0.000"),
@@ -255,10 +255,10 @@ fn end_effects_are_reported() {
     assert_eq!(rows.count(), 3, "{part}");
     assert!(!part.contains("no further"), "{part}");
     // the mesh has fewer than twenty
-    place.write("a.section.toml", &format!("end_effects = 20\n{SECTION}"));
-    let many = place.run(&["analyze", "a.section.toml"]);
+    workplace.write("a.section.toml", &format!("end_effects = 20\n{SECTION}"));
+    let many = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((many.code, many.err.as_str()), (0, ""));
-    let told = "The mesh has no further end effects.";
-    assert!(many.out.contains(told), "{}", many.out);
+    let reported = "The mesh has no further end effects.";
+    assert!(many.out.contains(reported), "{}", many.out);
     assert!(!run.out.is_empty());
 }

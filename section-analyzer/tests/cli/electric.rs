@@ -112,7 +112,7 @@ fn poling_must_be_at_a_right_angle() {
 /// e31 = -1e-10 * 282.692e9 + 2e-10 * 121.154e9 = -4.0385, e33 = 44.4231 likewise: they
 /// subtract 1e-10 * 4.0385 + 2e-10 * 44.4231 = 9.2885e-9 from 300 times 8.8542e-12 F/m.
 #[test]
-fn laws_that_cannot_exist_are_told_with_the_part() {
+fn laws_that_cannot_exist_are_reported_with_the_part() {
     refused(
         "relative_permittivity = 300\nd = { d31 = \"-100 pC/N\", d32 = 0, d33 = \"200 pC/N\" }",
         &[
@@ -212,11 +212,11 @@ fn poling_turns_no_strengths_and_only_plain_expansions() {
         nu12 = 0.3\nnu13 = 0.34\nnu23 = 0.42\ndensity = 7\nexpansion = [1e-6, 2e-6, 3e-6]\n\
         [material.steel.strength]\nxt = 1\nxc = 1\nyt = 1\nyc = 1\ns12 = 1\n\
         [material.steel.electric]\nrelative_permittivity = 3\n";
-    let place = |poling: &str| {
+    let workplace = |poling: &str| {
         let law = "young = 210\npoisson = 0.3\ndensity = \"7850 kg/m^3\"\n";
         Workplace::with(&[(law, &format!("{ply}{poling}\n"))], &[])
     };
-    place("poling = [1, 0, 1]\nacross = 2").is_refused(&[
+    workplace("poling = [1, 0, 1]\nacross = 2").is_refused(&[
         "error: a.section.toml:18: material \"steel\": rotated by \"poling\", the expansion has a \
          shear 5.000e-7 1/K in material axes, expected axes without shear",
         "  help: rotate the material by the angles of its regions, or make the expansion one \
@@ -227,7 +227,9 @@ fn poling_turns_no_strengths_and_only_plain_expansions() {
          and no \"poling\"",
     ]);
     assert_eq!(
-        place("poling = 3").run(&["check", "a.section.toml"]).code,
+        workplace("poling = 3")
+            .run(&["check", "a.section.toml"])
+            .code,
         0
     );
 }
@@ -291,12 +293,12 @@ fn what_has_a_stiffness_must_hold_together() {
          materials with stiffness = \"none\"",
         "  help: a beam needs at least one region with a stiffness",
     ]);
-    let place = potted(&format!("[material.air]\n{air}"), "air");
+    let workplace = potted(&format!("[material.air]\n{air}"), "air");
     let mesh = crate::workplace::TWO_CELLS
         .replace("$Nodes\n6\n", "$Nodes\n8\n7 3 0 0\n8 3 1 0\n")
         .replace("$Elements\n3\n", "$Elements\n4\n14 3 2 1 1 3 7 8 6\n");
-    place.write("two.msh", &mesh);
-    place.is_refused(&[
+    workplace.write("two.msh", &mesh);
+    workplace.is_refused(&[
         "error: a.section.toml:1: only cells without stiffness connect the section: the others \
          are in 2 parts, 1 cell with cell 14 in \"skin\" at (0.0025, 0.0005) m, 1 cell with cell \
          11 in \"skin\" at (0.0005, 0.0005) m, expected one part, connected through whole sides",

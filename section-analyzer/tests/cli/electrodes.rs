@@ -112,15 +112,15 @@ const MIDDLE: &str = "[[electrode]]\nname = \"middle\"\ncurve = \"middle\"\ncirc
 
 /// The section with more text at its end, in which each pair of texts has been replaced.
 fn with(more: &str, changes: &[(&str, &str)]) -> Workplace {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     let mut text = format!("{SECTION}{more}");
     for (from, to) in changes {
         assert_eq!(text.matches(from).count(), 1, "\"{from}\"");
         text = text.replacen(from, to, 1);
     }
-    place.write("a.section.toml", &text);
-    place.write("layers.msh", LAYERS);
-    place
+    workplace.write("a.section.toml", &text);
+    workplace.write("layers.msh", LAYERS);
+    workplace
 }
 
 fn refused(more: &str, changes: &[(&str, &str)], expected: &[&str]) {
@@ -172,7 +172,7 @@ fn electric_laws_and_electrodes_are_shown() {
 }
 
 #[test]
-fn what_is_odd_is_told() {
+fn what_is_odd_is_reported() {
     let report = checked("", &[]);
     assert!(
         report.contains(
@@ -361,7 +361,7 @@ fn fingers_must_be_felt() {
 }
 
 #[test]
-fn everything_wrong_with_electrodes_is_told_at_once() {
+fn everything_wrong_with_electrodes_is_reported_at_once() {
     let wrong = "\
 [[electrode]]
 name = \"top\"
@@ -471,8 +471,8 @@ fn what_does_not_work_with_electrodes_is_refused() {
             "  help: remove it, or the electrodes",
         ],
     );
-    let place = with(&format!("{TOP}{MIDDLE}"), &[]);
-    let run = place.run(&["analyze", "a.section.toml", "--sensitivity"]);
+    let workplace = with(&format!("{TOP}{MIDDLE}"), &[]);
+    let run = workplace.run(&["analyze", "a.section.toml", "--sensitivity"]);
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,

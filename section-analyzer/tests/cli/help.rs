@@ -66,9 +66,9 @@ const EXAMPLES: &[(&[&str], &str)] = &[
 
 #[test]
 fn help_teaches_with_an_example() {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     for (arguments, example) in EXAMPLES {
-        let run = place.run(arguments);
+        let run = workplace.run(arguments);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{arguments:?}");
         assert!(run.out.contains(example), "{arguments:?}: {}", run.out);
         assert!(
@@ -81,12 +81,12 @@ fn help_teaches_with_an_example() {
 /// The example of the help text, as typed by a new user.
 #[test]
 fn example_of_the_help_text_runs() {
-    let place = Workplace::new();
-    let help = place.run(&["--help"]).out;
+    let workplace = Workplace::new();
+    let help = workplace.run(&["--help"]).out;
     let (_, example) = help.split_once("strip of aluminum:\n").unwrap();
     let (_, section) = example.split_once("<<'END'\n").unwrap();
     let (section, _) = section.split_once("  END\n").unwrap();
-    place.write("strip.section.toml", &section.replace("\n  ", "\n"));
+    workplace.write("strip.section.toml", &section.replace("\n  ", "\n"));
     let mesh = [
         "mesh",
         "rectangle",
@@ -102,20 +102,20 @@ fn example_of_the_help_text_runs() {
         example.replace("\\\n    ", "").contains(&mesh.join(" ")),
         "{example}"
     );
-    assert_eq!(place.run(&mesh).code, 0);
-    assert_eq!(place.run(&["analyze", "strip.section.toml"]).code, 0);
+    assert_eq!(workplace.run(&mesh).code, 0);
+    assert_eq!(workplace.run(&["analyze", "strip.section.toml"]).code, 0);
 }
 
 #[test]
 fn wrong_command_lines_end_with_two() {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     for arguments in [
         &[][..],
         &["solve", "a.section.toml"],
         &["analyze"],
         &["mesh", "rectangle", "--width", "wide"],
     ] {
-        let run = place.run(arguments);
+        let run = workplace.run(arguments);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");
         assert!(
             run.err.contains("Usage:") || run.err.contains("--help"),
@@ -123,13 +123,13 @@ fn wrong_command_lines_end_with_two() {
             run.err
         );
     }
-    let run = place.run(&["analyse", "a.section.toml"]);
+    let run = workplace.run(&["analyse", "a.section.toml"]);
     assert!(run.err.contains("analyze"), "{}", run.err);
 }
 
 #[test]
-fn wrong_measures_of_a_mesh_are_told_together() {
-    let place = Workplace::new();
+fn wrong_measures_of_a_mesh_are_reported_together() {
+    let workplace = Workplace::new();
     let sizes = ["mesh", "tube", "--outer-radius", "5", "--thickness", "-5"];
     let cells = [
         "--cells-around",
@@ -139,23 +139,23 @@ fn wrong_measures_of_a_mesh_are_told_together() {
         "--out",
         "x.msh",
     ];
-    let run = place.run(&[&sizes[..], &cells].concat());
+    let run = workplace.run(&[&sizes[..], &cells].concat());
     assert_eq!(
         run.err,
         "error: thickness: expected a positive length, found -5\n\
          error: cells around: expected at least 3, found 2\n"
     );
     assert_eq!(run.code, 2);
-    assert!(!place.path("x.msh").exists());
+    assert!(!workplace.path("x.msh").exists());
 }
 
 #[test]
 fn names_that_no_mesh_file_can_hold_and_negative_counts_are_refused() {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     let mesh = |name: &str, cells: &str| {
         let sizes = ["mesh", "rectangle", "--width", "1", "--height", "1"];
         let cells = ["--cells-y", cells, "--cells-z", "1", "--out", "x.msh"];
-        place.run(&[&sizes[..], &cells, &["--name", name]].concat())
+        workplace.run(&[&sizes[..], &cells, &["--name", name]].concat())
     };
     for name in ["", " ", "a\"b", "a\nb"] {
         let run = mesh(name, "1");
@@ -169,7 +169,7 @@ fn names_that_no_mesh_file_can_hold_and_negative_counts_are_refused() {
         "{}",
         run.err
     );
-    assert!(!place.path("x.msh").exists());
+    assert!(!workplace.path("x.msh").exists());
     let run = mesh("my skin", "1");
     assert_eq!(
         run.out,
@@ -181,9 +181,9 @@ fn names_that_no_mesh_file_can_hold_and_negative_counts_are_refused() {
 /// As in `section-analyzer check ... | head -0`: the reader of the output has ended.
 #[test]
 fn a_closed_pipe_is_no_error() {
-    let place = Workplace::with(&[], &[]);
+    let workplace = Workplace::with(&[], &[]);
     for arguments in [["check", "a.section.toml"], ["analyze", "a.section.toml"]] {
-        let mut command = place.command(&arguments);
+        let mut command = workplace.command(&arguments);
         let mut child = command
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
@@ -203,10 +203,10 @@ fn a_closed_pipe_is_no_error() {
 
 #[test]
 fn a_mesh_that_cannot_be_written_is_wrong_usage() {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     let sizes = ["mesh", "rectangle", "--width", "1", "--height", "1"];
     let rest = ["--cells-y", "1", "--cells-z", "1", "--out", "no/such.msh"];
-    let run = place.run(&[&sizes[..], &rest].concat());
+    let run = workplace.run(&[&sizes[..], &rest].concat());
     assert_eq!(
         run.err,
         "error: file \"no/such.msh\" cannot be written: its folder does not exist\n"
@@ -218,8 +218,8 @@ fn a_mesh_that_cannot_be_written_is_wrong_usage() {
 /// help.
 #[test]
 fn manual_has_a_page_for_each_command() {
-    let place = Workplace::new();
-    let run = place.run(&["manual", "--out", "man1"]);
+    let workplace = Workplace::new();
+    let run = workplace.run(&["manual", "--out", "man1"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     for (page, word) in [
         ("section-analyzer", "section\\-analyzer\\-analyze(1)"),
@@ -227,7 +227,7 @@ fn manual_has_a_page_for_each_command() {
         ("section-analyzer-mesh-tube", "outer\\-radius"),
         ("section-analyzer-manual", "one for each command"),
     ] {
-        let text = place.read(&format!("man1/{page}.1"));
+        let text = workplace.read(&format!("man1/{page}.1"));
         let heading = format!(
             ".TH {page} 1  \"section-analyzer {}\"",
             env!("CARGO_PKG_VERSION")
@@ -235,15 +235,15 @@ fn manual_has_a_page_for_each_command() {
         assert!(text.contains(&heading), "{text}");
         assert!(text.contains(word), "{page}: {text}");
     }
-    let pages = std::fs::read_dir(place.path("man1")).unwrap().count();
-    let printed = place.run(&["manual"]).out;
+    let pages = std::fs::read_dir(workplace.path("man1")).unwrap().count();
+    let printed = workplace.run(&["manual"]).out;
     assert_eq!(printed.matches("\n.TH ").count(), pages);
     assert_eq!(
         run.out.lines().filter(|line| line.ends_with(".1")).count(),
         pages
     );
-    place.write("file", "");
-    let run = place.run(&["manual", "--out", "file/man1"]);
+    workplace.write("file", "");
+    let run = workplace.run(&["manual", "--out", "file/man1"]);
     assert!(
         run.err
             .starts_with("error: folder \"file/man1\" cannot be made"),
@@ -255,29 +255,29 @@ fn manual_has_a_page_for_each_command() {
 
 #[test]
 fn completions_know_commands_and_options() {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let run = place.run(&["completions", shell]);
+        let run = workplace.run(&["completions", shell]);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{shell}");
         for word in ["analyze", "rectangle", "cells-through"] {
             assert!(run.out.contains(word), "{shell}: {word}");
         }
     }
-    assert_eq!(place.run(&["completions", "cmd"]).code, 2);
+    assert_eq!(workplace.run(&["completions", "cmd"]).code, 2);
 }
 
 #[test]
 fn schema_is_printed_or_written() {
-    let place = Workplace::new();
-    let printed = place.run(&["schema"]);
+    let workplace = Workplace::new();
+    let printed = workplace.run(&["schema"]);
     assert_eq!((printed.code, printed.err.as_str()), (0, ""));
     assert!(printed.out.contains("\"$schema\""), "{}", printed.out);
-    let run = place.run(&["schema", "--out", "section.schema.json"]);
+    let run = workplace.run(&["schema", "--out", "section.schema.json"]);
     assert_eq!((run.code, run.out.as_str()), (0, "section.schema.json\n"));
-    assert_eq!(place.read("section.schema.json"), printed.out);
-    let page = place.run(&["schema", "--format", "markdown"]).out;
+    assert_eq!(workplace.read("section.schema.json"), printed.out);
+    let page = workplace.run(&["schema", "--format", "markdown"]).out;
     assert!(page.starts_with("# Section input reference"), "{page}");
-    let run = place.run(&["schema", "--out", "no/such.json"]);
+    let run = workplace.run(&["schema", "--out", "no/such.json"]);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("its folder does not exist"), "{}", run.err);
 }

@@ -15,7 +15,7 @@ fn with(text: &str) -> Workplace {
 }
 
 #[test]
-fn wrong_temperatures_are_told_together() {
+fn wrong_temperatures_are_reported_together() {
     let text = "[temperature.none]\n\
         [temperature.both]\nrise = 1\ntable = \"a.csv\"\n\
         [temperature.zero]\nrise = 0\n\
@@ -43,7 +43,7 @@ fn wrong_temperatures_are_told_together() {
 }
 
 #[test]
-fn wrong_initial_strains_are_told_together() {
+fn wrong_initial_strains_are_reported_together() {
     let text = "[initial_strain.cure]\n\
         [[initial_strain.cure.region]]\ngroup = \"wab\"\nstrain = [1e-3, 0, 0, 0, 0, 0]\n\
         [[initial_strain.cure.region]]\ngroup = \"skin\"\nstrain = [1e-3, 0, 0, 0, 0, 0]\n\
@@ -78,14 +78,14 @@ fn wrong_initial_strains_are_told_together() {
 
 #[test]
 fn tables_of_rises_fit_the_cells_of_the_mesh() {
-    let place = with("[temperature.map]\ntable = \"map.csv\"\n");
-    place.write("map.csv", "cell,rise\n11,20\n13,20\n");
-    place.is_refused(&[
+    let workplace = with("[temperature.map]\ntable = \"map.csv\"\n");
+    workplace.write("map.csv", "cell,rise\n11,20\n13,20\n");
+    workplace.is_refused(&[
         "error: a.section.toml:23: rise table \"map.csv\" has 2 rows, expected 2, one for each cell \
          of the mesh; no rise for cell 12; unknown cell 13",
     ]);
-    place.write("map.csv", "cell,angle\n11,20\n12,1e9\n");
-    place.is_refused(&[
+    workplace.write("map.csv", "cell,angle\n11,20\n12,1e9\n");
+    workplace.is_refused(&[
         "error: map.csv:1: the columns are \"cell,angle\", expected \"cell,rise\"",
         "error: map.csv:3: row \"12,1e9\" cannot be read, expected a rise of temperature of at most \
          100000 in the second column",
@@ -145,9 +145,9 @@ fn names_are_looked_for_even_if_values_are_wrong() {
         [[initial_strain.cure.region]]\ngroup = \"wab\"\nstrain = [1e-3]\n\
         [[initial_strain.cure.region]]\nregion = \"skin\"\nstrain = [1e-3, 0, 0, 0, 0, 0]\n\
         [temperature.none]\ntable = \"zero.csv\"\n";
-    let place = with(text);
-    place.write("zero.csv", "cell,rise\n11,0\n12,0\n");
-    let run = place.run(&["check", "a.section.toml"]);
+    let workplace = with(text);
+    workplace.write("zero.csv", "cell,rise\n11,0\n12,0\n");
+    let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 2);
     for expected in [
         ":24: unknown region \"wab\" in initial strain \"cure\"\n  help: did you mean \"web\"?",
@@ -170,10 +170,10 @@ fn free_heat_is_shown_without_stress() {
     );
     let last = "fiber_angle = 0\nplane_angle = 0\n";
     let heat = format!("{last}[temperature.hot]\nrise = 50\n[load.heat]\ntemperature = \"hot\"\n");
-    let place = Workplace::with(&[EXPANDS, strong, (last, &heat)], &[]);
-    let run = place.run(&["analyze", "a.section.toml"]);
+    let workplace = Workplace::with(&[EXPANDS, strong, (last, &heat)], &[]);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    let report = place.read("results/a.heat.stress.txt");
+    let report = workplace.read("results/a.heat.stress.txt");
     let (_, stresses) = report.split_once("Extreme stresses").unwrap();
     assert!(!stresses.contains("e-"), "{report}");
     assert!(report.contains("smallest reserve factor: none"), "{report}");
@@ -185,8 +185,8 @@ fn free_heat_is_shown_without_stress() {
 /// heated by 50 K, have the force E alpha A T if restrained and no stress if free.
 #[test]
 fn heat_is_in_all_results() {
-    let place = with("[temperature.hot]\nrise = 50\n[load.heat]\ntemperature = \"hot\"\n");
-    let run = place.run(&["analyze", "a.section.toml"]);
+    let workplace = with("[temperature.hot]\nrise = 50\n[load.heat]\ntemperature = \"hot\"\n");
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     for words in [
         "expansion 1.2e-5 1/K",
@@ -196,7 +196,7 @@ fn heat_is_in_all_results() {
     ] {
         assert!(run.out.contains(words), "{words}\n{}", run.out);
     }
-    let file = shared_geom::section::read(&place.path("results/a.properties.json")).unwrap();
+    let file = shared_geom::section::read(&workplace.path("results/a.properties.json")).unwrap();
     // E alpha A
     let push = 210e9 * 12e-6 * 2e-6;
     let thermal = file.thermal_force.unwrap();
@@ -206,16 +206,20 @@ fn heat_is_in_all_results() {
     assert!((state.restrained_force[0] / (-50.0 * push) - 1.0).abs() < 1e-12);
     assert!((state.free_strain[0] / 6e-4 - 1.0).abs() < 1e-12);
     assert!(
-        place
+        workplace
             .read("results/a.properties.json")
             .contains("\"version\": 3")
     );
 
-    let stresses = place.read("results/a.heat.stress.txt");
+    let stresses = workplace.read("results/a.heat.stress.txt");
     assert!(
         stresses.contains("under the imposed strains of hot"),
         "{stresses}"
     );
-    let told = place.run(&["report", "results/a.properties.json"]);
-    assert!(told.out.contains("Imposed state \"hot\""), "{}", told.out);
+    let reported = workplace.run(&["report", "results/a.properties.json"]);
+    assert!(
+        reported.out.contains("Imposed state \"hot\""),
+        "{}",
+        reported.out
+    );
 }

@@ -14,26 +14,26 @@ const FILES: [&str; 4] = [
 
 /// Four sections of [`TWO_CELLS`], each with another modulus of elasticity.
 fn four() -> Workplace {
-    let place = Workplace::new();
+    let workplace = Workplace::new();
     for folder in ["one", "two", ""] {
-        std::fs::create_dir_all(place.path(folder)).unwrap();
-        place.write(
+        std::fs::create_dir_all(workplace.path(folder)).unwrap();
+        workplace.write(
             format!("{folder}/two.msh").trim_start_matches('/'),
             TWO_CELLS,
         );
     }
     for (number, file) in FILES.iter().enumerate() {
         let young = format!("young = {}", 100 + number);
-        place.write(file, &SECTION.replace("young = 210", &young));
+        workplace.write(file, &SECTION.replace("young = 210", &young));
     }
-    place
+    workplace
 }
 
 /// All files of the results with their contents.
-fn results(place: &Workplace) -> BTreeMap<String, Vec<u8>> {
+fn results(workplace: &Workplace) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for folder in ["one/results", "two/results", "results"] {
-        for entry in std::fs::read_dir(place.path(folder)).unwrap() {
+        for entry in std::fs::read_dir(workplace.path(folder)).unwrap() {
             let path = entry.unwrap().path();
             let name = format!("{folder}/{}", path.file_name().unwrap().to_string_lossy());
             found.insert(name, std::fs::read(&path).unwrap());
@@ -46,8 +46,8 @@ fn results(place: &Workplace) -> BTreeMap<String, Vec<u8>> {
 /// the linear field of extension exactly.
 #[test]
 fn each_section_has_a_line_in_the_order_given() {
-    let place = four();
-    let run = place.run(&[&["analyze"], &FILES[..]].concat());
+    let workplace = four();
+    let run = workplace.run(&[&["analyze"], &FILES[..]].concat());
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let lines: Vec<_> = run.out.lines().collect();
     assert_eq!(
@@ -62,17 +62,17 @@ fn each_section_has_a_line_in_the_order_given() {
         assert_eq!(words[5], "1.57000e-2");
     }
     assert_eq!(&lines[5..], ["", "4 sections: 4 solved"]);
-    assert_eq!(results(&place).len(), 4 * 8);
+    assert_eq!(results(&workplace).len(), 4 * 8);
 }
 
 #[test]
 fn results_do_not_depend_on_the_number_of_threads() {
-    let place = four();
+    let workplace = four();
     let run = |threads: &str| {
         let rest = ["--threads", threads, "--force"];
-        let run = place.run(&[&["analyze"], &FILES[..], &rest].concat());
+        let run = workplace.run(&[&["analyze"], &FILES[..], &rest].concat());
         assert_eq!(run.code, 0);
-        (run.out, results(&place))
+        (run.out, results(&workplace))
     };
     let (one, two) = (run("1"), run("2"));
     assert_eq!(one.0, two.0);
@@ -86,33 +86,33 @@ fn results_do_not_depend_on_the_number_of_threads() {
 /// The files of a section are the same alone and among others.
 #[test]
 fn results_do_not_depend_on_the_company() {
-    let (place, alone) = (four(), four());
-    assert_eq!(place.run(&[&["analyze"], &FILES[..]].concat()).code, 0);
+    let (workplace, alone) = (four(), four());
+    assert_eq!(workplace.run(&[&["analyze"], &FILES[..]].concat()).code, 0);
     for file in FILES {
         assert_eq!(alone.run(&["analyze", file]).code, 0);
     }
-    assert!(results(&place) == results(&alone));
+    assert!(results(&workplace) == results(&alone));
 }
 
 /// One file is missing, one has two mistakes, one cannot be solved: all is reported in
 /// the order of the sections, and the good one is written.
 #[test]
-fn problems_of_all_sections_are_told_and_the_others_are_written() {
-    let place = four();
+fn problems_of_all_sections_are_reported_and_the_others_are_written() {
+    let workplace = four();
     let wrong = SECTION.replace("0.3", "0.7").replace("\"web\"", "\"wib\"");
-    place.write("one/a.section.toml", &wrong);
+    workplace.write("one/a.section.toml", &wrong);
     let soft = "[material.air]\nyoung = 1e-20\npoisson = 0\ndensity = 1\n\n[[region]]\ngroup = \"web\"\nmaterial = \"air\"";
     let web = "[[region]]\ngroup = \"web\"\nmaterial = \"steel\"";
-    place.write("one/b.section.toml", &SECTION.replace(web, soft));
+    workplace.write("one/b.section.toml", &SECTION.replace(web, soft));
     let files = [
         "one/b.section.toml",
         "none.section.toml",
         FILES[0],
         FILES[3],
     ];
-    let run = place.run(&[&["analyze"], &files[..]].concat());
+    let run = workplace.run(&[&["analyze"], &files[..]].concat());
     assert_eq!(run.code, 2);
-    let told: Vec<_> = run
+    let reported: Vec<_> = run
         .err
         .lines()
         .filter(|line| line.starts_with("error: "))
@@ -124,26 +124,29 @@ fn problems_of_all_sections_are_told_and_the_others_are_written() {
         "error: one/a.section.toml:9: material \"steel\": nu is 0.7",
         "error: one/a.section.toml:17: the mesh has no physical surface \"wib\"",
     ];
-    assert_eq!(told.len(), starts.len(), "{}", run.err);
-    for (line, start) in told.iter().zip(starts) {
+    assert_eq!(reported.len(), starts.len(), "{}", run.err);
+    for (line, start) in reported.iter().zip(starts) {
         assert!(line.starts_with(start), "{line}");
     }
     let lines: Vec<_> = run.out.lines().map(str::trim_end).collect();
-    assert_eq!(lines[1], "one/b.section.toml  failed             6");
+    assert_eq!(
+        lines[1],
+        "one/b.section.toml  failed             6  1 warning"
+    );
     assert_eq!(lines[2], "none.section.toml   wrong input");
     assert_eq!(lines[6], "4 sections: 1 solved, 1 failed, 2 wrong input");
-    assert!(place.path("results/c.properties.json").exists());
-    assert!(place.path("one/results/b.report.txt").exists());
-    assert!(!place.path("one/results/b.properties.json").exists());
+    assert!(workplace.path("results/c.properties.json").exists());
+    assert!(workplace.path("one/results/b.report.txt").exists());
+    assert!(!workplace.path("one/results/b.properties.json").exists());
 
-    let run = place.run(&["analyze", "one/b.section.toml", "c.section.toml"]);
+    let run = workplace.run(&["analyze", "one/b.section.toml", "c.section.toml"]);
     assert_eq!(run.code, 1);
 }
 
 #[test]
 fn sections_with_the_same_results_are_refused_before_anything_runs() {
-    let place = four();
-    let run = place.run(&[&["analyze"], &FILES[..], &["--out", "all"]].concat());
+    let workplace = four();
+    let run = workplace.run(&[&["analyze"], &FILES[..], &["--out", "all"]].concat());
     assert_eq!(
         run.err,
         "error: \"one/a.section.toml\" and \"two/a.section.toml\" would both write \
@@ -151,11 +154,11 @@ fn sections_with_the_same_results_are_refused_before_anything_runs() {
          one of the section files another name, or remove --out\n"
     );
     assert_eq!((run.code, run.out.as_str()), (2, ""));
-    assert!(!place.path("all").exists());
+    assert!(!workplace.path("all").exists());
 
-    let run = place.run(&["analyze", "c.section.toml", "./c.section.toml"]);
+    let run = workplace.run(&["analyze", "c.section.toml", "./c.section.toml"]);
     assert_eq!(run.code, 2);
-    let run = place.run(&["analyze", "c.section.toml", "c.section.toml"]);
+    let run = workplace.run(&["analyze", "c.section.toml", "c.section.toml"]);
     assert!(
         run.err.ends_with("help: name each section file once\n"),
         "{}",
@@ -165,9 +168,9 @@ fn sections_with_the_same_results_are_refused_before_anything_runs() {
 
 #[test]
 fn threads_are_one_or_more() {
-    let place = four();
+    let workplace = four();
     for count in ["0", "-1", "many", "1.5"] {
-        let run = place.run(&["analyze", FILES[0], FILES[1], "--threads", count]);
+        let run = workplace.run(&["analyze", FILES[0], FILES[1], "--threads", count]);
         assert_eq!((run.code, run.out.as_str()), (2, ""));
         assert!(
             run.err.contains("expected a whole number, 1 or more"),
@@ -175,5 +178,5 @@ fn threads_are_one_or_more() {
             run.err
         );
     }
-    assert!(!place.path("one/results").exists());
+    assert!(!workplace.path("one/results").exists());
 }

@@ -16,7 +16,7 @@ fn unjoined(seam: &str) -> Workplace {
 }
 
 #[test]
-fn doubled_nodes_come_with_places_and_remedy() {
+fn doubled_nodes_come_with_positions_and_remedy() {
     unjoined("1").is_refused(&[
         "error: two.msh: \"skin\" and \"web\" touch along 1 side between (1, 0) and (1, 1) but \
          share no nodes there: 2 nodes are doubled, as 2 and 7 at (1, 0), 5 and 8 at (1, 1); so \
@@ -29,7 +29,7 @@ fn doubled_nodes_come_with_places_and_remedy() {
 }
 
 #[test]
-fn a_gap_that_takes_the_section_apart_is_told_with_its_width() {
+fn a_gap_that_takes_the_section_apart_is_reported_with_its_width() {
     unjoined("1.001").is_refused(&[
         "error: two.msh: the section falls into 2 parts that share no side, expected one",
         "    part 1: 1 cell at (0.5, 0.5), between (0, 0) and (1, 1), in \"skin\"",
@@ -42,7 +42,7 @@ fn a_gap_that_takes_the_section_apart_is_told_with_its_width() {
 }
 
 #[test]
-fn an_overlap_is_told_with_cells_and_place() {
+fn an_overlap_is_reported_with_cells_and_location() {
     unjoined("0.9").is_refused(&[
         "error: two.msh: cells of \"skin\" overlap cells of \"web\": 11 and 12 at (1, 0.5); the \
          area there would be counted twice",
@@ -96,9 +96,9 @@ $EndElements
 
 #[test]
 fn a_slit_between_regions_is_allowed_in_the_section_file() {
-    let place = Workplace::with(&[], &[]);
-    place.write("two.msh", RING);
-    let run = place.run(&["check", "a.section.toml"]);
+    let workplace = Workplace::with(&[], &[]);
+    workplace.write("two.msh", RING);
+    let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 2);
     let first = run.err.lines().next().unwrap();
     assert_eq!(
@@ -107,12 +107,12 @@ fn a_slit_between_regions_is_allowed_in_the_section_file() {
          share no nodes there: 2 nodes are doubled, as 1 and 9 at (1, 0), 2 and 10 at (2, 0)"
     );
 
-    let section = place.read("a.section.toml");
-    place.write(
+    let section = workplace.read("a.section.toml");
+    workplace.write(
         "a.section.toml",
         &format!("doubled_nodes = \"allow\"\n{section}"),
     );
-    let run = place.run(&["check", "a.section.toml"]);
+    let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(
         run.out.contains(
@@ -123,11 +123,11 @@ fn a_slit_between_regions_is_allowed_in_the_section_file() {
         run.out
     );
 
-    place.write(
+    workplace.write(
         "a.section.toml",
         &format!("doubled_nodes = \"alow\"\n{section}"),
     );
-    place.is_refused(&[
+    workplace.is_refused(&[
         "error: a.section.toml:1: \"doubled_nodes\" is \"alow\", expected one of \"error\", \
          \"allow\"",
         "  help: did you mean \"allow\"?",
@@ -135,11 +135,11 @@ fn a_slit_between_regions_is_allowed_in_the_section_file() {
 }
 
 #[test]
-fn poor_cells_are_a_warning_with_places() {
+fn poor_cells_are_a_warning_with_positions() {
     // "web" is 300 long: a strip next to a square
     let long = [("3 2 0 0", "3 301 0 0"), ("6 2 1 0", "6 301 1 0")];
-    let place = Workplace::with(&[], &long);
-    let run = place.run(&["check", "a.section.toml"]);
+    let workplace = Workplace::with(&[], &long);
+    let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let warning = "Warnings\n  warning: 1 cell has a poor shape: results near by are less \
                    accurate\n      cell 12 at (151, 0.5) in \"web\": aspect ratio 300.0, poor \
@@ -160,28 +160,28 @@ Cell quality by region, the worst value (and the mean)
     let run = Workplace::with(&[], &[]).run(&["check", "a.section.toml"]);
     let good = "\n\nAll cells are good by every measure\n";
     assert!(run.out.contains(good), "{}", run.out);
-    let run = place.run(&["analyze", "a.section.toml"]);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     let words = "Cell quality\n  aspect ratios up to 300.0, corners of 90.0 to 90.0 deg,\n  least \
                  over largest Jacobian 1.00 or more: 1 cell is poor\n";
     assert!(run.out.contains(words), "{}", run.out);
 }
 
 #[test]
-fn check_draws_only_when_asked_and_fibers_only_where_there_are_some() {
+fn check_draws_only_when_requested_and_fibers_only_where_there_are_some() {
     let ply = "e1 = 140\ne2 = 10\ne3 = 10\ng12 = 5\ng13 = 5\ng23 = 4\nnu12 = 0.3\nnu13 = 0.3\n\
                nu23 = 0.4\n";
     let plain = Workplace::with(&[], &[]);
     let wound = Workplace::with(&[("young = 210\npoisson = 0.3\n", ply)], &[]);
-    for (place, has_fibers) in [(plain, false), (wound, true)] {
-        assert_eq!(place.run(&["check", "a.section.toml"]).code, 0);
-        assert!(!place.path("results").exists());
-        let run = place.run(&["check", "a.section.toml", "--out", "figures"]);
+    for (workplace, has_fibers) in [(plain, false), (wound, true)] {
+        assert_eq!(workplace.run(&["check", "a.section.toml"]).code, 0);
+        assert!(!workplace.path("results").exists());
+        let run = workplace.run(&["check", "a.section.toml", "--out", "figures"]);
         assert_eq!(run.code, 0, "{}", run.err);
-        let is_there = |file: &str| place.path(file).exists();
+        let is_there = |file: &str| workplace.path(file).exists();
         assert!(is_there("figures/a.mesh.png"));
         assert_eq!(is_there("figures/a.fibers.png"), has_fibers);
         assert_eq!(run.out.contains("figures/a.fibers.png"), has_fibers);
-        let run = place.run(&["analyze", "a.section.toml"]);
+        let run = workplace.run(&["analyze", "a.section.toml"]);
         assert_eq!(run.code, 0, "{}", run.err);
         assert_eq!(is_there("results/a.fibers.png"), has_fibers);
         assert_eq!(run.out.contains("a.fibers.png"), has_fibers);

@@ -14,8 +14,8 @@ fn prestressed(measure: &str) -> Workplace {
 #[test]
 fn the_table_is_in_the_report_and_in_the_property_file() {
     for measure in StrainMeasure::ALL {
-        let place = prestressed(measure.name());
-        let run = place.run(&["analyze", "a.section.toml"]);
+        let workplace = prestressed(measure.name());
+        let run = workplace.run(&["analyze", "a.section.toml"]);
         assert_eq!((run.code, run.err.as_str()), (0, ""));
         let head = format!(
             "\nPrestress, third derivatives T of the energy by strain ({} strain)\n  T1",
@@ -30,11 +30,11 @@ fn the_table_is_in_the_report_and_in_the_property_file() {
         ] {
             assert!(run.out.contains(expected), "{expected}\n{}", run.out);
         }
-        let file = place.path("results/a.properties.json");
+        let file = workplace.path("results/a.properties.json");
         let properties = section::read(&file).unwrap();
         assert_eq!(properties.prestress.unwrap().strain_measure, measure);
         // the report of the file has the same table, and no loads
-        let report = place.run(&["report", "results/a.properties.json"]);
+        let report = workplace.run(&["report", "results/a.properties.json"]);
         let from = |text: &str| {
             let part = &text[text.find("Prestress").unwrap()..];
             part.split("\nStiffness")
@@ -49,16 +49,16 @@ fn the_table_is_in_the_report_and_in_the_property_file() {
 
 #[test]
 fn without_the_request_nothing_changes() {
-    let place = Workplace::with(&[], &[]);
-    let run = place.run(&["analyze", "a.section.toml"]);
+    let workplace = Workplace::with(&[], &[]);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!(run.code, 0);
     assert!(!run.out.contains("Prestress"));
-    let text = place.read("results/a.properties.json");
+    let text = workplace.read("results/a.properties.json");
     assert!(text.contains("\"version\": 1,") && !text.contains("prestress"));
 }
 
 #[test]
-fn an_unknown_measure_is_told() {
+fn an_unknown_measure_is_reported() {
     let run = prestressed("biott").run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 2);
     assert_eq!(
@@ -70,11 +70,11 @@ fn an_unknown_measure_is_told() {
 
 #[test]
 fn curved_beams_are_refused() {
-    let place = prestressed("biot");
-    let text = place.read("a.section.toml");
+    let workplace = prestressed("biot");
+    let text = workplace.read("a.section.toml");
     let curved = format!("{text}\n[initial_curvature]\ncurvature = [\"5 deg/m\", 0, 0]\n");
-    place.write("a.section.toml", &curved);
-    let run = place.run(&["check", "a.section.toml"]);
+    workplace.write("a.section.toml", &curved);
+    let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
@@ -86,11 +86,11 @@ fn curved_beams_are_refused() {
 
 #[test]
 fn oblique_lines_are_refused_by_their_name() {
-    let place = prestressed("biot");
-    let text = place.read("a.section.toml");
+    let workplace = prestressed("biot");
+    let text = workplace.read("a.section.toml");
     let lines = "[initial_curvature]\ncurvature = [0, 0, 0]\nslope = [1, 0.1, 0]\n";
-    place.write("a.section.toml", &format!("{text}\n{lines}"));
-    let run = place.run(&["check", "a.section.toml"]);
+    workplace.write("a.section.toml", &format!("{text}\n{lines}"));
+    let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
@@ -104,24 +104,27 @@ fn oblique_lines_are_refused_by_their_name() {
 /// compared.
 #[test]
 fn the_table_is_moved_and_compared() {
-    let place = prestressed("biot");
-    assert_eq!(place.run(&["analyze", "a.section.toml"]).code, 0);
+    let workplace = prestressed("biot");
+    assert_eq!(workplace.run(&["analyze", "a.section.toml"]).code, 0);
     let moved = ["--to", "3 mm, -2 mm", "--out", "b.json"];
     let file = "results/a.properties.json";
-    assert_eq!(place.run(&[&["shift", file], &moved[..]].concat()).code, 0);
+    assert_eq!(
+        workplace.run(&[&["shift", file], &moved[..]].concat()).code,
+        0
+    );
     let turned = ["rotate", "b.json", "--angle", "30 deg", "--out", "c.json"];
-    assert_eq!(place.run(&turned).code, 0);
-    let run = place.run(&["compare", file, "c.json", "--tolerance", "1e-9"]);
+    assert_eq!(workplace.run(&turned).code, 0);
+    let run = workplace.run(&["compare", file, "c.json", "--tolerance", "1e-9"]);
     assert_eq!(run.code, 0, "{}", run.out);
-    let run = place.run(&["compare", file, "b.json", "--as-given"]);
+    let run = workplace.run(&["compare", file, "b.json", "--as-given"]);
     assert!(run.out.contains("prestress 146"), "{}", run.out);
 
-    let mut green = section::read(&place.path("b.json")).unwrap();
+    let mut green = section::read(&workplace.path("b.json")).unwrap();
     let mut prestress = green.prestress.unwrap();
     prestress.strain_measure = StrainMeasure::Green;
     green.prestress = Some(prestress);
-    place.write("d.json", &section::write(&green));
-    let run = place.run(&["compare", "b.json", "d.json"]);
+    workplace.write("d.json", &section::write(&green));
+    let run = workplace.run(&["compare", "b.json", "d.json"]);
     let words =
         "the prestress of A uses the strain of biot, the prestress of B the strain of green";
     assert!(run.code == 1 && run.out.contains(words), "{}", run.out);
@@ -131,15 +134,15 @@ fn the_table_is_moved_and_compared() {
 /// load the report states the neglected part.
 #[test]
 fn what_a_load_imposes_is_in_its_stiffness() {
-    let place = prestressed("biot");
-    let text = place.read("a.section.toml");
+    let workplace = prestressed("biot");
+    let text = workplace.read("a.section.toml");
     let more = "\n[initial_strain.cure]\n[[initial_strain.cure.region]]\ngroup = \"skin\"\n\
         strain = [1e-3, 0, 0, 0, 0, 0]\n\
         [load.cured]\naxial = \"4 kN\"\ninitial_strain = \"cure\"\n\
         [load.pressed]\naxial = \"4 kN\"\n\
         [[load.pressed.traction]]\ncurve = \"edge\"\npressure = \"1 kPa\"\n";
-    place.write("a.section.toml", &format!("{text}{more}"));
-    let run = place.run(&["analyze", "a.section.toml"]);
+    workplace.write("a.section.toml", &format!("{text}{more}"));
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     println!("{}", &run.out[run.out.find("Prestress").unwrap()..]);
     let under = |name: &str| {
@@ -158,7 +161,7 @@ fn what_a_load_imposes_is_in_its_stiffness() {
     let title = "Prestress, change of the stiffness by the imposed state \"cure\", without internal \
         force [N, N m, N m^2]\n";
     assert!(run.out.contains(title), "{}", run.out);
-    let file = place.path("results/a.properties.json");
+    let file = workplace.path("results/a.properties.json");
     let properties = section::read(&file).unwrap();
     let change = properties.change_by_imposed(&["cure".to_owned()]).unwrap();
     assert!(change[(3, 3)] != 0.0 && properties.imposed[0].stiffness_change.is_some());

@@ -19,33 +19,33 @@ const COUPLED: [(&str, &str); 2] = [
 
 /// A folder with the property file `a.json` of [`COUPLED`].
 fn coupled() -> Workplace {
-    let place = Workplace::with(&COUPLED, &[]);
-    let run = place.run(&["analyze", "a.section.toml"]);
+    let workplace = Workplace::with(&COUPLED, &[]);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    let text = place.read("results/a.properties.json");
-    place.write("a.json", &text);
-    place
+    let text = workplace.read("results/a.properties.json");
+    workplace.write("a.json", &text);
+    workplace
 }
 
-fn properties(place: &Workplace, file: &str) -> SectionProperties {
-    section::read(&place.path(file)).unwrap()
+fn properties(workplace: &Workplace, file: &str) -> SectionProperties {
+    section::read(&workplace.path(file)).unwrap()
 }
 
 /// Runs a command that must succeed.
-fn good(place: &Workplace, arguments: &[&str]) -> Run {
-    let run = place.run(arguments);
+fn good(workplace: &Workplace, arguments: &[&str]) -> Run {
+    let run = workplace.run(arguments);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{arguments:?}");
     run
 }
 
 /// Shifts the first file into the second.
-fn shift(place: &Workplace, [from, out]: [&str; 2], to: &str) -> Run {
-    good(place, &["shift", from, "--to", to, "--out", out])
+fn shift(workplace: &Workplace, [from, out]: [&str; 2], to: &str) -> Run {
+    good(workplace, &["shift", from, "--to", to, "--out", out])
 }
 
 /// Rotates the first file into the second.
-fn rotate(place: &Workplace, [from, out]: [&str; 2], angle: &str) -> Run {
-    good(place, &["rotate", from, "--angle", angle, "--out", out])
+fn rotate(workplace: &Workplace, [from, out]: [&str; 2], angle: &str) -> Run {
+    good(workplace, &["rotate", from, "--angle", angle, "--out", out])
 }
 
 /// Largest difference of two matrices, relative to sqrt(Aii Ajj).
@@ -57,17 +57,17 @@ fn relative(a: &Matrix6<f64>, b: &Matrix6<f64>) -> f64 {
 /// Checks that two files contain the same section to `tolerance`, in all transformed
 /// data: matrices relative to sqrt(Aii Ajj), positions relative to the size of 1 mm,
 /// angles.
-fn same(place: &Workplace, a: &str, b: &str, tolerance: f64) {
-    let (a, b) = (properties(place, a), properties(place, b));
+fn same(workplace: &Workplace, a: &str, b: &str, tolerance: f64) {
+    let (a, b) = (properties(workplace, a), properties(workplace, b));
     assert!(relative(&a.stiffness, &b.stiffness) < tolerance);
     assert!(relative(&a.mass, &b.mass) < tolerance);
-    let places = [
+    let workplaces = [
         (a.reference_point, b.reference_point),
         (a.centers.tension, b.centers.tension),
         (a.centers.shear, b.centers.shear),
         (a.centers.mass, b.centers.mass),
     ];
-    for (a, b) in places {
+    for (a, b) in workplaces {
         assert!((b - a).amax() < 1e-3 * tolerance, "{a} {b}");
     }
     let (a, b) = (a.principal_axes, b.principal_axes);
@@ -83,22 +83,28 @@ fn same(place: &Workplace, a: &str, b: &str, tolerance: f64) {
 /// the section.
 #[test]
 fn shift_and_back_is_where_it_began() {
-    let place = coupled();
-    shift(&place, ["a.json", "b.json"], "0.7 mm, -4e-4");
-    shift(&place, ["b.json", "c.json"], "-0.7 mm,0.4 mm");
-    same(&place, "a.json", "c.json", 1e-14);
-    let (a, b) = (properties(&place, "a.json"), properties(&place, "b.json"));
+    let workplace = coupled();
+    shift(&workplace, ["a.json", "b.json"], "0.7 mm, -4e-4");
+    shift(&workplace, ["b.json", "c.json"], "-0.7 mm,0.4 mm");
+    same(&workplace, "a.json", "c.json", 1e-14);
+    let (a, b) = (
+        properties(&workplace, "a.json"),
+        properties(&workplace, "b.json"),
+    );
     assert!(relative(&a.stiffness, &b.stiffness) > 0.1);
     assert!((b.centers.shear - a.centers.shear).amax() > 5e-4);
 }
 
 #[test]
 fn rotate_and_back_is_where_it_began() {
-    let place = coupled();
-    rotate(&place, ["a.json", "b.json"], "40 deg");
-    rotate(&place, ["b.json", "c.json"], "-40 deg");
-    same(&place, "a.json", "c.json", 1e-14);
-    let (a, b) = (properties(&place, "a.json"), properties(&place, "b.json"));
+    let workplace = coupled();
+    rotate(&workplace, ["a.json", "b.json"], "40 deg");
+    rotate(&workplace, ["b.json", "c.json"], "-40 deg");
+    same(&workplace, "a.json", "c.json", 1e-14);
+    let (a, b) = (
+        properties(&workplace, "a.json"),
+        properties(&workplace, "b.json"),
+    );
     assert!(relative(&a.stiffness, &b.stiffness) > 0.1);
     let turned = b.principal_axes.bending_angle - a.principal_axes.bending_angle;
     assert!((turned + 40.0_f64.to_radians()).abs() < 1e-14);
@@ -109,9 +115,9 @@ fn rotate_and_back_is_where_it_began() {
 /// two solutions agree to their own round-off, 1e-11 after the shift.
 #[test]
 fn a_shifted_file_is_that_of_the_moved_mesh() {
-    let place = coupled();
-    shift(&place, ["a.json", "b.json"], "-0.7 mm, 0.4 mm");
-    let mut mesh = place.read("two.msh");
+    let workplace = coupled();
+    shift(&workplace, ["a.json", "b.json"], "-0.7 mm, 0.4 mm");
+    let mut mesh = workplace.read("two.msh");
     for (tag, y, z) in [
         (1, 0, 0),
         (2, 1, 0),
@@ -123,11 +129,11 @@ fn a_shifted_file_is_that_of_the_moved_mesh() {
         let moved = format!("\n{tag} {} {} 0\n", f64::from(y) + 0.7, f64::from(z) - 0.4);
         mesh = mesh.replacen(&format!("\n{tag} {y} {z} 0\n"), &moved, 1);
     }
-    place.write("two.msh", &mesh);
-    good(&place, &["analyze", "a.section.toml"]);
+    workplace.write("two.msh", &mesh);
+    good(&workplace, &["analyze", "a.section.toml"]);
     let files = ["results/a.properties.json", "b.json"];
     let run = good(
-        &place,
+        &workplace,
         &[
             "compare",
             files[0],
@@ -147,10 +153,13 @@ fn a_shifted_file_is_that_of_the_moved_mesh() {
 
 #[test]
 fn provenance_keeps_the_source_and_says_what_was_done() {
-    let place = coupled();
-    shift(&place, ["a.json", "b.json"], "25 mm, 0");
-    rotate(&place, ["b.json", "c.json"], "0.5 rad");
-    let (a, c) = (properties(&place, "a.json"), properties(&place, "c.json"));
+    let workplace = coupled();
+    shift(&workplace, ["a.json", "b.json"], "25 mm, 0");
+    rotate(&workplace, ["b.json", "c.json"], "0.5 rad");
+    let (a, c) = (
+        properties(&workplace, "a.json"),
+        properties(&workplace, "c.json"),
+    );
     assert_eq!(c.provenance.input_hash, a.provenance.input_hash);
     assert!(a.provenance.history.is_empty());
     let changes: Vec<_> = c
@@ -169,7 +178,7 @@ fn provenance_keeps_the_source_and_says_what_was_done() {
             .iter()
             .all(|step| step.program == "section-analyzer")
     );
-    let report = good(&place, &["report", "c.json"]).out;
+    let report = good(&workplace, &["report", "c.json"]).out;
     for line in [
         "  history   reference point moved by (0.025, 0) m by section-analyzer 0.1.0",
         "            axes turned by 28.6479 deg about +x by section-analyzer 0.1.0",
@@ -185,10 +194,10 @@ fn provenance_keeps_the_source_and_says_what_was_done() {
 /// A center to which the reference point moves has zero coordinates.
 #[test]
 fn the_reference_point_moves_to_a_center() {
-    let place = coupled();
+    let workplace = coupled();
     for center in ["tension-center", "shear-center", "mass-center"] {
-        shift(&place, ["a.json", "b.json"], center);
-        let b = properties(&place, "b.json");
+        shift(&workplace, ["a.json", "b.json"], center);
+        let b = properties(&workplace, "b.json");
         let point = match center {
             "tension-center" => b.centers.tension,
             "shear-center" => b.centers.shear,
@@ -197,17 +206,17 @@ fn the_reference_point_moves_to_a_center() {
         assert_eq!(point.amax(), 0.0, "{center}");
     }
     // about the mass center, momentum and angular momentum are uncoupled
-    assert!(properties(&place, "b.json").mass[(0, 4)].abs() < 1e-20);
+    assert!(properties(&workplace, "b.json").mass[(0, 4)].abs() < 1e-20);
 }
 
 /// In principal axes of inertia about the mass center, the product of inertia is zero; in
 /// principal axes of bending, the compliance does not couple the two bendings.
 #[test]
 fn the_axes_turn_to_principal_ones() {
-    let place = coupled();
-    rotate(&place, ["a.json", "t.json"], "25 deg");
+    let workplace = coupled();
+    rotate(&workplace, ["a.json", "t.json"], "25 deg");
     good(
-        &place,
+        &workplace,
         &[
             "rotate",
             "t.json",
@@ -217,13 +226,13 @@ fn the_axes_turn_to_principal_ones() {
             "b.json",
         ],
     );
-    let b = properties(&place, "b.json");
+    let b = properties(&workplace, "b.json");
     assert_eq!(b.principal_axes.bending_angle, 0.0);
     let c = b.stiffness.try_inverse().unwrap();
     assert!(c[(4, 5)].abs() < 1e-10 * (c[(4, 4)] * c[(5, 5)]).sqrt());
-    shift(&place, ["t.json", "m.json"], "mass-center");
+    shift(&workplace, ["t.json", "m.json"], "mass-center");
     good(
-        &place,
+        &workplace,
         &[
             "rotate",
             "m.json",
@@ -233,18 +242,19 @@ fn the_axes_turn_to_principal_ones() {
             "i.json",
         ],
     );
-    let m = properties(&place, "i.json").mass;
+    let m = properties(&workplace, "i.json").mass;
     assert!(m[(4, 5)].abs() < 1e-14 * (m[(4, 4)] * m[(5, 5)]).sqrt());
     assert!(
-        (m[(4, 4)] / properties(&place, "t.json").principal_axes.inertia[0] - 1.0).abs() < 1e-13
+        (m[(4, 4)] / properties(&workplace, "t.json").principal_axes.inertia[0] - 1.0).abs()
+            < 1e-13
     );
 }
 
 #[test]
 fn the_report_has_the_layout_of_an_analysis() {
-    let place = coupled();
-    let analysis = place.read("results/a.report.txt");
-    let report = good(&place, &["report", "a.json"]).out;
+    let workplace = coupled();
+    let analysis = workplace.read("results/a.report.txt");
+    let report = good(&workplace, &["report", "a.json"]).out;
     let part = |text: &str, title: &str| {
         let start = text.find(&format!("\n{title}")).unwrap();
         let rest = &text[start + 1..];
@@ -266,14 +276,14 @@ fn the_report_has_the_layout_of_an_analysis() {
         report.contains("  mesh      6 nodes, 2 cells\n"),
         "{report}"
     );
-    let two = good(&place, &["report", "a.json", "a.json"]).out;
+    let two = good(&workplace, &["report", "a.json", "a.json"]).out;
     assert_eq!(two, format!("{report}\n{report}"));
 }
 
 #[test]
 fn options_of_a_property_file_are_reported() {
-    let place = coupled();
-    let mut section = properties(&place, "a.json");
+    let workplace = coupled();
+    let mut section = properties(&workplace, "a.json");
     section.mass = Matrix6::zeros();
     section.thermal_force = Some([100.0, 0.0, 0.0, 0.0, 0.5, 0.0].into());
     section.damping = Some(section::Damping::StiffnessProportional(1e-4));
@@ -286,8 +296,8 @@ fn options_of_a_property_file_are_reported() {
         coupling: nalgebra::DMatrix::from_fn(6, 1, |i, _| 1.0 + i as f64),
         capacitance: nalgebra::DMatrix::from_element(1, 1, 2e-9),
     });
-    place.write("b.json", &section::write(&section));
-    let report = good(&place, &["report", "b.json"]).out;
+    workplace.write("b.json", &section::write(&section));
+    let report = good(&workplace, &["report", "b.json"]).out;
     for line in [
         "  mass              0           0  the section has no mass",
         "  twist and curvature [1/m]        1.00000e-1          0  0",

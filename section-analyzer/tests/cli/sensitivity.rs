@@ -5,7 +5,7 @@ use crate::workplace::Workplace;
 const FILE: &str = "results/a.sensitivity.json";
 
 /// One of the two cells is a ply, so that there are angles.
-fn place() -> Workplace {
+fn workplace() -> Workplace {
     let ply = "[material.ply]\ne1 = 140\ne2 = 9\ne3 = 9\ng12 = 5\ng13 = 5\ng23 = 3\n\
                nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.4\ndensity = \"1600 kg/m^3\"\n\n[[region]]\n\
                group = \"skin\"\nmaterial = \"ply\"\nfiber_angle = 20\n";
@@ -13,17 +13,17 @@ fn place() -> Workplace {
     Workplace::with(&[(steel, ply)], &[])
 }
 
-fn json(place: &Workplace) -> serde_json::Value {
-    serde_json::from_str(&place.read(FILE)).unwrap()
+fn json(workplace: &Workplace) -> serde_json::Value {
+    serde_json::from_str(&workplace.read(FILE)).unwrap()
 }
 
 #[test]
 fn the_file_has_all_constants_and_angles() {
-    let place = place();
-    let run = place.run(&["analyze", "a.section.toml", "--sensitivity"]);
+    let workplace = workplace();
+    let run = workplace.run(&["analyze", "a.section.toml", "--sensitivity"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert!(run.out.contains(&format!("\n  {FILE}\n")), "{}", run.out);
-    let file = json(&place);
+    let file = json(&workplace);
     let parameters = file["parameters"].as_array().unwrap();
     let names: Vec<_> = parameters
         .iter()
@@ -63,16 +63,16 @@ fn the_file_has_all_constants_and_angles() {
         .map(|p| p["value"].as_f64().unwrap() * p["stiffness"][0][0].as_f64().unwrap())
         .sum();
     let properties: serde_json::Value =
-        serde_json::from_str(&place.read("results/a.properties.json")).unwrap();
+        serde_json::from_str(&workplace.read("results/a.properties.json")).unwrap();
     let stiffness = properties["stiffness"][0][0].as_f64().unwrap();
     assert!((sum / stiffness - 1.0).abs() < 1e-10, "{sum} {stiffness}");
 }
 
 #[test]
 fn the_table_is_in_the_report() {
-    let place = place();
-    let run = place.run(&["analyze", "a.section.toml", "--sensitivity"]);
-    let report = place.read("results/a.report.txt");
+    let workplace = workplace();
+    let run = workplace.run(&["analyze", "a.section.toml", "--sensitivity"]);
+    let report = workplace.read("results/a.report.txt");
     assert!(run.out.starts_with(&report));
     assert!(
         report.contains("\nSensitivities: change by 1 %"),
@@ -94,9 +94,9 @@ fn the_table_is_in_the_report() {
 }
 
 #[test]
-fn nodes_are_parameters_where_asked_for() {
-    let place = place();
-    let run = place.run(&[
+fn nodes_are_parameters_where_requested() {
+    let workplace = workplace();
+    let run = workplace.run(&[
         "analyze",
         "a.section.toml",
         "--sensitivity",
@@ -104,7 +104,7 @@ fn nodes_are_parameters_where_asked_for() {
         "3,6",
     ]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    let file = json(&place);
+    let file = json(&workplace);
     let parameters = file["parameters"].as_array().unwrap();
     let last: Vec<_> = parameters[parameters.len() - 4..]
         .iter()
@@ -134,10 +134,10 @@ fn the_table_is_about_the_centers() {
         "poisson = 0.3\ndensity = \"7850 kg/m^3\"",
         "poisson = 0\ndensity = 0",
     );
-    let row = |place: &Workplace, name: &str, part: usize| -> Vec<String> {
-        let run = place.run(&["analyze", "a.section.toml", "--sensitivity"]);
+    let row = |workplace: &Workplace, name: &str, part: usize| -> Vec<String> {
+        let run = workplace.run(&["analyze", "a.section.toml", "--sensitivity"]);
         assert_eq!((run.code, run.err.as_str()), (0, ""));
-        let report = place.read("results/a.report.txt");
+        let report = workplace.read("results/a.report.txt");
         let lines: Vec<_> = report.lines().filter(|line| line.contains(name)).collect();
         let words = lines[part].split_whitespace().skip(3);
         words.map(str::to_owned).collect()
@@ -171,32 +171,32 @@ fn the_table_is_about_the_centers() {
 /// The file belongs to the run that requested it.
 #[test]
 fn a_run_without_the_option_removes_the_file() {
-    let place = place();
-    let asked = ["analyze", "a.section.toml", "--sensitivity"];
-    place.run(&asked);
+    let workplace = workplace();
+    let requested = ["analyze", "a.section.toml", "--sensitivity"];
+    workplace.run(&requested);
     assert!(
-        place
-            .run(&asked)
+        workplace
+            .run(&requested)
             .out
             .contains("Unchanged since the last run")
     );
-    let run = place.run(&["analyze", "a.section.toml"]);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert!(!run.out.contains("Unchanged"), "{}", run.out);
     assert!(!run.out.contains("Sensitivities"));
-    assert!(!place.path(FILE).exists());
+    assert!(!workplace.path(FILE).exists());
     let removed =
         format!("\nRemoved: derivatives of an earlier run (--sensitivity makes them)\n  {FILE}\n");
     assert!(run.out.ends_with(&removed), "{}", run.out);
-    let run = place.run(&["analyze", "a.section.toml", "--force"]);
+    let run = workplace.run(&["analyze", "a.section.toml", "--force"]);
     assert!(!run.out.contains("Removed"), "{}", run.out);
-    assert!(!place.run(&asked).out.contains("Unchanged"));
-    assert!(place.path(FILE).exists());
+    assert!(!workplace.run(&requested).out.contains("Unchanged"));
+    assert!(workplace.path(FILE).exists());
 }
 
 #[test]
 fn nodes_that_are_not_there() {
-    let place = place();
-    let run = place.run(&[
+    let workplace = workplace();
+    let run = workplace.run(&[
         "analyze",
         "a.section.toml",
         "--sensitivity",
@@ -210,22 +210,22 @@ error: a.section.toml: --sensitivity-nodes 77: the mesh \"two.msh\" has no node 
   help: the nearest number in the file is 6
 ";
     assert_eq!((run.code, run.err.as_str()), (2, expected));
-    assert!(!place.path("results").exists());
+    assert!(!workplace.path("results").exists());
 
-    let run = place.run(&["analyze", "a.section.toml", "--sensitivity-nodes", "1"]);
+    let run = workplace.run(&["analyze", "a.section.toml", "--sensitivity-nodes", "1"]);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("--sensitivity"), "{}", run.err);
     let rest = ["--sensitivity", "--sensitivity-nodes", "one"];
-    let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
+    let run = workplace.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
     assert_eq!(run.code, 2);
     assert!(run.err.contains("'one'"), "{}", run.err);
     for wrong in ["-1", "1.5"] {
         let rest = ["--sensitivity", "--sensitivity-nodes", wrong];
-        let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
+        let run = workplace.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
         assert_eq!(run.code, 2);
         assert!(run.err.contains("separated by commas"), "{}", run.err);
     }
     let rest = ["--sensitivity", "--sensitivity-nodes", "1, 3"];
-    let run = place.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
+    let run = workplace.run(&[&["analyze", "a.section.toml"][..], &rest].concat());
     assert_eq!((run.code, run.err.as_str()), (0, ""));
 }

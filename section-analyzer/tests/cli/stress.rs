@@ -15,9 +15,9 @@ const FILES: [&str; 8] = [
 
 /// A section of 2 x 1 mm under loads of the file; line numbers start at 21.
 fn with(more: &str) -> Workplace {
-    let place = Workplace::with(&[], &[]);
-    place.write("a.section.toml", &format!("{SECTION}{more}"));
-    place
+    let workplace = Workplace::with(&[], &[]);
+    workplace.write("a.section.toml", &format!("{SECTION}{more}"));
+    workplace
 }
 
 /// Column of a table by its name.
@@ -36,22 +36,22 @@ fn numbers(table: &str, name: &str) -> Vec<f64> {
 
 #[test]
 fn analyze_recovers_every_load_of_the_file() {
-    let place =
+    let workplace =
         with("[load.pull]\naxial = \"400 N\"\npoint = [1, 0.5]\n[load.turn]\ntorsion = 1\n");
-    let run = place.run(&["analyze", "a.section.toml"]);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     for load in ["pull", "turn"] {
         for file in FILES {
             let path = format!("results/a.{load}.{file}");
             assert!(
-                place.path(&path).exists() && run.out.contains(&path),
+                workplace.path(&path).exists() && run.out.contains(&path),
                 "{path}"
             );
         }
     }
     // 400 N in the middle of 2 mm^2: 200 MPa at all of the 2 x 4 points; the table has
     // nine digits
-    let table = place.read("results/a.pull.stress.csv");
+    let table = workplace.read("results/a.pull.stress.csv");
     let stresses = numbers(&table, "stress_xx [Pa]");
     assert_eq!(stresses.len(), 8);
     assert!(
@@ -66,34 +66,34 @@ fn analyze_recovers_every_load_of_the_file() {
 /// corner (2, 1) mm bends by 1 N m about y and by -2 N m about z.
 #[test]
 fn command_line_gives_a_load() {
-    let place = with("[load.pull]\naxial = 400\n");
+    let workplace = with("[load.pull]\naxial = 400\n");
     let point = ["--point", "2 mm", "1e-3", "--name", "corner", "--out", "r"];
     let arguments = ["stress", "a.section.toml", "--axial", "1 kN"];
     let signed = [&arguments[..], &["--torsion", "-2 N m", "--shear-y", "-3"]].concat();
-    let signed = place.run(&[&signed[..], &["--name", "signed", "--out", "r"]].concat());
+    let signed = workplace.run(&[&signed[..], &["--name", "signed", "--out", "r"]].concat());
     assert_eq!((signed.code, signed.err.as_str()), (0, ""));
-    let report = squeezed(&place.read("r/a.signed.stress.txt"));
+    let report = squeezed(&workplace.read("r/a.signed.stress.txt"));
     assert!(report.contains("torsion -2.00000e0"), "{report}");
     assert!(report.contains("shear y -3.00000e0"), "{report}");
-    let run = place.run(&[&arguments[..], &point].concat());
+    let run = workplace.run(&[&arguments[..], &point].concat());
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    assert!(!place.path("r/a.pull.stress.csv").exists());
-    let report = place.read("r/a.corner.stress.txt");
+    assert!(!workplace.path("r/a.pull.stress.csv").exists());
+    let report = workplace.read("r/a.corner.stress.txt");
     assert!(run.out.starts_with(&report), "{}", run.out);
     for line in ["bending y  1.00000e0", "bending z  -2.00000e0"] {
         assert!(squeezed(&report).contains(&squeezed(line)), "{report}");
     }
     assert!(report.contains("none: no material has strengths"));
-    let run = place.run(&["stress", "a.section.toml"]);
+    let run = workplace.run(&["stress", "a.section.toml"]);
     assert_eq!(run.code, 0);
-    assert!(place.path("results/a.pull.stress.csv").exists());
+    assert!(workplace.path("results/a.pull.stress.csv").exists());
 }
 
 /// Negative values with units are values, not options.
 #[test]
 fn command_line_takes_negative_loads_with_units() {
-    let place = with("");
-    let run = place.run(&[
+    let workplace = with("");
+    let run = workplace.run(&[
         "stress",
         "a.section.toml",
         "--axial",
@@ -119,8 +119,8 @@ fn command_line_takes_negative_loads_with_units() {
 /// no bending: the curvatures are round-off, and shown as zero.
 #[test]
 fn report_leaves_out_what_means_nothing() {
-    let place = with("[load.pull]\naxial = 400\npoint = [1, 0.5]\n");
-    let run = place.run(&["stress", "a.section.toml"]);
+    let workplace = with("[load.pull]\naxial = 400\npoint = [1, 0.5]\n");
+    let run = workplace.run(&["stress", "a.section.toml"]);
     let rows: Vec<_> = run.out.lines().map(squeezed).collect();
     let is_shown = |name: &str| rows.iter().any(|row| row.starts_with(name));
     assert!(is_shown("xx ") && is_shown("xy 0") && is_shown("von Mises "));
@@ -141,13 +141,13 @@ fn squeezed(text: &str) -> String {
 /// 200 MPa against a yield stress of 250 MPa: index 0.8, reserve factor 1.25.
 #[test]
 fn strengths_give_failure_indices() {
-    let place = with(
+    let workplace = with(
         "[load.pull]\naxial = \"400 N\"\npoint = [1, 0.5]\n\
          [material.steel.strength]\nyield = 0.25\n\
          [material.steel.strain_limit]\ntension = 0.002\ncompression = 0.002\nshear = 0.002\n",
     );
-    assert_eq!(place.run(&["analyze", "a.section.toml"]).code, 0);
-    let table = place.read("results/a.pull.stress.csv");
+    assert_eq!(workplace.run(&["analyze", "a.section.toml"]).code, 0);
+    let table = workplace.read("results/a.pull.stress.csv");
     for (name, value) in [
         ("von_mises_index [-]", 0.8),
         ("von_mises_reserve_factor [-]", 1.25),
@@ -160,10 +160,10 @@ fn strengths_give_failure_indices() {
             "{name} {found:?}"
         );
     }
-    assert!(place.path("results/a.pull.failure.png").exists());
-    let fields = place.read("results/a.pull.stress.vtu");
+    assert!(workplace.path("results/a.pull.failure.png").exists());
+    let fields = workplace.read("results/a.pull.stress.vtu");
     assert!(fields.contains("failure_von_mises") && fields.contains("failure_max_strain"));
-    let report = squeezed(&place.read("results/a.pull.stress.txt"));
+    let report = squeezed(&workplace.read("results/a.pull.stress.txt"));
     assert!(
         report.contains("skin von Mises 8.00000e-1 1.25000e0 yielding"),
         "{report}"
@@ -175,18 +175,18 @@ fn strengths_give_failure_indices() {
 }
 
 #[test]
-fn wrong_loads_are_told() {
-    let place = with(
+fn wrong_loads_are_reported() {
+    let workplace = with(
         "[load.none]\naxial = 0\n[load.\"a/b\"]\naxial = \"3 mm\"\n[load.c]\nshear = 1\npoint = [1]\n",
     );
-    place.is_refused(&[
+    workplace.is_refused(&[
         "error: a.section.toml:21: load \"none\" is zero, expected at least one of \"axial\", \
          \"shear_y\", \"shear_z\", \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \
          \"initial_strain\", \"traction\", \"volume\", \"voltages\"",
         "error: a.section.toml:23: load \"a/b\": expected a name of letters, digits, \"-\" and \"_\"",
         "  help: the name becomes part of file names",
         "error: a.section.toml:24: \"axial\": \"mm\" measures a length, expected a force",
-        "  help: units of it: N, kN, MN, lbf, kip",
+        "  help: units of it: N, kN, MN, mN, lbf, kip",
         "error: a.section.toml:25: load \"c\" is zero, expected at least one of \"axial\", \
          \"shear_y\", \"shear_z\", \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \
          \"initial_strain\", \"traction\", \"volume\", \"voltages\"",
@@ -195,8 +195,8 @@ fn wrong_loads_are_told() {
         "error: a.section.toml:27: \"point\" is an array of 1, expected an array of 2, y and z, each a \
          length",
     ]);
-    let place = Workplace::with(&[], &[]);
-    let run = place.run(&["stress", "a.section.toml"]);
+    let workplace = Workplace::with(&[], &[]);
+    let run = workplace.run(&["stress", "a.section.toml"]);
     assert_eq!(
         run.err,
         "error: a.section.toml: the section file has no load case, and the command line has no \
@@ -204,7 +204,7 @@ fn wrong_loads_are_told() {
          --shear-z, --torsion, --bending-y, --bending-z\n"
     );
     assert_eq!(run.code, 2);
-    assert!(!place.path("results").exists());
+    assert!(!workplace.path("results").exists());
     for wrong in [
         &["--axial", "1 mm"][..],
         &["--torsion", "inf"],
@@ -213,7 +213,7 @@ fn wrong_loads_are_told() {
         &["--point", "1", "2"],
         &["--axial", "1", "--name", "a/b"],
     ] {
-        let run = place.run(&[&["stress", "a.section.toml"], wrong].concat());
+        let run = workplace.run(&[&["stress", "a.section.toml"], wrong].concat());
         assert_eq!(run.code, 2, "{wrong:?} {}", run.err);
     }
 }
@@ -221,21 +221,21 @@ fn wrong_loads_are_told() {
 /// The squares of their stresses would not be finite. The force of 1 N at 1e30 m has a
 /// moment of 1e30 N m about the origin.
 #[test]
-fn loads_beyond_all_structures_are_told() {
+fn loads_beyond_all_structures_are_reported() {
     with("[load.far]\naxial = \"1 N\"\npoint = [\"0 m\", \"1e30 m\"]\n").is_refused(&[
         "error: a.section.toml:21: load \"far\" has bending y of 1e30 about the origin of the \
          mesh, expected at most 1e20",
         "  help: this is in SI units; check the unit and the \"point\" where the load acts",
     ]);
-    let place = Workplace::with(&[], &[]);
-    let run = place.run(&["stress", "a.section.toml", "--axial", "1e300"]);
-    let told = "error: load \"load\" has axial of 1e300 about";
-    assert!(run.err.starts_with(told), "{}", run.err);
+    let workplace = Workplace::with(&[], &[]);
+    let run = workplace.run(&["stress", "a.section.toml", "--axial", "1e300"]);
+    let reported = "error: load \"load\" has axial of 1e300 about";
+    assert!(run.err.starts_with(reported), "{}", run.err);
     assert_eq!(run.code, 2);
 }
 
 #[test]
-fn wrong_strengths_are_told() {
+fn wrong_strengths_are_reported() {
     let refused = |strength: &str, expected: &[&str]| with(strength).is_refused(expected);
     refused(
         "[material.steel.strength]\nxt = 1\n",
@@ -260,7 +260,7 @@ fn wrong_strengths_are_told() {
             "error: a.section.toml:22: [material.steel.strain_limit] is empty, expected \"xt\" to \
              \"s23\", or \"tension\" to \"shear\"",
             "error: a.section.toml:23: unknown key \"yield\" in [strain_limit]",
-            "  help: known keys: xt, xc, yt, yc, zt, zc, s12, s13, s23, tension, compression, shear",
+            "  help: known keys: tension, compression, shear, xt, xc, yt, yc, s12, zt, zc, s13, s23",
         ],
     );
     refused(
@@ -277,14 +277,14 @@ fn wrong_strengths_are_told() {
 }
 
 #[test]
-fn wrong_strengths_of_plies_are_told() {
+fn wrong_strengths_of_plies_are_reported() {
     let ply = "e1 = 142\ne2 = 9.8\ne3 = 9.8\ng12 = 6\ng13 = 6\ng23 = 4.8\n\
         nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.34";
     let section = SECTION.replace("young = 210\npoisson = 0.3", ply);
-    let place = Workplace::with(&[], &[]);
+    let workplace = Workplace::with(&[], &[]);
     let strength = "[material.steel.strength]\nxt = 1\nxc = 1\nyt = -1\nyc = 1\ns12 = 1\nf12 = 2\n";
-    place.write("a.section.toml", &format!("{section}{strength}"));
-    place.is_refused(&[
+    workplace.write("a.section.toml", &format!("{section}{strength}"));
+    workplace.is_refused(&[
         "error: a.section.toml:31: material \"steel\": yt is -1000000000, expected more than 0",
         "  help: strengths are positive numbers, also in compression; omit unknown ones",
         "error: a.section.toml:34: material \"steel\": f12 is 2, expected more than -1 and less \
@@ -292,8 +292,8 @@ fn wrong_strengths_of_plies_are_told() {
         "  help: it is F12 / sqrt(F11 F22), without a unit; -0.5 is the usual choice",
     ]);
     let strength = "[material.steel.strength]\nyield = 1\n";
-    place.write("a.section.toml", &format!("{section}{strength}"));
-    place.is_refused(&[
+    workplace.write("a.section.toml", &format!("{section}{strength}"));
+    workplace.is_refused(&[
         "error: a.section.toml:29: [material.steel.strength] has \"yield\", but the material is \
          not isotropic",
         "  help: give \"xt\", \"xc\", \"yt\", \"yc\" and \"s12\"",
@@ -303,18 +303,18 @@ fn wrong_strengths_of_plies_are_told() {
 /// A section that cannot be solved leaves no stresses of an earlier run.
 #[test]
 fn stale_stresses_are_removed() {
-    let place = with("[load.pull]\naxial = 400\n");
-    assert_eq!(place.run(&["stress", "a.section.toml"]).code, 0);
+    let workplace = with("[load.pull]\naxial = 400\n");
+    assert_eq!(workplace.run(&["stress", "a.section.toml"]).code, 0);
     // a material so soft that the web is loose
-    let text = place.read("a.section.toml");
+    let text = workplace.read("a.section.toml");
     let soft = "[material.air]\nyoung = 1e-16\npoisson = 0.3\ndensity = 1\n\n[[region]]\ngroup = \"web\"\nmaterial = \"air\"";
     let text = text.replace("[[region]]\ngroup = \"web\"\nmaterial = \"steel\"", soft);
-    place.write("a.section.toml", &text);
-    let run = place.run(&["stress", "a.section.toml"]);
+    workplace.write("a.section.toml", &text);
+    let run = workplace.run(&["stress", "a.section.toml"]);
     assert_eq!((run.code, run.out.as_str()), (1, ""), "{}", run.err);
     assert!(
         FILES
             .iter()
-            .all(|file| !place.path(&format!("results/a.pull.{file}")).exists())
+            .all(|file| !workplace.path(&format!("results/a.pull.{file}")).exists())
     );
 }

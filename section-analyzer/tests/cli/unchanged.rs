@@ -4,43 +4,43 @@ use crate::workplace::Workplace;
 
 const UNCHANGED: &str = "\nUnchanged since the last run (--force solves again)\n";
 
-fn analyze(place: &Workplace, more: &[&str]) -> String {
-    let run = place.run(&[&["analyze", "a.section.toml"], more].concat());
+fn analyze(workplace: &Workplace, more: &[&str]) -> String {
+    let run = workplace.run(&[&["analyze", "a.section.toml"], more].concat());
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     run.out
 }
 
-fn is_unchanged(place: &Workplace) -> bool {
-    analyze(place, &[]).contains(UNCHANGED)
+fn is_unchanged(workplace: &Workplace) -> bool {
+    analyze(workplace, &[]).contains(UNCHANGED)
 }
 
 /// Sets the time of a file back, to detect whether it is written later.
-fn age(place: &Workplace, file: &str) {
+fn age(workplace: &Workplace, file: &str) {
     let file = std::fs::File::options()
         .append(true)
-        .open(place.path(file))
+        .open(workplace.path(file))
         .unwrap();
     file.set_modified(std::time::UNIX_EPOCH).unwrap();
 }
 
-fn is_old(place: &Workplace, file: &str) -> bool {
-    let about = std::fs::metadata(place.path(file)).unwrap();
+fn is_old(workplace: &Workplace, file: &str) -> bool {
+    let about = std::fs::metadata(workplace.path(file)).unwrap();
     about.modified().unwrap() == std::time::UNIX_EPOCH
 }
 
 #[test]
 fn a_second_run_shows_the_report_and_writes_nothing() {
-    let place = Workplace::with(&[], &[]);
-    let first = analyze(&place, &[]);
+    let workplace = Workplace::with(&[], &[]);
+    let first = analyze(&workplace, &[]);
     for file in [
         "a.properties.json",
         "a.report.txt",
         "a.mesh.png",
         "a.analysis.json",
     ] {
-        age(&place, &format!("results/{file}"));
+        age(&workplace, &format!("results/{file}"));
     }
-    let second = analyze(&place, &[]);
+    let second = analyze(&workplace, &[]);
     let (report, written) = first.split_once("\nWritten\n").unwrap();
     let (same_report, files) = second.split_once(UNCHANGED).unwrap();
     assert_eq!(report, same_report);
@@ -54,35 +54,35 @@ fn a_second_run_shows_the_report_and_writes_nothing() {
         "a.mesh.png",
         "a.analysis.json",
     ] {
-        assert!(is_old(&place, &format!("results/{file}")), "{file}");
+        assert!(is_old(&workplace, &format!("results/{file}")), "{file}");
     }
-    assert!(!analyze(&place, &["--force"]).contains(UNCHANGED));
-    assert!(!is_old(&place, "results/a.properties.json"));
+    assert!(!analyze(&workplace, &["--force"]).contains(UNCHANGED));
+    assert!(!is_old(&workplace, "results/a.properties.json"));
 }
 
 #[test]
 fn what_was_read_counts() {
     let angles = ("plane_angle = 0", "plane_angle = { table = \"a.csv\" }");
-    let place = Workplace::with(&[angles], &[]);
-    place.write("a.csv", "cell, angle\n12, 10\n");
-    analyze(&place, &[]);
-    assert!(is_unchanged(&place));
+    let workplace = Workplace::with(&[angles], &[]);
+    workplace.write("a.csv", "cell, angle\n12, 10\n");
+    analyze(&workplace, &[]);
+    assert!(is_unchanged(&workplace));
     for (file, from, to) in [
         ("a.csv", "10", "20"),
         ("a.section.toml", "density = \"7850", "density = \"7851"),
         ("two.msh", "6 2 1 0", "6 2.5 1 0"),
     ] {
-        let text = place.read(file);
-        place.write(file, &text.replace(from, to));
-        assert!(!is_unchanged(&place), "{file}");
-        assert!(is_unchanged(&place), "{file}");
+        let text = workplace.read(file);
+        workplace.write(file, &text.replace(from, to));
+        assert!(!is_unchanged(&workplace), "{file}");
+        assert!(is_unchanged(&workplace), "{file}");
     }
 }
 
 #[test]
 fn results_that_are_missing_or_changed_are_made_again() {
-    let place = Workplace::with(&[], &[]);
-    analyze(&place, &[]);
+    let workplace = Workplace::with(&[], &[]);
+    analyze(&workplace, &[]);
     let names = [
         "a.properties.json",
         "a.report.txt",
@@ -91,88 +91,88 @@ fn results_that_are_missing_or_changed_are_made_again() {
         "a.warping.vtu",
     ];
     for name in names {
-        let file = place.path(&format!("results/{name}"));
+        let file = workplace.path(&format!("results/{name}"));
         let content = std::fs::read(&file).unwrap();
         std::fs::remove_file(&file).unwrap();
-        assert!(!is_unchanged(&place), "{name} missing");
+        assert!(!is_unchanged(&workplace), "{name} missing");
         assert!(std::fs::read(&file).unwrap() == content, "{name}");
         std::fs::write(&file, [&content[..], b" "].concat()).unwrap();
-        assert!(!is_unchanged(&place), "{name} changed");
+        assert!(!is_unchanged(&workplace), "{name} changed");
         assert!(std::fs::read(&file).unwrap() == content, "{name}");
     }
-    assert!(is_unchanged(&place));
+    assert!(is_unchanged(&workplace));
 }
 
 /// A record with other or no content is ignored.
 #[test]
 fn a_damaged_record_is_made_again() {
-    let place = Workplace::with(&[], &[]);
-    analyze(&place, &[]);
-    let record = place.read("results/a.analysis.json");
+    let workplace = Workplace::with(&[], &[]);
+    analyze(&workplace, &[]);
+    let record = workplace.read("results/a.analysis.json");
     let other = record.replace("\"made_from\": \"sha256:", "\"made_from\": \"sha256:0");
     for text in ["", "{}", "null", &record[..record.len() / 2], &other] {
-        place.write("results/a.analysis.json", text);
-        assert!(!is_unchanged(&place), "{text}");
-        assert_eq!(place.read("results/a.analysis.json"), record);
+        workplace.write("results/a.analysis.json", text);
+        assert!(!is_unchanged(&workplace), "{text}");
+        assert_eq!(workplace.read("results/a.analysis.json"), record);
     }
-    assert!(is_unchanged(&place));
+    assert!(is_unchanged(&workplace));
 }
 
 /// Other folders have their own records; a section with a wrong file is reported as
 /// wrong, regardless of its results.
 #[test]
 fn records_belong_to_folders_and_do_not_hide_problems() {
-    let place = Workplace::with(&[], &[]);
-    analyze(&place, &[]);
-    assert!(!analyze(&place, &["--out", "other"]).contains(UNCHANGED));
-    assert!(analyze(&place, &["--out", "other"]).contains(UNCHANGED));
-    let section = place.read("a.section.toml");
-    place.write(
+    let workplace = Workplace::with(&[], &[]);
+    analyze(&workplace, &[]);
+    assert!(!analyze(&workplace, &["--out", "other"]).contains(UNCHANGED));
+    assert!(analyze(&workplace, &["--out", "other"]).contains(UNCHANGED));
+    let section = workplace.read("a.section.toml");
+    workplace.write(
         "a.section.toml",
         &section.replace("poisson = 0.3", "poisson = 0.7"),
     );
-    let run = place.run(&["analyze", "a.section.toml"]);
+    let run = workplace.run(&["analyze", "a.section.toml"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
 }
 
 /// A file of an earlier run that this run no longer writes is removed; other files stay.
 #[test]
 fn files_that_are_no_longer_written_go() {
-    let place = Workplace::with(&[], &[]);
-    analyze(&place, &[]);
-    let record = place.read("results/a.analysis.json");
+    let workplace = Workplace::with(&[], &[]);
+    analyze(&workplace, &[]);
+    let record = workplace.read("results/a.analysis.json");
     let first = "{\n      \"name\": \"a.properties.json\"";
     let more = format!("{{\"name\": \"a.old.csv\", \"content\": \"\"}},\n    {first}");
     assert_eq!(record.matches(first).count(), 1);
-    place.write("results/a.analysis.json", &record.replacen(first, &more, 1));
-    place.write("results/a.old.csv", "of an earlier run");
-    place.write("results/a.notes.csv", "by hand");
-    assert!(!is_unchanged(&place));
-    assert!(!place.path("results/a.old.csv").exists());
-    assert!(place.path("results/a.notes.csv").exists());
+    workplace.write("results/a.analysis.json", &record.replacen(first, &more, 1));
+    workplace.write("results/a.old.csv", "of an earlier run");
+    workplace.write("results/a.notes.csv", "by hand");
+    assert!(!is_unchanged(&workplace));
+    assert!(!workplace.path("results/a.old.csv").exists());
+    assert!(workplace.path("results/a.notes.csv").exists());
 }
 
 /// Without the record of the previous run, for example after an interruption, its files
 /// are not known.
 #[test]
 fn constants_go_with_the_isotropic_material_also_without_a_record() {
-    let place = Workplace::with(&[], &[]);
-    analyze(&place, &[]);
-    let constants = place.path("results/a.constants.csv");
+    let workplace = Workplace::with(&[], &[]);
+    analyze(&workplace, &[]);
+    let constants = workplace.path("results/a.constants.csv");
     assert!(constants.exists());
-    std::fs::remove_file(place.path("results/a.analysis.json")).unwrap();
+    std::fs::remove_file(workplace.path("results/a.analysis.json")).unwrap();
     let plies = "e1 = 40\ne2 = 9\ne3 = 9\ng12 = 4\ng13 = 4\ng23 = 3\n\
                  nu12 = 0.3\nnu13 = 0.3\nnu23 = 0.4";
-    let text = place.read("a.section.toml");
+    let text = workplace.read("a.section.toml");
     let text = text.replace("young = 210\npoisson = 0.3", plies);
-    place.write("a.section.toml", &text);
-    analyze(&place, &[]);
+    workplace.write("a.section.toml", &text);
+    analyze(&workplace, &[]);
     assert!(!constants.exists());
 }
 
 /// Names of the results, in order.
-fn results(place: &Workplace) -> Vec<String> {
-    let files = std::fs::read_dir(place.path("results")).unwrap();
+fn results(workplace: &Workplace) -> Vec<String> {
+    let files = std::fs::read_dir(workplace.path("results")).unwrap();
     let names = files.map(|file| file.unwrap().file_name().into_string().unwrap());
     let mut names: Vec<_> = names.collect();
     names.sort();
@@ -184,40 +184,40 @@ fn results(place: &Workplace) -> Vec<String> {
 #[test]
 fn a_run_without_figures_is_another_run() {
     const BARE: &[&str] = &["--no-figures"];
-    let place = Workplace::with(&[], &[]);
-    analyze(&place, &[]);
-    let drawn = results(&place);
-    let field = place.read("results/a.warping.vtu");
-    let properties = place.read("results/a.properties.json");
+    let workplace = Workplace::with(&[], &[]);
+    analyze(&workplace, &[]);
+    let drawn = results(&workplace);
+    let field = workplace.read("results/a.warping.vtu");
+    let properties = workplace.read("results/a.properties.json");
     for name in ["a.mesh.png", "a.warping.png"] {
         assert!(drawn.iter().any(|found| found == name), "{name}");
     }
 
-    let bare = analyze(&place, BARE);
+    let bare = analyze(&workplace, BARE);
     assert!(
         !bare.contains(UNCHANGED) && !bare.contains(".png"),
         "{bare}"
     );
-    assert!(analyze(&place, BARE).contains(UNCHANGED));
+    assert!(analyze(&workplace, BARE).contains(UNCHANGED));
     let left: Vec<_> = drawn
         .iter()
         .filter(|name| !name.ends_with(".png"))
         .collect();
-    assert_eq!(results(&place).iter().collect::<Vec<_>>(), left);
-    assert_eq!(place.read("results/a.warping.vtu"), field);
-    assert_eq!(place.read("results/a.properties.json"), properties);
+    assert_eq!(results(&workplace).iter().collect::<Vec<_>>(), left);
+    assert_eq!(workplace.read("results/a.warping.vtu"), field);
+    assert_eq!(workplace.read("results/a.properties.json"), properties);
 
-    assert!(!is_unchanged(&place));
-    assert!(is_unchanged(&place));
-    assert_eq!(results(&place), drawn);
+    assert!(!is_unchanged(&workplace));
+    assert!(is_unchanged(&workplace));
+    assert_eq!(results(&workplace), drawn);
 }
 
 /// With `--svg` each figure has an SVG too, which a run without the option removes.
 #[test]
 fn each_figure_is_drawn_as_svg_too_where_it_is_wanted() {
-    let place = Workplace::with(&[], &[]);
-    analyze(&place, &["--svg"]);
-    let both = results(&place);
+    let workplace = Workplace::with(&[], &[]);
+    analyze(&workplace, &["--svg"]);
+    let both = results(&workplace);
     let (png, svg) = (
         both.iter().filter(|name| name.ends_with(".png")),
         both.iter().filter(|name| name.ends_with(".svg")),
@@ -226,13 +226,17 @@ fn each_figure_is_drawn_as_svg_too_where_it_is_wanted() {
     let png: Vec<_> = png.map(names).collect();
     assert!(png.len() > 1);
     assert_eq!(png, svg.map(names).collect::<Vec<_>>());
-    assert!(analyze(&place, &["--svg"]).contains(UNCHANGED));
-    let drawn = place.read("results/a.warping.svg");
+    assert!(analyze(&workplace, &["--svg"]).contains(UNCHANGED));
+    let drawn = workplace.read("results/a.warping.svg");
     assert!(drawn.contains("warping per unit internal force"));
 
-    analyze(&place, &[]);
-    assert!(!results(&place).iter().any(|name| name.ends_with(".svg")));
-    let run = place.run(&["analyze", "a.section.toml", "--svg", "--no-figures"]);
+    analyze(&workplace, &[]);
+    assert!(
+        !results(&workplace)
+            .iter()
+            .any(|name| name.ends_with(".svg"))
+    );
+    let run = workplace.run(&["analyze", "a.section.toml", "--svg", "--no-figures"]);
     assert_eq!(run.code, 2);
 }
 
@@ -243,20 +247,20 @@ fn figures_go_without_a_record_too() {
         "plane_angle = 0\n",
         "plane_angle = 0\n\n[load.tip]\naxial = \"1 N\"\n",
     );
-    let place = Workplace::with(&[loads], &[]);
-    analyze(&place, &[]);
+    let workplace = Workplace::with(&[loads], &[]);
+    analyze(&workplace, &[]);
     let figures = |names: Vec<String>| {
         let figures = names.iter().filter(|name| name.ends_with(".png"));
         figures.count()
     };
-    assert!(figures(results(&place)) > 3);
-    std::fs::remove_file(place.path("results/a.analysis.json")).unwrap();
-    analyze(&place, &["--no-figures"]);
-    assert_eq!(figures(results(&place)), 0);
+    assert!(figures(results(&workplace)) > 3);
+    std::fs::remove_file(workplace.path("results/a.analysis.json")).unwrap();
+    analyze(&workplace, &["--no-figures"]);
+    assert_eq!(figures(results(&workplace)), 0);
     let stress = |more: &[&str]| {
-        let run = place.run(&[&["stress", "a.section.toml"], more].concat());
+        let run = workplace.run(&[&["stress", "a.section.toml"], more].concat());
         assert_eq!((run.code, run.err.as_str()), (0, ""));
-        figures(results(&place))
+        figures(results(&workplace))
     };
     assert!(stress(&[]) > 0);
     assert_eq!(stress(&["--no-figures"]), 0);

@@ -86,10 +86,10 @@ impl Workplace {
     /// A folder with [`TWO_CELLS`] and [`SECTION`] as `two.msh` and `a.section.toml`, in
     /// which each pair of texts has been replaced.
     pub fn with(section_changes: &[(&str, &str)], mesh_changes: &[(&str, &str)]) -> Self {
-        let place = Self::new();
-        place.write("a.section.toml", &changed(SECTION, section_changes));
-        place.write("two.msh", &changed(TWO_CELLS, mesh_changes));
-        place
+        let workplace = Self::new();
+        workplace.write("a.section.toml", &changed(SECTION, section_changes));
+        workplace.write("two.msh", &changed(TWO_CELLS, mesh_changes));
+        workplace
     }
 
     pub fn path(&self, file: &str) -> PathBuf {

@@ -44,7 +44,7 @@ fn example(index: usize) -> Input {
     input
 }
 
-fn places(input: &Input, electrode: &Electrode) -> Vec<[f64; 2]> {
+fn positions(input: &Input, electrode: &Electrode) -> Vec<[f64; 2]> {
     let ElectrodeShape::Conductor { nodes } = &electrode.shape else {
         panic!("a conductor: {electrode:?}");
     };
@@ -72,9 +72,13 @@ fn conductors_of_a_patch_have_the_nodes_of_whole_sides() {
         ("patch", Circuit::Driven)
     );
     for (electrode, z) in [(ground, 1e-3), (patch, 1.25e-3)] {
-        let places = places(&input, electrode);
-        assert_eq!(places.len(), 81);
-        assert!(places.iter().all(|place| (place[1] - z).abs() < 1e-15));
+        let positions = positions(&input, electrode);
+        assert_eq!(positions.len(), 81);
+        assert!(
+            positions
+                .iter()
+                .all(|position| (position[1] - z).abs() < 1e-15)
+        );
     }
     assert_eq!(input.loads[0].voltages, [("patch".to_owned(), 100.0)]);
     // d31 + d32 of the reference: the law of data sheets in SI
@@ -89,10 +93,12 @@ fn three_electrodes_of_a_bimorph() {
     let heights = [-0.25e-3, 0.25e-3, 0.75e-3];
     assert_eq!(input.section.electrodes.len(), 3);
     for (electrode, z) in input.section.electrodes.iter().zip(heights) {
-        let places = places(&input, electrode);
-        assert_eq!(places.len(), 33);
+        let positions = positions(&input, electrode);
+        assert_eq!(positions.len(), 33);
         assert!(
-            places.iter().all(|place| (place[1] - z).abs() < 1e-15),
+            positions
+                .iter()
+                .all(|position| (position[1] - z).abs() < 1e-15),
             "{}",
             electrode.name
         );

@@ -107,10 +107,10 @@ fn the_name_of_a_laminate_is_that_of_its_plies() {
     assert_eq!(whole.imposed, plies.imposed);
     assert_eq!(whole.distributed, plies.distributed);
     assert_eq!(whole.distributed[0].parts.len(), 2);
-    let told = of(&["top", "top/2"]).unwrap_err();
+    let reported = of(&["top", "top/2"]).unwrap_err();
     assert!(
-        told.contains("initial strain \"cure\" has region \"top/2\" twice"),
-        "{told}"
+        reported.contains("initial strain \"cure\" has region \"top/2\" twice"),
+        "{reported}"
     );
 }
 
@@ -167,14 +167,14 @@ fn a_section_of_lines_only_is_read() {
         analyze(&input.section).unwrap();
     }
     // without the lamina it has no cells
-    let told = read(folder.path(), &square(true), head).unwrap_err();
+    let reported = read(folder.path(), &square(true), head).unwrap_err();
     assert!(
-        told.contains(
+        reported.contains(
             "the mesh has no triangles or quadrilaterals, expected at least one\n  help: mesh the \
              surfaces (gmsh -2) and put them in a physical surface; or, for thin walls along the \
              curves \"7\", give their plies by [[lamina]]"
         ),
-        "{told}"
+        "{reported}"
     );
 }
 
@@ -282,14 +282,14 @@ const WRONG: &[[&str; 3]] = &[
 ];
 
 #[test]
-fn wrong_laminae_are_told_with_line_and_remedy() {
+fn wrong_laminae_are_reported_with_line_and_remedy() {
     let folder = tempfile::tempdir().unwrap();
     let mesh = core();
     for [from, to, expected] in WRONG {
         let text = SOUND.replacen(from, to, 1);
         assert_ne!(text, SOUND, "{from}");
-        let told = read(folder.path(), &mesh, &text).unwrap_err();
-        assert_eq!(told, *expected, "{to}");
+        let reported = read(folder.path(), &mesh, &text).unwrap_err();
+        assert_eq!(reported, *expected, "{to}");
     }
 }
 
@@ -335,23 +335,24 @@ fn faces_of_laminae_take_a_pressure() {
         }
     }
     // the line itself is inside, or not a side at all
-    let told = read(
+    let reported = read(
         folder.path(),
         &core(),
         &format!("{SOUND}{}", pressed("top")),
     )
     .unwrap_err();
     assert_eq!(
-        told,
+        reported,
         "error: a.section.toml:36: physical curve \"top\" has cells on both sides of line 13, \
          expected a pressure on a surface\n  help: the curve has a laminate: give its face, \
          \"top/outer\""
     );
     let text = format!("{wall}thickness = 4\n{}", pressed("7"));
-    let told = read(folder.path(), &square(true), &text).unwrap_err();
+    let reported = read(folder.path(), &square(true), &text).unwrap_err();
     assert!(
-        told.ends_with("help: the curve has a laminate: give its faces, \"w/left\" or \"w/right\""),
-        "{told}"
+        reported
+            .ends_with("help: the curve has a laminate: give its faces, \"w/left\" or \"w/right\""),
+        "{reported}"
     );
 }
 
@@ -370,7 +371,7 @@ fn wrong_laminae_hide_no_other_error() {
     let thick = "expected a length greater than zero";
     let mut tilted = core();
     tilted.nodes[0].position.z = 5.0;
-    for (mesh, from, to, told_too) in [
+    for (mesh, from, to, reported_too) in [
         (
             core(),
             own,
@@ -392,15 +393,18 @@ fn wrong_laminae_hide_no_other_error() {
         ),
         (tilted, own, own, "the mesh is not plane"),
     ] {
-        let told = read(folder.path(), &mesh, &sound.replacen(from, to, 1)).unwrap_err();
+        let reported = read(folder.path(), &mesh, &sound.replacen(from, to, 1)).unwrap_err();
         let unknown = [
             "physical curve \"topp\"",
             "physical surface \"coore\"",
-            told_too,
+            reported_too,
         ];
-        assert!(unknown.iter().all(|text| told.contains(text)), "{told}");
-        let errors = told.lines().filter(|line| line.starts_with("error"));
-        assert_eq!(errors.count(), 3, "{told}");
+        assert!(
+            unknown.iter().all(|text| reported.contains(text)),
+            "{reported}"
+        );
+        let errors = reported.lines().filter(|line| line.starts_with("error"));
+        assert_eq!(errors.count(), 3, "{reported}");
     }
     // the face of a lamina that cannot be made may be followed
     let follows = SOUND
@@ -410,15 +414,15 @@ fn wrong_laminae_hide_no_other_error() {
             "material = \"foam\"\nplane_angle = { follow = \"lower/outer\" }",
             1,
         );
-    let told = read(folder.path(), &core(), &follows).unwrap_err();
-    let errors = told.lines().filter(|line| line.starts_with("error"));
-    assert_eq!(errors.count(), 1, "{told}");
+    let reported = read(folder.path(), &core(), &follows).unwrap_err();
+    let errors = reported.lines().filter(|line| line.starts_with("error"));
+    assert_eq!(errors.count(), 1, "{reported}");
 }
 
 /// The rows of a table of temperature rises: the tags of the cells of the mesh, and for
 /// plies the tag of their line, or their own.
 #[test]
-fn a_line_stands_for_its_plies_in_tables_of_rises() {
+fn a_line_represents_its_plies_in_tables_of_rises() {
     let folder = tempfile::tempdir().unwrap();
     let glass = "nu23 = 0.4\n";
     let text = SOUND.replacen(glass, "nu23 = 0.4\nexpansion = \"1e-5 1/K\"\n", 1);
@@ -464,20 +468,20 @@ fn a_line_stands_for_its_plies_in_tables_of_rises() {
     // one line is missing, one is not in the walls
     let rows = format!("{without_lines}1,5\n");
     std::fs::write(folder.path().join("rises.csv"), rows).unwrap();
-    let told = read(folder.path(), &mesh, &text).unwrap_err();
+    let reported = read(folder.path(), &mesh, &text).unwrap_err();
     assert!(
-        told.contains(
+        reported.contains(
             "rise table \"rises.csv\" has 21 rows, expected 40, one for each cell of the mesh and \
              each line with plies; no rise for cells or lines 2, 3, 4, 5, 6 and 14 more"
         ),
-        "{told}"
+        "{reported}"
     );
 }
 
 /// Laminates without enough space are reported by their curves and lines: the tags of
 /// their cells are in no file.
 #[test]
-fn cells_of_plies_are_told_by_their_lines() {
+fn cells_of_plies_are_reported_by_their_lines() {
     let folder = tempfile::tempdir().unwrap();
     let (head, _) = SOUND.split_once("[[region]]").unwrap();
     // two walls, closer than their thickness, joined by a third
@@ -507,12 +511,12 @@ fn cells_of_plies_are_told_by_their_lines() {
         name: Some("wall".into()),
     });
     let text = format!("{head}[[lamina]]\ncurve = \"wall\"\nmaterial = \"glass\"\nthickness = 3\n");
-    let told = read(folder.path(), &mesh, &text).unwrap_err();
-    println!("{told}");
+    let reported = read(folder.path(), &mesh, &text).unwrap_err();
+    println!("{reported}");
     assert!(
-        told.starts_with(
+        reported.starts_with(
             "error: a.section.toml:21: the laminate of curve \"wall\" overlaps itself at "
         ),
-        "{told}"
+        "{reported}"
     );
 }

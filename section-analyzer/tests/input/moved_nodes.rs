@@ -185,7 +185,7 @@ fn nodes_of_a_tube_of_quadratic_cells() {
 /// A box of lines with a web between two of its sides; its corners are nodes 1, 3, 5, 7.
 fn box_of_lines() -> Mesh {
     let mut mesh = Mesh::default();
-    let places = [
+    let positions = [
         [0.0, 0.0],
         [30.0, -2.0],
         [70.0, 2.0],
@@ -196,7 +196,7 @@ fn box_of_lines() -> Mesh {
         [1.0, 18.0],
         [31.0, 15.0],
     ];
-    for (tag, [x, y]) in (1..).zip(places) {
+    for (tag, [x, y]) in (1..).zip(positions) {
         let position = [x, y, 0.0].into();
         mesh.nodes.push(Node { tag, position });
     }
@@ -251,8 +251,8 @@ fn nodes_that_are_no_parameters() {
             "node 20 of the mesh \"a.msh\" belongs to no cell and to no line",
         ),
     ] {
-        let told = problem(&input, tag).to_string();
-        assert!(told.contains(words), "{told}");
+        let reported = problem(&input, tag).to_string();
+        assert!(reported.contains(words), "{reported}");
     }
 }
 
@@ -285,7 +285,7 @@ fn angles_that_jump() {
                 plane_angle = { follow = \"edge\" }\n";
     let folder = tempfile::tempdir().unwrap();
     let input = written(folder.path(), &mesh, text);
-    let told = problem(&input, 4).to_string();
+    let reported = problem(&input, 4).to_string();
     let words = "as node 4 moves, the plane angle of the cell at y = 5.000000e-4 m";
-    assert!(told.contains(words), "{told}");
+    assert!(reported.contains(words), "{reported}");
 }

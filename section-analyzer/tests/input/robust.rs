@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use section_analyzer::input::{self, blade, outside};
+use section_analyzer::input::{self, blade, external};
 
 use crate::mutation::{Random, mutated};
 
@@ -75,11 +75,11 @@ const GIVEN: [&str; 3] = ["a.matrices.toml", "nodes.csv", "k.mtx"];
 fn changed_files_of_matrices_are_read_or_refused() {
     let support = Path::new(FUZZ).join("support");
     let folder = tempfile::tempdir().unwrap();
-    let place = |name: &str| folder.path().join(name);
+    let position = |name: &str| folder.path().join(name);
     let sound = GIVEN.map(|name| std::fs::read(support.join(name)).unwrap());
-    let write = |index: usize, bytes: &[u8]| std::fs::write(place(GIVEN[index]), bytes).unwrap();
+    let write = |index: usize, bytes: &[u8]| std::fs::write(position(GIVEN[index]), bytes).unwrap();
     (0..3).for_each(|index| write(index, &sound[index]));
-    let read = || match outside::read(&place(GIVEN[0])) {
+    let read = || match external::read(&position(GIVEN[0])) {
         Ok(input) => {
             assert_eq!(input.section.tags.len(), input.section.nodes.len());
             true

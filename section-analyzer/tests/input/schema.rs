@@ -109,7 +109,7 @@ impl Sample {
         self.keys().iter().map(|key| key.name.to_owned()).collect()
     }
 
-    fn place(&self) -> String {
+    fn location(&self) -> String {
         let form = self.form.map_or("", |family| family.name);
         format!("{} {form}", self.table.title)
     }
@@ -151,9 +151,9 @@ fn problems(text: &str) -> Vec<String> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("a.section.toml");
     std::fs::write(&file, text).expect("a file");
-    let told = input::read(&file).expect_err("no mesh").to_string();
+    let reported = input::read(&file).expect_err("no mesh").to_string();
     let mut problems: Vec<String> = Vec::new();
-    for line in told.lines() {
+    for line in reported.lines() {
         match problems.last_mut() {
             Some(last) if line.starts_with("  help: ") => last.push_str(line),
             _ => problems.push(line.to_owned()),
@@ -188,25 +188,25 @@ fn reader_and_description_know_the_same_keys() {
     let validator = validator();
     let mut seen = 0;
     visit_all(&mut |sample, embed| {
-        let place = sample.place();
+        let location = sample.location();
         let text = toml::to_string(&embed(sample.whole.clone())).expect("a table");
-        assert_eq!(fits(&validator, &text), Ok(()), "{place}:\n{text}");
+        assert_eq!(fits(&validator, &text), Ok(()), "{location}:\n{text}");
 
         let mut strange = sample.whole.clone();
         strange.insert(STRANGE.to_owned(), Value::Integer(1));
         let text = toml::to_string(&embed(strange)).expect("a table");
-        assert!(fits(&validator, &text).is_err(), "{place}:\n{text}");
+        assert!(fits(&validator, &text).is_err(), "{location}:\n{text}");
         let known = known_to_the_reader(&text);
         let described = sample.names();
         let unknown: Vec<_> = described.difference(&known).collect();
         assert!(
             unknown.is_empty(),
-            "{place}: the reader does not know {unknown:?}"
+            "{location}: the reader does not know {unknown:?}"
         );
         let missing: Vec<_> = known.difference(&all_forms[&sample.path]).collect();
         assert!(
             missing.is_empty(),
-            "{place}: the description lacks {missing:?}"
+            "{location}: the description lacks {missing:?}"
         );
         seen += 1;
     });
@@ -247,14 +247,18 @@ fn required_keys_are_required_by_both() {
             let is_required =
                 key.need == input::schema::Need::Required && !is_other_form(sample, &without);
             let text = toml::to_string(&embed(without)).expect("a table");
-            let place = format!("{} without {}", sample.place(), key.name);
-            assert_eq!(fits(&validator, &text).is_err(), is_required, "{place}");
+            let location = format!("{} without {}", sample.location(), key.name);
+            assert_eq!(fits(&validator, &text).is_err(), is_required, "{location}");
             let problems = problems(&text);
             // Without them, the references in the examples of loads and initial strains
             // have no target.
             let named = ["region", "temperature", "initial_strain", "electrode"];
             if !(sample.path.is_empty() && named.contains(&key.name)) {
-                assert_eq!(!problems.is_empty(), is_required, "{place}: {problems:?}");
+                assert_eq!(
+                    !problems.is_empty(),
+                    is_required,
+                    "{location}: {problems:?}"
+                );
             }
         }
     });

@@ -24,30 +24,30 @@ impl Blade {
         self.placed_problems().into_iter().map(|p| p.1).collect()
     }
 
-    /// Problems of the stiffness at the arc lengths `places` [m] at which it is
+    /// Problems of the stiffness at the arc lengths `positions` [m] at which it is
     /// evaluated.
-    pub fn problems_at(&self, places: &[f64]) -> Vec<BladeProblem> {
-        let known = self.places();
-        let problem = |&place: &f64| {
-            let sides = [Side::Inner, Side::Outer].map(|side| self.at(place, side).0);
+    pub fn problems_at(&self, positions: &[f64]) -> Vec<BladeProblem> {
+        let known = self.positions();
+        let problem = |&position: &f64| {
+            let sides = [Side::Inner, Side::Outer].map(|side| self.at(position, side).0);
             let [inner, outer] = sides.map(|k| section::least_eigenvalue(&k));
             // NaN is treated as the smallest.
             let value = match inner <= outer || inner.is_nan() {
                 true => inner,
                 false => outer,
             };
-            let before = known.iter().rev().find(|s| **s <= place);
-            let behind = known.iter().find(|s| **s >= place);
+            let before = known.iter().rev().find(|s| **s <= position);
+            let behind = known.iter().find(|s| **s >= position);
             let (inner, outer) = (before.or(behind)?, behind.or(before)?);
             let good = value >= POSITIVE;
             (!good).then_some(BladeProblem::Indefinite {
-                place,
+                position,
                 inner: *inner,
                 outer: *outer,
                 value,
             })
         };
-        places.iter().filter_map(problem).collect()
+        positions.iter().filter_map(problem).collect()
     }
 
     /// Each problem with the index of its station; `None` for the blade as a whole.
@@ -90,10 +90,10 @@ impl Blade {
     }
 
     fn out_of_order(&self) -> Vec<(Option<usize>, BladeProblem)> {
-        let places: Vec<_> = self.stations.iter().map(|s| s.arc_length).collect();
+        let positions: Vec<_> = self.stations.iter().map(|s| s.arc_length).collect();
         let is_constant = self.interpolation == Interpolation::Constant;
         let problem = |k: usize| {
-            let (before, found, station) = (places[k - 1], places[k], k + 1);
+            let (before, found, station) = (positions[k - 1], positions[k], k + 1);
             if found < before {
                 return Some(BladeProblem::Order {
                     station,
@@ -101,14 +101,14 @@ impl Blade {
                     before,
                 });
             }
-            let place = found;
+            let position = found;
             let doubled = found == before;
-            if doubled && k >= 2 && places[k - 2] == found {
-                return Some(BladeProblem::Third { station, place });
+            if doubled && k >= 2 && positions[k - 2] == found {
+                return Some(BladeProblem::Third { station, position });
             }
-            (doubled && is_constant).then_some(BladeProblem::Doubled { station, place })
+            (doubled && is_constant).then_some(BladeProblem::Doubled { station, position })
         };
-        let stations = 1..places.len();
+        let stations = 1..positions.len();
         stations
             .filter_map(|k| Some((Some(k), problem(k)?)))
             .collect()
@@ -121,8 +121,8 @@ impl Blade {
         stations.flat_map(move |(k, at)| {
             let problems = section::matrix_problems(&at.stiffness, &at.mass);
             let of_station = move |problem: PropertyProblem| {
-                let (station, place) = (k + 1, at.arc_length);
-                let told = match problem {
+                let (station, position) = (k + 1, at.arc_length);
+                let reported = match problem {
                     PropertyProblem::Polar { .. } => return None,
                     PropertyProblem::Indefinite {
                         field: "stiffness",
@@ -130,18 +130,18 @@ impl Blade {
                         ..
                     } => BladeProblem::IndefiniteStation {
                         station,
-                        place,
+                        position,
                         from: self.reach(k, k.checked_sub(1)),
                         to: self.reach(k, Some(k + 1)),
                         value,
                     },
                     problem => BladeProblem::Station {
                         station,
-                        place,
+                        position,
                         problem,
                     },
                 };
-                Some((Some(k), told))
+                Some((Some(k), reported))
             };
             problems.into_iter().filter_map(of_station)
         })
@@ -158,9 +158,9 @@ impl Blade {
             let mean = at.stiffness * (1.0 - part) + next.stiffness * part;
             section::least_eigenvalue(&mean) > 0.0
         };
-        let place = |part: f64| at.arc_length + part * (next.arc_length - at.arc_length);
+        let position = |part: f64| at.arc_length + part * (next.arc_length - at.arc_length);
         if self.interpolation == Interpolation::Constant {
-            return place(if next.arc_length > at.arc_length {
+            return position(if next.arc_length > at.arc_length {
                 1.0
             } else {
                 0.0
@@ -177,7 +177,7 @@ impl Blade {
                 false => bad = middle,
             }
         }
-        place(good)
+        position(good)
     }
 
     fn damping_problems(&self) -> impl Iterator<Item = BladeProblem> {

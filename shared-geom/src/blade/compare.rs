@@ -87,9 +87,9 @@ impl Blade {
     /// Parts of the length at which both blades are compared: the stations and points of
     /// both, and next to jumps.
     fn common_parts(&self, other: &Self) -> Vec<f64> {
-        let part = |blade: &Self, places: Vec<f64>| {
+        let part = |blade: &Self, positions: Vec<f64>| {
             let length = blade.length();
-            places.into_iter().map(move |s| s / length)
+            positions.into_iter().map(move |s| s / length)
         };
         let jumps: Vec<_> = [self, other]
             .into_iter()
@@ -99,7 +99,7 @@ impl Blade {
             .into_iter()
             .flat_map(|blade| {
                 let points = blade.line.arc_lengths();
-                part(blade, blade.places()).chain(part(blade, points))
+                part(blade, blade.positions()).chain(part(blade, points))
             })
             .flat_map(
                 |part| match jumps.iter().any(|jump| (jump - part).abs() < ASIDE) {

@@ -94,13 +94,13 @@ impl Blade {
             let Some(section) = found else {
                 continue;
             };
-            let place = self.stations[station].arc_length;
+            let position = self.stations[station].arc_length;
             match section.agreement(self.sides(&curve, station)) {
                 Agreement::Same => {}
                 Agreement::Near(mismatch) => remarks.push(format!(
                     "station {} at {} m, {}: {mismatch}; {}; the matrices are used as given",
                     station + 1,
-                    tick_label(place, 0.0),
+                    tick_label(position, 0.0),
                     section.file,
                     mismatch.size()
                 )),
@@ -108,7 +108,7 @@ impl Blade {
                     station,
                     BladeProblem::Curvature {
                         station: station + 1,
-                        place,
+                        position,
                         file: section.file.clone(),
                         mismatch,
                     },
@@ -123,12 +123,12 @@ impl Blade {
 
     /// Curvature of the line on the sides of a station to which its properties belong.
     fn sides(&self, curve: &Curve, station: usize) -> [InitialCurvature; 2] {
-        let place = self.stations[station].arc_length;
+        let position = self.stations[station].arc_length;
         let is_at = |other: Option<usize>| {
             let other = other.and_then(|other| self.stations.get(other));
-            other.is_some_and(|other| other.arc_length == place)
+            other.is_some_and(|other| other.arc_length == position)
         };
-        let is_last = place >= curve.length();
+        let is_last = position >= curve.length();
         let outer_only = match self.interpolation {
             Interpolation::Constant => !is_last,
             Interpolation::Linear => is_at(station.checked_sub(1)),
@@ -138,7 +138,7 @@ impl Blade {
             (true, false) => [Side::Inner; 2],
             (false, false) => [Side::Inner, Side::Outer],
         };
-        sides.map(|side| curve.initial_curvature(place, side))
+        sides.map(|side| curve.initial_curvature(position, side))
     }
 
     /// The largest difference between the stations that is reported.
@@ -151,54 +151,55 @@ impl Blade {
             };
             let ends = [inner, outer].map(|section| section.on_line().per_arc_length());
             let known = curve.arc_lengths().iter().copied();
-            let mut places: Vec<f64> = known.filter(|s| *s > span.from && *s < span.to).collect();
-            places.insert(0, span.from);
-            places.push(span.to);
-            for pair in places.windows(2) {
-                let place = 0.5 * (pair[0] + pair[1]);
+            let mut positions: Vec<f64> =
+                known.filter(|s| *s > span.from && *s < span.to).collect();
+            positions.insert(0, span.from);
+            positions.push(span.to);
+            for pair in positions.windows(2) {
+                let position = 0.5 * (pair[0] + pair[1]);
                 let part = match span.stations[0] == span.stations[1] {
                     true => 0.0,
-                    false => (place - span.from) / (span.to - span.from),
+                    false => (position - span.from) / (span.to - span.from),
                 };
                 let section = InitialCurvature {
                     curvature: ends[0].curvature.lerp(&ends[1].curvature, part),
                     slope: ends[0].slope.lerp(&ends[1].slope, part),
                 };
-                let line = curve.initial_curvature(place, Side::Outer);
-                let stiffness = self.at(place, Side::Outer).0;
+                let line = curve.initial_curvature(position, Side::Outer);
+                let stiffness = self.at(position, Side::Outer).0;
                 let found = match Agreement::of(&section, [line; 2], &stiffness) {
                     Agreement::Same => continue,
                     Agreement::Near(mismatch) | Agreement::Other(mismatch) => mismatch,
                 };
                 if worst.is_none_or(|known| found.delta > known.1.delta) {
-                    worst = Some((place, found));
+                    worst = Some((position, found));
                 }
             }
         }
-        let (place, mismatch) = worst?;
+        let (position, mismatch) = worst?;
         Some(format!(
             "between stations, most at {} m: {mismatch}; {}: add stations there for the \
              curvature of the line",
-            tick_label(place, 0.0),
+            tick_label(position, 0.0),
             mismatch.size()
         ))
     }
 
     /// The parts of the line between stations, inside the first and outside the last.
     fn spans(&self, length: f64) -> Vec<Span> {
-        let places: Vec<_> = self.stations.iter().map(|at| at.arc_length).collect();
-        let last = places.len().saturating_sub(1);
-        let mut spans: Vec<Span> = (1..places.len())
+        let positions: Vec<_> = self.stations.iter().map(|at| at.arc_length).collect();
+        let last = positions.len().saturating_sub(1);
+        let mut spans: Vec<Span> = (1..positions.len())
             .map(|k| Span {
-                from: places[k - 1],
-                to: places[k],
+                from: positions[k - 1],
+                to: positions[k],
                 stations: match self.interpolation {
                     Interpolation::Linear => [k - 1, k],
                     Interpolation::Constant => [k - 1; 2],
                 },
             })
             .collect();
-        let ends = places.first().zip(places.last());
+        let ends = positions.first().zip(positions.last());
         for (from, to, station) in ends
             .map(|(first, outer)| [(0.0, *first, 0), (*outer, length, last)])
             .into_iter()

@@ -32,16 +32,16 @@ impl Blade {
     /// exact [kg].
     pub fn mass(&self) -> f64 {
         let length = self.length();
-        let mut places = vec![0.0];
+        let mut positions = vec![0.0];
         let inside = |s: &f64| *s > 0.0 && *s < length;
-        places.extend(self.places().into_iter().filter(inside));
-        places.push(length);
+        positions.extend(self.positions().into_iter().filter(inside));
+        positions.push(length);
         let of_piece = |ends: &[f64]| {
             let at = |s, side| self.mix(s, side, |station| self.stations[station].mass)[(0, 0)];
             let sum = at(ends[0], Side::Outer) + at(ends[1], Side::Inner);
             0.5 * (ends[1] - ends[0]) * sum
         };
-        places.windows(2).map(of_piece).sum()
+        positions.windows(2).map(of_piece).sum()
     }
 
     /// Stiffness and mass per length about the line at arc length `s` [m], at a jump on
@@ -71,17 +71,17 @@ impl Blade {
     }
 
     /// Arc lengths of the stations, each once [m].
-    pub fn places(&self) -> Vec<f64> {
-        let mut places: Vec<_> = self.stations.iter().map(|s| s.arc_length).collect();
-        places.dedup();
-        places
+    pub fn positions(&self) -> Vec<f64> {
+        let mut positions: Vec<_> = self.stations.iter().map(|s| s.arc_length).collect();
+        positions.dedup();
+        positions
     }
 
     /// Arc lengths at which the properties jump: of two stations at one arc length; with
     /// constant interpolation, of all stations between the ends [m].
     pub fn jumps(&self) -> Vec<f64> {
         let mut jumps: Vec<_> = match self.interpolation {
-            Interpolation::Constant => self.places().into_iter().skip(1).collect(),
+            Interpolation::Constant => self.positions().into_iter().skip(1).collect(),
             Interpolation::Linear => {
                 let pairs = self.stations.windows(2);
                 let doubled = pairs.filter(|pair| pair[0].arc_length == pair[1].arc_length);

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Blade, BladeDamping, BladeProblem, Interpolation, Reading, Station, input};
 use crate::document::read_text;
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::line::{Course, LinePoint, ReferenceLine};
 use crate::section::file::{FileProvenance, matrix6, rows};
 use crate::section::json;
@@ -119,9 +119,9 @@ pub fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
         return input::parse(text, file);
     }
     let malformed = |error: serde_json::Error| {
-        let place = Place::line(file, error.line().max(1));
+        let location = SourceLocation::line(file, error.line().max(1));
         let reason = error.to_string();
-        Diagnostics::one(place, &BladeProblem::Malformed { reason })
+        Diagnostics::one(location, &BladeProblem::Malformed { reason })
     };
     let head: Head = serde_json::from_str(text).map_err(malformed)?;
     check_head(&head, text, file)?;
@@ -133,11 +133,11 @@ pub fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     let lines = lines_of("arc_length", text);
     for (station, problem) in blade.placed_problems() {
         let line = station.and_then(|station| lines.get(station));
-        let place = match line {
-            Some(line) => Place::line(file, *line),
-            None => Place::file(file),
+        let location = match line {
+            Some(line) => SourceLocation::line(file, *line),
+            None => SourceLocation::file(file),
         };
-        problems.push(place, &problem);
+        problems.push(location, &problem);
     }
     let remarks = blade.remarks();
     problems.into_result(Reading::new(blade, remarks))
@@ -156,15 +156,15 @@ fn check_head(head: &Head, text: &str, file: &str) -> Result<(), Diagnostics> {
     } else {
         return Ok(());
     };
-    let place = place_of(problem.0, text, file);
-    Err(Diagnostics::one(place, &problem.1))
+    let location = location_of(problem.0, text, file);
+    Err(Diagnostics::one(location, &problem.1))
 }
 
 /// The line of a field: the first on which its name is a key.
-fn place_of(field: &str, text: &str, file: &str) -> Place {
+fn location_of(field: &str, text: &str, file: &str) -> SourceLocation {
     match lines_of(field, text)[..] {
-        [line, ..] => Place::line(file, line),
-        [] => Place::file(file),
+        [line, ..] => SourceLocation::line(file, line),
+        [] => SourceLocation::file(file),
     }
 }
 
@@ -253,7 +253,7 @@ impl File {
         let mut malformed = |field, reason: &str| {
             let reason = reason.to_owned();
             let problem = BladeProblem::Malformed { reason };
-            problems.push(place_of(field, text, file), &problem);
+            problems.push(location_of(field, text, file), &problem);
         };
         let line = self.line.line();
         if line.is_none() {

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use super::{Blade, BladeDamping, CurvedStation, Interpolation, Reading, Station};
 use crate::document::{Document, Table, read_text};
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::files::name_without;
 use crate::hash::sha256_of;
 use crate::section::Provenance;
@@ -21,7 +21,7 @@ mod frame;
 mod line;
 mod matrix;
 mod problem;
-mod seat;
+mod station_axes;
 mod station_file;
 mod stations;
 
@@ -54,7 +54,7 @@ impl Sources {
 /// A station, its location in the file, and its own damping.
 #[derive(Debug)]
 struct Placed {
-    place: Place,
+    location: SourceLocation,
     station: Station,
     damping: Option<crate::section::Damping>,
     /// Its section if that was solved for a curved beam.
@@ -74,21 +74,21 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     document.declare_units(&root);
     let read = blade(&root, &sources);
     root.finish();
-    let checked = read.and_then(|(blade, places, curved)| {
-        document.keep(check(&blade, &places, file))?;
-        document.keep(check_curved(&blade, &places, &curved, &sources))?;
-        Some((blade, places))
+    let checked = read.and_then(|(blade, locations, curved)| {
+        document.keep(check(&blade, &locations, file))?;
+        document.keep(check_curved(&blade, &locations, &curved, &sources))?;
+        Some((blade, locations))
     });
     let unit = document.factor(Dimension::LENGTH);
     let frame = checked.as_ref().and_then(|_| Frame::words(&root));
-    let (mut blade, places) = document.finish(checked)?;
+    let (mut blade, locations) = document.finish(checked)?;
     let texts = sources.texts.into_inner();
     let parts: Vec<_> = texts.iter().map(|text| text.as_bytes()).collect();
     blade.provenance.input_hash = sha256_of(&parts);
     let mut remarks = sources.remarks.into_inner();
     remarks.extend(blade.remarks_of_units(Some(unit)));
     Ok(Reading {
-        places,
+        locations,
         frame,
         ..Reading::new(blade, remarks)
     })
@@ -96,7 +96,7 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
 
 /// A blade, the locations of its stations in the file, and those stations of curved
 /// beams.
-type Written = (Blade, Vec<Place>, Vec<Option<CurvedStation>>);
+type Written = (Blade, Vec<SourceLocation>, Vec<Option<CurvedStation>>);
 
 /// The blade as written.
 fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
@@ -110,8 +110,8 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
     let interpolation = match root.has("interpolation") {
         true => {
             let known = [Interpolation::Linear, Interpolation::Constant];
-            let place = root.word("interpolation", &["linear", "constant"]);
-            place.map(|place| known[place])
+            let index = root.word("interpolation", &["linear", "constant"]);
+            index.map(|index| known[index])
         }
         false => Some(Interpolation::Linear),
     };
@@ -119,17 +119,17 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
     // The length of an invalid line may be no number.
     let length = line.as_ref().filter(|line| line.problems().is_empty());
     let length = length.map(|line| line.length());
-    let given = seat::Given {
+    let settings = station_axes::Settings {
         frame: frame.as_ref(),
         reference_point,
         length,
     };
-    let placed = stations::read(root, &given, sources);
+    let placed = stations::read(root, &settings, sources);
     let damping = damping(root, frame.as_ref());
     let (placed, line) = (placed?, line?);
     let damping = of_stations(root, damping?, &placed);
     let curved = placed.iter().map(|placed| placed.curved.clone()).collect();
-    let (places, stations) = placed.into_iter().map(|p| (p.place, p.station)).unzip();
+    let (indices, stations) = placed.into_iter().map(|p| (p.location, p.station)).unzip();
     let blade = Blade {
         name: name?,
         line,
@@ -146,7 +146,7 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
             history: Vec::new(),
         },
     };
-    Some((blade, places, curved))
+    Some((blade, indices, curved))
 }
 
 /// The table `[damping]`; `Some(None)` without one.
@@ -214,7 +214,7 @@ fn of_stations(
         return Some(damping);
     };
     if damping.is_some() {
-        let file = own.place.file.clone();
+        let file = own.location.file.clone();
         root.note("damping", &InputProblem::TwoDampings { file });
         return None;
     }
@@ -233,11 +233,14 @@ fn of_stations(
 }
 
 /// The problems of the blade, with the location of their station.
-fn check(blade: &Blade, places: &[Place], file: &str) -> Result<(), Diagnostics> {
+fn check(blade: &Blade, locations: &[SourceLocation], file: &str) -> Result<(), Diagnostics> {
     let mut problems = Diagnostics::new();
     for (station, problem) in blade.placed_problems() {
-        let place = station.and_then(|station| places.get(station)).cloned();
-        problems.push(place.unwrap_or_else(|| Place::file(file)), &problem);
+        let location = station.and_then(|station| locations.get(station)).cloned();
+        problems.push(
+            location.unwrap_or_else(|| SourceLocation::file(file)),
+            &problem,
+        );
     }
     problems.into_result(())
 }
@@ -245,14 +248,14 @@ fn check(blade: &Blade, places: &[Place], file: &str) -> Result<(), Diagnostics>
 /// Sections of curved beams on a line of another curvature, with their location.
 fn check_curved(
     blade: &Blade,
-    places: &[Place],
+    locations: &[SourceLocation],
     curved: &[Option<CurvedStation>],
     sources: &Sources,
 ) -> Result<(), Diagnostics> {
     let (found, remarks) = blade.compare_curved(curved);
     let mut problems = Diagnostics::new();
     for (station, problem) in found {
-        problems.push(places[station].clone(), &problem);
+        problems.push(locations[station].clone(), &problem);
     }
     for remark in remarks {
         sources.remark(remark);

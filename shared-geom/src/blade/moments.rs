@@ -34,7 +34,7 @@ impl Blade {
         let curve = self.line.curve();
         let mut ends: Vec<f64> = curve.arc_lengths().to_vec();
         let inside = |s: &f64| *s > 0.0 && *s < curve.length();
-        ends.extend(self.places().into_iter().filter(inside));
+        ends.extend(self.positions().into_iter().filter(inside));
         ends.sort_by(f64::total_cmp);
         let (mut mass, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
         for pair in ends.windows(2) {

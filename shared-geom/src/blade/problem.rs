@@ -53,22 +53,22 @@ pub enum BladeProblem {
         before: f64,
     },
     /// Three stations at one arc length.
-    #[error("station {station} is the third at {place} m: a jump has two")]
+    #[error("station {station} is the third at {position} m: a jump has two")]
     Third {
         /// Number of the station, from one.
         station: usize,
         /// Its arc length [m].
-        place: f64,
+        position: f64,
     },
     /// Two stations at one arc length, with constant interpolation.
     #[error(
-        "station {station} lies at {place} m as the one before, and with constant interpolation every station is a jump"
+        "station {station} lies at {position} m as the one before, and with constant interpolation every station is a jump"
     )]
     Doubled {
         /// Number of the station, from one.
         station: usize,
         /// Its arc length [m].
-        place: f64,
+        position: f64,
     },
     /// A station that is not on the line.
     #[error("station {station} lies at {found} m, and the line is {length} m long")]
@@ -81,12 +81,12 @@ pub enum BladeProblem {
         length: f64,
     },
     /// Invalid properties of a station.
-    #[error("station {station} at {place} m: {problem}")]
+    #[error("station {station} at {position} m: {problem}")]
     Station {
         /// Number of the station, from one.
         station: usize,
         /// Its arc length [m].
-        place: f64,
+        position: f64,
         /// The problem.
         problem: PropertyProblem,
     },
@@ -102,13 +102,13 @@ pub enum BladeProblem {
     },
     /// A station with a stiffness that is not positive definite, and its range.
     #[error(
-        "stiffness is not positive definite from {from} m to {to} m, about station {station} at {place} m: there its smallest scaled eigenvalue is {value:.3e}"
+        "stiffness is not positive definite from {from} m to {to} m, about station {station} at {position} m: there its smallest scaled eigenvalue is {value:.3e}"
     )]
     IndefiniteStation {
         /// Number of the station, from one.
         station: usize,
         /// Its arc length [m].
-        place: f64,
+        position: f64,
         /// Its beginning, between this station and the previous one [m].
         from: f64,
         /// Its end, between this station and the next [m].
@@ -118,11 +118,11 @@ pub enum BladeProblem {
     },
     /// Stiffness that is not positive definite at an arc length at which it is evaluated.
     #[error(
-        "stiffness is not positive definite at {place} m, between the stations at {inner} m and {outer} m: its smallest scaled eigenvalue is {value:.3e}"
+        "stiffness is not positive definite at {position} m, between the stations at {inner} m and {outer} m: its smallest scaled eigenvalue is {value:.3e}"
     )]
     Indefinite {
         /// Arc length [m].
-        place: f64,
+        position: f64,
         /// Arc length of the station on the inner side [m].
         inner: f64,
         /// Arc length of the station on the outer side [m].
@@ -133,13 +133,13 @@ pub enum BladeProblem {
     /// A section that was solved for another curvature than the line's.
     #[error(
         "station {station} at {} m, \"{file}\": {mismatch}; {}",
-        tick_label(*.place, 0.0), .mismatch.size()
+        tick_label(*.position, 0.0), .mismatch.size()
     )]
     Curvature {
         /// Number of the station, from one.
         station: usize,
         /// Its arc length [m].
-        place: f64,
+        position: f64,
         /// The property file, as it is named.
         file: String,
         /// Both curvatures.

@@ -1,7 +1,7 @@
 //! A blade as read from a file.
 
 use super::Blade;
-use crate::error::Place;
+use crate::error::SourceLocation;
 
 /// A blade as read, and remarks.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,7 +11,7 @@ pub struct Reading {
     /// Remarks for the user: defaults that were used, plausibility.
     pub remarks: Vec<String>,
     /// Location of each station in the file; empty if the reader does not record it.
-    pub places: Vec<Place>,
+    pub locations: Vec<SourceLocation>,
     /// The frame that the file declares, as text; `None` for the frame of its format.
     pub frame: Option<String>,
     /// Whether the file has damping that is not converted, which a remark describes.
@@ -24,7 +24,7 @@ impl Reading {
         Self {
             blade,
             remarks,
-            places: Vec::new(),
+            locations: Vec::new(),
             frame: None,
             has_other_damping: false,
         }

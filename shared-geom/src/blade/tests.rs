@@ -60,7 +60,7 @@ pub fn blade() -> Blade {
     }
 }
 
-const PLACES: [f64; 6] = [0.0, 1.7, 3.0, 4.4, 9.9, 10.1];
+const POSITIONS: [f64; 6] = [0.0, 1.7, 3.0, 4.4, 9.9, 10.1];
 
 // Trapezoids: 3 (8 + 6)/2 + 4 (4 + 2)/2 + 3 (2 + 1)/2, and 1 kg/m from 10 m to the end.
 // Constant: 3 x 8 + 4 x 4 + 3 x 2 (the jump omitted), and the last to the end.
@@ -83,7 +83,7 @@ fn properties_lie_between_their_stations_and_jump_where_two_are() {
     let k = blade.stations.clone().into_iter().map(|s| s.stiffness);
     let k: Vec<_> = k.collect();
     assert_eq!(
-        (blade.jumps(), blade.places()),
+        (blade.jumps(), blade.positions()),
         (vec![3.0], vec![0.0, 3.0, 7.0, 10.0])
     );
     assert_eq!(at(&blade, 3.0, Side::Inner), k[1]);
@@ -112,7 +112,7 @@ fn a_moved_reference_point_changes_nothing_about_the_line() {
     assert!((moved.reference_point - Vector2::new(0.3, 0.3)).amax() < 1e-15);
     assert!((moved.stations[0].stiffness - blade.stations[0].stiffness).amax() > 1.0);
     for other in [&moved, &moved.on_line()] {
-        for s in PLACES {
+        for s in POSITIONS {
             for side in [Side::Inner, Side::Outer] {
                 let (a, b) = (blade.at(s, side), other.at(s, side));
                 // Intermediate entries up to 100; a few roundings.
@@ -134,7 +134,7 @@ fn turned_sections_are_the_same_in_space() {
         blade.stations.iter().map(|s| s.stiffness * 0.01).collect(),
     ));
     let turned = blade.rotate(0.8);
-    for s in PLACES {
+    for s in POSITIONS {
         let in_space = |blade: &Blade| {
             let axes = blade.line.at(s).axes.transpose();
             let (k, m) = blade.at(s, Side::Outer);
@@ -204,7 +204,7 @@ fn shown(text: &str) -> String {
 }
 
 #[test]
-fn what_is_wrong_with_a_file_is_told_with_its_line() {
+fn what_is_wrong_with_a_file_is_reported_with_its_line() {
     let text = write(&blade());
     let cases = [
         (
@@ -261,7 +261,7 @@ fn problems(change: impl FnOnce(&mut Blade)) -> String {
 }
 
 #[test]
-fn what_cannot_be_a_blade_is_told() {
+fn what_cannot_be_a_blade_is_reported() {
     assert_eq!(problems(|_| {}), "");
     let cases = [
         (problems(|b| b.stations.clear()), "the blade has no station"),
@@ -310,7 +310,7 @@ fn what_cannot_be_a_blade_is_told() {
 // K45 of 1.5 with a unit diagonal at the station at 7 m, zero at its neighbors: with the
 // part v of the neighbor, 1.5 (1 - v) > 1 up to v = 1/3.
 #[test]
-fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
+fn a_stiffness_that_is_not_positive_definite_is_reported_with_its_reach() {
     let change = |blade: &mut Blade| {
         for station in &mut blade.stations {
             station.stiffness = Matrix6::identity();
@@ -335,19 +335,19 @@ fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
     let mut blade = blade();
     change(&mut blade);
     let found = blade.problems_at(&[5.6, 5.7, 7.9, 8.1]);
-    let places: Vec<_> = found
+    let positions: Vec<_> = found
         .iter()
         .filter_map(|problem| match problem {
             BladeProblem::Indefinite {
-                place,
+                position,
                 inner,
                 outer,
                 ..
-            } => Some((*place, *inner, *outer)),
+            } => Some((*position, *inner, *outer)),
             _ => None,
         })
         .collect();
-    assert_eq!(places, [(5.7, 3.0, 7.0), (7.9, 7.0, 10.0)]);
+    assert_eq!(positions, [(5.7, 3.0, 7.0), (7.9, 7.0, 10.0)]);
 }
 
 /// An aluminum strip of 80 x 10 mm: E = 70 GPa, 2700 kg/m^3.
@@ -379,7 +379,7 @@ fn strip() -> Blade {
 
 // The density of the message is the strip's density times the factor: c^2 = E / rho.
 #[test]
-fn a_weight_in_place_of_a_mass_is_remarked() {
+fn a_weight_instead_of_a_mass_is_remarked() {
     assert_eq!(strip().remarks(), Vec::<String>::new());
     for (factor, weight) in [(9.80665, "(N/m)"), (32.174, "(lbf/ft"), (386.09, "(lbf/in")] {
         let mut heavy = strip();
@@ -388,8 +388,8 @@ fn a_weight_in_place_of_a_mass_is_remarked() {
         }
         let remarks = heavy.remarks();
         let density = format!("would weigh {:.0} kg/m^3", 2700.0 * factor);
-        let is_told = |words: &str| remarks.iter().any(|remark| remark.contains(words));
-        assert!(is_told(&density) && is_told("looks like a weight") && is_told(weight));
+        let is_reported = |words: &str| remarks.iter().any(|remark| remark.contains(words));
+        assert!(is_reported(&density) && is_reported("looks like a weight") && is_reported(weight));
     }
     // A factor of a thousand squared is no weight.
     let mut other = strip();
@@ -436,7 +436,7 @@ fn solid_plastic_is_no_weight() {
 // Numbers that were written for the model may be soft: they are reported without a guess;
 // values that no material has are reported as before.
 #[test]
-fn a_soft_section_in_place_is_told_in_a_line() {
+fn a_soft_inline_section_is_reported_in_a_line() {
     let (stiffness, mass) = {
         let strip = strip();
         (strip.stations[0].stiffness, strip.stations[0].mass)
@@ -453,8 +453,8 @@ fn a_soft_section_in_place_is_told_in_a_line() {
         "{soft}"
     );
     assert!(!soft.contains("weigh"), "{soft}");
-    let told = section_remark(&stiffness, &(1e5 * mass)).unwrap();
-    assert!(told.contains("do not fit each other"), "{told}");
+    let reported = section_remark(&stiffness, &(1e5 * mass)).unwrap();
+    assert!(reported.contains("do not fit each other"), "{reported}");
     let light = written_section_remark(&stiffness, &(1e-3 * mass)).unwrap();
     assert!(light.contains("lighter than any"), "{light}");
 }

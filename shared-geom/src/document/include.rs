@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use super::syntax::syntax_problems;
 use super::tree::{self, Entry, Kind, Lines, Value};
 use super::{Document, DocumentProblem, read_text};
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::files::names_beside;
 use toml::de::DeTable;
 
@@ -73,10 +73,10 @@ impl Reader {
         let problems = syntax_problems((root.get_ref(), &errors), &lines, text, file);
         self.problems.append(problems);
         let mut entries = tree::entries(root.get_ref(), &lines.from(base));
-        let Some(place) = entries.iter().position(|entry| entry.key == KEY) else {
+        let Some(location) = entries.iter().position(|entry| entry.key == KEY) else {
             return entries;
         };
-        let include = entries.remove(place).value;
+        let include = entries.remove(location).value;
         let items = match &include.kind {
             Kind::Array(items) => items.as_slice(),
             _ => std::slice::from_ref(&include),
@@ -89,8 +89,8 @@ impl Reader {
 
     fn note(&mut self, line: usize, problem: &DocumentProblem) {
         let (file, line) = split(line);
-        let place = Place::line(&self.files[file], line);
-        self.problems.push(place, problem);
+        let location = SourceLocation::line(&self.files[file], line);
+        self.problems.push(location, problem);
     }
 
     fn include(&mut self, item: &Value, file: &str, entries: &mut Vec<Entry>) {
@@ -111,8 +111,8 @@ impl Reader {
                 known: names_beside(&path),
             };
             let (file, line) = split(item.line);
-            let place = Place::line(&self.files[file], line);
-            return self.absent.push(place, &problem);
+            let location = SourceLocation::line(&self.files[file], line);
+            return self.absent.push(location, &problem);
         }
         let known = known_as(&path);
         let name = written.clone();
@@ -158,7 +158,7 @@ impl Reader {
                     let (file, line) = split(first.line);
                     let problem = DocumentProblem::DoubledKey {
                         key: entry.key,
-                        place: Place::line(&self.files[file], line).to_string(),
+                        location: SourceLocation::line(&self.files[file], line).to_string(),
                     };
                     self.note(entry.line, &problem);
                 }

@@ -8,7 +8,7 @@ impl<'a> Table<'a> {
     /// Whether `key` holds a table.
     pub fn is_table(&self, key: &str) -> bool {
         matches!(
-            self.ask(key),
+            self.look_up(key),
             Some(Value {
                 kind: Kind::Table(_),
                 ..
@@ -18,7 +18,7 @@ impl<'a> Table<'a> {
 
     /// The table under `key`.
     pub fn table(&self, key: &str) -> Option<Table<'a>> {
-        let entry = self.ask_entry(key)?;
+        let entry = self.look_up_entry(key)?;
         match &entry.value.kind {
             Kind::Table(entries) => {
                 let title = format!("[{key}]");
@@ -37,7 +37,7 @@ impl<'a> Table<'a> {
 
     /// The tables of an array of tables, `[[key]]`; empty when absent.
     pub fn tables(&self, key: &str) -> Vec<Table<'a>> {
-        let Some(value) = self.ask(key) else {
+        let Some(value) = self.look_up(key) else {
             return Vec::new();
         };
         let Kind::Array(items) = &value.kind else {
@@ -96,14 +96,14 @@ impl<'a> Table<'a> {
     /// The keys of the table, in the order of its descriptions: all common keys, and the
     /// requested keys of families. Without description, the requested keys.
     fn known_keys(&self) -> Vec<String> {
-        let asked = self.asked.borrow();
+        let requested = self.requested.borrow();
         if self.schemas.is_empty() {
-            return asked.clone();
+            return requested.clone();
         }
         let mut known: Vec<String> = Vec::new();
         for schema in &self.schemas {
             let families = schema.families.iter().flat_map(|family| family.keys);
-            let of_form = families.filter(|key| asked.iter().any(|own| own == key.name));
+            let of_form = families.filter(|key| requested.iter().any(|own| own == key.name));
             for key in schema.keys.iter().chain(of_form) {
                 if !known.iter().any(|own| own == key.name) {
                     known.push(key.name.to_owned());
@@ -124,12 +124,12 @@ impl<'a> Table<'a> {
         let known = self.known_keys();
         for entry in self.entries {
             if !known.contains(&entry.key) {
-                let elsewhere = others.iter().find(|(key, _)| *key == entry.key);
+                let right_table = others.iter().find(|(key, _)| *key == entry.key);
                 let problem = DocumentProblem::UnknownKey {
                     key: entry.key.clone(),
                     table: self.title.clone(),
                     known: known.clone(),
-                    elsewhere: elsewhere.map(|(_, place)| *place),
+                    right_table: right_table.map(|(_, location)| *location),
                 };
                 self.document.note(entry.line, &problem);
             }

@@ -107,16 +107,16 @@ impl Document {
     /// Computes the values of parameters that depend on others, each once and after the
     /// parameters that it uses; notes parameters that depend on themselves.
     fn close(&self, known: &mut Parameters, open: &[Open<'_>]) {
-        let mut place = vec![None; known.len()];
+        let mut location = vec![None; known.len()];
         for (at, one) in open.iter().enumerate() {
-            place[one.index] = Some(at);
+            location[one.index] = Some(at);
         }
         // For each open one: the number of parameters it waits for, and those waiting for
         // it.
         let mut waits = vec![0; open.len()];
         let mut users = vec![Vec::new(); open.len()];
         for (at, one) in open.iter().enumerate() {
-            for other in one.uses.iter().filter_map(|&index| place[index]) {
+            for other in one.uses.iter().filter_map(|&index| location[index]) {
                 waits[at] += 1;
                 users[other].push(at);
             }
@@ -134,7 +134,7 @@ impl Document {
         // Each of the rest waits for another one of the rest.
         let left = |&at: &usize| waits[at] > 0;
         let next = open.iter().map(|one| {
-            let others = one.uses.iter().filter_map(|&index| place[index]);
+            let others = one.uses.iter().filter_map(|&index| location[index]);
             others.clone().find(left)
         });
         for cycle in cycles(&next.collect::<Vec<_>>()) {
@@ -180,8 +180,8 @@ impl Document {
         let constants = self.parameters.borrow();
         let found = self.expression(key, line, written(text)?, &of(&constants))?;
         let number = found.at(|_| Jet::default()).value;
-        let is_told = number.is_nan() && constants.iter().any(|own| own.1.is_nan());
-        (!is_told).then_some(number)
+        let is_reported = number.is_nan() && constants.iter().any(|own| own.1.is_nan());
+        (!is_reported).then_some(number)
     }
 
     /// The value of an expression of parameters; `None` if it has none.

@@ -54,7 +54,7 @@ pub enum DocumentProblem {
         /// The keys that the table may have.
         known: Vec<String>,
         /// Correct location of the key, as written there: `[[output.column]]`.
-        elsewhere: Option<&'static str>,
+        right_table: Option<&'static str>,
     },
     /// A required key is absent.
     #[error("{table} has no \"{key}\", expected {expected}")]
@@ -132,12 +132,12 @@ pub enum DocumentProblem {
     #[error("an included file has \"units\", expected none")]
     UnitsOfIncluded,
     /// A key that two files have.
-    #[error("\"{key}\" is given in {place} already, expected it once")]
+    #[error("\"{key}\" is given in {location} already, expected it once")]
     DoubledKey {
         /// The key.
         key: String,
         /// Location of the first.
-        place: String,
+        location: String,
     },
     /// An excessive number of copies.
     #[error("the copies of \"{name}\" come to more than {limit} cards")]
@@ -155,12 +155,12 @@ impl Explain for DocumentProblem {
             Self::UnknownKey {
                 key,
                 known,
-                elsewhere,
+                right_table,
                 ..
             } => {
                 let near = nearest_name(key, known.iter().map(String::as_str));
-                Some(match (elsewhere, near) {
-                    (Some(place), _) => format!("did you mean {place}?"),
+                Some(match (right_table, near) {
+                    (Some(location), _) => format!("did you mean {location}?"),
                     (None, Some(near)) => format!("did you mean \"{near}\"?"),
                     (None, None) => format!("known keys: {}", known.join(", ")),
                 })

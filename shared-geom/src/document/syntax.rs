@@ -4,7 +4,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::DocumentProblem;
 use super::tree::Lines;
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 
 /// Errors of syntax that are reported one by one: one mistake causes a few of them, and a
 /// file of another kind has one on every line.
@@ -22,17 +22,20 @@ pub(super) fn syntax_problems(
 ) -> Diagnostics {
     let mut problems = Diagnostics::new();
     if let Some(what) = other_format(text).filter(|_| !errors.is_empty()) {
-        problems.push(Place::file(file), &DocumentProblem::OtherFormat { what });
+        problems.push(
+            SourceLocation::file(file),
+            &DocumentProblem::OtherFormat { what },
+        );
         return problems;
     }
-    let mut told: Vec<(usize, String)> = Vec::new();
+    let mut reported: Vec<(usize, String)> = Vec::new();
     for (i, error) in errors.iter().enumerate() {
         let at = error.span().map_or(0, |span| span.start);
         let line = lines.at(at);
-        if told.len() == SHOWN {
+        if reported.len() == SHOWN {
             let count = errors.len() - i;
             let problem = DocumentProblem::MoreSyntax { count };
-            problems.push(Place::line(file, line), &problem);
+            problems.push(SourceLocation::line(file, line), &problem);
             break;
         }
         let reason = match error.message() {
@@ -40,11 +43,11 @@ pub(super) fn syntax_problems(
             message => message.to_owned(),
         };
         let one = (line, reason);
-        if !told.contains(&one) {
+        if !reported.contains(&one) {
             let (reason, help) = (one.1.clone(), number(text, at));
             let problem = DocumentProblem::Syntax { reason, help };
-            problems.push(Place::line(file, line), &problem);
-            told.push(one);
+            problems.push(SourceLocation::line(file, line), &problem);
+            reported.push(one);
         }
     }
     problems
@@ -78,7 +81,7 @@ fn duplicate(root: &DeTable<'_>, lines: &Lines, text: &str, error: &toml::de::Er
                 .is_empty()
         };
         let mut found = Vec::new();
-        places(root, key, &mut found);
+        locations(root, key, &mut found);
         found.retain(|&at| at < span.start && is_first(at) == is_first(span.start));
         before.extend(found.into_iter().max().map(|at| lines.at(at)));
     }
@@ -95,7 +98,7 @@ fn header(line: &str) -> String {
 }
 
 /// Offsets of a key in a table and in its nested tables.
-fn places(table: &DeTable<'_>, wanted: &str, found: &mut Vec<usize>) {
+fn locations(table: &DeTable<'_>, wanted: &str, found: &mut Vec<usize>) {
     for (key, value) in table {
         if key.get_ref() == wanted {
             found.push(key.span().start);
@@ -106,7 +109,7 @@ fn places(table: &DeTable<'_>, wanted: &str, found: &mut Vec<usize>) {
 
 fn within(value: &DeValue<'_>, wanted: &str, found: &mut Vec<usize>) {
     match value {
-        DeValue::Table(table) => places(table, wanted, found),
+        DeValue::Table(table) => locations(table, wanted, found),
         DeValue::Array(items) => {
             for item in items.iter() {
                 within(item.get_ref(), wanted, found);

@@ -27,7 +27,7 @@ pub struct Table<'a> {
     /// Its descriptions: several if its key has several kinds of tables. Without any, every
     /// requested key is a key of the table.
     pub(super) schemas: Vec<&'static TableSchema>,
-    pub(super) asked: RefCell<Vec<String>>,
+    pub(super) requested: RefCell<Vec<String>>,
 }
 
 impl<'a> Table<'a> {
@@ -43,7 +43,7 @@ impl<'a> Table<'a> {
             title,
             line,
             schemas: Vec::new(),
-            asked: RefCell::default(),
+            requested: RefCell::default(),
         }
     }
 
@@ -87,7 +87,7 @@ impl<'a> Table<'a> {
 
     /// Whether the table has `key`. The key is then known.
     pub fn has(&self, key: &str) -> bool {
-        self.ask(key).is_some()
+        self.look_up(key).is_some()
     }
 
     /// Whether `key` holds a text that is not an expression of a number.
@@ -99,7 +99,7 @@ impl<'a> Table<'a> {
 
     /// The value under `key`, of any type.
     pub fn item(&self, key: &str) -> Option<Item<'a>> {
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         Some(Item::new(self.document, key, value))
     }
 
@@ -111,7 +111,7 @@ impl<'a> Table<'a> {
 
     /// Whether `key` holds a list of lists.
     pub fn is_nested(&self, key: &str) -> bool {
-        match self.ask(key).map(|value| &value.kind) {
+        match self.look_up(key).map(|value| &value.kind) {
             Some(Kind::Array(items)) => {
                 let is_list = |item: &Value| matches!(item.kind, Kind::Array(_));
                 items.first().is_some_and(is_list)
@@ -123,7 +123,7 @@ impl<'a> Table<'a> {
     /// Whether `key` holds a list.
     pub fn is_list(&self, key: &str) -> bool {
         matches!(
-            self.ask(key),
+            self.look_up(key),
             Some(Value {
                 kind: Kind::Array(_),
                 ..
@@ -144,7 +144,7 @@ impl<'a> Table<'a> {
 
     /// Text under `key`.
     pub fn text(&self, key: &str) -> Option<String> {
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         match &value.kind {
             Kind::Text(text) => Some(text.clone()),
             _ => self.wrong_value(key, value, "a text in quotes"),
@@ -174,7 +174,7 @@ impl<'a> Table<'a> {
 
     /// A list of texts under `key`; one text is a list of one.
     pub fn texts(&self, key: &str) -> Option<Vec<String>> {
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         let items = match &value.kind {
             Kind::Text(text) => return Some(vec![text.clone()]),
             Kind::Array(items) => items,
@@ -200,8 +200,8 @@ impl<'a> Table<'a> {
     /// One of a set of words under `key`.
     pub fn word(&self, key: &str, known: &[&str]) -> Option<usize> {
         let found = self.text(key)?;
-        let place = known.iter().position(|word| *word == found);
-        if place.is_none() {
+        let index = known.iter().position(|word| *word == found);
+        if index.is_none() {
             let problem = DocumentProblem::WrongWord {
                 key: key.to_owned(),
                 found,
@@ -209,12 +209,12 @@ impl<'a> Table<'a> {
             };
             self.note(key, &problem);
         }
-        place
+        index
     }
 
     /// A truth value under `key`.
     pub fn boolean(&self, key: &str) -> Option<bool> {
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         match value.kind {
             Kind::Boolean(flag) => Some(flag),
             _ => self.wrong_value(key, value, "true or false"),
@@ -223,7 +223,7 @@ impl<'a> Table<'a> {
 
     /// A whole number of at least one under `key`.
     pub fn count(&self, key: &str) -> Option<usize> {
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         let count = match value.kind {
             Kind::Integer(number) => usize::try_from(number).ok().filter(|n| *n > 0),
             Kind::Text(ref text) if written(text).is_some() => {
@@ -248,7 +248,7 @@ impl<'a> Table<'a> {
     /// A quantity under `key` in SI units: a plain number is in the declared unit, a text
     /// such as `"0.063 in"` in its own.
     pub fn quantity(&self, key: &str, dimension: Dimension) -> Option<f64> {
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         self.in_si(key, value, dimension)
     }
 
@@ -270,7 +270,7 @@ impl<'a> Table<'a> {
 
     /// A list of quantities under `key`, in SI units; one quantity is a list of one.
     pub fn quantities(&self, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         let Kind::Array(items) = &value.kind else {
             return self.in_si(key, value, dimension).map(|number| vec![number]);
         };
@@ -300,7 +300,7 @@ impl<'a> Table<'a> {
 
     /// Vectors of three quantities under `key`, in SI units; one vector is a list of one.
     pub fn vectors(&self, key: &str, dimension: Dimension) -> Option<Vec<Vector3<f64>>> {
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         let expected = format!("an array of 3, each {dimension}, or a list of such arrays");
         let Kind::Array(items) = &value.kind else {
             return self.wrong_value(key, value, &expected);
@@ -328,7 +328,7 @@ impl<'a> Table<'a> {
 
     /// Length of the list under `key`.
     pub fn row_count(&self, key: &str) -> Option<usize> {
-        match self.ask(key).map(|value| &value.kind) {
+        match self.look_up(key).map(|value| &value.kind) {
             Some(Kind::Array(items)) => Some(items.len()),
             _ => None,
         }
@@ -343,7 +343,7 @@ impl<'a> Table<'a> {
     pub fn rows_of(&self, key: &str, size: [usize; 2], unit: Dimension) -> Option<Vec<Vec<f64>>> {
         let [rows, columns] = size;
         let expected = format!("{rows} rows of {columns} numbers");
-        let value = self.ask(key)?;
+        let value = self.look_up(key)?;
         let Kind::Array(items) = &value.kind else {
             return self.wrong_value(key, value, &expected);
         };
@@ -369,20 +369,20 @@ impl<'a> Table<'a> {
         self.entries.iter().find(|entry| entry.key == key)
     }
 
-    pub(super) fn ask_entry(&self, key: &str) -> Option<&'a Entry> {
-        let mut asked = self.asked.borrow_mut();
-        if !asked.iter().any(|known| known == key) {
-            asked.push(key.to_owned());
+    pub(super) fn look_up_entry(&self, key: &str) -> Option<&'a Entry> {
+        let mut requested = self.requested.borrow_mut();
+        if !requested.iter().any(|known| known == key) {
+            requested.push(key.to_owned());
         }
         self.entry(key)
     }
 
-    pub(super) fn ask(&self, key: &str) -> Option<&'a Value> {
-        self.ask_entry(key).map(|entry| &entry.value)
+    pub(super) fn look_up(&self, key: &str) -> Option<&'a Value> {
+        self.look_up_entry(key).map(|entry| &entry.value)
     }
 
     pub(super) fn require(&self, key: &str, expected: &str) -> Option<()> {
-        if self.ask(key).is_none() {
+        if self.look_up(key).is_none() {
             let problem = DocumentProblem::MissingKey {
                 key: key.to_owned(),
                 table: self.title.clone(),

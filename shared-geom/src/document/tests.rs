@@ -145,9 +145,9 @@ fn syntax_errors_carry_their_lines() {
 
 // Three numbers of one list cause three errors of the parser.
 #[test]
-fn slips_of_syntax_are_told_once_and_with_what_is_meant() {
-    let told = |text: &str| Document::parse(text, "a.toml").unwrap_err().to_string();
-    let shown = told("[a]\ninertia = [.3,.4,.5]\n");
+fn slips_of_syntax_are_reported_once_and_with_what_is_meant() {
+    let reported = |text: &str| Document::parse(text, "a.toml").unwrap_err().to_string();
+    let shown = reported("[a]\ninertia = [.3,.4,.5]\n");
     assert_eq!(shown.matches("error").count(), 1, "{shown}");
     assert!(
         shown.starts_with("error: a.toml:2: not valid TOML: invalid mantissa")
@@ -159,10 +159,10 @@ fn slips_of_syntax_are_told_once_and_with_what_is_meant() {
         ("a = 5.", "5.0"),
         ("a = 2.e-3 # x", "2.0e-3"),
     ] {
-        let shown = told(text);
+        let shown = reported(text);
         assert!(shown.ends_with(&format!(": {meant}")), "{text}: {shown}");
     }
-    assert!(!told("a = 0x\nb = = 1\n").contains("help"));
+    assert!(!reported("a = 0x\nb = = 1\n").contains("help"));
 }
 
 #[test]
@@ -220,23 +220,23 @@ fn parameters_are_found_in_any_order() {
 #[test]
 fn cycles_of_parameters_are_named() {
     let text = "[parameters]\nq = \"= p\"\np = \"= r + q\"\nr = 1\ns = \"= s\"\nt = \"= q + r\"\n";
-    let told = parameter(text, "r").unwrap_err();
+    let reported = parameter(text, "r").unwrap_err();
     assert!(
-        told.contains("a.toml:3: the parameter \"p\" depends on itself: p -> q -> p"),
-        "{told}"
+        reported.contains("a.toml:3: the parameter \"p\" depends on itself: p -> q -> p"),
+        "{reported}"
     );
     assert!(
-        told.contains("a.toml:5: the parameter \"s\" depends on itself: s -> s"),
-        "{told}"
+        reported.contains("a.toml:5: the parameter \"s\" depends on itself: s -> s"),
+        "{reported}"
     );
-    assert_eq!(told.matches("error").count(), 2, "{told}");
+    assert_eq!(reported.matches("error").count(), 2, "{reported}");
     let count = 2000;
     let ring = |i: usize| format!("p{i} = \"= p{}\"\n", (i + 1) % count);
     let text: String = (0..count).map(ring).collect();
-    let told = parameter(&format!("[parameters]\n{text}"), "p0").unwrap_err();
+    let reported = parameter(&format!("[parameters]\n{text}"), "p0").unwrap_err();
     assert!(
-        told.ends_with("p0 -> p1 -> p2 -> p3 -> p4 -> p5 -> p6 -> p7 -> (1992 more) -> p0"),
-        "{told}"
+        reported.ends_with("p0 -> p1 -> p2 -> p3 -> p4 -> p5 -> p6 -> p7 -> (1992 more) -> p0"),
+        "{reported}"
     );
 }
 
@@ -297,7 +297,7 @@ fn errors_of_syntax_are_counted_after_the_first() {
 }
 
 #[test]
-fn a_file_of_another_kind_is_told_as_such() {
+fn a_file_of_another_kind_is_reported_as_such() {
     let texts = [
         ("$MeshFormat\n4.1 0 8\n", "a gmsh mesh"),
         (

@@ -20,7 +20,7 @@ use nalgebra::{Matrix6, Vector2, Vector3};
 
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::document::read_text;
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::line::{Course, LinePoint, ReferenceLine};
 
 use super::frame::Convention;
@@ -150,9 +150,9 @@ fn assemble(
         }),
         provenance: provenance("BeamDyn files", texts),
     };
-    let at = |&line: &usize| Place::line(blade_file, line);
+    let at = |&line: &usize| SourceLocation::line(blade_file, line);
     Reading {
-        places: content.lines.iter().map(at).collect(),
+        locations: content.lines.iter().map(at).collect(),
         has_other_damping: content.has_modal_damping,
         ..Reading::new(blade, content.remarks)
     }
@@ -206,9 +206,9 @@ fn write_as(blade: &Blade, name: &str, layout: Layout) -> Writing {
         .iter()
         .zip(offsets(&line))
         .map(|(point, offset)| {
-            let place = axes.tr_mul(&point.position);
+            let position = axes.tr_mul(&point.position);
             let twist = (offset - point.twist).to_degrees();
-            [place.x, place.y, place.z, twist]
+            [position.x, position.y, position.z, twist]
         });
     let blade_name = format!("{name}_blade.dat");
     let primary = primary::write(blade, &points.collect::<Vec<_>>(), &blade_name, layout);
@@ -234,11 +234,11 @@ fn spline(line: &ReferenceLine, lost: &mut Vec<String>) -> ReferenceLine {
     }
     let spline = ReferenceLine::through(points, Course::Spline);
     if line.course == Course::Polyline && line.points.len() > 2 {
-        let (place, twist) = stations::apart(line, &spline);
-        if place > 0.0 || twist > 0.0 {
+        let (point, twist) = stations::apart(line, &spline);
+        if point > 0.0 || twist > 0.0 {
             lost.push(format!(
                 "the line is straight between its points; BeamDyn runs splines through them: the \
-                 difference is up to {place:.2e} m and {:.2e} deg of twist",
+                 difference is up to {point:.2e} m and {:.2e} deg of twist",
                 twist.to_degrees()
             ));
         }

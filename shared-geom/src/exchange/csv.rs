@@ -28,7 +28,7 @@ use std::path::Path;
 use nalgebra::Vector2;
 
 use crate::blade::{Blade, CurvedStation, Interpolation};
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::line::ReferenceLine;
 
 use super::header::Header;
@@ -73,7 +73,7 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
         .and_then(|course| tables.line(course, &mut problems));
     tables.check_count(head.stations, &mut problems);
     let stations = tables.stations(head.frame, file, &mut problems, &mut all);
-    let places = tables.places(file);
+    let locations = tables.locations(file);
     let content = all.keep(problems.finish(line.zip(stations)));
     let content = all.into_result(content)?;
     let Some(((line, stations), interpolation)) = content.zip(head.interpolation) else {
@@ -89,9 +89,9 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
         damping: head.damping,
         provenance: provenance("Helicoid blade table", &[text]),
     };
-    let remarks = curved_remarks(&blade, &curved, &places)?;
+    let remarks = curved_remarks(&blade, &curved, &locations)?;
     Ok(Reading {
-        places,
+        locations,
         frame: head.frame.map(|frame| frame.name().to_owned()),
         ..Reading::new(blade, remarks)
     })
@@ -104,7 +104,7 @@ pub fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics
 fn curved_remarks(
     blade: &Blade,
     curved: &[Option<CurvedStation>],
-    places: &[Place],
+    locations: &[SourceLocation],
 ) -> Result<Vec<String>, Diagnostics> {
     // An invalid line is reported by the check of the blade.
     if !blade.line.problems().is_empty() {
@@ -113,7 +113,7 @@ fn curved_remarks(
     let (found, remarks) = blade.compare_curved(curved);
     let mut problems = Diagnostics::new();
     for (station, problem) in found {
-        problems.push(places[station].clone(), &problem);
+        problems.push(locations[station].clone(), &problem);
     }
     problems.into_result(remarks)
 }

@@ -20,7 +20,7 @@ use nalgebra::{Matrix6, Vector2};
 
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::document::read_text;
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::line::ReferenceLine;
 
 use super::frame::Convention;
@@ -61,7 +61,7 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
         .collect();
     let table = table(&rows, &mut problems);
     let companion = companion(&all);
-    let longest = table.iter().map(|row| row.place).fold(0.0, f64::max);
+    let longest = table.iter().map(|row| row.position).fold(0.0, f64::max);
     let mut remarks = Vec::new();
     let mut diagnostics = Diagnostics::new();
     let line = match (companion, options.length) {
@@ -91,9 +91,11 @@ pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagn
         ..blade
     };
     let shown = file.display().to_string();
-    let places = rows.iter().map(|line| Place::line(&shown, line.number));
+    let positions = rows
+        .iter()
+        .map(|line| SourceLocation::line(&shown, line.number));
     Ok(Reading {
-        places: places.collect(),
+        locations: positions.collect(),
         ..Reading::new(blade, remarks)
     })
 }
@@ -135,7 +137,7 @@ struct Row {
     mass: Matrix6<f64>,
     stiffness: Matrix6<f64>,
     time: f64,
-    place: f64,
+    position: f64,
 }
 
 fn table(lines: &[&Line<'_>], problems: &mut Problems) -> Vec<Row> {
@@ -148,10 +150,10 @@ fn table(lines: &[&Line<'_>], problems: &mut Problems) -> Vec<Row> {
         let row = row(&values);
         if let Some(before) = rows
             .last()
-            .map(|row| row.place)
-            .filter(|&place| place > row.place)
+            .map(|row| row.position)
+            .filter(|&position| position > row.position)
         {
-            let (what, found) = (format!("eta of {what}"), row.place);
+            let (what, found) = (format!("eta of {what}"), row.position);
             let problem = ExchangeProblem::Order {
                 what,
                 found,
@@ -200,7 +202,7 @@ fn row(values: &[f64; COLUMNS]) -> Row {
         mass,
         stiffness,
         time: values[27],
-        place: values[28],
+        position: values[28],
     }
 }
 
@@ -215,7 +217,7 @@ fn assemble(rows: &[Row], line: ReferenceLine, longest: f64, remarks: &mut Vec<S
     }
     let scale = if in_meters { 1.0 } else { length };
     let station = |row: &Row| Station {
-        arc_length: row.place * scale,
+        arc_length: row.position * scale,
         stiffness: row.stiffness,
         mass: row.mass,
     };

@@ -18,7 +18,7 @@ use nalgebra::{Matrix6, Vector2, Vector3};
 
 use crate::blade::{Blade, Interpolation, Station, rigid_force, rigid_torsion};
 use crate::document::read_text;
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::line::{Course, LinePoint, ReferenceLine};
 
 use super::named::{companion, named, required};
@@ -102,7 +102,10 @@ fn read_primary(text: &str, file: &Path, mut problems: Problems) -> Result<Readi
 /// The blade of a table.
 fn assemble(table: Table, length: f64, file: &Path, texts: &[&str]) -> Reading {
     let shown = file.display().to_string();
-    let places = table.lines.iter().map(|line| Place::line(&shown, *line));
+    let positions = table
+        .lines
+        .iter()
+        .map(|line| SourceLocation::line(&shown, *line));
     let point = |row: &Row| LinePoint {
         position: Vector3::new(row.part * length, 0.0, 0.0),
         twist: -row.twist_deg.to_radians(),
@@ -120,7 +123,7 @@ fn assemble(table: Table, length: f64, file: &Path, texts: &[&str]) -> Reading {
     let mut remarks = table.remarks;
     remarks.extend(missing(&table.rows));
     Reading {
-        places: places.collect(),
+        locations: positions.collect(),
         has_other_damping: table.has_damping,
         ..Reading::new(blade, remarks)
     }

@@ -62,12 +62,12 @@ fn beamdyn_files_of_openfast_io() {
         ]))
     );
     assert_eq!(blade.interpolation, Interpolation::Linear);
-    let places: Vec<_> = blade
+    let positions: Vec<_> = blade
         .stations
         .iter()
         .map(|station| station.arc_length)
         .collect();
-    assert_eq!(places, [0.0, 0.4 * blade.length(), blade.length()]);
+    assert_eq!(positions, [0.0, 0.4 * blade.length(), blade.length()]);
     let tip = blade.line.points[3].position;
     assert_eq!(tip, Vector3::new(12.0, 0.15, 0.2));
 }

@@ -69,23 +69,23 @@ impl Convention {
 
     /// Six numbers, one for each component, in Helicoid's order; no signs.
     pub fn values_to_ours(self, values: &[f64; 6]) -> [f64; 6] {
-        self.component_places().map(|place| values[place])
+        self.component_indices().map(|index| values[index])
     }
 
     /// Six numbers, one for each component, in the order of this convention; no signs.
     pub fn values_from_ours(self, values: &[f64; 6]) -> [f64; 6] {
         let mut theirs = [0.0; 6];
-        for (&place, &value) in self.component_places().iter().zip(values) {
-            theirs[place] = value;
+        for (&index, &value) in self.component_indices().iter().zip(values) {
+            theirs[index] = value;
         }
         theirs
     }
 
     /// Index of each of Helicoid's components in this convention.
-    fn component_places(self) -> [usize; 6] {
+    fn component_indices(self) -> [usize; 6] {
         let axes = self.axes();
-        let place = |i: usize| (0..3).find(|&j| axes[(i, j)] != 0.0).unwrap_or(i);
-        [0, 1, 2, 3, 4, 5].map(|i| if i < 3 { place(i) } else { place(i - 3) + 3 })
+        let index = |i: usize| (0..3).find(|&j| axes[(i, j)] != 0.0).unwrap_or(i);
+        [0, 1, 2, 3, 4, 5].map(|i| if i < 3 { index(i) } else { index(i - 3) + 3 })
     }
 
     /// The axes as text.
@@ -179,7 +179,7 @@ mod tests {
     // strip in its plane (edge) is larger. Known indices (0-based): BeamDyn edge 3, flap
     // 4; HAWC2 flap 3, edge 4; VABS flap 4, edge 5; torsion after or before them.
     #[test]
-    fn edge_flap_and_torsion_stand_where_each_tool_has_them() {
+    fn edge_flap_and_torsion_are_where_each_tool_has_them() {
         let (axial, shear_edge, shear_flap, torsion, flap, edge) = (1e6, 4e5, 3e5, 2.0, 5.0, 90.0);
         let diagonal = [axial, shear_edge, shear_flap, torsion, flap, edge];
         let k = Matrix6::from_diagonal(&diagonal.into());

@@ -43,7 +43,7 @@ mod htc_tests;
 mod tests;
 
 use htc::Body;
-use section::{Classic, Inertia, Place};
+use section::{Classic, Inertia, PrincipalAxes};
 use st::{Row, SubSet};
 
 pub(super) use write::write;
@@ -295,7 +295,7 @@ fn cut(mut stations: Vec<Station>, length: f64) -> Vec<Station> {
 /// small.
 fn station(row: &Row) -> (Station, bool) {
     let vector = Vector2::new;
-    let (place, stiffness, inertia) = match row {
+    let (axes, stiffness, inertia) = match row {
         Row::Classic(row) => {
             let [
                 _,
@@ -316,7 +316,7 @@ fn station(row: &Row) -> (Station, bool) {
                 a,
                 ..,
             ] = *row;
-            let place = place(&row[16..]);
+            let axes = axes_of_row(&row[16..]);
             let classic = Classic {
                 axial: e * a,
                 bending: vector(e * i_x, e * i_y),
@@ -325,16 +325,16 @@ fn station(row: &Row) -> (Station, bool) {
                 shear_center: vector(x_sh, y_sh),
             };
             let inertia = inertia(&[m, x_cg, y_cg, ri_x, ri_y]);
-            (place, classic.matrix(place), inertia)
+            (axes, classic.matrix(axes), inertia)
         }
         Row::Full(row) => {
-            let place = place(&row[6..]);
-            let stiffness = place.to_line(&from_upper(&row[9..]));
+            let axes = axes_of_row(&row[6..]);
+            let stiffness = axes.to_line(&from_upper(&row[9..]));
             let [_, m, x_cg, y_cg, ri_x, ri_y, ..] = *row;
-            (place, stiffness, inertia(&[m, x_cg, y_cg, ri_x, ri_y]))
+            (axes, stiffness, inertia(&[m, x_cg, y_cg, ri_x, ri_y]))
         }
     };
-    let (mass, too_small) = inertia.matrix(place);
+    let (mass, too_small) = inertia.matrix(axes);
     let convention = Convention::Hawc2;
     let station = Station {
         arc_length: row.distance(),
@@ -350,9 +350,9 @@ fn symmetric(matrix: &nalgebra::Matrix6<f64>) -> nalgebra::Matrix6<f64> {
 }
 
 /// Pitch, x_e and y_e are adjacent.
-fn place(columns: &[f64]) -> Place {
+fn axes_of_row(columns: &[f64]) -> PrincipalAxes {
     let value = |i: usize| columns.get(i).copied().unwrap_or(0.0);
-    Place {
+    PrincipalAxes {
         elastic: Vector2::new(value(1), value(2)),
         pitch: value(0).to_radians(),
     }

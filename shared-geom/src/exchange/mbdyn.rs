@@ -87,21 +87,21 @@ pub(super) fn write(blade: &Blade, name: &str) -> Writing {
 }
 
 fn model(blade: &Blade, curve: &Curve) -> Model {
-    let places = mesh(blade, curve.length());
-    let elements: Vec<_> = places
+    let positions = mesh(blade, curve.length());
+    let elements: Vec<_> = positions
         .windows(2)
         .map(|two| element(blade, curve, two[0], two[1]))
         .collect();
     // A line of straight pieces may have a kink at a node, which belongs to both.
-    let first = places.first().map(|&s| curve.at(s));
-    let others = places.windows(2).flat_map(|two| {
+    let first = positions.first().map(|&s| curve.at(s));
+    let others = positions.windows(2).flat_map(|two| {
         [
             curve.at(0.5 * (two[0] + two[1])),
             curve.on(two[1], Side::Inner),
         ]
     });
     let nodes: Vec<_> = first.into_iter().chain(others).collect();
-    let bodies = bodies::of(blade, curve, &places, &nodes);
+    let bodies = bodies::of(blade, curve, &positions, &nodes);
     Model {
         nodes,
         elements,
@@ -112,11 +112,11 @@ fn model(blade: &Blade, curve: &Curve) -> Model {
 /// Ends of the elements: the stations of the blade, and the ends of its line [m].
 fn mesh(blade: &Blade, length: f64) -> Vec<f64> {
     let near = 1e-9 * length;
-    let mut places = vec![0.0];
+    let mut positions = vec![0.0];
     let inside = |s: &f64| *s > near && *s < length - near;
-    places.extend(blade.places().into_iter().filter(inside));
-    places.push(length);
-    places
+    positions.extend(blade.positions().into_iter().filter(inside));
+    positions.push(length);
+    positions
 }
 
 fn element(blade: &Blade, curve: &Curve, from: f64, to: f64) -> Element {

@@ -6,7 +6,7 @@ use std::path::Path;
 use nalgebra::{Vector2, Vector3};
 
 use crate::blade::{self, Blade, BladeDamping, Interpolation, Station};
-use crate::error::{Diagnostics, Place, quoted};
+use crate::error::{Diagnostics, SourceLocation, quoted};
 use crate::line::{LinePoint, ReferenceLine};
 use crate::section::{self, Damping, InitialCurvature, SectionProperties};
 
@@ -143,7 +143,7 @@ fn line_of(
         expected: "[1, 0, 0]: the sections of a blade are normal to its line".to_owned(),
         help: normal_point(initial),
     };
-    Err(Diagnostics::one(Place::file(file), &problem))
+    Err(Diagnostics::one(SourceLocation::file(file), &problem))
 }
 
 /// Properties of a section that a blade does not have, as text.
@@ -210,7 +210,7 @@ mod tests {
     /// A blade has stiffness, mass and damping: other properties of a section are
     /// reported, each imposed state by its name.
     #[test]
-    fn what_a_blade_does_not_have_is_told() {
+    fn what_a_blade_does_not_have_is_reported() {
         let engineering = Engineering {
             stiffness: [7e6, 2e6, 1e6, 30.0, 40.0, 900.0],
             mass: [0.3, 0.01, 0.04],
@@ -224,12 +224,12 @@ mod tests {
         };
         let mut section = engineering.section("strip", Provenance::default());
         let options = Options { length: Some(2.0) };
-        let told = |section: &SectionProperties| {
+        let reported = |section: &SectionProperties| {
             let text = section::write(section);
             let reading = read(&text, Path::new("strip.properties.json"), &options).unwrap();
             reading.remarks[1..].join("\n")
         };
-        assert_eq!(told(&section), "");
+        assert_eq!(reported(&section), "");
         let state = |name: &str| ImposedState {
             name: name.to_owned(),
             restrained_force: Vector6::zeros(),
@@ -238,7 +238,7 @@ mod tests {
         };
         section.imposed = vec![state("cure")];
         assert_eq!(
-            told(&section),
+            reported(&section),
             "the imposed state \"cure\" is not taken over"
         );
         section.imposed.push(state("sun"));
@@ -254,7 +254,7 @@ mod tests {
             per_kelvin: None,
         });
         assert_eq!(
-            told(&section),
+            reported(&section),
             "the coupling with electrodes is not taken over\n\
              the thermal force of an even rise of temperature is not taken over\n\
              the effect of prestress on the stiffness is not taken over\n\

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::error::{Diagnostics, Explain, Place};
+use crate::error::{Diagnostics, Explain, SourceLocation};
 use crate::files::{names_beside, nearest_file};
 
 /// Number of problems of one file that are reported; the others are counted.
@@ -165,11 +165,11 @@ impl Problems {
         if self.count > LIMIT {
             return;
         }
-        let place = match line {
-            0 => Place::file(&self.file),
-            _ => Place::line(&self.file, line),
+        let location = match line {
+            0 => SourceLocation::file(&self.file),
+            _ => SourceLocation::line(&self.file, line),
         };
-        self.all.push(place, problem);
+        self.all.push(location, problem);
     }
 
     /// From here on, lines refer to `file`.
@@ -204,7 +204,7 @@ impl Problems {
         self.all.sort_by_line();
         if self.count > LIMIT {
             let more = ExchangeProblem::More(self.count - LIMIT);
-            self.all.push(Place::file(&self.file), &more);
+            self.all.push(SourceLocation::file(&self.file), &more);
         }
         self.all
     }

@@ -16,7 +16,7 @@ use nalgebra::Vector2;
 
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::document::read_text;
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::line::ReferenceLine;
 
 use super::frame::Convention;
@@ -105,9 +105,9 @@ fn read_blade(
     };
     let shown = file.display().to_string();
     Ok(Reading {
-        places: rows
+        locations: rows
             .iter()
-            .map(|(line, _)| Place::line(&shown, *line))
+            .map(|(line, _)| SourceLocation::line(&shown, *line))
             .collect(),
         ..Reading::new(blade, remarks)
     })
@@ -131,7 +131,7 @@ fn rows(all: &[Line<'_>], head: usize, problems: &mut Problems) -> Option<Vec<(u
         let Some(row) = line.list(&what, Some(COLUMNS), problems) else {
             continue;
         };
-        check_place(&what, line, &row, rows.last(), problems);
+        check_position(&what, line, &row, rows.last(), problems);
         rows.push((line.number, row));
     }
     if rows.is_empty() && problems.is_empty() {
@@ -148,7 +148,7 @@ fn rows(all: &[Line<'_>], head: usize, problems: &mut Problems) -> Option<Vec<(u
 
 /// Notes a position before the previous one, and matrices about another point or in other
 /// axes.
-fn check_place(
+fn check_position(
     what: &str,
     line: &Line<'_>,
     row: &[f64],

@@ -45,7 +45,7 @@ fn until(text: &str, lines: usize) -> String {
 
 // The blade file has 13 lines of header, then 15 per station: eta, 6, blank, 6, blank.
 #[test]
-fn a_beamdyn_blade_file_cut_short_is_told_with_line_and_count() {
+fn a_beamdyn_blade_file_cut_short_is_reported_with_line_and_count() {
     let messages = refused(Format::BeamDyn, 1, |text| until(text, 13 + 15 + 3));
     assert_says(
         &messages,
@@ -61,7 +61,7 @@ fn a_beamdyn_blade_file_cut_short_is_told_with_line_and_count() {
 }
 
 #[test]
-fn all_problems_of_a_beamdyn_blade_file_are_told_at_once() {
+fn all_problems_of_a_beamdyn_blade_file_are_reported_at_once() {
     let messages = refused(Format::BeamDyn, 1, |text| {
         let text = with_line(text, 15, |line| format!("{line} 1.0"));
         let text = with_line(&text, 16, |_| "1 2 x 4 nan 6".to_owned());
@@ -80,7 +80,7 @@ fn all_problems_of_a_beamdyn_blade_file_are_told_at_once() {
 }
 
 #[test]
-fn problems_of_both_beamdyn_files_are_told_at_once() {
+fn problems_of_both_beamdyn_files_are_reported_at_once() {
     let folder = tempfile::tempdir().unwrap();
     let first = written(&blade(), Format::BeamDyn, folder.path());
     let primary = std::fs::read_to_string(&first).unwrap();
@@ -238,7 +238,7 @@ fn a_vabs_output_cut_short_or_without_timoshenko_model_is_refused() {
 }
 
 #[test]
-fn a_file_of_no_known_format_is_told_what_was_tried() {
+fn a_file_of_no_known_format_is_reported_what_was_tried() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("notes.txt");
     std::fs::write(&path, "\n dear colleague\n").unwrap();
@@ -294,7 +294,7 @@ fn a_table_cut_short_or_with_a_column_too_few_is_refused() {
 
 // The line of eta of station 2 is the 29th: 13 lines of header, 15 of station 1.
 #[test]
-fn a_stiffness_that_is_not_positive_definite_is_told_once_with_its_line() {
+fn a_stiffness_that_is_not_positive_definite_is_reported_once_with_its_line() {
     let folder = tempfile::tempdir().unwrap();
     let first = written(&blade(), Format::BeamDyn, folder.path());
     let file = folder.path().join("sample_blade.dat");
@@ -321,8 +321,13 @@ fn a_length_that_is_not_used_is_remarked() {
         };
         read_with(&first, &options).unwrap().1.remarks
     };
-    let told = "the length 20 m that was given is not used: the file has a line of its own, 11.";
-    assert!(remarks(20.0).iter().any(|remark| remark.starts_with(told)));
+    let reported =
+        "the length 20 m that was given is not used: the file has a line of its own, 11.";
+    assert!(
+        remarks(20.0)
+            .iter()
+            .any(|remark| remark.starts_with(reported))
+    );
     assert!(
         remarks(blade().length())
             .iter()

@@ -100,13 +100,13 @@ pub fn difference(a: &Blade, b: &Blade) -> f64 {
         pairs.map(|(i, j)| entry(i, j)).fold(0.0, f64::max)
     };
     let stations = a.stations.iter().zip(&b.stations).map(|(a, b)| {
-        let place = (a.arc_length - b.arc_length).abs() / length;
+        let position = (a.arc_length - b.arc_length).abs() / length;
         let matrices = matrix(&a.stiffness, &b.stiffness).max(matrix(&a.mass, &b.mass));
-        place.max(matrices)
+        position.max(matrices)
     });
     let points = a.line.points.iter().zip(&b.line.points).map(|(a, b)| {
-        let place = (a.position - b.position).norm() / length;
-        place.max((a.twist - b.twist).abs())
+        let position = (a.position - b.position).norm() / length;
+        position.max((a.twist - b.twist).abs())
     });
     stations.chain(points).fold(0.0, f64::max)
 }

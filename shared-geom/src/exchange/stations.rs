@@ -59,9 +59,9 @@ pub(super) fn prepared(blade: &Blade, lost: &mut Vec<String>) -> Blade {
         result.damping = Some(BladeDamping::Times(times));
     }
     if result.line.course == Course::Arcs {
-        let (line, place) = sampled(&result.line);
+        let (line, difference) = sampled(&result.line);
         lost.push(format!(
-            "the line of arcs is written as {} points: the difference is up to {place:.2e} m",
+            "the line of arcs is written as {} points: the difference is up to {difference:.2e} m",
             line.points.len()
         ));
         let scale = line.length() / result.line.length();
@@ -93,9 +93,9 @@ fn fitted(stations: &[Station], damping: &[Matrix6<f64>]) -> ([f64; 6], f64) {
 fn sampled(line: &ReferenceLine) -> (ReferenceLine, f64) {
     let curve = line.curve();
     let pieces = (line.arc_length.len() * POINTS_OF_ARC).max(1);
-    let place = |i: usize| curve.length() * i as f64 / pieces as f64;
+    let spot = |i: usize| curve.length() * i as f64 / pieces as f64;
     let point = |i: usize| {
-        let placed = curve.at(place(i));
+        let placed = curve.at(spot(i));
         LinePoint {
             position: placed.position,
             twist: placed.twist,
@@ -110,7 +110,7 @@ fn sampled(line: &ReferenceLine) -> (ReferenceLine, f64) {
     let through = ReferenceLine::through(points, course);
     let other = through.curve();
     let apart = (0..pieces).map(|i| {
-        let middle = 0.5 * (place(i) + place(i + 1));
+        let middle = 0.5 * (spot(i) + spot(i + 1));
         let there = other.at(middle * other.length() / curve.length());
         (curve.at(middle).position - there.position).norm()
     });
@@ -218,14 +218,14 @@ pub(super) fn symmetric(
 /// Difference of the courses of two lines through the same points, half way between
 /// points: position [m] and twist [rad].
 pub(super) fn apart(a: &ReferenceLine, b: &ReferenceLine) -> (f64, f64) {
-    let (mut place, mut twist) = (0.0_f64, 0.0_f64);
+    let (mut distance, mut twist) = (0.0_f64, 0.0_f64);
     let (a, b) = (a.curve(), b.curve());
     let (in_a, in_b) = (a.arc_lengths(), b.arc_lengths());
     for (at_a, at_b) in in_a.windows(2).zip(in_b.windows(2)) {
         let here = a.at(0.5 * (at_a[0] + at_a[1]));
         let there = b.at(0.5 * (at_b[0] + at_b[1]));
-        place = place.max((here.position - there.position).norm());
+        distance = distance.max((here.position - there.position).norm());
         twist = twist.max((here.twist - there.twist).abs());
     }
-    (place, twist)
+    (distance, twist)
 }

@@ -73,7 +73,7 @@ fn six_damping_times_come_back_where_they_fit() {
 
 // Order of BeamDyn: shear z, shear y, axial, bending z, bending y, torsion.
 #[test]
-fn damping_times_stand_in_the_order_of_beamdyn() {
+fn damping_times_are_in_the_order_of_beamdyn() {
     let mut blade = blade();
     blade.damping = Some(BladeDamping::Times([1.0, 2.0, 3.0, 4.0, 5.0, 6.0]));
     let files = write(&blade, Format::BeamDyn, "a").unwrap().files;
@@ -89,7 +89,7 @@ fn damping_times_stand_in_the_order_of_beamdyn() {
 
 // The mass agrees with the blade's: ramps of 1e-8 of the length have at most 1e-8 of it.
 #[test]
-fn jumps_become_ramps_and_are_told() {
+fn jumps_become_ramps_and_are_reported() {
     let mut blade = blade();
     blade.damping = None;
     let middle = Station {
@@ -143,9 +143,12 @@ fn pieces_at_both_ends_are_written() {
                 error.abs() < 1e-7,
                 "{format:?}, {interpolation:?}: {error:e}"
             );
-            let places = back.places();
-            let last = places[places.len() - 1] / blade.length();
-            assert!(places[0] == 0.0 && (last - 1.0).abs() < 1e-12, "{format:?}");
+            let positions = back.positions();
+            let last = positions[positions.len() - 1] / blade.length();
+            assert!(
+                positions[0] == 0.0 && (last - 1.0).abs() < 1e-12,
+                "{format:?}"
+            );
         }
     }
 }
@@ -165,7 +168,7 @@ fn a_reference_point_off_the_line_is_moved_to_it() {
 // Two arcs of 4 m, curved 0.05 1/m in the plane and twisted: the splines through the
 // points agree to 1e-5 m, and the files state the difference.
 #[test]
-fn a_line_of_arcs_becomes_points_and_its_error_is_told() {
+fn a_line_of_arcs_becomes_points_and_its_error_is_reported() {
     let mut blade = blade();
     let arc = (4.0, Vector3::new(0.02, 0.0, 0.05));
     blade.line = ReferenceLine::curved(blade.line.points[0], &[arc, arc]);
@@ -184,7 +187,7 @@ fn a_line_of_arcs_becomes_points_and_its_error_is_told() {
 
 // y = sin-like points on straight pieces: BeamDyn's splines differ between them.
 #[test]
-fn straight_pieces_that_become_splines_are_told() {
+fn straight_pieces_that_become_splines_are_reported() {
     let mut blade = blade();
     blade.line.course = Course::Polyline;
     let lost = write(&blade, Format::BeamDyn, "a").unwrap().lost;

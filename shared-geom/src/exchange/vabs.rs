@@ -73,8 +73,8 @@ pub fn write(blade: &Blade, name: &str) -> Writing {
     let stations = stations::linear_stations(blade);
     let file = |i: usize| format!("{name}.{:03}.K", i + 1);
     let names: Vec<_> = (0..stations.len()).map(file).collect();
-    let places = stations.iter().map(|station| station.arc_length);
-    let index: Vec<_> = places.zip(names.iter().cloned()).collect();
+    let positions = stations.iter().map(|station| station.arc_length);
+    let index: Vec<_> = positions.zip(names.iter().cloned()).collect();
     let mut files = vec![(
         format!("{name}.sections.csv").into(),
         csv::write_index(blade, &index),

@@ -48,10 +48,10 @@ impl Names<'_> {
 
     /// The known number of that name, except those known to every expression.
     fn constant(&self, name: &str) -> Option<f64> {
-        let place = self
+        let index = self
             .constants
             .binary_search_by(|own| own.0.as_str().cmp(name));
-        place.ok().map(|place| self.constants[place].1)
+        index.ok().map(|index| self.constants[index].1)
     }
 
     /// Suggestions for an unknown name: the nearest name, or the first of all.

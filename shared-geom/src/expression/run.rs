@@ -34,22 +34,22 @@ impl Expression {
                 let Some(ahead) = function.ahead(args).filter(|ahead| *ahead >= 0.0) else {
                     return;
                 };
-                let place = now + ahead;
+                let position = now + ahead;
                 let width = f64::EPSILON * now.abs().max(ahead);
-                if place - width >= next || place.is_infinite() {
+                if position - width >= next || position.is_infinite() {
                     return;
                 }
                 let is_behind = |time| {
                     let piece = self.piece(number, |index| variable(index, time));
                     piece != function.piece(args)
                 };
-                let place = match bracket(now, place, width, &is_behind) {
+                let position = match bracket(now, position, width, &is_behind) {
                     Some(ends) => first_behind(ends, &is_behind),
                     // The current corner, found again within round-off.
                     None if ahead <= 4.0 * width => return,
-                    None => place,
+                    None => position,
                 };
-                next = next.min(place);
+                next = next.min(position);
             },
         );
         next
@@ -89,22 +89,26 @@ impl Expression {
     }
 }
 
-/// Two times about `place`, not before `now`, of which only the second is after a corner;
-/// `place` is known to some times `width`.
+/// Two times about `position`, not before `now`, of which only the second is after a corner;
+/// `position` is known to some times `width`.
 fn bracket(
     now: f64,
-    place: f64,
+    position: f64,
     mut width: f64,
     is_behind: &impl Fn(f64) -> bool,
 ) -> Option<[f64; 2]> {
-    let from = is_behind(place);
+    let from = is_behind(position);
     for _ in 0..DOUBLINGS {
         let end = match from {
-            true => (place - width).max(now),
-            false => place + width,
+            true => (position - width).max(now),
+            false => position + width,
         };
         if is_behind(end) != from {
-            return Some(if from { [end, place] } else { [place, end] });
+            return Some(if from {
+                [end, position]
+            } else {
+                [position, end]
+            });
         }
         width *= 2.0;
     }

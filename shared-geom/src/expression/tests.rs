@@ -105,7 +105,7 @@ fn derivatives_exist_at_zero() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_place() {
+fn what_is_wrong_is_reported_with_its_location() {
     for (text, expected) in [
         (
             "2*spead",
@@ -180,11 +180,11 @@ fn no_text_makes_it_panic() {
     for round in 0..30_000 {
         let mut text: Vec<char> = seeds[round % seeds.len()].chars().collect();
         for _ in 0..1 + random(4) {
-            let place = random(text.len());
+            let index = random(text.len());
             match random(3) {
-                0 => text[place] = letters[random(letters.len())],
-                1 => text.insert(place, letters[random(letters.len())]),
-                _ => drop(text.remove(place)),
+                0 => text[index] = letters[random(letters.len())],
+                1 => text.insert(index, letters[random(letters.len())]),
+                _ => drop(text.remove(index)),
             }
         }
         let text: String = text.into_iter().collect();

@@ -257,26 +257,28 @@ impl<B: DrawingBackend> Canvas<B> {
         Ok(())
     }
 
-    /// Writes a text whose capitals are centered on the height of `place` (for an
+    /// Writes a text whose capitals are centered on the height of `position` (for an
     /// upward text: on the width).
     ///
     /// # Errors
     /// [`FigureProblem::Backend`].
-    pub fn text(&self, text: &str, place: [f64; 2], label: Label) -> Result<(), FigureProblem> {
+    pub fn text(&self, text: &str, position: [f64; 2], label: Label) -> Result<(), FigureProblem> {
         let to_baseline = label.size * (0.5 * CAPITAL - self.medium.baseline());
-        let [x, y] = place;
-        let place = match label.upward {
+        let [x, y] = position;
+        let position = match label.upward {
             true => [x + to_baseline, y],
             false => [x, y + to_baseline],
         };
-        let place = self.backend(&[place])[0];
+        let position = self.backend(&[position])[0];
         let style = self.text_style(label);
-        Ok(self.area.draw(&Text::new(text.to_owned(), place, style))?)
+        Ok(self
+            .area
+            .draw(&Text::new(text.to_owned(), position, style))?)
     }
 
-    /// The text, its end cut off if it is wider than `room` \[figure pixels\].
-    pub fn shortened(&self, text: &str, label: Label, room: f64) -> String {
-        let fits = |text: &str| self.label_width(text, label) <= room;
+    /// The text, its end cut off if it is wider than `space` \[figure pixels\].
+    pub fn shortened(&self, text: &str, label: Label, space: f64) -> String {
+        let fits = |text: &str| self.label_width(text, label) <= space;
         if fits(text) {
             return text.to_owned();
         }

@@ -81,9 +81,9 @@ pub fn diverging(value: f64) -> RGBColor {
 /// Linear interpolation in an evenly spaced table over [0, 1]; NaN is treated as 0.
 fn between(table: &[[u8; 3]], value: f64) -> RGBColor {
     let value = if value.is_nan() { 0.0 } else { value };
-    let place = value.clamp(0.0, 1.0) * (table.len() - 1) as f64;
-    let below = (place as usize).min(table.len() - 2);
-    let part = place - below as f64;
+    let position = value.clamp(0.0, 1.0) * (table.len() - 1) as f64;
+    let below = (position as usize).min(table.len() - 2);
+    let part = position - below as f64;
     let channel = |c: usize| {
         let (low, high) = (f64::from(table[below][c]), f64::from(table[below + 1][c]));
         // rounded: the channel is positive, and a byte cuts off

@@ -150,11 +150,11 @@ impl Side {
     }
 }
 
-/// The first of `count` pixels whose center is at or after the position `place`.
-fn first_center(place: f64, count: u32) -> i32 {
-    let place = (place - 0.5).clamp(0.0, f64::from(count));
-    let whole = place as i32;
-    whole + i32::from(f64::from(whole) < place)
+/// The first of `count` pixels whose center is at or after the position `position`.
+fn first_center(position: f64, count: u32) -> i32 {
+    let position = (position - 0.5).clamp(0.0, f64::from(count));
+    let whole = position as i32;
+    whole + i32::from(f64::from(whole) < position)
 }
 
 /// The corners of a line of `width` from `a` to `b`; empty for a line without length.

@@ -78,8 +78,8 @@ impl ColorTable {
 
     /// The color of a value of the triangles.
     pub fn of(&self, value: f64) -> [u8; 3] {
-        let place = ((value - self.low) * self.density + 0.5) as usize;
-        self.colors[place.min(self.colors.len() - 1)]
+        let index = ((value - self.low) * self.density + 0.5) as usize;
+        self.colors[index.min(self.colors.len() - 1)]
     }
 }
 

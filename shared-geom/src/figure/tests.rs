@@ -42,7 +42,7 @@ fn png_has_its_size_and_svg_its_text() {
 }
 
 #[test]
-fn wrong_endings_and_folders_are_told() {
+fn wrong_endings_and_folders_are_reported() {
     let wrong = save(Path::new("a.jpeg"), (60, 40), &Sample).unwrap_err();
     assert_eq!(
         wrong.to_string(),

@@ -11,7 +11,7 @@ use crate::mesh::{Cell, GroupSet, Line, Mesh, PhysicalGroup, Point};
 
 /// The groups of the elements of an entity.
 #[derive(Debug, Clone, Default)]
-struct Standing {
+struct ElementGroups {
     groups: GroupSet,
     /// Whether these elements run against the direction of the entity.
     reversed: bool,
@@ -21,20 +21,20 @@ struct Standing {
 
 /// Common data of the elements of one entity, found once.
 #[derive(Debug, Default)]
-struct Standings {
-    of_entity: HashMap<(u8, i32), Standing>,
+struct EntityGroups {
+    of_entity: HashMap<(u8, i32), ElementGroups>,
     of_tag: HashMap<(u8, i32), GroupSet>,
 }
 
 impl MeshBuilder {
     /// Replaces tags by indices: the mesh, if no problem is found here or earlier.
     pub(super) fn finish(mut self, problems: &mut Problems) -> Mesh {
-        self.tell_unsupported(problems);
+        self.report_unsupported(problems);
         let elements = std::mem::take(&mut self.elements);
         let mut tags = TagTable::default();
         tags.reserve(elements.len());
-        let mut standings = Standings::default();
-        let mut cell_places = Vec::new();
+        let mut entity_groups = EntityGroups::default();
+        let mut cell_locations = Vec::new();
         for element in &elements {
             if !tags.insert(element.tag, 0) {
                 problems.push(element.at, ReadProblem::RepeatedElement(element.tag));
@@ -42,11 +42,11 @@ impl MeshBuilder {
             let Some(nodes) = self.resolve(element, problems) else {
                 continue;
             };
-            let standing = self.standing(element, &mut standings, problems);
+            let element_groups = self.element_groups(element, &mut entity_groups, problems);
             if matches!(element.kind.shape, ElementShape::Cell(_)) {
-                cell_places.push(element.at);
+                cell_locations.push(element.at);
             }
-            self.place(element, nodes, standing);
+            self.add_element(element, nodes, element_groups);
         }
         let repeats = elements
             .iter()
@@ -55,11 +55,11 @@ impl MeshBuilder {
             merge::points(&mut self.mesh.points);
             merge::lines(&mut self.mesh.lines);
         }
-        merge::cells(&mut self.mesh.cells, &cell_places, repeats, problems);
+        merge::cells(&mut self.mesh.cells, &cell_locations, repeats, problems);
         self.mesh
     }
 
-    fn tell_unsupported(&self, problems: &mut Problems) {
+    fn report_unsupported(&self, problems: &mut Problems) {
         for (&number, unsupported) in &self.unsupported {
             let (name, volume) = other_type(number);
             problems.push(
@@ -98,42 +98,42 @@ impl MeshBuilder {
     }
 
     /// The groups of an element; a problem of an entity is reported once.
-    fn standing(
+    fn element_groups(
         &mut self,
         element: &Element,
-        known: &mut Standings,
+        known: &mut EntityGroups,
         problems: &mut Problems,
-    ) -> Standing {
+    ) -> ElementGroups {
         let dimension = element.kind.shape.dimension();
         if let Membership::Tag(tag) = element.kind.membership {
             let key = (dimension, tag.saturating_abs());
             let group = || self.group(dimension, tag).into_iter().collect();
-            return Standing {
+            return ElementGroups {
                 groups: known.of_tag.entry(key).or_insert_with(group).clone(),
-                ..Standing::default()
+                ..ElementGroups::default()
             };
         }
         let key = (dimension, element.kind.entity);
-        if let Some(standing) = known.of_entity.get(&key) {
-            return standing.clone();
+        if let Some(element_groups) = known.of_entity.get(&key) {
+            return element_groups.clone();
         }
-        let standing = match self.entities.remove(&key) {
-            Some(physical) => self.standing_of(dimension, &physical),
+        let element_groups = match self.entities.remove(&key) {
+            Some(physical) => self.element_groups_of(dimension, &physical),
             None => {
                 if self.entities_known {
                     let (dimension, tag) = key;
                     problems.push(element.at, ReadProblem::UnknownEntity { dimension, tag });
                 }
-                Standing::default()
+                ElementGroups::default()
             }
         };
-        known.of_entity.insert(key, standing.clone());
-        standing
+        known.of_entity.insert(key, element_groups.clone());
+        element_groups
     }
 
     /// The groups of an entity with these signed physical tags: the sign of the first one
     /// applies to its elements.
-    fn standing_of(&mut self, dimension: u8, physical: &[i32]) -> Standing {
+    fn element_groups_of(&mut self, dimension: u8, physical: &[i32]) -> ElementGroups {
         let reversed = physical
             .iter()
             .find(|&&tag| tag != 0)
@@ -149,7 +149,7 @@ impl MeshBuilder {
                 false => with.push(group),
             }
         }
-        Standing {
+        ElementGroups {
             groups: with.into_iter().collect(),
             reversed,
             against: against.into_iter().collect(),
@@ -176,13 +176,13 @@ impl MeshBuilder {
     }
 
     /// Adds an element to the mesh; a line with groups of both directions twice.
-    fn place(&mut self, element: &Element, nodes: [u32; 9], standing: Standing) {
+    fn add_element(&mut self, element: &Element, nodes: [u32; 9], element_groups: ElementGroups) {
         let (tag, entity) = (element.tag, element.kind.entity);
-        let Standing {
+        let ElementGroups {
             groups,
             reversed,
             against,
-        } = standing;
+        } = element_groups;
         match element.kind.shape {
             ElementShape::Point => self.mesh.points.push(Point {
                 tag,

@@ -48,19 +48,19 @@ impl Bytes {
     }
 }
 
-const PLACES: [f64; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+const POSITIONS: [f64; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
 
 /// Three nodes 7 8 9, the second at `x`, and a triangle 4 of `kind`, with a section of
 /// another kind between them whose content looks like a section.
 fn v41(big: bool, x: f64, kind: i32) -> Vec<u8> {
-    let mut places = PLACES;
-    places[3] = x;
+    let mut locations = POSITIONS;
+    locations[3] = x;
     Bytes::new("4.1", big)
         .text("$Nodes\n")
         .sizes(&[1, 3, 7, 9])
         .ints(&[2, 1, 0])
         .sizes(&[3, 7, 8, 9])
-        .reals(&places)
+        .reals(&locations)
         .text("\n$EndNodes\n$Other\n\n$Nodes\n$EndOthers\n\n$EndOther\n$Elements\n")
         .sizes(&[1, 1, 4, 4])
         .ints(&[2, 1, kind])
@@ -74,11 +74,11 @@ fn v22(big: bool, tag: i32, blocks: &[i32]) -> Vec<u8> {
     Bytes::new("2.2", big)
         .text("$Nodes\n3\n")
         .ints(&[tag])
-        .reals(&PLACES[..3])
+        .reals(&POSITIONS[..3])
         .ints(&[8])
-        .reals(&PLACES[3..6])
+        .reals(&POSITIONS[3..6])
         .ints(&[9])
-        .reals(&PLACES[6..])
+        .reals(&POSITIONS[6..])
         .text("\n$EndNodes\n$Elements\n2\n")
         .ints(blocks)
         .text("\n$EndElements\n")
@@ -108,7 +108,7 @@ fn both_orders_and_versions_are_read() {
 }
 
 #[test]
-fn problems_are_told_with_their_byte() {
+fn problems_are_reported_with_their_byte() {
     for big in [false, true] {
         // format 40 bytes, "$Nodes" 7, counts 32, block 20, tags 24, first node 24
         assert_eq!(
@@ -159,7 +159,7 @@ fn elements_that_are_not_read_are_passed_over_if_their_size_is_known() {
 }
 
 #[test]
-fn sections_that_hold_other_than_they_announce_are_told() {
+fn sections_that_hold_other_than_they_announce_are_reported() {
     let short = messages(&v22(false, 7, &BLOCKS));
     assert!(
         short.contains("expected the end of section \"$Elements\""),
@@ -173,10 +173,10 @@ fn sections_that_hold_other_than_they_announce_are_told() {
     blocks.push(9);
     for (count, found) in [(0, "a block of 0 elements"), (3, "a block of 3 elements")] {
         blocks[1] = count;
-        let told = messages(&v22(false, 7, &blocks));
+        let reported = messages(&v22(false, 7, &blocks));
         assert!(
-            told.contains(found) && told.contains("expected 1 to 2"),
-            "{told}"
+            reported.contains(found) && reported.contains("expected 1 to 2"),
+            "{reported}"
         );
     }
     // the nodes end too early: the sections after their end are read all the same
@@ -198,7 +198,13 @@ fn unclosed_sections_of_other_things_end_the_file() {
     let at = text.find("$Other").unwrap();
     let whole = bytes.windows(6).position(|w| w == b"$Other").unwrap();
     let changed = [&bytes[..whole], &text.as_bytes()[at..]].concat();
-    let told = messages(&changed);
-    assert!(told.contains("section \"$Other\" is not closed"), "{told}");
-    assert!(told.contains("section \"$Elements\" is missing"), "{told}");
+    let reported = messages(&changed);
+    assert!(
+        reported.contains("section \"$Other\" is not closed"),
+        "{reported}"
+    );
+    assert!(
+        reported.contains("section \"$Elements\" is missing"),
+        "{reported}"
+    );
 }

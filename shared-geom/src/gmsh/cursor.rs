@@ -50,7 +50,7 @@ impl<'a> Cursor<'a> {
 
     /// Beginning of the last item read: in a text the line, from one; in a binary file the
     /// byte, from zero.
-    pub(super) fn place(&self) -> usize {
+    pub(super) fn location(&self) -> usize {
         if self.is_binary() {
             self.begin
         } else {
@@ -173,15 +173,15 @@ mod tests {
     fn lines_are_trimmed_numbered_and_blank_ones_passed_over() {
         let mut cursor = Cursor::new("\u{feff}$A\r\n\r\n  1 2 \r\n$EndA".as_bytes());
         assert_eq!(cursor.content(), None);
-        assert_eq!((cursor.line(), cursor.place()), (Some("$A"), 1));
-        assert_eq!((cursor.content(), cursor.place()), (Some("1 2"), 3));
-        assert_eq!((cursor.content(), cursor.place()), (None, 3));
-        assert_eq!((cursor.line(), cursor.place()), (Some("$EndA"), 4));
+        assert_eq!((cursor.line(), cursor.location()), (Some("$A"), 1));
+        assert_eq!((cursor.content(), cursor.location()), (Some("1 2"), 3));
+        assert_eq!((cursor.content(), cursor.location()), (None, 3));
+        assert_eq!((cursor.line(), cursor.location()), (Some("$EndA"), 4));
         assert_eq!((cursor.line(), cursor.remaining()), (None, 0));
     }
 
     #[test]
-    fn numbers_stand_between_lines_in_either_order() {
+    fn numbers_are_between_lines_in_either_order() {
         let mut cursor = Cursor::new(b"$A\n\x01\x02\x03\x04\n$EndAB\n$EndA\nx");
         for (encoding, expected) in [
             (Encoding::Little, 0x0403_0201),
@@ -192,10 +192,10 @@ mod tests {
             assert_eq!(cursor.line(), Some("$A"));
             cursor.begin();
             let found = cursor.number("number").map(i32::from_le_bytes);
-            assert_eq!((found, cursor.place()), (Ok(expected), 3));
+            assert_eq!((found, cursor.location()), (Ok(expected), 3));
             // the end of another section does not belong to this one
             assert!(cursor.pass_end("$A"));
-            assert_eq!((cursor.line(), cursor.place()), (Some("x"), 21));
+            assert_eq!((cursor.line(), cursor.location()), (Some("x"), 21));
             assert!(cursor.take(1, "number").is_err() && !cursor.pass_end("$A"));
         }
     }

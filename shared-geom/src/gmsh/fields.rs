@@ -70,19 +70,19 @@ impl Fields<'_, '_> {
         match self {
             Self::Line(line) => {
                 let fields = [line.text()?, line.text()?, line.text()?];
-                let mut place = [0.0; 3];
-                for (coordinate, field) in place.iter_mut().zip(fields) {
+                let mut position = [0.0; 3];
+                for (coordinate, field) in position.iter_mut().zip(fields) {
                     *coordinate = coordinate_of(field)?;
                 }
-                Ok(place)
+                Ok(position)
             }
             Self::Bytes { cursor, expected } => {
-                let mut place = [0.0; 3];
-                for coordinate in &mut place {
+                let mut position = [0.0; 3];
+                for coordinate in &mut position {
                     *coordinate = f64::from_le_bytes(cursor.number(expected)?);
                 }
-                match place.iter().find(|coordinate| !coordinate.is_finite()) {
-                    None => Ok(place),
+                match position.iter().find(|coordinate| !coordinate.is_finite()) {
+                    None => Ok(position),
                     Some(wrong) => Err(ReadProblem::NotACoordinate(wrong.to_string())),
                 }
             }

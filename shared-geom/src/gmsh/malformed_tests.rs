@@ -51,7 +51,7 @@ fn other_formats_are_refused_with_the_way_out() {
 }
 
 #[test]
-fn names_in_another_encoding_are_told() {
+fn names_in_another_encoding_are_reported() {
     let latin: Vec<u8> = V41
         .replace("p q", "\u{fc}")
         .chars()
@@ -95,7 +95,7 @@ fn elements_that_are_not_read_are_counted_by_type() {
 }
 
 #[test]
-fn bad_numbers_are_told_with_their_line() {
+fn bad_numbers_are_reported_with_their_line() {
     let coordinate = messages(V22, "2 2 0 0", "2 2 nan 0");
     assert_says(
         &coordinate,
@@ -121,7 +121,7 @@ fn bad_numbers_are_told_with_their_line() {
 }
 
 #[test]
-fn wrong_numbers_of_fields_are_told() {
+fn wrong_numbers_of_fields_are_reported() {
     assert_says(
         &messages(V22, "3 2 1 0", "3 2 1"),
         "expected a node: tag, x, y, z, found 3 fields",
@@ -159,7 +159,7 @@ fn counts_must_match() {
 }
 
 #[test]
-fn a_count_beyond_the_file_is_refused_before_room_is_made_for_it() {
+fn a_count_beyond_the_file_is_refused_before_memory_is_reserved() {
     for count in ["5000", "18446744073709551615"] {
         for (text, from) in [
             (V22, "$Nodes\n9"),
@@ -212,7 +212,7 @@ fn sections_must_be_closed() {
 }
 
 #[test]
-fn a_section_that_stands_twice_is_told_and_read_once() {
+fn a_section_that_is_listed_twice_is_reported_and_read_once() {
     let (_, nodes) = V22.split_once("$Nodes").unwrap();
     let (nodes, _) = nodes.split_once("$Elements").unwrap();
     let twice = refused(&format!("{V22}$Nodes{nodes}")).to_string();
@@ -224,7 +224,7 @@ fn a_section_that_stands_twice_is_told_and_read_once() {
 }
 
 #[test]
-fn all_unknown_nodes_are_told_up_to_a_limit() {
+fn all_unknown_nodes_are_reported_up_to_a_limit() {
     let all = messages(
         V22,
         "2 8 2 7 1 2 10 5\n3 8 2 8 2 2 3 6",
@@ -247,7 +247,7 @@ fn all_unknown_nodes_are_told_up_to_a_limit() {
 }
 
 #[test]
-fn doubled_tags_are_told() {
+fn doubled_tags_are_reported() {
     assert_says(
         &messages(V22, "3 2 1 0", "2 2 1 0"),
         "test.msh:14: node 2 is listed twice",
@@ -275,7 +275,7 @@ fn doubled_tags_are_told() {
 }
 
 #[test]
-fn two_cells_on_the_same_corners_are_told() {
+fn two_cells_on_the_same_corners_are_reported() {
     // not if gmsh has written one cell for each of its groups (2.2)
     let text = V22.replace("$Elements\n4", "$Elements\n5").replace(
         "$EndElements",
@@ -294,7 +294,7 @@ fn two_cells_on_the_same_corners_are_told() {
 }
 
 #[test]
-fn other_slips_of_4_1_files_are_told() {
+fn other_slips_of_4_1_files_are_reported() {
     let unknown = messages(V41, "2 1 10 1\n", "2 5 10 1\n");
     assert_says(
         &unknown,

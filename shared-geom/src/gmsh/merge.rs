@@ -32,8 +32,8 @@ fn repeats<'a>(
     let mut seen = HashSet::new();
     for (i, (key, groups)) in elements.enumerate() {
         let (first, its_groups) = match first_of.entry(key) {
-            Entry::Vacant(place) => {
-                place.insert((i, groups));
+            Entry::Vacant(vacant) => {
+                vacant.insert((i, groups));
                 continue;
             }
             Entry::Occupied(known) => *known.get(),
@@ -96,10 +96,10 @@ pub(super) fn lines(lines: &mut Vec<Line>) {
 }
 
 /// Merges the cells of one entity on the same nodes, if `repeated` permits it; reports
-/// the others on the same corners. `places` are their locations in the file.
+/// the others on the same corners. `locations` are their locations in the file.
 pub(super) fn cells(
     cells: &mut Vec<Cell>,
-    places: &[usize],
+    locations: &[usize],
     repeated: bool,
     problems: &mut Problems,
 ) {
@@ -125,7 +125,7 @@ pub(super) fn cells(
             cell: cells[cell].tag,
             first: cells[first].tag,
         };
-        problems.push(places[cell], problem);
+        problems.push(locations[cell], problem);
     }
     found.apply(cells, |cell| &mut cell.groups);
 }

@@ -56,7 +56,7 @@ mod write41;
 
 use std::path::Path;
 
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::mesh::Mesh;
 
 use problem::ReadProblem;
@@ -85,7 +85,7 @@ pub fn read_file(path: &Path) -> Result<Mesh, Diagnostics> {
         Ok(bytes) => read(&bytes, &file),
         Err(error) => {
             let problem = ReadProblem::Unreadable(error.to_string());
-            Err(Diagnostics::one(Place::file(&file), &problem))
+            Err(Diagnostics::one(SourceLocation::file(&file), &problem))
         }
     }
 }

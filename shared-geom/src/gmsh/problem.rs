@@ -1,6 +1,6 @@
 //! Errors of a mesh file.
 
-use crate::error::{Diagnostics, Explain, Place, nearest_name};
+use crate::error::{Diagnostics, Explain, SourceLocation, nearest_name};
 
 /// Number of problems of one file that are reported; the others are counted.
 const LIMIT: usize = 20;
@@ -199,12 +199,12 @@ impl Problems {
         }
         let mut diagnostics = Diagnostics::new();
         for (at, problem) in &self.found {
-            let place = match at {
-                Some(byte) if binary => Place::byte(file, *byte),
-                Some(line) => Place::line(file, *line),
-                None => Place::file(file),
+            let location = match at {
+                Some(byte) if binary => SourceLocation::byte(file, *byte),
+                Some(line) => SourceLocation::line(file, *line),
+                None => SourceLocation::file(file),
             };
-            diagnostics.push(place, problem);
+            diagnostics.push(location, problem);
         }
         diagnostics
     }

@@ -101,7 +101,7 @@ fn read_line(reader: &mut Reader, progress: Progress) -> Result<usize, ReadProbl
     let fields = item(&mut reader.cursor, progress, expected)?;
     let element = read_line_element(fields);
     if let Some((tag, number, element)) = reader.keep(element) {
-        let at = reader.cursor.place();
+        let at = reader.cursor.location();
         match element {
             Some((kind, nodes)) => {
                 let count = kind.shape.node_count();
@@ -167,7 +167,7 @@ fn read_block(reader: &mut Reader, most: usize) -> Result<usize, ReadProblem> {
     let number = fields.natural("element type")?;
     let count = fields.natural("number of elements in a block")?;
     let tag_count = fields.natural("number of tags")?;
-    let at = reader.cursor.place();
+    let at = reader.cursor.location();
     let size = usize::try_from(count).unwrap_or(usize::MAX);
     if size == 0 || size > most {
         return Err(ReadProblem::BlockSize { count, most });
@@ -185,7 +185,7 @@ fn read_block(reader: &mut Reader, most: usize) -> Result<usize, ReadProblem> {
         let mut fields = header(&mut reader.cursor, expected)?;
         let tag = fields.natural("element tag")?;
         let (kind, nodes) = read_content(&mut fields, shape, tag_count)?;
-        let at = reader.cursor.place();
+        let at = reader.cursor.location();
         let nodes = &nodes[..shape.node_count()];
         reader.mesh.element(at, tag, kind, nodes);
     }

@@ -78,7 +78,7 @@ fn read_entity(
     progress: Progress,
     dimension: u8,
 ) -> Result<Result<Entity, ReadProblem>, ReadProblem> {
-    let (place, expected) = match dimension {
+    let (offset, expected) = match dimension {
         0 => (
             3,
             "a point: tag, x, y, z, number of physical tags, these tags",
@@ -90,12 +90,12 @@ fn read_entity(
         ),
     };
     let fields = item(cursor, progress, expected)?;
-    Ok(entity_of(fields, dimension, place))
+    Ok(entity_of(fields, dimension, offset))
 }
 
-fn entity_of(mut fields: Fields, dimension: u8, place: usize) -> Result<Entity, ReadProblem> {
+fn entity_of(mut fields: Fields, dimension: u8, offset: usize) -> Result<Entity, ReadProblem> {
     let tag = fields.int("entity tag")?;
-    fields.skip(place, FLOAT)?;
+    fields.skip(offset, FLOAT)?;
     let count = fields.size("number of physical tags")?;
     let mut physical = Vec::new();
     for _ in 0..count {
@@ -283,7 +283,7 @@ fn read_element_block(reader: &mut Reader, kind: ElementKind, size: usize) -> Ou
         let mut nodes = [0; 9];
         let nodes = &mut nodes[..kind.shape.node_count()];
         let tag = read_element(fields, nodes);
-        let at = reader.cursor.place();
+        let at = reader.cursor.location();
         if let Some(tag) = reader.keep_unless(tag, is_misplaced)? {
             reader.mesh.element(at, tag, kind, nodes);
         }
@@ -304,7 +304,7 @@ fn read_element(mut fields: Fields, nodes: &mut [u64]) -> Result<u64, ReadProble
 /// Skips a block of elements that are not read.
 fn skip_element_block(reader: &mut Reader, number: u64, size: usize) -> Outcome {
     if size > 0 {
-        let at = reader.cursor.place();
+        let at = reader.cursor.location();
         reader.mesh.unsupported(at, number, size as u64);
     }
     if reader.cursor.is_binary() {

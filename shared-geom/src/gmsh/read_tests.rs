@@ -3,7 +3,7 @@
 //! The two files below describe the same mesh, the 2 x 1 rectangle of `Plane Surface(1)`
 //! in one biquadratic cell, with `Physical Curve("the skin") = {-1, 2}`; they are output
 //! of gmsh 4.15.2 for versions 2.2 and 4.1; the node tags of the 2.2 file were replaced
-//! by hand by those of the other to make them sparse.
+//! by hand by the tags of the other to make them sparse.
 
 use super::*;
 use crate::error::Diagnostics;

@@ -48,7 +48,7 @@ impl<'a> Reader<'a> {
         let repeated = self.seen.contains(&known);
         if repeated {
             let problem = ReadProblem::RepeatedSection(known);
-            self.problems.push(self.cursor.place(), problem);
+            self.problems.push(self.cursor.location(), problem);
         } else {
             self.seen.push(known);
         }
@@ -60,7 +60,7 @@ impl<'a> Reader<'a> {
         match result {
             Ok(value) => Some(value),
             Err(problem) => {
-                self.problems.push(self.cursor.place(), problem);
+                self.problems.push(self.cursor.location(), problem);
                 None
             }
         }

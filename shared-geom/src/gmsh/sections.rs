@@ -25,7 +25,7 @@ pub(super) fn read(bytes: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
             let whole = matches!(problem, ReadProblem::Empty | ReadProblem::NotGmsh);
             match whole {
                 true => reader.problems.push_whole(problem),
-                false => reader.problems.push(reader.cursor.place(), problem),
+                false => reader.problems.push(reader.cursor.location(), problem),
             }
         }
     }
@@ -45,7 +45,7 @@ fn read_sections(reader: &mut Reader, version: Version) {
     let mut elements_found = false;
     while let Some(line) = reader.cursor.line() {
         if let Some(problem) = not_a_section(line) {
-            reader.problems.push(reader.cursor.place(), problem);
+            reader.problems.push(reader.cursor.location(), problem);
             while reader.cursor.content().is_some() {}
             continue;
         }
@@ -84,7 +84,7 @@ fn read_section(reader: &mut Reader, version: Version, section: &str) -> bool {
         ("$Elements", Version::V41) => read41::read_elements(reader),
         _ => {
             if section == "$PartitionedEntities" {
-                let at = reader.cursor.place();
+                let at = reader.cursor.location();
                 reader.problems.push(at, ReadProblem::Partitioned);
                 reader.mesh.lose_entities();
             }
@@ -127,7 +127,7 @@ fn pass_section<'a>(reader: &mut Reader<'a>, section: &str, opened: Cursor<'a>) 
             section: shortened(section),
             found: END_OF_FILE.to_string(),
         };
-        reader.problems.push(opened.place(), problem);
+        reader.problems.push(opened.location(), problem);
     }
     found
 }
@@ -148,7 +148,7 @@ fn close_binary<'a>(
         let problem = ReadProblem::EndNotFound {
             section: section.to_string(),
         };
-        reader.problems.push(reader.cursor.place(), problem);
+        reader.problems.push(reader.cursor.location(), problem);
     }
     reader.cursor = opened;
     (false, reader.cursor.pass_end(section))
@@ -157,7 +157,7 @@ fn close_binary<'a>(
 /// Skips a section that is not read; its content may be anything except the beginning of
 /// a section that is read or the end of another one.
 fn skip_section(reader: &mut Reader, section: &str) {
-    let opened = reader.cursor.place();
+    let opened = reader.cursor.location();
     let mut before = reader.cursor;
     let mut found = END_OF_FILE.to_string();
     while let Some(line) = reader.cursor.line() {
@@ -191,7 +191,7 @@ fn close_section(reader: &mut Reader, section: &str, complete: bool) -> bool {
                 section: section.to_string(),
                 found: shortened(left),
             };
-            reader.problems.push(reader.cursor.place(), problem);
+            reader.problems.push(reader.cursor.location(), problem);
         }
         while reader.cursor.content().is_some() {}
     }
@@ -208,7 +208,7 @@ fn close_section(reader: &mut Reader, section: &str, complete: bool) -> bool {
         section: section.to_string(),
         found,
     };
-    reader.problems.push(reader.cursor.place(), problem);
+    reader.problems.push(reader.cursor.location(), problem);
     // a line that opens another section is read as its beginning
     if line.is_some_and(|line| !line.starts_with("$End")) {
         reader.cursor = before;

@@ -26,8 +26,8 @@ impl TagTable {
 
     /// Adds a tag; returns whether it is new.
     pub(super) fn insert(&mut self, tag: u64, index: u32) -> bool {
-        let place = usize::try_from(tag).ok();
-        match place.and_then(|place| self.dense.get_mut(place)) {
+        let slot = usize::try_from(tag).ok();
+        match slot.and_then(|slot| self.dense.get_mut(slot)) {
             Some(entry) if *entry == NONE => {
                 *entry = index;
                 true
@@ -45,8 +45,8 @@ impl TagTable {
 
     /// The index of a tag.
     pub(super) fn get(&self, tag: u64) -> Option<u32> {
-        let place = usize::try_from(tag).ok();
-        match place.and_then(|place| self.dense.get(place)) {
+        let entry = usize::try_from(tag).ok();
+        match entry.and_then(|entry| self.dense.get(entry)) {
             Some(&NONE) => None,
             Some(&index) => Some(index),
             None => self.sparse.get(&tag).copied(),

@@ -115,10 +115,10 @@ fn entities<'a>(mesh: &Mesh, elements: &[Element<'a>]) -> (Vec<Entity>, HashMap<
         .collect();
     let mut taken = HashSet::new();
     let mut entities: Vec<Entity> = Vec::new();
-    let mut place = HashMap::new();
+    let mut index_of = HashMap::new();
     for element in elements {
         let dimension = element.owner.dimension;
-        let index = *place.entry(element.owner).or_insert_with(|| {
+        let index = *index_of.entry(element.owner).or_insert_with(|| {
             let mut tag = element.owner.entity;
             while !taken.insert((dimension, tag)) {
                 tag = free_tag(dimension, &mut used);
@@ -142,7 +142,7 @@ fn entities<'a>(mesh: &Mesh, elements: &[Element<'a>]) -> (Vec<Entity>, HashMap<
             entity.high = entity.high.sup(&node.position);
         }
     }
-    let tags = place
+    let tags = index_of
         .into_iter()
         .map(|(owner, index)| (owner, entities[index].tag))
         .collect();

@@ -23,8 +23,8 @@ impl Curve {
         let mut initial = InitialCurvature::STRAIGHT;
         let known = self.arc_lengths();
         let behind = match side {
-            Side::Inner => known.partition_point(|place| *place < s),
-            Side::Outer => known.partition_point(|place| *place <= s),
+            Side::Inner => known.partition_point(|position| *position < s),
+            Side::Outer => known.partition_point(|position| *position <= s),
         };
         let Some(last) = known.len().checked_sub(2) else {
             return initial;
@@ -32,8 +32,8 @@ impl Curve {
         let i = behind.saturating_sub(1).min(last);
         let (from, to) = (known[i], known[i + 1]);
         let step = PART * (to - from);
-        let place = s.clamp(from, to);
-        let [a, b] = [(place - step).max(from), (place + step).min(to)];
+        let position = s.clamp(from, to);
+        let [a, b] = [(position - step).max(from), (position + step).min(to)];
         if b > a {
             let relative = self.on(a, Side::Outer).axes.transpose() * self.on(b, Side::Inner).axes;
             initial.curvature = vector::from_rotation(&relative) / (b - a);

@@ -103,8 +103,8 @@ impl Curve {
     pub fn on(&self, s: f64, side: Side) -> Placed {
         let known = &self.arc_lengths;
         let behind = match side {
-            Side::Inner => known.partition_point(|place| *place < s),
-            Side::Outer => known.partition_point(|place| *place <= s),
+            Side::Inner => known.partition_point(|point| *point < s),
+            Side::Outer => known.partition_point(|point| *point <= s),
         };
         let Some(last) = known.len().checked_sub(2) else {
             return placed(Vector3::zeros(), Vector3::x(), 0.0);

@@ -26,7 +26,7 @@ pub enum LineProblem {
     },
     /// A point at the position of the previous one.
     #[error("point {point} of the line lies where point {} lies", .point - 1)]
-    SamePlace {
+    SamePoint {
         /// Number of the point, from one.
         point: usize,
     },
@@ -115,7 +115,7 @@ impl ReferenceLine {
             return found;
         }
         match self.course {
-            Course::Polyline => found.extend(self.same_places().chain(self.vertical())),
+            Course::Polyline => found.extend(self.same_points().chain(self.vertical())),
             Course::Spline => found.extend(self.backward()),
             Course::Arcs => found.extend(self.without_length()),
         }
@@ -136,10 +136,10 @@ impl ReferenceLine {
         bad.map(|i| LineProblem::NotFinite { point: i + 1 })
     }
 
-    fn same_places(&self) -> impl Iterator<Item = LineProblem> {
+    fn same_points(&self) -> impl Iterator<Item = LineProblem> {
         let pairs = self.points.windows(2).enumerate();
         let same = pairs.filter(|(_, pair)| pair[0].position == pair[1].position);
-        same.map(|(i, _)| LineProblem::SamePlace { point: i + 2 })
+        same.map(|(i, _)| LineProblem::SamePoint { point: i + 2 })
     }
 
     fn vertical(&self) -> impl Iterator<Item = LineProblem> {

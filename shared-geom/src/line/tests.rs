@@ -77,7 +77,7 @@ fn a_spline_of_three_points_has_the_known_shape_and_length() {
 // Arc length is the parameter: differences over 2e-4 m have errors of third order,
 // below 1e-8, and round-off of 1e-11.
 #[test]
-fn places_are_asked_by_arc_length_and_axes_follow_the_line() {
+fn positions_are_requested_by_arc_length_and_axes_follow_the_line() {
     let arcs = [
         (3.0, Vector3::new(0.1, -0.05, 0.2)),
         (5.0, Vector3::new(-0.2, 0.1, 0.0)),
@@ -190,8 +190,8 @@ fn a_twisted_line_has_turned_sections() {
 }
 
 #[test]
-fn what_cannot_be_followed_is_told() {
-    let told = |points: &[LinePoint], course| {
+fn what_cannot_be_followed_is_reported() {
+    let reported = |points: &[LinePoint], course| {
         let line = ReferenceLine::through(points.to_vec(), course);
         let shown: Vec<_> = line.problems().iter().map(ToString::to_string).collect();
         shown.join("\n")
@@ -199,41 +199,41 @@ fn what_cannot_be_followed_is_told() {
     let origin = point(0.0, 0.0, 0.0, 0.0);
     let tip = point(1.0, 0.0, 0.0, 0.0);
     let cases = [
-        (told(&[origin], Course::Spline), "has 1 points"),
+        (reported(&[origin], Course::Spline), "has 1 points"),
         (
-            told(&[origin, origin, tip], Course::Polyline),
+            reported(&[origin, origin, tip], Course::Polyline),
             "point 2 of the line lies where point 1",
         ),
         (
-            told(&[tip, origin], Course::Spline),
+            reported(&[tip, origin], Course::Spline),
             "point 2 of the line lies at x = 0 m",
         ),
         (
-            told(&[origin, point(0.0, 0.0, 3.0, 0.0)], Course::Polyline),
+            reported(&[origin, point(0.0, 0.0, 3.0, 0.0)], Course::Polyline),
             "leads along z from point 1 to point 2",
         ),
         (
-            told(&[origin, point(1.0, f64::NAN, 0.0, 0.0)], Course::Spline),
+            reported(&[origin, point(1.0, f64::NAN, 0.0, 0.0)], Course::Spline),
             "point 2 of the line holds a number that is not finite",
         ),
         (
-            told(&[origin, tip], Course::Arcs),
+            reported(&[origin, tip], Course::Arcs),
             "has 2 points, 0 curvatures and 0 lengths",
         ),
         (
-            told(&[origin, point(1e10, 0.0, 0.0, 0.0)], Course::Polyline),
+            reported(&[origin, point(1e10, 0.0, 0.0, 0.0)], Course::Polyline),
             "the line is 1.000e10 m long, expected at most 1e9 m",
         ),
         // The squares of these overflow.
         (
-            told(
+            reported(
                 &[origin, tip, point(1e200, 1e200, 0.0, 0.0)],
                 Course::Spline,
             ),
             "m long, expected at most",
         ),
         (
-            told(&[origin, tip, point(2.0, 1e300, 0.0, 0.0)], Course::Spline),
+            reported(&[origin, tip, point(2.0, 1e300, 0.0, 0.0)], Course::Spline),
             "m long, expected at most",
         ),
     ];

@@ -72,9 +72,9 @@ struct Reader {
     names: Vec<String>,
     block: Block,
     members: Vec<Members>,
-    /// The keyword that goes on in the next line.
+    /// The keyword that continues in the next line.
     keyword: String,
-    /// The row of an element that goes on, and its first line.
+    /// The row of an element that continues, and its first line.
     row: (usize, Vec<u64>),
     in_assembly: bool,
     in_instance: bool,
@@ -278,9 +278,9 @@ impl Reader {
 
 /// The number and the coordinates of a node.
 fn node_of(fields: &[&str]) -> Result<(u64, [f64; 3]), FileProblem> {
-    let (tag, places) = fields.split_first().ok_or(FileProblem::CutOff("a node"))?;
+    let (tag, positions) = fields.split_first().ok_or(FileProblem::CutOff("a node"))?;
     let tag: u64 = whole(tag, "the number of a node")?;
-    if !(2..=3).contains(&places.len()) {
+    if !(2..=3).contains(&positions.len()) {
         return Err(FileProblem::Count {
             what: format!("node {tag}"),
             found: fields.len(),
@@ -288,10 +288,10 @@ fn node_of(fields: &[&str]) -> Result<(u64, [f64; 3]), FileProblem> {
         });
     }
     let mut position = [0.0; 3];
-    for (axis, place) in places.iter().enumerate() {
-        position[axis] = match *place {
+    for (axis, point) in positions.iter().enumerate() {
+        position[axis] = match *point {
             "" => 0.0,
-            place => real(place, "coordinate")?,
+            point => real(point, "coordinate")?,
         };
     }
     Ok((tag, position))

@@ -214,9 +214,9 @@ fn middle_last(line: &mut [u32], nodes: &[Node]) {
     let [a, b, c] = line else {
         return;
     };
-    let place = |index: u32| nodes[index as usize].position;
+    let position = |index: u32| nodes[index as usize].position;
     let off = |one: u32, first: u32, second: u32| {
-        (place(one) - 0.5 * (place(first) + place(second))).norm()
+        (position(one) - 0.5 * (position(first) + position(second))).norm()
     };
     if off(*b, *a, *c) < off(*c, *a, *b) {
         std::mem::swap(b, c);

@@ -1,6 +1,6 @@
 //! Problems of mesh files, and their list.
 
-use crate::error::{Diagnostics, Explain, Place};
+use crate::error::{Diagnostics, Explain, SourceLocation};
 
 /// Problems of a file that are kept; more follow from the first ones.
 const KEPT: usize = 200;
@@ -102,7 +102,7 @@ impl Problems {
         self.found.sort_by_key(|(line, _)| *line);
         let mut diagnostics = Diagnostics::new();
         for (line, problem) in &self.found {
-            diagnostics.push(Place::line(file, *line), problem);
+            diagnostics.push(SourceLocation::line(file, *line), problem);
         }
         diagnostics.into_result(value)
     }
@@ -113,6 +113,6 @@ pub(super) fn text<'a>(content: &'a [u8], file: &str) -> Result<&'a str, Diagnos
     std::str::from_utf8(content).map_err(|error| {
         let before = &content[..error.valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        Diagnostics::one(Place::line(file, line), &FileProblem::NotText)
+        Diagnostics::one(SourceLocation::line(file, line), &FileProblem::NotText)
     })
 }

@@ -212,7 +212,7 @@ fn kinds_of_abaqus_and_of_vtk() {
 }
 
 #[test]
-fn problems_of_abaqus_are_told_with_their_lines() {
+fn problems_of_abaqus_are_reported_with_their_lines() {
     let text = "*node\n1, 0, 0\n1, 1, 0\n2, x, 0\n3, 1\n*element, type=C3D8\n\
         *element, type=CPS3, elset=a\n1, 1, 2, 9\n1, 1, 1, 1\n2, 1, 1\n*elset, elset=b\n7\nnone\n\
         *elset, elset=c, generate\n1, 2, 0\n*include, input=more.inp\n";
@@ -238,7 +238,7 @@ fn problems_of_abaqus_are_told_with_their_lines() {
 }
 
 #[test]
-fn problems_of_vtk_are_told_with_their_lines() {
+fn problems_of_vtk_are_reported_with_their_lines() {
     let with = |from: &str, to: &str| {
         assert!(VTK.contains(from), "{from}");
         bad(&VTK.replacen(from, to, 1), "a.vtk")

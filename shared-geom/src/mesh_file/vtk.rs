@@ -153,8 +153,8 @@ impl Reader<'_> {
         self.points.reserve(count.min(RESERVED));
         for _ in 0..count {
             let mut position = [0.0; 3];
-            for place in &mut position {
-                *place = self.words.real("coordinate")?;
+            for point in &mut position {
+                *point = self.words.real("coordinate")?;
             }
             self.points.push((self.words.line(), position));
         }

@@ -309,9 +309,9 @@ mod tests {
                 (of_gibbs.tangent(), gibbs::tangent(&psi)),
                 (of_gibbs.tangent_inverse(), gibbs::tangent_inverse(&psi)),
             ];
-            for (place, (found, expected)) in pairs.into_iter().enumerate() {
+            for (position, (found, expected)) in pairs.into_iter().enumerate() {
                 let difference = (found - expected).amax();
-                assert!(difference < 1e-14, "{place} at {psi}: {difference:e}");
+                assert!(difference < 1e-14, "{position} at {psi}: {difference:e}");
             }
         }
     }
@@ -352,9 +352,9 @@ mod tests {
                         ),
                     ),
                 ];
-                for (place, (exact, difference)) in pairs.into_iter().enumerate() {
+                for (position, (exact, difference)) in pairs.into_iter().enumerate() {
                     let error = (exact - difference).amax();
-                    assert!(error < 2e-9, "{kind:?} {place} at {psi}: {error:e}");
+                    assert!(error < 2e-9, "{kind:?} {position} at {psi}: {error:e}");
                 }
             }
         }

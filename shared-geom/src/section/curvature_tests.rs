@@ -28,7 +28,7 @@ fn agreement(section: &InitialCurvature, line: &InitialCurvature) -> Agreement {
     Agreement::of(section, [*line; 2], &strip())
 }
 
-fn told(section: &InitialCurvature, line: &InitialCurvature) -> String {
+fn reported(section: &InitialCurvature, line: &InitialCurvature) -> String {
     match agreement(section, line) {
         Agreement::Other(mismatch) => {
             format!(
@@ -102,26 +102,26 @@ fn between_two_pieces_of_a_line_both_count() {
 }
 
 #[test]
-fn likely_causes_are_told() {
+fn likely_causes_are_reported() {
     let section = bent([10.0, 0.0, 0.0]);
-    let straight = told(&section, &InitialCurvature::STRAIGHT);
+    let straight = reported(&section, &InitialCurvature::STRAIGHT);
     assert!(
         straight.contains("curvature [10, 0, 0] deg/m, and the line has curvature [0, 0, 0]")
             && straight.contains("the line is straight there"),
         "{straight}"
     );
-    let reverse = told(&section, &bent([-10.0, 0.0, 0.0]));
+    let reverse = reported(&section, &bent([-10.0, 0.0, 0.0]));
     assert!(reverse.contains("the signs are opposite"), "{reverse}");
     assert!(reverse.contains("with curvature = [-10, 0, 0] in deg/m and slope = [1, 0, 0]"));
-    let radians = told(&section, &bent([10.0_f64.to_radians(), 0.0, 0.0]));
+    let radians = reported(&section, &bent([10.0_f64.to_radians(), 0.0, 0.0]));
     assert!(radians.contains("degrees for radians"), "{radians}");
-    let inches = told(&bent([10.0 / 0.0254, 0.0, 0.0]), &bent([10.0, 0.0, 0.0]));
+    let inches = reported(&bent([10.0 / 0.0254, 0.0, 0.0]), &bent([10.0, 0.0, 0.0]));
     assert!(inches.contains("units of length"), "{inches}");
     let oblique = InitialCurvature {
         slope: Vector3::new(0.9, 0.4, 0.0).normalize(),
         ..section
     };
-    let slopes = told(&oblique, &section);
+    let slopes = reported(&oblique, &section);
     assert!(
         slopes.contains("and slope [0.913812, 0.406138, 0]"),
         "{slopes}"

@@ -27,12 +27,12 @@ use crate::document::read_text;
 use crate::error::Diagnostics;
 
 mod fields;
-mod places;
+mod locations;
 mod points;
 mod prestress;
 mod shapes;
 
-use places::{Places, place_of};
+use locations::{FieldLocations, location_of};
 use points::{FileAxes, FileCenters};
 use prestress::FilePrestress;
 
@@ -189,13 +189,13 @@ pub fn parse(text: &str, file: &str) -> Result<SectionProperties, Diagnostics> {
     let section = content.section(text, file, &mut problems);
     let found = section.field_problems();
     if !found.is_empty() {
-        let places = Places::of(text);
+        let locations = FieldLocations::of(text);
         for (field, problem) in found {
             let path = match &problem {
                 PropertyProblem::OfState { index, .. } => format!("imposed.{index}.{field}"),
                 _ => field.to_owned(),
             };
-            problems.push(places.place(&path, file), &problem);
+            problems.push(locations.location(&path, file), &problem);
         }
     }
     problems.into_result(section)
@@ -206,15 +206,15 @@ fn check_head(head: &Head, text: &str, file: &str) -> Result<(), Diagnostics> {
     if head.format != FORMAT {
         let reason = format!("\"format\" is \"{}\", expected \"{FORMAT}\"", head.format);
         let problem = PropertyProblem::Malformed { reason };
-        problems.push(place_of("format", text, file), &problem);
+        problems.push(location_of("format", text, file), &problem);
     } else if head.version > VERSION {
         let (found, known) = (head.version, VERSION);
         let problem = PropertyProblem::Newer { found, known };
-        problems.push(place_of("version", text, file), &problem);
+        problems.push(location_of("version", text, file), &problem);
     } else if head.units != "SI" {
         let found = head.units.clone();
         problems.push(
-            place_of("units", text, file),
+            location_of("units", text, file),
             &PropertyProblem::Units { found },
         );
     }
@@ -275,7 +275,7 @@ impl File {
             let reason =
                 format!("\"imposed\" belongs to version 3, and the file states version {version}");
             let problem = PropertyProblem::Malformed { reason };
-            problems.push(place_of("imposed", text, file), &problem);
+            problems.push(location_of("imposed", text, file), &problem);
         }
         let state = |state: &FileImposed| ImposedState {
             name: state.name.clone(),
@@ -292,7 +292,7 @@ impl File {
         let mut malformed = |reason: &str| {
             let reason = reason.to_owned();
             let problem = PropertyProblem::Malformed { reason };
-            problems.push(place_of("history", text, file), &problem);
+            problems.push(location_of("history", text, file), &problem);
         };
         if self.version <= WITHOUT_HISTORY && !steps.is_empty() {
             malformed("\"history\" belongs to version 2, and the file states version 1");
@@ -308,7 +308,7 @@ impl File {
     fn prestress(&self, text: &str, file: &str, problems: &mut Diagnostics) -> Option<Prestress> {
         let mut malformed = |reason: String| {
             let problem = PropertyProblem::Malformed { reason };
-            problems.push(place_of("prestress", text, file), &problem);
+            problems.push(location_of("prestress", text, file), &problem);
         };
         let written = self.prestress.as_ref()?;
         if self.version <= WITHOUT_PRESTRESS {
@@ -334,7 +334,7 @@ impl File {
                     found,
                     expected,
                 };
-                problems.push(place_of("piezo", text, file), &problem);
+                problems.push(location_of("piezo", text, file), &problem);
                 DMatrix::zeros(0, 0)
             })
         };

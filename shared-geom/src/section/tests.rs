@@ -109,9 +109,9 @@ fn imposed_states_are_kept_in_version_three() {
     assert!(text.contains("\n  \"version\": 3,\n"), "{text}");
     assert_eq!(parse(&text, "a.json").unwrap(), section);
     let earlier = text.replace("\"version\": 3", "\"version\": 2");
-    let told = parse(&earlier, "a.json").unwrap_err().to_string();
+    let reported = parse(&earlier, "a.json").unwrap_err().to_string();
     let expected = "\"imposed\" belongs to version 3, and the file states version 2";
-    assert!(told.contains(expected), "{told}");
+    assert!(reported.contains(expected), "{reported}");
 }
 
 /// Force and strain of a state agree with each other about every point and in all axes:
@@ -138,17 +138,17 @@ fn imposed_states_move_with_point_and_axes() {
 }
 
 #[test]
-fn imposed_states_that_contradict_are_told() {
+fn imposed_states_that_contradict_are_reported() {
     let mut section = with_imposed();
     section.imposed.push(section.imposed[0].clone());
     section.imposed[1].free_strain[0] *= 1.01;
-    let told: Vec<_> = section.problems().iter().map(|p| p.to_string()).collect();
-    assert_eq!(told.len(), 2, "{told:?}");
+    let reported: Vec<_> = section.problems().iter().map(|p| p.to_string()).collect();
+    assert_eq!(reported.len(), 2, "{reported:?}");
     assert_eq!(
-        told[0],
+        reported[0],
         "two imposed states are called \"hot\", expected one of this name"
     );
-    assert!(told[1].starts_with(
+    assert!(reported[1].starts_with(
         "imposed state \"hot\": \"restrained_force\" is not minus the stiffness times"
     ));
     section.imposed[0].restrained_force[2] = f64::NAN;
@@ -181,7 +181,7 @@ fn the_history_is_kept_in_version_two() {
 }
 
 #[test]
-fn a_wrong_history_is_refused_where_it_stands() {
+fn a_wrong_history_is_refused_where_it_is() {
     let text = write(&section().changed(Change::Rotate(0.7), "a", "1"));
     let line = 1 + text
         .lines()
@@ -223,7 +223,7 @@ fn a_wrong_history_is_refused_where_it_stands() {
 }
 
 #[test]
-fn changes_are_told_in_words() {
+fn changes_are_reported_in_words() {
     let shift = Change::Shift(Vector2::new(0.025, -0.5));
     assert_eq!(
         shift.to_string(),
@@ -234,7 +234,7 @@ fn changes_are_told_in_words() {
 }
 
 #[test]
-fn unsound_content_is_refused_where_it_stands() {
+fn unsound_content_is_refused_where_it_is() {
     let cases = [
         (
             "\"units\": \"SI\"",
@@ -408,7 +408,7 @@ fn prestress_is_kept_in_version_three() {
 }
 
 #[test]
-fn a_wrong_table_is_refused_where_it_stands() {
+fn a_wrong_table_is_refused_where_it_is() {
     let text = write(&with_prestress());
     let line = 1 + text
         .lines()
@@ -472,7 +472,7 @@ fn stiffness_under_load_moves_with_the_section() {
 /// Every field of another shape is reported with its name and line, the rows of a table
 /// too.
 #[test]
-fn wrong_numbers_are_told_by_their_fields() {
+fn wrong_numbers_are_reported_by_their_fields() {
     let mut section = with_prestress();
     section.imposed = with_imposed().imposed;
     let text = write(&section);
@@ -511,8 +511,8 @@ fn wrong_numbers_are_told_by_their_fields() {
         ),
     ] {
         assert!(shown.contains(message), "{message}\n{shown}");
-        let place = format!("a.json:{}: ", line(field));
-        assert!(shown.contains(&place), "{place}\n{shown}");
+        let position = format!("a.json:{}: ", line(field));
+        assert!(shown.contains(&position), "{position}\n{shown}");
     }
     assert_eq!(shown.matches("error: ").count(), 5, "{shown}");
 }
@@ -547,10 +547,10 @@ fn changes_by_imposed_states_are_kept_and_move() {
 
     let mut skew = section.clone();
     skew.imposed[0].stiffness_change.as_mut().unwrap()[(0, 3)] += 100.0;
-    let told = skew.problems();
+    let reported = skew.problems();
     assert!(
-        matches!(told[..], [PropertyProblem::OfState { index: 0, .. }]),
-        "{told:?}"
+        matches!(reported[..], [PropertyProblem::OfState { index: 0, .. }]),
+        "{reported:?}"
     );
     assert_eq!(section.change_by_imposed(&["cold".to_owned()]), None);
 }

@@ -124,8 +124,8 @@ impl<'a, W: Write> Letters<'a, W> {
         self.bytes.extend(count.to_le_bytes());
         let mut rest = values;
         while !rest.is_empty() {
-            let room = (PIECE - self.bytes.len()).div_ceil(N);
-            let (now, later) = rest.split_at(room.min(rest.len()));
+            let space = (PIECE - self.bytes.len()).div_ceil(N);
+            let (now, later) = rest.split_at(space.min(rest.len()));
             self.bytes
                 .extend(now.iter().flat_map(|value| bytes_of(*value)));
             if self.bytes.len() >= PIECE {

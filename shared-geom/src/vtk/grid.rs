@@ -86,8 +86,8 @@ impl FieldFile {
         self.of_points.push(array);
     }
 
-    /// Adds a number with a name to the grid as a whole, such as the one by which an array
-    /// of its cells tells what is called so.
+    /// Adds a number with a name to the grid as a whole, such as the number that represents the
+    /// name in an array of its cells.
     pub fn field_number(&mut self, name: &str, number: i64) {
         self.of_all.push((name.to_owned(), number));
     }

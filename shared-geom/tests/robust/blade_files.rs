@@ -26,10 +26,10 @@ fn read(folder: &Path, name: &str, bytes: &[u8]) -> bool {
 
 /// A reader that refuses a file must report a reason.
 fn assert_explained(problems: &Diagnostics, name: &str) {
-    let told = problems.to_string();
+    let reported = problems.to_string();
     assert!(
-        !told.is_empty() && !told.contains("no reason was noted"),
-        "{name}: {told}"
+        !reported.is_empty() && !reported.contains("no reason was noted"),
+        "{name}: {reported}"
     );
 }
 

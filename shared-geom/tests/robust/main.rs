@@ -49,7 +49,7 @@ fn within_memory<T>(what: &str, bytes: &[u8], read: impl FnOnce(&[u8]) -> T) -> 
     let most = FACTOR * bytes.len() + SLACK;
     assert!(
         taken <= most,
-        "{what}: {taken} bytes taken for {} of the file, at most {most} expected",
+        "{what}: {taken} bytes used for {} of the file, at most {most} expected",
         bytes.len()
     );
     value

@@ -82,7 +82,7 @@ fn refused(name: &str, from: &[u8], to: &[u8]) -> String {
 }
 
 #[test]
-fn no_room_is_made_for_counts_that_cannot_be() {
+fn no_memory_is_reserved_for_counts_that_cannot_be() {
     let _alone = alone();
     for count in ["1000000000000000000", "18446744073709551615"] {
         for (name, before, was) in [
@@ -94,9 +94,9 @@ fn no_room_is_made_for_counts_that_cannot_be() {
         ] {
             let from = format!("{before}{was}");
             let to = format!("{before}{count}");
-            let told = refused(name, from.as_bytes(), to.as_bytes());
+            let reported = refused(name, from.as_bytes(), to.as_bytes());
             let expected = "are announced, more than the rest of the file can hold";
-            assert!(told.contains(expected), "{name}: {told}");
+            assert!(reported.contains(expected), "{name}: {reported}");
         }
     }
     for count in [u64::MAX, 1_000_000_000_000_000_000] {
@@ -118,11 +118,11 @@ fn no_room_is_made_for_counts_that_cannot_be() {
             let at = bytes.windows(from.len()).position(|w| w == from).unwrap();
             let at = at + from.len() + 8 * before;
             let changed = [&bytes[..at], &order(count), &bytes[at + 8..]].concat();
-            let told = within_memory(name, &changed, read).unwrap_err();
+            let reported = within_memory(name, &changed, read).unwrap_err();
             let expected = format!("{count} ");
             assert!(
-                told.contains(&expected) && told.contains("byte"),
-                "{name}: {told}"
+                reported.contains(&expected) && reported.contains("byte"),
+                "{name}: {reported}"
             );
         }
     }

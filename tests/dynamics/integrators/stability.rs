@@ -34,14 +34,14 @@ fn parabolic(z: f64, x: C) -> C {
 /// The closed forms of `[Masarati]`, appendix B.4 and B.5; iterated to round-off: 1e-11.
 #[test]
 fn one_step_formulas_amplify_as_their_closed_forms() {
-    let places = [
+    let positions = [
         C::new(-0.3, 0.0),
         C::new(0.0, 2.0),
         C::new(-4.0, 7.0),
         C::new(0.0, 30.0),
     ];
     let mut largest = 0.0_f64;
-    for x in places {
+    for x in positions {
         let mut compare = |scheme: Scheme, expected: C| {
             let error = (amplification(scheme, x) - expected).norm();
             largest = largest.max(error);
@@ -64,7 +64,7 @@ fn one_step_formulas_amplify_as_their_closed_forms() {
 
 /// At x = i 1e6 the radius differs from its limit by about 1/x.
 #[test]
-fn radii_of_stage_formulas_for_large_steps_are_those_asked_for() {
+fn radii_of_stage_formulas_for_large_steps_are_those_requested() {
     let far = C::new(0.0, 1e6);
     for radius in [0.1, 0.3, 0.6, 0.9, 1.0] {
         let found = amplification(Scheme::Cubic { radius }, far).norm();
@@ -90,7 +90,7 @@ fn roots(formula: &Formula, x: C) -> [f64; 2] {
 /// A double root -rho for large steps (its square root of round-off: 1e-3), and no root
 /// outside the unit circle on the imaginary axis.
 #[test]
-fn two_step_formulas_are_stable_with_the_radius_asked_for() {
+fn two_step_formulas_are_stable_with_the_radius_requested() {
     for rho in [0.0, 0.3, 0.6, 0.9, 1.0] {
         let formula = Formula::two_step(rho, 1.0);
         for radius in roots(&formula, C::new(0.0, 1e9)) {

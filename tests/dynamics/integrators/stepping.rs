@@ -422,7 +422,7 @@ fn failure<E: Equations>(mut system: System<E>, stepping: Stepping) -> (System<E
 
 /// The step is cut down to the least, then the failure states location, reason and remedies.
 #[test]
-fn a_step_that_underflows_tells_why() {
+fn a_step_that_underflows_reports_why() {
     for stepping in [Stepping::Constant { step: 0.03 }, variable(1e-3)] {
         let (_, failure) = failure(System::new(Ending, &[0.0], &[0.5_f64.sqrt()]), stepping);
         assert_eq!(failure.reason, Reason::NotFinite);
@@ -465,7 +465,7 @@ fn a_multiplier_that_acts_on_nothing_is_singular() {
 /// A run that is stopped and continued from its snapshot, in a new integrator and system, has the
 /// same final bits as the run that took the snapshot.
 #[test]
-fn a_restart_goes_on_bit_for_bit() {
+fn a_restart_continues_bit_for_bit() {
     for scheme in [TWO_STEP, Scheme::Bdf2, CUBIC, RADAU] {
         for stepping in [Stepping::Constant { step: 0.003 }, variable(1e-5)] {
             let limits = StepLimits {

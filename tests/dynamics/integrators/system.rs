@@ -175,10 +175,10 @@ impl<E: Equations> Dae for System<E> {
         let largest = residual.sizes.iter().fold(1e-300_f64, |a, b| a.max(*b));
         let relative = residual.values.iter().map(|value| value.abs() / largest);
         let worst = relative.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-        let (place, relative) = worst.unwrap();
+        let (position, relative) = worst.unwrap();
         Worst {
             relative,
-            place,
+            index: position,
             scale: largest,
         }
     }
@@ -209,8 +209,8 @@ impl<E: Equations> Dae for System<E> {
         time * missed.iter().fold(0.0, |a: f64, b| a.max(b.abs()))
     }
 
-    fn name(&self, place: usize) -> Name {
-        Name::of_system(format!("equation {place}"), "-")
+    fn name(&self, index: usize) -> Name {
+        Name::of_system(format!("equation {index}"), "-")
     }
 }
 

@@ -42,7 +42,7 @@ fn coefficients_are_those_derived_apart() {
         let [m0, _, n0, n1] = numbers(&row["shape_at_zeta"])[..] else {
             panic!("four shape functions");
         };
-        compare(formula.places[0], number(&row["zeta"]));
+        compare(formula.positions[0], number(&row["zeta"]));
         compare(formula.latest_rates[1], w1);
         compare(formula.weights[1][0], wz);
         compare(formula.weights[1][1], w0);

@@ -187,8 +187,8 @@ impl Parts {
         self.chain.elements.push(Box::new(body));
     }
 
-    fn add_body(&mut self, place: &Vector3<f64>, attitude: &Matrix3<f64>) {
-        self.add_node(*place, *attitude);
+    fn add_body(&mut self, position: &Vector3<f64>, attitude: &Matrix3<f64>) {
+        self.add_node(*position, *attitude);
         let central = Matrix3::from_diagonal(&Vector3::new(0.02, 0.01, 0.015));
         let offset = Vector3::new(0.02, -0.03, 0.05);
         let inertia = RigidInertia::about_node(0.5, &offset, &central);
@@ -200,8 +200,8 @@ impl Parts {
         let first = self.chain.nodes.len();
         let tilt = matrix(&(0.3 * link.axes));
         for part in [0.0, 0.5, 1.0] {
-            let place = point + attitude * Vector3::new(part * link.length, 0.0, 0.0);
-            self.add_node(place, attitude * tilt);
+            let position = point + attitude * Vector3::new(part * link.length, 0.0, 0.0);
+            self.add_node(position, attitude * tilt);
         }
         let on = [first, first + 1, first + 2];
         let geometry = BeamGeometry::new(

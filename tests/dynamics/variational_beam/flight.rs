@@ -2,7 +2,7 @@
 //! cantilevers whose high modes grew with finite volumes.
 
 use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, TransientQuestion};
+use beam_dynamics::case::{Model, TransientSettings};
 use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::integrator::Scheme;
 use nalgebra::{Matrix3, Matrix6, Rotation3, Vector3, Vector6};
@@ -52,12 +52,12 @@ fn energy_and_momenta_of_a_free_flight() {
     for consistent in [false, true] {
         let case = format!("free flight of a bow, consistent {consistent}");
         let drifts = [4e-3, 2e-3, 5e-4].map(|step| {
-            let mut question = TransientQuestion::new(2.0, step);
-            question.scheme = Scheme::Cubic { radius: 1.0 };
+            let mut settings = TransientSettings::new(2.0, step);
+            settings.scheme = Scheme::Cubic { radius: 1.0 };
             // The error of the momenta is the error of the balance.
-            question.newton.correction = 1e-12;
-            question.newton.residual = 1e-13;
-            let run = Run::of(bow(consistent), &question, 1);
+            settings.newton.correction = 1e-12;
+            settings.newton.residual = 1e-13;
+            let run = Run::of(bow(consistent), &settings, 1);
             run.check_end();
             let (_, start) = &run.instants[0];
             let energy = |index: usize| run.energy(&run.instants[index].1, 0.0).total();
@@ -103,9 +103,9 @@ fn resolved_high_modes_gain_no_energy() {
             for initial in &mut model.initial[1..] {
                 initial.velocity = Some(0.3 * Vector3::from_fn(|_, _| random.number()));
             }
-            let mut question = TransientQuestion::new(0.2, 2e-5);
-            question.scheme = scheme;
-            let run = Run::of(model, &question, 50);
+            let mut settings = TransientSettings::new(0.2, 2e-5);
+            settings.scheme = scheme;
+            let run = Run::of(model, &settings, 50);
             run.check_end();
             let energy = |(time, state): &(f64, _)| run.energy(state, *time).total();
             let start = energy(&run.instants[0]);

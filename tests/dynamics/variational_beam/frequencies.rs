@@ -16,8 +16,8 @@ fn frequencies(elements: usize, inertia: Inertia, count: usize) -> Vec<f64> {
     let mut beam = UniformBeam::slender(elements, inertia);
     beam.stiffness = Vector6::new(1e4, 4e3, 4e3, 0.8, 1.0, 4.0);
     beam.mass = Vector6::new(1.0, 1.0, 1.0, 5e-4, 1e-4, 4e-4);
-    let (model, question) = beam.case(&[0.0], count);
-    let outcome = modes(&model, &question);
+    let (model, settings) = beam.case(&[0.0], count);
+    let outcome = modes(&model, &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let points = outcome.table.at_speed(0).into_iter();
     let mut found: Vec<_> = points
@@ -34,9 +34,9 @@ fn frequencies_of_a_cantilever() {
     for (inertia, key) in [(Inertia::Lumped, "lobatto"), (Inertia::Consistent, "var")] {
         let listed = row(&format!("cantilever frequencies {key}"), "relative errors");
         let exact = numbers(&listed["note"]["ref"]);
-        for (place, elements) in [1, 2, 4, 8].into_iter().enumerate() {
+        for (index, elements) in [1, 2, 4, 8].into_iter().enumerate() {
             let found = frequencies(elements, inertia, 6);
-            let errors = numbers(&listed["value"][place]);
+            let errors = numbers(&listed["value"][index]);
             // With one element the sixth mode differs.
             let count = if elements == 1 { 5 } else { 6 };
             for mode in 0..count {

@@ -134,7 +134,7 @@ impl Line {
     pub fn matrices(&self, model: &Model, state: &State) -> [DMatrix<f64>; 2] {
         let system = &model.system;
         let tangent = system.tangent(state, &Conditions::at_rest());
-        let (force, place) = (Equation::Force.row(), Variable::Position.column());
+        let (force, position) = (Equation::Force.row(), Variable::Position.column());
         let (momentum, speed) = (Equation::Momentum.row(), Variable::Velocity.column());
         let free = 6 * (self.nodes.len() - 1);
         let at = |i: usize, first: usize| system.numbering().node(1 + i / 6) + first + i % 6;
@@ -142,7 +142,7 @@ impl Line {
             DMatrix::from_fn(free, free, |i, j| -matrix.entry(at(i, row), at(j, column)))
         };
         [
-            of(&tangent.by_unknowns, force, place),
+            of(&tangent.by_unknowns, force, position),
             of(&tangent.by_rates, momentum, speed),
         ]
     }
@@ -251,7 +251,7 @@ fn lobatto(line: &Line, section: f64, moment: &Vector3<f64>, inertia: &Matrix3<f
 #[test]
 fn spectra_of_general_beams() {
     for case in reference("random_beams")["cases"].as_array().unwrap() {
-        let places = case["X"].as_array().unwrap();
+        let positions = case["X"].as_array().unwrap();
         let node = |i: usize| Node {
             label: format!("n{i}"),
             position: vector(&case["X"][i]),
@@ -259,8 +259,8 @@ fn spectra_of_general_beams() {
         };
         let moment = vector(&case["first_moment"]);
         let mut line = Line {
-            nodes: (0..places.len()).map(node).collect(),
-            geometries: vec![BeamGeometry::new([BeamNode::aligned(); 3]); places.len() / 2],
+            nodes: (0..positions.len()).map(node).collect(),
+            geometries: vec![BeamGeometry::new([BeamNode::aligned(); 3]); positions.len() / 2],
             stiffness: stiffness(&case["stiffness"]),
             mass: mass(
                 case["mass"].as_f64().unwrap(),

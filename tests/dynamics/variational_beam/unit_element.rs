@@ -113,7 +113,7 @@ fn jacobian(
 
 const FORCES: [Equation; 2] = [Equation::Force, Equation::Moment];
 const MOMENTA: [Equation; 2] = [Equation::Momentum, Equation::AngularMomentum];
-const PLACES: [Variable; 2] = [Variable::Position, Variable::Rotation];
+const DISPLACEMENTS: [Variable; 2] = [Variable::Position, Variable::Rotation];
 const VELOCITIES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
 
 fn check(quantity: &str, found: &[f64], expected: &Value) {
@@ -172,7 +172,7 @@ fn forces_of_every_formulation() {
 fn tangent_and_its_symmetry() {
     let unit = Unit::new();
     let beam = unit.beam(Formulation::Variational);
-    let tangent = -jacobian(&beam, &unit.motion, FORCES, PLACES);
+    let tangent = -jacobian(&beam, &unit.motion, FORCES, DISPLACEMENTS);
     check(
         "tangent",
         tangent.transpose().as_slice(),

@@ -22,7 +22,7 @@ use super::saddle::MOTION;
 use super::scalars::{self, Settling};
 use crate::assembly::{Residual, Sharing, System};
 use crate::case::Model;
-use crate::elements::{Element, Level, PlaceJump, Queries};
+use crate::elements::{Element, Level, PositionJump, Queries};
 use crate::integrator::{Corner, Renewal};
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, Scalars, State};
 
@@ -34,7 +34,7 @@ impl NextCorner {
     /// The first corner of the model after `time` \[s\].
     pub fn after(&self, model: &Model, time: f64) -> f64 {
         match self.0.get() {
-            Some([asked, known]) if (asked..known).contains(&time) => known,
+            Some([requested, known]) if (requested..known).contains(&time) => known,
             _ => {
                 let corner = model.next_corner(time);
                 self.0.set(Some([time, corner]));
@@ -57,7 +57,7 @@ const LOOKED_AT: usize = 1000;
 /// follow it.
 const FOLLOWED: f64 = 1e-6;
 /// Largest number of joints whose impulses are reported.
-const TOLD: usize = 5;
+const MOST_REPORTED: usize = 5;
 
 /// Kinds of jumps at a corner.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,7 +118,7 @@ pub(super) fn jump(
 /// `state` after the impulse after which its velocities fulfill the constraints (D-153), with its
 /// momenta; and the impulse \[N s, N m s\], the minimum-norm one if constraints are redundant.
 /// `None` if there is none, or if no velocities fulfill all constraints.
-pub(super) fn struck(
+pub(super) fn after_impulse(
     system: &System,
     state: &State,
     conditions: &Conditions,
@@ -158,7 +158,7 @@ fn largest(values: &[f64]) -> f64 {
 
 /// Impulses of a joint.
 #[derive(Debug, Clone, PartialEq)]
-struct Struck {
+struct JointImpulse {
     joint: String,
     /// The first time [s].
     time: f64,
@@ -171,7 +171,7 @@ struct Struck {
     is_followed: bool,
 }
 
-impl Struck {
+impl JointImpulse {
     /// Notes an impulse by its sizes in several units.
     fn grow(&mut self, sizes: Vec<(f64, Cow<'static, str>)>) {
         for (size, unit) in sizes {
@@ -205,7 +205,7 @@ fn sizes(
 /// The impulses of a run so far, by joint.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Impulses {
-    joints: Vec<Struck>,
+    joints: Vec<JointImpulse>,
     /// Their energy input [J].
     pub work: f64,
 }
@@ -224,7 +224,7 @@ impl Impulses {
             let label = element.label();
             let known = self.joints.iter().position(|one| one.joint == label);
             let known = known.unwrap_or_else(|| {
-                self.joints.push(Struck {
+                self.joints.push(JointImpulse {
                     joint: label.to_owned(),
                     time,
                     count: 0,
@@ -244,10 +244,14 @@ impl Impulses {
 
     /// Remarks on the impulses.
     pub fn remarks(&self) -> impl Iterator<Item = String> {
-        let more = self.joints.len().saturating_sub(TOLD);
+        let more = self.joints.len().saturating_sub(MOST_REPORTED);
         let more = (more > 0).then(|| format!("impulses of {more} more joints as well"));
-        let told = self.joints.iter().take(TOLD).map(ToString::to_string);
-        told.chain(more)
+        let reported = self
+            .joints
+            .iter()
+            .take(MOST_REPORTED)
+            .map(ToString::to_string);
+        reported.chain(more)
     }
 }
 
@@ -256,7 +260,7 @@ fn short_number(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }
 
-impl fmt::Display for Struck {
+impl fmt::Display for JointImpulse {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
             joint, time, count, ..
@@ -314,7 +318,7 @@ pub(super) fn pass(
         Some(Jump::Nothing) => return Renewal::Smooth,
         Some(Jump::Acting) => {}
         Some(Jump::Rates(constraints)) => {
-            let found = struck(system, state, &after);
+            let found = after_impulse(system, state, &after);
             let impulse = found.as_ref().map(|found| &found.1[..]);
             impulses.add(system, &constraints, impulse, corner.after);
             let Some((moved, _)) = found else {
@@ -339,7 +343,7 @@ pub(super) fn pass(
     }
 }
 
-fn jumped(element: &dyn Element, jump: PlaceJump, corner: &Corner) -> TransientFailure {
+fn jumped(element: &dyn Element, jump: PositionJump, corner: &Corner) -> TransientFailure {
     TransientFailure::Jump {
         joint: element.label().to_owned(),
         jump,
@@ -354,14 +358,14 @@ pub(super) fn check_corner(
     corner: &Corner,
 ) -> Result<(), TransientFailure> {
     let [before, after] = [corner.before, corner.after].map(|time| model.conditions_at(time));
-    match model.system.place_jump(state, [&before, &after]) {
+    match model.system.position_jump(state, [&before, &after]) {
         None => Ok(()),
         Some((element, jump)) => Err(jumped(element, jump, corner)),
     }
 }
 
 /// Checks that no position driven in time alone jumps in a run \[s\].
-pub(super) fn check_places(model: &Model, [from, to]: [f64; 2]) -> Result<(), TransientFailure> {
+pub(super) fn check_positions(model: &Model, [from, to]: [f64; 2]) -> Result<(), TransientFailure> {
     for element in model.system.elements() {
         // Scalars are not known ahead.
         if element.multipliers() == 0 || element.senses() {

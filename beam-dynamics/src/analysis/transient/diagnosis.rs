@@ -7,31 +7,31 @@ use super::energy::Finding;
 use super::failure::StepTrouble;
 use super::multibody::Multibody;
 use crate::assembly::System;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::integrator::{Reason, StepFailure};
 use crate::model::NODE_UNKNOWNS;
 use crate::solver::Iteration;
 
 mod cause;
 
-use cause::{Cause, Scene};
+use cause::{Cause, FailureContext};
 
 /// Iterations of the history that are shown.
-const TOLD: usize = 12;
+const MOST_REPORTED: usize = 12;
 
 /// The failure of a step of `model`, with its likely cause.
 pub(super) fn trouble(
     failure: StepFailure,
-    (model, question): (&Model, &TransientQuestion),
+    (model, settings): (&Model, &TransientSettings),
     (dae, gained): (&Multibody<'_>, Option<Finding>),
 ) -> StepTrouble {
-    let scene = Scene::new(&failure, (model, question), (dae, gained));
-    let Cause { words, remedies } = scene.cause();
+    let context = FailureContext::new(&failure, (model, settings), (dae, gained));
+    let Cause { words, remedies } = context.cause();
     let is_inexact = failure.local_error.is_some() || failure.reason == Reason::Corners;
     StepTrouble {
         acting: match is_inexact {
             true => Vec::new(),
-            false => acting(&model.system, failure.worst.place),
+            false => acting(&model.system, failure.worst.index),
         },
         // Converged iterations are omitted.
         history: match is_inexact {
@@ -45,8 +45,8 @@ pub(super) fn trouble(
 }
 
 /// Names of the elements that act on the node to which an equation belongs, each once.
-fn acting(system: &System, place: usize) -> Vec<String> {
-    let node = place / NODE_UNKNOWNS;
+fn acting(system: &System, index: usize) -> Vec<String> {
+    let node = index / NODE_UNKNOWNS;
     let mut names: Vec<String> = Vec::new();
     // The balances of the nodes come first.
     for element in system.elements().skip(system.nodes().len()) {
@@ -62,22 +62,22 @@ fn acting(system: &System, place: usize) -> Vec<String> {
 /// The iterations: consecutive ones with the same worst equation are listed after its name.
 fn history(system: &System, iterations: &[Iteration]) -> String {
     let mut text = String::new();
-    let mut place = None;
-    for (i, iteration) in iterations.iter().take(TOLD).enumerate() {
+    let mut index = None;
+    for (i, iteration) in iterations.iter().take(MOST_REPORTED).enumerate() {
         let (worst, correction) = (&iteration.worst, iteration.correction);
-        let is_same = place.replace(worst.place) == Some(worst.place);
+        let is_same = index.replace(worst.index) == Some(worst.index);
         // Writing to a string cannot fail.
         let _ = match is_same {
             true => write!(text, ", "),
             false => {
                 let semicolon = if i > 0 { "; " } else { "" };
-                write!(text, "{semicolon}{}: ", system.equation(worst.place))
+                write!(text, "{semicolon}{}: ", system.equation(worst.index))
             }
         };
         let _ = write!(text, "{:.1e} {correction:.1e}", worst.relative);
     }
-    if iterations.len() > TOLD {
-        let _ = write!(text, " and {} more", iterations.len() - TOLD);
+    if iterations.len() > MOST_REPORTED {
+        let _ = write!(text, " and {} more", iterations.len() - MOST_REPORTED);
     }
     text
 }

@@ -5,7 +5,7 @@
 //!
 //! References: [Masarati], section 4.3.
 
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::integrator::{Integrator, Scheme, Stepping};
 use crate::model::State;
 
@@ -20,10 +20,10 @@ const PART: f64 = 1e-3;
 /// `state` with the rates of momenta and the multipliers of a few very short steps.
 pub(super) fn dummy_rates(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     state: &State,
 ) -> Result<State, TransientFailure> {
-    let first = match question.stepping {
+    let first = match settings.stepping {
         Stepping::Constant { step } => step,
         Stepping::Variable(control) => control.first,
     };
@@ -31,8 +31,8 @@ pub(super) fn dummy_rates(
     let (scheme, stepping) = (Scheme::Bdf2, Stepping::Constant { step });
     let stages = scheme.formula(1.0).stages;
     let mut dae = Multibody::new(model, [state.clone(), state.clone()], (stages, false));
-    let mut integrator = Integrator::new(&dae, scheme, stepping, question.newton, question.from);
-    let end = question.from + STEPS as f64 * step;
+    let mut integrator = Integrator::new(&dae, scheme, stepping, settings.newton, settings.from);
+    let end = settings.from + STEPS as f64 * step;
     // More steps if one had to be cut.
     while integrator.time() < end {
         integrator

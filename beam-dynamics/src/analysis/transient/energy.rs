@@ -23,7 +23,7 @@
 //! for the steps is unknown.
 
 use crate::assembly::{System, Workspace};
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::elements::{Energy, Exchange, Queries};
 use crate::integrator::Corner;
 use crate::model::{Conditions, State};
@@ -152,17 +152,17 @@ fn left_over(system: &System, (state, conditions): (&State, &Conditions), left: 
         node.angular_velocity = left * all;
     }
     let moved = system.energy(&other, conditions);
-    let places = (moved.elastic - energy.elastic).abs()
+    let of_positions = (moved.elastic - energy.elastic).abs()
         + (moved.gravity - energy.gravity).abs()
         + (moved.electric - energy.electric).abs();
-    [places, moved.kinetic]
+    [of_positions, moved.kinetic]
 }
 
 impl EnergyWatch {
     /// An energy balance from the state of `dae` on, under `conditions`.
     pub fn new(
         model: &Model,
-        question: &TransientQuestion,
+        settings: &TransientSettings,
         dae: &Multibody<'_>,
         conditions: &Conditions,
     ) -> Self {
@@ -193,7 +193,7 @@ impl EnergyWatch {
             then: start.clone(),
             start,
             falls: [0.0; 3],
-            left: left_over(system, at, question.newton.correction.max(LEFT)),
+            left: left_over(system, at, settings.newton.correction.max(LEFT)),
             steps: 0,
             length: f64::INFINITY,
             latest: Look::default(),
@@ -260,8 +260,8 @@ impl EnergyWatch {
         }
         let look = self.account(dae.impulses.work, time);
         self.latest = look;
-        let [places, ways] = self.left;
-        let left = places + ways / (self.length * self.length);
+        let [of_positions, ways] = self.left;
+        let left = of_positions + ways / (self.length * self.length);
         let is_above = |part: f64| look.gain > part * look.scale + look.doubt + left;
         if !is_above(GAINED) {
             if !self.is_found {

@@ -6,7 +6,7 @@ use super::change::StartChange;
 use crate::analysis::steady::{NoEquilibrium, rpm};
 use crate::assembly::massless::MasslessNode;
 use crate::assembly::redundancy::Redundant;
-use crate::elements::PlaceJump;
+use crate::elements::PositionJump;
 use crate::integrator::StepFailure;
 use crate::model::Name;
 
@@ -78,7 +78,7 @@ pub enum TransientFailure {
          the nearest positions found is {constraint}, off by {value:.3e} {}",
         .constraint.unit
     )]
-    Places {
+    Positions {
         /// The worst constraint.
         constraint: Name,
         /// Its violation [unit of the constraint].
@@ -154,7 +154,7 @@ pub enum TransientFailure {
         /// The joint.
         joint: String,
         /// The jumping quantity, with its values before and after.
-        jump: PlaceJump,
+        jump: PositionJump,
         /// Time [s].
         time: f64,
     },
@@ -177,6 +177,11 @@ pub enum TransientFailure {
         time: f64,
     },
 }
+
+/// Remedy for given positions at which the correction is singular.
+const SINGULAR_START: &str = "the given positions may be singular, such as links in line, where no \
+    direction reduces the violation: start slightly away from them; else look for lengths that \
+    cannot meet and for drives that start elsewhere";
 
 impl TransientFailure {
     /// Names of the joints concerned, each once, if there are several.
@@ -214,14 +219,10 @@ impl TransientFailure {
             Self::NoShape { .. } => {
                 "see the modes with `beam-dynamics modes`, and give \"mode\" a number of its table"
             }
-            Self::Places {
+            Self::Positions {
                 is_singular: true, ..
-            } => {
-                "the given positions may be singular, such as links in line, where no direction \
-                 reduces the violation: start slightly away from them; else look for lengths \
-                 that cannot meet and for drives that start elsewhere"
-            }
-            Self::Places { .. } => {
+            } => SINGULAR_START,
+            Self::Positions { .. } => {
                 "look for lengths that cannot meet and for drives that start elsewhere, or place \
                  the nodes nearer to matching positions"
             }
@@ -266,17 +267,17 @@ impl TransientFailure {
 
 /// Redundant constraints as text, the first few of them.
 fn in_words(found: &[Redundant]) -> String {
-    let told: Vec<_> = found.iter().map(ToString::to_string).collect();
-    listed(&told)
+    let reported: Vec<_> = found.iter().map(ToString::to_string).collect();
+    listed(&reported)
 }
 
 /// The first few of many.
 pub(super) fn listed(found: &[String]) -> String {
-    const TOLD: usize = 10;
-    let more = match found.len().saturating_sub(TOLD) {
+    const MOST_REPORTED: usize = 10;
+    let more = match found.len().saturating_sub(MOST_REPORTED) {
         0 => String::new(),
         count => format!("; and {count} more"),
     };
-    let told = &found[..found.len().min(TOLD)];
-    format!("{}{more}", told.join("; "))
+    let reported = &found[..found.len().min(MOST_REPORTED)];
+    format!("{}{more}", reported.join("; "))
 }

@@ -110,7 +110,7 @@ impl<'a> Multibody<'a> {
             rate: Vector3::zeros(),
         };
         // Of the model and not of a state: a run that is continued has the same. The tangent
-        // goes before other room is taken.
+        // is freed before other memory is allocated.
         let own_axes = {
             let rest = system.rest();
             let tangent = system.tangent(&rest, &model.conditions_at(0.0));
@@ -127,7 +127,7 @@ impl<'a> Multibody<'a> {
         };
         let variation = Variation {
             turn: Matrix3::identity(),
-            spin: Matrix3::zeros(),
+            rate_by_turn: Matrix3::zeros(),
         };
         Self {
             model,
@@ -315,11 +315,11 @@ impl Dae for Multibody<'_> {
             *variation = match self.is_simplified {
                 false => Variation {
                     turn: exact.rotation,
-                    spin: exact.velocity,
+                    rate_by_turn: exact.velocity,
                 },
                 true => Variation {
                     turn: Matrix3::identity(),
-                    spin: -skew(&gibbs::corrected(turn, &attitude(base)).angular_velocity),
+                    rate_by_turn: -skew(&gibbs::corrected(turn, &attitude(base)).angular_velocity),
                 },
             };
         }
@@ -415,9 +415,9 @@ impl Dae for Multibody<'_> {
 
     fn describe_error(&self, difference: &[f64]) -> String {
         let system = &self.model.system;
-        let scaled = |place: usize| match place % NODE_UNKNOWNS {
-            0..3 => (difference[place] / self.scales.reach()).abs(),
-            3..6 => difference[place].abs(),
+        let scaled = |index: usize| match index % NODE_UNKNOWNS {
+            0..3 => (difference[index] / self.scales.reach()).abs(),
+            3..6 => difference[index].abs(),
             _ => 0.0,
         };
         let first = system.numbering().first_scalar();
@@ -425,21 +425,21 @@ impl Dae for Multibody<'_> {
         let of_scalars = self
             .with_rate
             .largest(&difference[first..], |i| now[i].abs());
-        let places = 0..NODE_UNKNOWNS * system.nodes().len();
-        let worst = places.max_by(|a, b| scaled(*a).total_cmp(&scaled(*b)));
-        let Some(place) = worst.filter(|place| scaled(*place) >= of_scalars.part) else {
+        let indices = 0..NODE_UNKNOWNS * system.nodes().len();
+        let worst = indices.max_by(|a, b| scaled(*a).total_cmp(&scaled(*b)));
+        let Some(index) = worst.filter(|index| scaled(*index) >= of_scalars.part) else {
             let name = system.unknown(first + of_scalars.scalar);
             return name.off_by(of_scalars.part, of_scalars.scale);
         };
-        let scale = match place % NODE_UNKNOWNS {
+        let scale = match index % NODE_UNKNOWNS {
             0..3 => self.scales.reach(),
             _ => 1.0,
         };
-        system.unknown(place).off_by(scaled(place), scale)
+        system.unknown(index).off_by(scaled(index), scale)
     }
 
-    fn name(&self, place: usize) -> Name {
-        self.model.system.equation(place)
+    fn name(&self, index: usize) -> Name {
+        self.model.system.equation(index)
     }
 }
 

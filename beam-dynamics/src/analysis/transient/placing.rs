@@ -1,7 +1,7 @@
 //! Positions and velocities that fulfill the constraints with the least change.
 //!
 //! ```text
-//! places       minimize 1/2 d^T W d,    d = (x - x_0, psi(R R_0^T))    with Phi = 0
+//! positions    minimize 1/2 d^T W d,    d = (x - x_0, psi(R R_0^T))    with Phi = 0
 //! velocities   minimize 1/2 (v - v_0)^T W (v - v_0)          with Phi_y v + Phi_t = 0
 //! ```
 //!
@@ -50,7 +50,7 @@ const BESIDE: f64 = 0.01;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unfulfilled {
     /// Its index among the equations.
-    pub place: usize,
+    pub index: usize,
     /// Its violation [unit of the constraint].
     pub value: f64,
     /// Whether it is fulfilled, but half a turn away from its drive.
@@ -61,19 +61,19 @@ pub(super) struct Unfulfilled {
 
 /// The constraint of the largest violation.
 fn worst(values: &[f64], first: usize) -> Unfulfilled {
-    let places = values.iter().enumerate().map(|(i, value)| Unfulfilled {
-        place: first + i,
+    let indices = values.iter().enumerate().map(|(i, value)| Unfulfilled {
+        index: first + i,
         value: *value,
         is_turned_over: false,
         is_singular: false,
     });
     let least = Unfulfilled {
-        place: first,
+        index: first,
         value: 0.0,
         is_turned_over: false,
         is_singular: false,
     };
-    places.fold(least, |a, b| {
+    indices.fold(least, |a, b| {
         match b.value.abs() > a.value.abs() || b.value.is_nan() {
             true => b,
             false => a,
@@ -95,9 +95,9 @@ fn values(system: &System, state: &State, conditions: &Conditions, level: Level)
 fn weights(size: f64, initial: &[InitialMotion], of: fn(&InitialMotion) -> [f64; 2]) -> Vec<f64> {
     let turn = size * size;
     let of_node = |initial: &InitialMotion| {
-        let [place, attitude] = of(initial);
+        let [index, attitude] = of(initial);
         let attitude = turn * attitude;
-        [place, place, place, attitude, attitude, attitude]
+        [index, index, index, attitude, attitude, attitude]
     };
     initial.iter().flat_map(of_node).collect()
 }
@@ -154,7 +154,7 @@ fn half_a_turn_off(system: &System, element: &dyn Element) -> Unfulfilled {
     let before = all.take_while(|other| !std::ptr::addr_eq(*other, element));
     let constraints: usize = before.map(|other| other.multipliers()).sum();
     Unfulfilled {
-        place: NODE_UNKNOWNS * system.nodes().len() + constraints,
+        index: NODE_UNKNOWNS * system.nodes().len() + constraints,
         value: 0.0,
         is_turned_over: true,
         is_singular: false,
@@ -195,8 +195,11 @@ fn place_at_once(
 
 /// Largest violation of a constraint: a part of the size of the model, or round-off \[m\].
 fn fulfilled(part: f64, system: &System, state: &State) -> f64 {
-    let places = state.nodes.iter().map(|node| node.position.amax());
-    f64::max(part * system.size(), ROUND_OFF * places.fold(1.0, f64::max))
+    let indices = state.nodes.iter().map(|node| node.position.amax());
+    f64::max(
+        part * system.size(),
+        ROUND_OFF * indices.fold(1.0, f64::max),
+    )
 }
 
 /// At rest, without multipliers.
@@ -303,7 +306,7 @@ pub(super) fn set_moving(
     initial: &[InitialMotion],
 ) -> Result<State, Unfulfilled> {
     let nodes = state.nodes.len();
-    let place = NODE_UNKNOWNS * nodes;
+    let index = NODE_UNKNOWNS * nodes;
     let of = |one: &InitialMotion| {
         [one.velocity, one.angular_velocity].map(|said| {
             let standard = if said.is_some() { 1.0 } else { UNSAID };
@@ -315,7 +318,7 @@ pub(super) fn set_moving(
     let mut off = velocity_constraints(system, &now, conditions);
     let limit = |state: &State| FULFILLED * fastest(system, state).max(f64::MIN_POSITIVE);
     for _ in 0..ITERATIONS {
-        if worst(&off, place).value.abs() <= limit(&now) {
+        if worst(&off, index).value.abs() <= limit(&now) {
             return Ok(now);
         }
         let tangent = system.tangent(&now, conditions);
@@ -326,21 +329,21 @@ pub(super) fn set_moving(
         right.extend(off.iter().map(|off| -off));
         let step = saddle
             .solve(nodes, largest_of(&weights), &right)
-            .ok_or(worst(&off, place))?;
+            .ok_or(worst(&off, index))?;
         for (node, step) in now.nodes.iter_mut().zip(step.chunks(MOTION)) {
             node.velocity += Vector3::from_column_slice(&step[..3]);
             node.angular_velocity += Vector3::from_column_slice(&step[3..]);
         }
-        let before = worst(&off, place).value.abs();
+        let before = worst(&off, index).value.abs();
         off = velocity_constraints(system, &now, conditions);
-        let after = worst(&off, place);
+        let after = worst(&off, index);
         // Round-off of large terms: no step reduces it.
         let speed = fastest(system, &now).max(SLOWEST * system.size());
         if after.value.abs() <= 1e-9 * speed && after.value.abs() > 0.1 * before {
             return Ok(now);
         }
     }
-    Err(worst(&off, place))
+    Err(worst(&off, index))
 }
 
 /// Largest velocity, or size of the model times angular velocity \[m/s\].

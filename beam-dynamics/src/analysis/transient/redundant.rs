@@ -6,7 +6,7 @@ use super::failure::{TransientFailure, listed};
 use super::placing::{beside, own_rates, place, position_values};
 use crate::assembly::redundancy::{self, Redundant};
 use crate::assembly::{Sharing, Slack, Sparse, System};
-use crate::case::{self, Model, TransientQuestion};
+use crate::case::{self, Model, TransientSettings};
 use crate::integrator::Stepping;
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
 
@@ -34,13 +34,13 @@ const MANY: usize = 100;
 /// constraints cannot be fulfilled, initialization reports it.
 pub(super) fn independent(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
 ) -> Result<Option<Shared>, TransientFailure> {
     let system = &model.system;
     if system.numbering().multipliers() == 0 {
         return Ok(None);
     }
-    let conditions = model.conditions_at(question.from);
+    let conditions = model.conditions_at(settings.from);
     let Ok(placed) = place(system, &system.rest(), &conditions, &model.initial) else {
         return Ok(None);
     };
@@ -57,7 +57,7 @@ pub(super) fn independent(
     if !contradicting.is_empty() {
         return Err(TransientFailure::Contradicting {
             constraints: listed(&contradicting),
-            time: question.from,
+            time: settings.from,
         });
     }
     let constraints: Vec<_> = found.iter().map(|found| found.constraint).collect();
@@ -69,10 +69,10 @@ pub(super) fn independent(
     if !broken.is_empty() {
         return Err(TransientFailure::SingularPosition(listed(&broken)));
     }
-    if question.redundant == case::Redundant::Error {
+    if settings.redundant == case::Redundant::Error {
         return Err(TransientFailure::Redundant(found));
     }
-    let compliance = compliance(system, &placed, &conditions, question);
+    let compliance = compliance(system, &placed, &conditions, settings);
     Ok(Some(Shared {
         model: Model {
             system: system.with_shared_loads(&found, compliance),
@@ -115,9 +115,9 @@ fn compliance(
     system: &System,
     placed: &State,
     conditions: &Conditions,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
 ) -> f64 {
-    let step = match question.stepping {
+    let step = match settings.stepping {
         Stepping::Constant { step } => step,
         Stepping::Variable(control) => control.first,
     };
@@ -189,14 +189,14 @@ pub(super) fn contradicting(
     }
     let mut sharing = Sharing::new(system, state, conditions);
     let off: Vec<_> = sharing.contradictions(&rates).collect();
-    let told = driven.into_iter().filter_map(|found| {
+    let reported = driven.into_iter().filter_map(|found| {
         let mut off = off.iter();
         let off = off.find(|off| off.constraint == found.constraint)?;
         let counts = off.value > UNLIKE * off.size && off.value > STILL;
         counts.then(|| found.contradicting(off.value))
     });
-    let told: Vec<_> = told.collect();
-    (!told.is_empty()).then(|| listed(&told))
+    let reported: Vec<_> = reported.collect();
+    (!reported.is_empty()).then(|| listed(&reported))
 }
 
 #[cfg(test)]
@@ -211,14 +211,14 @@ mod tests {
     use crate::elements::bodies::{RigidBody, RigidInertia};
     use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, axes_along};
     use crate::model::Node;
-    use crate::result::{Moment, Recorder};
+    use crate::result::{AcceptedStep, Recorder};
 
     /// Keeps the last position of the node.
     struct Last(Vector3<f64>);
 
     impl Recorder for Last {
-        fn record(&mut self, moment: &Moment<'_>) -> bool {
-            self.0 = moment.state.nodes[0].position;
+        fn record(&mut self, accepted: &AcceptedStep<'_>) -> bool {
+            self.0 = accepted.state.nodes[0].position;
             true
         }
     }
@@ -248,12 +248,12 @@ mod tests {
         }
         let mut model = Model::new("door", System::new(vec![door], elements));
         model.gravity = Vector3::new(0.0, -9.81, 0.0);
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             redundant,
-            ..TransientQuestion::new(1.0, 0.01)
+            ..TransientSettings::new(1.0, 0.01)
         };
         let mut last = Last(Vector3::zeros());
-        let outcome = transient(&model, &question, None, &mut last, &|| 0.0);
+        let outcome = transient(&model, &settings, None, &mut last, &|| 0.0);
         (outcome, last.0)
     }
 

@@ -98,14 +98,14 @@ fn matrix(size: usize, entries: impl Iterator<Item = (usize, usize, f64)> + Clon
     }));
     let mut matrix = Sparse::zero(Arc::clone(&pattern));
     for (row, column, value) in entries {
-        if let Some(place) = pattern.place(row, column) {
-            matrix.values_mut()[place] += value;
+        if let Some(index) = pattern.index(row, column) {
+            matrix.values_mut()[index] += value;
         }
     }
     matrix
 }
 
 /// Index of an unknown, or of an equation, of a node among the six of its motion.
-pub(super) fn motion(place: usize) -> usize {
-    MOTION * (place / NODE_UNKNOWNS) + place % NODE_UNKNOWNS % Equation::Force.row()
+pub(super) fn motion(index: usize) -> usize {
+    MOTION * (index / NODE_UNKNOWNS) + index % NODE_UNKNOWNS % Equation::Force.row()
 }

@@ -136,8 +136,8 @@ fn matrix_of_scalars(
         let own = from.triplets();
         let own = own.filter(|(i, j, _)| scalars.contains(i) && scalars.contains(j));
         for (i, j, value) in own.filter(|&(_, j, _)| is_rate[j - first] == wanted) {
-            if let Some(place) = pattern.place(i - first, j - first) {
-                matrix.values_mut()[place] += value;
+            if let Some(index) = pattern.index(i - first, j - first) {
+                matrix.values_mut()[index] += value;
             }
         }
     }

@@ -13,7 +13,7 @@ use shared_geom::rotation::vector;
 
 use super::failure::TransientFailure;
 use crate::analysis::modes::modes;
-use crate::case::{Model, ModesQuestion, StartShape};
+use crate::case::{Model, ModesSettings, StartShape};
 use crate::model::State;
 use crate::result::ModePoint;
 
@@ -59,9 +59,9 @@ pub(super) fn add(
 
 /// The mode of the given number, by ascending frequency.
 fn mode(model: &Model, shape: StartShape, speed: f64) -> Result<ModePoint, TransientFailure> {
-    let mut question = ModesQuestion::new(vec![speed], shape.mode);
-    question.shapes = vec![speed];
-    let outcome = modes(model, &question);
+    let mut settings = ModesSettings::new(vec![speed], shape.mode);
+    settings.shapes = vec![speed];
+    let outcome = modes(model, &settings);
     if let Some(failure) = outcome.failure {
         let reason = failure.to_string();
         return Err(TransientFailure::NoShape { reason });

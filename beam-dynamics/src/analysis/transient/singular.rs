@@ -20,13 +20,13 @@ const ROUND_OFF: f64 = 1e-15;
 /// Fraction of the largest reaction that round-off may change.
 const UNSURE: f64 = 1e-3;
 /// Number of positions that are reported individually.
-const TOLD: usize = 3;
+const MOST_REPORTED: usize = 3;
 
 /// Singular positions that a run has passed.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Passed {
     /// The least accurate reaction, its change by round-off, and the time \[s\].
-    told: Vec<(String, f64)>,
+    reported: Vec<(String, f64)>,
     count: usize,
     right: Vec<f64>,
 }
@@ -64,10 +64,10 @@ impl Passed {
             return;
         }
         self.count += 1;
-        if self.told.len() < TOLD {
+        if self.reported.len() < MOST_REPORTED {
             let reaction = system.unknown(first + constraint);
             let text = format!("{reaction}, by {change:.1e} {}", reaction.unit);
-            self.told.push((text, integrator.time()));
+            self.reported.push((text, integrator.time()));
         }
     }
 
@@ -80,9 +80,9 @@ impl Passed {
                  choose time steps that do not end there"
             )
         };
-        let mut remarks: Vec<_> = self.told.iter().map(remark).collect();
-        if self.count > self.told.len() {
-            let more = self.count - self.told.len();
+        let mut remarks: Vec<_> = self.reported.iter().map(remark).collect();
+        if self.count > self.reported.len() {
+            let more = self.count - self.reported.len();
             remarks.push(format!("{more} more steps end in singular positions"));
         }
         remarks

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::analysis::steady::equilibrium;
 use crate::assembly::{MasslessMotions, System};
-use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientQuestion};
+use crate::case::{InitialMotion, Model, Start, StartAccelerations, TransientSettings};
 use crate::elements::{Level, Queries};
 use crate::model::{Conditions, Drive, NODE_UNKNOWNS, State, TurningFrame};
 use crate::modes::EigenProblem;
@@ -52,13 +52,13 @@ pub(super) struct Started {
 /// The first state of a run.
 pub(super) fn start(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
 ) -> Result<Started, TransientFailure> {
     let system = &model.system;
-    let conditions = model.conditions_at(question.from);
-    let (kind, remarks) = given(model, question, &conditions)?;
+    let conditions = model.conditions_at(settings.from);
+    let (kind, remarks) = given(model, settings, &conditions)?;
     let given = with_velocities(kind, &model.initial);
-    let (mut state, remark) = placed(model, question, &conditions, &given)?;
+    let (mut state, remark) = placed(model, settings, &conditions, &given)?;
     let changes = changes(model, &given, &state);
     let settle = |state: &mut State| {
         let settled = scalars::settle(system, state, &conditions, Settling::InMotion);
@@ -76,7 +76,7 @@ pub(super) fn start(
         changes,
         remarks: remarks.into_iter().chain(remark).collect(),
     };
-    find_rates(model, question, &conditions, &mut started)?;
+    find_rates(model, settings, &conditions, &mut started)?;
     Ok(started)
 }
 
@@ -84,14 +84,14 @@ pub(super) fn start(
 /// ones as the constraints allow, and a remark if they are not at rest as required.
 fn placed(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     conditions: &Conditions,
     given: &State,
 ) -> Result<(State, Option<String>), TransientFailure> {
     let system = &model.system;
     let mut state = given.clone();
-    if question.start != Start::Given {
-        return Ok((moved(model, question, conditions, &state)?, None));
+    if settings.start != Start::Given {
+        return Ok((moved(model, settings, conditions, &state)?, None));
     }
     scalars::begin(system, &mut state);
     let at_rest = |state: &mut State| {
@@ -100,7 +100,7 @@ fn placed(
     };
     let mut held = system.elements().filter(|one| one.multipliers() > 0);
     if held.all(|one| one.scalars().is_empty()) {
-        state = moved(model, question, conditions, &state)?;
+        state = moved(model, settings, conditions, &state)?;
         at_rest(&mut state)?;
         return Ok((state, None));
     }
@@ -112,7 +112,7 @@ fn placed(
             scalar_rates: state.scalar_rates,
             ..given.clone()
         };
-        let found = moved(model, question, conditions, &from)?;
+        let found = moved(model, settings, conditions, &from)?;
         let mut again = found.clone();
         at_rest(&mut again)?;
         if scalars::apart(&again.scalars, &found.scalars) < AGREED {
@@ -120,7 +120,7 @@ fn placed(
         }
         state = again;
     }
-    state = moved(model, question, conditions, &state)?;
+    state = moved(model, settings, conditions, &state)?;
     let remark = "joints follow signals that depend on the motion of the joints: no start was \
                   found at which all required unknowns are at rest";
     Ok((state, Some(remark.to_owned())))
@@ -130,19 +130,19 @@ fn placed(
 /// weights of the nodes determine.
 fn moved(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     conditions: &Conditions,
     given: &State,
 ) -> Result<State, TransientFailure> {
     let system = &model.system;
     let not_placed = |off: Unfulfilled| {
-        let constraint = system.equation(off.place);
+        let constraint = system.equation(off.index);
         match off.is_turned_over {
             true => TransientFailure::TurnedOver {
                 constraint: constraint.to_string(),
-                time: question.from,
+                time: settings.from,
             },
-            false => TransientFailure::Places {
+            false => TransientFailure::Positions {
                 constraint,
                 value: off.value,
                 is_singular: off.is_singular,
@@ -151,7 +151,7 @@ fn moved(
     };
     let placed = place(system, given, conditions, &model.initial).map_err(not_placed)?;
     let not_moving = |off: Unfulfilled| TransientFailure::Velocities {
-        constraint: system.equation(off.place),
+        constraint: system.equation(off.index),
         value: off.value,
     };
     set_moving(system, &placed, conditions, &model.initial).map_err(not_moving)
@@ -160,7 +160,7 @@ fn moved(
 /// Positions and velocities of the requested kind of start, and its remarks.
 fn given(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     conditions: &Conditions,
 ) -> Result<(State, Vec<String>), TransientFailure> {
     let alone;
@@ -174,16 +174,16 @@ fn given(
             &alone
         }
     };
-    match question.start {
+    match settings.start {
         Start::Given => Ok((model.system.rest(), Vec::new())),
         Start::Equilibrium => {
             let turning = turning(model, conditions, 0.0);
-            let (mut state, unstable) = steady(model, question, &turning)?;
-            add_shape(model, question, &turning, &mut state)?;
+            let (mut state, unstable) = steady(model, settings, &turning)?;
+            add_shape(model, settings, &turning, &mut state)?;
             into_space(&mut state, &turning.frame);
             Ok((state, unstable.into_iter().collect()))
         }
-        Start::Rotating { speed } => rotating(model, question, conditions, speed),
+        Start::Rotating { speed } => rotating(model, settings, conditions, speed),
     }
 }
 
@@ -192,8 +192,8 @@ fn turning(model: &Model, conditions: &Conditions, speed: f64) -> Conditions {
     let mut turning = *conditions;
     turning.loading.released = 1.0;
     turning.frame = TurningFrame {
-        angular_velocity: speed * model.spin.axis,
-        center: model.spin.center,
+        angular_velocity: speed * model.frame_rotation.axis,
+        center: model.frame_rotation.center,
     };
     turning
 }
@@ -202,13 +202,14 @@ fn turning(model: &Model, conditions: &Conditions, speed: f64) -> Conditions {
 /// and its remarks.
 fn rotating(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     conditions: &Conditions,
     speed: f64,
 ) -> Result<(State, Vec<String>), TransientFailure> {
     let mut turning = turning(model, conditions, speed);
-    let gravity::Parts { axial, across } = gravity::parts(&model.gravity, &model.spin.axis);
-    let factor = model.gravity_drive.at(question.from).value;
+    let gravity::Parts { axial, across } =
+        gravity::parts(&model.gravity, &model.frame_rotation.axis);
+    let factor = model.gravity_drive.at(settings.from).value;
     let is_across = speed != 0.0 && across != Vector3::zeros();
     if is_across {
         turning.loading.gravity = factor * axial;
@@ -216,7 +217,7 @@ fn rotating(
     if let Some((joint, off)) = driven_otherwise(&model.system, conditions, &turning.frame) {
         return Err(TransientFailure::DrivenOtherwise { joint, off, speed });
     }
-    let (mut state, unstable) = steady(model, question, &turning)?;
+    let (mut state, unstable) = steady(model, settings, &turning)?;
     let mut remarks: Vec<_> = unstable.into_iter().collect();
     let mut mean = state.clone();
     into_space(&mut mean, &turning.frame);
@@ -235,7 +236,7 @@ fn rotating(
             &(factor * across),
         ));
     }
-    add_shape(model, question, &turning, &mut state)?;
+    add_shape(model, settings, &turning, &mut state)?;
     into_space(&mut state, &turning.frame);
     Ok((state, remarks))
 }
@@ -243,18 +244,18 @@ fn rotating(
 /// Adds the requested shape of a mode to an equilibrium, at rest in the axes of `turning`.
 fn add_shape(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     turning: &Conditions,
     state: &mut State,
 ) -> Result<(), TransientFailure> {
-    let Some(requested) = question.shape else {
+    let Some(requested) = settings.shape else {
         return Ok(());
     };
     let omega = turning.frame.angular_velocity;
     let mut model = held(model).unwrap_or_else(|| model.clone());
     model.gravity = turning.loading.gravity;
     model.gravity_drive = Drive::Constant(1.0);
-    let speed = omega.dot(&model.spin.axis);
+    let speed = omega.dot(&model.frame_rotation.axis);
     shape::add(&model, (requested, speed), state)
 }
 
@@ -270,7 +271,7 @@ fn held(model: &Model) -> Option<Model> {
 /// unstable.
 fn steady(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     turning: &Conditions,
 ) -> Result<(State, Option<String>), TransientFailure> {
     let rest = model.system.rest();
@@ -280,7 +281,7 @@ fn steady(
     let from = (&Conditions::at_rest(), &rest);
     let state = equilibrium(model, &solver, from, turning)?.state;
     let growth = growth(model, &solver, (&state, turning));
-    let is_seen = |growth: &f64| growth * (question.to - question.from) > SEEN;
+    let is_seen = |growth: &f64| growth * (settings.to - settings.from) > SEEN;
     let remark = growth.filter(is_seen).map(|growth| {
         format!(
             "the equilibrium of the start is unstable: a motion grows with {growth:.3e} 1/s, and \
@@ -357,12 +358,12 @@ fn with_velocities(mut state: State, initial: &[InitialMotion]) -> State {
 
 fn find_rates(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     conditions: &Conditions,
     started: &mut Started,
 ) -> Result<(), TransientFailure> {
     let state = &mut started.state;
-    match question.start_accelerations {
+    match settings.start_accelerations {
         StartAccelerations::Zero => {
             for node in &mut state.nodes {
                 node.momentum_rate.fill(0.0);
@@ -372,7 +373,7 @@ fn find_rates(
             return Ok(());
         }
         StartAccelerations::Consistent | StartAccelerations::AtRest => {
-            let seen = match question.start_accelerations {
+            let seen = match settings.start_accelerations {
                 StartAccelerations::AtRest => at_rest(state),
                 _ => state.clone(),
             };
@@ -394,7 +395,7 @@ fn find_rates(
         }
         StartAccelerations::Dummy => {}
     }
-    *state = dummy_rates(model, question, state)?;
+    *state = dummy_rates(model, settings, state)?;
     Ok(())
 }
 

@@ -18,12 +18,12 @@ fn link(label: &str, ends: [Vector3<f64>; 2]) -> Node {
 type Revolute<'a> = (&'a str, Option<usize>, usize, Vector3<f64>, Vector3<f64>);
 
 fn system(nodes: &[Node], revolutes: &[Revolute<'_>]) -> System {
-    let joints = revolutes.iter().map(|(name, a, b, place, axis)| {
+    let joints = revolutes.iter().map(|(name, a, b, position, axis)| {
         let ends = JointEnds {
             a: a.map(|a| (a, &nodes[a])),
             b: (*b, &nodes[*b]),
         };
-        let at = Placing::at(place, &axes_along(axis));
+        let at = Placing::at(position, &axes_along(axis));
         Box::new(ConstraintJoint::revolute(*name, &ends, &at, None)) as Box<dyn Element>
     });
     System::new(nodes.to_vec(), joints.collect())
@@ -89,7 +89,7 @@ fn a_plane_four_bar_with_revolutes_has_three() {
 
 // A second revolute at the same position doubles all five constraints.
 #[test]
-fn a_doubled_revolute_is_told_by_name() {
+fn a_doubled_revolute_is_reported_by_name() {
     let (nodes, [o, ..], z) = four_bar(Vector3::z());
     let joints = [("A", None, 0, o, z), ("again", None, 0, o, z)];
     let system = system(&nodes[..1], &joints);
@@ -138,16 +138,16 @@ fn bennett(angle: f64, error: f64) -> System {
     // tan(theta/2) tan(phi/2) = sin((beta + alpha)/2) / sin((beta - alpha)/2).
     let ratio = (0.5 * (beta + alpha)).sin() / (0.5 * (beta - alpha)).sin();
     let other = 2.0 * (ratio / (0.5 * angle).tan()).atan();
-    let mut place = Vector3::zeros();
+    let mut position = Vector3::zeros();
     let mut axes = Matrix3::identity();
     let about =
         |axis: Vector3<f64>, by: f64| shared_geom::rotation::vector::to_rotation(&(by * axis));
-    let mut joints = vec![(place, axes.column(2).into_owned())];
+    let mut joints = vec![(position, axes.column(2).into_owned())];
     for (theta, length, twist) in [(angle, a, alpha), (other, b, beta), (-angle, a, alpha)] {
         axes *= about(Vector3::z(), theta);
-        place += length * axes.column(0);
+        position += length * axes.column(0);
         axes *= about(Vector3::x(), twist);
-        joints.push((place, axes.column(2).into_owned()));
+        joints.push((position, axes.column(2).into_owned()));
     }
     let [p, q, r, s] = [0, 1, 2, 3].map(|i| joints[i].0);
     let nodes = [link("1", [p, q]), link("2", [q, r]), link("3", [r, s])];
@@ -186,8 +186,8 @@ fn thousands_of_constraints_are_searched() {
     let mut joints: Vec<(String, Option<usize>, usize, Vector3<f64>)> = Vec::new();
     for i in 0..count {
         let shift = Vector3::new(4.0 * f64::from(i as u32), 0.3 * f64::from(i as u32), 0.0);
-        let (links, places, _) = four_bar(z);
-        let [o, a, b, c] = places.map(|place| place + shift);
+        let (links, positions, _) = four_bar(z);
+        let [o, a, b, c] = positions.map(|point| point + shift);
         let first = nodes.len();
         nodes.extend(links.into_iter().map(|link| Node {
             position: link.position + shift,
@@ -201,7 +201,7 @@ fn thousands_of_constraints_are_searched() {
     }
     let joints: Vec<_> = joints
         .iter()
-        .map(|(name, a, b, place)| (name.as_str(), *a, *b, *place, z))
+        .map(|(name, a, b, point)| (name.as_str(), *a, *b, *point, z))
         .collect();
     let system = system(&nodes, &joints);
     assert_eq!(system.numbering().multipliers(), 4000);

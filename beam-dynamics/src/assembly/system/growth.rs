@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::System;
 use super::layout::Within;
 use crate::assembly::Sparse;
-use crate::elements::{Along, Local, LocalJacobian, LocalResidual, LocalSize, Queries};
+use crate::elements::{Local, LocalJacobian, LocalResidual, LocalSize, Queries, SmallMotion};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 
 impl System {
@@ -25,30 +25,30 @@ impl System {
 
     /// Growth of the Jacobian by the unknowns with the factor of the proportional
     /// loads, at fixed geometry: with internal forces and multipliers that change along
-    /// the motion `along` (in the order of the unknowns), and with the loads.
-    pub fn prestress(&self, state: &State, conditions: &Conditions, along: &[f64]) -> Sparse {
+    /// the motion `motion` (in the order of the unknowns), and with the loads.
+    pub fn prestress(&self, state: &State, conditions: &Conditions, motion: &[f64]) -> Sparse {
         let mut sum = Sparse::zero(Arc::clone(&self.pattern));
         for (index, element) in self.elements.iter().enumerate() {
             let layout = &self.layouts[index];
-            let places = &layout.rows;
+            let indices = &layout.rows;
             let size = LocalSize::of(element.as_ref());
             let moved: Vec<_> = (0..size.nodes)
                 .map(|node| {
-                    let first = places[NODE_UNKNOWNS * node];
-                    let part = |i| Vector3::from_column_slice(&along[first + i..first + i + 3]);
+                    let first = indices[NODE_UNKNOWNS * node];
+                    let part = |i| Vector3::from_column_slice(&motion[first + i..first + i + 3]);
                     [part(0), part(3)]
                 })
                 .collect();
-            let own = &places[NODE_UNKNOWNS * size.nodes..];
-            let own: Vec<_> = own.iter().map(|&place| along[place]).collect();
+            let own = &indices[NODE_UNKNOWNS * size.nodes..];
+            let own: Vec<_> = own.iter().map(|&entry| motion[entry]).collect();
             let (multipliers, scalars) = own.split_at(size.multipliers);
-            let along = Along {
+            let motion = SmallMotion {
                 nodes: &moved,
                 multipliers,
                 scalars,
             };
             let mut local = LocalJacobian::new(size);
-            let call = |at: &Local<'_>| element.prestress(at, &along, &mut local);
+            let call = |at: &Local<'_>| element.prestress(at, &motion, &mut local);
             self.seen(index, state, conditions, call);
             let kind = &self.kinds[layout.kind];
             let to = (Within::ALL, sum.values_mut());

@@ -54,8 +54,8 @@ impl Kind {
     /// Row and column of each entry.
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         let rows = self.size.rows();
-        let places = self.runs.iter().flat_map(|run| run.range());
-        places.map(move |place| (place % rows, place / rows))
+        let indices = self.runs.iter().flat_map(|run| run.range());
+        indices.map(move |index| (index % rows, index / rows))
     }
 
     /// Makes a Jacobian of the kind zero.
@@ -66,7 +66,7 @@ impl Kind {
     /// Converts the derivatives by the rotation of node `i` of an element into derivatives by the
     /// unknowns of a formula (D-130).
     pub fn turn(&self, i: usize, by: &Variation, jacobian: &mut LocalJacobian) {
-        jacobian.turn(i, &self.turned[i], &by.turn, &by.spin);
+        jacobian.turn(i, &self.turned[i], &by.turn, &by.rate_by_turn);
     }
 }
 

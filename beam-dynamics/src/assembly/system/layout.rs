@@ -23,7 +23,7 @@ pub(super) struct Layout {
     /// Number of nodes.
     nodes: usize,
     /// Index in the pattern of the first entry of each run of the kind.
-    places: Vec<u32>,
+    indices: Vec<u32>,
 }
 
 impl Layout {
@@ -47,19 +47,19 @@ impl Layout {
         let firsts = rows[..NODE_UNKNOWNS * nodes].iter().step_by(NODE_UNKNOWNS);
         let follows = |(at, first): (usize, &usize)| *first == rows[0] + NODE_UNKNOWNS * at;
         let consecutive = nodes > 0 && firsts.enumerate().all(follows);
-        let place = |run: &LocalRun| {
+        let entry = |run: &LocalRun| {
             let (row, column) = (
                 run.first as usize % rows.len(),
                 run.first as usize / rows.len(),
             );
             // The pattern has the entries of all elements.
-            pattern.place(rows[row], rows[column]).unwrap_or_default() as u32
+            pattern.index(rows[row], rows[column]).unwrap_or_default() as u32
         };
         Self {
             kind: index,
             consecutive: consecutive.then(|| rows[0] / NODE_UNKNOWNS),
             nodes,
-            places: kind.runs.iter().map(place).collect(),
+            indices: kind.runs.iter().map(entry).collect(),
             rows,
         }
     }
@@ -78,11 +78,11 @@ impl Layout {
         let (of_nodes, own) = local.split_at(NODE_UNKNOWNS * self.nodes);
         let (values, _) = of_nodes.as_chunks::<NODE_UNKNOWNS>();
         for (i, values) in values.iter().enumerate() {
-            let place = match self.consecutive {
+            let index = match self.consecutive {
                 Some(first) => NODE_UNKNOWNS * (first + i),
                 None => self.rows[NODE_UNKNOWNS * i],
             };
-            let sums = &mut sum[place - within.first..];
+            let sums = &mut sum[index - within.first..];
             add_some::<NODE_UNKNOWNS>(sums, values, |sum, value| sum + value);
         }
         if own.is_empty() {
@@ -104,8 +104,8 @@ impl Layout {
         (within, sum): (Within, &mut [f64]),
     ) {
         let (differential, algebraic) = kind.runs.split_at(kind.differential);
-        let places = self.places.split_at(kind.differential);
-        let differential = (differential, places.0);
+        let indices = self.indices.split_at(kind.differential);
+        let differential = (differential, indices.0);
         let mut add = |runs, weight: f64, local: &DMatrix<f64>| match within.is_whole {
             _ if weight == 0.0 => {}
             true => add_runs::<true>(runs, weight, local, (within.first, sum)),
@@ -115,7 +115,7 @@ impl Layout {
         if kind.rates {
             add(differential, by_rates, local.by_rates());
         }
-        add((algebraic, places.1), by_algebraic, local.by_unknowns());
+        add((algebraic, indices.1), by_algebraic, local.by_unknowns());
     }
 }
 
@@ -139,13 +139,13 @@ impl Within {
 /// time. The sum contains the numbers from `first` on: all to which is added if `WHOLE`, otherwise
 /// some of them. A run belongs to one column, of which all or no entries are available.
 fn add_runs<const WHOLE: bool>(
-    (runs, places): (&[LocalRun], &[u32]),
+    (runs, indices): (&[LocalRun], &[u32]),
     weight: f64,
     local: &DMatrix<f64>,
     (first, sum): (usize, &mut [f64]),
 ) {
     let local = local.as_slice();
-    for (run, &to) in runs.iter().zip(places) {
+    for (run, &to) in runs.iter().zip(indices) {
         let (from, count) = (run.first as usize, run.count as usize);
         let to = (to as usize).wrapping_sub(first);
         if !WHOLE && to >= sum.len() {

@@ -43,8 +43,8 @@ impl ScalarScales {
         for scalar in scalars {
             let (unit, scale) = scalar.unzip();
             units.push(unit.map(|unit| {
-                let place = known.iter().position(|own| *own == unit);
-                place.unwrap_or_else(|| {
+                let index = known.iter().position(|own| *own == unit);
+                index.unwrap_or_else(|| {
                     known.push(unit);
                     known.len() - 1
                 })

@@ -43,8 +43,8 @@ impl Lengths {
 /// unknowns begin at `first` \[m\]; zero without mass.
 fn of_mass(by_rates: &DMatrix<f64>, first: usize) -> [f64; 2] {
     let block = |row: Equation, column: Variable| {
-        let place = (first + row.row(), first + column.column());
-        by_rates.fixed_view::<3, 3>(place.0, place.1).amax()
+        let index = (first + row.row(), first + column.column());
+        by_rates.fixed_view::<3, 3>(index.0, index.1).amax()
     };
     let mass = block(Equation::Momentum, Variable::Position);
     if mass == 0.0 {
@@ -66,10 +66,10 @@ impl System {
 
     /// The same, with the known lengths of the elements.
     pub(super) fn size_with(&self, lengths: &Lengths) -> f64 {
-        let places = || self.nodes.iter().map(|node| node.position);
-        let first = places().next().unwrap_or_default();
-        let apart = places().map(|place| (place - first).norm());
-        let farthest = places().map(|place| place.amax()).fold(0.0, f64::max);
+        let indices = || self.nodes.iter().map(|node| node.position);
+        let first = indices().next().unwrap_or_default();
+        let apart = indices().map(|index| (index - first).norm());
+        let farthest = indices().map(|index| index.amax()).fold(0.0, f64::max);
         let size = apart.fold(lengths.arm, f64::max);
         // Less is round-off of the positions.
         match size > 4.0 * f64::EPSILON * farthest {
@@ -88,10 +88,10 @@ mod tests {
     use crate::elements::bodies::{RigidBody, RigidInertia};
     use crate::model::Node;
 
-    fn of(places: &[[f64; 3]], bodies: &[(f64, [f64; 3], f64)]) -> f64 {
-        let nodes = places.iter().map(|place| Node {
+    fn of(positions: &[[f64; 3]], bodies: &[(f64, [f64; 3], f64)]) -> f64 {
+        let nodes = positions.iter().map(|point| Node {
             label: String::new(),
-            position: Vector3::from(*place),
+            position: Vector3::from(*point),
             rotation: Matrix3::identity(),
         });
         let bodies = bodies.iter().map(|(mass, offset, inertia)| {
@@ -120,12 +120,12 @@ mod tests {
     // two together: an arm has priority over a radius of gyration.
     #[test]
     fn one_node_is_as_large_as_its_mass_is_eccentric_or_extended() {
-        let place = [[5.0, 0.0, 0.0]];
+        let position = [[5.0, 0.0, 0.0]];
         let eccentric = (2.0, [0.0, 3e-3, 0.0], 0.0);
-        assert!((of(&place, &[eccentric]) - 3e-3).abs() < 1e-15);
+        assert!((of(&position, &[eccentric]) - 3e-3).abs() < 1e-15);
         let extended = (2.0, [0.0; 3], 8.0);
-        assert!((of(&place, &[extended]) - 2.0).abs() < 1e-14);
-        assert!((of(&place, &[eccentric, extended]) - 3e-3).abs() < 1e-15);
-        assert_eq!(of(&place, &[(2.0, [0.0; 3], 0.0)]), 1.0);
+        assert!((of(&position, &[extended]) - 2.0).abs() < 1e-14);
+        assert!((of(&position, &[eccentric, extended]) - 3e-3).abs() < 1e-15);
+        assert_eq!(of(&position, &[(2.0, [0.0; 3], 0.0)]), 1.0);
     }
 }

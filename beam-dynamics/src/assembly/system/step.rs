@@ -289,7 +289,7 @@ mod tests {
             .chunks_exact(18)
             .map(|part| Variation {
                 turn: Matrix3::identity() + 0.3 * Matrix3::from_column_slice(&part[..9]),
-                spin: Matrix3::from_column_slice(&part[9..]),
+                rate_by_turn: Matrix3::from_column_slice(&part[9..]),
             })
             .collect();
         let weights = [0.7, 2.0, 3.0];
@@ -317,17 +317,17 @@ mod tests {
 
         let first_multiplier = NODE_UNKNOWNS * system.nodes().len();
         let (mut change, mut rate) = (vec![0.0; n], vec![0.0; n]);
-        for place in 0..n {
-            let algebraic = place >= first_multiplier;
-            change[place] = if algebraic { weights[2] } else { weights[0] } * x[place];
-            rate[place] = if algebraic { 0.0 } else { weights[1] } * x[place];
+        for index in 0..n {
+            let algebraic = index >= first_multiplier;
+            change[index] = if algebraic { weights[2] } else { weights[0] } * x[index];
+            rate[index] = if algebraic { 0.0 } else { weights[1] } * x[index];
         }
         for (node, variation) in variations.iter().enumerate() {
             let rotation = NODE_UNKNOWNS * node + 3..NODE_UNKNOWNS * node + 6;
             let u = Vector3::from_column_slice(&change[rotation.clone()]);
             let u_rate = Vector3::from_column_slice(&rate[rotation.clone()]);
             change[rotation.clone()].copy_from_slice((variation.turn * u).as_slice());
-            let omega = variation.turn * u_rate + variation.spin * u;
+            let omega = variation.turn * u_rate + variation.rate_by_turn * u;
             rate[rotation].copy_from_slice(omega.as_slice());
         }
         let tangent = system.tangent(&state, &conditions);
@@ -341,7 +341,7 @@ mod tests {
     }
 
     #[test]
-    fn a_residual_in_used_room_is_that_in_new_room() {
+    fn a_residual_in_a_used_buffer_is_that_in_a_new_one() {
         let system = system();
         let (state, conditions) = moving(&system);
         let mut work = system.workspace();

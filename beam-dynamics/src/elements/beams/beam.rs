@@ -24,9 +24,9 @@ use super::geometry::ReferencePoint;
 use super::interpolation::{LARGEST, NodalKinematics, Shape};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState,
-    Signal, Structure, has,
+    Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, SectionState, Signal,
+    SmallMotion, Structure, has,
 };
 use crate::model::{Node, NodeMotion, Scalar};
 
@@ -66,9 +66,9 @@ impl Beam {
             law.bind(&mut scalars);
             law
         });
-        let point = |place: usize, law: Law<6>| Point {
-            shape: Shape::at(EVALUATION_POINTS[place]),
-            reference: geometry.reference_point(&undeformed, EVALUATION_POINTS[place]),
+        let point = |index: usize, law: Law<6>| Point {
+            shape: Shape::at(EVALUATION_POINTS[index]),
+            reference: geometry.reference_point(&undeformed, EVALUATION_POINTS[index]),
             law,
         };
         Self {
@@ -133,14 +133,14 @@ impl Beam {
     /// the given motion of the three nodes [1/s, 1/(m s)].
     pub fn strain_rates(&self, nodes: &[NodeMotion]) -> [Vector6<f64>; 2] {
         let nodal = NodalKinematics::new(&self.geometry, nodes);
-        [0, 1].map(|place| self.strain_point(place, &nodal).rate(nodes))
+        [0, 1].map(|index| self.strain_point(index, &nodal).rate(nodes))
     }
 
     /// Internal forces at the two evaluation points at a state, section axes [N, N m].
     pub fn internal_forces(&self, at: &Local<'_>) -> [Vector6<f64>; 2] {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
-        [0, 1].map(|place| self.at(place, &nodal, at, &voltages).response.force)
+        [0, 1].map(|index| self.at(index, &nodal, at, &voltages).response.force)
     }
 }
 
@@ -187,8 +187,8 @@ impl Element for Beam {
                 (force, by_strain)
             });
             self.add_tangent((&nodal, &points), sections, out);
-            for (place, point) in points.iter().enumerate() {
-                self.add_more((place, point), (&nodal, at), out);
+            for (index, point) in points.iter().enumerate() {
+                self.add_more((index, point), (&nodal, at), out);
             }
         }
     }
@@ -234,19 +234,19 @@ impl Growth for Beam {
 
     /// The part proportional to the internal forces, for their growth along the motion, with the
     /// stiffness of the section if it grows with the strain.
-    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
-        let growth = self.electrodes.growth(along);
+        let growth = self.electrodes.growth(motion);
         let points = [
             self.at(0, &nodal, at, &voltages),
             self.at(1, &nodal, at, &voltages),
         ];
-        let grown = [0, 1].map(|place| {
-            let strain = (self.strain_point(place, &nodal)).along(|j| along.nodes[j]);
-            let by_strain = &points[place].response.by_strain;
-            let force = by_strain * strain + self.electrodes.force(place, &growth);
-            (force, self.points[place].law.growth_of_stiffness(&strain))
+        let grown = [0, 1].map(|index| {
+            let strain = (self.strain_point(index, &nodal)).along(|j| motion.nodes[j]);
+            let by_strain = &points[index].response.by_strain;
+            let force = by_strain * strain + self.electrodes.force(index, &growth);
+            (force, self.points[index].law.growth_of_stiffness(&strain))
         });
         let sections = grown.each_ref().map(|(force, stiffer)| (force, stiffer));
         self.add_tangent((&nodal, &points), sections, out);
@@ -289,9 +289,9 @@ impl Reports for Beam {
         let nodal = NodalKinematics::new(&self.geometry, at.nodes);
         let voltages = self.electrodes.voltages(at);
         let turn = NodalKinematics::largest_turn(&self.geometry, at.nodes);
-        for (place, xi) in EVALUATION_POINTS.into_iter().enumerate() {
-            let point = self.at(place, &nodal, at, &voltages);
-            let law = &self.points[place].law;
+        for (index, xi) in EVALUATION_POINTS.into_iter().enumerate() {
+            let point = self.at(index, &nodal, at, &voltages);
+            let law = &self.points[index].law;
             out.sections.push(SectionState {
                 beam: self.label.clone(),
                 xi,

@@ -25,8 +25,8 @@ use nalgebra::{DMatrix, RowVector3, Vector6};
 
 use super::attachment::{BeamGeometry, EVALUATION_POINTS};
 use super::strain::Variation;
-use crate::elements::signal::place_in;
-use crate::elements::{Along, Charges, Local, LocalJacobian, LocalResidual, Signal};
+use crate::elements::signal::index_in;
+use crate::elements::{Charges, Local, LocalJacobian, LocalResidual, Signal, SmallMotion};
 use crate::model::{Node, Scalar, Variable};
 
 /// Source of the voltage of an electrode.
@@ -72,7 +72,7 @@ impl BeamElectrode {
 pub(super) struct Electrodes {
     list: Vec<BeamElectrode>,
     /// Indices of the unknown voltages among the scalars of the beam.
-    places: Vec<Option<usize>>,
+    indices: Vec<Option<usize>>,
     /// J0 at the evaluation points [m].
     lengths: [f64; 2],
     /// Electrodes x electrodes at the evaluation points [F/m].
@@ -93,15 +93,15 @@ impl Electrodes {
         lengths: [f64; 2],
         scalars: &mut Vec<Scalar>,
     ) -> Self {
-        let place = |electrode: &mut BeamElectrode| match &mut electrode.potential {
+        let index = |electrode: &mut BeamElectrode| match &mut electrode.potential {
             Potential::Held(signal) => {
                 signal.bind(scalars);
                 None
             }
-            Potential::Free(scalar) => Some(place_in(scalars, scalar)),
+            Potential::Free(scalar) => Some(index_in(scalars, scalar)),
         };
         Self {
-            places: list.iter_mut().map(place).collect(),
+            indices: list.iter_mut().map(index).collect(),
             list,
             lengths,
             capacitance: capacitance.into(),
@@ -113,8 +113,8 @@ impl Electrodes {
     }
 
     /// Coupling of electrode `k` of the beam at an evaluation point.
-    pub fn coupling(&self, k: usize, place: usize) -> &Vector6<f64> {
-        &self.list[k].coupling[place]
+    pub fn coupling(&self, k: usize, index: usize) -> &Vector6<f64> {
+        &self.list[k].coupling[index]
     }
 
     /// The signals of given voltages.
@@ -135,17 +135,17 @@ impl Electrodes {
     }
 
     /// Change of the voltages along a motion; given voltages do not change.
-    pub fn growth(&self, along: &Along<'_>) -> Vec<Voltage> {
-        self.each(|_| 0.0, |scalar| along.scalars[scalar])
+    pub fn growth(&self, motion: &SmallMotion<'_>) -> Vec<Voltage> {
+        self.each(|_| 0.0, |scalar| motion.scalars[scalar])
     }
 
     fn each(&self, held: impl Fn(&Signal) -> f64, free: impl Fn(usize) -> f64) -> Vec<Voltage> {
-        let value = |electrode: &BeamElectrode, place: Option<usize>| match &electrode.potential {
+        let value = |electrode: &BeamElectrode, index: Option<usize>| match &electrode.potential {
             Potential::Held(signal) => held(signal),
-            Potential::Free(_) => place.map_or(0.0, &free),
+            Potential::Free(_) => index.map_or(0.0, &free),
         };
-        let places = self.list.iter().zip(&self.places);
-        let voltage = places.map(|(electrode, &scalar)| Voltage {
+        let indices = self.list.iter().zip(&self.indices);
+        let voltage = indices.map(|(electrode, &scalar)| Voltage {
             value: value(electrode, scalar),
             scalar,
         });
@@ -155,9 +155,9 @@ impl Electrodes {
     /// Calls `add` with the derivatives of all voltages by scalars: index of the electrode of the
     /// beam, index of the scalar, derivative.
     pub fn by_scalars(&self, at: &Local<'_>, mut add: impl FnMut(usize, usize, f64)) {
-        let electrodes = self.list.iter().zip(&self.places).enumerate();
-        for (k, (electrode, place)) in electrodes {
-            match (&electrode.potential, place) {
+        let electrodes = self.list.iter().zip(&self.indices).enumerate();
+        for (k, (electrode, index)) in electrodes {
+            match (&electrode.potential, index) {
                 (Potential::Held(signal), _) => {
                     let size = at.loading.voltages;
                     signal.gradient(&at.instant(), |scalar, slope| add(k, scalar, size * slope));
@@ -169,16 +169,16 @@ impl Electrodes {
     }
 
     /// Force of all voltages at an evaluation point, section axes.
-    pub fn force(&self, place: usize, voltages: &[Voltage]) -> Vector6<f64> {
+    pub fn force(&self, index: usize, voltages: &[Voltage]) -> Vector6<f64> {
         let pairs = self.list.iter().zip(voltages);
         pairs
-            .map(|(electrode, voltage)| electrode.coupling[place] * voltage.value)
+            .map(|(electrode, voltage)| electrode.coupling[index] * voltage.value)
             .sum()
     }
 
     /// The part of the charge of electrode `k` of the beam that depends on the strains.
     fn by_strain(&self, k: usize, strains: &[Vector6<f64>; 2]) -> f64 {
-        let of = |place: usize| -self.lengths[place] * self.coupling(k, place).dot(&strains[place]);
+        let of = |index: usize| -self.lengths[index] * self.coupling(k, index).dot(&strains[index]);
         of(0) + of(1)
     }
 
@@ -221,22 +221,22 @@ impl Electrodes {
     /// Adds the variations of the terms of [`Self::add_charges`] at an evaluation point.
     pub fn add_charge_rows(
         &self,
-        place: usize,
+        index: usize,
         (variation, at): (&Variation, &Local<'_>),
         out: &mut LocalJacobian,
     ) {
         const UNKNOWNS: [Variable; 2] = [Variable::Position, Variable::Rotation];
-        for (k, row) in self.places.iter().enumerate() {
+        for (k, row) in self.indices.iter().enumerate() {
             let Some(row) = *row else { continue };
-            let weight = self.lengths[place] / self.list[k].capacitance;
-            let values = weight * self.coupling(k, place).transpose() * variation;
+            let weight = self.lengths[index] / self.list[k].capacitance;
+            let values = weight * self.coupling(k, index).transpose() * variation;
             for (node, variable) in (0..3).flat_map(|node| [(node, 0), (node, 1)]) {
                 let first = 6 * node + 3 * variable;
                 let values = RowVector3::from_fn(|_, i| values[first + i]);
                 out.add_scalar_row(row, (node, UNKNOWNS[variable]), &values);
             }
             self.by_scalars(at, |l, column, slope| {
-                let charge = weight * self.capacitance[place][(k, l)];
+                let charge = weight * self.capacitance[index][(k, l)];
                 out.add_scalar(row, column, -charge * slope, false);
             });
         }

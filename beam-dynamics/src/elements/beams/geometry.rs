@@ -9,7 +9,7 @@ use crate::model::{Node, NodeMotion};
 
 /// Newton iterations for the position of an arc length: each squares the error, which is a few
 /// percent at first.
-const PLACE_ITERATIONS: usize = 5;
+const POSITION_ITERATIONS: usize = 5;
 
 /// The undeformed beam at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,18 +70,18 @@ impl BeamGeometry {
         shared_geom::quadrature::line(3)
             .iter()
             .map(|(at, weight)| {
-                let place = half * (at + 1.0) - 1.0;
-                half * weight * self.reference_point(nodes, place).j0
+                let position = half * (at + 1.0) - 1.0;
+                half * weight * self.reference_point(nodes, position).j0
             })
             .sum()
     }
 
     /// Position xi at an arc length from the first node.
-    pub fn place(&self, nodes: &[&Node; 3], arc_length: f64) -> f64 {
+    pub fn position(&self, nodes: &[&Node; 3], arc_length: f64) -> f64 {
         let length = self.length(nodes);
         let mut xi = 2.0 * arc_length / length - 1.0;
         // Nearly linear already: the middle node is near the middle.
-        for _ in 0..PLACE_ITERATIONS {
+        for _ in 0..POSITION_ITERATIONS {
             let excess = self.arc_length(nodes, xi) - arc_length;
             xi = (xi - excess / self.reference_point(nodes, xi).j0).clamp(-1.0, 1.0);
         }

@@ -54,14 +54,14 @@ const OUTER: [usize; 2] = [0, 2];
 
 /// An evaluation point.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(super) struct EvaluationPoint<'a> {
     pub shape: &'a Shape,
     /// Undeformed length per unit of xi [m].
     pub j0: f64,
     pub point: &'a PointKinematics,
 }
 
-impl Place<'_> {
+impl EvaluationPoint<'_> {
     /// N and `N' / J0` of the outer nodes.
     fn weights(&self) -> [[f64; 2]; 2] {
         let Shape { n, d } = self.shape;
@@ -84,19 +84,19 @@ struct Gradient {
 }
 
 impl Gradient {
-    fn new(nodal: &NodalKinematics, points: &[(Place<'_>, &Vector6<f64>); 2]) -> Self {
+    fn new(nodal: &NodalKinematics, points: &[(EvaluationPoint<'_>, &Vector6<f64>); 2]) -> Self {
         let zero = [Vector3::zeros(); 2];
         let mut sum = Self {
             forces: zero,
             by_psi: [zero; 2],
         };
-        for (place, q) in points {
-            let [force, moment] = section_forces(place, q);
-            let PointKinematics { tangent, l, .. } = place.point;
+        for (point, q) in points {
+            let [force, moment] = section_forces(point, q);
+            let PointKinematics { tangent, l, .. } = point.point;
             let bending = tangent.tr_mul(&nodal.a.tr_mul(&force.cross(l)));
-            let bent = place.bent().tr_mul(&moment);
+            let bent = point.bent().tr_mul(&moment);
             let along = tangent * moment;
-            for (k, [n, slope]) in place.weights().into_iter().enumerate() {
+            for (k, [n, slope]) in point.weights().into_iter().enumerate() {
                 sum.forces[k] += slope * force;
                 sum.by_psi[k][0] += n * bending;
                 sum.by_psi[k][1] += n * bent + slope * along;
@@ -107,9 +107,9 @@ impl Gradient {
 }
 
 /// `F = w R F~` and `M = w M~`.
-fn section_forces(place: &Place<'_>, q: &Vector6<f64>) -> [Vector3<f64>; 2] {
-    let force = place.j0 * q.fixed_rows::<3>(0);
-    [place.point.r * force, place.j0 * q.fixed_rows::<3>(3)]
+fn section_forces(point: &EvaluationPoint<'_>, q: &Vector6<f64>) -> [Vector3<f64>; 2] {
+    let force = point.j0 * q.fixed_rows::<3>(0);
+    [point.point.r * force, point.j0 * q.fixed_rows::<3>(3)]
 }
 
 /// Positions of the outer beam points relative to the middle one.
@@ -120,7 +120,7 @@ fn arms(nodal: &NodalKinematics) -> [Vector3<f64>; 2] {
 /// Adds the forces on the nodes of the section forces q at both points.
 pub(super) fn add_forces(
     nodal: &NodalKinematics,
-    points: &[(Place<'_>, &Vector6<f64>); 2],
+    points: &[(EvaluationPoint<'_>, &Vector6<f64>); 2],
     out: &mut LocalResidual,
 ) {
     let Gradient { forces, by_psi } = Gradient::new(nodal, points);
@@ -159,22 +159,22 @@ struct Hessian {
 
 impl Hessian {
     /// Adds the derivatives of a point of section force `q`; `a` are the axes of the middle node.
-    fn add(&mut self, a: &Matrix3<f64>, place: &Place<'_>, q: &Vector6<f64>) {
+    fn add(&mut self, a: &Matrix3<f64>, point: &EvaluationPoint<'_>, q: &Vector6<f64>) {
         let PointKinematics {
             l,
             tangent,
             map,
             psi_prime,
             ..
-        } = place.point;
-        let [force, moment] = section_forces(place, q);
+        } = point.point;
+        let [force, moment] = section_forces(point, q);
         let b = a * tangent;
         let turned = skew_times(&force, &b);
         let twisted = map.tangent_derivative(&moment);
         let pp = map.tangent_transpose_derivative(&a.tr_mul(&force.cross(l)))
             + b.tr_mul(&skew_times(l, &turned))
             + map.second_derivative(psi_prime, &moment);
-        let weights = place.weights();
+        let weights = point.weights();
         for (j, [n, s]) in weights.into_iter().enumerate() {
             let by = n * pp + s * twisted;
             for (k, [m, t]) in weights.into_iter().enumerate() {
@@ -194,13 +194,13 @@ struct Rows {
 /// Adds the derivatives of the forces on the nodes at fixed section forces q of both points.
 pub(super) fn add_geometric(
     nodal: &NodalKinematics,
-    points: &[(Place<'_>, &Vector6<f64>); 2],
+    points: &[(EvaluationPoint<'_>, &Vector6<f64>); 2],
     out: &mut LocalJacobian,
 ) {
     let gradient = Gradient::new(nodal, points);
     let mut hessian = Hessian::default();
-    for (place, q) in points {
-        hessian.add(&nodal.a, place, q);
+    for (point, q) in points {
+        hessian.add(&nodal.a, point, q);
     }
     let zero = [[Matrix3::zeros(); 5]; 3];
     let mut rows = Rows {
@@ -216,7 +216,7 @@ pub(super) fn add_geometric(
         let is_offset = *offset != Vector3::zeros();
         for k in 0..3 {
             let (_, turn) = by_node(&rows.forces[j], k, nodal);
-            let (of_place, mut of_turn) = by_node(&rows.moments[j], k, nodal);
+            let (of_position, mut of_turn) = by_node(&rows.moments[j], k, nodal);
             if is_offset {
                 of_turn += skew_times(offset, &turn);
                 if j == k {
@@ -224,7 +224,7 @@ pub(super) fn add_geometric(
                 }
             }
             out.add((j, Force), (k, Rotation), &-turn);
-            out.add((j, Moment), (k, Position), &-of_place);
+            out.add((j, Moment), (k, Position), &-of_position);
             out.add((j, Moment), (k, Rotation), &-of_turn);
         }
     }
@@ -269,14 +269,14 @@ fn by_node(
     k: usize,
     nodal: &NodalKinematics,
 ) -> (Matrix3<f64>, Matrix3<f64>) {
-    let (place, mut turn) = match k {
+    let (point, mut turn) = match k {
         0 => (*u1, *t1),
         1 => (-u1 - u3, middle - t1 - t3),
         _ => (*u3, *t3),
     };
     let offset = &nodal.f[k];
     if *offset != Vector3::zeros() {
-        turn -= times_skew(&place, offset);
+        turn -= times_skew(&point, offset);
     }
-    (place, turn)
+    (point, turn)
 }

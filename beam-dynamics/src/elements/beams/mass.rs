@@ -11,7 +11,7 @@
 //!
 //! by which a uniform beam gives 1/6, 4/6 and 1/6 of its mass to its nodes. Mass and center are
 //! exact, on straight elements with a centered middle node the second moment too, and frequencies
-//! are of fourth order. If the mass jumps and the weights are not those of a physical body, hat
+//! are of fourth order. If the mass jumps and the weights belong to no physical body, hat
 //! functions replace N_j in that element, and the order is two.
 //!
 //! The body of a finite volume is the rigid portion between the evaluation points, with
@@ -87,7 +87,7 @@ pub(super) struct MassPoint {
 pub(super) fn portion_of(xi: f64) -> usize {
     EVALUATION_POINTS
         .iter()
-        .filter(|place| xi > **place)
+        .filter(|position| xi > **position)
         .count()
 }
 
@@ -189,15 +189,15 @@ fn bodies(
     let nodal = NodalKinematics::new(geometry, &motion);
     let mut bodies = [RigidInertia::zero(); 3];
     for point in points {
-        let place = nodal.at(&point.shape, point.j0);
+        let position = nodal.at(&point.shape, point.j0);
         for (j, weight) in weights(point).into_iter().enumerate() {
             let into_node = undeformed[j].rotation.transpose();
             let at = match geometry.formulation {
                 Formulation::Variational => nodal.p[j],
-                Formulation::FiniteVolume(_) => place.p,
+                Formulation::FiniteVolume(_) => position.p,
             };
             let b = into_node * (at - undeformed[j].position);
-            let r = into_node * place.r;
+            let r = into_node * position.r;
             let s = r * point.first_moment;
             let (arm, moment) = (skew(&b), skew(&s));
             bodies[j].mass += weight * point.mass;

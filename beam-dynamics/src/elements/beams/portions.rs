@@ -33,10 +33,10 @@ use crate::model::Variable::{Position, Rotation};
 const NEIGHBORS: [[(usize, f64); 2]; 2] = [[(0, 1.0), (1, -1.0)], [(1, 1.0), (2, -1.0)]];
 
 /// W: minus the forces on the nodes by the section force, transposed.
-pub(super) fn test(place: usize, at: &SectionPoint<'_>) -> Test {
+pub(super) fn test(index: usize, at: &SectionPoint<'_>) -> Test {
     let rt = at.point.r.transpose();
     let mut out = Test::zeros();
-    for (node, sign) in NEIGHBORS[place] {
+    for (node, sign) in NEIGHBORS[index] {
         let turned = -sign * rt;
         let arm = at.point.p - at.nodal.x[node];
         // ([P - x]x R)^T = - R^T [P - x]x
@@ -52,14 +52,14 @@ pub(super) fn test(place: usize, at: &SectionPoint<'_>) -> Test {
 
 /// Adds the tangent at fixed section forces.
 pub(super) fn add_geometric(
-    place: usize,
+    index: usize,
     at: &SectionPoint<'_>,
     force: &Vector3<f64>,
     moment: &Vector3<f64>,
     out: &mut LocalJacobian,
 ) {
     let (force, moment) = (at.point.r * force, at.point.r * moment);
-    for (node, sign) in NEIGHBORS[place] {
+    for (node, sign) in NEIGHBORS[index] {
         let by_rotation =
             [&force, &moment].map(|of| at.theta.map(|theta| -sign * skew_times(of, &theta)));
         let load = LineForce {

@@ -126,7 +126,7 @@ impl Sampled {
         let u = DVector::from_iterator(inputs, self.inputs.values(at));
         let x = DVector::from_column_slice(&memory[1..=states]);
         let Matrices { a, b, c, d } = &self.matrices;
-        let asked = c * &x + d * &u;
+        let requested = c * &x + d * &u;
         let next = a * x + b * u;
         let latest = self.outputs(0);
         let before: Vec<_> = memory[latest.clone()].to_vec();
@@ -137,7 +137,7 @@ impl Sampled {
             let far = limits.rate * self.sampling.period;
             let [low, high] = [least.max(before[i] - far), most.min(before[i] + far)];
             // The nearer end, if a limit of the value is beyond the reach of the rate.
-            memory[latest.start + i] = asked[i].max(low).min(high);
+            memory[latest.start + i] = requested[i].max(low).min(high);
         }
         memory[1..=states].copy_from_slice(next.as_slice());
         memory[0] += 1.0;

@@ -58,8 +58,8 @@ impl Matrices {
             return None;
         }
         let of_power = |power: usize| {
-            let place = numerator.len().checked_sub(power + 1);
-            place.map_or(0.0, |place| numerator[place] / leading)
+            let index = numerator.len().checked_sub(power + 1);
+            index.map_or(0.0, |index| numerator[index] / leading)
         };
         let through = of_power(order);
         let mut matrices = Self::gain(DMatrix::from_element(1, 1, through));

@@ -10,7 +10,7 @@ use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Hinge, HingeSpring, samples};
 use crate::elements::laws::Law;
 use crate::elements::springs::{End, Measure, Rod, Spring, SpringLaw};
-use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
+use crate::elements::springs::{SupportFrame, SupportLaw, SupportSpring};
 use crate::elements::{
     Adapted, Element, EnergyPart, EnergySlope, Local, LocalResidual, LocalSize, Queries, Reading,
     Sensor,
@@ -140,8 +140,8 @@ fn of_springs() {
     check_shares(hinge.clone(), &own, &mut random);
     check_shares(hinge.relaxed_by(samples::signal(0.4)), &own, &mut random);
     let law = SupportLaw::along(&axes, &[1.0, 2.0, 3.0, 0.5, 0.7, 0.9], &[0.4; 6]);
-    for stand in [Stand::Frame, Stand::World] {
-        let support = SupportSpring::new("support", 0, &own[0], law, stand);
+    for support_frame in [SupportFrame::Frame, SupportFrame::World] {
+        let support = SupportSpring::new("support", 0, &own[0], law, support_frame);
         check_shares(support, &own[..1], &mut random);
     }
 }

@@ -10,8 +10,8 @@ use crate::elements::circuits::Circuit;
 use crate::elements::joints::{Hinge, HingeSpring, samples};
 use crate::elements::springs::{End, Measure, Rod, Spring, SpringLaw};
 use crate::elements::{
-    Adapted, Along, Axes, Element, JointMotion, Local, LocalJacobian, LocalResidual, LocalSize,
-    Observations, Part, Queries, Reading, Sensor, SpringVector,
+    Adapted, Axes, Element, JointMotion, Local, LocalJacobian, LocalResidual, LocalSize,
+    Observations, Part, Queries, Reading, Sensor, SmallMotion, SpringVector,
 };
 use crate::model::{Conditions, NODE_UNKNOWNS, Node, NodeMotion, Quantity, Scalar, Scalars};
 
@@ -274,13 +274,13 @@ fn elements_that_are_read_grow_with_the_loads() {
             frame: &conditions.frame,
             loading: &conditions.loading,
         };
-        let along = Along {
+        let small_motion = SmallMotion {
             nodes: &[[nalgebra::Vector3::x(); 2]; 2],
             multipliers: &numbers,
             scalars,
         };
         let mut out = LocalJacobian::new(LocalSize::of(element));
-        element.prestress(&at, &along, &mut out);
+        element.prestress(&at, &small_motion, &mut out);
         let n = NODE_UNKNOWNS * 2 + 6;
         out.by_unknowns().view((0, 0), (n, n)).into_owned()
     };

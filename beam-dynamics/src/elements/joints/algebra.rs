@@ -60,17 +60,17 @@ impl Attachment {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// Displacement of the node of a.
-    PlaceA,
+    PositionA,
     /// Rotation of the node of a.
     TurnA,
     /// Displacement of the node of b.
-    PlaceB,
+    PositionB,
     /// Rotation of the node of b.
     TurnB,
 }
 
 impl Part {
-    pub const ALL: [Self; 4] = [Self::PlaceA, Self::TurnA, Self::PlaceB, Self::TurnB];
+    pub const ALL: [Self; 4] = [Self::PositionA, Self::TurnA, Self::PositionB, Self::TurnB];
 
     /// 0 for a, 1 for b.
     pub fn end(self) -> usize {
@@ -91,7 +91,7 @@ pub(super) struct End {
     /// Local number of the node; `None` for the frame.
     pub node: Option<usize>,
     /// Position of the point [m].
-    pub place: Vector3<f64>,
+    pub position: Vector3<f64>,
     /// Offset of the point from the node, model axes; zero for the frame [m].
     pub arm: Vector3<f64>,
     /// The axes (columns), model axes [-].
@@ -99,7 +99,7 @@ pub(super) struct End {
     /// Velocity of the node relative to the frame [m/s].
     pub velocity: Vector3<f64>,
     /// Angular velocity relative to the frame [rad/s].
-    pub spin: Vector3<f64>,
+    pub omega: Vector3<f64>,
 }
 
 impl End {
@@ -108,27 +108,27 @@ impl End {
         let Some(motion) = node.map(|node| &nodes[node]) else {
             return Self {
                 node: None,
-                place: attachment.offset,
+                position: attachment.offset,
                 arm: Vector3::zeros(),
                 axes: attachment.axes,
                 velocity: Vector3::zeros(),
-                spin: Vector3::zeros(),
+                omega: Vector3::zeros(),
             };
         };
         let arm = motion.rotation * attachment.offset;
         Self {
             node,
-            place: motion.position + arm,
+            position: motion.position + arm,
             arm,
             axes: motion.rotation * attachment.axes,
             velocity: motion.velocity,
-            spin: motion.angular_velocity,
+            omega: motion.angular_velocity,
         }
     }
 
     /// Velocity of the point relative to the frame [m/s].
     pub fn point_velocity(&self) -> Vector3<f64> {
-        self.velocity + self.spin.cross(&self.arm)
+        self.velocity + self.omega.cross(&self.arm)
     }
 }
 
@@ -142,13 +142,13 @@ pub(super) struct Ends {
 impl Ends {
     /// From the point of a to the point of b [m].
     pub fn between(&self) -> Vector3<f64> {
-        self.b.place - self.a.place
+        self.b.position - self.a.position
     }
 
     /// Velocities of the nodes, by part.
     pub fn rates(&self) -> Parts {
         let Self { a, b } = self;
-        [a.velocity, a.spin, b.velocity, b.spin]
+        [a.velocity, a.omega, b.velocity, b.omega]
     }
 
     /// Local node of an end.

@@ -41,10 +41,10 @@ use shared_geom::rotation::skew;
 use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
-    Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Energetic, Energy,
+    Charges, ConstraintRates, ConstraintWords, Constraints, Element, Energetic, Energy,
     EnergySlope, Exchange, Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion,
-    Observations, PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, Structure, has,
-    prestress_of_multipliers,
+    Observations, PositionJump, Queries, Reading, ReadingRow, Reports, Signal, SmallMotion,
+    Structure, has, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Loading, Node, NodeMotion, Scalar, Scalars, Variable};
@@ -135,7 +135,7 @@ impl Hinge {
         let ends = self.joint.ends(nodes);
         State {
             axes: [ends.a.axes, ends.b.axes],
-            rate: ends.b.spin - ends.a.spin,
+            rate: ends.b.omega - ends.a.omega,
         }
     }
 
@@ -297,7 +297,11 @@ impl Constraints for Hinge {
         self.joint.constraint_rates(at, out)
     }
 
-    fn jump_of_place(&self, _between: [&Loading; 2], _scalars: Scalars<'_>) -> Option<PlaceJump> {
+    fn position_jump(
+        &self,
+        _between: [&Loading; 2],
+        _scalars: Scalars<'_>,
+    ) -> Option<PositionJump> {
         None
     }
 
@@ -339,14 +343,14 @@ impl Energetic for Hinge {
 impl Growth for Hinge {
     fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
 
-    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
-        prestress_of_multipliers(self, at, along, out);
+    fn add_prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
+        prestress_of_multipliers(self, at, motion, out);
         if self.spring.stiffness == 0.0 {
             return;
         }
         // The spring's moment M h_a grows by k d phi; h_a turns with the first node.
         let state = self.state(at.nodes);
-        let against = along.nodes[1][1] - along.nodes[0][1];
+        let against = motion.nodes[1][1] - motion.nodes[0][1];
         let growth = self.spring.stiffness * state.angle_gradient().dot(&against);
         let by_a = -growth * skew(&state.axis());
         for (node, sign) in [(0, 1.0), (1, -1.0)] {

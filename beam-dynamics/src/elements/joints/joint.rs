@@ -13,9 +13,9 @@ use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
 use crate::elements::loads::LoadFactor;
 use crate::elements::{
-    Along, Charges, ConstraintRates, ConstraintWords, Constraints, Element, Growth, Instant, Level,
-    Local, LocalJacobian, LocalResidual, Motion, Observations, PlaceJump, Reaction, Reading,
-    ReadingRow, Reports, Signal, Structure, has, prestress_of_multipliers,
+    Charges, ConstraintRates, ConstraintWords, Constraints, Element, Growth, Instant, Level, Local,
+    LocalJacobian, LocalResidual, Motion, Observations, PositionJump, Reaction, Reading,
+    ReadingRow, Reports, Signal, SmallMotion, Structure, has, prestress_of_multipliers,
 };
 use crate::model::{DriveValue, Loading, Node, NodeMotion, Scalar, Scalars};
 
@@ -73,7 +73,7 @@ impl JointEnds<'_> {
 }
 
 /// A point and axes (columns) in the undeformed model.
-pub(super) type Place = (Vector3<f64>, Matrix3<f64>);
+pub(super) type Pose = (Vector3<f64>, Matrix3<f64>);
 
 impl ConstraintJoint {
     /// All given signals.
@@ -86,10 +86,10 @@ impl ConstraintJoint {
     pub(super) fn of_rows(
         label: impl Into<String>,
         ends: &JointEnds<'_>,
-        places: [Place; 2],
+        poses: [Pose; 2],
         mut rows: Vec<Row>,
     ) -> Self {
-        let [(at_a, axes_a), (at_b, axes_b)] = &places;
+        let [(at_a, axes_a), (at_b, axes_b)] = &poses;
         let a = match ends.a {
             Some((_, node)) => Attachment::to(node, at_a, axes_a),
             None => Attachment::to_frame(at_a, axes_a),
@@ -240,7 +240,7 @@ impl ConstraintJoint {
         let turn = |turn: &[Signal; 3]| {
             let phi = by_axis(turn, &seen.now, &seen.scale)[0];
             let growth = Vector3::from(turn.each_ref().map(growth));
-            Turned::by(&seen.ends.a.axes, &[phi, growth, Vector3::zeros()]).spin
+            Turned::by(&seen.ends.a.axes, &[phi, growth, Vector3::zeros()]).omega
         };
         self.turn.as_ref().map_or_else(Vector3::zeros, turn)
     }
@@ -353,8 +353,8 @@ impl Constraints for ConstraintJoint {
         true
     }
 
-    fn jump_of_place(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PlaceJump> {
-        self.place_jump(between, scalars)
+    fn position_jump(&self, between: [&Loading; 2], scalars: Scalars<'_>) -> Option<PositionJump> {
+        self.position_jump(between, scalars)
     }
 
     fn held_in_place(&self, undeformed: &[NodeMotion]) -> Option<Box<dyn Element>> {
@@ -410,8 +410,8 @@ impl Growth for ConstraintJoint {
         }
     }
 
-    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
-        prestress_of_multipliers(self, at, along, out);
+    fn add_prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
+        prestress_of_multipliers(self, at, motion, out);
     }
 }
 

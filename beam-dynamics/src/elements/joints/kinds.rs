@@ -30,7 +30,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::algebra::{Carrier, Held, Row};
-use super::joint::{ConstraintJoint, JointEnds, Place, same_point};
+use super::joint::{ConstraintJoint, JointEnds, Pose, same_point};
 use crate::elements::Signal;
 use crate::model::Drive;
 
@@ -101,7 +101,7 @@ impl Placing {
         self.axes[0].tr_mul(&(b - a))
     }
 
-    fn places(&self) -> [Place; 2] {
+    fn poses(&self) -> [Pose; 2] {
         [0, 1].map(|end| (self.points[end], self.axes[end]))
     }
 }
@@ -162,10 +162,10 @@ impl ConstraintJoint {
             }
             Some(Turning::Speed(speed)) => {
                 rows.extend(zero(SAME_AXIS));
-                rows.push(Row::driven(Held::Spin(Carrier::A, 0), speed));
+                rows.push(Row::driven(Held::AngularVelocity(Carrier::A, 0), speed));
             }
         }
-        let joint = Self::of_rows(label, ends, at.places(), rows).with_angle_about(0);
+        let joint = Self::of_rows(label, ends, at.poses(), rows).with_angle_about(0);
         match turn {
             Some(turn) => joint.turned_by(turn),
             None => joint,
@@ -177,13 +177,13 @@ impl ConstraintJoint {
         let rows = same_point(Carrier::Frame)
             .into_iter()
             .chain(zero(SAME_AXES));
-        Self::of_rows(label, ends, at.places(), rows.collect())
+        Self::of_rows(label, ends, at.poses(), rows.collect())
     }
 
     /// Holds the points together.
     pub fn spherical(label: impl Into<String>, ends: &JointEnds<'_>, at: &Placing) -> Self {
         let rows = same_point(Carrier::Frame).to_vec();
-        Self::of_rows(label, ends, at.places(), rows)
+        Self::of_rows(label, ends, at.poses(), rows)
     }
 
     /// Lets b turn relative to a about the first axis only, freely or driven.
@@ -221,7 +221,7 @@ impl ConstraintJoint {
         let cosine = at.axes[0].column(0).dot(&at.axes[1].column(0));
         let mut rows = same_point(Carrier::Frame).to_vec();
         rows.push(Row::driven(Held::Across(0, 0), Drive::Constant(cosine)));
-        Self::of_rows(label, ends, at.places(), rows)
+        Self::of_rows(label, ends, at.poses(), rows)
     }
 
     /// Lets b slide along the first axis without turning, freely or driven [m].
@@ -234,12 +234,12 @@ impl ConstraintJoint {
         let mut rows = across_the_axis().to_vec();
         rows.extend(slide.row(Held::Along(Carrier::A, 0), at.apart()[0]));
         rows.extend(zero(SAME_AXES));
-        Self::of_rows(label, ends, at.places(), rows)
+        Self::of_rows(label, ends, at.poses(), rows)
     }
 
     /// Keeps the point of b on the first axis of a.
     pub fn in_line(label: impl Into<String>, ends: &JointEnds<'_>, at: &Placing) -> Self {
-        Self::of_rows(label, ends, at.places(), across_the_axis().to_vec())
+        Self::of_rows(label, ends, at.poses(), across_the_axis().to_vec())
     }
 
     /// Keeps the point of b in the plane across the first axis through the point of a, or
@@ -255,7 +255,7 @@ impl ConstraintJoint {
             None => Row::zero(held),
             Some(height) => Row::driven(held, height),
         };
-        Self::of_rows(label, ends, at.places(), vec![row])
+        Self::of_rows(label, ends, at.poses(), vec![row])
     }
 
     /// Lets b turn relative to a about the first axis only, for any position of its point.
@@ -276,7 +276,7 @@ impl ConstraintJoint {
         length: impl Into<Signal>,
     ) -> Self {
         let rows = vec![Row::driven(Held::Distance, length)];
-        Self::of_rows(label, ends, at.places(), rows)
+        Self::of_rows(label, ends, at.poses(), rows)
     }
 
     /// Drives the rotation of b relative to a about the first axis of a only: for use with a joint
@@ -288,10 +288,13 @@ impl ConstraintJoint {
         turning: Turning,
     ) -> Self {
         let (row, turn) = match turning {
-            Turning::Speed(speed) => (Row::driven(Held::Spin(Carrier::A, 0), speed), None),
+            Turning::Speed(speed) => (
+                Row::driven(Held::AngularVelocity(Carrier::A, 0), speed),
+                None,
+            ),
             Turning::Angle(angle) => (Row::zero(Held::Across(1, 2)), Some(about_first(angle))),
         };
-        let joint = Self::of_rows(label, ends, at.places(), vec![row]).with_angle_about(0);
+        let joint = Self::of_rows(label, ends, at.poses(), vec![row]).with_angle_about(0);
         match turn {
             Some(turn) => joint.turned_by(turn),
             None => joint,
@@ -309,11 +312,11 @@ impl ConstraintJoint {
         let rows = rates.into_iter().enumerate().filter_map(|(i, rate)| {
             let held = match i {
                 0..3 => Held::Velocity(Carrier::A, i),
-                _ => Held::Spin(Carrier::A, i - 3),
+                _ => Held::AngularVelocity(Carrier::A, i - 3),
             };
             Some(Row::driven(held, rate?))
         });
-        Self::of_rows(label, ends, at.places(), rows.collect())
+        Self::of_rows(label, ends, at.poses(), rows.collect())
     }
 
     /// Any of the six relative freedoms free, locked or driven: displacements of the point of b
@@ -333,7 +336,7 @@ impl ConstraintJoint {
         let rotations = [about_x, about_y, about_z];
         let held = [0, 1, 2].map(|i| rotations[i].is_held());
         rows.extend(zero(rotations_held(held)));
-        let joint = Self::of_rows(label, ends, at.places(), rows);
+        let joint = Self::of_rows(label, ends, at.poses(), rows);
         let joint = match held {
             [false, true, true] => joint.with_angle_about(0),
             [true, false, true] => joint.with_angle_about(1),

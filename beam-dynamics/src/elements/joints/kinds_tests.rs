@@ -63,7 +63,7 @@ fn state(joint: &ConstraintJoint, motions: &[NodeMotion]) -> JointState {
 
 /// Moves b so that its point is at `d` from the point of a, in the axes of a, and its axes are
 /// turned by `r` relative to the axes of a.
-fn place_b(
+fn motion_of_b(
     setting: &Setting<'_>,
     at: &Placing,
     a: Option<&NodeMotion>,
@@ -166,7 +166,7 @@ fn allowed_motions_keep_the_constraints() {
     check_everywhere(|setting, a, random| {
         for _ in 0..5 {
             for (joint, at, d, r) in allowed(setting, random) {
-                let motions = motions(a, place_b(setting, &at, a.as_ref(), (d, r)));
+                let motions = motions(a, motion_of_b(setting, &at, a.as_ref(), (d, r)));
                 let found = constraints(&joint, &motions);
                 let error = found.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
                 assert!(error < ROUNDING, "{}: {found:?}", joint.label());
@@ -205,14 +205,14 @@ fn total_joints_hold_what_they_name() {
             };
             let joint = ConstraintJoint::total("total", &setting.ends, &at, freedoms);
             assert_eq!(joint.multipliers(), bits.count_ones() as usize);
-            let moved = motions(a, place_b(setting, &at, a.as_ref(), (d, r)));
+            let moved = motions(a, motion_of_b(setting, &at, a.as_ref(), (d, r)));
             let found = constraints(&joint, &moved);
             let error = found.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
             assert!(error < ROUNDING, "{bits:b}: {found:?}");
             // Away from the held values the constraint is violated.
             if bits & 0b111_000 != 0 && bits.count_ones() > 0 {
                 let off = r * vector::to_rotation(&Vector3::new(0.2, 0.3, -0.25));
-                let moved = motions(a, place_b(setting, &at, a.as_ref(), (d, off)));
+                let moved = motions(a, motion_of_b(setting, &at, a.as_ref(), (d, off)));
                 let felt = constraints(&joint, &moved);
                 assert!(felt.iter().any(|c| c.abs() > 1e-3), "{bits:b}: {felt:?}");
             }
@@ -239,7 +239,7 @@ fn locked_freedoms_stay_as_they_are_undeformed() {
             let undeformed: Vec<_> = nodes.map(NodeMotion::at_rest).collect();
             let moved = motions(
                 a,
-                place_b(setting, &at, a.as_ref(), (now, Matrix3::identity())),
+                motion_of_b(setting, &at, a.as_ref(), (now, Matrix3::identity())),
             );
             for motions in [undeformed, moved] {
                 let found = constraints(&joint, &motions);
@@ -250,7 +250,10 @@ fn locked_freedoms_stay_as_they_are_undeformed() {
                 now + random.vector(0.5),
                 vector::to_rotation(&random.vector(0.5)),
             );
-            let found = constraints(&joint, &motions(a, place_b(setting, &at, a.as_ref(), off)));
+            let found = constraints(
+                &joint,
+                &motions(a, motion_of_b(setting, &at, a.as_ref(), off)),
+            );
             assert!(found.iter().all(|c| c.abs() > 1e-6), "{bits:b}: {found:?}");
         }
     });
@@ -296,21 +299,21 @@ fn reactions_do_no_work_and_balance() {
                     for row in 0..count {
                         let column = NODE_UNKNOWNS * node + i;
                         let force = jacobian.by_unknowns()[(column + 6, first + row)];
-                        let place = (first + row, column);
+                        let index = (first + row, column);
                         let slope = match of_rates(row) {
-                            true => jacobian.by_rates()[place],
-                            false => jacobian.by_unknowns()[place],
+                            true => jacobian.by_rates()[index],
+                            false => jacobian.by_unknowns()[index],
                         };
                         assert_eq!(force, -slope, "{} {row}", joint.label());
                     }
                 }
             }
-            let told = observed(&joint, &moved, &multipliers);
-            assert_eq!(told.reactions.len(), moved.len());
-            let on_b = told.reactions.last().unwrap();
-            assert_eq!(on_b.force, told.joints[0].force);
+            let observations = observed(&joint, &moved, &multipliers);
+            assert_eq!(observations.reactions.len(), moved.len());
+            let on_b = observations.reactions.last().unwrap();
+            assert_eq!(on_b.force, observations.joints[0].force);
             if moved.len() == 2 {
-                let [a, b] = [&told.reactions[0], on_b];
+                let [a, b] = [&observations.reactions[0], on_b];
                 let turning = |of: &crate::elements::Reaction, node: usize| {
                     of.moment + moved[node].position.cross(&of.force)
                 };
@@ -338,7 +341,7 @@ fn a_superposed_rigid_motion_changes_no_constraint() {
             ..*node
         };
         let at = setting.placing();
-        let b = place_b(
+        let b = motion_of_b(
             setting,
             &at,
             Some(&a),
@@ -399,33 +402,33 @@ fn a_prop_carries_a_weight() {
         "{force} {moment}"
     );
     // At its point the hinge has no moment; in its own axes the force is across h.
-    let told = &of_hinge.joints[0];
-    assert!(told.moment.amax() < ROUNDING);
-    assert_eq!(told.nodes, [None, Some(0)]);
-    let [own, _] = told.reaction(ReactionAxes::Second);
+    let seen = &of_hinge.joints[0];
+    assert!(seen.moment.amax() < ROUNDING);
+    assert_eq!(seen.nodes, [None, Some(0)]);
+    let [own, _] = seen.reaction(ReactionAxes::Second);
     assert!((own - axes.transpose() * Vector3::new(-3.0, 0.0, 0.0)).amax() < ROUNDING);
 }
 
 // The reported relative motion of a joint: the given one, and rates by central differences over h =
 // 1e-5: truncation 1e-10, round-off 1e-11.
 #[test]
-fn relative_motion_is_told_in_the_axes_of_a() {
+fn relative_motion_is_reported_in_the_axes_of_a() {
     check_everywhere(|setting, a, random| {
         let at = setting.placing();
         let joint = ConstraintJoint::cylindrical("c", &setting.ends, &at, Freedom::Free, None);
         for turns in [-0.4, 0.2, 0.45] {
             let angle = turns * std::f64::consts::TAU;
             let d = Vector3::new(0.7, 0.0, 0.0);
-            let b = place_b(setting, &at, a.as_ref(), (d, about(0, angle)));
-            let told = state(&joint, &motions(a, b));
-            assert!((told.displacement - d).amax() < ROUNDING);
-            assert!((told.rotation - Vector3::new(angle, 0.0, 0.0)).amax() < 1e-12);
-            assert!((told.angle.unwrap() - angle).abs() < 1e-12);
+            let b = motion_of_b(setting, &at, a.as_ref(), (d, about(0, angle)));
+            let reported = state(&joint, &motions(a, b));
+            assert!((reported.displacement - d).amax() < ROUNDING);
+            assert!((reported.rotation - Vector3::new(angle, 0.0, 0.0)).amax() < 1e-12);
+            assert!((reported.angle.unwrap() - angle).abs() < 1e-12);
             let before = angle + 3.0 * std::f64::consts::TAU - 0.1;
-            let unwrapped = told.unwrapped(before).unwrap();
+            let unwrapped = reported.unwrapped(before).unwrap();
             assert!((unwrapped - before - 0.1).abs() < 1e-12);
         }
-        let b = place_b(
+        let b = motion_of_b(
             setting,
             &at,
             a.as_ref(),

@@ -42,7 +42,7 @@ fn vector(ends: &Ends, motion: JointMotion) -> Vector3<f64> {
         JointMotion::Displacement => back * ends.between(),
         JointMotion::Rotation => rotation::vector::from_rotation(&(back * b.axes)),
         JointMotion::Velocity => back * seen_from_a(ends),
-        JointMotion::AngularVelocity => back * (b.spin - a.spin),
+        JointMotion::AngularVelocity => back * (b.omega - a.omega),
         JointMotion::Angle => Vector3::zeros(),
     }
 }
@@ -51,7 +51,7 @@ fn vector(ends: &Ends, motion: JointMotion) -> Vector3<f64> {
 fn seen_from_a(ends: &Ends) -> Vector3<f64> {
     let (a, b) = (&ends.a, &ends.b);
     // The rate of the components in the axes of a.
-    b.point_velocity() - a.point_velocity() - a.spin.cross(&ends.between())
+    b.point_velocity() - a.point_velocity() - a.omega.cross(&ends.between())
 }
 
 /// Sine and cosine of the angle of b relative to a about an axis, times one factor.
@@ -116,20 +116,20 @@ pub(super) fn read(
             add(a, Rotation, -slope);
         }
         JointMotion::Velocity => {
-            let n = m.cross(&a.spin);
+            let n = m.cross(&a.omega);
             add(b, Velocity, m);
             add(b, AngularVelocity, b.arm.cross(&m));
             add(a, Velocity, -m);
             add(a, AngularVelocity, -(a.arm + ends.between()).cross(&m));
             add(b, Position, -n);
             add(a, Position, n);
-            add(b, Rotation, b.arm.cross(&(m.cross(&b.spin) - n)));
+            add(b, Rotation, b.arm.cross(&(m.cross(&b.omega) - n)));
             add(a, Rotation, m.cross(&seen_from_a(ends)));
         }
         JointMotion::AngularVelocity => {
             add(b, AngularVelocity, m);
             add(a, AngularVelocity, -m);
-            add(a, Rotation, m.cross(&(b.spin - a.spin)));
+            add(a, Rotation, m.cross(&(b.omega - a.omega)));
         }
     }
     Some(value)
@@ -161,7 +161,7 @@ pub(super) fn free_motions(constraints: &[Row], seen: &Seen<'_>) -> Vec<Motion> 
         }
     }
     let free = null_space(&rows);
-    let from_a = b.place - a.place + a.arm;
+    let from_a = b.position - a.position + a.arm;
     let forms = free.into_iter().map(|free| {
         let (d, r) = (free.fixed_rows::<3>(0), free.fixed_rows::<3>(3));
         let (d, r) = (d.into_owned(), r.into_owned());

@@ -4,8 +4,10 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::{Hinge, HingeSpring};
-use crate::elements::springs::{Stand, SupportLaw, SupportSpring};
-use crate::elements::{Along, Element, Local, LocalJacobian, LocalSize, Observations, Queries};
+use crate::elements::springs::{SupportFrame, SupportLaw, SupportSpring};
+use crate::elements::{
+    Element, Local, LocalJacobian, LocalSize, Observations, Queries, SmallMotion,
+};
 use crate::model::{Conditions, Drive, Node, NodeMotion, Scalars};
 
 fn node(x: f64) -> Node {
@@ -16,11 +18,11 @@ fn node(x: f64) -> Node {
     }
 }
 
-/// Jacobian by the unknowns, or with `along` its growth.
+/// Jacobian by the unknowns, or with `motion` its growth.
 fn tangent(
     element: &dyn Element,
     nodes: &[NodeMotion],
-    along: Option<&[[Vector3<f64>; 2]]>,
+    motion: Option<&[[Vector3<f64>; 2]]>,
 ) -> nalgebra::DMatrix<f64> {
     let conditions = Conditions::at_rest();
     let multipliers = [0.3, -0.2, 0.5, 0.7, -0.4];
@@ -34,16 +36,16 @@ fn tangent(
         loading: &conditions.loading,
     };
     let mut out = LocalJacobian::new(LocalSize::without_scalars(nodes.len(), multipliers.len()));
-    match along {
+    match motion {
         None => element.jacobian(&at, &mut out),
         Some(nodes) => {
             let multipliers = &vec![0.0; multipliers.len()];
-            let along = Along {
+            let motion = SmallMotion {
                 nodes,
                 multipliers,
                 scalars: &[],
             };
-            element.prestress(&at, &along, &mut out);
+            element.prestress(&at, &motion, &mut out);
         }
     }
     out.by_unknowns().clone()
@@ -86,7 +88,7 @@ fn growth_with_the_moment_of_a_support() {
     let node = node(0.0);
     let axes = vector::to_rotation(&Vector3::new(0.2, 0.5, -0.3));
     let law = SupportLaw::along(&axes, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0], &[0.0; 6]);
-    let support = SupportSpring::new("support", 0, &node, law, Stand::Frame);
+    let support = SupportSpring::new("support", 0, &node, law, SupportFrame::Frame);
     let psi = Vector3::new(0.4, -0.3, 0.6);
     let mut motion = [NodeMotion::at_rest(&node)];
     motion[0].rotation = vector::to_rotation(&psi);
@@ -129,9 +131,9 @@ fn the_relaxed_angle_of_a_spring_follows_a_drive() {
     for turns in [-2.0, 0.0, 3.0] {
         let angle = 0.2 + turns * std::f64::consts::TAU;
         let driven = hinge.clone().relaxed_by(Drive::Constant(angle));
-        let mut told = Observations::default();
-        driven.observe(&at, &mut told);
-        let moment = told.joints[0].moment.z;
+        let mut observed = Observations::default();
+        driven.observe(&at, &mut observed);
+        let moment = observed.joints[0].moment.z;
         assert!((moment + 1.7 * 0.4).abs() < 1e-14, "{moment}");
         let energy = driven.energy(&at).elastic;
         assert!((energy - 0.5 * 1.7 * 0.16).abs() < 1e-14, "{energy}");

@@ -75,7 +75,7 @@ fn expect(joint: &ConstraintJoint, motions: &[NodeMotion], (name, axis): (&str, 
 
 // The point of the joint is b itself, so that a rotation does not move it.
 #[test]
-fn names_of_constraints_tell_what_they_hold() {
+fn names_of_constraints_report_what_they_hold() {
     let node = |label: &str, position: Vector3<f64>, turn: Vector3<f64>| Node {
         label: label.to_owned(),
         position,

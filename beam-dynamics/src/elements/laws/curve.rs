@@ -23,7 +23,7 @@ pub enum Between {
 
 /// Extrapolation of a curve beyond its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outside {
+pub enum Extrapolation {
     /// The force of the end.
     Hold,
     /// Straight on with the slope of the end.
@@ -36,7 +36,7 @@ pub enum Outside {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     points: Arc<Points>,
-    outside: Outside,
+    extrapolation: Extrapolation,
 }
 
 #[derive(Debug, PartialEq)]
@@ -50,7 +50,12 @@ struct Points {
 
 impl Curve {
     /// The curve through at least two points of `strain`, strictly ascending, and `force`.
-    pub fn new(strain: &[f64], force: &[f64], between: Between, outside: Outside) -> Self {
+    pub fn new(
+        strain: &[f64],
+        force: &[f64],
+        between: Between,
+        extrapolation: Extrapolation,
+    ) -> Self {
         let line = match between {
             Between::Linear => Spline::straight(strain, force),
             Between::Spline => Spline::new(strain, force),
@@ -68,24 +73,24 @@ impl Curve {
         };
         let unset = Self {
             points: points(0.0),
-            outside,
+            extrapolation,
         };
         Self {
             points: points(unset.sum_to(0.0)),
-            outside,
+            extrapolation,
         }
     }
 
     /// Force and slope at a strain.
     pub fn at(&self, e: f64) -> (f64, f64) {
         let line = &self.points.line;
-        let (i, inside) = self.place(e);
+        let (i, inside) = self.interval_at(e);
         let (force, slope) = (line.value(i, inside), line.slope(i, inside));
-        match self.outside {
+        match self.extrapolation {
             _ if inside == e => (force, slope),
-            Outside::Hold => (force, 0.0),
-            Outside::Error => (f64::NAN, f64::NAN),
-            Outside::Extend => (force + slope * (e - inside), slope),
+            Extrapolation::Hold => (force, 0.0),
+            Extrapolation::Error => (f64::NAN, f64::NAN),
+            Extrapolation::Extend => (force + slope * (e - inside), slope),
         }
     }
 
@@ -95,10 +100,10 @@ impl Curve {
     }
 
     /// Interval, and the nearest strain in it.
-    fn place(&self, e: f64) -> (usize, f64) {
+    fn interval_at(&self, e: f64) -> (usize, f64) {
         let line = &self.points.line;
-        let places = line.places();
-        let ends = (places.first(), places.last());
+        let positions = line.positions();
+        let ends = (positions.first(), positions.last());
         let inside = match ends {
             (Some(first), Some(last)) => e.max(*first).min(*last),
             _ => e,
@@ -108,15 +113,15 @@ impl Curve {
 
     /// Integral from the first point.
     fn sum_to(&self, e: f64) -> f64 {
-        let (i, inside) = self.place(e);
+        let (i, inside) = self.interval_at(e);
         let within = self.points.sums[i] + self.points.line.integral(i, inside);
         let beyond = e - inside;
         let slope = self.at(e).1;
-        let bent = match self.outside {
+        let bent = match self.extrapolation {
             _ if beyond == 0.0 => 0.0,
-            Outside::Hold => 0.0,
-            Outside::Error => f64::NAN,
-            Outside::Extend => 0.5 * slope * beyond * beyond,
+            Extrapolation::Hold => 0.0,
+            Extrapolation::Error => f64::NAN,
+            Extrapolation::Extend => 0.5 * slope * beyond * beyond,
         };
         within + self.points.line.value(i, inside) * beyond + bent
     }

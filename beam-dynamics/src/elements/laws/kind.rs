@@ -134,11 +134,11 @@ impl LawKind<6> {
     /// f_i = 1/2 T_ijk e_j e_k                                              (D-240)
     /// ```
     pub fn quadratic(table: &CubicTable, imposed: Vec<Imposed<6>>) -> Self {
-        let place = |component: usize| {
+        let slot = |component: usize| {
             let mut known = PRESTRESS_COMPONENTS.into_iter();
             known.position(|index| index == component)
         };
-        let entry = |i, j, k| match (place(i), place(j), place(k)) {
+        let entry = |i, j, k| match (slot(i), slot(j), slot(k)) {
             (Some(i), Some(j), Some(k)) => table.at([i, j, k]),
             _ => 0.0,
         };

@@ -9,7 +9,7 @@ use nalgebra::{Matrix1, Matrix3, SMatrix, SVector, Vector1, Vector3};
 use shared_geom::expression::{Expression, Names};
 
 use super::{
-    Between, Bilinear, Cubic, Curve, Driven, ExpressionLaw, Imposed, Law, LawKind, Outside,
+    Between, Bilinear, Cubic, Curve, Driven, ExpressionLaw, Extrapolation, Imposed, Law, LawKind,
     Quadratic, Term,
 };
 use crate::elements::Instant;
@@ -61,12 +61,12 @@ fn heated() -> Quadratic<3> {
     }
 }
 
-fn curve(between: Between, outside: Outside) -> Curve {
+fn curve(between: Between, extrapolation: Extrapolation) -> Curve {
     Curve::new(
         &[-1.0, -0.2, 0.3, 1.0],
         &[-2.0, -1.0, 0.5, 3.0],
         between,
-        outside,
+        extrapolation,
     )
 }
 
@@ -79,10 +79,10 @@ fn laws() -> Vec<Law<3>> {
     };
     let [stiffness, viscosity] = [symmetric(), 0.3 * symmetric()];
     let curves = [
-        (Between::Linear, Outside::Hold),
-        (Between::Spline, Outside::Extend),
+        (Between::Linear, Extrapolation::Hold),
+        (Between::Spline, Extrapolation::Extend),
     ];
-    let [a, b] = curves.map(|(between, outside)| Some(curve(between, outside)));
+    let [a, b] = curves.map(|(between, extrapolation)| Some(curve(between, extrapolation)));
     let kinds = vec![
         LawKind::Linear { stiffness },
         LawKind::Viscous { viscosity },
@@ -172,18 +172,18 @@ fn values_are_those_of_the_closed_forms() {
     };
     assert_eq!(one(bilinear(0.5), 0.5), (2.0, 4.0, 0.5));
     assert_eq!(one(bilinear(0.5), -2.5), (-4.0, 1.0, 6.5));
-    let table = |outside| LawKind::Table([Some(curve(Between::Linear, outside))]);
+    let table = |extrapolation| LawKind::Table([Some(curve(Between::Linear, extrapolation))]);
     // Halfway between the last points; beyond them by one, where the slope is 2.5/0.7.
     let slope = 2.5 / 0.7;
-    for (outside, force, tangent) in [
-        (Outside::Hold, 3.0, 0.0),
-        (Outside::Extend, 3.0 + slope, slope),
+    for (extrapolation, force, tangent) in [
+        (Extrapolation::Hold, 3.0, 0.0),
+        (Extrapolation::Extend, 3.0 + slope, slope),
     ] {
-        let inside = one(table(outside), 0.65);
+        let inside = one(table(extrapolation), 0.65);
         assert!((inside.0 - 1.75).abs() < 1e-15 && (inside.1 - slope).abs() < 1e-15);
-        let beyond = one(table(outside), 2.0);
+        let beyond = one(table(extrapolation), 2.0);
         assert!((beyond.0 - force).abs() < 1e-14 && (beyond.1 - tangent).abs() < 1e-14);
-        assert_eq!(one(table(outside), 0.0).2, 0.0);
+        assert_eq!(one(table(extrapolation), 0.0).2, 0.0);
     }
 }
 

@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 
 use super::factor::LoadFactor;
 use crate::elements::{
-    Along, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local, LocalJacobian,
-    LocalResidual, Motion, Signal, Structure, has,
+    Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local, LocalJacobian, LocalResidual,
+    Motion, Signal, SmallMotion, Structure, has,
 };
 use crate::model::{Equation, Scalar};
 
@@ -136,7 +136,7 @@ impl<T: Load> Growth for T {
         add_whole(self, self.head().factor.derivative(), at, out);
     }
 
-    fn add_prestress(&self, at: &Local<'_>, _along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, _motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
         add_variations(self, self.head().factor.derivative(), at, out);
     }
 }

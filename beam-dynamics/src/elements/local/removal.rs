@@ -16,16 +16,16 @@ impl LocalResidual {
 impl LocalJacobian {
     /// Replaces a constraint by "the multiplier is zero": its row and its column are cleared.
     pub fn remove_constraint(&mut self, constraint: usize) {
-        let place = self.size.multiplier(constraint);
+        let index = self.size.multiplier(constraint);
         for matrix in [&mut self.by_unknowns, &mut self.by_rates] {
-            matrix.row_mut(place).fill(0.0);
-            matrix.column_mut(place).fill(0.0);
+            matrix.row_mut(index).fill(0.0);
+            matrix.column_mut(index).fill(0.0);
         }
-        self.by_unknowns[(place, place)] = 1.0;
+        self.by_unknowns[(index, index)] = 1.0;
         if !self.touched.is_empty() {
-            self.touched.row_mut(place).fill(false);
-            self.touched.column_mut(place).fill(false);
-            self.touched[(place, place)] = true;
+            self.touched.row_mut(index).fill(false);
+            self.touched.column_mut(index).fill(false);
+            self.touched[(index, index)] = true;
         }
     }
 }

@@ -51,7 +51,7 @@ pub(in crate::elements) struct Line {
 
 /// An end at a state.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct EndState {
     /// Index of its node among the nodes of the element; `None` in the frame.
     local: Option<usize>,
     p: Vector3<f64>,
@@ -63,7 +63,7 @@ struct Place {
 /// The line at a state.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::elements) struct LineState {
-    ends: [Place; 2],
+    ends: [EndState; 2],
     /// Rate of d [m/s].
     pub d_rate: Vector3<f64>,
     /// Length of d [m], and its direction.
@@ -108,7 +108,7 @@ impl Line {
     pub fn state(&self, nodes: &[NodeMotion]) -> LineState {
         let mut next = 0;
         let ends = self.ends.map(|end| match end {
-            End::Frame { position } => Place {
+            End::Frame { position } => EndState {
                 local: None,
                 p: position,
                 velocity: Vector3::zeros(),
@@ -119,7 +119,7 @@ impl Line {
                 let node = &nodes[next];
                 next += 1;
                 let f = node.rotation * offset;
-                Place {
+                EndState {
                     local: Some(next - 1),
                     p: node.position + f,
                     velocity: node.velocity + node.angular_velocity.cross(&f),
@@ -161,7 +161,7 @@ impl LineState {
 
     /// The elongation as a linear form of displacement and rotation of each node.
     pub fn form(&self) -> Vec<[Vector3<f64>; 2]> {
-        let of_end = |(end, sign): (&Place, f64)| {
+        let of_end = |(end, sign): (&EndState, f64)| {
             end.local
                 .map(|_| [sign * self.n, sign * end.f.cross(&self.n)])
         };
@@ -170,7 +170,7 @@ impl LineState {
 
     /// Growth of d along a small motion of the nodes.
     pub fn growth(&self, along: &[[Vector3<f64>; 2]]) -> Vector3<f64> {
-        let of_end = |(end, sign): (&Place, f64)| match end.local {
+        let of_end = |(end, sign): (&EndState, f64)| match end.local {
             Some(local) => {
                 let [displacement, rotation] = &along[local];
                 sign * (displacement + rotation.cross(&end.f))
@@ -183,7 +183,7 @@ impl LineState {
     /// Force and moment of a tension on the node of each end, by its index; none for an end in the
     /// frame.
     pub fn pulls(&self, tension: f64) -> impl Iterator<Item = (usize, [Vector3<f64>; 2])> {
-        let of_end = move |(end, sign): (&Place, f64)| {
+        let of_end = move |(end, sign): (&EndState, f64)| {
             let force = -sign * tension * self.n;
             end.local.map(|local| (local, [force, end.f.cross(&force)]))
         };

@@ -22,8 +22,8 @@ use nalgebra::{Vector1, Vector3};
 use super::line::{End, Line, LineState, PullVariation};
 use crate::elements::laws::{Law, Response};
 use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, Signal,
+    Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reading, ReadingRow, Reports, Signal, SmallMotion,
     SpringState, SpringVector, Structure, has,
 };
 use crate::model::{Drive, Equation, Node, NodeMotion, Scalar, Variable};
@@ -287,7 +287,7 @@ impl Growth for Rod {
     fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
 
     /// The part proportional to the tension, for its growth along the motion.
-    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
         let Strained {
             line: state,
             scale,
@@ -295,7 +295,7 @@ impl Growth for Rod {
             ..
         } = self.state(at);
         let slope = response.by_strain[(0, 0)];
-        let tension = slope * state.n.dot(&state.growth(along.nodes)) / scale[0];
+        let tension = slope * state.n.dot(&state.growth(motion.nodes)) / scale[0];
         let by = PullVariation {
             by_d: tension * state.turning(),
             by_rate: None,

@@ -42,9 +42,9 @@ use super::spring_law::SpringLaw;
 use super::spring_state::{State, Wrench, six};
 use crate::elements::laws::Response;
 use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports,
-    Signal, SpringState, SpringVector, Structure, has,
+    Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, Signal,
+    SmallMotion, SpringState, SpringVector, Structure, has,
 };
 use crate::model::Equation::{Force, Moment};
 use crate::model::{Equation, Node, NodeMotion, Scalar, Variable};
@@ -74,11 +74,11 @@ pub struct Spring {
 
 impl Spring {
     /// A spring between the nodes `nodes` of the model, or with one node between the frame and it,
-    /// at the position `place` and along `axes`, both in the model's frame and undeformed.
+    /// at the position `position` and along `axes`, both in the model's frame and undeformed.
     pub fn new(
         label: impl Into<String>,
         (nodes, all): (&[usize], &[Node]),
-        place: &Vector3<f64>,
+        position: &Vector3<f64>,
         axes: &Matrix3<f64>,
         law: impl Into<SpringLaw>,
     ) -> Self {
@@ -89,7 +89,7 @@ impl Spring {
             undeformed: rest.collect(),
             axes: [*axes; 2],
             offset: Vector3::zeros(),
-            fixed: *place,
+            fixed: *position,
             relaxed: Vector3::zeros(),
             law: law.into(),
             scalars: Vec::new(),
@@ -97,8 +97,8 @@ impl Spring {
         spring.law.bind(&mut spring.scalars);
         let [a, b] = spring.ends(&spring.undeformed);
         spring.axes = [a, b].map(|end| end.rotation.transpose() * axes);
-        spring.offset = b.rotation.transpose() * (place - b.position);
-        spring.relaxed = axes.transpose() * (place - a.position);
+        spring.offset = b.rotation.transpose() * (position - b.position);
+        spring.relaxed = axes.transpose() * (position - a.position);
         spring
     }
 
@@ -125,19 +125,19 @@ impl Spring {
         let arm_rate = b.angular_velocity.cross(&f) - a.angular_velocity.cross(&r);
         let w = b.velocity - a.velocity + arm_rate;
         let psi = vector::from_rotation(&(g.transpose() * b.rotation * self.axes[1]));
-        let spin = g.transpose() * (b.angular_velocity - a.angular_velocity);
+        let omega = g.transpose() * (b.angular_velocity - a.angular_velocity);
         let inverse = vector::tangent_inverse(&psi);
         let u = g.transpose() * r - self.relaxed;
         State {
             strain: six(&u, &psi),
-            rate: six(&(g.transpose() * w), &(inverse * spin)),
+            rate: six(&(g.transpose() * w), &(inverse * omega)),
             a,
             b,
             g,
             r,
             f,
             w,
-            spin,
+            omega,
             inverse,
         }
     }
@@ -202,9 +202,9 @@ impl Spring {
         column: (usize, Variable),
         out: &mut LocalJacobian,
     ) {
-        let of_place = matches!(column.1, Variable::Position | Variable::Velocity);
+        let of_position = matches!(column.1, Variable::Position | Variable::Velocity);
         let has_force = self.law.has_force();
-        if of_place && !has_force {
+        if of_position && !has_force {
             return;
         }
         for (end, [force, moment]) in rows.iter().enumerate() {
@@ -365,12 +365,12 @@ impl Growth for Spring {
     fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
 
     /// The part proportional to force and moment, for their growth along the motion.
-    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
         let state = self.state(at.nodes);
         let mut strain = Vector6::zeros();
         for (end, by) in state.variation().iter().enumerate() {
             if let Some(local) = self.local(end) {
-                let [displacement, rotation] = &along.nodes[local];
+                let [displacement, rotation] = &motion.nodes[local];
                 strain += by[0] * displacement + by[1] * rotation;
             }
         }

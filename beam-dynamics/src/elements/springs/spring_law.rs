@@ -85,10 +85,12 @@ impl SpringLaw {
             let [strain, rate] = [strain, rate].map(|all| all.fixed_rows::<3>(first).into_owned());
             let part = law.at(&strain, &rate, now);
             both.force.fixed_rows_mut::<3>(first).copy_from(&part.force);
-            let place = (first, first);
-            let mut view = both.by_strain.fixed_view_mut::<3, 3>(place.0, place.1);
+            let position = (first, first);
+            let mut view = both
+                .by_strain
+                .fixed_view_mut::<3, 3>(position.0, position.1);
             view.copy_from(&part.by_strain);
-            let mut view = both.by_rate.fixed_view_mut::<3, 3>(place.0, place.1);
+            let mut view = both.by_rate.fixed_view_mut::<3, 3>(position.0, position.1);
             view.copy_from(&part.by_rate);
         }
         both

@@ -18,7 +18,7 @@ pub(in crate::elements::springs) struct State {
     pub r: Vector3<f64>,
     pub f: Vector3<f64>,
     pub w: Vector3<f64>,
-    pub spin: Vector3<f64>,
+    pub omega: Vector3<f64>,
     pub inverse: Matrix3<f64>,
     pub strain: Vector6<f64>,
     pub rate: Vector6<f64>,
@@ -80,7 +80,7 @@ impl State {
         let [omega_a, omega_b] = [&self.a, &self.b].map(|end| skew(&end.angular_velocity));
         let f = skew(&self.f);
         let turned = self.inverse * gt;
-        let bent = vector::tangent_inverse_derivative(&self.psi(), &self.spin) * turned;
+        let bent = vector::tangent_inverse_derivative(&self.psi(), &self.omega) * turned;
         let relative = turned * (omega_b - omega_a);
         let zero = Matrix3::zeros();
         [

@@ -30,8 +30,8 @@ use shared_geom::rotation::vector;
 
 use super::spring::{is_other, other_way};
 use crate::elements::{
-    Along, Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports,
+    Charges, Element, Energetic, Energy, EnergySlope, Exchange, Growth, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, Reaction, Reading, ReadingRow, Reports, SmallMotion,
     Structure, has,
 };
 use crate::model::Equation::{Force, Moment};
@@ -39,7 +39,7 @@ use crate::model::{Node, NodeMotion, TurningFrame, Variable};
 
 /// Frame to which a support is fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stand {
+pub enum SupportFrame {
     /// In the turning frame, as clamps do.
     Frame,
     /// In the world, relative to which the frame turns.
@@ -84,7 +84,7 @@ pub struct SupportSpring {
     position: Vector3<f64>,
     rotation: Matrix3<f64>,
     law: SupportLaw,
-    stand: Stand,
+    support_frame: SupportFrame,
 }
 
 /// The support at a state.
@@ -107,7 +107,7 @@ impl SupportSpring {
         index: usize,
         node: &Node,
         law: SupportLaw,
-        stand: Stand,
+        support_frame: SupportFrame,
     ) -> Self {
         Self {
             label: label.into(),
@@ -115,14 +115,14 @@ impl SupportSpring {
             position: node.position,
             rotation: node.rotation,
             law,
-            stand,
+            support_frame,
         }
     }
 
     fn state(&self, node: &NodeMotion, frame: &TurningFrame) -> State {
-        let turning = match self.stand {
-            Stand::Frame => Matrix3::zeros(),
-            Stand::World => frame.skew(),
+        let turning = match self.support_frame {
+            SupportFrame::Frame => Matrix3::zeros(),
+            SupportFrame::World => frame.skew(),
         };
         let u = node.position - self.position;
         let psi = vector::from_rotation(&(node.rotation * self.rotation.transpose()));
@@ -225,9 +225,9 @@ impl Growth for SupportSpring {
     fn add_by_factor(&self, _at: &Local<'_>, _out: &mut LocalResidual) {}
 
     /// `d(T^-T q)/d psi d psi` with the growth of q, `K_psi d psi` along the motion.
-    fn add_prestress(&self, at: &Local<'_>, along: &Along<'_>, out: &mut LocalJacobian) {
+    fn add_prestress(&self, at: &Local<'_>, motion: &SmallMotion<'_>, out: &mut LocalJacobian) {
         let state = self.state(&at.nodes[0], at.frame);
-        let growth = self.law.turning_stiffness * state.inverse * along.nodes[0][1];
+        let growth = self.law.turning_stiffness * state.inverse * motion.nodes[0][1];
         let by_psi = vector::tangent_inverse_derivative(&-state.psi, &growth);
         let by_rotation = by_psi * state.inverse;
         out.add((0, Moment), (0, Variable::Rotation), &by_rotation);

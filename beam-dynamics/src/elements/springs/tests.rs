@@ -85,7 +85,7 @@ fn elements(nodes: &[Node]) -> Vec<Box<dyn Element>> {
         node,
         offset: Vector3::new(0.1, -0.2, 0.05),
     });
-    let (place, axes) = (Vector3::new(1.0, 0.5, 0.2), nodes[0].rotation);
+    let (position, axes) = (Vector3::new(1.0, 0.5, 0.2), nodes[0].rotation);
     let on = || (&[0, 1][..], nodes);
     let line = Between::Line { ends, tension: 1.5 };
     let between_axes = Between::Axes {
@@ -116,18 +116,18 @@ fn elements(nodes: &[Node]) -> Vec<Box<dyn Element>> {
         Box::new(Spring::new(
             "along",
             on(),
-            &place,
+            &position,
             &axes,
             along(viscoelastic()),
         )),
         Box::new(Spring::new(
             "about",
             on(),
-            &place,
+            &position,
             &axes,
             about(viscoelastic()),
         )),
-        Box::new(Spring::new("coupled", on(), &place, &axes, coupled)),
+        Box::new(Spring::new("coupled", on(), &position, &axes, coupled)),
         Box::new(force(line)),
         Box::new(force(between_axes)),
     ]
@@ -318,14 +318,14 @@ fn a_rod_without_a_relaxed_length_has_no_value() {
 #[test]
 fn a_spring_acts_in_the_axes_of_its_first_node() {
     let nodes = nodes();
-    let (place, axes) = (nodes[1].position, Matrix3::identity());
+    let (position, axes) = (nodes[1].position, Matrix3::identity());
     let law = SpringLaw::Apart {
         displacement: Some(Law::linear(Matrix3::from_diagonal(&Vector3::new(
             2.0, 3.0, 5.0,
         )))),
         rotation: Some(Law::linear(Matrix3::identity() * 7.0)),
     };
-    let spring = Spring::new("spring", (&[0, 1], &nodes), &place, &axes, law);
+    let spring = Spring::new("spring", (&[0, 1], &nodes), &position, &axes, law);
     let turn = vector::to_rotation(&Vector3::new(0.0, 0.0, 0.5));
     let relative = vector::to_rotation(&(turn * Vector3::new(0.0, 2.5, 0.0)));
     let displacement = Vector3::new(0.1, -0.2, 0.3);
@@ -344,7 +344,7 @@ fn a_spring_acts_in_the_axes_of_its_first_node() {
 /// A prestrain shifts the relaxed position, a prestress pushes away from it: the spring is at rest
 /// at x = 0.1 - 0.6 / 2.
 #[test]
-fn prestrain_and_prestress_move_the_place_of_rest() {
+fn prestrain_and_prestress_move_the_position_of_rest() {
     let nodes = nodes();
     let driven = |x: f64| {
         Some(Driven {
@@ -372,20 +372,20 @@ fn prestrain_and_prestress_move_the_place_of_rest() {
 /// A spring to the frame is the support of the same stiffness and damping, to round-off.
 #[test]
 fn a_spring_to_the_frame_is_a_support() {
-    use super::{Stand, SupportLaw, SupportSpring};
+    use super::{SupportFrame, SupportLaw, SupportSpring};
     let nodes = nodes();
     let axes = vector::to_rotation(&Vector3::new(0.4, 0.1, -0.3));
     let stiffness = [1.0, 2.0, 3.0, 0.5, 0.7, 0.9];
     let damping = [0.4, 0.3, 0.2, 0.6, 0.5, 0.1];
     let support = SupportLaw::along(&axes, &stiffness, &damping);
-    let support = SupportSpring::new("support", 1, &nodes[1], support, Stand::Frame);
+    let support = SupportSpring::new("support", 1, &nodes[1], support, SupportFrame::Frame);
     let matrix = |values: [f64; 6]| Matrix6::from_diagonal(&values.into());
     let law = LawKind::Viscoelastic {
         stiffness: matrix(stiffness),
         viscosity: matrix(damping),
     };
-    let place = nodes[1].position;
-    let spring = Spring::new("s", (&[1], &nodes), &place, &axes, Law::from(law));
+    let position = nodes[1].position;
+    let spring = Spring::new("s", (&[1], &nodes), &position, &axes, Law::from(law));
     let motion = [moved(&nodes)[1]];
     let [found, expected] = [&spring as &dyn Element, &support].map(|e| forces(e, &motion));
     for k in 0..2 {

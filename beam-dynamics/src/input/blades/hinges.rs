@@ -1,6 +1,6 @@
 //! Hinges between the hub and the root of a blade.
 //!
-//! From the hub outward; a hinge turns all parts outboard of it. In the axes A of the seat
+//! From the hub outward; a hinge turns all parts outboard of it. In the axes A of the mount
 //! (x out, y in the direction of motion, z up):
 //!
 //! ```text
@@ -18,9 +18,9 @@ use shared_geom::document::schema::ValueKind::{Quantity, Word};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use super::mounts::BladeMount;
 use super::problem::BladeProblem;
-use super::seats::Seat;
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::drives::Catalog;
 use crate::input::hinge_card::HingeCard;
 use crate::input::joints::{ANGLE, DAMPING, STIFFNESS, spring};
@@ -113,7 +113,7 @@ pub(super) fn offsets(table: &Table<'_>, hinges: &[BladeHinge], root: f64) -> Op
             _ if hinges[..number]
                 .iter()
                 .zip(&found)
-                .any(|(inner, place)| is_same_motion((inner, *place), (hinge, offset))) =>
+                .any(|(inner, position)| is_same_motion((inner, *position), (hinge, offset))) =>
             {
                 BladeProblem::HingesAlike { hinge: words() }
             }
@@ -138,48 +138,48 @@ fn is_same_motion((inner, at): (&BladeHinge, f64), (outer, offset): (&BladeHinge
 /// Adds the hinges of a blade, at their offsets, between the hub and node number `root`.
 pub(super) fn add(
     (hinges, offsets): (&[BladeHinge], &[f64]),
-    seat: &Seat,
+    mount: &BladeMount,
     root: usize,
     table: &Table<'_>,
-    draft: &mut Draft,
+    builder: &mut ModelBuilder,
 ) {
-    let node = |draft: &mut Draft, end: &str, offset: f64, axes: &Matrix3<f64>| {
+    let node = |builder: &mut ModelBuilder, end: &str, offset: f64, axes: &Matrix3<f64>| {
         let node = Node {
-            label: format!("{}/{end}", seat.name),
-            position: seat.at_radius(offset),
+            label: format!("{}/{end}", mount.name),
+            position: mount.at_radius(offset),
             rotation: *axes,
         };
-        draft.add_node(node, table, Some(seat.axes))
+        builder.add_node(node, table, Some(mount.axes))
     };
-    let (mut axes, mut inner) = (seat.axes, draft.hub_node());
+    let (mut axes, mut inner) = (mount.axes, builder.hub_node());
     if inner.is_none() {
         inner = node(
-            draft,
+            builder,
             "hub",
-            offsets.first().copied().unwrap_or(seat.radius),
+            offsets.first().copied().unwrap_or(mount.radius),
             &axes,
         );
         if let Some(held) = inner {
-            draft.add_clamp(held, table, "hinges");
+            builder.add_clamp(held, table, "hinges");
         }
     }
     for (number, (hinge, &offset)) in hinges.iter().zip(offsets).enumerate() {
         let axis = axes * hinge.kind.axis();
         if hinge.kind == Kind::Pitch {
-            axes = seat.blade_axes();
+            axes = mount.blade_axes();
         }
         let outer = match number + 1 == hinges.len() {
             true => Some(root),
-            false => node(draft, &format!("hinge {}", number + 1), offset, &axes),
+            false => node(builder, &format!("hinge {}", number + 1), offset, &axes),
         };
         let (Some(from), Some(to)) = (inner, outer) else {
-            return draft.note_loose_end();
+            return builder.note_loose_end();
         };
-        let label = label(seat, hinges, number);
-        draft.add_hinge(
+        let label = label(mount, hinges, number);
+        builder.add_hinge(
             &label,
             [from, to],
-            (seat.at_radius(offset), axis),
+            (mount.at_radius(offset), axis),
             &hinge.card,
         );
         inner = outer;
@@ -187,11 +187,11 @@ pub(super) fn add(
 }
 
 /// Name of a hinge: by its kind, and its position in the list if another is of that kind.
-fn label(seat: &Seat, hinges: &[BladeHinge], number: usize) -> String {
+fn label(mount: &BladeMount, hinges: &[BladeHinge], number: usize) -> String {
     let kind = hinges[number].kind;
     let same = hinges.iter().filter(|hinge| hinge.kind == kind).count();
     match same {
-        1 => format!("{}/{} hinge", seat.name, kind.word()),
-        _ => format!("{}/{} hinge {}", seat.name, kind.word(), number + 1),
+        1 => format!("{}/{} hinge", mount.name, kind.word()),
+        _ => format!("{}/{} hinge {}", mount.name, kind.word(), number + 1),
     }
 }

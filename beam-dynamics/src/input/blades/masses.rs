@@ -5,7 +5,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::laid::Laid;
+use super::layout::BladeLayout;
 use super::problem::BladeProblem;
 use super::source::Source;
 use crate::elements::bodies::RigidInertia;
@@ -30,7 +30,7 @@ const ROUNDING: f64 = 1e-6;
 enum At {
     Tip,
     /// Arc length \[m\].
-    Place(f64),
+    Position(f64),
 }
 
 /// A `[[blade.mass]]`.
@@ -71,14 +71,14 @@ fn at(table: &Table<'_>) -> Option<At> {
             return None;
         }
     }
-    let place = table.require_quantity("at", Dimension::LENGTH)?;
-    Some(At::Place(place))
+    let position = table.require_quantity("at", Dimension::LENGTH)?;
+    Some(At::Position(position))
 }
 
 impl PointMass {
     /// Arc length on a blade of the given length; notes a position off the line.
-    pub fn place(&self, length: f64, table: &Table<'_>) -> Option<f64> {
-        let At::Place(found) = self.at else {
+    pub fn position(&self, length: f64, table: &Table<'_>) -> Option<f64> {
+        let At::Position(found) = self.at else {
             return Some(length);
         };
         let near = ROUNDING * length;
@@ -91,31 +91,42 @@ impl PointMass {
     }
 
     /// Remark on mass `number` (from zero) of blade `blade`, which is not at a node.
-    pub fn remark(&self, place: f64, laid: &Laid, number: usize, blade: &str) -> Option<String> {
-        let nearest = laid.nearest(place);
-        let there = laid.nodes[nearest].arc_length;
-        let length = laid.nodes.last()?.arc_length;
+    pub fn remark(
+        &self,
+        position: f64,
+        layout: &BladeLayout,
+        number: usize,
+        blade: &str,
+    ) -> Option<String> {
+        let nearest = layout.nearest(position);
+        let there = layout.nodes[nearest].arc_length;
+        let length = layout.nodes.last()?.arc_length;
         let six = |value: f64| short_number(value, 6);
-        ((there - place).abs() > ROUNDING * length).then(|| {
+        ((there - position).abs() > ROUNDING * length).then(|| {
             format!(
                 "mass {} of blade \"{blade}\" is at {} m, the nearest node is at {} m: the mass is \
                  carried by a rigid arm of {} m; let a piece end there to have a node there",
                 number + 1,
-                six(place),
+                six(position),
                 six(there),
-                six((there - place).abs())
+                six((there - position).abs())
             )
         })
     }
 
     /// The index of the node that carries the mass at an arc length, and the inertia
     /// about that node, in its axes.
-    pub fn on_node(&self, place: f64, source: &Source, laid: &Laid) -> (usize, RigidInertia) {
-        let number = laid.nearest(place);
-        let node = &laid.nodes[number];
-        let distance = match node.arc_length == place {
+    pub fn on_node(
+        &self,
+        position: f64,
+        source: &Source,
+        layout: &BladeLayout,
+    ) -> (usize, RigidInertia) {
+        let number = layout.nearest(position);
+        let node = &layout.nodes[number];
+        let distance = match node.arc_length == position {
             true => nalgebra::Vector3::zeros(),
-            false => node.axes.transpose() * (source.position(place) - node.position),
+            false => node.axes.transpose() * (source.position(position) - node.position),
         };
         (number, self.lump.inertia(&distance))
     }

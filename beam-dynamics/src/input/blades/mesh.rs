@@ -32,16 +32,19 @@ impl Ends<'_> {
     /// Element ends from the root to the tip, at the stations.
     pub fn at_stations(&self) -> Vec<f64> {
         let mut ends = vec![0.0];
-        for pair in self.fixed_places().windows(2) {
+        for pair in self.fixed_positions().windows(2) {
             let mut from = pair[0];
             let near = SHORTEST * self.length;
-            let inside = |place: &&f64| **place > pair[0] && **place < pair[1] - near;
+            let inside = |position: &&f64| **position > pair[0] && **position < pair[1] - near;
             let mut stations: Vec<_> = self.stations.iter().filter(inside).copied().collect();
             stations.sort_by(f64::total_cmp);
-            for place in stations.into_iter().filter(|place| *place > pair[0] + near) {
-                if place > from + near {
-                    divide(&mut ends, [from, place], self.pieces(place - from));
-                    from = place;
+            for position in stations
+                .into_iter()
+                .filter(|position| *position > pair[0] + near)
+            {
+                if position > from + near {
+                    divide(&mut ends, [from, position], self.pieces(position - from));
+                    from = position;
                 }
             }
             divide(&mut ends, [from, pair[1]], self.pieces(pair[1] - from));
@@ -52,7 +55,7 @@ impl Ends<'_> {
     /// Ends of `elements` elements, as equal as the fixed positions allow; if there are too
     /// few, the number that is needed at least.
     pub fn of_number(&self, elements: usize) -> Result<Vec<f64>, usize> {
-        let fixed = self.fixed_places();
+        let fixed = self.fixed_positions();
         let lengths: Vec<_> = fixed.windows(2).map(|pair| pair[1] - pair[0]).collect();
         if elements < lengths.len() {
             return Err(lengths.len());
@@ -74,15 +77,15 @@ impl Ends<'_> {
     }
 
     /// The positions that must be ends, with root and tip, in order and each once.
-    fn fixed_places(&self) -> Vec<f64> {
+    fn fixed_positions(&self) -> Vec<f64> {
         let near = SAME * self.length;
-        let inside = |place: &&f64| **place > near && **place < self.length - near;
-        let mut places: Vec<_> = self.fixed.iter().filter(inside).copied().collect();
-        places.sort_by(f64::total_cmp);
-        places.insert(0, 0.0);
-        places.push(self.length);
-        places.dedup_by(|b, a| *b - *a <= near);
-        places
+        let inside = |position: &&f64| **position > near && **position < self.length - near;
+        let mut positions: Vec<_> = self.fixed.iter().filter(inside).copied().collect();
+        positions.sort_by(f64::total_cmp);
+        positions.insert(0, 0.0);
+        positions.push(self.length);
+        positions.dedup_by(|b, a| *b - *a <= near);
+        positions
     }
 
     /// Elements in an interval of the given length.
@@ -125,10 +128,10 @@ mod tests {
     }
 
     #[test]
-    fn fixed_places_are_ends_whatever_is_near() {
+    fn fixed_positions_are_ends_whatever_is_near() {
         let found = ends(100.0, &[50.0, 50.05, 99.99], &[0.0, 49.96, 100.0]).at_stations();
-        for place in [0.0, 50.0, 50.05, 99.99, 100.0] {
-            assert!(found.contains(&place), "{place}: {found:?}");
+        for position in [0.0, 50.0, 50.05, 99.99, 100.0] {
+            assert!(found.contains(&position), "{position}: {found:?}");
         }
         assert!(!found.contains(&49.96));
         assert!(
@@ -148,8 +151,8 @@ mod tests {
     // Jumps at 40 and 70 m, and ramps of 1e-9 and 1e-8 of the blade instead of them.
     #[test]
     fn ramps_make_no_other_elements_than_jumps() {
-        let places = [40.0, 70.0];
-        let jumps = ends(100.0, &places, &places).at_stations();
+        let positions = [40.0, 70.0];
+        let jumps = ends(100.0, &positions, &positions).at_stations();
         for ramp in [1e-7, 1e-6] {
             let sides = [40.0 - ramp, 40.0, 70.0 - ramp, 70.0];
             let ramps = ends(100.0, &[], &sides).at_stations();

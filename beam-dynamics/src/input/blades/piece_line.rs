@@ -13,8 +13,8 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
-use super::laid::{Laid, LaidNode};
-use crate::input::along::Along;
+use super::layout::{BladeLayout, LayoutNode};
+use crate::input::beam_properties::BeamProperties;
 
 /// A straight piece of a blade.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,28 +78,32 @@ impl PieceLine {
         position
     }
 
-    /// Cuts every piece into its beams, with `words` and `along` of a piece's index.
-    pub fn lay(&self, words: impl Fn(usize) -> String, along: impl Fn(usize) -> Along) -> Laid {
-        let mut laid = Laid::default();
+    /// Cuts every piece into its beams, with `words` and `properties` of a piece's index.
+    pub fn lay(
+        &self,
+        words: impl Fn(usize) -> String,
+        properties: impl Fn(usize) -> BeamProperties,
+    ) -> BladeLayout {
+        let mut layout = BladeLayout::default();
         let (mut inner_end, mut arc_length) = (Vector3::zeros(), 0.0);
         for (number, piece) in self.pieces.iter().enumerate() {
             let outer_end = inner_end + piece.axes().column(0) * piece.length;
             let steps = 2 * piece.elements;
             let at = |step: usize| {
                 let s = step as f64 / steps as f64;
-                LaidNode {
+                LayoutNode {
                     arc_length: arc_length + s * piece.length,
                     position: inner_end.lerp(&outer_end, s),
                     axes: piece.section(s),
                 }
             };
             for element in 0..piece.elements {
-                let places = [0, 1, 2].map(|k| at(2 * element + k));
-                laid.add(places, words(number), along(number));
+                let positions = [0, 1, 2].map(|k| at(2 * element + k));
+                layout.add(positions, words(number), properties(number));
             }
             (inner_end, arc_length) = (outer_end, arc_length + piece.length);
         }
-        laid
+        layout
     }
 }
 
@@ -123,7 +127,7 @@ mod tests {
         }
     }
 
-    fn lay(pieces: Vec<Piece>) -> Laid {
+    fn lay(pieces: Vec<Piece>) -> BladeLayout {
         let properties = Properties {
             stiffness: Matrix6::identity(),
             mass: Matrix6::identity(),
@@ -135,10 +139,10 @@ mod tests {
             piezo: None,
             curved: None,
         };
-        PieceLine { pieces }.lay(|_| String::new(), |_| Along::constant(&properties))
+        PieceLine { pieces }.lay(|_| String::new(), |_| BeamProperties::constant(&properties))
     }
 
-    fn assert_place(found: &Vector3<f64>, expected: [f64; 3]) {
+    fn assert_position(found: &Vector3<f64>, expected: [f64; 3]) {
         assert!(
             (found - Vector3::from(expected)).amax() < TOLERANCE,
             "{found} {expected:?}"
@@ -152,23 +156,23 @@ mod tests {
     fn a_swept_and_twisted_tip_lies_where_it_should() {
         let mut tip = piece(4.0, 1);
         (tip.sweep, tip.twist) = (FRAC_PI_6, [0.0, FRAC_PI_2]);
-        let laid = lay(vec![piece(6.0, 2), tip]);
+        let layout = lay(vec![piece(6.0, 2), tip]);
         let (c, s) = (FRAC_PI_6.cos(), 0.5);
-        assert_eq!((laid.nodes.len(), laid.beams.len()), (7, 3));
+        assert_eq!((layout.nodes.len(), layout.beams.len()), (7, 3));
         for (node, x) in [0.0, 1.5, 3.0, 4.5, 6.0].into_iter().enumerate() {
-            assert_place(&laid.nodes[node].position, [x, 0.0, 0.0]);
-            assert_eq!(laid.nodes[node].axes, Matrix3::identity());
+            assert_position(&layout.nodes[node].position, [x, 0.0, 0.0]);
+            assert_eq!(layout.nodes[node].axes, Matrix3::identity());
         }
-        assert_place(&laid.nodes[5].position, [6.0 + 2.0 * c, -2.0 * s, 0.0]);
-        assert_place(&laid.nodes[6].position, [6.0 + 4.0 * c, -4.0 * s, 0.0]);
-        let axes = |node: usize, column: usize| laid.nodes[node].axes.column(column).into_owned();
+        assert_position(&layout.nodes[5].position, [6.0 + 2.0 * c, -2.0 * s, 0.0]);
+        assert_position(&layout.nodes[6].position, [6.0 + 4.0 * c, -4.0 * s, 0.0]);
+        let axes = |node: usize, column: usize| layout.nodes[node].axes.column(column).into_owned();
         for node in [5, 6] {
-            assert_place(&axes(node, 0), [c, -s, 0.0]);
+            assert_position(&axes(node, 0), [c, -s, 0.0]);
         }
         let root_half = FRAC_PI_4.cos();
-        assert_place(&axes(5, 1), [s * root_half, c * root_half, root_half]);
-        assert_place(&axes(6, 1), [0.0, 0.0, 1.0]);
-        assert_place(&axes(6, 2), [-s, -c, 0.0]);
+        assert_position(&axes(5, 1), [s * root_half, c * root_half, root_half]);
+        assert_position(&axes(6, 1), [0.0, 0.0, 1.0]);
+        assert_position(&axes(6, 2), [-s, -c, 0.0]);
     }
 
     // The node at the kink has the axes of the inner piece; the outer beam has its
@@ -177,20 +181,20 @@ mod tests {
     fn a_kink_is_taken_up_by_the_outer_beam() {
         let mut tip = piece(4.0, 2);
         (tip.sweep, tip.dihedral, tip.twist) = (0.3, 0.2, [0.1, 0.1]);
-        let laid = lay(vec![piece(6.0, 2), tip]);
+        let layout = lay(vec![piece(6.0, 2), tip]);
         let aligned = [Matrix3::identity(); 3];
         for (beam, kinked) in [false, false, true, false].into_iter().enumerate() {
             assert_eq!(
-                laid.beams[beam].orientations == aligned,
+                layout.beams[beam].orientations == aligned,
                 !kinked,
                 "beam {beam}"
             );
         }
-        let section = laid.nodes[4].axes * laid.beams[2].orientations[0];
-        assert!((section - laid.nodes[5].axes).amax() < TOLERANCE);
-        let along = (laid.nodes[6].position - laid.nodes[4].position).normalize();
+        let section = layout.nodes[4].axes * layout.beams[2].orientations[0];
+        assert!((section - layout.nodes[5].axes).amax() < TOLERANCE);
+        let along = (layout.nodes[6].position - layout.nodes[4].position).normalize();
         assert!((section.column(0) - along).amax() < TOLERANCE);
-        assert_place(
+        assert_position(
             &along,
             [
                 0.2_f64.cos() * 0.3_f64.cos(),
@@ -206,8 +210,8 @@ mod tests {
     fn twist_is_linear_along_a_piece() {
         let mut twisted = piece(3.0, 3);
         twisted.twist = [10.0_f64.to_radians(), 40.0_f64.to_radians()];
-        let laid = lay(vec![twisted]);
-        for (node, found) in laid.nodes.iter().enumerate() {
+        let layout = lay(vec![twisted]);
+        for (node, found) in layout.nodes.iter().enumerate() {
             let angle = found.axes[(2, 1)].atan2(found.axes[(1, 1)]).to_degrees();
             assert!(
                 (angle - (10.0 + 5.0 * node as f64)).abs() < 1e-12,
@@ -219,19 +223,19 @@ mod tests {
     // Positions at arc lengths of nodes are the nodes' positions; beyond the ends, the
     // ends.
     #[test]
-    fn places_are_found_by_arc_length() {
+    fn positions_are_found_by_arc_length() {
         let mut tip = piece(4.0, 2);
         (tip.sweep, tip.dihedral) = (0.3, 0.2);
         let line = PieceLine {
             pieces: vec![piece(6.0, 2), tip],
         };
-        let laid = lay(line.pieces.clone());
-        for node in &laid.nodes {
+        let layout = lay(line.pieces.clone());
+        for node in &layout.nodes {
             let found = line.position(node.arc_length);
             assert!((found - node.position).amax() < TOLERANCE);
         }
-        assert_eq!((line.length(), laid.nodes[8].arc_length), (10.0, 10.0));
-        assert_eq!(line.position(11.0), laid.nodes[8].position);
-        assert_eq!((laid.nearest(7.9), laid.nearest(7.1)), (6, 5));
+        assert_eq!((line.length(), layout.nodes[8].arc_length), (10.0, 10.0));
+        assert_eq!(line.position(11.0), layout.nodes[8].position);
+        assert_eq!((layout.nearest(7.9), layout.nearest(7.1)), (6, 5));
     }
 }

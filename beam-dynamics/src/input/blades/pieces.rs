@@ -6,13 +6,13 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::laid::Laid;
+use super::layout::BladeLayout;
+use super::mounts::shallow;
 use super::piece_line::{Piece, PieceLine};
-use super::seats::shallow;
-use crate::input::along::Along;
+use crate::input::beam_properties::BeamProperties;
 use crate::input::beam_section::Properties;
+use crate::input::builder::ModelBuilder;
 use crate::input::curved_fit;
-use crate::input::draft::Draft;
 use crate::input::heat;
 use crate::input::problem::InputProblem;
 
@@ -69,24 +69,24 @@ pub(super) struct Pieces {
 
 impl Pieces {
     /// Nodes and beams.
-    pub fn lay(&self) -> Laid {
+    pub fn lay(&self) -> BladeLayout {
         let words = |piece| format!(", piece {}", piece + 1);
-        let along = |piece: usize| Along::constant(&self.properties[piece]);
-        self.line.lay(words, along)
+        let properties = |piece: usize| BeamProperties::constant(&self.properties[piece]);
+        self.line.lay(words, properties)
     }
 }
 
 /// Reads every `[[blade.piece]]` of the blade `name`.
-pub(super) fn read(table: &Table<'_>, draft: &mut Draft, name: &str) -> Option<Pieces> {
+pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder, name: &str) -> Option<Pieces> {
     let words = format!("blade \"{name}\"");
     let is_named = table.has("properties");
     let default = Fallback {
         is_named,
         properties: is_named
-            .then(|| draft.find_properties(table, &words))
+            .then(|| builder.find_properties(table, &words))
             .flatten(),
     };
-    let (pieces, properties) = pieces(table, draft, &words, &default);
+    let (pieces, properties) = pieces(table, builder, &words, &default);
     Some(Pieces {
         line: PieceLine { pieces: pieces? },
         properties: properties?,
@@ -104,7 +104,7 @@ struct Fallback {
 /// Geometry and properties of every piece; each is `None` if any of them is wrong.
 fn pieces(
     blade: &Table<'_>,
-    draft: &mut Draft,
+    builder: &mut ModelBuilder,
     words: &str,
     default: &Fallback,
 ) -> (Option<Vec<Piece>>, Option<Vec<Properties>>) {
@@ -119,18 +119,18 @@ fn pieces(
         .enumerate()
         .map(|(number, table)| {
             let words = format!("{words}, piece {}", number + 1);
-            let properties = piece_properties(table, draft, &words, default);
+            let properties = piece_properties(table, builder, &words, default);
             // Values of the piece replace values of the blade.
             let properties = match heat::is_given(table) {
-                true => heat::read(table, properties, draft.drives(), &words),
-                false => heat::read(blade, properties, draft.drives(), &words),
+                true => heat::read(table, properties, builder.drives(), &words),
+                false => heat::read(blade, properties, builder.drives(), &words),
             };
             let piece = piece(table);
             table.finish();
             let pair = piece.as_ref().zip(properties.as_ref());
             let suits = pair.is_none_or(|(piece, properties)| {
                 let curved = properties.curved.as_ref();
-                curved_fit::suits_piece(curved, piece.twist_rate(), &words, table, draft)
+                curved_fit::suits_piece(curved, piece.twist_rate(), &words, table, builder)
             });
             (piece.filter(|_| suits), properties)
         })
@@ -144,12 +144,12 @@ fn pieces(
 
 fn piece_properties(
     table: &Table<'_>,
-    draft: &mut Draft,
+    builder: &mut ModelBuilder,
     words: &str,
     default: &Fallback,
 ) -> Option<Properties> {
     if table.has("properties") {
-        return draft.find_properties(table, words);
+        return builder.find_properties(table, words);
     }
     if !default.is_named {
         let piece = words.to_owned();

@@ -3,11 +3,11 @@
 use nalgebra::Vector3;
 use shared_geom::document::Table;
 
-use super::laid::Laid;
+use super::layout::BladeLayout;
 use super::pieces::{self, Pieces};
 use super::problem::BladeProblem;
 use super::stations::{self, StationLine};
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 
 /// Keys of a blade of pieces.
 const PIECE_KEYS: [&str; 2] = ["piece", "properties"];
@@ -22,9 +22,9 @@ pub(super) enum Source {
 }
 
 /// Reads the pieces of the card, or its file.
-pub(super) fn read(table: &Table<'_>, draft: &mut Draft, name: &str) -> Option<Source> {
+pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder, name: &str) -> Option<Source> {
     if !table.has("file") {
-        return pieces::read(table, draft, name).map(Source::Pieces);
+        return pieces::read(table, builder, name).map(Source::Pieces);
     }
     let mut sound = true;
     for key in PIECE_KEYS.into_iter().filter(|key| table.has(key)) {
@@ -32,7 +32,7 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft, name: &str) -> Option<S
         table.note(key, &BladeProblem::FileAndPieces { blade, key });
         sound = false;
     }
-    let stations = stations::read(table, draft)?;
+    let stations = stations::read(table, builder)?;
     sound.then(|| Source::Stations(Box::new(stations)))
 }
 
@@ -55,7 +55,7 @@ impl Source {
 
     /// Nodes and beams. A blade of stations has element ends at `masses`; the elements of a
     /// blade of pieces are given by the pieces.
-    pub fn lay(&self, masses: &[f64], table: &Table<'_>) -> Option<Laid> {
+    pub fn lay(&self, masses: &[f64], table: &Table<'_>) -> Option<BladeLayout> {
         match self {
             Self::Pieces(pieces) => Some(pieces.lay()),
             Self::Stations(stations) => stations.lay(masses, table),

@@ -22,13 +22,13 @@ use shared_geom::line::{Course, Curve};
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
 
-use super::laid::{Laid, LaidNode};
+use super::layout::{BladeLayout, LayoutNode};
 use super::mesh::Ends;
 use super::problem::BladeProblem;
 use crate::elements::beams::Beam;
-use crate::input::along::Along;
+use crate::input::beam_properties::BeamProperties;
+use crate::input::builder::ModelBuilder;
 use crate::input::damping;
-use crate::input::draft::Draft;
 use crate::input::heat;
 
 /// A blade of a blade file.
@@ -77,7 +77,7 @@ pub(super) struct StationLine {
 }
 
 /// Reads the file named by `file` of a card.
-pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> {
+pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<StationLine> {
     let (elements, length) = (table.get(&ELEMENTS), table.get(&LENGTH));
     let rigid_shear = table.get(&RIGID_SHEAR);
     let damping = damping::read(table);
@@ -96,7 +96,7 @@ pub(super) fn read(table: &Table<'_>, draft: &mut Draft) -> Option<StationLine> 
         reading.blade.damping = Some(everywhere(damping, reading.blade.stations.len()));
     }
     document.keep(reading.check(&path))?;
-    draft.add_remarks(reading.remarks);
+    builder.add_remarks(reading.remarks);
     Some(StationLine {
         curve: reading.blade.line.curve(),
         blade: reading.blade,
@@ -148,24 +148,24 @@ impl StationLine {
     }
 
     /// Nodes and beams, with element ends at `masses` too.
-    pub fn lay(&self, masses: &[f64], table: &Table<'_>) -> Option<Laid> {
+    pub fn lay(&self, masses: &[f64], table: &Table<'_>) -> Option<BladeLayout> {
         let ends = self.ends(masses, table)?;
-        let mut laid = Laid::default();
+        let mut layout = BladeLayout::default();
         let mut evaluated = Vec::new();
         for pair in ends.windows(2) {
             let span = [pair[0], pair[1]];
-            let (along, places) = self.along(span);
-            evaluated.extend(places);
+            let (properties, positions) = self.properties(span);
+            evaluated.extend(positions);
             let middle = 0.5 * (span[0] + span[1]);
-            let places = [
+            let positions = [
                 self.node(span[0], Side::Outer),
                 self.node(middle, Side::Outer),
                 self.node(span[1], Side::Inner),
             ];
-            laid.add(
-                places,
+            layout.add(
+                positions,
                 format!(", from {:.4} to {:.4} m", span[0], span[1]),
-                along,
+                properties,
             );
         }
         // Stations were checked: remaining problems are due to rounding, and the worst is
@@ -179,29 +179,29 @@ impl StationLine {
             table.note("file", &worst);
             return None;
         }
-        Some(laid)
+        Some(layout)
     }
 
-    fn node(&self, arc_length: f64, side: Side) -> LaidNode {
-        let place = self.curve.on(arc_length, side);
-        LaidNode {
+    fn node(&self, arc_length: f64, side: Side) -> LayoutNode {
+        let point = self.curve.on(arc_length, side);
+        LayoutNode {
             arc_length,
-            position: place.position,
-            axes: place.axes,
+            position: point.position,
+            axes: point.axes,
         }
     }
 
     /// Element ends from the root to the tip.
     fn ends(&self, masses: &[f64], table: &Table<'_>) -> Option<Vec<f64>> {
         let mut fixed = [masses, &self.blade.jumps()].concat();
-        let mut wished = self.blade.places();
-        wished.extend(self.steep_places());
+        let mut wished = self.blade.positions();
+        wished.extend(self.steep_positions());
         let known = self.curve.arc_lengths();
         match self.blade.line.course {
             Course::Spline => {}
             Course::Arcs => wished.extend(known),
             Course::Polyline => {
-                fixed.extend(known.iter().filter(|place| self.turn(**place) > KINK));
+                fixed.extend(known.iter().filter(|position| self.turn(**position) > KINK));
                 wished.extend(known);
             }
         }
@@ -221,9 +221,9 @@ impl StationLine {
     /// Positions between stations at which the stiffness has changed by a factor of two
     /// since the previous position: one element over a tip that is a hundred times softer
     /// at its end than at its beginning would be too stiff there.
-    fn steep_places(&self) -> Vec<f64> {
-        let places = self.blade.places();
-        let spans = places.windows(2).flat_map(|pair| {
+    fn steep_positions(&self) -> Vec<f64> {
+        let positions = self.blade.positions();
+        let spans = positions.windows(2).flat_map(|pair| {
             let inner = self.blade.at(pair[0], Side::Outer).0;
             let outer = self.blade.at(pair[1], Side::Inner).0;
             most_change(&inner, &outer)
@@ -233,30 +233,30 @@ impl StationLine {
     }
 
     /// Angle by which the line turns at a position \[rad\].
-    fn turn(&self, place: f64) -> f64 {
-        let tangent = |side| self.curve.on(place, side).tangent;
+    fn turn(&self, position: f64) -> f64 {
+        let tangent = |side| self.curve.on(position, side).tangent;
         tangent(Side::Inner).angle(&tangent(Side::Outer))
     }
 
     /// Properties along an element, and the arc lengths of its evaluation points \[m\].
-    fn along(&self, [from, to]: [f64; 2]) -> (Along, [f64; 2]) {
+    fn properties(&self, [from, to]: [f64; 2]) -> (BeamProperties, [f64; 2]) {
         let length = to - from;
-        let places = Beam::evaluation_points().map(|xi| from + 0.5 * (1.0 + xi) * length);
-        let stiffness = places.map(|place| self.blade.at(place, Side::Outer).0);
-        let mass = |place, side| self.blade.at(place, side).1;
+        let positions = Beam::evaluation_points().map(|xi| from + 0.5 * (1.0 + xi) * length);
+        let stiffness = positions.map(|position| self.blade.at(position, Side::Outer).0);
+        let mass = |position, side| self.blade.at(position, side).1;
         let mut masses = vec![(-1.0, mass(from, Side::Outer))];
         let near = AT_END * length;
-        for place in self.blade.places() {
-            if place > from + near && place < to - near {
-                let xi = 2.0 * (place - from) / length - 1.0;
-                masses.push((xi, mass(place, Side::Outer)));
+        for position in self.blade.positions() {
+            if position > from + near && position < to - near {
+                let xi = 2.0 * (position - from) / length - 1.0;
+                masses.push((xi, mass(position, Side::Outer)));
             }
         }
         masses.push((1.0, mass(to, Side::Inner)));
-        let [first, last] = places.map(|place| self.blade.damping_at(place, Side::Outer));
+        let [first, last] = positions.map(|position| self.blade.damping_at(position, Side::Outer));
         let damping = first.zip(last).map(|(first, last)| [first, last]);
-        let along = Along::varying(stiffness, masses, length).damped(damping);
-        (along, places)
+        let properties = BeamProperties::varying(stiffness, masses, length).damped(damping);
+        (properties, positions)
     }
 }
 
@@ -266,7 +266,7 @@ mod tests {
 
     // From 8 to 1 over 7 m: 4 at 4 m, 2 at 6 m; a change by less than two has no position.
     #[test]
-    fn places_stand_where_a_quantity_has_halved() {
+    fn positions_are_where_a_quantity_has_halved() {
         let found = halved([0.0, 7.0], 1.0 / 8.0);
         assert_eq!(found.len(), 2);
         assert!((found[0] - 4.0).abs() < 1e-14 && (found[1] - 6.0).abs() < 1e-14);

@@ -155,16 +155,16 @@ fn several_blades_are_the_same_blade_turned() {
 fn jumps_and_masses_are_ends_of_elements() {
     let mut jump = straight(10.0, 0.0);
     jump.stations = [(0.0, 2.0), (3.0, 2.0), (3.0, 4.0), (10.0, 4.0)]
-        .map(|(place, mass)| station(place, mass))
+        .map(|(position, mass)| station(position, mass))
         .to_vec();
     for elements in ["", "elements = 3\n", "elements = 11\n"] {
         let mass = "[[blade.mass]]\nat = 4.1\nmass = 5\noffset = [0, 0.2, 0]\n";
         let found = input(&jump, &format!("{FILE}{elements}{mass}{MODES}")).unwrap();
         let nodes = &found.model.blades[0].nodes;
         let ends: Vec<_> = nodes.iter().step_by(2).copied().collect();
-        for place in [3.0, 4.1] {
-            let at = |node: &&usize| found.model.system.nodes()[**node].position.x == place;
-            assert_eq!(ends.iter().filter(at).count(), 1, "{elements}: {place}");
+        for position in [3.0, 4.1] {
+            let at = |node: &&usize| found.model.system.nodes()[**node].position.x == position;
+            assert_eq!(ends.iter().filter(at).count(), 1, "{elements}: {position}");
         }
         let expected = 3.0 * 2.0 + 7.0 * 4.0 + 5.0;
         assert!((found.summary.mass / expected - 1.0).abs() < 1e-13);
@@ -174,14 +174,14 @@ fn jumps_and_masses_are_ends_of_elements() {
 // Three elements on 1 m: nodes at each sixth. A mass at 0.5 m is on the middle node of the
 // second; one at 0.6 m is nearest to the element end at 2/3 m, and reported with its arm.
 #[test]
-fn masses_on_pieces_are_on_the_nodes_there_or_told() {
+fn masses_on_pieces_are_on_the_nodes_there_or_reported() {
     let cards = |at: f64| {
         format!(
             "{STRIP}[[blade]]\nname = \"b\"\nproperties = \"strip\"\n[[blade.piece]]\nlength = 1\n\
              elements = 3\n[[blade.mass]]\nat = {at}\nmass = 5\n{MODES}"
         )
     };
-    for (at, node, told) in [
+    for (at, node, reported) in [
         (0.5, "b/3", None),
         (1.0, "b/tip", None),
         (
@@ -204,9 +204,9 @@ fn masses_on_pieces_are_on_the_nodes_there_or_told() {
             .remarks
             .iter()
             .find(|remark| remark.contains("mass 1"));
-        match told {
+        match reported {
             None => assert_eq!(remark, None),
-            Some(told) => assert!(remark.unwrap().starts_with(told), "{remark:?}"),
+            Some(reported) => assert!(remark.unwrap().starts_with(reported), "{remark:?}"),
         }
     }
 }
@@ -337,7 +337,7 @@ fn wrong_cards_of_blades_are_explained() {
 // file, and at the evaluation points again, because a table may be interpolated in other
 // ways.
 #[test]
-fn a_blade_file_that_is_wrong_is_told_with_its_own_lines() {
+fn a_blade_file_that_is_wrong_is_reported_with_its_own_lines() {
     let mut wrong = straight(10.0, 0.0);
     wrong.stations[1].stiffness[(3, 3)] = -1.0;
     let shown = refused(&wrong, &format!("{FILE}{MODES}"));
@@ -374,8 +374,8 @@ fn the_relaxed_angle_of_a_hinge_is_a_drive() {
     let system = &found.model.system;
     let mut conditions = Conditions::at_rest();
     conditions.loading.time = 0.5;
-    let told = system.observe(&system.rest(), &conditions);
-    let hinge = told
+    let observed = system.observe(&system.rest(), &conditions);
+    let hinge = observed
         .joints
         .iter()
         .find(|joint| joint.joint == "b/pitch hinge");

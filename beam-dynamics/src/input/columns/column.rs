@@ -7,7 +7,7 @@ use shared_geom::keys;
 
 use super::problem::ColumnProblem;
 use crate::case::Column;
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::readings::{self, Reading};
 
 /// A quantity of the tables.
@@ -27,12 +27,12 @@ keys! {
 }
 
 /// Reads every `[[output.column]]`; a card of several components is several columns.
-pub(super) fn read(output: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
+pub(super) fn read(output: &Table<'_>, builder: &ModelBuilder) -> Option<Vec<Column>> {
     let mut complete = true;
     let mut columns: Vec<Column> = Vec::new();
     let mut lines: Vec<usize> = Vec::new();
     for table in output.tables("column") {
-        let found = card(&table, draft);
+        let found = card(&table, builder);
         if readings::is_known(&table) {
             table.finish();
         }
@@ -61,7 +61,7 @@ pub(super) fn is_name(name: &str) -> bool {
         && letters.all(|c| c.is_ascii_alphanumeric() || "_.-".contains(c))
 }
 
-fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
+fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<Vec<Column>> {
     let name = name(table);
     let kind = readings::kind(table);
     let user = match &name {
@@ -70,7 +70,7 @@ fn card(table: &Table<'_>, draft: &Draft) -> Option<Vec<Column>> {
     };
     let reading = Reading {
         table,
-        draft,
+        builder,
         user: &user,
     };
     let parts = reading.parts(kind?);

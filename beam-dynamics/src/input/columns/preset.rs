@@ -4,16 +4,16 @@ use super::column::is_name;
 use crate::case::{Column, ElectrodeQuantity, Quantity};
 use crate::elements::EnergyPart;
 use crate::elements::{Axes, NodeQuantity, NodeVector, Part};
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 
 /// Nodes with columns of their own.
 const MOST_NODES: usize = 8;
 
 /// The positions of the most informative nodes, and the energies.
-pub(super) fn columns(draft: &Draft) -> Vec<Column> {
+pub(super) fn columns(builder: &ModelBuilder) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
-    for node in draft.telling_nodes(MOST_NODES) {
-        let label = &draft.nodes()[node].label;
+    for node in builder.main_nodes(MOST_NODES) {
+        let label = &builder.nodes()[node].label;
         for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
             let mut name = format!("{}_{axis}", as_name(label));
             while columns.iter().any(|column| column.name == name) {
@@ -34,9 +34,9 @@ pub(super) fn columns(draft: &Draft) -> Vec<Column> {
             });
         }
     }
-    columns.extend(of_electrodes(draft));
+    columns.extend(of_electrodes(builder));
     let electric = ("electric_energy", EnergyPart::Electric);
-    let electric = (!draft.electrodes().is_empty()).then_some(electric);
+    let electric = (!builder.electrodes().is_empty()).then_some(electric);
     for (name, part) in [
         ("kinetic_energy", EnergyPart::Kinetic),
         ("elastic_energy", EnergyPart::Elastic),
@@ -58,13 +58,13 @@ pub(super) fn columns(draft: &Draft) -> Vec<Column> {
 }
 
 /// Voltage, charge and current of every electrode.
-fn of_electrodes(draft: &Draft) -> Vec<Column> {
+fn of_electrodes(builder: &ModelBuilder) -> Vec<Column> {
     const QUANTITIES: [(&str, ElectrodeQuantity, &str); 3] = [
         ("voltage", ElectrodeQuantity::Voltage, "V"),
         ("charge", ElectrodeQuantity::Charge, "C"),
         ("current", ElectrodeQuantity::Current, "A"),
     ];
-    let cards = draft.electrodes().iter().enumerate();
+    let cards = builder.electrodes().iter().enumerate();
     let columns = cards.flat_map(|(electrode, card)| {
         QUANTITIES.map(|(word, quantity, unit)| Column {
             name: format!("{word}_{}", as_name(&card.label)),

@@ -7,7 +7,7 @@ use crate::elements::{Axes, NodeQuantity, NodeVector, Part, Reading};
 use crate::input::Input;
 use crate::input::test_files::read_beside;
 use crate::model::{Conditions, State};
-use crate::result::{ColumnValues, Moment};
+use crate::result::{AcceptedStep, ColumnValues};
 
 const MODEL: &str = "
 units = \"SI\"
@@ -216,8 +216,8 @@ fn columns_have_names_units_and_parts() {
 }
 
 #[test]
-fn all_that_is_wrong_is_told_with_the_nearest_name() {
-    let told = input(WRONG).unwrap_err();
+fn all_that_is_wrong_is_reported_with_the_nearest_name() {
+    let reported = input(WRONG).unwrap_err();
     for expected in [
         "a.dynamics.toml:29: \"every\" is 0, expected a whole number of at least 1",
         "a.dynamics.toml:31: \"1st\" is not a column name, expected letters",
@@ -234,7 +234,7 @@ fn all_that_is_wrong_is_told_with_the_nearest_name() {
         "column \"g\" is already defined on line ",
         "\"time\" is the name of the first column",
     ] {
-        assert!(told.contains(expected), "{expected}\n---\n{told}");
+        assert!(reported.contains(expected), "{expected}\n---\n{reported}");
     }
 }
 
@@ -288,7 +288,7 @@ fn joints_and_drives_are_found_at_a_state() {
     }
     let mut conditions = Conditions::at_rest();
     conditions.loading.time = 7.0;
-    let moment = Moment {
+    let accepted = AcceptedStep {
         step: 1,
         time: 7.0,
         length: 1.0,
@@ -297,7 +297,7 @@ fn joints_and_drives_are_found_at_a_state() {
         conditions: &conditions,
     };
     let mut out = [0.0; 7];
-    ColumnValues::new(&input.model, &input.output).evaluate(&moment, &mut out);
+    ColumnValues::new(&input.model, &input.output).evaluate(&accepted, &mut out);
     let [angle, turned, slip, side, up, force, push] = out;
     assert_relative_eq!(angle, 0.5, epsilon = 1e-14);
     // The axes of the pin: x along its axis, z of the model.
@@ -324,7 +324,7 @@ fn numbers(cards: &str, change: impl Fn(&mut State)) -> Vec<f64> {
     let mut state = input.model.system.rest();
     change(&mut state);
     let conditions = Conditions::at_rest();
-    let moment = Moment {
+    let accepted = AcceptedStep {
         step: 1,
         time: 0.0,
         length: 1.0,
@@ -333,7 +333,7 @@ fn numbers(cards: &str, change: impl Fn(&mut State)) -> Vec<f64> {
         conditions: &conditions,
     };
     let mut out = vec![0.0; input.output.columns.len()];
-    ColumnValues::new(&input.model, &input.output).evaluate(&moment, &mut out);
+    ColumnValues::new(&input.model, &input.output).evaluate(&accepted, &mut out);
     out
 }
 
@@ -378,21 +378,21 @@ fn frames_of_columns_are_looked_for_with_the_nodes() {
         card("a", "displacement", "mid", "in = \"grund\""),
         card("b", "displacement", "mid", "in = \"the tib\""),
     ];
-    let told = input(&cards.concat()).unwrap_err();
+    let reported = input(&cards.concat()).unwrap_err();
     for expected in [
         "a.dynamics.toml:34: unknown node or frame \"grund\" in column \"a\"\n  \
          help: did you mean \"ground\"?",
         "a.dynamics.toml:39: unknown node or frame \"the tib\" in column \"b\"\n  \
          help: did you mean \"the tip\"?",
     ] {
-        assert!(told.contains(expected), "{expected}\n---\n{told}");
+        assert!(reported.contains(expected), "{expected}\n---\n{reported}");
     }
 }
 
 // A rod of 1 m that is stretched by 0.5 m with 8 kN per unit of strain, and a spring that is
 // moved by (1, 2, 3) mm with (1, 10, 100) kN/m and turned by 0.1 rad about z with 50 N m/rad.
 #[test]
-fn rods_and_springs_tell_their_motion_and_what_resists_it() {
+fn rods_and_springs_report_their_motion_and_what_resists_it() {
     let cards = [
         "[[rod]]\nname = \"stay\"\nnodes = [\"root\", \"mid\"]\n\
          law = { kind = \"linear\", stiffness = 8e3 }\n"

@@ -11,7 +11,7 @@ use shared_geom::units::Dimension;
 
 use crate::elements::Input;
 use crate::elements::control::{Actuator, Servo};
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::drives::{self, Catalog, Measure, Read};
 use crate::model::{Scalar, ScalarStart};
 
@@ -96,20 +96,20 @@ fn start(table: &Table<'_>) -> Option<ScalarStart> {
 }
 
 /// Adds every `[[actuator]]` to the model.
-pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
+pub(super) fn read(named: Vec<Named<'_>>, builder: &mut ModelBuilder) {
     for card in named {
         let table = &card.table;
         let command = match table.require_item("command", "a number, a drive or an expression") {
-            Some(item) => drives::signal_of(&item, Dimension::NUMBER, draft.drives()),
+            Some(item) => drives::signal_of(&item, Dimension::NUMBER, builder.drives()),
             None => None,
         };
         let servo = servo(table);
         table.finish();
         match (command, servo, card.position) {
             (Some(command), Some(servo), Some((name, position))) => {
-                draft.add_control(Box::new(Actuator::new(name, servo, command, position)));
+                builder.add_control(Box::new(Actuator::new(name, servo, command, position)));
             }
-            _ => draft.note_broken(),
+            _ => builder.note_broken(),
         }
     }
 }

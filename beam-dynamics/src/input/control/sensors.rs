@@ -12,7 +12,7 @@ use crate::elements::circuits::Circuit;
 use crate::elements::{
     Axes, EnergyPart, Input, NodeReading, NodeVector, Reading as ElementReading, Sensor,
 };
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::drives::{self, Measure, Read};
 use crate::input::readings::{self, Kind, Reading, ReadingProblem, Source};
 use crate::model::{Quantity as ScalarQuantity, Scalar};
@@ -108,20 +108,20 @@ fn measure(kind: &Kind, table: &Table<'_>) -> Option<Measure> {
 }
 
 /// Adds every sensor to the model.
-pub(super) fn read(declared: Vec<Declared<'_>>, draft: &mut Draft) {
+pub(super) fn read(declared: Vec<Declared<'_>>, builder: &mut ModelBuilder) {
     for one in declared {
-        let is_read = sensor(&one, draft).is_some();
+        let is_read = sensor(&one, builder).is_some();
         // The keys of an unknown quantity are not checked.
         if one.kind.is_some() {
             one.table.finish();
         }
         if !is_read {
-            draft.note_broken();
+            builder.note_broken();
         }
     }
 }
 
-fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<()> {
+fn sensor(declared: &Declared<'_>, builder: &mut ModelBuilder) -> Option<()> {
     let Declared {
         name,
         table,
@@ -132,7 +132,7 @@ fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<()> {
     let user = format!("sensor \"{name}\"");
     let reading = Reading {
         table,
-        draft,
+        builder,
         user: &user,
     };
     let mut found = reading.parts(kind)?;
@@ -144,7 +144,7 @@ fn sensor(declared: &Declared<'_>, draft: &mut Draft) -> Option<()> {
     let scalar = scalar.as_ref()?;
     let found = found.remove(0);
     let words = (kind.0, name.as_str());
-    match attach(found.quantity, words, scalar, draft) {
+    match attach(found.quantity, words, scalar, builder) {
         Ok(()) => Some(()),
         Err(problem) => {
             let key = if table.has("of") { "of" } else { "quantity" };
@@ -159,7 +159,7 @@ fn attach(
     quantity: Quantity,
     (word, name): (&'static str, &str),
     scalar: &Scalar,
-    draft: &mut Draft,
+    builder: &mut ModelBuilder,
 ) -> Result<(), ReadingProblem> {
     let not_sensed = |reason| ReadingProblem::NotSensed {
         quantity: word,
@@ -167,33 +167,33 @@ fn attach(
     };
     match quantity {
         Quantity::Node(quantity) => {
-            let reading = NodeReading::new(&quantity, draft.nodes());
+            let reading = NodeReading::new(&quantity, builder.nodes());
             reading
                 .nodes()
                 .iter()
-                .for_each(|node| draft.use_node(*node));
-            draft.add_control(Box::new(Sensor::new(name, scalar.clone(), reading)));
+                .for_each(|node| builder.use_node(*node));
+            builder.add_control(Box::new(Sensor::new(name, scalar.clone(), reading)));
         }
         Quantity::Element { label, reading } => {
-            if !draft.reports(&label, &reading) {
+            if !builder.reports(&label, &reading) {
                 return Err(not_sensed("the element under \"of\" does not have it"));
             }
-            if !knows_axes(&reading, &label, draft) {
+            if !knows_axes(&reading, &label, builder) {
                 return Err(ReadingProblem::AxesOfOther);
             }
-            draft.watch(label, reading, scalar.clone());
+            builder.watch(label, reading, scalar.clone());
         }
         Quantity::Electrode {
             electrode,
             quantity,
         } => {
-            let place = place_of(&draft.electrodes()[electrode].circuit, quantity);
-            let place = place
+            let index = index_of(&builder.electrodes()[electrode].circuit, quantity);
+            let index = index
                 .ok_or_else(|| not_sensed("it is not an unknown of this electrode's circuit"))?;
-            draft.watch_electrode((electrode, place), name.to_owned(), scalar.clone());
+            builder.watch_electrode((electrode, index), name.to_owned(), scalar.clone());
         }
         Quantity::Energy(part) => {
-            let known = draft.watch_energy(part, name, scalar);
+            let known = builder.watch_energy(part, name, scalar);
             known.map_err(|element| ReadingProblem::EnergyOf {
                 quantity: word,
                 element,
@@ -206,27 +206,27 @@ fn attach(
 }
 
 /// Whether the axes of a reaction belong to a node on which the element acts.
-fn knows_axes(reading: &ElementReading, label: &str, draft: &Draft) -> bool {
+fn knows_axes(reading: &ElementReading, label: &str, builder: &ModelBuilder) -> bool {
     match reading {
         ElementReading::Reaction {
             axes: Axes::Node(node),
             ..
-        } => draft.nodes_of_joint(label).contains(node),
+        } => builder.nodes_of_joint(label).contains(node),
         _ => true,
     }
 }
 
 /// The index of an unknown of a circuit, see [`Circuit::scalars`].
-fn place_of(circuit: &Circuit, quantity: ElectrodeQuantity) -> Option<usize> {
+fn index_of(circuit: &Circuit, quantity: ElectrodeQuantity) -> Option<usize> {
     let unknowns = match circuit {
         Circuit::Held(_) => 0,
         Circuit::Open { .. } => 1,
         Circuit::Shunt { inductance, .. } => 2 + usize::from(*inductance > 0.0),
     };
-    let place = match quantity {
+    let index = match quantity {
         ElectrodeQuantity::Voltage => 0,
         ElectrodeQuantity::Charge => 1,
         ElectrodeQuantity::Current => 2,
     };
-    (place < unknowns).then_some(place)
+    (index < unknowns).then_some(index)
 }

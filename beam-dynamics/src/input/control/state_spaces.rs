@@ -11,7 +11,7 @@ use shared_geom::units::Dimension;
 
 use crate::elements::control::{Matrices, Sampled, StateSpace};
 use crate::elements::{Element, Input};
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::drives::{self, Catalog, Measure, Read};
 use crate::input::ends;
 use crate::model::{Scalar, ScalarStart};
@@ -55,28 +55,28 @@ pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'
 }
 
 /// Adds every `[[state_space]]` to the model.
-pub(super) fn read(named: Vec<Named<'_>>, draft: &mut Draft) {
+pub(super) fn read(named: Vec<Named<'_>>, builder: &mut ModelBuilder) {
     for card in named {
-        let is_new = draft.take_label("state space", &card.label, &card.table);
-        let element = element(&card, draft);
+        let is_new = builder.take_label("state space", &card.label, &card.table);
+        let element = element(&card, builder);
         card.table.finish();
         let Some((element, period)) = element else {
-            draft.note_broken();
+            builder.note_broken();
             continue;
         };
         if let Some(period) = period {
-            draft.add_sampling(card.table.line_of("sample_time"), period);
+            builder.add_sampling(card.table.line_of("sample_time"), period);
         }
         match is_new {
-            true => draft.add_control(element),
-            false => draft.note_broken(),
+            true => builder.add_control(element),
+            false => builder.note_broken(),
         }
     }
 }
 
 /// Notes systems with too many samples in a run from and to the given `times` \[s\].
-pub(super) fn check_run(document: &Document, draft: &Draft, [from, to]: [f64; 2]) {
-    for &(line, period) in draft.samplings() {
+pub(super) fn check_run(document: &Document, builder: &ModelBuilder, [from, to]: [f64; 2]) {
+    for &(line, period) in builder.samplings() {
         let samples = (to - from) / period;
         if samples > MOST_SAMPLES {
             document.note(line, &StateSpaceProblem::ManySamples { samples });
@@ -122,7 +122,7 @@ fn outputs(
 }
 
 /// The element of a card, and its sample time if it samples \[s\].
-fn element(card: &Named<'_>, draft: &Draft) -> Option<(Box<dyn Element>, Option<f64>)> {
+fn element(card: &Named<'_>, builder: &ModelBuilder) -> Option<(Box<dyn Element>, Option<f64>)> {
     let table = &card.table;
     let inputs = table.require_item("inputs", "a list of numbers, drives or expressions");
     let inputs = inputs.map(|item| {
@@ -130,7 +130,7 @@ fn element(card: &Named<'_>, draft: &Draft) -> Option<(Box<dyn Element>, Option<
         let number = Dimension::NUMBER;
         let signals = items
             .iter()
-            .map(|item| drives::signal_of(item, number, draft.drives()));
+            .map(|item| drives::signal_of(item, number, builder.drives()));
         // All are read, so that all problems are noted.
         signals.collect::<Vec<_>>()
     });

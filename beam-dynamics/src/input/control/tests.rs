@@ -6,7 +6,7 @@
 )]
 
 use crate::input::Input;
-use crate::input::test_files::{STRIP, read_beside, told};
+use crate::input::test_files::{STRIP, read_beside, reported};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 
 const MODEL: &str = "
@@ -56,7 +56,7 @@ fn input(cards: &str) -> Result<Input, String> {
 
 #[track_caller]
 fn refused(cards: &str) -> String {
-    told(input(cards))
+    reported(input(cards))
 }
 
 /// The residuals of the constraints at a state at rest with all scalars at `value`.
@@ -108,7 +108,7 @@ fn scalars_have_the_names_and_units_of_their_readings() {
 
 // Before the state is known all inputs of a signal are zero; also for ln(0) and 1/0.
 #[test]
-fn signals_stand_for_temperatures_and_laws() {
+fn signals_represent_temperatures_and_laws() {
     let cards = "
 [[node]]
 name = \"c\"
@@ -208,10 +208,10 @@ const MISTAKES: [[&str; 3]; 12] = [
 ];
 
 #[test]
-fn mistakes_are_told_with_their_reason() {
-    for [right, wrong, told] in MISTAKES {
+fn mistakes_are_reported_with_their_reason() {
+    for [right, wrong, reported] in MISTAKES {
         let shown = refused(&MODEL.replace(right, wrong));
-        assert!(shown.contains(told), "{told}\nis not in\n{shown}");
+        assert!(shown.contains(reported), "{reported}\nis not in\n{shown}");
     }
 }
 

@@ -3,21 +3,21 @@
 use std::sync::Arc;
 
 use shared_geom::document::{DocumentProblem, Item, Table, read_text};
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::units::Dimension;
 
 use super::DriveProblem;
 use super::keys::{INTERPOLATION, OUTSIDE};
 use super::measure::Measure;
 use crate::input::csv_rows;
-use crate::model::{Drive, DriveTable, Interpolation, Outside, TableProblem};
+use crate::model::{Drive, DriveTable, Extrapolation, Interpolation, TableProblem};
 
 /// A row of a table, and its line.
 pub(in crate::input) type Row = (usize, [f64; 2]);
 
 /// Reads a table of times and values.
 pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
-    let (interpolation, outside) = (table.get(&INTERPOLATION), table.get(&OUTSIDE));
+    let (interpolation, extrapolation) = (table.get(&INTERPOLATION), table.get(&OUTSIDE));
     let second = table.document().factor(Dimension::TIME);
     let factor = measure.factor(table.document());
     let (file, rows) = match (table.has("file"), table.has("rows")) {
@@ -38,25 +38,24 @@ pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     let scaled = |row: &Row| [row.1[0] * second, row.1[1] * factor];
     let numbers: Vec<_> = rows.iter().map(scaled).collect();
     let interpolation = [Interpolation::Linear, Interpolation::Spline][interpolation?];
-    let outside = [Outside::Error, Outside::Hold][outside?];
-    let told = |line: usize, problem: DriveProblem| match &file {
-        Some(file) => drop(
-            table
-                .document()
-                .keep::<()>(Err(Diagnostics::one(Place::line(file, line), &problem))),
-        ),
+    let extrapolation = [Extrapolation::Error, Extrapolation::Hold][extrapolation?];
+    let reported = |line: usize, problem: DriveProblem| match &file {
+        Some(file) => drop(table.document().keep::<()>(Err(Diagnostics::one(
+            SourceLocation::line(file, line),
+            &problem,
+        )))),
         None => table.document().note(line, &problem),
     };
-    match DriveTable::new(&numbers, interpolation, outside) {
+    match DriveTable::new(&numbers, interpolation, extrapolation) {
         Ok(found) => return Some(Drive::Table(Arc::new(found))),
         Err(TableProblem::Few { found }) => {
             let line = rows.first().map_or(1, |row| row.0);
-            told(line, DriveProblem::FewRows { found });
+            reported(line, DriveProblem::FewRows { found });
         }
         Err(TableProblem::NotRising { row } | TableProblem::NotFinite { row }) => {
             let before = rows[row.saturating_sub(1)].1[0];
             let time = rows[row].1[0];
-            told(rows[row].0, DriveProblem::NotRising { time, before });
+            reported(rows[row].0, DriveProblem::NotRising { time, before });
         }
     }
     None
@@ -106,27 +105,27 @@ pub(in crate::input) fn from_file(table: &Table<'_>, of: [&str; 2]) -> Option<(S
 }
 
 /// Indices of the two columns in the heading, on line `first` of `file`.
-fn places(
+fn column_indices(
     heading: &[String],
     columns: Option<&[String]>,
     (file, first): (&str, usize),
     of: [&str; 2],
 ) -> Result<[usize; 2], Diagnostics> {
     let mut problems = Diagnostics::new();
-    let mut place = |i: usize| match columns {
+    let mut index = |i: usize| match columns {
         None => (i < heading.len()).then_some(i),
         Some(names) => {
             let found = heading.iter().position(|own| *own == names[i]);
             if found.is_none() {
                 let (name, known) = (names[i].clone(), heading.to_vec());
                 let problem = DriveProblem::NoColumn { name, known };
-                problems.push(Place::line(file, first), &problem);
+                problems.push(SourceLocation::line(file, first), &problem);
             }
             found
         }
     };
-    let places = [place(0), place(1)];
-    let [Some(time), Some(value)] = places else {
+    let indices = [index(0), index(1)];
+    let [Some(time), Some(value)] = indices else {
         if problems.is_empty() {
             let expected = format!("a heading and two columns, of {} and {}", of[0], of[1]);
             let (key, found) = ("file".to_owned(), "a table of fewer columns".to_owned());
@@ -135,7 +134,7 @@ fn places(
                 found,
                 expected,
             };
-            problems.push(Place::line(file, first), &problem);
+            problems.push(SourceLocation::line(file, first), &problem);
         }
         return Err(problems);
     };
@@ -152,7 +151,7 @@ fn rows(
     let mut records = csv_rows::records(text);
     let (first, headers) = records.next().unwrap_or((1, csv::StringRecord::new()));
     let heading: Vec<_> = headers.iter().map(str::to_owned).collect();
-    let [time, value] = places(&heading, columns, (file, first), of)?;
+    let [time, value] = column_indices(&heading, columns, (file, first), of)?;
     let mut rows = Vec::new();
     let mut wrong = Vec::new();
     for (line, record) in records {

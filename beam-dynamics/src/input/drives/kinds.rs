@@ -36,7 +36,7 @@ pub(super) fn is_known(table: &Table<'_>) -> bool {
 /// Reads a table with the key `kind`.
 pub(super) fn read(table: &Table<'_>, measure: Measure, find: &Find<'_>) -> Option<Drive> {
     if matches!(measure, Measure::Declared(_)) && table.has("unit") {
-        table.note("unit", &DriveProblem::UnitInPlace);
+        table.note("unit", &DriveProblem::InlineUnit);
     }
     // The key `expression` implies the kind.
     let kind = match !table.has("kind") && table.has("expression") {

@@ -28,7 +28,7 @@ pub enum DriveProblem {
         "\"{key}\" has values from {} s to {} s, and the run goes from {} s to {} s",
         six(.domain[0]), six(.domain[1]), six(.run[0]), six(.run[1])
     )]
-    Outside {
+    Extrapolation {
         /// The key.
         key: String,
         /// First and last time of the drive \[s\].
@@ -100,7 +100,7 @@ pub enum DriveProblem {
     },
     /// A key that only named drives have.
     #[error("a drive in a card has no \"unit\": it is in the unit of its key")]
-    UnitInPlace,
+    InlineUnit,
     /// An invalid band of frequencies.
     #[error("\"band\" is {} Hz to {} Hz, expected two increasing frequencies from zero", six(.band[0]), six(.band[1]))]
     Band {
@@ -216,7 +216,7 @@ impl Explain for DriveProblem {
                     None => format!("columns: {}", known.join(", ")),
                 });
             }
-            Self::Outside { .. } => {
+            Self::Extrapolation { .. } => {
                 "give more values, or outside = \"hold\" to continue with the first and the last"
             }
             Self::NoStart { .. } => {
@@ -245,7 +245,7 @@ impl Explain for DriveProblem {
                 "expressions read the names of sensors, state spaces and actuators: these cards cannot \
                  be copied by [[repeat]], write one for each copy outside of it"
             }
-            Self::UnitInPlace => {
+            Self::InlineUnit => {
                 "give it a name, [drives.NAME], or write the values with their unit"
             }
             _ => return None,

@@ -63,7 +63,7 @@ pub(in crate::input) fn read_speed(
 
 /// Like [`read_signal`], for a prescribed position or angle: the second derivative of the
 /// signal must be known.
-pub(in crate::input) fn read_place(
+pub(in crate::input) fn read_position(
     table: &Table<'_>,
     key: &str,
     dimension: Dimension,
@@ -83,7 +83,7 @@ fn read_smooth(
     is_smooth(item, &signal, needed).then_some(signal)
 }
 
-/// Like [`read_place`], for a length above zero at all times.
+/// Like [`read_position`], for a length above zero at all times.
 pub(in crate::input) fn read_distance(
     table: &Table<'_>,
     key: &str,

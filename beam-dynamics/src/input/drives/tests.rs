@@ -143,7 +143,7 @@ fn tables_are_columns_of_a_file() {
 }
 
 #[test]
-fn a_run_that_leaves_a_table_is_told_before() {
+fn a_run_that_leaves_a_table_is_reported_before() {
     let shown = found(
         "units = \"SI\"\ndrive = { kind = \"table\", rows = [[0, 1], [2, 3]] }\n",
         Dimension::FORCE,
@@ -156,7 +156,7 @@ fn a_run_that_leaves_a_table_is_told_before() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_line_and_the_nearest_name() {
+fn what_is_wrong_is_reported_with_its_line_and_the_nearest_name() {
     let text = "units = \"SI\"
 drive = \"swin\"
 [drives.swing]
@@ -209,7 +209,7 @@ q = \"= p\"
 
 #[test]
 fn of_a_wrong_drive_no_known_key_is_unknown() {
-    let told = |drive: &str| {
+    let reported = |drive: &str| {
         let text = format!("[drive]\n{drive}");
         found(&text, Dimension::LENGTH).unwrap_err()
     };
@@ -229,11 +229,11 @@ fn of_a_wrong_drive_no_known_key_is_unknown() {
         ("kind = \"rmp\"\nto = 1\nduration = 2", "\"rmp\""),
         ("to = 1\nduration = 2", "no \"kind\""),
     ] {
-        let text = told(drive);
+        let text = reported(drive);
         assert!(text.contains(expected), "{text}");
         assert!(!text.contains("unknown key"), "{text}");
     }
     // Unknown keys of the kind are still reported, together with the other problems.
-    let text = told("kind = \"random\"\ndeviation = -1\nseed = 1\nbnd = [1, 2]");
+    let text = reported("kind = \"random\"\ndeviation = -1\nseed = 1\nbnd = [1, 2]");
     assert!(text.contains("unknown key \"bnd\""), "{text}");
 }

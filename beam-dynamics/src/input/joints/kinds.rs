@@ -10,7 +10,7 @@ use super::keys::{AT, FREEDOMS, FROM, ORIENTATION};
 use super::problem::JointProblem;
 use crate::elements::Signal;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::drives;
 use crate::input::ends;
 use crate::input::frames::Frame;
@@ -91,11 +91,11 @@ impl Axes {
 }
 
 /// Adds every `[[joint]]` to the model.
-pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(in crate::input) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("joint").iter().enumerate() {
         let label = ends::label(table, "joint", number);
-        let is_new = draft.take_label("joint", &label, table);
-        let nodes = nodes(table, draft, &format!("joint \"{label}\""));
+        let is_new = builder.take_label("joint", &label, table);
+        let nodes = nodes(table, builder, &format!("joint \"{label}\""));
         let kind = match table.has("kind") {
             true => table.word("kind", &KINDS),
             false => {
@@ -105,11 +105,11 @@ pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
         };
         // The keys of an unknown kind are not checked.
         let Some(kind) = kind.map(|kind| KINDS[kind]) else {
-            draft.note_broken();
+            builder.note_broken();
             continue;
         };
-        let holds = holds(kind, table, draft);
-        let frame = draft.frames().of(table);
+        let holds = holds(kind, table, builder);
+        let frame = builder.frames().of(table);
         let points = points(kind, table).zip(frame);
         let points = points.map(|(points, frame)| points.in_frame(&frame));
         let axes = axes(kind, table).zip(frame);
@@ -119,55 +119,55 @@ pub(in crate::input) fn read(root: &Table<'_>, draft: &mut Draft) {
             (Some(nodes), Some(holds), Some(points), Some(axes)) if is_new => joint(
                 &label,
                 &nodes,
-                draft.nodes(),
+                builder.nodes(),
                 (holds, &points, &axes),
                 table,
             ),
             _ => None,
         };
         match joint {
-            Some(joint) => draft.add_joint(Box::new(joint)),
-            None => draft.note_broken(),
+            Some(joint) => builder.add_joint(Box::new(joint)),
+            None => builder.note_broken(),
         }
     }
 }
 
 /// One node, which is joined to the frame, or two.
-fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<usize>> {
-    ends::one_or_two(table, draft, words, |found| {
+fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, words: &str) -> Option<Vec<usize>> {
+    ends::one_or_two(table, builder, words, |found| {
         ends::count(found, "one or two")
     })
 }
 
 /// The constraint of a joint of a kind.
-fn holds(kind: &str, table: &Table<'_>, draft: &Draft) -> Option<Holds> {
+fn holds(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<Holds> {
     let slide = || {
-        let drive = drive(table, "displacement", Dimension::LENGTH, draft)?;
+        let drive = drive(table, "displacement", Dimension::LENGTH, builder)?;
         Some(drive.map_or(Freedom::Free, Freedom::Driven))
     };
     Some(match kind {
         "clamp" => Holds::Clamp,
         "spherical" => Holds::Spherical,
-        "revolute" => Holds::Revolute(turning(table, draft)?),
+        "revolute" => Holds::Revolute(turning(table, builder)?),
         "cylindrical" => {
-            let (slide, turning) = (slide(), turning(table, draft));
+            let (slide, turning) = (slide(), turning(table, builder));
             Holds::Cylindrical(slide?, turning?)
         }
         "universal" => Holds::Universal,
         "prismatic" => Holds::Prismatic(slide()?),
         "in-line" => Holds::InLine,
-        "in-plane" => Holds::InPlane(drive(table, "displacement", Dimension::LENGTH, draft)?),
-        "plane-rotation" => Holds::PlaneRotation(turning(table, draft)?),
-        "distance" => Holds::Distance(length(table, draft)?),
-        "velocity" => Holds::Velocity(velocities(table, draft)?),
-        "spin" => match turning(table, draft)? {
+        "in-plane" => Holds::InPlane(drive(table, "displacement", Dimension::LENGTH, builder)?),
+        "plane-rotation" => Holds::PlaneRotation(turning(table, builder)?),
+        "distance" => Holds::Distance(length(table, builder)?),
+        "velocity" => Holds::Velocity(velocities(table, builder)?),
+        "spin" => match turning(table, builder)? {
             Some(turning) => Holds::Spin(turning),
             None => {
                 table.note("", &JointProblem::NoSpin);
                 return None;
             }
         },
-        _ => Holds::Total(freedoms(kind, table, draft)?),
+        _ => Holds::Total(freedoms(kind, table, builder)?),
     })
 }
 
@@ -176,21 +176,21 @@ fn drive(
     table: &Table<'_>,
     key: &str,
     dimension: Dimension,
-    draft: &Draft,
+    builder: &ModelBuilder,
 ) -> Option<Option<Signal>> {
     match table.has(key) {
         true if [Dimension::VELOCITY, Dimension::ROTATION_SPEED].contains(&dimension) => {
-            drives::read_speed(table, key, dimension, draft.drives()).map(Some)
+            drives::read_speed(table, key, dimension, builder.drives()).map(Some)
         }
-        true => drives::read_place(table, key, dimension, draft.drives()).map(Some),
+        true => drives::read_position(table, key, dimension, builder.drives()).map(Some),
         false => Some(None),
     }
 }
 
 /// The prescribed rotation about the axis: `angle` or `speed`.
-fn turning(table: &Table<'_>, draft: &Draft) -> Option<Option<Turning>> {
-    let angle = drive(table, "angle", Dimension::ANGLE, draft);
-    let speed = drive(table, "speed", Dimension::ROTATION_SPEED, draft);
+fn turning(table: &Table<'_>, builder: &ModelBuilder) -> Option<Option<Turning>> {
+    let angle = drive(table, "angle", Dimension::ANGLE, builder);
+    let speed = drive(table, "speed", Dimension::ROTATION_SPEED, builder);
     match (angle?, speed?) {
         (None, None) => Some(None),
         (Some(angle), None) => Some(Some(Turning::Angle(angle))),
@@ -203,9 +203,9 @@ fn turning(table: &Table<'_>, draft: &Draft) -> Option<Option<Turning>> {
 }
 
 /// The length of a distance joint.
-fn length(table: &Table<'_>, draft: &Draft) -> Option<Option<Signal>> {
+fn length(table: &Table<'_>, builder: &ModelBuilder) -> Option<Option<Signal>> {
     match table.has("length") {
-        true => drives::read_distance(table, "length", draft.drives()).map(Some),
+        true => drives::read_distance(table, "length", builder.drives()).map(Some),
         false => Some(None),
     }
 }
@@ -215,7 +215,7 @@ fn components(
     table: &Table<'_>,
     key: &str,
     dimension: Dimension,
-    draft: &Draft,
+    builder: &ModelBuilder,
 ) -> Option<[Option<Signal>; 3]> {
     if !table.has(key) {
         return Some([None, None, None]);
@@ -225,15 +225,20 @@ fn components(
         return Some([0, 1, 2].map(|i| Some(Drive::Constant(numbers[i]).into())));
     }
     let inner = table.table(key)?;
-    let found = ["x", "y", "z"].map(|axis| drive(&inner, axis, dimension, draft));
+    let found = ["x", "y", "z"].map(|axis| drive(&inner, axis, dimension, builder));
     inner.finish();
     let [x, y, z] = found;
     Some([x?, y?, z?])
 }
 
-fn velocities(table: &Table<'_>, draft: &Draft) -> Option<[Option<Signal>; 6]> {
-    let along = components(table, "velocity", Dimension::VELOCITY, draft);
-    let about = components(table, "angular_velocity", Dimension::ROTATION_SPEED, draft);
+fn velocities(table: &Table<'_>, builder: &ModelBuilder) -> Option<[Option<Signal>; 6]> {
+    let along = components(table, "velocity", Dimension::VELOCITY, builder);
+    let about = components(
+        table,
+        "angular_velocity",
+        Dimension::ROTATION_SPEED,
+        builder,
+    );
     let ([a, b, c], [d, e, f]) = (along?, about?);
     let all = [a, b, c, d, e, f];
     if all.iter().all(Option::is_none) {
@@ -245,9 +250,9 @@ fn velocities(table: &Table<'_>, draft: &Draft) -> Option<[Option<Signal>; 6]> {
 }
 
 /// The freedoms of a position, a rotation or a total joint.
-fn freedoms(kind: &str, table: &Table<'_>, draft: &Draft) -> Option<[Freedom; 6]> {
+fn freedoms(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<[Freedom; 6]> {
     let driven = |of: &str, key: &str, dimension| match kind == of || kind == "total" {
-        true => components(table, key, dimension, draft),
+        true => components(table, key, dimension, builder),
         false => Some([None, None, None]),
     };
     let along = driven("position", "displacement", Dimension::LENGTH);

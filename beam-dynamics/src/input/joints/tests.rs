@@ -141,7 +141,7 @@ fn a_joint_of_one_node_is_with_the_frame() {
 }
 
 #[test]
-fn every_problem_of_joints_is_told_at_once() {
+fn every_problem_of_joints_is_reported_at_once() {
     let two = "nodes = [\"crank\", \"rod\"]";
     let cards = [
         "kind = \"sperical\"\nnodes = [\"crank\", \"rod\"]".to_owned(),

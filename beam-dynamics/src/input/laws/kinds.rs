@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use shared_geom::document::Table;
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::expression::{Names, written};
 use shared_geom::units::Dimension;
 
@@ -11,7 +11,9 @@ use super::Components;
 use super::keys::{INTERPOLATION, OUTSIDE};
 use super::numbers::{each, each_positive, matrix, slope};
 use super::problem::LawProblem;
-use crate::elements::laws::{Between, Bilinear, Cubic, Curve, ExpressionLaw, LawKind, Outside};
+use crate::elements::laws::{
+    Between, Bilinear, Cubic, Curve, ExpressionLaw, Extrapolation, LawKind,
+};
 use crate::input::drives::from_file;
 use crate::input::number::not_negative;
 
@@ -153,22 +155,27 @@ fn by_component<const N: usize, T>(
 }
 
 fn curves<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
-    let (between, outside) = (table.get(&INTERPOLATION), table.get(&OUTSIDE));
+    let (between, extrapolation) = (table.get(&INTERPOLATION), table.get(&OUTSIDE));
     let points = by_component(table, "points", of, |table, key, i| {
         points(table, key, [of.strain[i], of.force[i]])
     });
     let between = [Between::Linear, Between::Spline][between?];
-    let outside = [Outside::Extend, Outside::Hold, Outside::Error][outside?];
+    let extrapolation = [
+        Extrapolation::Extend,
+        Extrapolation::Hold,
+        Extrapolation::Error,
+    ][extrapolation?];
     let has_rest = |[strain, _]: &[Vec<f64>; 2]| {
         let ends = [strain.first(), strain.last()];
         matches!(ends, [Some(first), Some(last)] if *first <= 0.0 && *last >= 0.0)
     };
     let points = points?;
-    if outside == Outside::Error && !points.iter().flatten().all(has_rest) {
+    if extrapolation == Extrapolation::Error && !points.iter().flatten().all(has_rest) {
         table.note("outside", &LawProblem::NoRest);
         return None;
     }
-    let curve = |[strain, force]: [Vec<f64>; 2]| Curve::new(&strain, &force, between, outside);
+    let curve =
+        |[strain, force]: [Vec<f64>; 2]| Curve::new(&strain, &force, between, extrapolation);
     Some(LawKind::Table(points.map(|points| points.map(curve))))
 }
 
@@ -221,13 +228,13 @@ fn points_of_file(table: &Table<'_>, dimensions: [Dimension; 2]) -> Option<[Vec<
     let found = from_file(table, ["strains", "forces"]);
     table.finish();
     let (file, rows) = found?;
-    let told = |line: usize, problem: &LawProblem| {
-        let problems = Diagnostics::one(Place::line(&file, line), problem);
+    let reported = |line: usize, problem: &LawProblem| {
+        let problems = Diagnostics::one(SourceLocation::line(&file, line), problem);
         let _ = table.document().keep::<()>(Err(problems));
     };
     if rows.len() < 2 {
         let found = rows.len();
-        told(
+        reported(
             rows.first().map_or(1, |row| row.0),
             &LawProblem::FewPoints { found },
         );
@@ -235,7 +242,7 @@ fn points_of_file(table: &Table<'_>, dimensions: [Dimension; 2]) -> Option<[Vec<
     }
     if let Some(pair) = rows.windows(2).find(|pair| pair[1].1[0] <= pair[0].1[0]) {
         let (before, found) = (pair[0].1[0], pair[1].1[0]);
-        told(pair[1].0, &LawProblem::NotAscending { before, found });
+        reported(pair[1].0, &LawProblem::NotAscending { before, found });
         return None;
     }
     let rows: Vec<_> = rows.iter().map(|row| row.1).collect();

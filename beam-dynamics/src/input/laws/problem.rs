@@ -141,7 +141,7 @@ pub enum LawProblem {
     },
     /// A spring between two nodes in the ground frame.
     #[error("\"stands_in\" is for springs of one node with \"stiffness\" and \"damping\"")]
-    Stand,
+    SupportFrame,
     /// A force between nodes without a force.
     #[error("nothing acts between the nodes, expected \"tension\", \"force\" or \"moment\"")]
     NoForce,

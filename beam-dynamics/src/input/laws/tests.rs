@@ -113,7 +113,7 @@ fn laws_add_up_and_carry_prestress() {
 }
 
 #[test]
-fn springs_act_in_the_axes_of_the_first_node_at_their_place() {
+fn springs_act_in_the_axes_of_the_first_node_at_their_position() {
     let cards = "[[spring]]\nname = \"s\"\nnodes = [\"root\", \"tip\"]\nat = [1.5, 0, 0]\n\
         law = { kind = \"linear\", stiffness = [[3, 1, 0], [1, 2, 0], [0, 0, 4]] }\n\
         rotational_law = { kind = \"bilinear\", stiffness = 8, second_stiffness = 1, limit = \"3 deg\" }\n";
@@ -197,7 +197,7 @@ fn springs_between_nodes_hold_them_together_in_their_directions() {
 /// A relaxed length that reaches zero in the run is reported before it, with time and
 /// value; a length that is below zero only after the run is not.
 #[test]
-fn a_relaxed_length_through_zero_is_told_before_the_run() {
+fn a_relaxed_length_through_zero_is_reported_before_the_run() {
     let rod = |length: &str, to: f64| {
         format!(
             "{HOLD}[[rod]]\nname = \"rod\"\nnodes = [\"root\", \"tip\"]\nlength = {length}\n\
@@ -281,7 +281,7 @@ const WRONG_OF_RODS: &[(&str, &str)] = &[
 
 /// A spring along a line or about an axis belongs to other cards.
 #[test]
-fn one_number_of_a_spring_tells_of_rods_and_hinges() {
+fn one_number_of_a_spring_reports_rods_and_hinges() {
     for ends in ["node = \"tip\"", "nodes = [\"root\", \"tip\"]"] {
         for (key, card) in [
             ("stiffness", "[[rod]]"),
@@ -289,9 +289,12 @@ fn one_number_of_a_spring_tells_of_rods_and_hinges() {
             ("rotational_stiffness", "[[hinge]]"),
         ] {
             let cards = format!("{HOLD}[[spring]]\nname = \"soft\"\n{ends}\n{key} = 100\n");
-            let told = input(&cards).unwrap_err();
-            assert!(told.contains(&format!("\"{key}\" is not a list")), "{told}");
-            assert!(told.contains(card), "{told}");
+            let reported = input(&cards).unwrap_err();
+            assert!(
+                reported.contains(&format!("\"{key}\" is not a list")),
+                "{reported}"
+            );
+            assert!(reported.contains(card), "{reported}");
         }
     }
 }
@@ -325,7 +328,7 @@ const WRONG_OF_SPRINGS: &[(&str, &str)] = &[
 ];
 
 #[test]
-fn wrong_laws_are_told_with_their_remedy() {
+fn wrong_laws_are_reported_with_their_remedy() {
     let rod =
         |law: &str| format!("[[rod]]\nname = \"r\"\nnodes = [\"root\", \"tip\"]\nlaw = {law}\n");
     for (law, expected) in WRONG_OF_RODS {
@@ -397,7 +400,7 @@ fn tables_of_laws_come_from_files() {
 }
 
 #[test]
-fn what_is_wrong_with_tables_of_laws_is_told_at_its_place() {
+fn what_is_wrong_with_tables_of_laws_is_reported_at_its_location() {
     let file = "{ file = \"curve.csv\", columns = [\"u\", \"f\"] }";
     for (csv, points, rest, expected) in [
         ("u,g\n0,0\n1,1\n", file, "", "curve.csv:1: no column \"f\""),
@@ -432,9 +435,9 @@ fn what_is_wrong_with_tables_of_laws_is_told_at_its_place() {
             "the points do not reach zero strain",
         ),
     ] {
-        let told = input_beside(csv, &rod(points, rest)).unwrap_err();
-        assert!(told.contains(expected), "{expected}\n---\n{told}");
-        assert_eq!(told.matches("error: ").count(), 1, "{told}");
+        let reported = input_beside(csv, &rod(points, rest)).unwrap_err();
+        assert!(reported.contains(expected), "{expected}\n---\n{reported}");
+        assert_eq!(reported.matches("error: ").count(), 1, "{reported}");
     }
 }
 
@@ -445,10 +448,10 @@ fn drives_of_laws_must_have_values_during_the_run() {
                  law = { kind = \"linear\", stiffness = 1, prestress = 2, \
                  prestress_drive = \"short\", prestrain = 0.1, prestrain_drive = \"short\" }\n\
                  [transient]\nto = 1\nstep = 0.1\n";
-    let told = input(&format!("{HOLD}{cards}")).unwrap_err();
+    let reported = input(&format!("{HOLD}{cards}")).unwrap_err();
     for key in ["prestress_drive", "prestrain_drive"] {
         let expected =
             format!("\"{key}\" has values from 0 s to 0.5 s, and the run goes from 0 s to 1 s");
-        assert!(told.contains(&expected), "{told}");
+        assert!(reported.contains(&expected), "{reported}");
     }
 }

@@ -12,7 +12,7 @@ use crate::elements::Signal;
 use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
 use crate::elements::loads::{LoadFactor, Turning};
 use crate::input::beam_card::Beam;
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::drives;
 use crate::input::frames::{Frame, IN};
 use crate::model::Node;
@@ -74,34 +74,34 @@ struct Card {
 }
 
 /// Adds every `[[distributed_load]]` to the model.
-pub(super) fn read(root: &Table<'_>, draft: &mut Draft) {
+pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("distributed_load").iter().enumerate() {
         let label = label(table, "distributed load", number);
-        let is_new = draft.take_label("distributed load", &label, table);
-        let card = card(table, draft, &label);
+        let is_new = builder.take_label("distributed load", &label, table);
+        let card = card(table, builder, &label);
         table.finish();
         match card {
             Some(card) if is_new => {
                 for beams in &card.lines {
-                    for load in elements(&label, &card, beams, draft) {
-                        draft.add_load(Box::new(load));
+                    for load in elements(&label, &card, beams, builder) {
+                        builder.add_load(Box::new(load));
                     }
                 }
             }
-            _ => draft.note_broken(),
+            _ => builder.note_broken(),
         }
     }
 }
 
-fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
-    let lines = lines(table, draft, label);
+fn card(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Card> {
+    let lines = lines(table, builder, label);
     let in_section = table.get(&AXES);
     let kind = kind(table);
-    let frame = draft.frames().of(table);
-    let signal = drives::read_factor(table, "drive", draft.drives());
-    let places = places(table);
-    let force = course(table, "force", Dimension::FORCE_PER_LENGTH, &places);
-    let moment = course(table, "moment", Dimension::FORCE, &places);
+    let frame = builder.frames().of(table);
+    let signal = drives::read_factor(table, "drive", builder.drives());
+    let positions = positions(table);
+    let force = course(table, "force", Dimension::FORCE_PER_LENGTH, &positions);
+    let moment = course(table, "moment", Dimension::FORCE, &positions);
     if !table.has("force") && !table.has("moment") {
         table.note("", &LoadProblem::NoLoad);
         return None;
@@ -116,11 +116,11 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
         signal: signal?,
     };
     // All blades of a card have the same length.
-    let length = card.lines.first().map_or(0.0, |line| length(line, draft));
-    let beyond = places.flatten().unwrap_or_default();
+    let length = card.lines.first().map_or(0.0, |line| length(line, builder));
+    let beyond = positions.flatten().unwrap_or_default();
     let beyond = beyond
         .into_iter()
-        .find(|place| *place < 0.0 || *place > length * (1.0 + ROUNDING));
+        .find(|position| *position < 0.0 || *position > length * (1.0 + ROUNDING));
     if let Some(found) = beyond {
         table.note("at", &LoadProblem::Beyond { found, length });
         return None;
@@ -129,40 +129,45 @@ fn card(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Card> {
 }
 
 /// Arc lengths of a table; `None` if they are wrong, `Some(None)` without a table.
-fn places(table: &Table<'_>) -> Option<Option<Vec<f64>>> {
+fn positions(table: &Table<'_>) -> Option<Option<Vec<f64>>> {
     if !table.has("at") {
         return Some(None);
     }
-    let places = table.quantities("at", Dimension::LENGTH)?;
-    if places.len() < 2 {
-        let found = places.len();
-        table.note("at", &LoadProblem::FewPlaces { found });
+    let positions = table.quantities("at", Dimension::LENGTH)?;
+    if positions.len() < 2 {
+        let found = positions.len();
+        table.note("at", &LoadProblem::FewPositions { found });
         return None;
     }
-    if let Some(pair) = places.windows(2).find(|pair| pair[1] < pair[0]) {
+    if let Some(pair) = positions.windows(2).find(|pair| pair[1] < pair[0]) {
         let (before, after) = (pair[0], pair[1]);
         table.note("at", &LoadProblem::Falling { before, after });
         return None;
     }
-    if places.first() == places.last() {
-        table.note("at", &LoadProblem::OnePlace { place: places[0] });
+    if positions.first() == positions.last() {
+        table.note(
+            "at",
+            &LoadProblem::OnePosition {
+                position: positions[0],
+            },
+        );
         return None;
     }
-    Some(Some(places))
+    Some(Some(positions))
 }
 
 fn course(
     table: &Table<'_>,
     key: &'static str,
     dimension: Dimension,
-    places: &Option<Option<Vec<f64>>>,
+    positions: &Option<Option<Vec<f64>>>,
 ) -> Option<Course> {
     if !table.has(key) {
         return Some(Course::Polynomial(Vec::new()));
     }
     let rows = table.vectors(key, dimension)?;
     let found = rows.len();
-    let Some(places) = places.as_ref()? else {
+    let Some(positions) = positions.as_ref()? else {
         if found > COEFFICIENTS {
             let limit = COEFFICIENTS;
             table.note(key, &LoadProblem::Degree { key, found, limit });
@@ -170,7 +175,7 @@ fn course(
         }
         return Some(Course::Polynomial(rows));
     };
-    let expected = places.len();
+    let expected = positions.len();
     if found != expected {
         let problem = LoadProblem::Rows {
             key,
@@ -180,46 +185,50 @@ fn course(
         table.note(key, &problem);
         return None;
     }
-    Some(Course::Table(places.iter().copied().zip(rows).collect()))
+    Some(Course::Table(positions.iter().copied().zip(rows).collect()))
 }
 
 /// The beams of a card, in order along one line.
-pub(in crate::input) fn beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usize>> {
+pub(in crate::input) fn beams(
+    table: &Table<'_>,
+    builder: &ModelBuilder,
+    label: &str,
+) -> Option<Vec<usize>> {
     let name = table.has("blade").then(|| table.text("blade")).flatten();
-    let is_of_card = |name: &String| draft.blades_called(name).len() > 1;
+    let is_of_card = |name: &String| builder.blades_called(name).len() > 1;
     if let Some(name) = name.filter(is_of_card) {
-        note_unknown_blade(table, draft, label, name);
+        note_unknown_blade(table, builder, label, name);
         return None;
     }
-    lines(table, draft, label)?.into_iter().next()
+    lines(table, builder, label)?.into_iter().next()
 }
 
 /// The beams of each line of a card, in order along it: of a blade, of all blades of a `[[blade]]`,
 /// or of a list of beams.
-fn lines(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<Vec<usize>>> {
+fn lines(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Vec<Vec<usize>>> {
     match (table.has("blade"), table.has("beams")) {
         (false, false) => table.note("", &LoadProblem::NoLine),
         (true, true) => table.note("beams", &LoadProblem::BladeAndBeams),
         (true, false) => {
             let name = table.text("blade")?;
-            if draft.is_broken_blade(&name) {
+            if builder.is_broken_blade(&name) {
                 return None;
             }
-            let blades = draft.blades_called(&name);
+            let blades = builder.blades_called(&name);
             if blades.is_empty() {
-                note_unknown_blade(table, draft, label, name);
+                note_unknown_blade(table, builder, label, name);
                 return None;
             }
-            let lines = blades.iter().map(|blade| beams_of(blade, draft));
+            let lines = blades.iter().map(|blade| beams_of(blade, builder));
             return Some(lines.collect());
         }
-        (false, true) => return named_beams(table, draft, label).map(|line| vec![line]),
+        (false, true) => return named_beams(table, builder, label).map(|line| vec![line]),
     }
     None
 }
 
-fn note_unknown_blade(table: &Table<'_>, draft: &Draft, label: &str, name: String) {
-    let known = draft.blades().iter().map(|blade| blade.name.clone());
+fn note_unknown_blade(table: &Table<'_>, builder: &ModelBuilder, label: &str, name: String) {
+    let known = builder.blades().iter().map(|blade| blade.name.clone());
     let problem = LoadProblem::UnknownLine {
         kind: "blade",
         name,
@@ -230,20 +239,20 @@ fn note_unknown_blade(table: &Table<'_>, draft: &Draft, label: &str, name: Strin
 }
 
 /// The beams of a blade, from the root to the tip.
-fn beams_of(blade: &BladeNodes, draft: &Draft) -> Vec<usize> {
-    let place = |node: usize| blade.nodes.iter().position(|own| *own == node);
-    let mut found: Vec<_> = draft.beams().iter().enumerate().collect();
-    found.retain(|(_, beam)| beam.nodes.iter().all(|node| place(*node).is_some()));
-    found.sort_by_key(|(_, beam)| beam.nodes.map(place).into_iter().min());
+fn beams_of(blade: &BladeNodes, builder: &ModelBuilder) -> Vec<usize> {
+    let position = |node: usize| blade.nodes.iter().position(|own| *own == node);
+    let mut found: Vec<_> = builder.beams().iter().enumerate().collect();
+    found.retain(|(_, beam)| beam.nodes.iter().all(|node| position(*node).is_some()));
+    found.sort_by_key(|(_, beam)| beam.nodes.map(position).into_iter().min());
     found.into_iter().map(|(index, _)| index).collect()
 }
 
-fn named_beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usize>> {
+fn named_beams(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Vec<usize>> {
     let mut found: Vec<usize> = Vec::new();
     for name in table.texts("beams")? {
-        let index = draft.beams().iter().position(|beam| beam.label == name);
+        let index = builder.beams().iter().position(|beam| beam.label == name);
         let Some(index) = index else {
-            let known = draft.beams().iter().map(|beam| beam.label.clone());
+            let known = builder.beams().iter().map(|beam| beam.label.clone());
             let problem = LoadProblem::UnknownLine {
                 kind: "beam",
                 name,
@@ -266,25 +275,30 @@ fn named_beams(table: &Table<'_>, draft: &Draft, label: &str) -> Option<Vec<usiz
     Some(found)
 }
 
-fn ends<'a>(beam: &Beam, draft: &'a Draft) -> [&'a Node; 3] {
-    beam.nodes.map(|node| &draft.nodes()[node])
+fn ends<'a>(beam: &Beam, builder: &'a ModelBuilder) -> [&'a Node; 3] {
+    beam.nodes.map(|node| &builder.nodes()[node])
 }
 
-fn length(beams: &[usize], draft: &Draft) -> f64 {
+fn length(beams: &[usize], builder: &ModelBuilder) -> f64 {
     let of_beam = |index: &usize| {
-        let beam = &draft.beams()[*index];
-        beam.geometry.length(&ends(beam, draft))
+        let beam = &builder.beams()[*index];
+        beam.geometry.length(&ends(beam, builder))
     };
     beams.iter().map(of_beam).sum()
 }
 
-fn elements(label: &str, card: &Card, beams: &[usize], draft: &Draft) -> Vec<DistributedLoad> {
-    let whole = length(beams, draft);
+fn elements(
+    label: &str,
+    card: &Card,
+    beams: &[usize],
+    builder: &ModelBuilder,
+) -> Vec<DistributedLoad> {
+    let whole = length(beams, builder);
     let mut start = 0.0;
     let mut loads = Vec::with_capacity(beams.len());
     for &index in beams {
-        let beam = &draft.beams()[index];
-        let ends = ends(beam, draft);
+        let beam = &builder.beams()[index];
+        let ends = ends(beam, builder);
         let arc = |xi: f64| start + beam.geometry.arc_length(&ends, xi);
         let kinks = kinks(card, &beam.geometry, &ends, start);
         let load = |xi: f64| -> LineLoad {
@@ -317,7 +331,7 @@ fn kinks(card: &Card, geometry: &BeamGeometry, ends: &[&Node; 3], start: f64) ->
         };
         let inside = rows.iter().map(|row| row.0 - start);
         let inside = inside.filter(|s| *s > 0.0 && *s < length);
-        found.extend(inside.map(|s| geometry.place(ends, s)));
+        found.extend(inside.map(|s| geometry.position(ends, s)));
     }
     found
 }

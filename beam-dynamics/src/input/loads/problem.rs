@@ -76,7 +76,7 @@ pub enum LoadProblem {
     },
     /// A table of one position.
     #[error("\"at\" has {found} positions, expected at least two")]
-    FewPlaces {
+    FewPositions {
         /// Number of positions.
         found: usize,
     },
@@ -93,10 +93,10 @@ pub enum LoadProblem {
         after: f64,
     },
     /// A table with an empty interval.
-    #[error("\"at\" has only the position {} m, expected an interval", short_number(*.place, 6))]
-    OnePlace {
+    #[error("\"at\" has only the position {} m, expected an interval", short_number(*.position, 6))]
+    OnePosition {
         /// The position \[m\].
-        place: f64,
+        position: f64,
     },
     /// A position beyond the line.
     #[error(
@@ -161,7 +161,7 @@ impl Explain for LoadProblem {
             Self::IdleRelease => {
                 "add [transient] with start = \"equilibrium\", or remove \"release\""
             }
-            Self::OnePlace { .. } => "a load at one position is a [[load]] at a node",
+            Self::OnePosition { .. } => "a load at one position is a [[load]] at a node",
             Self::Degree { .. } => "give a table: \"at\" with a row for each position",
             _ => return None,
         };

@@ -94,8 +94,8 @@ pub(in crate::input) fn dimension_of(kind: &Kind, component: Option<&str>) -> Di
     let Source::Section { is_strain } = kind.1 else {
         return kind.2;
     };
-    let place = SIX.iter().position(|word| Some(*word) == component);
-    match (place, is_strain) {
+    let index = SIX.iter().position(|word| Some(*word) == component);
+    match (index, is_strain) {
         (Some(3..), true) => CURVATURE,
         (Some(3..), false) => Dimension::MOMENT,
         _ => kind.2,

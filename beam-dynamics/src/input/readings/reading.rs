@@ -12,7 +12,7 @@ use crate::case::{ElectrodeQuantity, Quantity};
 use crate::elements::{
     Axes, JointMotion, NodeQuantity, NodeVector, Part, Reading as ElementReading, SpringVector,
 };
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::drives;
 
 /// Words for the parts of a vector.
@@ -43,7 +43,7 @@ pub(in crate::input) struct Found {
 /// A card during reading.
 pub(in crate::input) struct Reading<'a> {
     pub table: &'a Table<'a>,
-    pub draft: &'a Draft,
+    pub builder: &'a ModelBuilder,
     /// Description of the column or the sensor.
     pub user: &'a str,
 }
@@ -93,7 +93,7 @@ impl Reading<'_> {
     }
 
     fn node(&self, key: &str, name: &str) -> Option<usize> {
-        self.draft.look_up_node(name, self.table, key, self.user)
+        self.builder.look_up_node(name, self.table, key, self.user)
     }
 
     /// The words under `component`; without the key, all of `known` except the magnitude.
@@ -103,9 +103,9 @@ impl Reading<'_> {
             return Some((0..all).collect());
         }
         let found = self.table.texts("component")?;
-        let places = found.into_iter().map(|found| {
-            let place = known.iter().position(|word| *word == found);
-            if place.is_none() {
+        let indices = found.into_iter().map(|found| {
+            let index = known.iter().position(|word| *word == found);
+            if index.is_none() {
                 let problem = DocumentProblem::WrongWord {
                     key: "component".to_owned(),
                     found,
@@ -113,15 +113,15 @@ impl Reading<'_> {
                 };
                 self.table.note("component", &problem);
             }
-            place
+            index
         });
-        let places: Vec<_> = places.collect();
-        places.into_iter().collect()
+        let indices: Vec<_> = indices.collect();
+        indices.into_iter().collect()
     }
 
     fn vector_parts(&self) -> Option<Vec<(&'static str, Part)>> {
-        let places = self.components(&PARTS.map(|part| part.0))?;
-        Some(places.into_iter().map(|place| PARTS[place]).collect())
+        let indices = self.components(&PARTS.map(|part| part.0))?;
+        Some(indices.into_iter().map(|index| PARTS[index]).collect())
     }
 
     /// Axes under `in`: of the model, of a node, of a frame of the model, or with `ends` of
@@ -137,7 +137,9 @@ impl Reading<'_> {
                 Some((Axes::End(end), format!(" in the axes of its {name} end")))
             }
             name => {
-                let axes = self.draft.look_up_axes(name, self.table, "in", self.user)?;
+                let axes = self
+                    .builder
+                    .look_up_axes(name, self.table, "in", self.user)?;
                 Some((axes, format!(" in the axes of {name}")))
             }
         }
@@ -186,7 +188,7 @@ impl Reading<'_> {
         kind: &Kind,
         (node, against): (Option<(String, usize)>, Option<Option<(usize, String)>>),
     ) -> Option<Vec<Found>> {
-        let (sequence, places) = (self.table.get(&SEQUENCE), self.components(&TURNS));
+        let (sequence, indices) = (self.table.get(&SEQUENCE), self.components(&TURNS));
         let ((name, node), against, sequence) = (node?, against?, sequence?);
         let axes: Vec<_> = sequence.chars().filter_map(|c| "xyz".find(c)).collect();
         let axes = match axes[..] {
@@ -198,13 +200,13 @@ impl Reading<'_> {
                 return None;
             }
         };
-        let found = places?.into_iter().map(|place| Found {
-            word: TURNS[place],
-            words: format!("{} angle {sequence} of {name}", TURNS[place]),
+        let found = indices?.into_iter().map(|index| Found {
+            word: TURNS[index],
+            words: format!("{} angle {sequence} of {name}", TURNS[index]),
             quantity: Quantity::Node(NodeQuantity {
                 node,
                 vector: NodeVector::Euler(axes),
-                part: Part::Component(place),
+                part: Part::Component(index),
                 against: against.as_ref().map(|other| other.0),
                 axes: Axes::Model,
             }),
@@ -236,7 +238,7 @@ impl Reading<'_> {
 
     fn of_beam(&self, kind: &Kind, strain: bool) -> Option<Vec<Found>> {
         let beam = self.of("the name of a beam", |name| {
-            let is_known = self.draft.look_up_beam(name, self.table, "of", self.user);
+            let is_known = self.builder.look_up_beam(name, self.table, "of", self.user);
             is_known.then_some(())
         });
         let point = match self.table.has("point") {
@@ -282,7 +284,8 @@ impl Reading<'_> {
 
     fn of_joint(&self, kind: &Kind, moment: bool) -> Option<Vec<Found>> {
         let joint = self.of("the name of a joint", |name| {
-            self.draft.look_up_joint(name, self.table, "of", self.user)
+            self.builder
+                .look_up_joint(name, self.table, "of", self.user)
         });
         let on = match self.table.has("node") {
             true => self.table.text("node").map(Some),
@@ -294,7 +297,7 @@ impl Reading<'_> {
             Some(name) => self.node_of_joint(&joint, &nodes, name)?,
             None => *nodes.last()?,
         };
-        let label = &self.draft.nodes()[node].label;
+        let label = &self.builder.nodes()[node].label;
         let ((axes, frame), plain) = (axes?, kind.0.replace('_', " "));
         let found = parts?.into_iter().map(|(word, part)| Found {
             word,
@@ -316,7 +319,8 @@ impl Reading<'_> {
 
     fn of_motion(&self, kind: &Kind, motion: JointMotion) -> Option<Vec<Found>> {
         let joint = self.of("the name of a joint", |name| {
-            self.draft.look_up_joint(name, self.table, "of", self.user)
+            self.builder
+                .look_up_joint(name, self.table, "of", self.user)
         });
         let parts = match motion {
             JointMotion::Angle => Some(vec![("", Part::Component(0))]),
@@ -341,7 +345,8 @@ impl Reading<'_> {
 
     fn of_spring(&self, kind: &Kind, vector: SpringVector) -> Option<Vec<Found>> {
         let spring = self.of("the name of a rod or spring", |name| {
-            self.draft.look_up_joint(name, self.table, "of", self.user)
+            self.builder
+                .look_up_joint(name, self.table, "of", self.user)
         });
         let (parts, plain) = (self.vector_parts(), kind.0.replace('_', " "));
         let spring = spring?.0;
@@ -360,7 +365,7 @@ impl Reading<'_> {
 
     fn of_electrode(&self, kind: &Kind, quantity: ElectrodeQuantity) -> Option<Vec<Found>> {
         let (name, electrode) = self.of("the name of an [[electrode]]", |name| {
-            (self.draft).look_up_electrode(name, self.table, "of", self.user)
+            (self.builder).look_up_electrode(name, self.table, "of", self.user)
         })?;
         Some(vec![Found {
             word: "",
@@ -392,7 +397,7 @@ impl Reading<'_> {
                 return None;
             }
         };
-        let drive = drives::read_item(&self.table.item("of")?, dimension, self.draft.drives())?;
+        let drive = drives::read_item(&self.table.item("of")?, dimension, self.builder.drives())?;
         Some(vec![Found {
             word: "",
             words: format!("drive {name}"),
@@ -405,7 +410,7 @@ impl Reading<'_> {
     fn of_signal(&self) -> Option<Vec<Found>> {
         let name = (self.table).require_text("of", "the name of a signal, or \"= ...\"")?;
         let of = self.table.item("of")?;
-        let signal = drives::signal_of(&of, Dimension::NUMBER, self.draft.drives())?;
+        let signal = drives::signal_of(&of, Dimension::NUMBER, self.builder.drives())?;
         Some(vec![Found {
             word: "",
             words: format!("signal {name}"),
@@ -420,7 +425,7 @@ impl Reading<'_> {
         if nodes.contains(&node) {
             return Some(node);
         }
-        let labels = nodes.iter().map(|node| &self.draft.nodes()[*node].label);
+        let labels = nodes.iter().map(|node| &self.builder.nodes()[*node].label);
         let problem = ReadingProblem::NotOfJoint {
             joint: joint.to_owned(),
             node: name,

@@ -11,7 +11,7 @@ use shared_geom::units::Dimension;
 use super::{ORIENTATION, six};
 use crate::elements::laws::{Law, LawKind};
 use crate::elements::springs::{Spring, SpringLaw};
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::ends;
 use crate::input::laws::{self, Components, LawProblem};
 
@@ -68,48 +68,48 @@ pub(super) fn is_one(table: &Table<'_>) -> bool {
 }
 
 /// The spring of a card.
-pub(super) fn read(table: &Table<'_>, draft: &mut Draft, label: &str) -> Option<Spring> {
+pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Spring> {
     let words = format!("spring \"{label}\"");
-    let nodes = nodes(table, draft, &words);
+    let nodes = nodes(table, builder, &words);
     if table.has("stands_in") {
-        table.note("stands_in", &LawProblem::Stand);
+        table.note("stands_in", &LawProblem::SupportFrame);
     }
-    let (turn, place) = (table.get(&ORIENTATION), table.get(&AT));
-    let frame = draft.frames().of(table);
-    let law = spring_law(table, draft, &words);
+    let (turn, position) = (table.get(&ORIENTATION), table.get(&AT));
+    let frame = builder.frames().of(table);
+    let law = spring_law(table, builder, &words);
     let (nodes, frame) = (nodes?, frame?);
     let axes = frame.axes(&vector::to_rotation(&turn?));
-    let all = draft.nodes();
+    let all = builder.nodes();
     let last = nodes.last().map(|&node| all[node].position)?;
-    let place = place?.map_or(last, |place| frame.point(&place));
-    Some(Spring::new(label, (&nodes, all), &place, &axes, law?))
+    let position = position?.map_or(last, |position| frame.point(&position));
+    Some(Spring::new(label, (&nodes, all), &position, &axes, law?))
 }
 
 /// The nodes under `nodes`, or the node under `node`.
-fn nodes(table: &Table<'_>, draft: &mut Draft, words: &str) -> Option<Vec<usize>> {
+fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, words: &str) -> Option<Vec<usize>> {
     if !table.has("node") {
-        return ends::nodes(table, draft, words, true);
+        return ends::nodes(table, builder, words, true);
     }
     if table.has("nodes") {
         let (first, second) = ("node", "nodes");
         table.note(second, &LawProblem::Twice { first, second });
     }
     let Some(name) = table.text("node") else {
-        draft.note_loose_end();
+        builder.note_loose_end();
         return None;
     };
-    let node = draft.find_node(&name, table, "node", words);
+    let node = builder.find_node(&name, table, "node", words);
     Some(vec![node?])
 }
 
 /// The laws of a card: each as a law, or as `stiffness` and `damping` along the axes.
-fn spring_law(table: &Table<'_>, draft: &Draft, words: &str) -> Option<SpringLaw> {
+fn spring_law(table: &Table<'_>, builder: &ModelBuilder, words: &str) -> Option<SpringLaw> {
     const SHORT: [[&str; 2]; 2] = [
         ["stiffness", "damping"],
         ["rotational_stiffness", "rotational_damping"],
     ];
     if table.has(LAWS[2]) {
-        let law = laws::read(table, LAWS[2], &Components::BOTH, draft.drives());
+        let law = laws::read(table, LAWS[2], &Components::BOTH, builder.drives());
         let others = [LAWS[0], LAWS[1]]
             .into_iter()
             .chain(SHORT.into_iter().flatten());
@@ -139,7 +139,7 @@ fn spring_law(table: &Table<'_>, draft: &Draft, words: &str) -> Option<SpringLaw
     let (stiffness, damping) = (stiffness?, damping?);
     let of = |i: usize, components: &Components<3>| -> Option<Option<Law<3>>> {
         if table.has(LAWS[i]) {
-            return laws::read(table, LAWS[i], components, draft.drives()).map(Some);
+            return laws::read(table, LAWS[i], components, builder.drives()).map(Some);
         }
         let is_there = SHORT[i].iter().any(|key| table.has(key));
         let part = |six: &[f64; 6]| Vector3::new(six[3 * i], six[3 * i + 1], six[3 * i + 2]);

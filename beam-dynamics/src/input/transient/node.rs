@@ -10,7 +10,7 @@ use shared_geom::units::Dimension;
 
 use super::TransientProblem;
 use crate::case::InitialMotion;
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::loads::LoadProblem;
 
 keys! {
@@ -67,19 +67,19 @@ fn weight(table: &Table<'_>, key: &'static str) -> Option<Option<f64>> {
 
 /// Notes initial velocities of nodes without `[transient]`, and loads of an equilibrium of the
 /// start that does not exist.
-pub(in crate::input) fn check(root: &Table<'_>, draft: &Draft) {
+pub(in crate::input) fn check(root: &Table<'_>, builder: &ModelBuilder) {
     check_released(root);
     if root.has("transient") {
         return;
     }
-    let mut told = BTreeSet::new();
-    for (initial, node, line) in draft.initial() {
+    let mut reported = BTreeSet::new();
+    for (initial, node, line) in builder.initial() {
         for (key, is_said) in [
             ("velocity", initial.velocity.is_some()),
             ("angular_velocity", initial.angular_velocity.is_some()),
         ] {
             // The nodes of a blade have one card.
-            if is_said && told.insert((line, key)) {
+            if is_said && reported.insert((line, key)) {
                 let node = node.to_owned();
                 let problem = TransientProblem::IdleVelocity { node, key };
                 root.document().note(line, &problem);

@@ -27,11 +27,11 @@ fn refused(card: &str) -> String {
 #[test]
 fn a_body_that_flies_is_a_model_in_time() {
     let input = read(&format!("{BODY}[transient]\nto = 2\nstep = 0.01\n")).unwrap();
-    let question = input.transient.unwrap();
-    assert_eq!((question.from, question.to), (0.0, 2.0));
-    assert_eq!(question.stepping, Stepping::Constant { step: 0.01 });
-    assert_eq!(question.scheme, Scheme::TwoStep { radius: 0.6 });
-    assert_eq!(question.start, Start::Given);
+    let settings = input.transient.unwrap();
+    assert_eq!((settings.from, settings.to), (0.0, 2.0));
+    assert_eq!(settings.stepping, Stepping::Constant { step: 0.01 });
+    assert_eq!(settings.scheme, Scheme::TwoStep { radius: 0.6 });
+    assert_eq!(settings.start, Start::Given);
     let initial = input.model.initial[0];
     assert_eq!(initial.velocity, Some(2.0 * Vector3::y()));
     // 60 rpm.
@@ -46,11 +46,11 @@ fn every_key_of_the_card_is_read() {
                 jacobian = \"simplified\"\nstart = \"equilibrium\"\n\
                 start_accelerations = \"dummy\"\nredundant = \"remove\"\n\
                 newton = { method = \"modified\", iterations = 7, tolerance = 1e-6 }\n";
-    let question = read(&format!("{BODY}[transient]\n{card}")).unwrap();
-    let question = question.transient.unwrap();
-    assert_eq!((question.from, question.to), (1.0, 3.0));
-    let Stepping::Variable(control) = question.stepping else {
-        panic!("{:?}", question.stepping)
+    let settings = read(&format!("{BODY}[transient]\n{card}")).unwrap();
+    let settings = settings.transient.unwrap();
+    assert_eq!((settings.from, settings.to), (1.0, 3.0));
+    let Stepping::Variable(control) = settings.stepping else {
+        panic!("{:?}", settings.stepping)
     };
     let limits = [
         control.first,
@@ -59,11 +59,11 @@ fn every_key_of_the_card_is_read() {
         control.tolerance,
     ];
     assert_eq!(limits, [1e-3, 1e-6, 0.01, 1e-5]);
-    assert_eq!(question.scheme, Scheme::Cubic { radius: 0.3 });
-    assert!(question.simplified_jacobian);
-    assert_eq!(question.start, Start::Equilibrium);
-    assert_eq!(question.start_accelerations, StartAccelerations::Dummy);
-    let newton = question.newton;
+    assert_eq!(settings.scheme, Scheme::Cubic { radius: 0.3 });
+    assert!(settings.simplified_jacobian);
+    assert_eq!(settings.start, Start::Equilibrium);
+    assert_eq!(settings.start_accelerations, StartAccelerations::Dummy);
+    let newton = settings.newton;
     assert_eq!((newton.iterations, newton.correction), (7, 1e-6));
     assert_eq!(newton.jacobians, Jacobians::Modified);
 }
@@ -83,7 +83,7 @@ fn every_word_for_the_first_accelerations_is_known() {
 }
 
 #[test]
-fn what_is_wrong_is_told_at_once_with_its_line() {
+fn what_is_wrong_is_reported_at_once_with_its_line() {
     let text = refused("from = 2\nto = 1\nstep = -1\nscheme = \"bdf3\"\nzeta = 1\nradios = 1");
     for part in [
         "a.dynamics.toml:13: \"to\" is 1 s, expected later than \"from\", which is 2 s",
@@ -99,7 +99,7 @@ fn what_is_wrong_is_told_at_once_with_its_line() {
 }
 
 #[test]
-fn keys_that_do_not_fit_together_are_told() {
+fn keys_that_do_not_fit_together_are_reported() {
     for (card, expected) in [
         (
             "to = 1\nstep = 2",
@@ -131,7 +131,7 @@ fn keys_that_do_not_fit_together_are_told() {
 }
 
 #[test]
-fn velocities_without_a_run_and_loose_nodes_are_told() {
+fn velocities_without_a_run_and_loose_nodes_are_reported() {
     let text = match read(&format!("{BODY}[static]\nspeed = 0\n")) {
         Ok(_) => panic!("accepted"),
         Err(text) => text,
@@ -219,14 +219,14 @@ of = \"pin\"
 ";
 
 #[test]
-fn ten_slips_are_told_at_once_each_with_its_line_and_the_nearest_name() {
+fn ten_slips_are_reported_at_once_each_with_its_line_and_the_nearest_name() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.dynamics.toml");
     std::fs::write(&path, TEN).unwrap();
     std::fs::write(folder.path().join("parts.toml"), "").unwrap();
     let prefix = format!("{}/", folder.path().display());
-    let told = crate::input::read(&path).unwrap_err().to_string();
-    let told = told.replace(&prefix, "");
+    let reported = crate::input::read(&path).unwrap_err().to_string();
+    let reported = reported.replace(&prefix, "");
     let expected = [
         ("2", "no file \"part.toml\"", "parts.toml"),
         ("14", "\"lenght\"", "length"),
@@ -241,19 +241,23 @@ fn ten_slips_are_told_at_once_each_with_its_line_and_the_nearest_name() {
     ];
     for (line, slip, near) in expected {
         let begin = format!("error: a.dynamics.toml:{line}: ");
-        let found = told
+        let found = reported
             .split("error: ")
             .find(|one| format!("error: {one}").starts_with(&begin) && one.contains(slip));
-        let found = found.unwrap_or_else(|| panic!("{begin}{slip}\n---\n{told}"));
+        let found = found.unwrap_or_else(|| panic!("{begin}{slip}\n---\n{reported}"));
         let help = format!("did you mean \"{near}\"?");
         assert!(found.contains(&help), "{help}\n---\n{found}");
     }
     // No other problems are reported.
-    assert_eq!(told.matches("error: ").count(), expected.len(), "{told}");
+    assert_eq!(
+        reported.matches("error: ").count(),
+        expected.len(),
+        "{reported}"
+    );
 }
 
 #[test]
-fn what_is_not_finite_at_the_start_is_told_and_does_not_hang() {
+fn what_is_not_finite_at_the_start_is_reported_and_does_not_hang() {
     let run = "[transient]\nto = 1\nstep = 0.1\n";
     for force in [
         "sqrt(x)",

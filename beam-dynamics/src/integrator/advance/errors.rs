@@ -8,7 +8,7 @@ use super::{Dae, Formula, Integrator, Plan, Speeds, Stepping};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Errors {
     /// Of positions and rotations.
-    pub places: f64,
+    pub positions: f64,
     /// Of velocities.
     pub speeds: f64,
 }
@@ -17,15 +17,15 @@ impl Errors {
     /// The larger; NaN if one is NaN. A force that jumps without end must not end a run: at the
     /// least step the positions alone are used.
     pub fn counted(&self, is_least: bool) -> f64 {
-        match is_least || self.speeds <= self.places || self.places.is_nan() {
-            true => self.places,
+        match is_least || self.speeds <= self.positions || self.positions.is_nan() {
+            true => self.positions,
             false => self.speeds,
         }
     }
 
     /// Ratio of the next step to this one that both allow; `order` is the order of the formula.
     pub fn allowed(&self, order: usize) -> f64 {
-        factor(self.places, order).min(factor(self.speeds, Speeds::ORDER))
+        factor(self.positions, order).min(factor(self.speeds, Speeds::ORDER))
     }
 }
 
@@ -77,12 +77,12 @@ impl Integrator {
             Some(error) => error,
             None => dae.error_of_scalars(formula.stages - 1, &self.difference),
         };
-        let places = match is_known {
+        let positions = match is_known {
             true => dae.error(&self.difference),
             false => 0.0,
         };
-        let [places, speeds] = [places, speeds].map(|error| error / control.tolerance);
+        let [positions, speeds] = [positions, speeds].map(|error| error / control.tolerance);
         // Steps do not grow while too few previous states are known.
-        (is_known || speeds > 1.0).then_some(Errors { places, speeds })
+        (is_known || speeds > 1.0).then_some(Errors { positions, speeds })
     }
 }

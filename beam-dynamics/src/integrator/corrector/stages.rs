@@ -12,7 +12,7 @@ pub(super) struct StageMatrix {
     /// The blocks of one row of stages; empty with one stage.
     blocks: Vec<Sparse>,
     /// For each block, row by row, the index in the matrix of each of its entries.
-    places: Vec<Vec<Option<u32>>>,
+    indices: Vec<Vec<Option<u32>>>,
 }
 
 impl StageMatrix {
@@ -23,7 +23,7 @@ impl StageMatrix {
                 stages,
                 pattern: Arc::clone(pattern),
                 blocks: Vec::new(),
-                places: Vec::new(),
+                indices: Vec::new(),
             };
         }
         let of_block = |row: usize, column: usize| {
@@ -39,15 +39,15 @@ impl StageMatrix {
                 stored.for_each(|(i, j)| add(i, j));
             }
         });
-        let place = |stored: Option<(usize, usize)>| {
-            let place = stored.and_then(|(i, j)| whole.place(i, j));
-            place.map(|place| place as u32)
+        let index = |stored: Option<(usize, usize)>| {
+            let index = stored.and_then(|(i, j)| whole.index(i, j));
+            index.map(|index| index as u32)
         };
-        let places = blocks().map(|(row, column)| of_block(row, column).map(place).collect());
+        let indices = blocks().map(|(row, column)| of_block(row, column).map(index).collect());
         Self {
             stages,
             blocks: vec![Sparse::zero(Arc::clone(pattern)); stages],
-            places: places.collect(),
+            indices: indices.collect(),
             pattern: Arc::new(whole),
         }
     }
@@ -97,11 +97,11 @@ impl StageMatrix {
     }
 
     fn scatter(&self, row: usize, matrix: &mut Sparse) {
-        let places = &self.places[row * self.stages..];
-        for (block, places) in self.blocks.iter().zip(places) {
-            for (value, place) in block.values().iter().zip(places) {
-                if let Some(place) = place {
-                    matrix.values_mut()[*place as usize] = *value;
+        let indices = &self.indices[row * self.stages..];
+        for (block, indices) in self.blocks.iter().zip(indices) {
+            for (value, index) in block.values().iter().zip(indices) {
+                if let Some(index) = index {
+                    matrix.values_mut()[*index as usize] = *value;
                 }
             }
         }
@@ -123,6 +123,6 @@ fn block(weight: f64, is_diagonal: bool, matrix: &mut Sparse) -> Combination<'_>
 fn entries(pattern: &Pattern) -> impl Iterator<Item = (usize, usize)> + '_ {
     (0..pattern.size()).flat_map(move |column| {
         let range = pattern.column_starts()[column]..pattern.column_starts()[column + 1];
-        range.map(move |place| (pattern.rows()[place] as usize, column))
+        range.map(move |index| (pattern.rows()[index] as usize, column))
     })
 }

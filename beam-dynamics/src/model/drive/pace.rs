@@ -69,7 +69,7 @@ struct Piece {
     end: f64,
     /// Number of halvings, and index among the pieces of the same length.
     level: u32,
-    place: u64,
+    index: u64,
 }
 
 /// The search on a drive so far.
@@ -100,7 +100,7 @@ impl Search<'_> {
                 start: pair[0],
                 end: pair[1],
                 level: 0,
-                place: 0,
+                index: 0,
             };
             let mut found = Vec::new();
             search.split(&whole, coarsest, &mut found);
@@ -143,12 +143,12 @@ impl Search<'_> {
             merged.push(piece);
             while let [.., first, second] = merged[..] {
                 let are_halves = first.level == second.level
-                    && first.place % 2 == 0
-                    && second.place == first.place + 1;
+                    && first.index % 2 == 0
+                    && second.index == first.index + 1;
                 let both = Piece {
                     end: second.end,
                     level: first.level.saturating_sub(1),
-                    place: first.place / 2,
+                    index: first.index / 2,
                     ..first
                 };
                 if !are_halves || !self.is_cubic(&both) {
@@ -184,17 +184,17 @@ impl Search<'_> {
 impl Piece {
     fn halves(&self) -> [Self; 2] {
         let middle = 0.5 * (self.start + self.end);
-        let (level, place) = (self.level + 1, 2 * self.place);
+        let (level, index) = (self.level + 1, 2 * self.index);
         let first = Self {
             end: middle,
             level,
-            place,
+            index,
             ..*self
         };
         let second = Self {
             start: middle,
             level,
-            place: place + 1,
+            index: index + 1,
             ..*self
         };
         [first, second]

@@ -16,7 +16,7 @@ pub enum Interpolation {
 
 /// Extrapolation before the first and after the last time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outside {
+pub enum Extrapolation {
     /// There is no value.
     Error,
     /// The first, or the last, value.
@@ -48,7 +48,7 @@ pub enum TableProblem {
 pub struct DriveTable {
     line: Spline,
     interpolation: Interpolation,
-    outside: Outside,
+    extrapolation: Extrapolation,
 }
 
 impl DriveTable {
@@ -59,7 +59,7 @@ impl DriveTable {
     pub fn new(
         rows: &[[f64; 2]],
         interpolation: Interpolation,
-        outside: Outside,
+        extrapolation: Extrapolation,
     ) -> Result<Self, TableProblem> {
         let found = rows.len();
         if found < 2 {
@@ -83,30 +83,33 @@ impl DriveTable {
         Ok(Self {
             line,
             interpolation,
-            outside,
+            extrapolation,
         })
     }
 
     fn ends(&self) -> [f64; 2] {
-        let times = self.line.places();
+        let times = self.line.positions();
         [times[0], times[times.len() - 1]]
     }
 
     pub(super) fn domain(&self) -> [f64; 2] {
-        match self.outside {
-            Outside::Error => self.ends(),
-            Outside::Hold => super::Drive::ALWAYS,
+        match self.extrapolation {
+            Extrapolation::Error => self.ends(),
+            Extrapolation::Hold => super::Drive::ALWAYS,
         }
     }
 
     pub(super) fn at(&self, time: f64) -> DriveValue {
         let [first, last] = self.ends();
         let values = self.line.values();
-        if time < first || time > last || (time == last && self.outside == Outside::Hold) {
-            return DriveValue::constant(match self.outside {
-                Outside::Error => f64::NAN,
-                Outside::Hold if time < first => values[0],
-                Outside::Hold => values[values.len() - 1],
+        if time < first
+            || time > last
+            || (time == last && self.extrapolation == Extrapolation::Hold)
+        {
+            return DriveValue::constant(match self.extrapolation {
+                Extrapolation::Error => f64::NAN,
+                Extrapolation::Hold if time < first => values[0],
+                Extrapolation::Hold => values[values.len() - 1],
             });
         }
         let k = self.line.interval(time);
@@ -121,7 +124,7 @@ impl DriveTable {
         let next = match self.interpolation {
             Interpolation::Spline => self.ends().into_iter().find(|own| *own > time),
             Interpolation::Linear => {
-                let times = self.line.places();
+                let times = self.line.positions();
                 times
                     .get(times.partition_point(|own| *own <= time))
                     .copied()

@@ -6,8 +6,8 @@ use approx::assert_relative_eq;
 use shared_geom::expression::{Expression, Names};
 
 use super::{
-    BandNoise, Doublet, Drive, DriveTable, Formula, Harmonic, Interpolation, Outside, Ramp, Step,
-    SteppedNoise, TableProblem,
+    BandNoise, Doublet, Drive, DriveTable, Extrapolation, Formula, Harmonic, Interpolation, Ramp,
+    Step, SteppedNoise, TableProblem,
 };
 
 fn formula(text: &str) -> Drive {
@@ -19,9 +19,9 @@ fn formula(text: &str) -> Drive {
     Drive::Formula(Arc::new(Formula::new(expression, 1.0)))
 }
 
-fn table(rows: &[[f64; 2]], interpolation: Interpolation, outside: Outside) -> Drive {
+fn table(rows: &[[f64; 2]], interpolation: Interpolation, extrapolation: Extrapolation) -> Drive {
     Drive::Table(Arc::new(
-        DriveTable::new(rows, interpolation, outside).unwrap(),
+        DriveTable::new(rows, interpolation, extrapolation).unwrap(),
     ))
 }
 
@@ -71,8 +71,8 @@ fn drives() -> Vec<Drive> {
         step,
         harmonic.clone(),
         doublet,
-        table(&ROWS, Interpolation::Linear, Outside::Hold),
-        table(&ROWS, Interpolation::Spline, Outside::Hold),
+        table(&ROWS, Interpolation::Linear, Extrapolation::Hold),
+        table(&ROWS, Interpolation::Spline, Extrapolation::Hold),
         smooth.clone(),
         formula("abs(t - 0.9)*max(0.2, 1 - t) + if(t < 1.1, t, 2*t) + mod(t, 0.6)"),
         Drive::Band(Arc::new(band)),
@@ -164,11 +164,11 @@ fn corners_follow_each_other_and_end() {
     // -1 itself is a corner, and comes before.
     assert_eq!(corners(&Drive::Noise(noise)).len(), 109);
     assert_eq!(
-        corners(&table(&ROWS, Interpolation::Linear, Outside::Hold)),
+        corners(&table(&ROWS, Interpolation::Linear, Extrapolation::Hold)),
         [0.0, 0.4, 1.0, 1.3, 2.0]
     );
     assert_eq!(
-        corners(&table(&ROWS, Interpolation::Spline, Outside::Hold)),
+        corners(&table(&ROWS, Interpolation::Spline, Extrapolation::Hold)),
         [0.0, 2.0]
     );
 }
@@ -235,7 +235,7 @@ fn a_jump_is_between_its_corner_and_the_number_before() {
 #[test]
 fn the_spline_solves_its_equations() {
     let rows = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0], [3.0, 1.0], [4.0, 0.0]];
-    let spline = table(&rows, Interpolation::Spline, Outside::Error);
+    let spline = table(&rows, Interpolation::Spline, Extrapolation::Error);
     let bends = [1.0, 2.0, 3.0].map(|time| spline.at(time).acceleration);
     for (found, expected) in bends
         .into_iter()
@@ -248,16 +248,16 @@ fn the_spline_solves_its_equations() {
 
 #[test]
 fn a_table_has_no_value_outside_unless_it_is_held() {
-    let open = table(&ROWS, Interpolation::Linear, Outside::Error);
+    let open = table(&ROWS, Interpolation::Linear, Extrapolation::Error);
     assert_eq!(open.domain(), [0.0, 2.0]);
     assert!(open.at(2.001).value.is_nan() && open.at(-1e-9).value.is_nan());
     assert_eq!(open.at(2.0).value, 1.0);
-    let held = table(&ROWS, Interpolation::Linear, Outside::Hold);
+    let held = table(&ROWS, Interpolation::Linear, Extrapolation::Hold);
     assert_eq!(held.at(9.0).value, 1.0);
     let sum = Drive::Sum(Arc::new([held, open.scaled(2.0)]));
     assert_eq!(sum.domain(), [0.0, 2.0]);
     let bad = |rows: &[[f64; 2]]| {
-        DriveTable::new(rows, Interpolation::Linear, Outside::Hold).unwrap_err()
+        DriveTable::new(rows, Interpolation::Linear, Extrapolation::Hold).unwrap_err()
     };
     assert_eq!(bad(&ROWS[..1]), TableProblem::Few { found: 1 });
     assert_eq!(

@@ -31,7 +31,9 @@ pub(super) fn displaced(
         false => 0.0,
     };
     let moved = base.iter().zip(&mode.displacements);
-    moved.map(|(place, moved)| place + scale * moved).collect()
+    moved
+        .map(|(position, moved)| position + scale * moved)
+        .collect()
 }
 
 /// The nodes moved along the second axis by their rotation about the first, the largest
@@ -43,10 +45,10 @@ pub(super) fn turned(
     [about, across]: [usize; 2],
 ) -> Vec<Vector3<f64>> {
     let scale = DISPLACED * structure.size();
-    let moved = |(place, turn): (&Vector3<f64>, &Vector3<f64>)| {
-        let mut place = *place;
-        place[across] += scale * turn[about];
-        place
+    let moved = |(position, turn): (&Vector3<f64>, &Vector3<f64>)| {
+        let mut position = *position;
+        position[across] += scale * turn[about];
+        position
     };
     base.iter().zip(&mode.rotations).map(moved).collect()
 }

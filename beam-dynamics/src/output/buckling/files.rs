@@ -6,7 +6,7 @@ use shared_geom::vtk::Series;
 use super::fields::{base, shape_grid};
 use super::{BUCKLING_CONVENTION, BucklingPlot, buckling_csv, buckling_text};
 use crate::output::Written;
-use crate::output::folder::{ResultPlace, Results};
+use crate::output::folder::{ResultLocation, Results};
 use crate::output::structure::Structure;
 use crate::result::BucklingResult;
 
@@ -19,17 +19,17 @@ const FIELDS: &str = "buckling";
 
 /// Writes `NAME.buckling.txt`, `NAME.buckling.csv`, if figures are drawn the plot `NAME.buckling`
 /// as PNG and SVG, and the field files `NAME.buckling.pvd` with one grid per critical load in the
-/// folder `NAME.buckling`, all to `place`. Files of an earlier run that this run does not write are
+/// folder `NAME.buckling`, all to `location`. Files of an earlier run that this run does not write are
 /// removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
 pub fn write_buckling(
     result: &BucklingResult,
-    place: &ResultPlace,
+    location: &ResultLocation,
 ) -> Result<Written, OutputProblem> {
-    make_folder(&place.folder)?;
-    let mut results = Results::new(place);
+    make_folder(&location.folder)?;
+    let mut results = Results::new(location);
     results.remove([TEXT, TABLE, SERIES].into_iter().chain(PLOT));
     results.remove_fields(FIELDS);
 
@@ -61,7 +61,7 @@ mod tests {
     fn all_files_are_written_and_stale_ones_removed() {
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
-        let place = ResultPlace::new(folder, "x");
+        let location = ResultLocation::new(folder, "x");
         let mut result = column();
         let expected = [
             "x.buckling.txt",
@@ -70,7 +70,10 @@ mod tests {
             "x.buckling.svg",
             "x.buckling.pvd",
         ];
-        assert_eq!(names(&write_buckling(&result, &place).unwrap()), expected);
+        assert_eq!(
+            names(&write_buckling(&result, &location).unwrap()),
+            expected
+        );
         let series = std::fs::read_to_string(folder.join(expected[4])).unwrap();
         let third = "timestep=\"3\" group=\"\" part=\"0\" file=\"x.buckling/mode_003.vtu\"";
         assert!(series.contains(third), "{series}");
@@ -78,7 +81,7 @@ mod tests {
 
         result.modes.clear();
         assert_eq!(
-            names(&write_buckling(&result, &place).unwrap()),
+            names(&write_buckling(&result, &location).unwrap()),
             expected[..2]
         );
         assert_eq!(folder.read_dir().unwrap().count(), 2);

@@ -131,7 +131,7 @@ Remarks
 
     /// Torsion is shown as the rotation, since displacements are zero.
     #[test]
-    fn a_shape_without_displacement_is_told_by_its_rotation() {
+    fn a_shape_without_displacement_is_reported_by_its_rotation() {
         let mut result = samples::column();
         result.modes = vec![samples::torsion(&result.modes[0])];
         let text = buckling_text(&result);

@@ -67,7 +67,7 @@ impl Axes {
     }
 
     /// Position of a speed \[rpm\] and a frequency in its unit.
-    pub fn place(&self, [speed, frequency]: [f64; 2]) -> [f64; 2] {
+    pub fn position(&self, [speed, frequency]: [f64; 2]) -> [f64; 2] {
         let [low, high] = self.speeds;
         let x = (speed - low) / (high - low);
         let y = frequency / self.highest;
@@ -96,12 +96,12 @@ impl Axes {
 
         let label = Label::new(SMALL);
         for (speed, text) in Ticks::between(self.speeds[0], self.speeds[1], 8).labeled() {
-            let [x, y] = self.place([speed, 0.0]);
+            let [x, y] = self.position([speed, 0.0]);
             canvas.line(&[[x, y], [x, y + TICK]], AXIS, BLACK)?;
             canvas.text(&text, [x, y + 3.0 * TICK], label.anchored(Anchor::Middle))?;
         }
         for (frequency, text) in Ticks::between(0.0, self.highest, 8).labeled() {
-            let [x, y] = self.place([self.speeds[0], frequency]);
+            let [x, y] = self.position([self.speeds[0], frequency]);
             canvas.line(&[[x, y], [x - TICK, y]], AXIS, BLACK)?;
             canvas.text(&text, [x - 1.7 * TICK, y], label.anchored(Anchor::End))?;
         }

@@ -108,24 +108,24 @@ impl Obstacles {
     pub fn best(&self, candidates: impl IntoIterator<Item = Box2>) -> Option<Box2> {
         candidates
             .into_iter()
-            .min_by_key(|place| self.covered(place))
+            .min_by_key(|position| self.covered(position))
     }
 
     /// Whether a box covers nothing.
-    pub fn is_free(&self, place: &Box2) -> bool {
-        self.covered(place) < COVERS
+    pub fn is_free(&self, position: &Box2) -> bool {
+        self.covered(position) < COVERS
     }
 
     /// Cost of a box: a covered line costs [`COVERS`], a mark or label ten times that, a line that
     /// is only near costs one.
-    pub fn covered(&self, place: &Box2) -> usize {
-        let wide = place.grown(CLEARANCE);
+    pub fn covered(&self, position: &Box2) -> usize {
+        let wide = position.grown(CLEARANCE);
         let near = self.lines.iter().filter(|[a, b]| wide.meets(*a, *b));
-        let lines = near.map(|[a, b]| if place.meets(*a, *b) { COVERS } else { 1 });
+        let lines = near.map(|[a, b]| if position.meets(*a, *b) { COVERS } else { 1 });
         let boxes = self
             .boxes
             .iter()
-            .filter(|other| place.overlaps(other))
+            .filter(|other| position.overlaps(other))
             .count();
         lines.sum::<usize>() + 10 * COVERS * boxes
     }
@@ -139,8 +139,8 @@ impl Obstacles {
 pub(super) fn spread(wanted: &[f64], gap: f64, [low, high]: [f64; 2]) -> Vec<f64> {
     // Sum and number of each run of equal values.
     let mut runs: Vec<(f64, usize)> = Vec::new();
-    for (i, place) in wanted.iter().enumerate() {
-        let mut run = (place - i as f64 * gap, 1);
+    for (i, position) in wanted.iter().enumerate() {
+        let mut run = (position - i as f64 * gap, 1);
         while let Some(before) = runs.pop() {
             if before.0 / before.1 as f64 <= run.0 / run.1 as f64 {
                 runs.push(before);

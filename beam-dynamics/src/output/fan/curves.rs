@@ -24,15 +24,15 @@ const PATTERNS: [&[f64]; 4] = [&[], &[26.0, 14.0], &[7.0, 11.0], &[26.0, 9.0, 7.
 pub(super) fn frequency_runs(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Vec<Vec<[f64; 2]>> {
     let found = runs(&plot.speeds, &curve.frequencies, |point| point);
     let with_zeros = |run: Vec<[f64; 2]>| {
-        let mut places = Vec::with_capacity(run.len() + 1);
+        let mut positions = Vec::with_capacity(run.len() + 1);
         for pair in run.windows(2) {
-            places.push(axes.place(pair[0]));
+            positions.push(axes.position(pair[0]));
             let between = |zero: &&f64| (pair[0][0]..pair[1][0]).contains(*zero);
             let zeros = curve.zeros.iter().filter(between);
-            places.extend(zeros.map(|zero| axes.place([*zero, 0.0])));
+            positions.extend(zeros.map(|zero| axes.position([*zero, 0.0])));
         }
-        places.extend(run.last().map(|last| axes.place(*last)));
-        places
+        positions.extend(run.last().map(|last| axes.position(*last)));
+        positions
     };
     found.into_iter().map(with_zeros).collect()
 }
@@ -41,13 +41,13 @@ pub(super) fn frequency_runs(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Vec<
 pub(super) fn runs(
     speeds: &[f64],
     values: &[Option<f64>],
-    place: impl Fn([f64; 2]) -> [f64; 2],
+    position: impl Fn([f64; 2]) -> [f64; 2],
 ) -> Vec<Vec<[f64; 2]>> {
     let points = speeds.iter().zip(values);
-    let places: Vec<_> = points
-        .map(|(speed, value)| value.map(|value| place([*speed, value])))
+    let positions: Vec<_> = points
+        .map(|(speed, value)| value.map(|value| position([*speed, value])))
         .collect();
-    let runs = places.split(Option::is_none);
+    let runs = positions.split(Option::is_none);
     runs.map(|run| run.iter().flatten().copied().collect::<Vec<_>>())
         .filter(|run| !run.is_empty())
         .collect()
@@ -66,7 +66,7 @@ pub(super) fn draw<B: DrawingBackend>(
     }
     // Below the marks, which are not covered.
     for &point in &plot.measured {
-        ring(canvas, axes.place(point))?;
+        ring(canvas, axes.position(point))?;
     }
     let step = marked_every(plot, axes);
     for curve in &plot.curves {
@@ -74,14 +74,14 @@ pub(super) fn draw<B: DrawingBackend>(
             let is_end = curve.end().is_some_and(|end| end.0 == k);
             let shown = frequency.filter(|_| k % step == 0 || is_end);
             if let (Some(frequency), Some(kind)) = (shown, curve.kinds[k]) {
-                let place = axes.place([plot.speeds[k], frequency]);
-                mark(canvas, place, kind, curve.color)?;
+                let position = axes.position([plot.speeds[k], frequency]);
+                mark(canvas, position, kind, curve.color)?;
             }
         }
     }
     let mut critical = plot.critical.iter();
     let size = diamond_size(plot.critical.len());
-    critical.try_for_each(|point| diamond(canvas, axes.place(*point), size))
+    critical.try_for_each(|point| diamond(canvas, axes.position(*point), size))
 }
 
 /// Distance in speeds between two marks of a line.

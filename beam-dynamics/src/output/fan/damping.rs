@@ -27,8 +27,8 @@ pub(super) fn draw<B: DrawingBackend>(
     };
     panel.draw_zero(canvas)?;
     for curve in &plot.curves {
-        let place = |point| panel.place(point);
-        for run in curves::runs(&plot.speeds, &curve.damping, place) {
+        let position = |point| panel.position(point);
+        for run in curves::runs(&plot.speeds, &curve.damping, position) {
             curves::line(canvas, &run, curve.pattern, curve.color)?;
         }
     }

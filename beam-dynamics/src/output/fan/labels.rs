@@ -22,12 +22,12 @@ pub(super) fn draw_column<B: DrawingBackend>(
     let mut ends: Vec<_> = plot
         .curves
         .iter()
-        .filter_map(|curve| Some((curve, last_place(plot, curve, axes)?)))
+        .filter_map(|curve| Some((curve, last_position(plot, curve, axes)?)))
         .collect();
     ends.sort_by(|a, b| a.1[1].total_cmp(&b.1[1]));
     let wanted: Vec<_> = ends.iter().map(|end| end.1[1]).collect();
-    let room = axes.bottom - axes.top;
-    let gap = (LINE_SPACING * SMALL).min(room / ends.len().max(1) as f64);
+    let space = axes.bottom - axes.top;
+    let gap = (LINE_SPACING * SMALL).min(space / ends.len().max(1) as f64);
     let size = SMALL.min(gap / LINE_SPACING);
     let heights = spread(&wanted, gap, [axes.top, axes.bottom]);
     for ((curve, end), height) in ends.into_iter().zip(heights) {
@@ -47,13 +47,13 @@ pub(super) fn draw_column<B: DrawingBackend>(
 }
 
 /// Position of the end of a curve that reaches the last speed, at the edge of the frame.
-fn last_place(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Option<[f64; 2]> {
+fn last_position(plot: &FanPlot, curve: &Curve, axes: &Axes) -> Option<[f64; 2]> {
     let (k, frequency) = curve.end()?;
-    let place = axes.place([plot.speeds[k], frequency]);
+    let position = axes.position([plot.speeds[k], frequency]);
     // If measured points lie beyond the last speed, a line across to the column would look like
     // more of the curve.
-    let at_edge = place[0] + LEADER >= axes.right;
-    (k + 1 == plot.speeds.len() && at_edge).then_some(place)
+    let at_edge = position[0] + LEADER >= axes.right;
+    (k + 1 == plot.speeds.len() && at_edge).then_some(position)
 }
 
 /// Names placed within the frame.
@@ -72,12 +72,12 @@ pub(super) fn beside_ends<B: DrawingBackend>(
     for curve in plot
         .curves
         .iter()
-        .filter(|curve| last_place(plot, curve, axes).is_none() && curve.is_long())
+        .filter(|curve| last_position(plot, curve, axes).is_none() && curve.is_long())
     {
         let Some((k, frequency)) = curve.end() else {
             continue;
         };
-        let [x, y] = axes.place([plot.speeds[k], frequency]);
+        let [x, y] = axes.position([plot.speeds[k], frequency]);
         let width = canvas.text_width(&curve.name, SMALL);
         let right = x + 0.5 * width + 26.0;
         let steps = [0.0, -0.7, 0.7, -1.1, 1.1, -1.6, 1.6];
@@ -85,9 +85,9 @@ pub(super) fn beside_ends<B: DrawingBackend>(
         let above = [-1.0, 1.0, -1.6, 1.6].map(|step| [x, y + step * SMALL]);
         let candidates = beside.into_iter().chain(above);
         let boxes = candidates.map(|center| Box2::around(center, width, SMALL));
-        if let Some(place) = obstacles.best(boxes) {
-            obstacles.add_box(place);
-            placed.0.push((curve.name.clone(), place));
+        if let Some(position) = obstacles.best(boxes) {
+            obstacles.add_box(position);
+            placed.0.push((curve.name.clone(), position));
         }
     }
     Ok(placed)
@@ -96,11 +96,11 @@ pub(super) fn beside_ends<B: DrawingBackend>(
 impl Placed {
     /// Writes the names, on white.
     pub fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        for (name, place) in &self.0 {
-            canvas.polygon(&place.corners(), WHITE)?;
+        for (name, position) in &self.0 {
+            canvas.polygon(&position.corners(), WHITE)?;
             canvas.text(
                 name,
-                place.center(),
+                position.center(),
                 Label::new(SMALL).anchored(Anchor::Middle),
             )?;
         }

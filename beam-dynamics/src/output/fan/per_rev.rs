@@ -58,7 +58,7 @@ fn multiple(axes: &Axes, number: u32, part: f64) -> Option<Multiple> {
     let height = |speed: f64| if slope > 0.0 { slope * speed } else { number };
     (exit - low > part * (high - low)).then(|| Multiple {
         number,
-        ends: [low, exit].map(|speed| axes.place([speed, height(speed)])),
+        ends: [low, exit].map(|speed| axes.position([speed, height(speed)])),
     })
 }
 
@@ -93,17 +93,17 @@ pub(super) fn draw_labels<B: DrawingBackend>(
         }
         let candidates = multiple
             .candidates(width)
-            .filter(|place| place.label.is_within(&frame));
-        let best = candidates.min_by_key(|place| in_the_way.covered(&place.needs));
-        let Some(place) = best.filter(|place| in_the_way.is_free(&place.needs)) else {
+            .filter(|position| position.label.is_within(&frame));
+        let best = candidates.min_by_key(|position| in_the_way.covered(&position.needs));
+        let Some(position) = best.filter(|position| in_the_way.is_free(&position.needs)) else {
             continue;
         };
-        obstacles.add_box(place.label);
-        canvas.polygon(&place.label.corners(), WHITE)?;
+        obstacles.add_box(position.label);
+        canvas.polygon(&position.label.corners(), WHITE)?;
         let label = Label::new(LETTERS)
             .anchored(Anchor::Middle)
             .colored(DARK_GRAY);
-        canvas.text(&text, place.label.center(), label)?;
+        canvas.text(&text, position.label.center(), label)?;
     }
     Ok(())
 }
@@ -199,7 +199,7 @@ mod tests {
         let line = multiples(&axes(40.0), None)[2];
         let mut obstacles = Obstacles::default();
         obstacles.add_line(&line.ends);
-        let beside = |place: &Candidate| obstacles.is_free(&place.label);
+        let beside = |position: &Candidate| obstacles.is_free(&position.label);
         assert_eq!(line.candidates(30.0).filter(beside).count(), 180);
     }
 }

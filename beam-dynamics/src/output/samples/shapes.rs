@@ -11,13 +11,13 @@ use crate::result::{EquilibriumReport, FrequencyTable, ModeKind, ModeShape};
 /// A blade of 10 m along x on five nodes, whose tip moves by (0, -1, 2) and turns by 1
 /// about x; the motion grows with the square of the span.
 pub fn tip_motion() -> (Vec<Node>, Vec<[usize; 3]>, ModeShape) {
-    let places: Vec<_> = (0..5).map(|k| [2.5 * f64::from(k), 0.0, 0.0]).collect();
+    let positions: Vec<_> = (0..5).map(|k| [2.5 * f64::from(k), 0.0, 0.0]).collect();
     let real = |v: [f64; 3], k: usize| v.map(|x| Complex::from(x * (k * k) as f64 / 16.0));
     let shape = ModeShape {
         displacements: (0..5).map(|k| real([0.0, -1.0, 2.0], k)).collect(),
         rotations: (0..5).map(|k| real([1.0, 0.0, 0.0], k)).collect(),
     };
-    (nodes_at(&places), vec![[0, 1, 2], [2, 3, 4]], shape)
+    (nodes_at(&positions), vec![[0, 1, 2], [2, 3, 4]], shape)
 }
 
 /// That blade with two modes at rest: the first of that shape, the second damped with

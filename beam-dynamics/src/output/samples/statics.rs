@@ -15,8 +15,8 @@ const LENGTH: f64 = 10.0;
 /// Nodes `n0` to `n8` along x, and one off the line.
 fn nodes() -> Vec<Node> {
     let line = (0..9).map(|k| [LENGTH * f64::from(k) / 8.0, 0.0, 0.0]);
-    let places: Vec<_> = line.chain([[0.0, -2.0, 0.0]]).collect();
-    nodes_at(&places)
+    let positions: Vec<_> = line.chain([[0.0, -2.0, 0.0]]).collect();
+    nodes_at(&positions)
 }
 
 const BEAMS: [[usize; 3]; 4] = [[0, 1, 2], [2, 3, 4], [4, 5, 6], [6, 7, 8]];
@@ -25,7 +25,7 @@ const BEAMS: [[usize; 3]; 4] = [[0, 1, 2], [2, 3, 4], [4, 5, 6], [6, 7, 8]];
 /// with `(x^2 + LENGTH x)` times 2 as made-up displacement toward y in millimeters.
 fn step(factor: f64) -> StaticStep {
     let angle = factor * std::f64::consts::FRAC_PI_3;
-    let place = |s: f64| {
+    let point = |s: f64| {
         let turned = angle * s / LENGTH;
         let side = 0.002 * factor * (s * s + LENGTH * s);
         match angle.abs() < 1e-12 {
@@ -39,7 +39,7 @@ fn step(factor: f64) -> StaticStep {
     };
     let attitude = |s: f64| vector::to_rotation(&Vector3::new(0.0, -angle * s / LENGTH, 0.0));
     let along = |k: u32| LENGTH * f64::from(k) / 8.0;
-    let mut positions: Vec<_> = (0..9).map(|k| place(along(k))).collect();
+    let mut positions: Vec<_> = (0..9).map(|k| point(along(k))).collect();
     let mut rotations: Vec<_> = (0..9).map(|k| attitude(along(k))).collect();
     positions.push(Vector3::new(0.0, -2.0, 0.0));
     rotations.push(Matrix3::identity());
@@ -52,7 +52,7 @@ fn step(factor: f64) -> StaticStep {
             sections.push(SectionState {
                 beam: format!("blade/{}", beam + 1),
                 xi,
-                position: place(s),
+                position: point(s),
                 axes: attitude(s),
                 strain: 1e-6 * factor * force,
                 internal_force: factor * force,

@@ -35,7 +35,10 @@ impl<'a> Still<'a> {
         undeformed: &[Matrix3<f64>],
         naming: &[NamingAxes],
     ) -> Self {
-        let positions = report.positions.iter().map(|place| Vector3::from(*place));
+        let positions = report
+            .positions
+            .iter()
+            .map(|position| Vector3::from(*position));
         let turned = report.rotations.iter().zip(undeformed).zip(naming);
         let axes = turned.map(|((now, before), naming)| now * before.transpose() * naming.section);
         Self {
@@ -72,13 +75,15 @@ impl<'a> Still<'a> {
             real.map(Vector3::from).collect()
         };
         let [moved, turned] = [&shape.displacements, &shape.rotations].map(|v| real(v));
-        let places = self.positions.iter().zip(&moved);
-        let places: Vec<_> = places.map(|(place, moved)| place + moved).collect();
+        let positions = self.positions.iter().zip(&moved);
+        let positions: Vec<_> = positions
+            .map(|(position, moved)| position + moved)
+            .collect();
         let axes = self.axes.iter().zip(&turned);
         let axes: Vec<_> = axes
             .map(|(axes, turned)| vector::to_rotation(turned) * axes)
             .collect();
-        let mut file = self.structure.grid(&places);
+        let mut file = self.structure.grid(&positions);
         add_vectors(&mut file, "displacement", &moved);
         add_vectors(&mut file, "rotation", &turned);
         add_axes(&mut file, &axes);

@@ -8,7 +8,7 @@ use super::{ShapePlot, shaped, structure};
 use crate::case::Model;
 use crate::input::short_number;
 use crate::output::Written;
-use crate::output::folder::{ResultPlace, Results};
+use crate::output::folder::{ResultLocation, Results};
 use crate::output::text::RPM;
 use crate::result::FrequencyTable;
 
@@ -20,7 +20,7 @@ const ENDINGS: [&str; 2] = ["_rpm.png", "_rpm.svg"];
 
 /// Writes plots of the shapes of the lowest modes, `NAME.shapes_at_RPM_rpm` as PNG and SVG, for
 /// each speed at which `table` has shapes, if figures are drawn, and with `animate` the folder
-/// `NAME.modes` with a series `MODE_at_RPM_rpm.pvd` of field files for each mode, all to `place`.
+/// `NAME.modes` with a series `MODE_at_RPM_rpm.pvd` of field files for each mode, all to `location`.
 /// Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
@@ -29,10 +29,10 @@ pub fn write_shapes(
     model: &Model,
     table: &FrequencyTable,
     animate: bool,
-    place: &ResultPlace,
+    location: &ResultLocation,
 ) -> Result<Written, OutputProblem> {
-    make_folder(&place.folder)?;
-    let mut results = Results::new(place);
+    make_folder(&location.folder)?;
+    let mut results = Results::new(location);
     for ending in ENDINGS {
         results.remove_numbered(PLOT, ending);
     }
@@ -81,9 +81,9 @@ mod tests {
         let (model, mut table) = shaped();
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
-        let place = ResultPlace::new(folder, "x");
+        let location = ResultLocation::new(folder, "x");
         let write = |table: &FrequencyTable, animate| {
-            names(&write_shapes(&model, table, animate, &place).unwrap())
+            names(&write_shapes(&model, table, animate, &location).unwrap())
         };
         let plots = ["x.shapes_at_0_rpm.png", "x.shapes_at_0_rpm.svg"];
         assert_eq!(write(&table, true), [plots[0], plots[1], "x.modes"]);

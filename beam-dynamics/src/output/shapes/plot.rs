@@ -7,7 +7,7 @@ use plotters::style::RGBColor;
 use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
 use shared_geom::files::{OutputProblem, write_figure};
 
-use super::{Along, Shaped, along, shaped, structure};
+use super::{MemberMotion, Shaped, member_motion, shaped, structure};
 use crate::case::{Model, Words};
 use crate::input::short_number;
 use crate::output::panel::{LIGHT, Panel, SMALL, draw_legend, draw_title};
@@ -49,7 +49,7 @@ struct Shown {
     /// Frequency, and damping if there is any.
     values: String,
     length: f64,
-    along: Along,
+    member_motion: MemberMotion,
 }
 
 impl ShapePlot {
@@ -62,8 +62,8 @@ impl ShapePlot {
         found.dedup_by(|mode, before| mode.is_like(before));
         let thinned = found.len() < count;
         let shown = found.into_iter().filter_map(|mode| {
-            let along = along(&structure, &model.naming, mode.shape)?;
-            let member = &structure.members[along.member];
+            let member_motion = member_motion(&structure, &model.naming, mode.shape)?;
+            let member = &structure.members[member_motion.member];
             let mut values = format!("{} Hz", short_number(mode.frequency, 4));
             if mode.damping_ratio.abs() > DAMPED {
                 let per_cent = short_number(100.0 * mode.damping_ratio, 2);
@@ -77,7 +77,7 @@ impl ShapePlot {
                 name,
                 values,
                 length: member.length,
-                along,
+                member_motion,
             })
         });
         let modes: Vec<_> = shown.take(MOST).collect();
@@ -117,19 +117,19 @@ impl Shaped<'_> {
 
 impl Shown {
     fn has(&self, component: usize) -> bool {
-        let mut points = self.along.points.iter();
+        let mut points = self.member_motion.points.iter();
         points.any(|point| point.1[component].norm() > FAINT)
     }
 
     /// Whether a component moves in phase with the largest one.
     fn is_real(&self, component: usize) -> bool {
-        let mut points = self.along.points.iter();
+        let mut points = self.member_motion.points.iter();
         points.any(|point| point.1[component].re.abs() > FAINT)
     }
 
     /// Whether a component moves out of phase with the largest one.
     fn is_complex(&self, component: usize) -> bool {
-        let mut points = self.along.points.iter();
+        let mut points = self.member_motion.points.iter();
         points.any(|point| point.1[component].im.abs() > FAINT)
     }
 
@@ -142,7 +142,7 @@ impl Shown {
         panel.curve(canvas, &[[0.0, 0.0], [self.length, 0.0]], THIN, LIGHT)?;
         for component in 0..NAMES.len() {
             let part = |pick: fn(&nalgebra::Complex<f64>) -> f64| -> Vec<_> {
-                let points = self.along.points.iter();
+                let points = self.member_motion.points.iter();
                 points
                     .map(|(arc, motion)| [*arc, pick(&motion[component])])
                     .collect()
@@ -169,7 +169,7 @@ impl Shown {
         panel: &Panel,
         on_one_line: bool,
     ) -> Result<(), FigureProblem> {
-        let room = title_room(panel.right - panel.left);
+        let space = title_width(panel.right - panel.left);
         let label = Label::new(SMALL).bold();
         if on_one_line {
             return canvas.text(&self.title(), [panel.left, panel.top - 30.0], label);
@@ -179,7 +179,7 @@ impl Shown {
             (&self.values, Label::new(SMALL), 23.0),
         ];
         for (line, label, above) in lines {
-            let line = canvas.shortened(line, label, room);
+            let line = canvas.shortened(line, label, space);
             canvas.text(&line, [panel.left, panel.top - above], label)?;
         }
         Ok(())
@@ -187,7 +187,7 @@ impl Shown {
 }
 
 /// Space for a title over a panel of some width.
-fn title_room(width: f64) -> f64 {
+fn title_width(width: f64) -> f64 {
     width + 60.0
 }
 
@@ -213,12 +213,12 @@ impl Drawing for ShapePlot {
         let (panel_width, bold) = (column - 140.0, Label::new(SMALL).bold());
         let fits = |mode: &Shown| {
             let title = mode.title();
-            canvas.shortened(&title, bold, title_room(panel_width)) == title
+            canvas.shortened(&title, bold, title_width(panel_width)) == title
         };
         let on_one_line = self.modes.iter().all(fits);
-        for (place, mode) in self.modes.iter().enumerate() {
-            let left = 40.0 + column * (place % COLUMNS) as f64 + 90.0;
-            let top = HEAD + ROW * (place / COLUMNS) as f64 + 50.0;
+        for (index, mode) in self.modes.iter().enumerate() {
+            let left = 40.0 + column * (index % COLUMNS) as f64 + 90.0;
+            let top = HEAD + ROW * (index / COLUMNS) as f64 + 50.0;
             let panel = Panel {
                 left,
                 right: left + panel_width,

@@ -9,7 +9,7 @@ use super::{
     force_csv, reaction_csv, static_text,
 };
 use crate::output::Written;
-use crate::output::folder::{ResultPlace, Results};
+use crate::output::folder::{ResultLocation, Results};
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
 
@@ -28,14 +28,17 @@ const FIELDS: &str = "static";
 /// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`, `NAME.reactions.csv`,
 /// with electrodes `NAME.electrodes.csv`, if figures are drawn the plots `NAME.deformed`,
 /// `NAME.forces` and, for three equilibria or more, `NAME.path`, each as PNG and SVG, and the field
-/// files `NAME.static.pvd` with one grid per step in the folder `NAME.static`, all to `place`.
+/// files `NAME.static.pvd` with one grid per step in the folder `NAME.static`, all to `location`.
 /// Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
-pub fn write_static(result: &StaticResult, place: &ResultPlace) -> Result<Written, OutputProblem> {
-    make_folder(&place.folder)?;
-    let mut results = Results::new(place);
+pub fn write_static(
+    result: &StaticResult,
+    location: &ResultLocation,
+) -> Result<Written, OutputProblem> {
+    make_folder(&location.folder)?;
+    let mut results = Results::new(location);
     results.remove([TEXT, DISPLACEMENTS, FORCES, REACTIONS, ELECTRODES, SERIES]);
     results.remove([DEFORMED, ALONG, PATH].into_iter().flatten());
     results.remove_fields(FIELDS);
@@ -85,8 +88,8 @@ mod tests {
     fn all_files_are_written_and_stale_ones_removed() {
         let folder = tempfile::tempdir().unwrap();
         let results = folder.path().join("results");
-        let place = ResultPlace::new(&results, "x");
-        let written = write_static(&samples::bent(&[0.0, 0.5, 1.0]), &place).unwrap();
+        let location = ResultLocation::new(&results, "x");
+        let written = write_static(&samples::bent(&[0.0, 0.5, 1.0]), &location).unwrap();
         let expected = [
             "x.static.txt",
             "x.displacements.csv",
@@ -111,13 +114,13 @@ mod tests {
         );
 
         // A path past a limit point, shorter than the one before.
-        write_static(&samples::bent(&[0.5, 0.4]), &place).unwrap();
+        write_static(&samples::bent(&[0.5, 0.4]), &location).unwrap();
         assert!(!results.join("x.path.png").exists());
         assert_eq!(results.join("x.static").read_dir().unwrap().count(), 2);
         let series = std::fs::read_to_string(results.join("x.static.pvd")).unwrap();
         assert!(series.contains("timestep=\"1\""), "{series}");
 
-        let written = write_static(&samples::bent(&[]), &place).unwrap();
+        let written = write_static(&samples::bent(&[]), &location).unwrap();
         assert_eq!(names(&written), expected[..4]);
         assert_eq!(results.read_dir().unwrap().count(), 4);
     }

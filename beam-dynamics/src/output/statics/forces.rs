@@ -118,7 +118,7 @@ impl ForcePlot {
                 .collect();
             panel.curve(canvas, &points, LINE, curve.color)?;
             for point in points {
-                canvas.disc(panel.place(point), POINT, curve.color)?;
+                canvas.disc(panel.position(point), POINT, curve.color)?;
             }
         }
         panel.draw_frame(canvas, [5, 4], true)?;

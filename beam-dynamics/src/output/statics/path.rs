@@ -53,14 +53,14 @@ impl PathPlot {
         if largest <= ROUND_OFF * structure.size() {
             return None;
         }
-        let place = &result.nodes.get(node)?.position;
+        let position = &result.nodes.get(node)?.position;
         let curve = |axis: usize| Curve {
             name: NAMES[axis],
             color: CATEGORIES[[0, 5, 2][axis]],
             points: result
                 .steps
                 .iter()
-                .map(|step| [step.positions[node][axis] - place[axis], step.factor])
+                .map(|step| [step.positions[node][axis] - position[axis], step.factor])
                 .collect(),
         };
         let moves = |curve: &Curve| {
@@ -107,7 +107,7 @@ impl Drawing for PathPlot {
             panel.curve(canvas, &curve.points, LINE, curve.color)?;
             if curve.points.len() <= MOST_POINTS {
                 for point in &curve.points {
-                    canvas.disc(panel.place(*point), POINT, curve.color)?;
+                    canvas.disc(panel.position(*point), POINT, curve.color)?;
                 }
             }
         }

@@ -83,7 +83,7 @@ fn short(value: f64) -> String {
 pub(super) fn most_displaced(result: &StaticResult, step: &StaticStep) -> (usize, f64) {
     let moved = result.nodes.iter().zip(&step.positions).enumerate();
     moved
-        .map(|(k, (node, place))| (k, (place - node.position).norm()))
+        .map(|(k, (node, position))| (k, (position - node.position).norm()))
         // The first of equal ones.
         .rev()
         .max_by(|a, b| a.1.total_cmp(&b.1))
@@ -181,8 +181,8 @@ fn force_table(structure: &Structure, (step, floors): (&StaticStep, &Floors)) ->
     let mut rows = vec![cells(&["component", "largest", "", "s [m]", "beam", "of"])];
     for (number, member) in structure.members.iter().enumerate() {
         let own = || {
-            let places = along.iter().zip(&step.sections);
-            places.filter(|((of, _), _)| *of == number)
+            let positions = along.iter().zip(&step.sections);
+            positions.filter(|((of, _), _)| *of == number)
         };
         for (component, name) in COMPONENTS.iter().enumerate() {
             let floor = floors.of_component(component);
@@ -327,7 +327,7 @@ Remarks
 
     // Residues of zero after the iteration: 1e-13 of 1 kN, 5e-40 m.
     #[test]
-    fn round_off_is_told_as_zero() {
+    fn round_off_is_reported_as_zero() {
         let clean = samples::bent(&[0.0, 1.0]);
         let mut noisy = clean.clone();
         let last = noisy.steps.last_mut().unwrap();

@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn counts_and_times_are_told() {
+    fn counts_and_times_are_reported() {
         let text = effort_text(&Effort {
             steps: 200,
             rejected: 3,

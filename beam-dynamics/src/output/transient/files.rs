@@ -10,10 +10,10 @@ use super::lock::RunLock;
 use super::netcdf_rows::NetcdfRows;
 use super::restart::write_snapshot;
 use super::{Heading, RowWriter, RunFileProblem, TimePlot, TimeTable};
-use crate::case::{Every, Model, OutputQuestion};
+use crate::case::{Every, Model, OutputSettings};
 use crate::output::Written;
-use crate::output::folder::{ResultPlace, Results};
-use crate::result::{ColumnValues, Moment, Recorder, Snapshot};
+use crate::output::folder::{ResultLocation, Results};
+use crate::result::{AcceptedStep, ColumnValues, Recorder, Snapshot};
 
 const CSV: &str = "transient.csv";
 const NETCDF: &str = "transient.nc";
@@ -33,8 +33,8 @@ pub struct RunFiles<'a> {
     results: Results<'a>,
     tables: Vec<Box<dyn RowWriter>>,
     grids: Option<(Grids<'a>, usize)>,
-    rows: Beat,
-    restarts: Option<Beat>,
+    rows: Schedule,
+    restarts: Option<Schedule>,
     kept: Option<PathBuf>,
     /// The last instant of the run, which is always written and kept \[s\].
     end: f64,
@@ -51,30 +51,30 @@ pub struct RunFiles<'a> {
 }
 
 impl<'a> RunFiles<'a> {
-    /// The files of `model` at `place`. Files of an earlier run are removed; a run that continues
+    /// The files of `model` at `location`. Files of an earlier run are removed; a run that continues
     /// from `resumed` keeps them up to its time.
     ///
     /// # Errors
     /// [`RunFileProblem`]: the folder or a file cannot be made, is in use, or has other columns.
     pub fn new(
         model: &'a Model,
-        question: &'a OutputQuestion,
-        place: &'a ResultPlace,
+        settings: &'a OutputSettings,
+        location: &'a ResultLocation,
         resumed: Option<&Snapshot>,
     ) -> Result<Self, RunFileProblem> {
-        make_folder(&place.folder)?;
-        let results = Results::new(place);
+        make_folder(&location.folder)?;
+        let results = Results::new(location);
         let lock = RunLock::new(&results.path(LOCK))?;
         let mut files = Self {
-            values: ColumnValues::new(model, question),
+            values: ColumnValues::new(model, settings),
             tables: Vec::new(),
-            grids: question.vtu.map(|each| (Grids::new(model), each)),
-            rows: Beat::new(question.every, resumed),
-            restarts: question.restart.map(|every| Beat::new(every, resumed)),
+            grids: settings.vtu.map(|each| (Grids::new(model), each)),
+            rows: Schedule::new(settings.every, resumed),
+            restarts: settings.restart.map(|every| Schedule::new(every, resumed)),
             kept: None,
             end: f64::INFINITY,
             resumed: resumed.map(|snapshot| snapshot.step),
-            row: vec![0.0; 1 + question.columns.len()],
+            row: vec![0.0; 1 + settings.columns.len()],
             written: None,
             fingerprint: model.fingerprint(),
             problem: None,
@@ -97,7 +97,7 @@ impl<'a> RunFiles<'a> {
         }
         files.open_tables(
             model,
-            question,
+            settings,
             resumed.map(|snapshot| snapshot.progress.time),
         )?;
         Ok(files)
@@ -106,19 +106,19 @@ impl<'a> RunFiles<'a> {
     fn open_tables(
         &mut self,
         model: &Model,
-        question: &OutputQuestion,
+        settings: &OutputSettings,
         time: Option<f64>,
     ) -> Result<(), RunFileProblem> {
-        let of_columns = question.columns.iter().map(Heading::of);
+        let of_columns = settings.columns.iter().map(Heading::of);
         let headings: Vec<_> = std::iter::once(Heading::time()).chain(of_columns).collect();
-        if question.csv {
+        if settings.csv {
             let path = self.results.path(CSV);
             self.tables.push(match time {
                 None => Box::new(CsvRows::create(&path, &headings)?),
                 Some(time) => Box::new(CsvRows::resume(&path, &headings, time)?),
             });
         }
-        if question.netcdf {
+        if settings.netcdf {
             let (path, title) = (self.results.path(NETCDF), &model.name);
             self.tables.push(match time {
                 None => Box::new(NetcdfRows::create(&path, title, &headings)?),
@@ -171,40 +171,40 @@ impl<'a> RunFiles<'a> {
         Ok(self.results.written)
     }
 
-    fn write(&mut self, moment: &Moment<'_>) -> Result<(), RunFileProblem> {
-        self.values.follow(moment);
+    fn write(&mut self, accepted: &AcceptedStep<'_>) -> Result<(), RunFileProblem> {
+        self.values.follow(accepted);
         let before = self.rows.last;
-        if !self.rows.is_due(moment) && moment.time < self.end {
+        if !self.rows.is_due(accepted) && accepted.time < self.end {
             return Ok(());
         }
-        self.write_row(moment)?;
+        self.write_row(accepted)?;
         if let Some((grids, each)) = &mut self.grids {
             let number = |row: u64| row / *each as u64;
             let is_due = before.map(number) != self.rows.last.map(number);
             if is_due {
-                grids.write(&mut self.results, moment)?;
+                grids.write(&mut self.results, accepted)?;
             }
         }
         Ok(())
     }
 
-    fn write_row(&mut self, moment: &Moment<'_>) -> Result<(), RunFileProblem> {
-        self.row[0] = moment.time;
-        self.values.evaluate(moment, &mut self.row[1..]);
+    fn write_row(&mut self, accepted: &AcceptedStep<'_>) -> Result<(), RunFileProblem> {
+        self.row[0] = accepted.time;
+        self.values.evaluate(accepted, &mut self.row[1..]);
         for table in &mut self.tables {
             table.write(&self.row)?;
         }
-        self.written = Some(moment.step);
+        self.written = Some(accepted.step);
         Ok(())
     }
 }
 
 impl Recorder for RunFiles<'_> {
-    fn record(&mut self, moment: &Moment<'_>) -> bool {
-        if self.resumed.is_some_and(|step| moment.step <= step) {
+    fn record(&mut self, accepted: &AcceptedStep<'_>) -> bool {
+        if self.resumed.is_some_and(|step| accepted.step <= step) {
             return true;
         }
-        match self.write(moment) {
+        match self.write(accepted) {
             Ok(()) => true,
             Err(problem) => {
                 self.problem = Some(problem);
@@ -213,15 +213,15 @@ impl Recorder for RunFiles<'_> {
         }
     }
 
-    fn wants_snapshot(&self, moment: &Moment<'_>) -> bool {
-        let is_due = |beat: &Beat| beat.would_be_due(moment);
-        moment.time >= self.end || self.restarts.as_ref().is_some_and(is_due)
+    fn wants_snapshot(&self, accepted: &AcceptedStep<'_>) -> bool {
+        let is_due = |schedule: &Schedule| schedule.would_be_due(accepted);
+        accepted.time >= self.end || self.restarts.as_ref().is_some_and(is_due)
     }
 
     fn keep(&mut self, snapshot: &Snapshot) -> bool {
         let path = self.results.path(RESTART);
-        if let Some(beat) = &mut self.restarts {
-            beat.last = Some(beat.number(snapshot.step, snapshot.progress.time));
+        if let Some(schedule) = &mut self.restarts {
+            schedule.last = Some(schedule.number(snapshot.step, snapshot.progress.time));
         }
         let snapshot = Snapshot {
             model: self.fingerprint.clone(),
@@ -240,9 +240,9 @@ impl Recorder for RunFiles<'_> {
         }
     }
 
-    fn stopped(&mut self, moment: &Moment<'_>, snapshot: &Snapshot) -> bool {
-        let is_written = self.written.or(self.resumed) == Some(moment.step);
-        if !is_written && let Err(problem) = self.write_row(moment) {
+    fn stopped(&mut self, accepted: &AcceptedStep<'_>, snapshot: &Snapshot) -> bool {
+        let is_written = self.written.or(self.resumed) == Some(accepted.step);
+        if !is_written && let Err(problem) = self.write_row(accepted) {
             self.problem = Some(problem);
             return false;
         }
@@ -280,39 +280,40 @@ fn default_plot(title: &str, path: &Path) -> Option<TimePlot> {
 
 /// Times at which output is due.
 #[derive(Debug, Clone, Copy)]
-struct Beat {
+struct Schedule {
     every: Every,
-    /// Number of the latest beat; `None` before the first.
+    /// Number of the latest due time; `None` before the first.
     last: Option<u64>,
 }
 
-impl Beat {
-    /// Round-off of times, as part of the distance of beats.
+impl Schedule {
+    /// Round-off of times, as part of the distance of due times.
     const ROUND_OFF: f64 = 1e-6;
 
-    /// A beat that has just been at `resumed`.
+    /// A schedule whose latest due time was at `resumed`.
     fn new(every: Every, resumed: Option<&Snapshot>) -> Self {
-        let mut beat = Self { every, last: None };
-        beat.last = resumed.map(|snapshot| beat.number(snapshot.step, snapshot.progress.time));
-        beat
+        let mut schedule = Self { every, last: None };
+        schedule.last =
+            resumed.map(|snapshot| schedule.number(snapshot.step, snapshot.progress.time));
+        schedule
     }
 
-    /// Number of the beat to which a step belongs.
+    /// Number of the due time to which a step belongs.
     fn number(&self, step: usize, time: f64) -> u64 {
         match self.every {
             Every::Steps(count) => (step / count.max(1)) as u64,
-            // All times before zero are one beat.
+            // All times before zero count as one due time.
             Every::Time(distance) => (time / distance + Self::ROUND_OFF).floor() as u64,
         }
     }
 
-    fn would_be_due(&self, moment: &Moment<'_>) -> bool {
-        self.last != Some(self.number(moment.step, moment.time))
+    fn would_be_due(&self, accepted: &AcceptedStep<'_>) -> bool {
+        self.last != Some(self.number(accepted.step, accepted.time))
     }
 
-    fn is_due(&mut self, moment: &Moment<'_>) -> bool {
-        let is_due = self.would_be_due(moment);
-        self.last = Some(self.number(moment.step, moment.time));
+    fn is_due(&mut self, accepted: &AcceptedStep<'_>) -> bool {
+        let is_due = self.would_be_due(accepted);
+        self.last = Some(self.number(accepted.step, accepted.time));
         is_due
     }
 }

@@ -9,7 +9,7 @@ use crate::case::Model;
 use crate::output::folder::Results;
 use crate::output::grid::add_vectors;
 use crate::output::structure::Structure;
-use crate::result::Moment;
+use crate::result::AcceptedStep;
 
 /// The series.
 pub(super) const SERIES: &str = "transient.pvd";
@@ -54,13 +54,13 @@ impl<'a> Grids<'a> {
     pub fn write(
         &mut self,
         results: &mut Results<'_>,
-        moment: &Moment<'_>,
+        accepted: &AcceptedStep<'_>,
     ) -> Result<(), OutputProblem> {
-        let nodes = &moment.state.nodes;
+        let nodes = &accepted.state.nodes;
         let positions: Vec<_> = nodes.iter().map(|node| node.position).collect();
         let rotations: Vec<_> = nodes.iter().map(|node| node.rotation).collect();
         let system = &self.model.system;
-        let sections = system.observe(moment.state, moment.conditions).sections;
+        let sections = system.observe(accepted.state, accepted.conditions).sections;
         let mut grid = self
             .structure
             .moved_grid(system.nodes(), &positions, &rotations, &sections);
@@ -68,9 +68,9 @@ impl<'a> Grids<'a> {
         add_vectors(&mut grid, "velocity", &velocities);
         let turning: Vec<_> = nodes.iter().map(|node| node.angular_velocity).collect();
         add_vectors(&mut grid, "angular_velocity", &turning);
-        let file = format!("step_{:07}.vtu", moment.step);
+        let file = format!("step_{:07}.vtu", accepted.step);
         let file = results.field(FIELDS, &file, grid)?;
-        self.series.add(moment.time, file);
+        self.series.add(accepted.time, file);
         // Replaced when it is complete, so that the file is whole if the run is killed.
         let path = results.path(SERIES);
         let new = path.with_extension("pvd.new");

@@ -146,9 +146,9 @@ impl Write for Memory {
 }
 
 impl Seek for Memory {
-    fn seek(&mut self, place: SeekFrom) -> std::io::Result<u64> {
+    fn seek(&mut self, offset: SeekFrom) -> std::io::Result<u64> {
         let mut inner = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        inner.seek(place)
+        inner.seek(offset)
     }
 }
 

@@ -168,7 +168,7 @@ impl TimePlot {
             let unit = part[0].heading.shown_unit();
             let last = self.panels.iter().rposition(|panel| panel.unit == unit);
             let fitting = last.filter(|k| self.panels[*k].columns.len() + part.len() <= most);
-            let place = fitting.unwrap_or_else(|| {
+            let index = fitting.unwrap_or_else(|| {
                 self.panels.push(Curves {
                     unit: unit.to_owned(),
                     columns: Vec::new(),
@@ -176,7 +176,7 @@ impl TimePlot {
                 });
                 self.panels.len() - 1
             });
-            let panel = &mut self.panels[place];
+            let panel = &mut self.panels[index];
             for found in part {
                 let column = panel.columns.len();
                 panel.columns.push(found.heading.name.clone());
@@ -216,7 +216,7 @@ impl TimePlot {
 
     /// Height of title and legend of runs.
     fn head(&self) -> f64 {
-        let legend = self.legend_of_runs().map(|legend| legend.height(room()));
+        let legend = self.legend_of_runs().map(|legend| legend.height(space()));
         HEAD + legend.map_or(0.0, |height| height + GAPS[0])
     }
 
@@ -226,12 +226,12 @@ impl TimePlot {
             return FRAME;
         }
         let [x, y] = [self.range(), curves.range()];
-        (room() * (y[1] - y[0]) / (x[1] - x[0])).clamp(PATH[0], PATH[1])
+        (space() * (y[1] - y[0]) / (x[1] - x[0])).clamp(PATH[0], PATH[1])
     }
 
     /// Height of a panel with its legend.
     fn height(&self, curves: &Curves) -> f64 {
-        self.legend(curves).height(room()) + GAPS[0] + self.frame(curves) + GAPS[1]
+        self.legend(curves).height(space()) + GAPS[0] + self.frame(curves) + GAPS[1]
     }
 
     /// Horizontal range of all panels.
@@ -298,22 +298,22 @@ impl TimePlot {
         (top, is_last): (f64, bool),
     ) -> Result<(), FigureProblem> {
         let legend = self.legend(curves);
-        let frame_top = top + legend.height(room()) + GAPS[0];
+        let frame_top = top + legend.height(space()) + GAPS[0];
         let panel = Panel {
             left: MARGINS[0],
-            right: MARGINS[0] + room(),
+            right: MARGINS[0] + space(),
             top: frame_top,
             bottom: frame_top + self.frame(curves),
             x: self.range(),
             y: curves.range(),
         };
-        legend.draw(canvas, [panel.left, top], room())?;
+        legend.draw(canvas, [panel.left, top], space())?;
         panel.draw_zero(canvas)?;
         for curve in &curves.curves {
             let stroke = self.stroke(curve);
             for piece in &curve.pieces {
-                let places: Vec<_> = piece.iter().map(|point| panel.place(*point)).collect();
-                stroke.draw(canvas, &places)?;
+                let positions: Vec<_> = piece.iter().map(|point| panel.position(*point)).collect();
+                stroke.draw(canvas, &positions)?;
             }
         }
         panel.draw_frame(canvas, [8, 5], is_last)?;
@@ -338,7 +338,7 @@ impl Drawing for TimePlot {
     fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
         draw_title(canvas, &self.title, [40.0, 40.0])?;
         if let Some(legend) = self.legend_of_runs() {
-            legend.draw(canvas, [MARGINS[0], HEAD], room())?;
+            legend.draw(canvas, [MARGINS[0], HEAD], space())?;
         }
         let mut top = self.head();
         for (number, curves) in self.panels.iter().enumerate() {
@@ -347,14 +347,14 @@ impl Drawing for TimePlot {
             top += self.height(curves);
         }
         let label = Label::new(TEXT).anchored(Anchor::Middle);
-        let middle = MARGINS[0] + 0.5 * room();
+        let middle = MARGINS[0] + 0.5 * space();
         let height = canvas.size().1;
         canvas.text(&self.across, [middle, height - 36.0], label)
     }
 }
 
 /// Width of a frame \[figure pixels\].
-fn room() -> f64 {
+fn space() -> f64 {
     f64::from(WIDTH) - MARGINS[0] - MARGINS[1]
 }
 
@@ -370,8 +370,8 @@ fn common_heading(
             let (file, rows) = (table.file.clone(), table.rows());
             return Err(RunFileProblem::NoRows { file, rows });
         }
-        let place = table.find(across)?[0];
-        let heading = &table.headings[place];
+        let index = table.find(across)?[0];
+        let heading = &table.headings[index];
         let known = *first.get_or_insert(heading);
         if known.unit != heading.unit {
             return Err(RunFileProblem::OtherUnit {
@@ -380,7 +380,7 @@ fn common_heading(
                 units: [known, heading].map(|heading| heading.shown_unit().to_owned()),
             });
         }
-        let numbers = table.columns[place].iter();
+        let numbers = table.columns[index].iter();
         values.extend(numbers.copied().filter(|value| value.is_finite()));
     }
     let heading = first.cloned().unwrap_or_else(Heading::time);
@@ -418,7 +418,7 @@ fn pieces(x: &[f64], y: &[f64], range: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let is_number = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
     let all = points.split(|point| !is_number(point));
     let pieces = all.filter(|piece| !piece.is_empty());
-    pieces.map(|piece| thinned(piece, range, room())).collect()
+    pieces.map(|piece| thinned(piece, range, space())).collect()
 }
 
 /// The range of values without margins.

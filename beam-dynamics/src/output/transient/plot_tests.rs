@@ -82,7 +82,7 @@ fn a_run_has_a_panel_for_each_unit_and_a_color_for_each_column() {
 }
 
 #[test]
-fn runs_of_one_column_are_told_by_color() {
+fn runs_of_one_column_are_reported_by_color() {
     let both = ["a", "b"].map(|name| table(&format!("results/{name}.transient.csv"), 100));
     let svg = drawn(&both, "time", &["tip_x", "count"]).unwrap();
     assert_texts(&svg, &["a model", "a", "b", "tip_x", "count"]);
@@ -93,7 +93,7 @@ fn runs_of_one_column_are_told_by_color() {
 }
 
 #[test]
-fn runs_of_many_columns_are_told_by_tone_and_columns_by_color() {
+fn runs_of_many_columns_are_reported_by_tone_and_columns_by_color() {
     let both = ["a", "b"].map(|name| table(&format!("results/{name}.transient.csv"), 100));
     let svg = drawn(&both, "time", &["tip_*"]).unwrap();
     assert_texts(&svg, &["a", "b", "tip_x", "tip_y"]);
@@ -143,7 +143,7 @@ fn gaps_and_columns_without_numbers_are_drawn_as_such() {
 }
 
 #[test]
-fn wrong_columns_units_and_times_are_told() {
+fn wrong_columns_units_and_times_are_reported() {
     let one = table("results/a.transient.csv", 400);
     let wrong = drawn(std::slice::from_ref(&one), "time", &["tip_z"]).unwrap_err();
     assert_eq!(
@@ -174,8 +174,8 @@ fn wrong_columns_units_and_times_are_told() {
 fn figures_of_thousands_of_columns_are_shortened_or_refused() {
     let mut plot = TimePlot::new(&[wide(2000)], "time", &[]).unwrap();
     // Two of millimetres and one number, and six in each of 334 panels.
-    let told = plot.check_size().unwrap_err().to_string();
-    assert!(told.contains("2003 curves in 336 panels"), "{told}");
+    let reported = plot.check_size().unwrap_err().to_string();
+    assert!(reported.contains("2003 curves in 336 panels"), "{reported}");
     let left_out = plot.shorten();
     assert_eq!(left_out.len(), 2000 - 60);
     assert_eq!(left_out[0], "place_60");

@@ -62,10 +62,10 @@ impl TimeTable {
 
     /// Leaves the rows between two times \[s\].
     pub fn between(&mut self, from: f64, to: f64) {
-        let Some(place) = self.headings.iter().position(|h| h.name == "time") else {
+        let Some(index) = self.headings.iter().position(|h| h.name == "time") else {
             return;
         };
-        let is_in: Vec<_> = self.columns[place]
+        let is_in: Vec<_> = self.columns[index]
             .iter()
             .map(|time| (from..=to).contains(time))
             .collect();
@@ -84,8 +84,8 @@ impl TimeTable {
             Some(first) => heading.name.starts_with(first),
             None => heading.name == name,
         };
-        let places = self.headings.iter().enumerate();
-        let found: Vec<_> = places.filter(|(_, h)| fits(h)).map(|(k, _)| k).collect();
+        let columns = self.headings.iter().enumerate();
+        let found: Vec<_> = columns.filter(|(_, h)| fits(h)).map(|(k, _)| k).collect();
         if !found.is_empty() {
             return Ok(found);
         }

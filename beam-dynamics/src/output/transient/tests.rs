@@ -6,15 +6,15 @@ use nalgebra::Vector3;
 
 use super::*;
 use crate::assembly::System;
-use crate::case::{Column, Every, Model, OutputQuestion, Quantity};
+use crate::case::{Column, Every, Model, OutputSettings, Quantity};
 use crate::elements::Element;
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::{Axes, NodeQuantity, NodeVector, Part};
 use crate::integrator::Counters;
 use crate::model::{Conditions, State};
-use crate::output::ResultPlace;
+use crate::output::ResultLocation;
 use crate::output::samples::{names, nodes_at};
-use crate::result::{Moment, Recorder, Snapshot};
+use crate::result::{AcceptedStep, Recorder, Snapshot};
 
 /// A body that moves as defined by [`run`].
 fn model() -> Model {
@@ -40,9 +40,9 @@ fn column(name: &str, unit: (&str, f64), vector: NodeVector, part: Part) -> Colu
 }
 
 /// Position along x and y in mm, speed, length of the step.
-fn question() -> OutputQuestion {
+fn settings() -> OutputSettings {
     let mm = ("mm", 1e-3);
-    OutputQuestion {
+    OutputSettings {
         columns: vec![
             column("a_x", mm, NodeVector::Position, Part::Component(0)),
             column("a_y", mm, NodeVector::Position, Part::Component(1)),
@@ -55,7 +55,7 @@ fn question() -> OutputQuestion {
                 quantity: Quantity::StepLength,
             },
         ],
-        ..OutputQuestion::default()
+        ..OutputSettings::default()
     }
 }
 
@@ -75,7 +75,7 @@ fn run(model: &Model, files: &mut RunFiles<'_>, range: std::ops::RangeInclusive<
     let conditions = Conditions::at_rest();
     for step in range {
         let state = state(model, step);
-        let moment = Moment {
+        let accepted = AcceptedStep {
             step,
             time: STEP * step as f64,
             length: STEP,
@@ -83,10 +83,10 @@ fn run(model: &Model, files: &mut RunFiles<'_>, range: std::ops::RangeInclusive<
             state: &state,
             conditions: &conditions,
         };
-        if !files.record(&moment) {
+        if !files.record(&accepted) {
             return false;
         }
-        if files.wants_snapshot(&moment) && !files.keep(&snapshot(step)) {
+        if files.wants_snapshot(&accepted) && !files.keep(&snapshot(step)) {
             return false;
         }
     }
@@ -116,10 +116,10 @@ fn snapshot(step: usize) -> Snapshot {
 }
 
 /// Runs to the end without interruption.
-fn complete(folder: &Path, question: &OutputQuestion, steps: usize) -> Vec<String> {
+fn complete(folder: &Path, settings: &OutputSettings, steps: usize) -> Vec<String> {
     let model = model();
-    let place = ResultPlace::new(folder, "x");
-    let mut files = RunFiles::new(&model, question, &place, None).unwrap();
+    let location = ResultLocation::new(folder, "x");
+    let mut files = RunFiles::new(&model, settings, &location, None).unwrap();
     assert!(run(&model, &mut files, 0..=steps));
     names(&files.finish("a body", "text\n").unwrap())
 }
@@ -127,7 +127,7 @@ fn complete(folder: &Path, question: &OutputQuestion, steps: usize) -> Vec<Strin
 #[test]
 fn tables_are_read_back_to_the_last_bit() {
     let folder = tempfile::tempdir().unwrap();
-    let written = complete(folder.path(), &question(), 20);
+    let written = complete(folder.path(), &settings(), 20);
     let expected = [
         "x.transient.csv",
         "x.transient.nc",
@@ -171,7 +171,7 @@ fn random(state: &mut u64) -> u64 {
 #[test]
 fn changed_binary_tables_are_read_or_refused() {
     let folder = tempfile::tempdir().unwrap();
-    complete(folder.path(), &question(), 5);
+    complete(folder.path(), &settings(), 5);
     let sound = std::fs::read(folder.path().join("x.transient.nc")).unwrap();
     let path = folder.path().join("y.nc");
     let read = |bytes: &[u8]| {
@@ -217,23 +217,23 @@ fn changed_binary_tables_are_read_or_refused() {
 
 // A run that is dropped in the middle acts as if killed: nothing is written at its end.
 #[test]
-fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {
+fn a_killed_run_keeps_its_rows_and_continues_without_doubling_them() {
     let [whole, parts] = [(); 2].map(|()| tempfile::tempdir().unwrap());
-    let question = OutputQuestion {
+    let settings = OutputSettings {
         every: Every::Time(0.2),
         restart: Some(Every::Steps(10)),
         vtu: Some(2),
-        ..question()
+        ..settings()
     };
-    let listed = complete(whole.path(), &question, 40);
+    let listed = complete(whole.path(), &settings, 40);
     assert!(
         listed.iter().any(|name| name == "x.restart.json"),
         "{listed:?}"
     );
 
     let model = model();
-    let place = ResultPlace::new(parts.path(), "x");
-    let mut files = RunFiles::new(&model, &question, &place, None).unwrap();
+    let location = ResultLocation::new(parts.path(), "x");
+    let mut files = RunFiles::new(&model, &settings, &location, None).unwrap();
     assert!(run(&model, &mut files, 0..=27));
     drop(files);
     let csv = parts.path().join("x.transient.csv");
@@ -246,7 +246,7 @@ fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {
 
     let kept = read_snapshot(&parts.path().join("x.restart.json")).unwrap();
     assert_eq!(kept, snapshot(20));
-    let mut files = RunFiles::new(&model, &question, &place, Some(&kept)).unwrap();
+    let mut files = RunFiles::new(&model, &settings, &location, Some(&kept)).unwrap();
     // Whether or not the step at which it continues is passed again.
     assert!(run(&model, &mut files, 20..=40));
     files.finish("a body", "text\n").unwrap();
@@ -268,28 +268,28 @@ fn a_killed_run_keeps_its_rows_and_goes_on_without_doubling_them() {
 #[test]
 fn a_run_does_not_go_on_in_a_table_of_others() {
     let folder = tempfile::tempdir().unwrap();
-    complete(folder.path(), &question(), 20);
+    complete(folder.path(), &settings(), 20);
     let model = model();
-    let mut other = question();
+    let mut other = settings();
     other.columns[0].name = "b_x".to_owned();
     for (csv, netcdf, file) in [(true, false, "csv"), (false, true, "nc")] {
         (other.csv, other.netcdf) = (csv, netcdf);
-        let place = ResultPlace::new(folder.path(), "x");
-        let problem = RunFiles::new(&model, &other, &place, Some(&snapshot(10))).unwrap_err();
-        let told = problem.to_string();
+        let location = ResultLocation::new(folder.path(), "x");
+        let problem = RunFiles::new(&model, &other, &location, Some(&snapshot(10))).unwrap_err();
+        let reported = problem.to_string();
         assert!(
-            told.contains(&format!("x.transient.{file}\" has other columns")),
-            "{told}"
+            reported.contains(&format!("x.transient.{file}\" has other columns")),
+            "{reported}"
         );
     }
 }
 
 #[test]
-fn files_that_are_no_tables_are_told() {
+fn files_that_are_no_tables_are_reported() {
     use shared_geom::error::Explain;
 
     let folder = tempfile::tempdir().unwrap();
-    let told = |name: &str, content: &str| {
+    let reported = |name: &str, content: &str| {
         let path = folder.path().join(name);
         std::fs::write(&path, content).unwrap();
         TimeTable::read(&path).unwrap_err().to_string()
@@ -304,18 +304,18 @@ fn files_that_are_no_tables_are_told() {
             "line 2 has \"x\", expected a number",
         ),
     ] {
-        let told = told(name, content);
-        assert!(told.contains(expected), "{told}");
+        let reported = reported(name, content);
+        assert!(reported.contains(expected), "{reported}");
     }
     let absent = TimeTable::read(&folder.path().join("b.csv")).unwrap_err();
     assert!(
         absent.to_string().ends_with("there is no such file"),
         "{absent}"
     );
-    let told = read_snapshot(&folder.path().join("a.csv")).unwrap_err();
+    let reported = read_snapshot(&folder.path().join("a.csv")).unwrap_err();
     assert!(
-        told.to_string().contains("it is not a restart file"),
-        "{told}"
+        reported.to_string().contains("it is not a restart file"),
+        "{reported}"
     );
-    assert!(told.help().unwrap().contains("NAME.restart.json"));
+    assert!(reported.help().unwrap().contains("NAME.restart.json"));
 }

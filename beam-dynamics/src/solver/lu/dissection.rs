@@ -84,15 +84,15 @@ mod tests {
     use super::*;
 
     fn pattern(n: usize, parent: impl Fn(usize) -> usize) -> Pattern {
-        let places = (0..n).flat_map(|i| [(i, i), (i, parent(i)), (parent(i), i)]);
-        Pattern::new(n, places.collect())
+        let indices = (0..n).flat_map(|i| [(i, i), (i, parent(i)), (parent(i), i)]);
+        Pattern::new(n, indices.collect())
     }
 
     #[test]
     fn a_chain_is_cut_in_the_middle_and_a_star_is_not() {
         let cut = found(&pattern(101, |i| i.saturating_sub(1))).unwrap();
-        let places: Vec<_> = (0..101).filter(|&i| cut[i]).collect();
-        assert_eq!(places, [50]);
+        let indices: Vec<_> = (0..101).filter(|&i| cut[i]).collect();
+        assert_eq!(indices, [50]);
         assert!(found(&pattern(100, |i| i.saturating_sub(4))).is_none());
         // Two separate chains.
         assert!(

@@ -210,10 +210,10 @@ impl<T: Number> Elimination<'_, T> {
         let scales = &matrix.column_scales[first..end];
         let entries = structure.columns[first..=end].windows(2);
         for (lane, (entries, scale)) in entries.zip(scales).enumerate() {
-            let [place, first, end] =
-                [entries[0].place, entries[0].first, entries[1].first].map(|it| it as usize);
+            let [index, first, end] =
+                [entries[0].index, entries[0].first, entries[1].first].map(|it| it as usize);
             let rows = &structure.rows[first..end];
-            let values = &matrix.values[place..place + rows.len()];
+            let values = &matrix.values[index..index + rows.len()];
             let (values, last_values) = values.as_chunks::<LANES>();
             let (rows, last_rows) = rows.as_chunks::<LANES>();
             for (values, rows) in values.iter().zip(rows) {

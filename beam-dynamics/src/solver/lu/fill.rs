@@ -7,7 +7,7 @@ use std::collections::BinaryHeap;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Column {
     /// First entry in the pattern of the matrix.
-    pub place: u32,
+    pub index: u32,
     /// First entry among the rows of the structure; the next column has the one after the
     /// last.
     pub first: u32,

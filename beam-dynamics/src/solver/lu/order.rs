@@ -40,23 +40,23 @@ pub(super) fn ordered(pattern: &Pattern, pivots: &Pivots) -> (Pivots, Vec<Range<
 
 /// Index of each row, or column, in the order of the pivots.
 pub(super) fn inverse(order: &[u32]) -> Vec<u32> {
-    let mut places = vec![0; order.len()];
-    for (place, &line) in order.iter().enumerate() {
-        places[line as usize] = place as u32;
+    let mut indices = vec![0; order.len()];
+    for (index, &line) in order.iter().enumerate() {
+        indices[line as usize] = index as u32;
     }
-    places
+    indices
 }
 
 /// Parent of each pivot in the tree of elimination of the pattern and its transpose.
 fn tree(pattern: &Pattern, pivots: &Pivots) -> Vec<u32> {
     let n = pattern.size();
-    let (row_places, column_places) = (inverse(&pivots.rows), inverse(&pivots.columns));
+    let (row_indices, column_indices) = (inverse(&pivots.rows), inverse(&pivots.columns));
     // The earlier of the two pivots of each entry, with the later one as its column.
     let earlier = Pattern::of(n, |add| {
         for column in 0..n {
-            let j = column_places[column] as usize;
+            let j = column_indices[column] as usize;
             for &row in &pattern.rows()[pattern.column(column)] {
-                let i = row_places[row as usize] as usize;
+                let i = row_indices[row as usize] as usize;
                 if i != j {
                     add(i.min(j), i.max(j));
                 }
@@ -114,10 +114,10 @@ fn postorder(parents: &[u32]) -> Vec<u32> {
 
 /// The same tree, each pivot named by its index in an order.
 fn relabeled(parents: &[u32], order: &[u32]) -> Vec<u32> {
-    let places = inverse(order);
+    let indices = inverse(order);
     let parent = |&k: &u32| match parents[k as usize] {
         NONE => NONE,
-        parent => places[parent as usize],
+        parent => indices[parent as usize],
     };
     order.iter().map(parent).collect()
 }
@@ -137,8 +137,8 @@ mod tests {
 
     #[test]
     fn the_tree_of_an_arrow_is_a_star() {
-        let places = (0..4).flat_map(|i| [(i, i), (i, 3)]).collect();
-        let pattern = Pattern::new(4, places);
+        let indices = (0..4).flat_map(|i| [(i, i), (i, 3)]).collect();
+        let pattern = Pattern::new(4, indices);
         let pivots = Pivots {
             rows: (0..4).collect(),
             columns: (0..4).collect(),

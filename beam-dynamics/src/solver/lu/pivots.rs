@@ -75,7 +75,7 @@ struct Active<'a, T> {
 
 #[derive(Clone, Copy)]
 struct Candidate {
-    place: (usize, usize),
+    index: (usize, usize),
     /// Entries that may fill.
     cost: usize,
     /// Size relative to the largest entry of the column [-].
@@ -84,7 +84,7 @@ struct Candidate {
 
 impl Candidate {
     fn is_better_than(&self, other: &Self) -> bool {
-        let diagonal = |it: &Self| it.place.0 == it.place.1;
+        let diagonal = |it: &Self| it.index.0 == it.index.1;
         let rank = |it: &Self| (it.cost, !diagonal(it));
         rank(self) < rank(other) || (rank(self) == rank(other) && self.size > other.size)
     }
@@ -169,7 +169,7 @@ impl<'a, T: Number> Active<'a, T> {
             let of_row = self.rows[row].iter();
             of_row.for_each(|&column| consider(self.candidate(row, column as usize)));
         }
-        best.map(|best| best.place)
+        best.map(|best| best.index)
     }
 
     fn largest(&self, column: usize) -> f64 {
@@ -195,7 +195,7 @@ impl<'a, T: Number> Active<'a, T> {
         let is_late = self.by_rows.is_hidden(row) || self.by_columns.is_hidden(column);
         let fits = largest > ZERO && value.size() >= THRESHOLD * largest && !is_late;
         fits.then(|| Candidate {
-            place: (row, column),
+            index: (row, column),
             cost: (self.rows[row].len() - 1) * (self.by_columns.length(column) - 1),
             size: value.size() / largest,
         })

@@ -11,12 +11,12 @@ use super::numbers::Numbers;
 use super::structure::{Panel, Part, Strip, Structure};
 
 /// Size of the buffer of [`solve`]: the numbers of b and the workspace after them.
-pub(super) fn room(structure: &Structure) -> usize {
+pub(super) fn buffer_len(structure: &Structure) -> usize {
     let trunk = &structure.trunk.columns;
     trunk.end + structure.branches.len() * trunk.len()
 }
 
-/// Replaces b by x; `all` is b followed by the workspace (see [`room`]).
+/// Replaces b by x; `all` is b followed by the workspace (see [`buffer_len`]).
 pub(super) fn solve<T: Number, R: Row<T>>(
     structure: &Structure,
     numbers: &Numbers<T>,

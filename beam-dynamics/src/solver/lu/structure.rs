@@ -159,18 +159,18 @@ impl Structure {
 
     /// The matrix in the order of elimination.
     fn permute(&mut self, pattern: &Pattern, pivots: &Pivots) {
-        let places = inverse(&pivots.rows);
+        let indices = inverse(&pivots.rows);
         self.rows.reserve_exact(pattern.entries());
         self.columns.reserve_exact(pattern.size() + 1);
-        let column = |place: usize, first: usize| Column {
-            place: place as u32,
+        let column = |index: usize, first: usize| Column {
+            index: index as u32,
             first: first as u32,
         };
         for &of in &pivots.columns {
             let range = pattern.column(of as usize);
             self.columns.push(column(range.start, self.rows.len()));
             let rows = pattern.rows()[range].iter();
-            self.rows.extend(rows.map(|&row| places[row as usize]));
+            self.rows.extend(rows.map(|&row| indices[row as usize]));
         }
         self.columns.push(column(0, self.rows.len()));
     }

@@ -53,7 +53,7 @@ fn values(pattern: &Pattern, scattered: &mut Scattered) -> Vec<f64> {
 /// solutions, and the number of branches.
 fn solutions(pattern: &Arc<Pattern>, of: [&[f64]; 2], b: &[f64]) -> (Vec<u64>, usize) {
     let mut lu = Lu::choose(pattern, of[0]).unwrap();
-    let mut buffer = vec![0.0; lu.plan().room()];
+    let mut buffer = vec![0.0; lu.plan().buffer_len()];
     let mut bits = Vec::new();
     for values in of {
         lu.factorize(values).unwrap();
@@ -103,7 +103,7 @@ fn branches_have_the_same_digits_on_any_number_of_threads() {
 }
 
 #[test]
-fn a_singular_branch_is_told_and_leaves_nothing_behind() {
+fn a_singular_branch_is_reported_and_leaves_nothing_behind() {
     let count = branches::LARGE / BLOCK + 1;
     let parents: Vec<_> = (0..count)
         .map(|block: usize| block.saturating_sub(2))
@@ -115,7 +115,7 @@ fn a_singular_branch_is_told_and_leaves_nothing_behind() {
     let mut lu = Lu::choose(&pattern, &sound).unwrap();
     let solution = |lu: &Lu<f64>| {
         let mut x = vec![1.0; pattern.size()];
-        lu.solve(&mut x, &mut vec![0.0; lu.plan().room()]);
+        lu.solve(&mut x, &mut vec![0.0; lu.plan().buffer_len()]);
         x
     };
     let expected = solution(&lu);

@@ -10,12 +10,12 @@ fn scattered(seed: usize, count: usize) -> Vec<f64> {
 }
 
 fn matrix(n: usize, entries: &[(usize, usize, f64)]) -> Sparse {
-    let places = entries.iter().map(|entry| (entry.0, entry.1));
+    let indices = entries.iter().map(|entry| (entry.0, entry.1));
     let diagonal = (0..n).map(|i| (i, i));
-    let pattern = Arc::new(Pattern::new(n, places.chain(diagonal).collect()));
+    let pattern = Arc::new(Pattern::new(n, indices.chain(diagonal).collect()));
     let mut matrix = Sparse::zero(Arc::clone(&pattern));
     for &(i, j, value) in entries {
-        matrix.values_mut()[pattern.place(i, j).unwrap()] += value;
+        matrix.values_mut()[pattern.index(i, j).unwrap()] += value;
     }
     matrix
 }

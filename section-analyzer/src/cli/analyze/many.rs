@@ -46,7 +46,7 @@ pub(super) fn analyze_many(
         .stack_size(STACK)
         .build();
     let pool = pool.map_err(|error| {
-        terminal.tell_text(
+        terminal.report_text(
             &format!("error: {threads} threads cannot be started: {error}"),
             NOT_REACHED,
         )
@@ -87,7 +87,7 @@ struct Listener<'a, 'b> {
     lines: Lines,
     progress: Progress,
     waiting: BTreeMap<usize, Box<Outcome>>,
-    told: usize,
+    reported: usize,
     /// Reason for which the terminal accepts no more output. The run continues.
     closed: Option<std::io::Error>,
 }
@@ -100,7 +100,7 @@ impl<'a, 'b> Listener<'a, 'b> {
             lines: Lines::new(jobs),
             progress: Progress::new(jobs.len()),
             waiting: BTreeMap::new(),
-            told: 0,
+            reported: 0,
             closed: None,
         };
         let heading = listener.lines.heading();
@@ -116,10 +116,10 @@ impl<'a, 'b> Listener<'a, 'b> {
                 self.waiting.insert(number, outcome);
             }
         }
-        while let Some(outcome) = self.waiting.remove(&self.told) {
-            let line = self.lines.of(&self.jobs[self.told], &outcome);
+        while let Some(outcome) = self.waiting.remove(&self.reported) {
+            let line = self.lines.of(&self.jobs[self.reported], &outcome);
             self.show(&line, outcome.problems.as_deref());
-            self.told += 1;
+            self.reported += 1;
         }
     }
 
@@ -148,7 +148,7 @@ impl<'a, 'b> Listener<'a, 'b> {
         match (self.lines.worst(), self.closed) {
             (0, None) => Ok(()),
             (0, Some(error)) => Err(Stop::Closed(error)),
-            (code, _) => Err(Stop::Told(code)),
+            (code, _) => Err(Stop::Reported(code)),
         }
     }
 }
@@ -187,9 +187,12 @@ mod tests {
         (0..3).for_each(|number| listener.take(Event::Begun(number)));
         listener.take(ended(2, Status::NotReached));
         listener.take(ended(0, Status::Unchanged));
-        assert_eq!((listener.told, listener.waiting.len()), (1, 1));
+        assert_eq!((listener.reported, listener.waiting.len()), (1, 1));
         listener.take(ended(1, Status::Solved));
-        assert!(matches!(listener.finish(), Err(Stop::Told(NOT_REACHED))));
+        assert!(matches!(
+            listener.finish(),
+            Err(Stop::Reported(NOT_REACHED))
+        ));
         let out = String::from_utf8(out).unwrap();
         let lines: Vec<_> = out.lines().skip(1).collect();
         let expected = [
@@ -228,12 +231,12 @@ mod tests {
             let jobs = jobs();
             let mut listener = Listener::new(&jobs, &mut terminal);
             (0..3).for_each(|number| listener.take(ended(number, status)));
-            assert_eq!(listener.told, 3);
+            assert_eq!(listener.reported, 3);
             match (listener.finish(), code) {
                 (Err(Stop::Closed(error)), None) => {
                     assert_eq!(error.kind(), io::ErrorKind::BrokenPipe);
                 }
-                (Err(Stop::Told(found)), Some(code)) => assert_eq!(found, code),
+                (Err(Stop::Reported(found)), Some(code)) => assert_eq!(found, code),
                 (other, _) => panic!("{other:?}"),
             }
         }

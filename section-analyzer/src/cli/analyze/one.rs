@@ -3,7 +3,7 @@
 use std::cell::LazyCell;
 use std::path::PathBuf;
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::files::OutputProblem;
 use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
@@ -159,9 +159,9 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
 /// the program. Options that change results or the list of files belong here too.
 fn made_from(input: &Input, run: &Run) -> String {
     let mut parts = vec![input.summary.input_hash.as_bytes(), PROGRAM.as_bytes()];
-    let asked = run.sensitivity.as_ref();
-    let asked = asked.map(|nodes| format!("sensitivity {nodes:?}"));
-    parts.extend(asked.as_ref().map(|asked| asked.as_bytes()));
+    let requested = run.sensitivity.as_ref();
+    let requested = requested.map(|nodes| format!("sensitivity {nodes:?}"));
+    parts.extend(requested.as_ref().map(|requested| requested.as_bytes()));
     let open = format!("open {:?}", run.open);
     parts.extend((!run.open.is_empty()).then_some(open.as_bytes()));
     match run.figures {
@@ -237,7 +237,7 @@ fn solved(
     let solution = &found.solution;
     let mut properties = properties(section, solution, &found.imposed, &summary.input_hash);
     let restrained = RestrainedWarping::new(section, &solution.warping, &solution.strain);
-    let report = told(input, in_circuit, &restrained, &mut properties);
+    let report = reported(input, in_circuit, &restrained, &mut properties);
     let mut stresses = Stresses::default();
     let written = results
         .text(results.files().properties(), &section::write(&properties))
@@ -273,7 +273,7 @@ fn solved(
 }
 
 /// The report; its prestress is added to the `properties`.
-fn told(
+fn reported(
     input: &Input,
     in_circuit: &InCircuit,
     restrained: &Result<RestrainedWarping, NoRestrainedWarping>,
@@ -351,8 +351,8 @@ fn failed(job: &Job, input: &Input, failure: &Failure, mut results: ResultWriter
     for load in &input.loads {
         results.files().remove_stresses(&load.name);
     }
-    let place = Place::file(job.file.display().to_string());
-    let mut problems = Diagnostics::one(place, failure).to_string();
+    let location = SourceLocation::file(job.file.display().to_string());
+    let mut problems = Diagnostics::one(location, failure).to_string();
     for warning in &input.summary.warnings {
         problems += &format!("\nwarning: {warning}");
     }

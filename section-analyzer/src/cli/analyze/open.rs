@@ -1,6 +1,6 @@
 //! `--open`: driven electrodes that have no charge in a run.
 
-use shared_geom::error::{Diagnostics, Explain, Place, nearest_name};
+use shared_geom::error::{Diagnostics, Explain, SourceLocation, nearest_name};
 use thiserror::Error;
 
 use crate::input::Input;
@@ -51,10 +51,10 @@ impl Explain for OpenProblem {
 /// All problems of the names, as text.
 pub(super) fn open(input: &mut Input, names: &[String]) -> Result<(), String> {
     let mut problems = Diagnostics::new();
-    let place = Place::file(input.summary.file.clone());
+    let location = SourceLocation::file(input.summary.file.clone());
     for name in names {
         if let Err(problem) = open_one(input, name) {
-            problems.push(place.clone(), &problem);
+            problems.push(location.clone(), &problem);
         }
     }
     match problems.is_empty() {
@@ -68,9 +68,9 @@ fn open_one(input: &mut Input, name: &str) -> Result<(), OpenProblem> {
     let electrodes = &mut input.section.electrodes;
     let known: Vec<_> = electrodes.iter().map(|known| known.name.clone()).collect();
     let is_all = name == ALL && !known.iter().any(|known| known == ALL);
-    let asked = |known: &str| is_all || known == name;
+    let requested = |known: &str| is_all || known == name;
     let mut opened = Vec::new();
-    for electrode in electrodes.iter_mut().filter(|known| asked(&known.name)) {
+    for electrode in electrodes.iter_mut().filter(|known| requested(&known.name)) {
         match electrode.circuit {
             Circuit::Ground if !is_all => return Err(OpenProblem::Ground { name: written() }),
             Circuit::Ground => {}

@@ -32,8 +32,8 @@ impl Progress {
 
     /// Marks a section as finished.
     pub fn ended(&mut self, job: &Job) {
-        if let Some(place) = self.under_way.iter().position(|name| *name == job.name) {
-            self.under_way.remove(place);
+        if let Some(position) = self.under_way.iter().position(|name| *name == job.name) {
+            self.under_way.remove(position);
         }
         self.bar.set_message(self.under_way.join(", "));
         self.bar.inc(1);

@@ -1,7 +1,7 @@
 //! Derivatives of the properties of one section: the requested parameters, and their
 //! file.
 
-use shared_geom::error::{Diagnostics, Explain, Place};
+use shared_geom::error::{Diagnostics, Explain, SourceLocation};
 use shared_geom::files::OutputProblem;
 use thiserror::Error;
 
@@ -73,8 +73,8 @@ pub(super) fn parameters(input: &Input, run: &Run) -> Result<Option<Vec<Paramete
         return Ok(None);
     };
     if !input.section.electrodes.is_empty() {
-        let place = Place::file(input.summary.file.clone());
-        return Err(Diagnostics::one(place, &WithElectrodes).to_string());
+        let location = SourceLocation::file(input.summary.file.clone());
+        return Err(Diagnostics::one(location, &WithElectrodes).to_string());
     }
     let mut parameters = Parameter::of_section(&input.section);
     let mut problems = Diagnostics::new();
@@ -84,8 +84,8 @@ pub(super) fn parameters(input: &Input, run: &Run) -> Result<Option<Vec<Paramete
         match of_axis(Axis::Y).and_then(|y| Ok([y, of_axis(Axis::Z)?])) {
             Ok(both) => parameters.extend(both.map(Parameter::MeshNode)),
             Err(problem) => {
-                let place = Place::file(input.summary.file.clone());
-                problems.push(place, &WrongNode { node, problem });
+                let location = SourceLocation::file(input.summary.file.clone());
+                problems.push(location, &WrongNode { node, problem });
             }
         }
     }

@@ -231,7 +231,7 @@ mod tests {
             ("nose", "expected Y,Z as in \"25 mm, 0\""),
             ("1,2,3", "expected Y,Z"),
             ("1, nan", "expected finite numbers"),
-            ("1, inf mm", "expected finite numbers"),
+            ("1, inf mm", "expected a length such as \"25 mm\""),
             ("25mm, 0", "expected a length such as \"25 mm\""),
             (
                 "2 deg, 0",
@@ -254,7 +254,7 @@ mod tests {
             ("30", "it has no unit, expected an angle"),
             ("thirty deg", "expected an angle with its unit"),
             ("1e20 deg", "expected at most 1000 revolutions"),
-            ("nan deg", "expected finite numbers"),
+            ("nan deg", "expected an angle with its unit"),
             ("3 mm", "\"mm\" measures a length, expected an angle"),
         ] {
             let shown = angle(text).unwrap_err();

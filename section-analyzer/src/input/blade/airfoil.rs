@@ -5,12 +5,12 @@
 //! and `z` or `y`), separated by blanks or commas. A first row of two whole numbers above
 //! one announces the other common form: both surfaces from the nose on, the upper first.
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 
 use super::BladeFileProblem;
 
 /// Number of bad rows that are reported one by one.
-const TOLD: usize = 5;
+const MOST_REPORTED: usize = 5;
 
 /// The points of a file, in the order of the contour.
 ///
@@ -21,7 +21,7 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Vec<[f64; 2]>, Diagnostics
     let mut points: Vec<[f64; 2]> = Vec::new();
     let mut columns = [0, 1];
     let mut is_first = true;
-    let mut told = 0;
+    let mut reported = 0;
     for (index, line) in text.lines().enumerate() {
         let line = line.split('#').next().unwrap_or_default().trim();
         if line.is_empty() {
@@ -37,30 +37,36 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Vec<[f64; 2]>, Diagnostics
                 Some(Some(found)) => columns = found,
                 Some(None) => {
                     let found = line.to_owned();
-                    let place = Place::line(file, index + 1);
-                    problems.push(place, &BladeFileProblem::Heading { found });
+                    let location = SourceLocation::line(file, index + 1);
+                    problems.push(location, &BladeFileProblem::Heading { found });
                 }
                 None if is_first => {}
-                None => told += tell(&mut problems, file, index, line, told),
+                None => reported += report(&mut problems, file, index, line, reported),
             },
-            None => told += tell(&mut problems, file, index, line, told),
+            None => reported += report(&mut problems, file, index, line, reported),
         }
         is_first = false;
     }
     if problems.is_empty() {
         match ordered(points) {
             Ok(points) => return Ok(points),
-            Err(problem) => problems.push(Place::file(file), &problem),
+            Err(problem) => problems.push(SourceLocation::file(file), &problem),
         }
     }
     problems.into_result(Vec::new())
 }
 
-fn tell(problems: &mut Diagnostics, file: &str, index: usize, line: &str, told: usize) -> usize {
-    if told < TOLD {
+fn report(
+    problems: &mut Diagnostics,
+    file: &str,
+    index: usize,
+    line: &str,
+    reported: usize,
+) -> usize {
+    if reported < MOST_REPORTED {
         let found = line.chars().take(60).collect();
         problems.push(
-            Place::line(file, index + 1),
+            SourceLocation::line(file, index + 1),
             &BladeFileProblem::Row { found },
         );
     }

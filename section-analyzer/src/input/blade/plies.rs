@@ -9,7 +9,7 @@ use crate::mesh::generate::blade::{Ply, Spar, SparPly};
 /// Largest number of cells through a ply.
 const MOST_CELLS: usize = 50;
 /// Positions of a ply of the spar.
-const PLACES: [&str; 5] = ["upper", "lower", "web", "front_web", "rear_web"];
+const PARTS_OF_SECTION: [&str; 5] = ["upper", "lower", "web", "front_web", "rear_web"];
 /// Keys that restrict a ply of the spar.
 const LIMITS: [&str; 4] = ["from", "to", "on", "filler"];
 
@@ -216,7 +216,7 @@ impl Reading<'_> {
         let ply = self.ply(table, uses, "spar");
         let from = self.part_or(table, "from", f64::NEG_INFINITY);
         let to = self.part_or(table, "to", f64::INFINITY);
-        let places = places(table, has_front);
+        let positions = parts_of_section(table, has_front);
         let filler = filler(table, uses);
         let (from, to) = (from?, to?);
         // a ply that extends to the webs includes their corners
@@ -226,7 +226,7 @@ impl Reading<'_> {
             _ => from,
         };
         let to = if Some(to) == rear { f64::INFINITY } else { to };
-        let [upper, lower, front_web, rear_web] = places?;
+        let [upper, lower, front_web, rear_web] = positions?;
         let range = Some([from, to]);
         Some(SparPly {
             ply: ply?,
@@ -269,37 +269,37 @@ fn count_or(table: &Table<'_>, key: &str, default: usize, most: usize) -> Option
 }
 
 /// Whether a ply is on the upper and lower surface, in the front and in the rear web.
-fn places(table: &Table<'_>, has_front: bool) -> Option<[bool; 4]> {
+fn parts_of_section(table: &Table<'_>, has_front: bool) -> Option<[bool; 4]> {
     if !table.has("on") {
         return Some([true; 4]);
     }
-    let mut places = [false; 4];
+    let mut positions = [false; 4];
     let mut is_good = true;
     for name in table.texts("on")? {
         match name.as_str() {
-            "upper" => places[0] = true,
-            "lower" => places[1] = true,
-            "web" => (places[2], places[3]) = (true, true),
-            "front_web" if has_front => places[2] = true,
-            "rear_web" => places[3] = true,
+            "upper" => positions[0] = true,
+            "lower" => positions[1] = true,
+            "web" => (positions[2], positions[3]) = (true, true),
+            "front_web" if has_front => positions[2] = true,
+            "rear_web" => positions[3] = true,
             _ => {
-                let known = PLACES
+                let known = PARTS_OF_SECTION
                     .iter()
-                    .filter(|place| has_front || **place != "front_web");
-                let problem = BladeFileProblem::UnknownPlace {
+                    .filter(|position| has_front || **position != "front_web");
+                let problem = BladeFileProblem::UnknownPart {
                     found: name,
-                    known: known.map(|&place| place.to_owned()).collect(),
+                    known: known.map(|&position| position.to_owned()).collect(),
                 };
                 table.note("on", &problem);
                 is_good = false;
             }
         }
     }
-    if is_good && places == [false; 4] {
+    if is_good && positions == [false; 4] {
         table.wrong("on", "at least one position");
         return None;
     }
-    is_good.then_some(places)
+    is_good.then_some(positions)
 }
 
 /// The filler that replaces a ply: its name alone, or a table; `None` if it is wrong.

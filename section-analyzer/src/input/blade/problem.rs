@@ -38,7 +38,7 @@ pub enum BladeFileProblem {
     },
     /// A position that a ply of the spar cannot have.
     #[error("unknown position \"{found}\", expected {}", quoted(.known))]
-    UnknownPlace {
+    UnknownPart {
         /// The word found.
         found: String,
         /// The known positions.
@@ -81,7 +81,7 @@ impl Explain for BladeFileProblem {
         match self {
             Self::NoAirfoil => Some("naca = \"0012\", or file = \"airfoil.dat\"".into()),
             Self::NameTwice { .. } => Some("give it a name of its own".into()),
-            Self::UnknownPlace { found, known } => {
+            Self::UnknownPart { found, known } => {
                 let near = nearest_name(found, known.iter().map(String::as_str));
                 near.map(|near| format!("did you mean \"{near}\"?"))
             }

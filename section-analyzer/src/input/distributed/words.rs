@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{WrittenDistribution, WrittenPart, WrittenPlace};
+use super::{WrittenDistribution, WrittenLocation, WrittenPart};
 use crate::section::{Traction, VolumeForce};
 
 impl WrittenDistribution {
@@ -14,17 +14,17 @@ impl WrittenDistribution {
 
 impl WrittenPart {
     fn words(&self) -> Option<String> {
-        let what = match &self.place {
-            WrittenPlace::Curve(curve, traction) => {
+        let what = match &self.location {
+            WrittenLocation::Curve(curve, traction) => {
                 let curve = &curve.as_ref()?.text;
                 format!("{} on curve \"{curve}\"", of_traction(&(*traction)?))
             }
-            WrittenPlace::Region(region, force) => {
-                let place = match region.as_ref()? {
+            WrittenLocation::Region(region, force) => {
+                let location = match region.as_ref()? {
                     Some(region) => format!("in region \"{}\"", region.text),
                     None => "everywhere".to_owned(),
                 };
-                format!("{} {place}", of_volume(&(*force)?))
+                format!("{} {location}", of_volume(&(*force)?))
             }
         };
         let along = self.along.as_ref()?;
@@ -92,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn polynomials_are_told_as_they_are_written() {
+    fn polynomials_are_reported_as_they_are_written() {
         assert_eq!(polynomial(&[0.0, -0.5, 0.0, 2.0]), "-0.5 x + 2 x^3");
         assert_eq!(
             polynomial(&[1.0, 1.0 / 3.0, -2e-9]),

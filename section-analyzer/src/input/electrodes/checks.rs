@@ -348,7 +348,7 @@ impl Checks<'_> {
                     shape,
                     circuit,
                 },
-                place: written.place_words(),
+                location: written.location_words(),
             });
         }
         let warnings = warnings.into_iter().map(InputWarning::Electric);

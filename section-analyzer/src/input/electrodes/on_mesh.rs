@@ -4,8 +4,10 @@ use std::collections::HashMap;
 
 use shared_geom::error::quoted;
 
-use super::{ElectrodeProblem, WrittenElectrode, WrittenElectrodes, WrittenFingers, WrittenPlace};
-use crate::input::distributed::{DistributedProblem, Places, groups_of};
+use super::{
+    ElectrodeProblem, WrittenElectrode, WrittenElectrodes, WrittenFingers, WrittenLocation,
+};
+use crate::input::distributed::{DistributedProblem, Lookup, groups_of};
 use crate::input::groups;
 use crate::input::regions::Written;
 use crate::mesh::SectionMesh;
@@ -34,34 +36,34 @@ pub(in crate::input) enum Found {
 impl WrittenElectrodes {
     /// Electrodes on the mesh; `None` if the names of one have a problem, which has been
     /// noted.
-    pub fn on_mesh(&self, places: Places<'_>) -> Option<Vec<Found>> {
+    pub fn on_mesh(&self, lookup: Lookup<'_>) -> Option<Vec<Found>> {
         // all electrodes are checked before the first wrong one ends the search
-        self.note_unknown(places.document);
-        let found: Vec<_> = self.all.iter().map(|one| one.on_mesh(places)).collect();
+        self.note_unknown(lookup.document);
+        let found: Vec<_> = self.all.iter().map(|one| one.on_mesh(lookup)).collect();
         found.into_iter().collect()
     }
 }
 
 impl WrittenElectrode {
-    fn on_mesh(&self, places: Places<'_>) -> Option<Found> {
-        match self.place.as_ref()? {
-            WrittenPlace::Curves(names) => {
-                let nodes = all(names.iter().map(|name| nodes_of_curve(places, name)))?;
+    fn on_mesh(&self, lookup: Lookup<'_>) -> Option<Found> {
+        match self.location.as_ref()? {
+            WrittenLocation::Curves(names) => {
+                let nodes = all(names.iter().map(|name| nodes_of_curve(lookup, name)))?;
                 Some(conductor(nodes, false))
             }
-            WrittenPlace::Points(names) => {
+            WrittenLocation::Points(names) => {
                 let tags = all(names
                     .iter()
-                    .map(|name| groups::point(places.document, places.mesh, name)))?;
-                let mesh = places.section_mesh?;
+                    .map(|name| groups::point(lookup.document, lookup.mesh, name)))?;
+                let mesh = lookup.section_mesh?;
                 // nodes without cells are not part of the section
                 let nodes =
                     (0..mesh.nodes.len()).filter(|node| tags.contains(&mesh.node_tag(*node)));
                 Some(conductor(nodes.map(|node| node as u32).collect(), false))
             }
-            WrittenPlace::Regions(names) => {
-                let groups = all(names.iter().map(|name| groups_of(places, name)))?;
-                let mesh = places.section_mesh?;
+            WrittenLocation::Regions(names) => {
+                let groups = all(names.iter().map(|name| groups_of(lookup, name)))?;
+                let mesh = lookup.section_mesh?;
                 let cells = mesh
                     .cells
                     .iter()
@@ -69,21 +71,21 @@ impl WrittenElectrode {
                 let nodes = cells.flat_map(|cell| cell.nodes().to_vec());
                 Some(conductor(nodes.collect(), true))
             }
-            WrittenPlace::Fingers(fingers) => fingers.on_mesh(places),
+            WrittenLocation::Fingers(fingers) => fingers.on_mesh(lookup),
         }
     }
 
     /// Its location as text.
-    pub fn place_words(&self) -> String {
+    pub fn location_words(&self) -> String {
         let names = |names: &[Written]| {
             let names: Vec<_> = names.iter().map(|name| name.text.clone()).collect();
             quoted(&names)
         };
-        match &self.place {
-            Some(WrittenPlace::Curves(curves)) => format!("curve {}", names(curves)),
-            Some(WrittenPlace::Points(points)) => format!("point {}", names(points)),
-            Some(WrittenPlace::Regions(regions)) => format!("region {}", names(regions)),
-            Some(WrittenPlace::Fingers(fingers)) => {
+        match &self.location {
+            Some(WrittenLocation::Curves(curves)) => format!("curve {}", names(curves)),
+            Some(WrittenLocation::Points(points)) => format!("point {}", names(points)),
+            Some(WrittenLocation::Regions(regions)) => format!("region {}", names(regions)),
+            Some(WrittenLocation::Fingers(fingers)) => {
                 let regions = fingers.regions.as_deref().unwrap_or_default();
                 format!("interdigitated {}", names(regions))
             }
@@ -93,14 +95,14 @@ impl WrittenElectrode {
 }
 
 impl WrittenFingers {
-    fn on_mesh(&self, places: Places<'_>) -> Option<Found> {
+    fn on_mesh(&self, lookup: Lookup<'_>) -> Option<Found> {
         // the names of both lists are looked up even if the others are wrong
         let regions = self.regions.as_ref();
         let regions =
-            regions.and_then(|names| all(names.iter().map(|name| groups_of(places, name))));
+            regions.and_then(|names| all(names.iter().map(|name| groups_of(lookup, name))));
         let reversed = self.reversed.iter().flatten();
         let reversed: Vec<_> = reversed
-            .map(|name| (name, groups_of(places, name)))
+            .map(|name| (name, groups_of(lookup, name)))
             .collect();
         let regions = regions?;
         let mut signs: HashMap<usize, f64> = regions.iter().map(|group| (*group, 1.0)).collect();
@@ -116,7 +118,7 @@ impl WrittenFingers {
                     region: name.text.clone(),
                     regions: regions.map(|name| name.text.clone()).collect(),
                 };
-                places.document.note(name.line, &problem);
+                lookup.document.note(name.line, &problem);
                 is_sound = false;
                 continue;
             }
@@ -146,19 +148,19 @@ fn all<T>(searches: impl Iterator<Item = Option<Vec<T>>>) -> Option<Vec<T>> {
     Some(found?.into_iter().flatten().collect())
 }
 
-fn nodes_of_curve(places: Places<'_>, written: &Written) -> Option<Vec<u32>> {
-    let Places {
+fn nodes_of_curve(lookup: Lookup<'_>, written: &Written) -> Option<Vec<u32>> {
+    let Lookup {
         document,
         mesh,
         faces,
         ..
-    } = places;
+    } = lookup;
     if faces.is_open(&written.text) {
         return None;
     }
     let group = groups::curve(document, mesh, written)?;
     let label = mesh.groups[group].label();
-    let section_mesh: &SectionMesh = places.section_mesh?;
+    let section_mesh: &SectionMesh = lookup.section_mesh?;
     let curve = section_mesh.curves.iter().find(|c| c.label == label)?;
     match section_mesh.nodes_of_curve(curve) {
         Ok(nodes) => Some(nodes),

@@ -24,10 +24,10 @@ pub enum ElectrodeProblem {
         "the electrode has no location, expected \"curve\", \"region\", \"point\" or \
          \"interdigitated\""
     )]
-    NoPlace,
+    NoLocation,
     /// An electrode that is of two kinds.
     #[error("the electrode has \"{first}\" and \"{second}\", expected one of them")]
-    TwoPlaces {
+    TwoLocations {
         /// A key.
         first: &'static str,
         /// Another key.
@@ -212,7 +212,7 @@ impl Explain for ElectrodeProblem {
                 ));
             }
             Self::NoElectricMaterial { .. } => "add [material.NAME.electric] to the dielectric",
-            Self::NoPlace | Self::TwoPlaces { .. } => {
+            Self::NoLocation | Self::TwoLocations { .. } => {
                 "a conductor is on curves, fills regions or is at points of the mesh; fingers \
                  across the beam are \"interdigitated\" and in regions"
             }

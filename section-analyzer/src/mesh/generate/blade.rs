@@ -55,7 +55,7 @@ impl Blade {
         let mut grid = Grid::default();
         let skin = skin::build(self, &columns, &skin_layers, &mut grid)?;
         let aft_end = webs.first().map_or(columns.nose(), |web| web.column);
-        self.check_room(&grid, &skin.inner, [0, aft_end], BladePart::Skin)?;
+        self.check_space(&grid, &skin.inner, [0, aft_end], BladePart::Skin)?;
         let inside = match &self.spar {
             None => None,
             Some(spar) => {
@@ -76,16 +76,16 @@ impl Blade {
             let last = inside.inner[0].len() - 1;
             // at the nose both surfaces share one node
             let end = if webs.len() > 1 { last } else { last - 1 };
-            self.check_room(&grid, &inside.inner, [0, end], BladePart::Spar)?;
+            self.check_space(&grid, &inside.inner, [0, end], BladePart::Spar)?;
         }
         self.fill(&mut grid, &columns, &skin, inside.as_ref(), &webs);
         let mesh = grid.mesh(self.sizes.kind);
         match grid::folded(&mesh) {
             None => Ok(mesh),
-            Some((count, place)) => Err(vec![BladeProblem::Folded {
+            Some((count, position)) => Err(vec![BladeProblem::Folded {
                 count,
-                part: self.contour.chord_part(place[0]),
-                place,
+                part: self.contour.chord_part(position[0]),
+                position,
             }]),
         }
     }
@@ -235,7 +235,7 @@ impl Blade {
     }
 
     /// Whether the upper nodes of columns lie above the lower ones.
-    fn check_room(
+    fn check_space(
         &self,
         grid: &Grid,
         inner: &[Vec<u32>; 2],
@@ -243,23 +243,23 @@ impl Blade {
         about: BladePart,
     ) -> Result<(), Vec<BladeProblem>> {
         for column in from..=to {
-            let [upper, lower] = [0, 1].map(|half| grid.place(inner[half][column]));
+            let [upper, lower] = [0, 1].map(|half| grid.position(inner[half][column]));
             let is_one = inner[0][column] == inner[1][column];
             if is_one || upper[1] > lower[1] {
                 continue;
             }
             let part = self.contour.chord_part(0.5 * (upper[0] + lower[0]));
-            let room = self.contour.thickness(part).unwrap_or(0.0);
-            let thickness = room + lower[1] - upper[1];
+            let space = self.contour.thickness(part).unwrap_or(0.0);
+            let thickness = space + lower[1] - upper[1];
             let ahead = match about {
-                BladePart::Skin => self.room_ahead(1.02 * thickness),
+                BladePart::Skin => self.space_ahead(1.02 * thickness),
                 _ => None,
             };
             return Err(vec![BladeProblem::Collision {
                 about,
                 part,
                 thickness,
-                room,
+                space,
                 ahead,
             }]);
         }
@@ -360,18 +360,18 @@ struct Cavity<'a> {
 /// surface there; reports the worst position.
 fn check_radii(
     contour: &Contour,
-    places: impl Iterator<Item = (Half, f64, f64)>,
+    positions: impl Iterator<Item = (Half, f64, f64)>,
     about: BladePart,
 ) -> Result<(), Vec<BladeProblem>> {
-    let fill = |place: &(Half, f64, f64)| place.2 * contour.bend(place.1);
-    let tightest = places.max_by(|a, b| fill(a).total_cmp(&fill(b)));
-    let Some((half, u, thickness)) = tightest.filter(|place| fill(place) >= FULL) else {
+    let fill = |position: &(Half, f64, f64)| position.2 * contour.bend(position.1);
+    let tightest = positions.max_by(|a, b| fill(a).total_cmp(&fill(b)));
+    let Some((half, u, thickness)) = tightest.filter(|position| fill(position) >= FULL) else {
         return Ok(());
     };
     Err(vec![BladeProblem::Tight {
         about,
         surface: half.name(),
-        part: contour.chord_part(contour.place(u)[0]),
+        part: contour.chord_part(contour.position(u)[0]),
         thickness,
         radius: 1.0 / contour.bend(u),
     }])

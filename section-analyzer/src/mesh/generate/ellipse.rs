@@ -130,10 +130,11 @@ impl Lattice {
     fn points(&self) -> impl Iterator<Item = [f64; 2]> {
         let m = self.side;
         let along = move |i: usize| 2.0 * i as f64 / m as f64 - 1.0;
-        let core = (0..=m).flat_map(move |j| (0..=m).map(move |i| core_place(along(i), along(j))));
+        let core =
+            (0..=m).flat_map(move |j| (0..=m).map(move |i| core_position(along(i), along(j))));
         let rings = (1..=self.rings).flat_map(move |j| {
             let s = j as f64 / self.rings as f64;
-            (0..4 * m).map(move |i| turned(i / m, block_place(along(i % m), s)))
+            (0..4 * m).map(move |i| turned(i / m, block_position(along(i % m), s)))
         });
         core.chain(rings)
     }
@@ -154,7 +155,7 @@ impl Lattice {
 /// ```text
 /// y = c u (1 + b (1 - v^2)),   z = c v (1 + b (1 - u^2))
 /// ```
-fn core_place(u: f64, v: f64) -> [f64; 2] {
+fn core_position(u: f64, v: f64) -> [f64; 2] {
     let rise = |across: f64| 1.0 + BULGE * (1.0 - across * across);
     [CORE * u * rise(v), CORE * v * rise(u)]
 }
@@ -164,8 +165,8 @@ fn core_place(u: f64, v: f64) -> [f64; 2] {
 /// ```text
 /// (y, z) = (1 - s) core(t, 1) + s (sin(pi t / 4), cos(pi t / 4))
 /// ```
-fn block_place(t: f64, s: f64) -> [f64; 2] {
-    let [y, z] = core_place(t, 1.0);
+fn block_position(t: f64, s: f64) -> [f64; 2] {
+    let [y, z] = core_position(t, 1.0);
     let (sine, cosine) = (FRAC_PI_4 * t).sin_cos();
     [y + s * (sine - y), z + s * (cosine - z)]
 }

@@ -43,11 +43,14 @@ impl Rectangle {
         let [last_y, last_z] = cells.map(|count| count * step);
         let point = |i: usize, j: usize| j * (last_y + 1) + i;
         // exactly symmetric about the origin
-        let place = |size: f64, i: usize, last: usize| size * (i as f64 / last as f64 - 0.5);
+        let position = |size: f64, i: usize, last: usize| size * (i as f64 / last as f64 - 0.5);
         let mut points = Vec::with_capacity((last_y + 1) * (last_z + 1));
         for j in 0..=last_z {
             for i in 0..=last_y {
-                points.push([place(self.width, i, last_y), place(self.height, j, last_z)]);
+                points.push([
+                    position(self.width, i, last_y),
+                    position(self.height, j, last_z),
+                ]);
             }
         }
         let borders = vec![

@@ -26,16 +26,16 @@ fn moments(mesh: &Mesh) -> [f64; 4] {
 /// Position and Jacobian determinant at (r, s) of a cell.
 fn map(mesh: &Mesh, cell: &Cell, r: f64, s: f64) -> ([f64; 2], f64) {
     let shape = cell.kind.shape(r, s);
-    let (mut place, mut dr, mut ds) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+    let (mut position, mut dr, mut ds) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     for (i, &node) in cell.nodes().iter().enumerate() {
         for axis in 0..2 {
             let x = mesh.nodes[node as usize].position[axis];
-            place[axis] += shape.n[i] * x;
+            position[axis] += shape.n[i] * x;
             dr[axis] += shape.dr[i] * x;
             ds[axis] += shape.ds[i] * x;
         }
     }
-    (place, dr[0] * ds[1] - dr[1] * ds[0])
+    (position, dr[0] * ds[1] - dr[1] * ds[0])
 }
 
 fn rectangle(kind: CellKind) -> Mesh {
@@ -195,12 +195,12 @@ fn nodes_are_used_and_none_is_doubled() {
         let on_lines = mesh.lines.iter().flat_map(|line| line.nodes().to_vec());
         assert!(on_lines.into_iter().all(|node| used.contains(&node)));
         // positions in millionths: the nodes are at least some hundredths apart
-        let places: HashSet<[i64; 2]> = mesh
+        let positions: HashSet<[i64; 2]> = mesh
             .nodes
             .iter()
             .map(|n| [n.position.x, n.position.y].map(|x| (x * 1e6).round() as i64))
             .collect();
-        assert_eq!(places.len(), mesh.nodes.len());
+        assert_eq!(positions.len(), mesh.nodes.len());
         let tags = mesh.nodes.iter().map(|node| node.tag);
         assert!(tags.eq(1..=mesh.nodes.len() as u64));
     }

@@ -57,22 +57,22 @@ impl<'a> Builder<'a> {
 
     /// Tag and position of a node.
     pub fn named(&self, node: u32) -> (u64, [f64; 2]) {
-        (self.mesh.nodes[node as usize].tag, self.place(node))
+        (self.mesh.nodes[node as usize].tag, self.position(node))
     }
 
-    fn place(&self, node: u32) -> [f64; 2] {
+    fn position(&self, node: u32) -> [f64; 2] {
         let position = self.mesh.nodes[node as usize].position;
         [position.x, position.y]
     }
 
     /// Nodes at these offsets from a node; without offset it is the node itself.
     pub fn nodes_at(&mut self, node: u32, offsets: &[[f64; 2]]) -> Vec<u32> {
-        let place = self.place(node);
+        let position = self.position(node);
         let mut made = Vec::with_capacity(offsets.len());
         for offset in offsets {
             made.push(match offset[0] == 0.0 && offset[1] == 0.0 {
                 true => node,
-                false => self.node([0, 1].map(|i| place[i] + offset[i])),
+                false => self.node([0, 1].map(|i| position[i] + offset[i])),
             });
         }
         made
@@ -94,12 +94,12 @@ impl<'a> Builder<'a> {
         let mut problems = Vec::new();
         for (segment, ends) in self.segments.iter().zip(ends) {
             let layers = &self.layers[segment.lamina];
-            let places = self.halfway(segment, layers, ends);
-            if self.folds(segment, ends, &places) {
+            let positions = self.halfway(segment, layers, ends);
+            if self.folds(segment, ends, &positions) {
                 problems.push(self.folded(segment, layers));
                 continue;
             }
-            let middles = self.middles_of(segment, layers, ends, &places);
+            let middles = self.middles_of(segment, layers, ends, &positions);
             self.faces
                 .extend(faces::of_line(segment, layers, ends, &middles));
             let chord = segment.curve.chord();
@@ -129,20 +129,20 @@ impl<'a> Builder<'a> {
     fn halfway(&self, segment: &Segment, layers: &Layers, ends: &Ends) -> Vec<[f64; 2]> {
         let curve = &segment.curve;
         let length = distance(curve.first, curve.second);
-        let place = |(index, &level): (usize, &f64)| {
+        let position = |(index, &level): (usize, &f64)| {
             let moved = |end: usize| {
-                let place = self.place(ends[end][index]);
+                let position = self.position(ends[end][index]);
                 let (from, tangent) = match end {
                     0 => (curve.first, curve.direction(0.0)),
                     _ => (curve.second, curve.direction(1.0)),
                 };
-                dot([0, 1].map(|i| place[i] - from[i]), tangent)
+                dot([0, 1].map(|i| position[i] - from[i]), tangent)
             };
             let u = 0.5 + 0.5 * (moved(0) + moved(1)) / length;
             let (x, n) = (curve.at(u), left_of(curve.direction(u)));
             [0, 1].map(|i| x[i] + level * n[i])
         };
-        layers.levels.iter().enumerate().map(place).collect()
+        layers.levels.iter().enumerate().map(position).collect()
     }
 
     /// The nodes halfway along the line, one per level; none on lines with two nodes.
@@ -151,18 +151,18 @@ impl<'a> Builder<'a> {
         segment: &Segment,
         layers: &Layers,
         ends: &Ends,
-        places: &[[f64; 2]],
+        positions: &[[f64; 2]],
     ) -> Vec<u32> {
         let Some(own) = segment.middle else {
             return Vec::new();
         };
-        let mut middles = Vec::with_capacity(places.len());
-        for (index, &place) in places.iter().enumerate() {
+        let mut middles = Vec::with_capacity(positions.len());
+        for (index, &position) in positions.iter().enumerate() {
             let key = sorted(ends[0][index], ends[1][index]);
             let known = self.middles.get(&key).copied();
             let node = known.unwrap_or_else(|| match layers.levels[index] == 0.0 {
                 true => own,
-                false => self.node(place),
+                false => self.node(position),
             });
             self.middles.insert(key, node);
             middles.push(node);
@@ -176,7 +176,7 @@ impl<'a> Builder<'a> {
         if let Some(&known) = self.middles.get(&key) {
             return known;
         }
-        let node = self.node(mean(self.place(a), self.place(b)));
+        let node = self.node(mean(self.position(a), self.position(b)));
         self.middles.insert(key, node);
         node
     }
@@ -197,7 +197,7 @@ impl<'a> Builder<'a> {
                     self.between(nodes[1], nodes[2]),
                     self.between(nodes[3], nodes[0]),
                 ];
-                let center = self.node(mean(self.place(below), self.place(above)));
+                let center = self.node(mean(self.position(below), self.position(above)));
                 nodes.extend([below, ends[0], above, ends[1], center]);
                 CellKind::Quadrilateral9
             }
@@ -212,13 +212,13 @@ impl<'a> Builder<'a> {
 
     /// Whether some level has the opposite direction to the line: at its ends or, on
     /// lines with three nodes, in its middle.
-    fn folds(&self, segment: &Segment, ends: &Ends, places: &[[f64; 2]]) -> bool {
+    fn folds(&self, segment: &Segment, ends: &Ends, positions: &[[f64; 2]]) -> bool {
         let curve = &segment.curve;
-        (0..places.len()).any(|level| {
-            let [a, b] = [ends[0][level], ends[1][level]].map(|node| self.place(node));
+        (0..positions.len()).any(|level| {
+            let [a, b] = [ends[0][level], ends[1][level]].map(|node| self.position(node));
             let along = |weights: [f64; 3]| {
                 let [u, v, w] = weights;
-                [0, 1].map(|i| u * a[i] + v * places[level][i] + w * b[i])
+                [0, 1].map(|i| u * a[i] + v * positions[level][i] + w * b[i])
             };
             let tangents = match segment.middle {
                 None => vec![([-1.0, 0.0, 1.0], 0.5)],
@@ -247,7 +247,7 @@ impl<'a> Builder<'a> {
         let problem = LaminaProblem::Folded {
             curve: label(self.mesh, self.laminae, segment.lamina),
             line: segment.tag,
-            place: segment.place(),
+            position: segment.position(),
             reach: layers.reach(),
             length,
             radius: (!curve.is_straight()).then(|| length * length * length / bend),

@@ -66,7 +66,7 @@ fn other_orders(
             let problem = LaminaProblem::OtherOrder {
                 curve: label(mesh, laminae, lamina),
                 line: segment.tag,
-                place: segment.place(),
+                position: segment.position(),
                 has_middle: segment.middle.is_some(),
                 count: 1 + own.count(),
             };
@@ -88,8 +88,8 @@ fn along_borders(
         .values()
         .filter(|side| side.cells == 1)
         .map(|side| {
-            let [a, b] = side.nodes.map(|node| place(mesh, node));
-            Curve::new(a, b, side.middle.map(|node| place(mesh, node)))
+            let [a, b] = side.nodes.map(|node| position(mesh, node));
+            Curve::new(a, b, side.middle.map(|node| position(mesh, node)))
         })
         .collect();
     let mut problems = Vec::new();
@@ -100,7 +100,7 @@ fn along_borders(
             let problem = LaminaProblem::NoSide {
                 curve: label(mesh, laminae, lamina),
                 line: segment.tag,
-                place: segment.place(),
+                position: segment.position(),
                 count: 1 + own.count(),
             };
             problems.push((lamina, problem));
@@ -109,7 +109,7 @@ fn along_borders(
     problems
 }
 
-fn place(mesh: &Mesh, node: u32) -> [f64; 2] {
+fn position(mesh: &Mesh, node: u32) -> [f64; 2] {
     let position = mesh.nodes[node as usize].position;
     [position.x, position.y]
 }
@@ -118,15 +118,15 @@ fn place(mesh: &Mesh, node: u32) -> [f64; 2] {
 fn runs_along(curve: &Curve, border: &[Curve]) -> bool {
     let tolerance = ALONG * distance(curve.first, curve.second);
     [0.25, 0.5, 0.75].iter().all(|&t| {
-        let place = curve.at(t);
+        let position = curve.at(t);
         border.iter().any(|side| {
             let hull = side.hull();
             let is_near = (0..2).all(|axis| {
                 let [a, b, c] = hull.map(|point| point[axis]);
                 let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-                low - tolerance <= place[axis] && place[axis] <= high + tolerance
+                low - tolerance <= position[axis] && position[axis] <= high + tolerance
             });
-            is_near && distance(side.at(side.nearest(place)), place) <= tolerance
+            is_near && distance(side.at(side.nearest(position)), position) <= tolerance
         })
     })
 }
@@ -140,7 +140,7 @@ pub(super) fn twice(
 ) -> Problems {
     // used sides, relative to the direction from the lower to the higher node
     let mut taken: HashMap<[u32; 2], Vec<(LaminaSide, &Segment)>> = HashMap::new();
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     let mut problems = Vec::new();
     for segment in segments {
         let forward = segment.nodes[0] < segment.nodes[1];
@@ -157,20 +157,20 @@ pub(super) fn twice(
         };
         if let Some((_, other)) = others.iter().find(meets) {
             let pair = [other.lamina, segment.lamina];
-            if !told.contains(&pair) {
-                told.push(pair);
+            if !reported.contains(&pair) {
+                reported.push(pair);
                 let curves = pair.map(|lamina| label(mesh, laminae, lamina));
-                let place = segment.place();
+                let position = segment.position();
                 let problem = match other.middle == segment.middle {
                     true => LaminaProblem::Twice {
                         curves,
                         line: segment.tag,
-                        place,
+                        position,
                     },
                     false => LaminaProblem::SameEnds {
                         curves,
                         lines: [other.tag, segment.tag],
-                        place,
+                        position,
                     },
                 };
                 problems.push((segment.lamina, problem));

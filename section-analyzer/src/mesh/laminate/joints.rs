@@ -111,10 +111,10 @@ fn branch(
         .collect();
     of.sort_unstable();
     of.dedup();
-    let place = mesh.nodes[node as usize].position;
+    let position = mesh.nodes[node as usize].position;
     let problem = LaminaProblem::Branch {
         node: mesh.nodes[node as usize].tag,
-        place: [place.x, place.y],
+        position: [position.x, position.y],
         lines: lines.len(),
         curves: of.iter().map(|&one| label(mesh, laminae, one)).collect(),
     };

@@ -95,11 +95,11 @@ impl Layers {
     /// Whether a level may move to `level`: half of each adjacent ply must remain.
     pub fn may_be_at(&self, index: usize, level: f64) -> bool {
         let from = self.levels[index];
-        let has_room = |beside: Option<&f64>| {
+        let has_space = |beside: Option<&f64>| {
             beside.is_none_or(|x| (level - from).abs() <= 0.5 * (x - from).abs())
         };
-        has_room(index.checked_sub(1).and_then(|i| self.levels.get(i)))
-            && has_room(self.levels.get(index + 1))
+        has_space(index.checked_sub(1).and_then(|i| self.levels.get(i)))
+            && has_space(self.levels.get(index + 1))
     }
 
     /// Divides the layer that contains `level`, unless it is a level already or lies

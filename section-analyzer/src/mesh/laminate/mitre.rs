@@ -187,23 +187,23 @@ fn lamina(builder: &Builder<'_>, view: &View<'_>) -> usize {
 fn unlike(builder: &Builder<'_>, node: u32, views: [&View<'_>; 2]) -> Problem {
     let of = views.map(|view| lamina(builder, view));
     let curves = of.map(|one| label(builder.mesh, builder.laminae, one));
-    let (tag, place) = builder.named(node);
+    let (tag, position) = builder.named(node);
     let problem = match of[0] == of[1] {
         true => LaminaProblem::AgainstEachOther {
             curve: curves[0].clone(),
             lines: views.map(|view| builder.segments[view.end.segment].tag),
             node: tag,
-            place,
+            position,
         },
         false if views.iter().any(|view| view.bank() == Bank::Middle) => LaminaProblem::OffCenter {
             curves,
             node: tag,
-            place,
+            position,
         },
         false => LaminaProblem::OtherSide {
             curves,
             node: tag,
-            place,
+            position,
         },
     };
     (of[1], problem)
@@ -295,11 +295,11 @@ fn stepped(builder: &mut Builder<'_>, node: u32, one: &View<'_>, other: &View<'_
 
 fn sharp(builder: &Builder<'_>, node: u32, view: &View<'_>, angle: f64) -> Problem {
     let lamina = lamina(builder, view);
-    let (node, place) = builder.named(node);
+    let (node, position) = builder.named(node);
     let problem = LaminaProblem::Sharp {
         curve: label(builder.mesh, builder.laminae, lamina),
         node,
-        place,
+        position,
         turn: angle.abs(),
         limit: SHARPEST,
     };
@@ -308,12 +308,12 @@ fn sharp(builder: &Builder<'_>, node: u32, view: &View<'_>, angle: f64) -> Probl
 
 fn differ(builder: &Builder<'_>, node: u32, views: [&View<'_>; 2]) -> Problem {
     let of = views.map(|view| lamina(builder, view));
-    let (node, place) = builder.named(node);
+    let (node, position) = builder.named(node);
     let problem = LaminaProblem::Differ {
         curves: of.map(|one| label(builder.mesh, builder.laminae, one)),
         layers: views.map(|view| view.layers.plies.len()),
         node,
-        place,
+        position,
     };
     (of[1], problem)
 }

@@ -4,9 +4,9 @@
 
 use shared_geom::error::{Explain, quoted};
 
-use super::super::words::{counted, place as at, short};
+use super::super::words::{coordinates as at, counted, short};
 use super::LaminaSide;
-use super::words::{Wall, both, fold, more, order, places, twice};
+use super::words::{Wall, both, fold, more, order, position_count, twice};
 
 /// A problem of a laminate on its lines.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -14,7 +14,7 @@ pub enum LaminaProblem {
     /// A line between cells.
     #[error(
         "line {line} of curve \"{curve}\" at {} lies between cells{}: a laminate must lie on the \
-         border of cells, or away from cells", at(*.place), more(*.count)
+         border of cells, or away from cells", at(*.position), more(*.count)
     )]
     Inside {
         /// The curve.
@@ -22,14 +22,14 @@ pub enum LaminaProblem {
         /// Tag of one of the lines.
         line: u64,
         /// Its midpoint [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Number of these lines.
         count: usize,
     },
     /// A laminate on the side of the cells.
     #[error(
         "side = \"{}\" puts the laminate of curve \"{curve}\" into the cells next to line {line} \
-         at {}", .side.name(), at(*.place)
+         at {}", .side.name(), at(*.position)
     )]
     IntoCells {
         /// The curve.
@@ -41,13 +41,13 @@ pub enum LaminaProblem {
         /// Tag of one of the lines.
         line: u64,
         /// Its midpoint [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
     },
     /// A curve with cells first on one side and then on the other.
     #[error(
         "curve \"{curve}\" has cells on its left at line {} at {} and on its right at line {} \
          at {}: its laminate has no side",
-        .lines[0], at(.places[0]), .lines[1], at(.places[1])
+        .lines[0], at(.positions[0]), .lines[1], at(.positions[1])
     )]
     SideChanges {
         /// The curve.
@@ -55,13 +55,13 @@ pub enum LaminaProblem {
         /// Tags of a line of each kind.
         lines: [u64; 2],
         /// Their midpoints [mesh unit].
-        places: [[f64; 2]; 2],
+        positions: [[f64; 2]; 2],
     },
     /// A curve that runs along cells and beyond them.
     #[error(
         "curve \"{curve}\" has cells next to line {} at {} and none next to line {} at {}: the \
          side of its laminate must be given",
-        .lines[0], at(.places[0]), .lines[1], at(.places[1])
+        .lines[0], at(.positions[0]), .lines[1], at(.positions[1])
     )]
     Mixed {
         /// The curve.
@@ -71,11 +71,11 @@ pub enum LaminaProblem {
         /// Tags of a line of each kind.
         lines: [u64; 2],
         /// Their midpoints [mesh unit].
-        places: [[f64; 2]; 2],
+        positions: [[f64; 2]; 2],
     },
     /// Two laminates at one position.
     #[error(
-        "{} on one side of line {line} at {}", twice(.curves), at(*.place)
+        "{} on one side of line {line} at {}", twice(.curves), at(*.position)
     )]
     Twice {
         /// Their curves.
@@ -83,12 +83,12 @@ pub enum LaminaProblem {
         /// Tag of a line that has both.
         line: u64,
         /// Its midpoint [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
     },
     /// Lines that share both ends, but not their middle node.
     #[error(
         "lines {} and {} of {} have the same ends: the one at {} and the other cannot be \
-         distinguished at joints of laminates", .lines[0], .lines[1], both(.curves), at(*.place)
+         distinguished at joints of laminates", .lines[0], .lines[1], both(.curves), at(*.position)
     )]
     SameEnds {
         /// Their curves.
@@ -96,11 +96,11 @@ pub enum LaminaProblem {
         /// Tags of the lines.
         lines: [u64; 2],
         /// Midpoint of the second [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
     },
     /// A line on the border of cells whose nodes differ from the side there.
     #[error(
-        "line {line} of curve \"{curve}\" at {} {}{}", at(*.place), order(*.has_middle),
+        "line {line} of curve \"{curve}\" at {} {}{}", at(*.position), order(*.has_middle),
         more(*.count)
     )]
     OtherOrder {
@@ -109,7 +109,7 @@ pub enum LaminaProblem {
         /// Tag of one of the lines.
         line: u64,
         /// Its midpoint [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Whether the line has a middle node.
         has_middle: bool,
         /// Number of these lines.
@@ -118,7 +118,7 @@ pub enum LaminaProblem {
     /// A line on the border of cells that is not one of their sides.
     #[error(
         "line {line} of curve \"{curve}\" at {} runs along the border of cells without being one \
-         of their sides{}", at(*.place), more(*.count)
+         of their sides{}", at(*.position), more(*.count)
     )]
     NoSide {
         /// The curve.
@@ -126,24 +126,24 @@ pub enum LaminaProblem {
         /// Tag of the line.
         line: u64,
         /// Its midpoint [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Number of these lines.
         count: usize,
     },
     /// A line of zero length.
-    #[error("line {line} of curve \"{curve}\" at {} has no length", at(*.place))]
+    #[error("line {line} of curve \"{curve}\" at {} has no length", at(*.position))]
     NoLength {
         /// The curve.
         curve: String,
         /// Tag of the line.
         line: u64,
         /// Its position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
     },
     /// Lines of one curve in opposite directions.
     #[error(
         "lines {} and {} of curve \"{curve}\" have opposite directions at node {node} at {}: left \
-         and right change there", .lines[0], .lines[1], at(*.place)
+         and right change there", .lines[0], .lines[1], at(*.position)
     )]
     AgainstEachOther {
         /// The curve.
@@ -153,18 +153,18 @@ pub enum LaminaProblem {
         /// Tag of the node.
         node: u64,
         /// Its position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
     },
     /// More than two lines with laminates at a node.
     #[error(
-        "{lines} lines with laminates meet at node {node} at {} ({})", at(*.place),
+        "{lines} lines with laminates meet at node {node} at {} ({})", at(*.position),
         quoted(.curves)
     )]
     Branch {
         /// Tag of the node.
         node: u64,
         /// Its position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Number of lines.
         lines: usize,
         /// Their curves, each once.
@@ -175,7 +175,7 @@ pub enum LaminaProblem {
         "the laminate of curve \"{}\" ends on the laminate of \"{}\" at node {node} at {}, where \
          line {line} of length {} is too short: {} of it are covered, expected at most three \
          quarters",
-        .curves[0], .curves[1], at(*.place), short(*.length), short(*.taken)
+        .curves[0], .curves[1], at(*.position), short(*.length), short(*.taken)
     )]
     Crowded {
         /// The curve that ends, and the curve that continues.
@@ -183,7 +183,7 @@ pub enum LaminaProblem {
         /// Tag of the node.
         node: u64,
         /// Its position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Tag of the line.
         line: u64,
         /// Its length [mesh unit].
@@ -194,7 +194,7 @@ pub enum LaminaProblem {
     /// A corner that cannot be mitred.
     #[error(
         "the laminate of curve \"{curve}\" turns by {} deg at node {node} at {}, expected at \
-         most {:.0} deg", short(.turn.to_degrees()), at(*.place), .limit.to_degrees()
+         most {:.0} deg", short(.turn.to_degrees()), at(*.position), .limit.to_degrees()
     )]
     Sharp {
         /// The curve.
@@ -202,7 +202,7 @@ pub enum LaminaProblem {
         /// Tag of the node.
         node: u64,
         /// Its position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Change of the direction \[rad\].
         turn: f64,
         /// Largest allowed change \[rad\].
@@ -213,7 +213,7 @@ pub enum LaminaProblem {
         "the laminates of curves \"{}\" ({}) and \"{}\" ({}) meet at a corner at node {node} \
          at {}, where layers cannot be joined one by one",
         .curves[0], counted(.layers[0], "layer"), .curves[1], counted(.layers[1], "layer"),
-        at(*.place)
+        at(*.position)
     )]
     Differ {
         /// Their curves.
@@ -223,12 +223,12 @@ pub enum LaminaProblem {
         /// Tag of the node.
         node: u64,
         /// Its position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
     },
     /// A centered laminate and one on a side of its line.
     #[error(
         "the laminates of curves \"{}\" and \"{}\" meet at node {node} at {}, one centered on its \
-         line and the other on one side of it", .curves[0], .curves[1], at(*.place)
+         line and the other on one side of it", .curves[0], .curves[1], at(*.position)
     )]
     OffCenter {
         /// Their curves.
@@ -236,13 +236,13 @@ pub enum LaminaProblem {
         /// Tag of the node.
         node: u64,
         /// Its position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
     },
     /// Laminates on different sides, which only a node would connect.
     #[error(
         "the laminates of curves \"{}\" and \"{}\" lie on different sides of their lines at their \
          common node {node} at {}: they would touch in this node only",
-        .curves[0], .curves[1], at(*.place)
+        .curves[0], .curves[1], at(*.position)
     )]
     OtherSide {
         /// Their curves.
@@ -250,12 +250,12 @@ pub enum LaminaProblem {
         /// Tag of the node.
         node: u64,
         /// Its position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
     },
     /// A laminate that folds over itself.
     #[error(
         "the laminate of curve \"{curve}\" folds over itself at line {line} at {}: it reaches \
-         {} from the line, {}", at(*.place), short(*.reach), fold(*.length, *.radius)
+         {} from the line, {}", at(*.position), short(*.reach), fold(*.length, *.radius)
     )]
     Folded {
         /// The curve.
@@ -263,7 +263,7 @@ pub enum LaminaProblem {
         /// Tag of the line.
         line: u64,
         /// Its midpoint [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Distance of the laminate's farther face from the line [mesh unit].
         reach: f64,
         /// Length of the line [mesh unit].
@@ -274,7 +274,7 @@ pub enum LaminaProblem {
     /// A laminate without space for its plies.
     #[error(
         "the plies of curve \"{curve}\" are crossed or folded at line {line}, around {}{}: together \
-         they are {} thick", at(*.place), places(*.count), short(*.thickness)
+         they are {} thick", at(*.position), position_count(*.count), short(*.thickness)
     )]
     Misshapen {
         /// The curve.
@@ -282,7 +282,7 @@ pub enum LaminaProblem {
         /// Tag of the line.
         line: u64,
         /// Center of the ply [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Thickness of the laminate [mesh unit].
         thickness: f64,
         /// Number of cells.
@@ -290,27 +290,27 @@ pub enum LaminaProblem {
     },
     /// A laminate that overlaps another part.
     #[error(
-        "{} overlaps {} at {}{}", .walls[0], .walls[1].as_other(&.walls[0]), at(*.place),
-        places(*.count)
+        "{} overlaps {} at {}{}", .walls[0], .walls[1].as_other(&.walls[0]), at(*.position),
+        position_count(*.count)
     )]
     Overlaps {
         /// The two parts, at least one of them a laminate.
         walls: [Wall; 2],
         /// A position in both [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Number of pairs of cells.
         count: usize,
     },
     /// A laminate that touches another part without being joined to it.
     #[error(
         "{} touches {} at {}{} without being joined to it", .walls[0],
-        .walls[1].as_other(&.walls[0]), at(*.place), places(*.count)
+        .walls[1].as_other(&.walls[0]), at(*.position), position_count(*.count)
     )]
     Unjoined {
         /// The two parts, at least one of them a laminate.
         walls: [Wall; 2],
         /// Position [mesh unit].
-        place: [f64; 2],
+        position: [f64; 2],
         /// Number of positions.
         count: usize,
     },

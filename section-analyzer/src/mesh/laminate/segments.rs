@@ -28,7 +28,7 @@ impl Segment {
     }
 
     /// Its midpoint [mesh unit].
-    pub fn place(&self) -> [f64; 2] {
+    pub fn position(&self) -> [f64; 2] {
         self.curve.at(0.5)
     }
 }

@@ -55,7 +55,7 @@ pub(super) fn collect(
 }
 
 fn segment(mesh: &Mesh, line: &Line, lamina: usize) -> Segment {
-    let place = |node: u32| {
+    let point = |node: u32| {
         let position = mesh.nodes[node as usize].position;
         [position.x, position.y]
     };
@@ -67,7 +67,7 @@ fn segment(mesh: &Mesh, line: &Line, lamina: usize) -> Segment {
         nodes: [nodes[0], nodes[1]],
         middle,
         is_alone: true,
-        curve: Curve::new(place(nodes[0]), place(nodes[1]), middle.map(place)),
+        curve: Curve::new(point(nodes[0]), point(nodes[1]), middle.map(point)),
     }
 }
 
@@ -81,7 +81,7 @@ fn without_length(mesh: &Mesh, laminae: &[Lamina], segments: &[Segment]) -> Prob
         let problem = LaminaProblem::NoLength {
             curve: label(mesh, laminae, segment.lamina),
             line: segment.tag,
-            place: segment.curve.first,
+            position: segment.curve.first,
         };
         (segment.lamina, problem)
     };
@@ -134,13 +134,13 @@ fn side_of(
     let first = |wanted: &dyn Fn(&Beside) -> bool| {
         let mut found = lines.iter().filter(|(_, beside)| wanted(beside));
         let first = found.next();
-        first.map(|(segment, _)| (segment.tag, segment.place(), 1 + found.count()))
+        first.map(|(segment, _)| (segment.tag, segment.position(), 1 + found.count()))
     };
-    if let Some((line, place, count)) = first(&|beside| beside.left > 0 && beside.right > 0) {
+    if let Some((line, position, count)) = first(&|beside| beside.left > 0 && beside.right > 0) {
         return Err(LaminaProblem::Inside {
             curve,
             line,
-            place,
+            position,
             count,
         });
     }
@@ -151,7 +151,7 @@ fn side_of(
         return Err(LaminaProblem::SideChanges {
             curve,
             lines: [one.0, other.0],
-            places: [one.1, other.1],
+            positions: [one.1, other.1],
         });
     }
     // the side without cells, if there are cells
@@ -166,18 +166,18 @@ fn side_of(
         (Some(side), None, _) => Ok(side),
         (None, Some((free, _)), None) => Ok(free),
         (Some(side), Some((free, _)), _) if side == free => Ok(side),
-        (Some(side), Some((free, (line, place, _))), _) => Err(LaminaProblem::IntoCells {
+        (Some(side), Some((free, (line, position, _))), _) => Err(LaminaProblem::IntoCells {
             curve,
             side,
             free,
             line,
-            place,
+            position,
         }),
         (None, Some((free, one)), Some(other)) => Err(LaminaProblem::Mixed {
             curve,
             free,
             lines: [one.0, other.0],
-            places: [one.1, other.1],
+            positions: [one.1, other.1],
         }),
     }
 }

@@ -83,7 +83,7 @@ pub(super) fn land(landings: &[Landing], ends: &mut [Ends]) {
 /// A wall that ends on another.
 struct Tee {
     node: u32,
-    place: [f64; 2],
+    position: [f64; 2],
     wall: [End; 2],
     web: End,
     /// The lines of the wall before and after the node.
@@ -94,7 +94,7 @@ struct Tee {
     face: usize,
     sine: f64,
     /// Positions along the wall of the levels that end, parallel to them.
-    places: Vec<f64>,
+    positions: Vec<f64>,
     /// Ends of the lines of the row, ascending; the node is one of them or between them.
     marks: Vec<f64>,
     /// Distance from the node to the face, along the wall that ends.
@@ -129,10 +129,10 @@ impl Tee {
         let m = left_of(w).map(|x| if web.number == 0 { x } else { -x });
         let own = &layers[segments[web.segment].lamina].levels;
         let along = |level: &f64| (level - height * dot(normal, m)) / dot(t, m);
-        let places: Vec<f64> = own.iter().map(along).collect();
+        let positions: Vec<f64> = own.iter().map(along).collect();
         let mut tee = Self {
             node,
-            place: [position.x, position.y],
+            position: [position.x, position.y],
             wall,
             web,
             curves: wall.map(|end| segments[end.segment].curve),
@@ -140,7 +140,7 @@ impl Tee {
             face,
             sine: sine.abs(),
             marks: Vec::new(),
-            places,
+            positions,
             depth: height / dot(normal, w),
         };
         tee.mark();
@@ -149,13 +149,13 @@ impl Tee {
 
     /// The ends of the lines of the row: the levels, and the node if it lies beyond.
     fn mark(&mut self) {
-        let mut marks = self.places.clone();
+        let mut marks = self.positions.clone();
         marks.sort_unstable_by(f64::total_cmp);
         let (low, high) = (marks[0], marks[marks.len() - 1]);
         let tolerance = SAME * (high - low);
-        for place in marks.iter_mut().chain(&mut self.places) {
-            if place.abs() <= tolerance {
-                *place = 0.0;
+        for position in marks.iter_mut().chain(&mut self.positions) {
+            if position.abs() <= tolerance {
+                *position = 0.0;
             }
         }
         if low > tolerance {
@@ -183,7 +183,7 @@ impl Tee {
         if self.sine.is_nan() || self.sine < LEAST_SINE {
             let problem = LaminaProblem::Branch {
                 node,
-                place: self.place,
+                position: self.position,
                 lines: 3,
                 curves: curves.to_vec(),
             };
@@ -196,7 +196,7 @@ impl Tee {
                 let problem = LaminaProblem::Crowded {
                     curves,
                     node,
-                    place: self.place,
+                    position: self.position,
                     line: line.tag,
                     length,
                     taken,
@@ -223,7 +223,7 @@ impl Tee {
                 shorten(mesh, &mut segments[end.segment], end.number, taken, node);
             }
         }
-        let own = new_node(mesh, z, self.place);
+        let own = new_node(mesh, z, self.position);
         let (end, depth) = web;
         shorten(mesh, &mut segments[end.segment], end.number, depth, own);
 
@@ -232,28 +232,28 @@ impl Tee {
             let center = self.at(0.5 * (marks[0] + marks[1]));
             let middle = lamina.middle.map(|_| new_node(mesh, z, center));
             let mut ends = [nodes[0], nodes[1]];
-            let mut places = [self.at(marks[0]), self.at(marks[1])];
+            let mut positions = [self.at(marks[0]), self.at(marks[1])];
             if !self.along {
                 ends.reverse();
-                places.reverse();
+                positions.reverse();
             }
             segments.push(Segment {
                 nodes: ends,
                 middle,
-                curve: Curve::new(places[0], places[1], middle.map(|_| center)),
+                curve: Curve::new(positions[0], positions[1], middle.map(|_| center)),
                 ..lamina.clone()
             });
         }
-        let face = |place: &f64| (self.end_at(first, *place), self.face);
+        let face = |position: &f64| (self.end_at(first, *position), self.face);
         Landing {
             web: self.web,
-            faces: self.places.iter().map(face).collect(),
+            faces: self.positions.iter().map(face).collect(),
         }
     }
 
     /// The end of a line of the row at a position; `first` is the first line.
-    fn end_at(&self, first: usize, place: f64) -> End {
-        let found = self.marks.iter().position(|mark| *mark == place);
+    fn end_at(&self, first: usize, position: f64) -> End {
+        let found = self.marks.iter().position(|mark| *mark == position);
         let mark = found.unwrap_or(0);
         let line = mark.min(self.marks.len() - 2);
         End {
@@ -265,7 +265,7 @@ impl Tee {
     /// The point on the wall at this distance along it.
     fn at(&self, mark: f64) -> [f64; 2] {
         if mark == 0.0 {
-            return self.place;
+            return self.position;
         }
         let which = usize::from(mark > 0.0);
         let curve = &self.curves[which];
@@ -286,8 +286,8 @@ fn parameter(curve: &Curve, end: usize, way: f64) -> f64 {
     let mut t = way / whole;
     // each step corrects the deviation from a uniform line
     for _ in 0..12 {
-        let place = curve.at(inward(t));
-        let gone = dot([place[0] - start[0], place[1] - start[1]], direction);
+        let position = curve.at(inward(t));
+        let gone = dot([position[0] - start[0], position[1] - start[1]], direction);
         if gone > 0.0 {
             t = (t * way / gone).min(1.0);
         }

@@ -8,9 +8,9 @@ type Curves<'a> = [(&'a str, &'a [&'a [u32]], Option<LaminaSide>)];
 
 /// A mesh with these nodes; tags from one. Each curve is a list of lines: ends, and the
 /// middle. Its laminate has two plies, together of thickness 0.2, on the given side.
-fn mesh(places: &[[f64; 2]], cells: &[&[u32]], curves: &Curves<'_>) -> (Mesh, Vec<Lamina>) {
+fn mesh(positions: &[[f64; 2]], cells: &[&[u32]], curves: &Curves<'_>) -> (Mesh, Vec<Lamina>) {
     let mut mesh = Mesh::default();
-    for (&[x, y], tag) in places.iter().zip(1..) {
+    for (&[x, y], tag) in positions.iter().zip(1..) {
         let position = [x, y, 0.0].into();
         mesh.nodes.push(Node { tag, position });
     }
@@ -65,7 +65,7 @@ fn refused(mut mesh: Mesh, laminae: &[Lamina]) -> Vec<String> {
 ///   |   |   |
 ///   1---2---5
 /// ```
-const PLACES: [[f64; 2]; 6] = [
+const POSITIONS: [[f64; 2]; 6] = [
     [0.0, 0.0],
     [1.0, 0.0],
     [1.0, 1.0],
@@ -79,7 +79,7 @@ const RIGHT: &[u32] = &[2, 5, 6, 3];
 #[test]
 fn a_border_gets_plies_on_its_free_side_and_keeps_its_nodes() {
     // opposite to the cell's direction, so that the free side is the left
-    let (mut mesh, laminae) = mesh(&PLACES, &[LEFT], &[("skin", &[&[4, 3]], None)]);
+    let (mut mesh, laminae) = mesh(&POSITIONS, &[LEFT], &[("skin", &[&[4, 3]], None)]);
     let found = add_laminae(&mut mesh, &laminae).expect("sound");
     assert_eq!(found.bare_nodes, 0);
     let plies: Vec<_> = found
@@ -99,7 +99,7 @@ fn a_border_gets_plies_on_its_free_side_and_keeps_its_nodes() {
         assert!((found.x - expected[0]).abs() + (found.y - expected[1]).abs() < 1e-15);
     }
     // in the other direction the free side is the right; plies are still listed outward
-    let (mut mesh, laminae) = self::mesh(&PLACES, &[LEFT], &[("skin", &[&[3, 4]], None)]);
+    let (mut mesh, laminae) = self::mesh(&POSITIONS, &[LEFT], &[("skin", &[&[3, 4]], None)]);
     let found = add_laminae(&mut mesh, &laminae).expect("sound");
     let plies: Vec<_> = found.cells.iter().map(|cell| cell.ply).collect();
     assert_eq!(plies, [1, 0]);
@@ -109,46 +109,46 @@ fn a_border_gets_plies_on_its_free_side_and_keeps_its_nodes() {
 #[test]
 fn the_side_of_a_laminate_must_be_one_and_free() {
     let cells = [LEFT, RIGHT];
-    let skin = |lines, side| mesh(&PLACES, &cells, &[("skin", lines, side)]);
-    let told = |(mesh, laminae): (Mesh, Vec<Lamina>)| refused(mesh, &laminae);
+    let skin = |lines, side| mesh(&POSITIONS, &cells, &[("skin", lines, side)]);
+    let reported = |(mesh, laminae): (Mesh, Vec<Lamina>)| refused(mesh, &laminae);
     assert_eq!(
-        told(skin(&[&[2, 3]], None)),
+        reported(skin(&[&[2, 3]], None)),
         [
             "line 1 of curve \"skin\" at (1, 0.5) lies between cells: a laminate must lie on the \
              border of cells, or away from cells"
         ]
     );
     assert_eq!(
-        told(skin(&[&[4, 3]], Some(LaminaSide::Right))),
+        reported(skin(&[&[4, 3]], Some(LaminaSide::Right))),
         [
             "side = \"right\" puts the laminate of curve \"skin\" into the cells next to line 1 \
              at (0.5, 1)"
         ]
     );
     assert_eq!(
-        told(skin(&[&[4, 3]], Some(LaminaSide::Center))),
+        reported(skin(&[&[4, 3]], Some(LaminaSide::Center))),
         [
             "side = \"center\" puts the laminate of curve \"skin\" into the cells next to line 1 \
              at (0.5, 1)"
         ]
     );
     assert_eq!(
-        told(skin(&[&[4, 3], &[6, 3]], None)),
+        reported(skin(&[&[4, 3], &[6, 3]], None)),
         [
             "curve \"skin\" has cells on its left at line 2 at (1.5, 1) and on its right at line \
              1 at (0.5, 1): its laminate has no side"
         ]
     );
-    let beyond = mesh(&PLACES, &[LEFT], &[("skin", &[&[4, 3], &[3, 6]], None)]);
+    let beyond = mesh(&POSITIONS, &[LEFT], &[("skin", &[&[4, 3], &[3, 6]], None)]);
     assert_eq!(
-        told(beyond),
+        reported(beyond),
         [
             "curve \"skin\" has cells next to line 1 at (0.5, 1) and none next to line 2 at (1.5, \
              1): the side of its laminate must be given"
         ]
     );
     let left = Some(LaminaSide::Left);
-    let (mut mesh, laminae) = mesh(&PLACES, &[LEFT], &[("skin", &[&[4, 3], &[3, 6]], left)]);
+    let (mut mesh, laminae) = mesh(&POSITIONS, &[LEFT], &[("skin", &[&[4, 3], &[3, 6]], left)]);
     assert_eq!(
         add_laminae(&mut mesh, &laminae).expect("sound").cells.len(),
         4
@@ -157,31 +157,31 @@ fn the_side_of_a_laminate_must_be_one_and_free() {
 
 #[test]
 fn lines_have_one_laminate_on_each_side_and_one_direction() {
-    let told = |curves: &Curves<'_>| {
-        let (mesh, laminae) = mesh(&PLACES, &[], curves);
+    let reported = |curves: &Curves<'_>| {
+        let (mesh, laminae) = mesh(&POSITIONS, &[], curves);
         refused(mesh, &laminae)
     };
     let (left, right) = (Some(LaminaSide::Left), Some(LaminaSide::Right));
     assert_eq!(
-        told(&[("a", &[&[1, 2]], left), ("b", &[&[2, 1]], right)]),
+        reported(&[("a", &[&[1, 2]], left), ("b", &[&[2, 1]], right)]),
         ["curves \"a\" and \"b\" both have a laminate on one side of line 2 at (0.5, 0)"]
     );
     assert_eq!(
-        told(&[("a", &[&[1, 2], &[5, 2]], left)]),
+        reported(&[("a", &[&[1, 2], &[5, 2]], left)]),
         [
             "lines 1 and 2 of curve \"a\" have opposite directions at node 2 at (1, 0): left and \
              right change there"
         ]
     );
     assert_eq!(
-        told(&[("a", &[&[1, 2]], left), ("b", &[&[2, 5]], None)]),
+        reported(&[("a", &[&[1, 2]], left), ("b", &[&[2, 5]], None)]),
         [
             "the laminates of curves \"a\" and \"b\" meet at node 2 at (1, 0), one centered on \
              its line and the other on one side of it"
         ]
     );
     let (mut mesh, laminae) = mesh(
-        &PLACES,
+        &POSITIONS,
         &[],
         &[("a", &[&[1, 2]], left), ("b", &[&[1, 2]], right)],
     );
@@ -192,8 +192,8 @@ fn lines_have_one_laminate_on_each_side_and_one_direction() {
 }
 
 #[test]
-fn corners_and_junctions_that_cannot_be_made_are_told() {
-    let places = [
+fn corners_and_junctions_that_cannot_be_made_are_reported() {
+    let positions = [
         [0.0, 0.0],
         [1.0, 0.0],
         [0.0, 0.1],
@@ -201,12 +201,12 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
         [0.5, 1.0],
         [1.0, -1.0],
     ];
-    let told = |curves: &Curves<'_>| {
-        let (mesh, laminae) = mesh(&places, &[], curves);
+    let reported = |curves: &Curves<'_>| {
+        let (mesh, laminae) = mesh(&positions, &[], curves);
         refused(mesh, &laminae)
     };
     assert_eq!(
-        told(&[("a", &[&[1, 2], &[2, 3]], None)]),
+        reported(&[("a", &[&[1, 2], &[2, 3]], None)]),
         [
             "the laminate of curve \"a\" turns by 174.289 deg at node 2 at (1, 0), expected at most \
              135 deg"
@@ -214,11 +214,11 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
     );
     // four walls, and three without a continuous one
     assert_eq!(
-        told(&[("a", &[&[1, 2], &[2, 4]], None), ("b", &[&[2, 5]], None)]),
+        reported(&[("a", &[&[1, 2], &[2, 4]], None), ("b", &[&[2, 5]], None)]),
         ["3 lines with laminates meet at node 2 at (1, 0) (\"a\", \"b\")"]
     );
     assert_eq!(
-        told(&[
+        reported(&[
             ("a", &[&[6, 2], &[2, 4]], None),
             ("b", &[&[1, 2], &[2, 5]], None)
         ]),
@@ -226,7 +226,7 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
     );
     // a laminate of one ply at the corner of one of two
     let (mesh, mut laminae) = mesh(
-        &places,
+        &positions,
         &[],
         &[("a", &[&[1, 2]], None), ("b", &[&[2, 4]], None)],
     );
@@ -243,16 +243,16 @@ fn corners_and_junctions_that_cannot_be_made_are_told() {
 #[test]
 fn where_a_corner_opens_both_laminates_end() {
     // a wedge of 6 degrees as one cell, its sides ordered to the right around the tip
-    let places = [[0.0, 0.0], [1.0, 0.0], [0.0, -0.1], [0.1, -0.05]];
+    let positions = [[0.0, 0.0], [1.0, 0.0], [0.0, -0.1], [0.1, -0.05]];
     let left = Some(LaminaSide::Left);
     let skin: &Curves<'_> = &[("a", &[&[1, 2], &[2, 3]], left)];
-    let (mut wedge, laminae) = mesh(&places, &[&[1, 4, 3, 2]], skin);
+    let (mut wedge, laminae) = mesh(&positions, &[&[1, 4, 3, 2]], skin);
     add_laminae(&mut wedge, &laminae).expect("sound");
     let [one, other] = [&wedge.cells[1], &wedge.cells[3]];
     assert_eq!((one.nodes()[1], other.nodes()[0]), (1, 1));
     assert_ne!(one.nodes()[2], other.nodes()[3]);
     // without the cell the node alone would connect the walls
-    let (alone, laminae) = mesh(&places, &[], skin);
+    let (alone, laminae) = mesh(&positions, &[], skin);
     assert_eq!(
         refused(alone, &laminae),
         [
@@ -265,10 +265,10 @@ fn where_a_corner_opens_both_laminates_end() {
 /// Two walls in line, one to the left and one to the right of their lines: alone they
 /// would be connected only by the node; with adjacent cells they are sound.
 #[test]
-fn walls_that_change_sides_are_told() {
+fn walls_that_change_sides_are_reported() {
     let (left, right) = (Some(LaminaSide::Left), Some(LaminaSide::Right));
     let curves: &Curves<'_> = &[("a", &[&[1, 2]], left), ("b", &[&[2, 5]], right)];
-    let (alone, laminae) = mesh(&PLACES, &[], curves);
+    let (alone, laminae) = mesh(&POSITIONS, &[], curves);
     assert_eq!(
         refused(alone, &laminae),
         [
@@ -277,11 +277,17 @@ fn walls_that_change_sides_are_told() {
         ]
     );
     // cells on the other side of each, joined elsewhere
-    let places = [PLACES[0], PLACES[1], PLACES[4], [0.0, -1.0], [1.0, -1.0]];
-    let places = [&places[..], &[[1.0, 1.0], [2.0, 1.0]]].concat();
+    let positions = [
+        POSITIONS[0],
+        POSITIONS[1],
+        POSITIONS[4],
+        [0.0, -1.0],
+        [1.0, -1.0],
+    ];
+    let positions = [&positions[..], &[[1.0, 1.0], [2.0, 1.0]]].concat();
     let cells: [&[u32]; 2] = [&[4, 5, 2, 1], &[2, 3, 7, 6]];
     let curves: &Curves<'_> = &[("a", &[&[1, 2]], left), ("b", &[&[2, 3]], right)];
-    let (mut held, laminae) = mesh(&places, &cells, curves);
+    let (mut held, laminae) = mesh(&positions, &cells, curves);
     assert_eq!(
         add_laminae(&mut held, &laminae).expect("sound").cells.len(),
         4
@@ -289,33 +295,37 @@ fn walls_that_change_sides_are_told() {
 }
 
 #[test]
-fn lines_that_do_not_fit_the_cells_are_told() {
+fn lines_that_do_not_fit_the_cells_are_reported() {
     let left = Some(LaminaSide::Left);
     // nodes 7 to 10 on the top side of the left square, 11 above it
     let more = [[0.0, 1.0], [0.5, 1.0], [1.0, 1.0], [0.5, 1.004], [0.5, 1.1]];
-    let places = [&PLACES[..], &more].concat();
-    let told = |lines: &[&[u32]], side| {
-        let (mesh, laminae) = mesh(&places, &[LEFT, RIGHT], &[("skin", lines, side)]);
+    let positions = [&POSITIONS[..], &more].concat();
+    let reported = |lines: &[&[u32]], side| {
+        let (mesh, laminae) = mesh(&positions, &[LEFT, RIGHT], &[("skin", lines, side)]);
         refused(mesh, &laminae)
     };
     let along = "line 1 of curve \"skin\" at (0.25, 1) runs along the border of cells without \
                  being one of their sides, as do 1 more";
-    assert_eq!(told(&[&[7, 8], &[8, 9]], left), [along]);
+    assert_eq!(reported(&[&[7, 8], &[8, 9]], left), [along]);
     // twice as long as the sides, without the node between them
     let along = "line 1 of curve \"skin\" at (1, 1) runs along the border of cells without \
                  being one of their sides";
-    assert_eq!(told(&[&[4, 6]], left), [along]);
+    assert_eq!(reported(&[&[4, 6]], left), [along]);
     // a line with a middle node on a cell without one
     let order = "line 1 of curve \"skin\" at (0.5, 1.004) has a node in its middle that the side \
                  of the cell there does not have";
-    assert_eq!(told(&[&[4, 3, 10]], left), [order]);
+    assert_eq!(reported(&[&[4, 3, 10]], left), [order]);
     // two lines between the same ends
     let ends = "lines 1 and 2 of curve \"skin\" have the same ends: the one at (0.5, 1.1) and the \
                 other cannot be distinguished at joints of laminates";
-    let (lens, laminae) = mesh(&places, &[], &[("skin", &[&[4, 3, 8], &[3, 4, 11]], left)]);
+    let (lens, laminae) = mesh(
+        &positions,
+        &[],
+        &[("skin", &[&[4, 3, 8], &[3, 4, 11]], left)],
+    );
     assert_eq!(refused(lens, &laminae), [ends]);
     // a wall that leaves the border by 15 degrees is not on it
-    let mut away = PLACES.to_vec();
+    let mut away = POSITIONS.to_vec();
     away.push([2.0, 1.268]);
     let (mut leaving, laminae) = mesh(&away, &[LEFT], &[("skin", &[&[4, 3], &[3, 7]], left)]);
     assert_eq!(
@@ -334,7 +344,7 @@ fn levels_that_nearly_agree_are_one() {
     let left = Some(LaminaSide::Left);
     let curves: &Curves<'_> = &[("a", &[&[1, 2]], left), ("b", &[&[2, 5]], left)];
     for (part, cells) in [(1e-6, 4), (-1e-6, 4), (1e-2, 5)] {
-        let (mut walls, mut laminae) = mesh(&PLACES, &[], curves);
+        let (mut walls, mut laminae) = mesh(&POSITIONS, &[], curves);
         laminae[1].thicknesses[1] *= 1.0 + 2.0 * part;
         let found = add_laminae(&mut walls, &laminae).expect("sound");
         assert_eq!(found.cells.len(), cells, "{part}");
@@ -349,9 +359,13 @@ fn levels_that_nearly_agree_are_one() {
 /// lines on which another wall ends.
 #[test]
 fn faces_are_the_free_sides_of_plies() {
-    let places = [[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let positions = [[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     let lines: &[&[u32]] = &[&[1, 2], &[2, 3]];
-    let (mut tee, laminae) = mesh(&places, &[], &[("a", lines, None), ("b", &[&[2, 4]], None)]);
+    let (mut tee, laminae) = mesh(
+        &positions,
+        &[],
+        &[("a", lines, None), ("b", &[&[2, 4]], None)],
+    );
     let found = add_laminae(&mut tee, &laminae).expect("sound");
     let count = |lamina, side| {
         let of = found.faces.iter();
@@ -362,7 +376,7 @@ fn faces_are_the_free_sides_of_plies() {
     assert_eq!(count(0, LaminaSide::Right), 4);
     assert_eq!(count(0, LaminaSide::Left), 2);
     assert_eq!(count(1, LaminaSide::Left), 1);
-    let (mut beside, laminae) = mesh(&PLACES, &[LEFT], &[("skin", &[&[4, 3]], None)]);
+    let (mut beside, laminae) = mesh(&POSITIONS, &[LEFT], &[("skin", &[&[4, 3]], None)]);
     let found = add_laminae(&mut beside, &laminae).expect("sound");
     let [face] = &found.faces[..] else {
         panic!("one face")
@@ -377,11 +391,11 @@ fn faces_are_the_free_sides_of_plies() {
 }
 
 #[test]
-fn laminates_that_fold_are_told_with_the_radius() {
+fn laminates_that_fold_are_reported_with_the_radius() {
     // an arc of radius 0.125 in a laminate that extends 0.2 to its inner side
-    let places = [[0.0, 0.0], [0.2, 0.0], [0.1, -0.05]];
+    let positions = [[0.0, 0.0], [0.2, 0.0], [0.1, -0.05]];
     let left = Some(LaminaSide::Left);
-    let (bent, laminae) = mesh(&places, &[], &[("a", &[&[1, 2, 3]], left)]);
+    let (bent, laminae) = mesh(&positions, &[], &[("a", &[&[1, 2, 3]], left)]);
     assert_eq!(
         refused(bent, &laminae),
         [
@@ -390,9 +404,9 @@ fn laminates_that_fold_are_told_with_the_radius() {
         ]
     );
     // a short line at a corner
-    let places = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.15], [0.0, 0.15]];
+    let positions = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.15], [0.0, 0.15]];
     let lines: &[&[u32]] = &[&[1, 2], &[2, 3], &[3, 4]];
-    let (corner, laminae) = mesh(&places, &[], &[("a", lines, left)]);
+    let (corner, laminae) = mesh(&positions, &[], &[("a", lines, left)]);
     assert_eq!(
         refused(corner, &laminae),
         [
@@ -401,9 +415,13 @@ fn laminates_that_fold_are_told_with_the_radius() {
         ]
     );
     // a wall that ends on lines shorter than its thickness
-    let places = [[-0.12, 0.0], [0.0, 0.0], [0.12, 0.0], [0.0, 1.0]];
+    let positions = [[-0.12, 0.0], [0.0, 0.0], [0.12, 0.0], [0.0, 1.0]];
     let lines: &[&[u32]] = &[&[1, 2], &[2, 3]];
-    let (tee, laminae) = mesh(&places, &[], &[("a", lines, None), ("b", &[&[2, 4]], None)]);
+    let (tee, laminae) = mesh(
+        &positions,
+        &[],
+        &[("a", lines, None), ("b", &[&[2, 4]], None)],
+    );
     assert_eq!(
         refused(tee, &laminae),
         [
@@ -418,19 +436,20 @@ fn laminates_that_fold_are_told_with_the_radius() {
 /// nodes of the wall that ends.
 #[test]
 fn a_wall_ends_on_the_face_of_another() {
-    let places = [[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [0.5, 1.0]];
+    let positions = [[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [0.5, 1.0]];
     let lines: &[&[u32]] = &[&[1, 2], &[2, 3]];
     for web in [[2_u32, 4], [4, 2]] {
-        let (mut mesh, laminae) = mesh(&places, &[], &[("a", lines, None), ("b", &[&web], None)]);
+        let (mut mesh, laminae) =
+            mesh(&positions, &[], &[("a", lines, None), ("b", &[&web], None)]);
         let found = add_laminae(&mut mesh, &laminae).expect("sound");
         // four layers of the wall, two of them short; two of the web
         assert_eq!(found.cells.len(), 2 * 4 + 2);
         let area = |cell: &Cell| {
-            let place = |&node: &u32| {
+            let point = |&node: &u32| {
                 let position = mesh.nodes[node as usize].position;
                 [position.x, position.y]
             };
-            crate::mesh::polygon_area(cell.corners().iter().map(place))
+            crate::mesh::polygon_area(cell.corners().iter().map(point))
         };
         let sum: f64 = mesh.cells.iter().map(area).sum();
         // the web begins at the face, 0.1 above the line; its end is cut at right angles

@@ -34,7 +34,7 @@ impl Wall {
     }
 }
 
-pub(super) fn places(count: usize) -> String {
+pub(super) fn position_count(count: usize) -> String {
     match count {
         1 => String::new(),
         2 => " and 1 more position".to_owned(),

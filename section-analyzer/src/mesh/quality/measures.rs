@@ -13,15 +13,15 @@ use shared_geom::mesh::CellKind;
 use super::super::jacobian::Jacobian;
 use super::super::plane::{distance, polygon_area};
 
-/// The values of a cell with nodes at `places`, counterclockwise, in the order of
+/// The values of a cell with nodes at `positions`, counterclockwise, in the order of
 /// [`super::ShapeMeasure::ALL`].
-pub(super) fn values_of(jacobian: &Jacobian, kind: CellKind, places: &[[f64; 2]]) -> [f64; 5] {
-    let [least, largest] = jacobian.extremes(kind, places);
-    let corners = &places[..kind.corner_count()];
+pub(super) fn values_of(jacobian: &Jacobian, kind: CellKind, positions: &[[f64; 2]]) -> [f64; 5] {
+    let [least, largest] = jacobian.extremes(kind, positions);
+    let corners = &positions[..kind.corner_count()];
     let longest = (0..corners.len())
         .map(|i| distance(corners[i], corners[(i + 1) % corners.len()]))
         .fold(0.0, f64::max);
-    let [smallest_angle, largest_angle] = corner_angles(kind, places);
+    let [smallest_angle, largest_angle] = corner_angles(kind, positions);
     let ratio = if corners.len() == 3 {
         0.75_f64.sqrt() / 2.0
     } else {
@@ -32,21 +32,21 @@ pub(super) fn values_of(jacobian: &Jacobian, kind: CellKind, places: &[[f64; 2]]
         ratio * longest * longest / polygon_area(corners.iter().copied()).abs(),
         smallest_angle,
         largest_angle,
-        middle_offset(kind, places),
+        middle_offset(kind, positions),
     ]
 }
 
 /// Smallest and largest angle at a corner \[rad\].
-fn corner_angles(kind: CellKind, places: &[[f64; 2]]) -> [f64; 2] {
+fn corner_angles(kind: CellKind, positions: &[[f64; 2]]) -> [f64; 2] {
     let count = kind.corner_count();
     let mut range = [f64::INFINITY, 0.0_f64];
     for corner in 0..count {
         let [along, back] = [corner, (corner + count - 1) % count].map(|side| {
             let (first, second, middle) = kind.side(side);
             let other = if first == corner { second } else { first };
-            let (a, b) = (places[corner], places[other]);
+            let (a, b) = (positions[corner], positions[other]);
             [0, 1].map(|i| match middle {
-                Some(m) => 4.0 * places[m][i] - 3.0 * a[i] - b[i],
+                Some(m) => 4.0 * positions[m][i] - 3.0 * a[i] - b[i],
                 None => b[i] - a[i],
             })
         });
@@ -60,13 +60,13 @@ fn corner_angles(kind: CellKind, places: &[[f64; 2]]) -> [f64; 2] {
 
 /// Largest distance of a side's node from the middle of its chord, relative to the
 /// chord; zero without such nodes.
-fn middle_offset(kind: CellKind, places: &[[f64; 2]]) -> f64 {
+fn middle_offset(kind: CellKind, positions: &[[f64; 2]]) -> f64 {
     let mut largest = 0.0_f64;
     for side in 0..kind.corner_count() {
         if let (a, b, Some(middle)) = kind.side(side) {
-            let (a, b) = (places[a], places[b]);
+            let (a, b) = (positions[a], positions[b]);
             let mean = [0, 1].map(|i| 0.5 * (a[i] + b[i]));
-            largest = largest.max(distance(places[middle], mean) / distance(a, b));
+            largest = largest.max(distance(positions[middle], mean) / distance(a, b));
         }
     }
     largest

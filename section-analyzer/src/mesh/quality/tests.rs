@@ -201,7 +201,7 @@ fn regions_are_counted_apart_and_the_worst_cells_named_in_order() {
         [(14, true), (12, true), (15, true), (17, false), (11, false)]
     );
     assert_eq!(quality.worst[0].group, "skin");
-    assert_eq!(quality.worst[0].place, [150.0, 8.5]);
+    assert_eq!(quality.worst[0].position, [150.0, 8.5]);
     let [skin, web] = &quality.regions[..] else {
         panic!("{quality:?}")
     };

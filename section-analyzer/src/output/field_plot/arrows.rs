@@ -41,15 +41,18 @@ pub(super) fn draw<B: DrawingBackend>(
     rim: &[Vec<[f64; 2]>],
     largest: f64,
 ) -> Result<(), FigureProblem> {
-    let near = BySquare::new(samples.iter().map(|sample| (sample.place, *sample)), MEAN);
-    for place in spread(samples, rim) {
-        let [y, z] = mean_vector(&near, place);
+    let near = BySquare::new(
+        samples.iter().map(|sample| (sample.position, *sample)),
+        MEAN,
+    );
+    for position in spread(samples, rim) {
+        let [y, z] = mean_vector(&near, position);
         let size = y.hypot(z) / largest;
         if size >= SHORTEST {
             let length = (LONGEST * SPACING * size).max(0.25 * SPACING);
             // z is up on the figure, but the pixel coordinate y is down
             let direction = [y / y.hypot(z), -z / y.hypot(z)];
-            draw_arrow(canvas, place, direction, length)?;
+            draw_arrow(canvas, position, direction, length)?;
         }
     }
     Ok(())
@@ -57,10 +60,10 @@ pub(super) fn draw<B: DrawingBackend>(
 
 /// Mean vector around a position: in a wall the mean over its thickness, which is its flow.
 /// Zero if vectors of all directions meet, as in the wall of an open section in torsion.
-fn mean_vector(near: &BySquare<Sample>, place: [f64; 2]) -> [f64; 2] {
+fn mean_vector(near: &BySquare<Sample>, position: [f64; 2]) -> [f64; 2] {
     let (mut sum, mut length, mut area) = ([0.0; 2], 0.0, 0.0);
-    for sample in near.around(place) {
-        if distance(sample.place, place) <= MEAN {
+    for sample in near.around(position) {
+        if distance(sample.position, position) <= MEAN {
             sum = [0, 1].map(|axis| sum[axis] + sample.area * sample.vector[axis]);
             length += sample.area * sample.vector[0].hypot(sample.vector[1]);
             area += sample.area;
@@ -77,29 +80,29 @@ fn mean_vector(near: &BySquare<Sample>, place: [f64; 2]) -> [f64; 2] {
 fn spread(samples: &[Sample], rim: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
     let farthest = 0.5 * SPACING;
     let rim = BySquare::new(points_along(rim).into_iter().map(|p| (p, p)), farthest);
-    let depth = |place: [f64; 2]| {
-        let points = rim.around(place).map(|point| distance(*point, place));
+    let depth = |position: [f64; 2]| {
+        let points = rim.around(position).map(|point| distance(*point, position));
         points.fold(farthest, f64::min)
     };
     let mut best_first: Vec<_> = samples
         .iter()
         .map(|sample| {
-            let off = distance(sample.place, grid_point(sample.place));
-            let depth = depth(sample.place);
-            (off - DEEP * depth, depth, sample.place)
+            let off = distance(sample.position, grid_point(sample.position));
+            let depth = depth(sample.position);
+            (off - DEEP * depth, depth, sample.position)
         })
         .collect();
     best_first.sort_by(|(one, ..), (other, ..)| one.total_cmp(other));
 
     let mut kept = BySquare::new(std::iter::empty(), NEAREST_SHALLOW * SPACING);
-    for (_, depth, place) in best_first {
+    for (_, depth, position) in best_first {
         let is_shallow = depth < SHALLOW * SPACING;
         let least = if is_shallow { NEAREST_SHALLOW } else { NEAREST } * SPACING;
         if kept
-            .around(place)
-            .all(|other| distance(*other, place) >= least)
+            .around(position)
+            .all(|other| distance(*other, position) >= least)
         {
-            kept.insert(place, place);
+            kept.insert(position, position);
         }
     }
     kept.into_values()
@@ -134,25 +137,25 @@ impl<T> BySquare<T> {
             values: HashMap::new(),
             size,
         };
-        for (place, value) in values {
-            sorted.insert(place, value);
+        for (position, value) in values {
+            sorted.insert(position, value);
         }
         sorted
     }
 
-    fn insert(&mut self, place: [f64; 2], value: T) {
-        let square = self.square(place);
+    fn insert(&mut self, position: [f64; 2], value: T) {
+        let square = self.square(position);
         self.values.entry(square).or_default().push(value);
     }
 
-    fn square(&self, place: [f64; 2]) -> [i64; 2] {
-        place.map(|value| (value / self.size).floor() as i64)
+    fn square(&self, position: [f64; 2]) -> [i64; 2] {
+        position.map(|value| (value / self.size).floor() as i64)
     }
 
-    /// The values in the square of `place` and in the squares around it: all within the size of
+    /// The values in the square of `position` and in the squares around it: all within the size of
     /// a square, and some more.
-    fn around(&self, place: [f64; 2]) -> impl Iterator<Item = &T> {
-        let [i, j] = self.square(place);
+    fn around(&self, position: [f64; 2]) -> impl Iterator<Item = &T> {
+        let [i, j] = self.square(position);
         (0..9)
             .filter_map(move |k| self.values.get(&[i + k / 3 - 1, j + k % 3 - 1]))
             .flatten()
@@ -198,13 +201,13 @@ mod tests {
 
     /// Samples on every pixel of a rectangle.
     fn samples(width: u32, height: u32) -> Vec<Sample> {
-        let places = (0..=width).flat_map(|x| (0..=height).map(move |y| [x, y]));
-        let sample = |place: [u32; 2]| Sample {
-            place: place.map(f64::from),
-            vector: [f64::from(place[1]), 1.0],
+        let positions = (0..=width).flat_map(|x| (0..=height).map(move |y| [x, y]));
+        let sample = |position: [u32; 2]| Sample {
+            position: position.map(f64::from),
+            vector: [f64::from(position[1]), 1.0],
             area: 1.0,
         };
-        places.map(sample).collect()
+        positions.map(sample).collect()
     }
 
     fn frame(width: f64, height: f64) -> Vec<Vec<[f64; 2]>> {
@@ -215,7 +218,7 @@ mod tests {
     /// Along a wall of 1000 by 40 pixels: all arrows in its middle, no nearer than allowed, and
     /// no gap wide enough for another.
     #[test]
-    fn arrows_stand_in_the_middle_of_a_wall_and_keep_their_distance() {
+    fn arrows_are_in_the_middle_of_a_wall_and_keep_their_distance() {
         let samples = samples(1000, 40);
         let kept = spread(&samples, &frame(1000.0, 40.0));
         let least = NEAREST * SPACING;
@@ -227,7 +230,7 @@ mod tests {
             }
         }
         for sample in &samples {
-            let nearest = kept.iter().map(|k| distance(*k, sample.place));
+            let nearest = kept.iter().map(|k| distance(*k, sample.position));
             let nearest = nearest.fold(f64::INFINITY, f64::min);
             assert!(nearest < NEAREST_SHALLOW * SPACING);
         }
@@ -236,28 +239,31 @@ mod tests {
 
     /// In a wide section they are on the grid.
     #[test]
-    fn arrows_in_the_open_stand_on_the_grid() {
+    fn arrows_in_the_open_are_on_the_grid() {
         let kept = spread(&samples(320, 256), &frame(320.0, 256.0));
         assert_eq!(kept.len(), 5 * 4);
-        assert!(kept.iter().all(|place| *place == grid_point(*place)));
+        assert!(
+            kept.iter()
+                .all(|position| *position == grid_point(*position))
+        );
     }
 
     /// The mean of a linear field over a disc is its value in the middle.
     #[test]
     fn arrows_show_the_mean_around_them() {
         let samples = samples(100, 100);
-        let near = BySquare::new(samples.iter().map(|s| (s.place, *s)), MEAN);
+        let near = BySquare::new(samples.iter().map(|s| (s.position, *s)), MEAN);
         let [along, across] = mean_vector(&near, [40.0, 30.0]);
         assert!((along - 30.0).abs() < 1e-12 && (across - 1.0).abs() < 1e-12);
         assert_eq!(mean_vector(&near, [500.0, 500.0]), [0.0; 2]);
 
         // a wall of 40 pixels in which the vectors of the two sides are opposite
         let opposed = |sample: &Sample| Sample {
-            vector: [sample.place[1] - 20.0, 0.0],
+            vector: [sample.position[1] - 20.0, 0.0],
             ..*sample
         };
-        let wall = samples.iter().filter(|sample| sample.place[1] <= 40.0);
-        let near = BySquare::new(wall.map(|s| (s.place, opposed(s))), MEAN);
+        let wall = samples.iter().filter(|sample| sample.position[1] <= 40.0);
+        let near = BySquare::new(wall.map(|s| (s.position, opposed(s))), MEAN);
         assert_eq!(mean_vector(&near, [50.0, 22.0]), [0.0; 2]);
     }
 }

@@ -42,7 +42,7 @@ pub(in crate::output) struct Field {
 pub(super) struct Extreme {
     pub value: f64,
     /// Position (y, z) [m].
-    pub place: [f64; 2],
+    pub position: [f64; 2],
     /// Region: index of the physical surface.
     pub region: usize,
 }
@@ -78,10 +78,10 @@ impl Field {
             all()
                 .find(|(_, _, value)| sign * value >= extreme - SAME * largest)
                 .map_or_else(Extreme::none, |(cell, local, _)| {
-                    let place = self.place(section, cell, local);
+                    let position = self.position(section, cell, local);
                     Extreme {
                         value: sign * extreme,
-                        place,
+                        position,
                         region: section.mesh.cells[cell].group,
                     }
                 })
@@ -90,7 +90,7 @@ impl Field {
     }
 
     /// The node, or the mean of the corners for a cell of one value.
-    fn place(&self, section: &Section, cell: usize, local: usize) -> [f64; 2] {
+    fn position(&self, section: &Section, cell: usize, local: usize) -> [f64; 2] {
         let values = &self.values[cell];
         let mesh = &section.mesh;
         let cell = &mesh.cells[cell];
@@ -105,7 +105,7 @@ impl Extreme {
     fn none() -> Self {
         Self {
             value: 0.0,
-            place: [0.0; 2],
+            position: [0.0; 2],
             region: 0,
         }
     }

@@ -95,13 +95,13 @@ impl Band {
             let [r, s] =
                 [0, 1].map(|axis| (1.0 - t) * nodes[first][axis] + t * nodes[second][axis]);
             let shape = cell.kind.shape(r, s);
-            let (mut place, mut value) = ([0.0; 2], 0.0);
+            let (mut position, mut value) = ([0.0; 2], 0.0);
             for (i, &node) in cell.nodes().iter().enumerate() {
                 let node = section.mesh.nodes[node as usize];
-                place = [0, 1].map(|axis| place[axis] + shape.n[i] * node[axis]);
+                position = [0, 1].map(|axis| position[axis] + shape.n[i] * node[axis]);
                 value += shape.n[i] * field.values[side.cell][i];
             }
-            inner.push(plane.place(place));
+            inner.push(plane.position(position));
             values.push(value);
         }
         Self {

@@ -101,7 +101,7 @@ impl Scale {
     }
 
     /// Whether these lowest and highest values are different.
-    pub fn tells(&self, [lowest, highest]: [f64; 2]) -> bool {
+    pub fn distinguishes(&self, [lowest, highest]: [f64; 2]) -> bool {
         highest - lowest > UNIFORM * self.largest() && !self.is_zero()
     }
 
@@ -157,15 +157,15 @@ impl Scale {
 
     /// The text for a field without extremes; `is_whole` if all cells have a value.
     pub fn uniform_words(&self, is_whole: bool) -> String {
-        let place = match is_whole {
+        let position = match is_whole {
             true => "in the whole section",
             false => "where it is not white",
         };
         match self.is_zero() {
-            true => format!("zero {place}, up to round-off"),
+            true => format!("zero {position}, up to round-off"),
             false => {
                 let value = if self.high > 0.0 { self.high } else { self.low };
-                format!("{} {place}", self.shown(value))
+                format!("{} {position}", self.shown(value))
             }
         }
     }
@@ -203,10 +203,10 @@ impl Scale {
             canvas.line(&[[x, bottom], [x, bottom + TICK]], 2.0, INK)?;
             canvas.text(&text, [x, bottom + TICK + 0.7 * TEXT], label)?;
         }
-        let place = [0.5 * (left + right), bottom + TICK + 2.0 * TEXT];
+        let position = [0.5 * (left + right), bottom + TICK + 2.0 * TEXT];
         canvas.text(
             &self.axis_name(name),
-            place,
+            position,
             Label {
                 size: TEXT,
                 ..label

@@ -24,15 +24,15 @@ impl Surface {
         let mut patterns = Patterns::new(PIECE);
         let mut surface = Self::default();
         for (index, cell) in section.mesh.cells.iter().enumerate() {
-            let mut places = [[0.0; 2]; 9];
-            for (place, of_node) in places.iter_mut().zip(section.mesh.places(cell)) {
-                *place = plane.place(of_node);
+            let mut positions = [[0.0; 2]; 9];
+            for (position, of_node) in positions.iter_mut().zip(section.mesh.positions(cell)) {
+                *position = plane.position(of_node);
             }
             // because a quadratic one is curved even if it is small
             let least = if cell.kind.is_quadratic() { 2 } else { 1 };
-            let pattern = patterns.of(cell.kind, &places, least);
+            let pattern = patterns.of(cell.kind, &positions, least);
             let vectors = field.vectors.as_ref().map(|vectors| &vectors[index]);
-            surface.add(pattern, &places, &field.values[index], vectors);
+            surface.add(pattern, &positions, &field.values[index], vectors);
         }
         surface
     }
@@ -40,16 +40,16 @@ impl Surface {
     fn add(
         &mut self,
         pattern: &Pattern,
-        places: &[[f64; 2]; 9],
+        positions: &[[f64; 2]; 9],
         values: &[f64; 9],
         vectors: Option<&[[f64; 2]; 9]>,
     ) {
-        let places: Vec<_> = pattern.at(places).collect();
+        let positions: Vec<_> = pattern.at(positions).collect();
         let scalars = values.map(|value| [value, 0.0]);
         let values: Vec<_> = pattern.at(&scalars).collect();
         for &triangle in &pattern.triangles {
             self.triangles.push(ValueTriangle {
-                corners: triangle.map(|corner| places[corner]),
+                corners: triangle.map(|corner| positions[corner]),
                 values: triangle.map(|corner| values[corner][0]),
             });
         }
@@ -59,9 +59,9 @@ impl Surface {
         };
         let vectors: Vec<_> = pattern.at(vectors).collect();
         for triangle in &pattern.triangles {
-            let places = triangle.map(|corner| places[corner]);
+            let positions = triangle.map(|corner| positions[corner]);
             let vectors = triangle.map(|corner| vectors[corner]);
-            self.samples.push(Sample::of(places, vectors));
+            self.samples.push(Sample::of(positions, vectors));
         }
     }
 }
@@ -69,17 +69,17 @@ impl Surface {
 /// Mean width of each region: its area over half of its border [m].
 pub(super) fn region_widths(section: &Section, sides: &[Side]) -> Vec<f64> {
     let mesh = &section.mesh;
-    let place = |node: u32| mesh.nodes[node as usize];
+    let position = |node: u32| mesh.nodes[node as usize];
     let mut area = vec![0.0; mesh.groups.len()];
     for cell in &mesh.cells {
-        area[cell.group] += polygon_area(cell_points(cell, &place));
+        area[cell.group] += polygon_area(cell_points(cell, &position));
     }
     let mut border = vec![0.0; mesh.groups.len()];
     for side in sides
         .iter()
         .filter(|side| !matches!(side.role, SideRole::Inner(_)))
     {
-        let points = side_points(side.ends, side.middle, &place);
+        let points = side_points(side.ends, side.middle, &position);
         for cell in [Some(side.cell), side.other].into_iter().flatten() {
             border[mesh.cells[cell].group] += length(&points);
         }

@@ -49,7 +49,7 @@ fn drawn(
 
 /// Bending of 0.2 by 0.1 m with 1 kN m: M h / 2I = 3 MPa at the edges.
 #[test]
-fn bending_is_told_with_its_extremes_and_their_places() {
+fn bending_is_reported_with_its_extremes_and_their_positions() {
     let section = rectangle(CellKind::Quadrilateral8);
     let recovery = bending(&section, 1000.0, 0.2 * 0.1_f64.powi(3) / 12.0);
     let drawn = drawn(&section, &recovery, &[]);
@@ -90,8 +90,8 @@ fn largest_failure_index_is_shown_where_there_is_one() {
         [sum[0] + p[0] / 3.0, sum[1] + p[1] / 3.0]
     });
     let shown = |value: f64| tick_label((1e5 * value).round() / 100.0, 0.0);
-    let place = format!("max 1.5 at (y, z) = ({}, {}) mm", shown(y), shown(z));
-    assert!(text.contains(&place), "{place}");
+    let position = format!("max 1.5 at (y, z) = ({}, {}) mm", shown(y), shown(z));
+    assert!(text.contains(&position), "{position}");
     assert!(text.contains("min 0.5 at"));
     // the failed cell is marked, and so is its color
     assert!(text.contains("above 1: fails"));
@@ -115,7 +115,7 @@ fn indices_are_shown_from_0_to_1() {
 /// A stress that is the same everywhere has no position; one that is round-off of another is
 /// zero.
 #[test]
-fn uniform_stress_is_told_as_such() {
+fn uniform_stress_is_reported_as_such() {
     let section = rectangle(CellKind::Quadrilateral4);
     let force = Vector6::new(2e5, 0.0, 0.0, 0.0, 0.0, 0.0);
     let recovery = recovery(&section, "pull", force, |_, [y, _]| {
@@ -176,8 +176,8 @@ fn thin_walls_are_drawn_thicker_on_both_sides() {
     };
     let section = section(&tube.generate().unwrap(), "tube", false);
     let radius = |[y, z]: [f64; 2]| y.hypot(z);
-    let recovery = recovery(&section, "torque", Vector6::zeros(), |_, place| {
-        Vector6::new(1e9 * (radius(place) - 0.0995), 0.0, 0.0, 0.0, 0.0, 0.0)
+    let recovery = recovery(&section, "torque", Vector6::zeros(), |_, position| {
+        Vector6::new(1e9 * (radius(position) - 0.0995), 0.0, 0.0, 0.0, 0.0, 0.0)
     });
     let mut plots = stress_plots(&section, &summary(&section), &recovery, &[]);
     let (_, plot) = plots.remove(0);
@@ -186,7 +186,7 @@ fn thin_walls_are_drawn_thicker_on_both_sides() {
     // wall of 1 mm up to the chords of the parabolas
     assert!((swelling - 0.5 * (THINNEST - 0.001 * scale)).abs() < 0.01);
     let rim = Rim::new(&section, &plot.plane, &plot.field, &plot.sides, swelling);
-    let center = plot.plane.place([0.0; 2]);
+    let center = plot.plane.position([0.0; 2]);
     let mut seen = [false; 2];
     for triangle in rim.triangles() {
         for ([x, y], value) in triangle.corners.into_iter().zip(triangle.values) {

@@ -31,8 +31,8 @@ pub fn stress_vtu(
     failure: &[(String, Vec<f64>)],
 ) -> FieldFile {
     let mesh = &section.mesh;
-    let places = recovery.nodes.iter().map(|state| mesh.nodes[state.node]);
-    let mut file = section_grid(section, places, |cell| recovery.cell_nodes[cell].clone());
+    let positions = recovery.nodes.iter().map(|state| mesh.nodes[state.node]);
+    let mut file = section_grid(section, positions, |cell| recovery.cell_nodes[cell].clone());
 
     let tag = |node: usize| mesh.node_tags.get(node).map_or(-1, |tag| *tag as i64);
     let states = || recovery.nodes.iter();

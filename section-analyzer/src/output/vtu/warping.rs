@@ -5,7 +5,7 @@ use shared_geom::vtk::{Cell, FieldFile};
 use shared_geom::wrench::COMPONENTS;
 
 use super::grid::section_grid;
-use crate::section::{OutsideSection, Section};
+use crate::section::{ExternalSection, Section};
 use crate::solution::{PiezoSolution, SectionSolution};
 
 /// The warping under each unit internal force and each unit generalized strain, as
@@ -30,7 +30,7 @@ pub fn warping_vtu(section: &Section, solution: &SectionSolution) -> FieldFile {
 }
 
 /// As [`warping_vtu`], for a section without cells: points at its nodes.
-pub fn outside_warping_vtu(section: &OutsideSection, solution: &SectionSolution) -> FieldFile {
+pub fn external_warping_vtu(section: &ExternalSection, solution: &SectionSolution) -> FieldFile {
     let mut file = FieldFile::new(section.nodes.iter().map(|&[y, z]| [0.0, y, z]));
     for node in 0..section.nodes.len() as u64 {
         file.add_cell(Cell::Vertex, [node]);

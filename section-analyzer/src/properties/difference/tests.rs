@@ -189,7 +189,7 @@ fn axes_named_the_other_way_round_are_the_same() {
 }
 
 #[test]
-fn a_section_without_mass_is_told() {
+fn a_section_without_mass_is_reported() {
     let a = section();
     let mut b = a.clone();
     b.mass = Matrix6::zeros();
@@ -215,7 +215,7 @@ fn a_section_without_mass_is_told() {
 }
 
 #[test]
-fn options_of_one_file_only_are_told() {
+fn options_of_one_file_only_are_reported() {
     let a = section();
     let mut b = a.clone();
     b.piezo = None;
@@ -376,7 +376,7 @@ fn changes_that_vanish_are_compared_beside_the_strain_of_their_cause() {
 
 /// A change that only one of the two has is reported, for either cause and on either side.
 #[test]
-fn changes_of_one_file_only_are_told() {
+fn changes_of_one_file_only_are_reported() {
     let change = Some(Matrix4::identity());
     let both = with_changes(change, change);
     let kelvin = "a change of the stiffness per kelvin";
@@ -393,7 +393,7 @@ fn changes_of_one_file_only_are_told() {
 
 /// Second-order strains of another measure change the stiffness differently.
 #[test]
-fn prestress_by_other_strains_is_told_and_not_compared() {
+fn prestress_by_other_strains_is_reported_and_not_compared() {
     let a = with_changes(Some(Matrix4::identity()), Some(Matrix4::identity()));
     let mut b = with_changes(Some(Matrix4::zeros()), Some(Matrix4::zeros()));
     if let Some(table) = &mut b.prestress {

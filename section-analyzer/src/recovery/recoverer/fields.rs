@@ -141,7 +141,7 @@ impl Recoverer<'_> {
             .map_or(&[][..], |electric| &electric.piezo.electrodes);
         let mut driven = vec![0.0; known.len()];
         for (name, voltage) in &load.voltages {
-            let Some(place) = known.iter().position(|known| known.name == *name) else {
+            let Some(index) = known.iter().position(|known| known.name == *name) else {
                 let names = known.iter().map(|known| known.name.as_str());
                 return Err(Failure::UnknownElectrode {
                     load: load.name.clone(),
@@ -149,13 +149,13 @@ impl Recoverer<'_> {
                     nearest: nearest_name(name, names).map(str::to_owned),
                 });
             };
-            if known[place].circuit != Circuit::Driven {
+            if known[index].circuit != Circuit::Driven {
                 return Err(Failure::NotDriven {
                     load: load.name.clone(),
                     electrode: name.clone(),
                 });
             }
-            driven[place] = *voltage;
+            driven[index] = *voltage;
         }
         Ok(driven)
     }
@@ -171,9 +171,9 @@ impl Recoverer<'_> {
         let has_field = electric.has_field(cell);
         let grid = &self.cells[cell];
         let kind = self.section.mesh.cells[cell].kind;
-        let places = self.places(cell);
+        let positions = self.positions(cell);
         let before = load.found.points.len();
-        for (number, point) in cell_points(kind, &places).enumerate() {
+        for (number, point) in cell_points(kind, &positions).enumerate() {
             let state = &mut points[number];
             let strain = self.voltage_strain(&load.state, cell, &point);
             state.tensors.add(1.0, &self.tensors(cell, &strain));

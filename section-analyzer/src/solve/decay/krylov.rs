@@ -33,10 +33,10 @@ impl Space {
     /// The space of the block `start`, of at most `most` vectors.
     pub fn new(start: &DMatrix<f64>, most: usize) -> Self {
         let block = start.ncols();
-        let room = most.max(block) + block;
+        let capacity = most.max(block) + block;
         let mut space = Self {
-            basis: Vec::with_capacity(room),
-            projected: DMatrix::zeros(room, room),
+            basis: Vec::with_capacity(capacity),
+            projected: DMatrix::zeros(capacity, capacity),
             dimension: 0,
             block,
             most,

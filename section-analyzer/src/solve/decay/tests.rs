@@ -7,7 +7,7 @@ use crate::mesh::SectionMesh;
 use crate::mesh::generate::Rectangle;
 use crate::section::Section;
 use crate::section::samples::{Random, coupled_rectangle};
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::CellKind;
 
 fn rates(p: &Problem, pins: Pins, wanted: usize) -> DecayRates {
@@ -122,7 +122,7 @@ fn rates_do_not_depend_on_the_pins() {
 
 /// Copies and conjugates are one rate, and pairs next to the real axis are real.
 #[test]
-fn copies_are_told_once() {
+fn copies_are_reported_once() {
     let one = Complex::new(1.0, 0.0);
     let a = Complex::new(2.0, 1.0);
     let squares = [
@@ -196,7 +196,8 @@ fn orthotropic_rectangle(law: ElasticLaw, width: f64) -> Problem {
         name: "bar".into(),
     };
     let mesh = mesh.generate().expect("sound measures");
-    let (mesh, _) = SectionMesh::from_mesh(&mesh, 1.0, &Place::file("test")).expect("sound");
+    let (mesh, _) =
+        SectionMesh::from_mesh(&mesh, 1.0, &SourceLocation::file("test")).expect("sound");
     let mut section = coupled_rectangle(CellKind::Quadrilateral8);
     section.cells.truncate(1);
     section.cells[0].fiber_angle = 0.0;

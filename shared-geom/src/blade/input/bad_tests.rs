@@ -37,15 +37,15 @@ iy = 0.01
 iz = 0.04
 ";
 
-fn told(text: &str) -> String {
+fn reported(text: &str) -> String {
     match parse(text, "a.blade.toml") {
         Ok(reading) => reading.remarks.join("\n"),
         Err(problems) => problems.to_string(),
     }
 }
 
-fn assert_told(text: &str, expected: &[&str]) {
-    let shown = told(text);
+fn assert_reported(text: &str, expected: &[&str]) {
+    let shown = reported(text);
     for words in expected {
         assert!(shown.contains(words), "{words} is not in\n{shown}");
     }
@@ -54,18 +54,18 @@ fn assert_told(text: &str, expected: &[&str]) {
 /// Checks that each text yields the message listed with it.
 fn assert_each(cases: &[(String, &str)]) {
     for (text, expected) in cases {
-        assert_told(text, &[expected]);
+        assert_reported(text, &[expected]);
     }
 }
 
 #[test]
 fn the_good_file_is_good() {
-    assert_eq!(told(GOOD), "");
+    assert_eq!(reported(GOOD), "");
 }
 
 #[test]
 fn a_frame_that_is_not_declared_is_an_error_that_teaches() {
-    assert_told(
+    assert_reported(
         &GOOD.replace("frame = \"helicoid\"\n", ""),
         &[
             "a.blade.toml:1: the file declares no \"frame\": the axes of its numbers",
@@ -73,14 +73,14 @@ fn a_frame_that_is_not_declared_is_an_error_that_teaches() {
             "\"beamdyn\" (x to the suction side",
         ],
     );
-    assert_told(
+    assert_reported(
         &GOOD.replace("\"helicoid\"", "\"hawk2\""),
         &[
             "a.blade.toml:2: \"frame\" is \"hawk2\", expected one of",
             "did you mean \"hawc2\"?",
         ],
     );
-    assert_told(
+    assert_reported(
         &GOOD.replace("\"helicoid\"", "[\"tip\", \"leading edge\", \"lower\"]"),
         &["\"frame\" is [tip, leading edge, lower], expected three directions of a right-handed"],
     );
@@ -90,7 +90,7 @@ fn a_frame_that_is_not_declared_is_an_error_that_teaches() {
 fn an_order_that_is_not_declared_is_an_error_that_teaches() {
     let directions = "frame = [\"tip\", \"leading edge\", \"upper\"]";
     let text = GOOD.replace("frame = \"helicoid\"", directions);
-    assert_told(
+    assert_reported(
         &text,
         &[
             "a.blade.toml:2: the file declares axes by their directions and no \"order\"",
@@ -98,11 +98,11 @@ fn an_order_that_is_not_declared_is_an_error_that_teaches() {
         ],
     );
     let order = "\norder = [\"Fx\", \"Fy\", \"Fz\", \"Mx\", \"My\", \"My\"]";
-    assert_told(
+    assert_reported(
         &text.replace(directions, &format!("{directions}{order}")),
         &["a.blade.toml:3: \"order\" is [Fx, Fy, Fz, Mx, My, My], expected each of"],
     );
-    assert_told(
+    assert_reported(
         &GOOD.replace("reference_point = \"line\"\n", ""),
         &[
             "a.blade.toml:1: the file declares no \"reference_point\"",
@@ -112,8 +112,8 @@ fn an_order_that_is_not_declared_is_an_error_that_teaches() {
 }
 
 #[test]
-fn stations_out_of_order_are_told_where_they_stand() {
-    assert_told(
+fn stations_out_of_order_are_reported_where_they_are() {
+    assert_reported(
         &GOOD.replace("arc_length = 0\n", "arc_length = 10\n").replacen(
             "arc_length = 10\nea = 7e6\ngay = 2e6\ngaz = 1e6\ngj = 30\neiy = 40\neiz = 900\nm = 0.3\niy = 0.01\niz = 0.04\n\n[[station]]\narc_length = 10",
             "arc_length = 10\nea = 7e6\ngay = 2e6\ngaz = 1e6\ngj = 30\neiy = 40\neiz = 900\nm = 0.3\niy = 0.01\niz = 0.04\n\n[[station]]\narc_length = 5",
@@ -124,7 +124,7 @@ fn stations_out_of_order_are_told_where_they_stand() {
             "help: put the stations in order of arc length",
         ],
     );
-    assert_told(
+    assert_reported(
         &GOOD.replace("arc_length = 10", "arc_length = 12"),
         &["a.blade.toml:20: station 2 lies at 12 m, and the line is 10 m long"],
     );
@@ -133,7 +133,7 @@ fn stations_out_of_order_are_told_where_they_stand() {
 // Tension center 0.3 m off, and EA of 7e6 N: the bending stiffness must exceed the entry
 // of the matrix given here, so that it is not positive definite.
 #[test]
-fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
+fn a_stiffness_that_is_not_positive_definite_is_reported_with_its_reach() {
     let stiffness =
         "stiffness = [1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1.25, 0, 1, 0, 1]\n";
     let engineering = "ea = 7e6\ngay = 2e6\ngaz = 1e6\ngj = 30\neiy = 40\neiz = 900\n";
@@ -142,7 +142,7 @@ fn a_stiffness_that_is_not_positive_definite_is_told_with_its_reach() {
         .replacen(engineering, good, 1)
         .replacen(engineering, stiffness, 1);
     // 1.25 v > 1 for v > 0.8.
-    assert_told(
+    assert_reported(
         &text,
         &[
             "a.blade.toml:15: stiffness is not positive definite from 7.99999",
@@ -159,7 +159,7 @@ fn a_weight_for_a_mass_is_remarked() {
         .replace("m = 0.3", "m = 2.65")
         .replace("iy = 0.01", "iy = 1e-3");
     let text = text.replace("iz = 0.04", "iz = 4e-3");
-    assert_told(
+    assert_reported(
         &text,
         &["the mass looks like a weight (N/m), 9.80665 times the mass"],
     );
@@ -170,14 +170,14 @@ fn a_weight_for_a_mass_is_remarked() {
         table,
         "m = { column = \"w\", unit = \"N/m\" }",
     );
-    let shown = read_told(&file);
+    let shown = read_reported(&file);
     let expected =
         "\"N/m\" measures a weight, expected a mass\n  help: a weight in lbf is a mass in lb";
     assert!(shown.contains(expected), "{shown}");
 }
 
 #[test]
-fn slips_of_the_pen_in_the_line_are_told() {
+fn slips_of_the_pen_in_the_line_are_reported() {
     assert_each(&[
         (
             GOOD.replace("length = 10\n\n", "length = -1\n\n"),
@@ -210,7 +210,7 @@ fn slips_of_the_pen_in_the_line_are_told() {
 }
 
 #[test]
-fn slips_of_the_pen_in_the_stations_are_told() {
+fn slips_of_the_pen_in_the_stations_are_reported() {
     assert_each(&[
         (
             GOOD.replace("gaz", "gax"),
@@ -277,7 +277,7 @@ fn no_key_is_unknown_because_of_another_mistake() {
         GOOD.replace("reference_point = \"line\"\n", ""),
         GOOD.replace("units = \"SI\"\n", ""),
     ] {
-        let shown = told(&text);
+        let shown = reported(&text);
         assert!(
             !shown.is_empty() && !shown.contains("unknown key"),
             "{shown}"
@@ -300,7 +300,7 @@ fn with_table(folder: &Path, table: &str, mass: &str) -> std::path::PathBuf {
     file
 }
 
-fn read_told(file: &Path) -> String {
+fn read_reported(file: &Path) -> String {
     match read(file) {
         Ok(reading) => reading.remarks.join("\n"),
         Err(problems) => problems.to_string(),
@@ -308,7 +308,7 @@ fn read_told(file: &Path) -> String {
 }
 
 #[test]
-fn what_is_wrong_with_a_table_is_told_with_its_line() {
+fn what_is_wrong_with_a_table_is_reported_with_its_line() {
     let folder = tempfile::tempdir().unwrap();
     let good = "# a comment\ns,A,w\n0,2.0,0.5\n\n10,2.0,0.5\n";
     let cases = [
@@ -356,21 +356,21 @@ fn what_is_wrong_with_a_table_is_told_with_its_line() {
         ),
     ];
     for (table, expected) in cases {
-        let shown = read_told(&with_table(folder.path(), &table, "m = \"w\""));
+        let shown = read_reported(&with_table(folder.path(), &table, "m = \"w\""));
         assert!(shown.contains(expected), "{expected} is not in\n{shown}");
         assert_eq!(shown.is_empty(), expected.is_empty(), "{shown}");
     }
 }
 
 #[test]
-fn a_table_or_column_that_is_not_there_is_told() {
+fn a_table_or_column_that_is_not_there_is_reported() {
     let folder = tempfile::tempdir().unwrap();
     let good = "s,A,w\n0,2.0,0.5\n10,2.0,0.5\n";
-    let shown = read_told(&with_table(folder.path(), good, "mm = \"w\""));
+    let shown = read_reported(&with_table(folder.path(), good, "mm = \"w\""));
     assert!(shown.contains("unknown key \"mm\" in [columns]"), "{shown}");
     assert!(shown.contains("t.csv has no column \"m\", and \"columns\" names no other"));
     std::fs::remove_file(folder.path().join("t.csv")).unwrap();
-    let shown = read_told(&folder.path().join("a.blade.toml"));
+    let shown = read_reported(&folder.path().join("a.blade.toml"));
     assert!(shown.contains("\"file\": no file \"t.csv\""), "{shown}");
 }
 
@@ -388,44 +388,44 @@ fn a_weight_by_inches_is_offered_for_inches_only() {
         )
     };
     // EA / m = 7e6 / (180 / 0.001) and 7e6 / (180 / 0.0254) m^2/s^2.
-    assert_told(
+    assert_reported(
         &of("mm"),
         &["units of length, force and mass do not fit each other"],
     );
-    assert!(!told(&of("mm")).contains("lbf"));
+    assert!(!reported(&of("mm")).contains("lbf"));
     let text = of("in").replace("m = 180", "m = 4");
-    assert_told(
+    assert_reported(
         &text,
         &["the mass looks like a weight (lbf/in with inches)"],
     );
 }
 
 #[test]
-fn files_that_are_not_there_are_told_with_who_names_them() {
+fn files_that_are_not_there_are_reported_with_who_names_them() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("b.csv"), "s\n0\n").unwrap();
     let file = folder.path().join("a.blade.toml");
     let head = GOOD.split("[[station]]").next().unwrap();
     std::fs::write(&file, format!("{head}[stations]\nfile = \"c.csv\"\n")).unwrap();
-    let shown = read_told(&file);
+    let shown = read_reported(&file);
     let expected = "a.blade.toml:9: \"file\": no file \"c.csv\"\n  help: did you mean \"b.csv\"?";
     assert!(shown.contains(expected), "{shown}");
     let before = head.split("[line]").next().unwrap();
     let line = "[line]\nfile = \"d.csv\"\ncourse = \"spline\"\n";
     std::fs::write(&file, format!("{before}{line}")).unwrap();
-    let shown = read_told(&file);
+    let shown = read_reported(&file);
     assert!(shown.contains("\"file\": no file \"d.csv\""), "{shown}");
     assert!(!shown.contains("\"course\""), "{shown}");
     let station = "[[station]]\narc_length = 0\nfile = \"nix.json\"\n";
     std::fs::write(&file, format!("{head}{station}")).unwrap();
-    let shown = read_told(&file);
+    let shown = read_reported(&file);
     let expected =
         "a.blade.toml:10: \"file\": no file \"nix.json\"\n  help: files there: a.blade.toml";
     assert!(shown.contains(expected), "{shown}");
 }
 
 #[test]
-fn curvatures_of_arcs_are_told_in_their_units() {
+fn curvatures_of_arcs_are_reported_in_their_units() {
     let with = |curvature: &str| {
         let arc = format!("[[line.arc]]\nlength = 10\ncurvature = {curvature}\n");
         GOOD.replace("[line]\nlength = 10\n", &arc)

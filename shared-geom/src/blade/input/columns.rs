@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use super::Sources;
 use super::problem::InputProblem;
 use crate::document::Table;
-use crate::error::{Diagnostics, Place};
+use crate::error::{Diagnostics, SourceLocation};
 use crate::units::{self, Dimension};
 
 /// Number of wrong cells that are reported one by one.
@@ -68,9 +68,9 @@ impl<'a> Columns<'a> {
     }
 
     /// Location of each row.
-    pub fn places(&self) -> Vec<Place> {
-        let place = |row: &Row| Place::line(&self.file, row.line);
-        self.rows.iter().map(place).collect()
+    pub fn locations(&self) -> Vec<SourceLocation> {
+        let location = |row: &Row| SourceLocation::line(&self.file, row.line);
+        self.rows.iter().map(location).collect()
     }
 
     /// Whether there is a column for `key`.
@@ -145,8 +145,8 @@ impl<'a> Columns<'a> {
                 bad += 1;
                 if bad <= CELLS_SHOWN {
                     let (column, found) = (column.clone(), found.clone());
-                    let place = Place::line(&self.file, row.line);
-                    problems.push(place, &InputProblem::Cell { column, found });
+                    let location = SourceLocation::line(&self.file, row.line);
+                    problems.push(location, &InputProblem::Cell { column, found });
                 }
             }
             number.unwrap_or_default()
@@ -154,8 +154,8 @@ impl<'a> Columns<'a> {
         let numbers = self.rows.iter().map(&mut number).collect();
         if bad > CELLS_SHOWN {
             let (column, count) = (column.clone(), bad - CELLS_SHOWN);
-            let place = Place::line(&self.file, self.names_line);
-            problems.push(place, &InputProblem::MoreCells { column, count });
+            let location = SourceLocation::line(&self.file, self.names_line);
+            problems.push(location, &InputProblem::MoreCells { column, count });
         }
         problems.into_result(numbers)
     }
@@ -225,7 +225,10 @@ fn rows(text: &str, file: &str) -> Result<(usize, Vec<String>, Vec<Row>), Diagno
         match cells(text) {
             Ok(cells) => rows.push(Row { line: i + 1, cells }),
             Err(reason) => {
-                problems.push(Place::line(file, i + 1), &InputProblem::Row { reason });
+                problems.push(
+                    SourceLocation::line(file, i + 1),
+                    &InputProblem::Row { reason },
+                );
             }
         }
     }
@@ -239,7 +242,10 @@ fn rows(text: &str, file: &str) -> Result<(usize, Vec<String>, Vec<Row>), Diagno
     };
     if let Some(found) = found {
         let line = rows.first().map_or(1, |row| row.line);
-        problems.push(Place::line(file, line), &InputProblem::NoRows { found });
+        problems.push(
+            SourceLocation::line(file, line),
+            &InputProblem::NoRows { found },
+        );
         return Err(problems);
     }
     let names = rows.remove(0);
@@ -247,7 +253,7 @@ fn rows(text: &str, file: &str) -> Result<(usize, Vec<String>, Vec<Row>), Diagno
     for row in rows.iter().filter(|row| row.cells.len() != expected) {
         let found = row.cells.len();
         let problem = InputProblem::Columns { found, expected };
-        problems.push(Place::line(file, row.line), &problem);
+        problems.push(SourceLocation::line(file, row.line), &problem);
     }
     problems.into_result((names.line, names.cells, rows))
 }

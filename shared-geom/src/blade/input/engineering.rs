@@ -49,14 +49,14 @@ pub(super) struct Parts {
 /// The engineering properties of `numbers`; the others are zero.
 pub(super) fn read(numbers: &impl Numbers, parts: Parts) -> Option<Engineering> {
     // Every key is read, so that all problems are reported.
-    let of = |asked: bool, (key, dimension)| match asked {
+    let of = |requested: bool, (key, dimension)| match requested {
         true => numbers.number(key, dimension),
         false => Some(0.0),
     };
     let stiffness = STIFFNESS.map(|key| of(parts.stiffness, key));
     let mass = MASS.map(|key| of(parts.mass, key));
-    let asked = [parts.stiffness, parts.stiffness, parts.mass];
-    let center = |i: usize| match asked[i] {
+    let requested = [parts.stiffness, parts.stiffness, parts.mass];
+    let center = |i: usize| match requested[i] {
         true => numbers.point(CENTERS[i]),
         false => Some(Vector2::zeros()),
     };

@@ -54,7 +54,7 @@ impl Frame {
         let (axes, nose_up) = match named {
             true => {
                 let words = NAMED.map(|name| name.0);
-                let convention = root.word("frame", &words).map(|place| NAMED[place].1);
+                let convention = root.word("frame", &words).map(|index| NAMED[index].1);
                 let nose_up = match convention {
                     Some(Convention::BeamDyn) => -1.0,
                     _ => 1.0,
@@ -74,8 +74,8 @@ impl Frame {
         let nose_up = match root.has("twist_positive") {
             true => {
                 let signs = [1.0, -1.0];
-                let place = root.word("twist_positive", &["nose up", "nose down"]);
-                place.map(|place| signs[place])
+                let index = root.word("twist_positive", &["nose up", "nose down"]);
+                index.map(|index| signs[index])
             }
             false => Some(nose_up),
         };
@@ -137,23 +137,23 @@ impl Frame {
     }
 
     /// Kind of the component at an index of its six: a force (false) or a moment (true).
-    pub fn is_moment(&self, place: usize) -> bool {
-        self.order[place] >= 3
+    pub fn is_moment(&self, index: usize) -> bool {
+        self.order[index] >= 3
     }
 
     /// Six numbers, one for each component, in Helicoid's order, from its own; without
     /// signs.
     pub fn values(&self, values: [f64; 6]) -> [f64; 6] {
         let mut natural = [0.0; 6];
-        for (place, value) in self.order.into_iter().zip(values) {
-            natural[place] = value;
+        for (index, value) in self.order.into_iter().zip(values) {
+            natural[index] = value;
         }
         let theirs = |ours: usize| (0..3).find(|&j| self.axes[(ours, j)] != 0.0);
-        let place = |i: usize| match i {
+        let index = |i: usize| match i {
             0..3 => theirs(i).unwrap_or(i),
             _ => theirs(i - 3).unwrap_or(i - 3) + 3,
         };
-        std::array::from_fn(|i| natural[place(i)])
+        std::array::from_fn(|i| natural[index(i)])
     }
 
     /// The indices of its two axes in the section.
@@ -207,15 +207,15 @@ fn order(root: &Table<'_>, named: bool) -> Option<[usize; 6]> {
         return None;
     }
     let words = root.texts("order")?;
-    let place = |word: &String| COMPONENTS.iter().position(|known| known == word);
-    let places: Option<Vec<_>> = words.iter().map(place).collect();
-    let places: Option<[usize; 6]> = places.and_then(|places| places.try_into().ok());
-    let is_complete = |places: &[usize; 6]| (0..6).all(|i| places.contains(&i));
-    let places = places.filter(is_complete);
-    if places.is_none() {
+    let index = |word: &String| COMPONENTS.iter().position(|known| known == word);
+    let indices: Option<Vec<_>> = words.iter().map(index).collect();
+    let indices: Option<[usize; 6]> = indices.and_then(|indices| indices.try_into().ok());
+    let is_complete = |indices: &[usize; 6]| (0..6).all(|i| indices.contains(&i));
+    let indices = indices.filter(is_complete);
+    if indices.is_none() {
         root.note("order", &InputProblem::Order { found: words });
     }
-    places
+    indices
 }
 
 /// Reads the required `reference_point`: the word `"line"`, or two lengths.

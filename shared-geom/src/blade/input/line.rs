@@ -65,7 +65,7 @@ pub(super) fn read(
             for key in KEYS {
                 table.has(key);
             }
-            through(&table, &Lists::InPlace(&table), frame)
+            through(&table, &Lists::Inline(&table), frame)
         }
         [one, other, ..] => {
             let problem = InputProblem::Both {
@@ -123,21 +123,21 @@ fn straight(table: &Table<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
 
 /// Lists of a line: keys of the table, or columns of a file.
 enum Lists<'a> {
-    InPlace(&'a Table<'a>),
+    Inline(&'a Table<'a>),
     File(&'a Columns<'a>),
 }
 
 impl Lists<'_> {
     fn has(&self, key: &str) -> bool {
         match self {
-            Self::InPlace(table) => table.has(key),
+            Self::Inline(table) => table.has(key),
             Self::File(columns) => columns.has(key),
         }
     }
 
     fn numbers(&self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
         match self {
-            Self::InPlace(table) => table.quantities(key, dimension),
+            Self::Inline(table) => table.quantities(key, dimension),
             Self::File(columns) => {
                 let factor = table.document().factor(dimension);
                 columns.numbers(key, Measure { dimension, factor })
@@ -179,8 +179,8 @@ fn through(table: &Table<'_>, lists: &Lists<'_>, frame: Option<&Frame>) -> Optio
         let known = [Course::Polyline, Course::Spline];
         let expected = "\"polyline\" or \"spline\": the course of the line between its points";
         let word = table.require_text("course", expected);
-        let place = word.and_then(|_| table.word("course", &["polyline", "spline"]));
-        place.map(|place| known[place])
+        let index = word.and_then(|_| table.word("course", &["polyline", "spline"]));
+        index.map(|index| known[index])
     };
     // In axes by their names, or as words; the first that exists counts the points.
     let by_axes = AXES.iter().any(|axis| lists.has(axis));
@@ -220,8 +220,8 @@ fn displaced(line: ReferenceLine, forward: &[f64], up: &[f64]) -> ReferenceLine 
         return line;
     }
     let curve = line.curve();
-    let places = curve.arc_lengths().iter();
-    let moved = places.zip(forward.iter().zip(up)).zip(&line.points);
+    let positions = curve.arc_lengths().iter();
+    let moved = positions.zip(forward.iter().zip(up)).zip(&line.points);
     let points = moved.map(|((&s, (&forward, &up)), point)| {
         let axes = curve.at(s).axes;
         LinePoint {

@@ -5,11 +5,11 @@ use nalgebra::{Matrix6, Vector2};
 use super::columns::{Columns, Measure};
 use super::engineering::{self, ANGLES, CENTERS, MASS, Numbers, Parts, STIFFNESS};
 use super::matrix::{self, Kind};
-use super::seat::{Given, Seat, either, note_foreign, seated};
+use super::station_axes::{Settings, StationAxes, either, moved, note_foreign};
 use super::{Placed, Sources};
 use crate::blade::Station;
 use crate::document::Table;
-use crate::error::Place;
+use crate::error::SourceLocation;
 use crate::section::Engineering;
 use crate::units::Dimension;
 
@@ -39,7 +39,11 @@ fn keys() -> Vec<String> {
 }
 
 /// The stations of `[stations]`.
-pub(super) fn read(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<Vec<Placed>> {
+pub(super) fn read(
+    table: &Table<'_>,
+    settings: &Settings<'_>,
+    sources: &Sources,
+) -> Option<Vec<Placed>> {
     let root_at = match table.has("root_at") {
         true => table.quantity("root_at", Dimension::LENGTH),
         false => Some(0.0),
@@ -49,7 +53,7 @@ pub(super) fn read(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> O
         let file = StationFile {
             table,
             columns,
-            given,
+            settings,
         };
         file.stations(root_at?)
     });
@@ -64,7 +68,7 @@ pub(super) fn read(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> O
 struct StationFile<'a> {
     table: &'a Table<'a>,
     columns: &'a Columns<'a>,
-    given: &'a Given<'a>,
+    settings: &'a Settings<'a>,
 }
 
 impl StationFile<'_> {
@@ -77,9 +81,9 @@ impl StationFile<'_> {
             stiffness: !has(Kind::Stiffness),
             mass: !has(Kind::Mass),
         };
-        let is_ours = note_foreign(self.table, parts, self.given);
+        let is_ours = note_foreign(self.table, parts, self.settings);
         let engineering = self.engineering(parts);
-        let of = |kind: Kind, asked: bool| match asked {
+        let of = |kind: Kind, requested: bool| match requested {
             true => Some(Vec::new()),
             false => self.matrices(kind),
         };
@@ -90,12 +94,12 @@ impl StationFile<'_> {
         if !is_ours {
             return None;
         }
-        let places = self.columns.places().into_iter().enumerate();
-        let station = |(row, place): (usize, Place)| {
-            let seat = Seat {
+        let locations = self.columns.locations().into_iter().enumerate();
+        let station = |(row, location): (usize, SourceLocation)| {
+            let axes = StationAxes {
                 arc_length: arc_lengths[row],
                 point: points[row],
-                angle: self.given.frame?.twist(angles[row]),
+                angle: self.settings.frame?.twist(angles[row]),
             };
             let own = engineering.get(row)?;
             let stiffness = stiffness.get(row).copied();
@@ -103,17 +107,17 @@ impl StationFile<'_> {
             let stiffness = stiffness.unwrap_or_else(|| own.stiffness_matrix());
             let mass = mass.unwrap_or_else(|| own.mass_matrix());
             Some(Placed {
-                place,
+                location,
                 station: Station {
-                    arc_length: seat.arc_length,
-                    stiffness: seated(&stiffness, &seat, self.given)?,
-                    mass: seated(&mass, &seat, self.given)?,
+                    arc_length: axes.arc_length,
+                    stiffness: moved(&stiffness, &axes, self.settings)?,
+                    mass: moved(&mass, &axes, self.settings)?,
                 },
                 damping: None,
                 curved: None,
             })
         };
-        places.map(station).collect()
+        locations.map(station).collect()
     }
 
     fn numbers(&self, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
@@ -125,7 +129,7 @@ impl StationFile<'_> {
     fn optional(&self, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
         match self.columns.has(key) {
             true => self.numbers(key, dimension),
-            false => Some(vec![0.0; self.columns.places().len()]),
+            false => Some(vec![0.0; self.columns.locations().len()]),
         }
     }
 
@@ -135,7 +139,7 @@ impl StationFile<'_> {
             true => self.numbers("arc_length", Dimension::LENGTH)?,
             false => {
                 let parts = self.numbers("eta", Dimension::NUMBER)?;
-                let length = self.given.length?;
+                let length = self.settings.length?;
                 parts.into_iter().map(|eta| eta * length).collect()
             }
         };
@@ -144,13 +148,13 @@ impl StationFile<'_> {
 
     /// The reference point of each station.
     fn points(&self) -> Option<Vec<Vector2<f64>>> {
-        let frame = self.given.frame?;
+        let frame = self.settings.frame?;
         let keys = frame
             .plane_names()
             .map(|name| format!("reference_point_{name}"));
         if keys.iter().all(|key| !self.columns.has(key)) {
-            let all = self.given.reference_point?;
-            return Some(vec![all; self.columns.places().len()]);
+            let all = self.settings.reference_point?;
+            return Some(vec![all; self.columns.locations().len()]);
         }
         let [first, second] = keys.map(|key| self.optional(&key, Dimension::LENGTH));
         let pairs = first?.into_iter().zip(second?);
@@ -162,8 +166,8 @@ impl StationFile<'_> {
     }
 
     fn matrices(&self, kind: Kind) -> Option<Vec<Matrix6<f64>>> {
-        let (frame, document) = (self.given.frame?, self.table.document());
-        let mut written = vec![Matrix6::zeros(); self.columns.places().len()];
+        let (frame, document) = (self.settings.frame?, self.table.document());
+        let mut written = vec![Matrix6::zeros(); self.columns.locations().len()];
         let mut all_good = true;
         for (i, j) in matrix::upper() {
             let measure = kind.measure(document, frame, i, j);
@@ -182,8 +186,8 @@ impl StationFile<'_> {
     fn engineering(&self, parts: Parts) -> Option<Vec<Engineering>> {
         // Columns are read once each, so that each problem is reported once.
         let mut known = Vec::new();
-        let asked = [(&STIFFNESS[..], parts.stiffness), (&MASS[..], parts.mass)];
-        for (keys, _) in asked.into_iter().filter(|part| part.1) {
+        let requested = [(&STIFFNESS[..], parts.stiffness), (&MASS[..], parts.mass)];
+        for (keys, _) in requested.into_iter().filter(|part| part.1) {
             let read = |&(key, dimension)| (key, self.numbers(key, dimension));
             known.extend(keys.iter().map(read));
         }
@@ -200,7 +204,7 @@ impl StationFile<'_> {
             known.push((key, self.optional(key, Dimension::ANGLE)));
         }
         let of_row = |row| engineering::read(&OfRow { known: &known, row }, parts);
-        (0..self.columns.places().len()).map(of_row).collect()
+        (0..self.columns.locations().len()).map(of_row).collect()
     }
 }
 

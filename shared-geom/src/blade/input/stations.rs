@@ -6,22 +6,26 @@ use super::engineering::{self, Numbers, Parts};
 use super::frame::{self, Frame};
 use super::matrix::{self, Kind};
 use super::problem::InputProblem;
-use super::seat::{Given, Seat, either, note_foreign, seated};
+use super::station_axes::{Settings, StationAxes, either, moved, note_foreign};
 use super::{Placed, Sources, station_file};
 use crate::blade::{CurvedStation, Station};
 use crate::document::Table;
-use crate::error::Place;
+use crate::error::SourceLocation;
 use crate::section::{self, Damping, SectionProperties};
 use crate::units::Dimension;
 
 /// Reads all stations.
-pub(super) fn read(root: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<Vec<Placed>> {
+pub(super) fn read(
+    root: &Table<'_>,
+    settings: &Settings<'_>,
+    sources: &Sources,
+) -> Option<Vec<Placed>> {
     match (root.has("stations"), root.has("station")) {
-        (true, false) => station_file::read(&root.table("stations")?, given, sources),
+        (true, false) => station_file::read(&root.table("stations")?, settings, sources),
         (false, true) => {
             let tables = root.tables("station");
             let read = tables.iter().map(|table| {
-                let station = in_place(table, given, sources);
+                let station = in_place(table, settings, sources);
                 table.finish();
                 station
             });
@@ -50,18 +54,18 @@ pub(super) fn read(root: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Op
 }
 
 /// A `[[station]]`.
-fn in_place(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<Placed> {
+fn in_place(table: &Table<'_>, settings: &Settings<'_>, sources: &Sources) -> Option<Placed> {
     let arc_length = match either(table, |key| table.has(key), "arc_length", "eta") {
         Some(true) => table.quantity("arc_length", Dimension::LENGTH),
         Some(false) => {
             let eta = table.quantity("eta", Dimension::NUMBER);
-            eta.and_then(|eta| Some(eta * given.length?))
+            eta.and_then(|eta| Some(eta * settings.length?))
         }
         None => None,
     };
     let point = match table.has("reference_point") {
-        true => frame::point(table, "reference_point", given.frame),
-        false => given.reference_point,
+        true => frame::point(table, "reference_point", settings.frame),
+        false => settings.reference_point,
     };
     let angle = match table.has("angle") {
         true => table.quantity("angle", Dimension::ANGLE),
@@ -69,17 +73,17 @@ fn in_place(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<P
     };
     let matrices = match table.has("file") {
         true => of_section(table, sources).map(Matrices::Section),
-        false => in_table(table, given).map(|(k, m)| Matrices::Written(Box::new([k, m]))),
+        false => in_table(table, settings).map(|(k, m)| Matrices::Written(Box::new([k, m]))),
     };
     let matrices = matrices?;
-    let seat = Seat {
+    let axes = StationAxes {
         arc_length: arc_length?,
         point: point?,
-        angle: given.frame?.twist(angle?),
+        angle: settings.frame?.twist(angle?),
     };
     let curved = match &matrices {
         Matrices::Section((file, section)) => {
-            CurvedStation::of(file, section, seat.point, seat.angle)
+            CurvedStation::of(file, section, axes.point, axes.angle)
         }
         Matrices::Written(_) => None,
     };
@@ -94,16 +98,16 @@ fn in_place(table: &Table<'_>, given: &Given<'_>, sources: &Sources) -> Option<P
     };
     let damping = match damping {
         Some(Damping::Viscous(matrix)) => {
-            Some(Damping::Viscous(seated(&(matrix * c), &seat, given)?))
+            Some(Damping::Viscous(moved(&(matrix * c), &axes, settings)?))
         }
         other => other,
     };
     Some(Placed {
-        place: Place::line(table.document().file(), table.line()),
+        location: SourceLocation::line(table.document().file(), table.line()),
         station: Station {
-            arc_length: seat.arc_length,
-            stiffness: seated(&(stiffness * c), &seat, given)?,
-            mass: seated(&(mass / c), &seat, given)?,
+            arc_length: axes.arc_length,
+            stiffness: moved(&(stiffness * c), &axes, settings)?,
+            mass: moved(&(mass / c), &axes, settings)?,
         },
         damping,
         curved,
@@ -140,16 +144,16 @@ fn of_section(table: &Table<'_>, sources: &Sources) -> Option<(String, Box<Secti
 }
 
 /// Matrices or engineering properties of a table.
-fn in_table(table: &Table<'_>, given: &Given<'_>) -> Option<(Matrix6<f64>, Matrix6<f64>)> {
+fn in_table(table: &Table<'_>, settings: &Settings<'_>) -> Option<(Matrix6<f64>, Matrix6<f64>)> {
     let parts = Parts {
         stiffness: !table.has("stiffness"),
         mass: !table.has("mass"),
     };
-    let is_ours = note_foreign(table, parts, given);
+    let is_ours = note_foreign(table, parts, settings);
     let engineering = engineering::read(&InTable(table), parts);
-    let of = |kind: Kind, asked: bool| match asked {
+    let of = |kind: Kind, requested: bool| match requested {
         true => Some(Matrix6::zeros()),
-        false => matrix::read(table, kind, given.frame),
+        false => matrix::read(table, kind, settings.frame),
     };
     let stiffness = of(Kind::Stiffness, parts.stiffness);
     let mass = of(Kind::Mass, parts.mass);

@@ -45,15 +45,15 @@ fn wind_blades_have_their_published_masses_and_lengths() {
 // With ballast (TM 4760) and with carbon spars (IEA 15 MW): weights are distinguished
 // from masses in both.
 #[test]
-fn weights_are_told_from_masses_of_real_blades() {
+fn weights_are_distinguished_from_masses_of_real_blades() {
     for name in ["nrel5mw", "iea15", "tm4760"] {
         let mut blade = case(name).blade;
         for station in &mut blade.stations {
             station.mass *= 9.80665;
         }
         let remarks = blade.remarks();
-        let is_told = remarks.iter().any(|remark| remark.contains("weight (N/m)"));
-        assert!(is_told, "{name}: {remarks:?}");
+        let is_reported = remarks.iter().any(|remark| remark.contains("weight (N/m)"));
+        assert!(is_reported, "{name}: {remarks:?}");
     }
 }
 
@@ -185,15 +185,15 @@ fn a_blade_is_the_same_from_every_frame() {
     ));
     assert_eq!(ours.stations[0].stiffness, k);
     assert_eq!(ours.reference_point, Vector2::new(0.2, 0.1));
-    for (frame, line, point, places) in WRITTEN {
+    for (frame, line, point, indices) in WRITTEN {
         // In the second line, an axis points against our y: the components along and
         // about it, shear y and bending y, have the other sign.
-        let sign = |place: usize| match (line, places[place]) {
+        let sign = |index: usize| match (line, indices[index]) {
             (1, 1 | 4) => -1.0,
             _ => 1.0,
         };
         let theirs = |matrix: &Matrix6<f64>| {
-            Matrix6::from_fn(|i, j| sign(i) * sign(j) * matrix[(places[i], places[j])])
+            Matrix6::from_fn(|i, j| sign(i) * sign(j) * matrix[(indices[i], indices[j])])
         };
         let frame = format!("frame = {frame}");
         let (k, m) = (upper(&theirs(&k)), rows(&theirs(&m)));
@@ -263,7 +263,7 @@ fn engineering_properties_give_matrices() {
 
 // Three equivalent ways: a separate reference point, separate axes, both.
 #[test]
-fn a_station_may_stand_elsewhere() {
+fn a_station_may_be_elsewhere() {
     let text = |point: &str, angle: &str, k: &Matrix6<f64>, m: &Matrix6<f64>| {
         let station = format!(
             "[[station]]\narc_length = 0\nreference_point = {point}\nangle = {angle}\n\

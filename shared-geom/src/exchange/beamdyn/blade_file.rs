@@ -176,7 +176,7 @@ fn stations(body: &[Line<'_>], total: usize, problems: &mut Problems) -> (Vec<Ro
         let eta = head.numbers::<1>(&format!("position eta of station {number}"), problems);
         let matrices = matrices(block, head, number, next.is_none(), problems);
         if let (Some([eta]), Some((stiffness, mass))) = (eta, matrices) {
-            check_place(eta, head.number, number, rows.last(), problems);
+            check_position(eta, head.number, number, rows.last(), problems);
             rows.push((eta, stiffness, mass));
             lines.push(head.number);
         }
@@ -217,7 +217,13 @@ fn matrices(
 }
 
 /// Notes a position before the previous one or off the blade.
-fn check_place(eta: f64, line: usize, number: usize, last: Option<&Row>, problems: &mut Problems) {
+fn check_position(
+    eta: f64,
+    line: usize,
+    number: usize,
+    last: Option<&Row>,
+    problems: &mut Problems,
+) {
     let what = format!("position eta of station {number}");
     if !(0.0..=1.0).contains(&eta) {
         let problem = ExchangeProblem::Other {

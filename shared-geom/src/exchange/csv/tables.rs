@@ -6,7 +6,7 @@ use nalgebra::{Matrix6, Vector2, Vector3};
 
 use crate::blade::{CurvedStation, Station};
 use crate::document::read_text;
-use crate::error::{Diagnostics, Place, nearest_name};
+use crate::error::{Diagnostics, SourceLocation, nearest_name};
 use crate::exchange::frame::Convention;
 use crate::exchange::problem::{ExchangeProblem, Problems};
 use crate::exchange::text::{Line, from_upper, not_a_number, number};
@@ -95,12 +95,13 @@ impl<'a> Tables<'a> {
     }
 
     /// Location of each station.
-    pub fn places(&self, file: &Path) -> Vec<Place> {
+    pub fn locations(&self, file: &Path) -> Vec<SourceLocation> {
         let lines = self.stations.as_ref().or(self.sections.as_ref());
         // The first line has the names of the columns.
         let rows = lines.into_iter().flatten().skip(1);
         let file = file.display().to_string();
-        rows.map(|line| Place::line(&file, line.number)).collect()
+        rows.map(|line| SourceLocation::line(&file, line.number))
+            .collect()
     }
 
     /// Notes another number of stations than the header states.
@@ -209,7 +210,7 @@ fn body<'t, 'a>(
             .iter()
             .zip(names)
             .position(|(found, name)| found != name);
-        let place = differs.unwrap_or(found.len().min(names.len()));
+        let position = differs.unwrap_or(found.len().min(names.len()));
         problems.push(
             head.number,
             &ExchangeProblem::Other {
@@ -217,13 +218,13 @@ fn body<'t, 'a>(
                 found: format!(
                     "{}, of which number {} is \"{}\"",
                     found.len(),
-                    place + 1,
-                    found.get(place).unwrap_or(&"missing")
+                    position + 1,
+                    found.get(position).unwrap_or(&"missing")
                 ),
                 expected: format!(
                     "{}, with \"{}\" there",
                     names.len(),
-                    names.get(place).map_or("none", String::as_str)
+                    names.get(position).map_or("none", String::as_str)
                 ),
                 help: format!("the columns are {}", names.join(",")),
             },
@@ -235,7 +236,7 @@ fn body<'t, 'a>(
 
 /// Notes an arc length below the previous station.
 fn check_order(
-    place: f64,
+    position: f64,
     line: &Line<'_>,
     number: usize,
     last: Option<&Station>,
@@ -243,9 +244,9 @@ fn check_order(
 ) {
     if let Some(before) = last
         .map(|last| last.arc_length)
-        .filter(|&before| before > place)
+        .filter(|&before| before > position)
     {
-        let (what, found) = (format!("arc length s of station {number}"), place);
+        let (what, found) = (format!("arc length s of station {number}"), position);
         let problem = ExchangeProblem::Order {
             what,
             found,
@@ -291,7 +292,7 @@ fn sections(
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut stations: Vec<CsvStation> = Vec::new();
     for (i, line) in rows.iter().enumerate() {
-        let Some((place, name)) = line.text.split_once(',') else {
+        let Some((position, name)) = line.text.split_once(',') else {
             let (what, expected, found) = (format!("section {}", i + 1), 2, 1);
             let problem = ExchangeProblem::Count {
                 what,
@@ -302,8 +303,8 @@ fn sections(
             problems.push(line.number, &problem);
             continue;
         };
-        let Some(arc_length) = number(place.trim()) else {
-            problems.push(line.number, &not_a_number("arc length s", place.trim()));
+        let Some(arc_length) = number(position.trim()) else {
+            problems.push(line.number, &not_a_number("arc length s", position.trim()));
             continue;
         };
         let last = stations.last().map(|last| &last.0);

@@ -41,8 +41,8 @@ pub(in crate::exchange) fn write_index(blade: &Blade, index: &[(f64, String)]) -
     count(index.len(), &mut text);
     line(blade, &mut text);
     text.push_str("table,sections\ns,file\n");
-    for (place, file) in index {
-        text.push_str(&format!("{},{file}\n", digits(*place).trim()));
+    for (position, file) in index {
+        text.push_str(&format!("{},{file}\n", digits(*position).trim()));
     }
     text
 }

@@ -66,7 +66,7 @@ pub(super) fn parse(text: &str, problems: &mut Problems) -> Option<Table> {
         return None;
     };
     let columns: Vec<_> = all[head].words().collect();
-    let places = needed(&all[head], &columns, problems);
+    let positions = needed(&all[head], &columns, problems);
     // Names are followed by units.
     let body = all.get(head + 2..).unwrap_or_default();
     let found = numbers(body, total?, columns.len(), problems);
@@ -74,13 +74,13 @@ pub(super) fn parse(text: &str, problems: &mut Problems) -> Option<Table> {
         return None;
     };
     let factors = Factors { mass, flap, edge };
-    let (places, has_damping) = (places?, has_damping?);
+    let (positions, has_damping) = (positions?, has_damping?);
     let more = MORE.map(|name| {
-        let at = place(&columns, name)?;
+        let at = position(&columns, name)?;
         found.iter().any(|(_, row)| row[at] != 0.0).then_some(at)
     });
     remarks.extend(columns_remark(&columns, &found, more));
-    let row = |row: &[f64]| factors.row(places.map(|at| row[at]), more.map(|at| Some(row[at?])));
+    let row = |row: &[f64]| factors.row(positions.map(|at| row[at]), more.map(|at| Some(row[at?])));
     Some(Table {
         rows: found.iter().map(|(_, numbers)| row(numbers)).collect(),
         lines: found.iter().map(|(line, _)| *line).collect(),
@@ -174,7 +174,7 @@ fn missing_table() -> ExchangeProblem {
 }
 
 /// Index of a column.
-fn place(columns: &[&str], name: &str) -> Option<usize> {
+fn position(columns: &[&str], name: &str) -> Option<usize> {
     columns
         .iter()
         .position(|column| column.eq_ignore_ascii_case(name))
@@ -182,11 +182,11 @@ fn place(columns: &[&str], name: &str) -> Option<usize> {
 
 /// Indices of the needed columns; notes missing ones.
 fn needed(line: &Line<'_>, columns: &[&str], problems: &mut Problems) -> Option<[usize; 5]> {
-    let places = NEEDED.map(|name| place(columns, name));
+    let positions = NEEDED.map(|name| position(columns, name));
     for (name, _) in NEEDED
         .iter()
-        .zip(places)
-        .filter(|(_, place)| place.is_none())
+        .zip(positions)
+        .filter(|(_, position)| position.is_none())
     {
         problems.push(
             line.number,
@@ -197,8 +197,8 @@ fn needed(line: &Line<'_>, columns: &[&str], problems: &mut Problems) -> Option<
         );
     }
     let mut all = [0; 5];
-    for (at, place) in all.iter_mut().zip(places) {
-        *at = place?;
+    for (at, position) in all.iter_mut().zip(positions) {
+        *at = position?;
     }
     Some(all)
 }

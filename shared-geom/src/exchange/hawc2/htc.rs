@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::document::read_text;
-use crate::error::{Place, nearest_name};
+use crate::error::{SourceLocation, nearest_name};
 use crate::exchange::problem::{ExchangeProblem, Problems, shortened};
 use crate::exchange::text::{Line, lines, not_a_number, number};
 
@@ -34,8 +34,8 @@ impl Named {
         let paths = [Some(self.by.clone()), self.by.canonicalize().ok()];
         let folders = paths.iter().flatten();
         let folders = folders.flat_map(|path| path.ancestors().skip(1).take(3));
-        let mut places = folders.map(|folder| folder.join(&name));
-        places.find(|place| place.is_file())
+        let mut candidates = folders.map(|folder| folder.join(&name));
+        candidates.find(|candidate| candidate.is_file())
     }
 
     /// The problem that the file does not exist; `what` describes it.
@@ -180,7 +180,7 @@ struct Reader {
     blocks: Vec<(String, PathBuf, usize)>,
     bodies: Vec<Body>,
     /// Statements outside of all blocks, and their locations.
-    outside: Vec<(String, Place)>,
+    outside: Vec<(String, SourceLocation)>,
     is_wrong: bool,
 }
 
@@ -267,7 +267,7 @@ impl Reader {
     fn outside(&self) -> Option<String> {
         let shown = self.outside.iter().take(OUTSIDE_SHOWN);
         let shown: Vec<_> = shown
-            .map(|(key, place)| format!("\"{}\" ({place})", shortened(key)))
+            .map(|(key, location)| format!("\"{}\" ({location})", shortened(key)))
             .collect();
         let more = match self.outside.len() - shown.len() {
             0 => String::new(),
@@ -327,8 +327,8 @@ impl Reader {
     ) -> Option<()> {
         let file = self.files.last().cloned().unwrap_or_default();
         let Some((block, ..)) = self.blocks.last() else {
-            let place = Place::line(file.display().to_string(), line.number);
-            self.outside.push((key.to_owned(), place));
+            let location = SourceLocation::line(file.display().to_string(), line.number);
+            self.outside.push((key.to_owned(), location));
             return Some(());
         };
         let block = block.as_str();

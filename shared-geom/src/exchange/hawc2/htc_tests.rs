@@ -27,7 +27,7 @@ fn read(files: &[(&str, &str)]) -> Result<Reading, Diagnostics> {
     Ok(reading)
 }
 
-fn told(files: &[(&str, &str)]) -> String {
+fn reported(files: &[(&str, &str)]) -> String {
     read(files).unwrap_err().to_string()
 }
 
@@ -61,11 +61,11 @@ fn exit_ends_the_file() {
     );
     // Within a block the block has no end.
     let text = HTC.replacen("end main_body;", "exit;\nend main_body;", 1);
-    assert!(told(&[("a.htc", &text)]).contains("ends within the block \"main_body\""));
+    assert!(reported(&[("a.htc", &text)]).contains("ends within the block \"main_body\""));
 }
 
 #[test]
-fn statements_outside_of_all_blocks_are_told_and_skipped() {
+fn statements_outside_of_all_blocks_are_reported_and_skipped() {
     let expected = plain(&read(&[("a.htc", HTC)]).unwrap());
     let text = format!("version 3 ;\n{HTC}sec 28 0 0 90 0 ;\na ;\nb ;\n");
     let reading = read(&[("a.htc", &text)]).unwrap();
@@ -88,7 +88,7 @@ fn statements_outside_of_all_blocks_are_told_and_skipped() {
 // At the top, in a block, from a folder below that names its st file from the folder
 // above, and a file that only includes the others.
 #[test]
-fn continue_in_file_goes_on_there_and_comes_back() {
+fn continue_in_file_continues_there_and_comes_back() {
     let expected = plain(&read(&[("a.htc", HTC)]).unwrap());
     let [head, line, tail] = parts();
     let again = |files: &[(&str, &str)]| assert_eq!(plain(&read(files).unwrap()), expected);
@@ -106,22 +106,22 @@ fn continue_in_file_goes_on_there_and_comes_back() {
 }
 
 #[test]
-fn what_is_wrong_in_another_file_is_told_there() {
+fn what_is_wrong_in_another_file_is_reported_there() {
     let [head, line, tail] = parts();
     let text = format!("{head}continue_in_file b.htc ;\n{tail}");
     let slip = line.replacen("sec 3 ", "sec 3 x ", 1);
-    let shown = told(&[("a.htc", &text), ("b.htc", &slip)]);
+    let shown = reported(&[("a.htc", &text), ("b.htc", &slip)]);
     assert!(
         shown.contains("b.htc:5: the statement sec: expected a finite number"),
         "{shown}"
     );
     let short = line.replacen("nsec 27", "nsec 28", 1);
-    let shown = told(&[("a.htc", &text), ("b.htc", &short)]);
+    let shown = reported(&[("a.htc", &text), ("b.htc", &short)]);
     assert!(
         shown.contains("b.htc:2: the file ends within c2_def"),
         "{shown}"
     );
-    let shown = told(&[("a.htc", &text)]);
+    let shown = reported(&[("a.htc", &text)]);
     assert!(
         shown.contains("a.htc:15: the file of continue_in_file: found no file \"b.htc\""),
         "{shown}"
@@ -131,13 +131,13 @@ fn what_is_wrong_in_another_file_is_told_there() {
 // A file that includes itself, directly or by another; files that multiply.
 #[test]
 fn files_that_lead_back_to_themselves_are_refused() {
-    let shown = told(&[("a.htc", &format!("{HTC}continue_in_file ./a.htc ;\n"))]);
+    let shown = reported(&[("a.htc", &format!("{HTC}continue_in_file ./a.htc ;\n"))]);
     assert!(
         shown.contains("a.htc:51: ") && shown.contains("is being read"),
         "{shown}"
     );
     let to = |name: &str| format!("continue_in_file {name} ;\n");
-    let shown = told(&[("a.htc", &to("b.htc")), ("b.htc", &to("a.htc"))]);
+    let shown = reported(&[("a.htc", &to("b.htc")), ("b.htc", &to("a.htc"))]);
     assert!(
         shown.contains("b.htc:1: ") && shown.contains("is being read"),
         "{shown}"
@@ -152,7 +152,7 @@ fn files_that_lead_back_to_themselves_are_refused() {
         .collect();
     let first = to("b0.htc");
     files.extend([("a.htc", first.as_str()), ("b19.htc", HTC)]);
-    assert!(told(&files).contains("more than 100 files"));
+    assert!(reported(&files).contains("more than 100 files"));
 }
 
 // The meaning of this damping is not public: its numbers are shown, not used.
@@ -165,12 +165,12 @@ fn damping_that_is_not_converted_is_remarked_with_its_numbers() {
     let other = "damping_aniso_v2 0 0 0 4.4e-3 6.5e-4 2.5e-4 ;";
     let reading = read(&[("a.htc", &HTC.replace(line, other))]).unwrap();
     assert!(reading.has_other_damping && reading.blade.damping.is_none());
-    let told = "\"damping_aniso_v2 0 0 0 4.4e-3 6.5e-4 2.5e-4\" is not read";
+    let reported = "\"damping_aniso_v2 0 0 0 4.4e-3 6.5e-4 2.5e-4\" is not read";
     assert!(
         reading
             .remarks
             .iter()
-            .any(|remark| remark.starts_with(told)),
+            .any(|remark| remark.starts_with(reported)),
         "{:?}",
         reading.remarks
     );

@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix6;
 
-use super::section::{Classic, Inertia, Place, difference};
+use super::section::{Classic, Inertia, PrincipalAxes, difference};
 use crate::blade::{Blade, BladeDamping, Station};
 use crate::exchange::frame::Convention;
 use crate::exchange::plain::Plain;
@@ -47,8 +47,8 @@ fn greatest(sizes: impl Iterator<Item = (f64, f64)>) -> Option<(f64, f64)> {
 fn mass(plain: &Plain) -> Option<String> {
     let sizes = plain.stations.iter().map(|station| {
         let (k, m) = matrices(station);
-        let place = Place::of(&k);
-        let (back, _) = Inertia::of(&m, place).matrix(place);
+        let axes = PrincipalAxes::of(&k);
+        let (back, _) = Inertia::of(&m, axes).matrix(axes);
         (difference(&back, &m), station.arc_length)
     });
     let (size, s) = greatest(sizes)?;
@@ -61,9 +61,9 @@ fn mass(plain: &Plain) -> Option<String> {
 fn classic(plain: &Plain) -> Option<String> {
     let sizes = plain.stations.iter().map(|station| {
         let (k, _) = matrices(station);
-        let place = Place::of(&k);
-        let own = place.into_principal(&k);
-        let back = place.into_principal(&Classic::of(&k, place).matrix(place));
+        let axes = PrincipalAxes::of(&k);
+        let own = axes.into_principal(&k);
+        let back = axes.into_principal(&Classic::of(&k, axes).matrix(axes));
         (difference(&back, &own), station.arc_length)
     });
     let (size, s) = greatest(sizes)?;
@@ -78,15 +78,15 @@ fn between(plain: &Plain) -> Option<String> {
     let sizes = plain.stations.windows(2).map(|two| {
         let rows = [&two[0], &two[1]].map(|station| {
             let (k, _) = matrices(station);
-            let place = Place::of(&k);
-            (place, place.into_principal(&k), k)
+            let axes = PrincipalAxes::of(&k);
+            (axes, axes.into_principal(&k), k)
         });
         let [a, b] = rows;
-        let place = Place {
+        let axes = PrincipalAxes {
             elastic: 0.5 * (a.0.elastic + b.0.elastic),
             pitch: 0.5 * (a.0.pitch + b.0.pitch),
         };
-        let expected = place.into_principal(&(0.5 * (a.2 + b.2)));
+        let expected = axes.into_principal(&(0.5 * (a.2 + b.2)));
         let size = difference(&(0.5 * (a.1 + b.1)), &expected);
         (size, 0.5 * (two[0].arc_length + two[1].arc_length))
     });

@@ -39,7 +39,7 @@ const ROUND: f64 = 1e-6;
 
 /// Reference point and axes of the properties of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
+pub(super) struct PrincipalAxes {
     /// Elastic center [m].
     pub elastic: Vector2<f64>,
     /// Angle of the principal axes [rad].
@@ -72,7 +72,7 @@ pub(super) struct Classic {
     pub shear_center: Vector2<f64>,
 }
 
-impl Place {
+impl PrincipalAxes {
     /// Elastic center and principal axes of a stiffness in HAWC2's axes.
     ///
     /// The first axis is the one that lies nearest to the x axis.
@@ -111,10 +111,10 @@ impl Place {
 
 impl Inertia {
     /// The row's numbers for a mass matrix about the line.
-    pub fn of(matrix: &Matrix6<f64>, place: Place) -> Self {
+    pub fn of(matrix: &Matrix6<f64>, axes: PrincipalAxes) -> Self {
         let mass = matrix[(2, 2)];
         let part = |value: f64| if mass > 0.0 { value / mass } else { 0.0 };
-        let about = place.into_principal(matrix);
+        let about = axes.into_principal(matrix);
         let radius = |i: usize| part(about[(i, i)]).max(0.0).sqrt();
         Self {
             mass,
@@ -129,8 +129,8 @@ impl Inertia {
     /// ```text
     /// I_x = m (ri_x^2 - g_y^2)     I_y = m (ri_y^2 - g_x^2)     g from elastic to mass center
     /// ```
-    pub fn matrix(&self, place: Place) -> (Matrix6<f64>, bool) {
-        let g = about_z(place.pitch).tr_mul(&flat(self.center - place.elastic));
+    pub fn matrix(&self, axes: PrincipalAxes) -> (Matrix6<f64>, bool) {
+        let g = about_z(axes.pitch).tr_mul(&flat(self.center - axes.elastic));
         let squares = self.radii.component_mul(&self.radii);
         let own = Vector2::new(squares.x - g.y * g.y, squares.y - g.x * g.x);
         // A thin slice has no moment about its length: allows for round-off.
@@ -139,21 +139,21 @@ impl Inertia {
         let m = self.mass;
         let diagonal = [m, m, m, m * x, m * y, m * (x + y)];
         let own = Matrix6::from_diagonal(&diagonal.into());
-        (place.to_line_from(&own, self.center), too_small)
+        (axes.to_line_from(&own, self.center), too_small)
     }
 }
 
 impl Classic {
     /// The classic row's numbers for a stiffness.
-    pub fn of(k: &Matrix6<f64>, place: Place) -> Self {
+    pub fn of(k: &Matrix6<f64>, axes: PrincipalAxes) -> Self {
         let blocks = Blocks::of(k);
         let center = blocks.as_ref().map_or(Vector2::zeros(), |blocks| {
             let y = &blocks.centers;
             Vector2::new(-y[(1, 2)], y[(0, 2)])
         });
-        let principal = place.into_principal(k);
+        let principal = axes.into_principal(k);
         let free = blocks.map_or(Matrix3::zeros(), |blocks| {
-            about_z(place.pitch).tr_mul(&blocks.free) * about_z(place.pitch)
+            about_z(axes.pitch).tr_mul(&blocks.free) * about_z(axes.pitch)
         });
         Self {
             axial: principal[(2, 2)],
@@ -165,14 +165,14 @@ impl Classic {
     }
 
     /// The stiffness about the line.
-    pub fn matrix(&self, place: Place) -> Matrix6<f64> {
+    pub fn matrix(&self, axes: PrincipalAxes) -> Matrix6<f64> {
         let (bending, shear) = (self.bending, self.shear);
         let at_elastic = [0.0, 0.0, self.axial, bending.x, bending.y, 0.0];
         let at_shear = [shear.x, shear.y, 0.0, 0.0, 0.0, self.torsion];
         let at = |diagonal: [f64; 6], point| {
-            place.to_line_from(&Matrix6::from_diagonal(&diagonal.into()), point)
+            axes.to_line_from(&Matrix6::from_diagonal(&diagonal.into()), point)
         };
-        at(at_elastic, place.elastic) + at(at_shear, self.shear_center)
+        at(at_elastic, axes.elastic) + at(at_shear, self.shear_center)
     }
 }
 
@@ -293,35 +293,35 @@ mod tests {
         for degrees in [0.0, 20.0, -35.0, 44.0_f64] {
             let (angle, center) = (degrees.to_radians(), Vector2::new(0.15, -0.04));
             let (k, m) = placed(angle, center);
-            let place = Place::of(&k);
-            assert!((place.pitch - angle).abs() < 1e-12, "{degrees}");
-            assert!((place.elastic - center).amax() < 1e-14);
-            let row = place.into_principal(&k);
+            let axes = PrincipalAxes::of(&k);
+            assert!((axes.pitch - angle).abs() < 1e-12, "{degrees}");
+            assert!((axes.elastic - center).amax() < 1e-14);
+            let row = axes.into_principal(&k);
             assert!(difference(&row, &own) < 1e-12, "{row:e}");
             assert!(row[(4, 4)] > 10.0 * row[(3, 3)]);
-            assert!(difference(&place.to_line(&row), &k) < 1e-14);
+            assert!(difference(&axes.to_line(&row), &k) < 1e-14);
             // the wrong sign of the angle gives another section
             if degrees != 0.0 {
-                let wrong = Place {
-                    pitch: -place.pitch,
-                    ..place
+                let wrong = PrincipalAxes {
+                    pitch: -axes.pitch,
+                    ..axes
                 };
                 assert!(difference(&wrong.to_line(&row), &k) > 0.1);
             }
 
-            let inertia = Inertia::of(&m, place);
+            let inertia = Inertia::of(&m, axes);
             assert!((inertia.mass - own_mass[(0, 0)]).abs() < 1e-11);
             assert!((inertia.center - center).amax() < 1e-14);
             // radii of a rectangle: h/sqrt(12), b/sqrt(12)
             let radii = Vector2::new(THICK, WIDE) / 12.0_f64.sqrt();
             assert!((inertia.radii - radii).amax() < 1e-13);
-            let (back, too_small) = inertia.matrix(place);
+            let (back, too_small) = inertia.matrix(axes);
             assert!(difference(&back, &m) < 1e-12 && !too_small);
 
-            let classic = Classic::of(&k, place);
+            let classic = Classic::of(&k, axes);
             assert!((classic.axial / own[(2, 2)] - 1.0).abs() < 1e-14);
             assert!((classic.shear_center - center).amax() < 1e-13);
-            assert!(difference(&classic.matrix(place), &k) < 1e-11);
+            assert!(difference(&classic.matrix(axes), &k) < 1e-11);
         }
     }
 
@@ -332,21 +332,21 @@ mod tests {
         for _ in 0..200 {
             let a = Matrix6::from_fn(|_, _| samples.scalar());
             let k = 1e8 * (a * a.transpose() + 0.2 * Matrix6::identity());
-            let place = Place::of(&k);
-            assert!(place.pitch.abs() <= std::f64::consts::FRAC_PI_4 + 1e-12);
-            let row = place.into_principal(&k);
+            let axes = PrincipalAxes::of(&k);
+            assert!(axes.pitch.abs() <= std::f64::consts::FRAC_PI_4 + 1e-12);
+            let row = axes.into_principal(&k);
             // Forces at the elastic center do not bend: Y is zero there.
-            let again = Place::of(&row);
+            let again = PrincipalAxes::of(&row);
             assert!(again.elastic.amax() < 1e-10 && again.pitch.abs() < 1e-6);
-            assert!(difference(&place.to_line(&row), &k) < 1e-12);
+            assert!(difference(&axes.to_line(&row), &k) < 1e-12);
         }
     }
 
     // Mass center off the elastic center: the radii are about the elastic center, so that
     // a point mass has its distances as radii, and none about itself.
     #[test]
-    fn radii_stand_about_the_elastic_center() {
-        let place = Place {
+    fn radii_are_about_the_elastic_center() {
+        let axes = PrincipalAxes {
             elastic: Vector2::new(0.3, 0.1),
             pitch: 0.4,
         };
@@ -354,19 +354,19 @@ mod tests {
         let mut point = Matrix6::zeros();
         point.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(m);
         let about_line = wrench::shift(&point, &flat(-center));
-        let inertia = Inertia::of(&about_line, place);
+        let inertia = Inertia::of(&about_line, axes);
         let (s, c) = 0.4_f64.sin_cos();
         let (dx, dy) = (-0.2, 0.15);
         let g = Vector2::new(c * dx + s * dy, -s * dx + c * dy);
         let radii = Vector2::new(g.y.abs(), g.x.abs());
         assert!((inertia.radii - radii).amax() < 1e-14);
-        let (back, too_small) = inertia.matrix(place);
+        let (back, too_small) = inertia.matrix(axes);
         assert!((back - about_line).amax() < 1e-14 && !too_small);
         let short = Inertia {
             radii: 0.9 * inertia.radii,
             ..inertia
         };
-        assert!(short.matrix(place).1);
+        assert!(short.matrix(axes).1);
     }
 
     // A round root has no principal axes: the angle is zero, for any last digits.
@@ -375,6 +375,6 @@ mod tests {
         let mut k = Matrix6::from_diagonal(&[3.0, 3.0, 9.0, 5.0, 5.0, 4.0].into());
         k[(3, 4)] = 1e-9;
         k[(4, 3)] = 1e-9;
-        assert_eq!(Place::of(&k).pitch, 0.0);
+        assert_eq!(PrincipalAxes::of(&k).pitch, 0.0);
     }
 }

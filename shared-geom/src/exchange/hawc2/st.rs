@@ -192,7 +192,7 @@ fn columns(
         .iter()
         .take_while(|word| number(word).is_some())
         .count();
-    let told: &[&str] = match words.len() {
+    let reported: &[&str] = match words.len() {
         count if count >= FULL.len() => &FULL,
         _ if numbers <= CLASSIC.len() => &CLASSIC,
         _ => {
@@ -209,7 +209,7 @@ fn columns(
         }
     };
     match is_full {
-        Some(full) if full != (told.len() == FULL.len()) => {
+        Some(full) if full != (reported.len() == FULL.len()) => {
             let (stated, expected) = match full {
                 true => ("FPM 1", FULL.len()),
                 false => ("no FPM 1", CLASSIC.len()),
@@ -228,7 +228,7 @@ fn columns(
             );
             None
         }
-        _ => Some(told),
+        _ => Some(reported),
     }
 }
 

@@ -61,7 +61,7 @@ fn pitch_of_the_iea15_has_the_sign_of_its_beamdyn_matrices() {
             (coupling(&ours, 0, 1) - coupling(&theirs, 0, 1)).abs() < 0.06,
             "{part}"
         );
-        let about = |k: &Matrix6<f64>| Place::of(k).pitch;
+        let about = |k: &Matrix6<f64>| PrincipalAxes::of(k).pitch;
         assert!(about(&ours) < 0.0 && about(&theirs) < 0.0);
     }
     // EA, and flap and edge stiffness at their centers, agree within the differences of
@@ -70,8 +70,8 @@ fn pitch_of_the_iea15_has_the_sign_of_its_beamdyn_matrices() {
         let ours = k_between(&hawc2, part * hawc2.length());
         let theirs = k_between(&windio, part * windio.length());
         for i in [2, 3, 4] {
-            let ratio = Place::of(&ours).into_principal(&ours)[(i, i)]
-                / Place::of(&theirs).into_principal(&theirs)[(i, i)];
+            let ratio = PrincipalAxes::of(&ours).into_principal(&ours)[(i, i)]
+                / PrincipalAxes::of(&theirs).into_principal(&theirs)[(i, i)];
             assert!((0.55..1.8).contains(&ratio), "{part} {i}: {ratio}");
         }
     }
@@ -184,7 +184,7 @@ fn classic_rows_come_back() {
 // Full matrices, twist, prebend and sweep: K to 1e-12 after the round trip; the mass
 // except for its product of inertia, which is reported with its size.
 #[test]
-fn a_full_blade_comes_back_but_for_what_is_told() {
+fn a_full_blade_comes_back_but_for_what_is_reported() {
     let mut sample = blade();
     sample.damping = None;
     let reading = through(&sample, Format::Hawc2);
@@ -219,7 +219,7 @@ fn a_full_blade_comes_back_but_for_what_is_told() {
 // interpolated about the line. Half way between centers a apart, 1/4 EA a^2 of bending is
 // missing.
 #[test]
-fn the_course_between_rows_is_told_with_its_size() {
+fn the_course_between_rows_is_reported_with_its_size() {
     let mut plate = blade();
     plate.damping = None;
     let own = Matrix6::from_diagonal(&[9e8, 3e8, 3e8, 2e6, 1e6, 2e7].into());
@@ -259,16 +259,16 @@ fn a_blade_of_rectangles_loses_no_mass_or_stiffness() {
 #[test]
 fn damping_that_is_zero_is_not_lost() {
     let mut blade = blade();
-    let told = |blade: &Blade| {
+    let reported = |blade: &Blade| {
         let lost = write(blade, "b").lost;
         lost.iter().any(|what| what.starts_with("damping"))
     };
     blade.damping = Some(BladeDamping::Times([0.0, 0.0, 0.0, 1e-3, 2e-3, 3e-3]));
-    assert!(!told(&blade));
+    assert!(!reported(&blade));
     blade.damping = Some(BladeDamping::Proportional(0.0));
-    assert!(!told(&blade));
+    assert!(!reported(&blade));
     blade.damping = Some(BladeDamping::Proportional(1e-3));
-    assert!(told(&blade));
+    assert!(reported(&blade));
 }
 
 #[test]
@@ -319,7 +319,7 @@ fn assert_says(messages: &str, expected: &str) {
 }
 
 #[test]
-fn bad_st_files_are_told_with_line_and_remedy() {
+fn bad_st_files_are_reported_with_line_and_remedy() {
     let says = |from: &str, to: &str, expected: &str| assert_says(&st_messages(from, to), expected);
     says(
         "0.0 3176.5747016",
@@ -359,7 +359,7 @@ fn bad_st_files_are_told_with_line_and_remedy() {
 }
 
 #[test]
-fn bad_htc_files_are_told_with_line_and_remedy() {
+fn bad_htc_files_are_reported_with_line_and_remedy() {
     let says = |from: &str, to: &str, expected: &str| {
         assert!(HTC.contains(from), "\"{from}\" is in the file");
         let messages = body_blade(&HTC.replacen(from, to, 1), CLASSIC)
@@ -435,7 +435,7 @@ fn the_st_file_is_found_from_the_folders_above() {
 }
 
 #[test]
-fn rows_beyond_the_line_are_cut_and_told() {
+fn rows_beyond_the_line_are_cut_and_reported() {
     let longer = CLASSIC.replace("\n86.366 ", "\n100.0 ");
     assert_ne!(longer, CLASSIC);
     let reading = body_blade(HTC, &longer).unwrap();
@@ -454,16 +454,16 @@ fn rows_beyond_the_line_are_cut_and_told() {
 // A radius smaller than the distance of the centers: the moment is set to zero, with a
 // remark.
 #[test]
-fn radii_about_another_point_are_told() {
+fn radii_about_another_point_are_reported() {
     let second = FPM.lines().nth(7).unwrap();
     let mut words: Vec<_> = second.split(' ').collect();
     words[2] = "2.0";
     let reading = st_blade(&FPM.replace(second, &words.join(" ")));
-    let told = reading
+    let reported = reading
         .remarks
         .iter()
         .any(|remark| remark.contains("radii of gyration at 1 of 20"));
-    assert!(told, "{:?}", reading.remarks);
+    assert!(reported, "{:?}", reading.remarks);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use super::lost::{lost, matrices};
-use super::section::{Classic, Inertia, Place};
+use super::section::{Classic, Inertia, PrincipalAxes};
 use super::st;
 use crate::blade::{Blade, BladeDamping, Station};
 use crate::exchange::Writing;
@@ -78,8 +78,14 @@ fn htc(blade: &Blade, plain: &Plain, full: &str, classic: &str) -> String {
     );
     let axes = Convention::Hawc2.axes();
     for (i, point) in plain.points.iter().enumerate() {
-        let place = axes.tr_mul(&point.position);
-        let numbers = [place.x, place.y, place.z, point.twist.to_degrees()].map(digits);
+        let principal = axes.tr_mul(&point.position);
+        let numbers = [
+            principal.x,
+            principal.y,
+            principal.z,
+            point.twist.to_degrees(),
+        ]
+        .map(digits);
         let _ = writeln!(text, "      sec {} {} ;", i + 1, numbers.join(" "));
     }
     text += "    end c2_def ;\n  end main_body ;\nend new_htc_structure ;\n";
@@ -123,21 +129,21 @@ fn st_file(
 /// The row of 30 columns.
 fn full_row(station: &Station) -> [f64; 30] {
     let (k, m) = matrices(station);
-    let place = Place::of(&k);
-    let inertia = Inertia::of(&m, place);
+    let axes = PrincipalAxes::of(&k);
+    let inertia = Inertia::of(&m, axes);
     let mut row = [0.0; 30];
     row[..6].copy_from_slice(&mass_columns(station, &inertia));
-    row[6..9].copy_from_slice(&place_columns(place));
-    row[9..].copy_from_slice(&upper(&place.into_principal(&k)));
+    row[6..9].copy_from_slice(&position_columns(axes));
+    row[9..].copy_from_slice(&upper(&axes.into_principal(&k)));
     row
 }
 
 /// The row of 19 columns.
 fn classic_row(station: &Station) -> [f64; 19] {
     let (k, m) = matrices(station);
-    let place = Place::of(&k);
-    let inertia = Inertia::of(&m, place);
-    let classic = Classic::of(&k, place);
+    let axes = PrincipalAxes::of(&k);
+    let inertia = Inertia::of(&m, axes);
+    let classic = Classic::of(&k, axes);
     let area = classic.axial / MODULUS;
     let mut row = [0.0; 19];
     row[..6].copy_from_slice(&mass_columns(station, &inertia));
@@ -153,7 +159,7 @@ fn classic_row(station: &Station) -> [f64; 19] {
         classic.shear.y / (SHEAR_MODULUS * area),
         area,
     ]);
-    row[16..].copy_from_slice(&place_columns(place));
+    row[16..].copy_from_slice(&position_columns(axes));
     row
 }
 
@@ -169,6 +175,6 @@ fn mass_columns(station: &Station, inertia: &Inertia) -> [f64; 6] {
     ]
 }
 
-fn place_columns(place: Place) -> [f64; 3] {
-    [place.pitch.to_degrees(), place.elastic.x, place.elastic.y]
+fn position_columns(axes: PrincipalAxes) -> [f64; 3] {
+    [axes.pitch.to_degrees(), axes.elastic.x, axes.elastic.y]
 }

@@ -27,10 +27,10 @@ pub(super) struct Body {
     pub beyond: f64,
 }
 
-/// The bodies of elements between `places`, whose nodes are `nodes`.
-pub(super) fn of(blade: &Blade, curve: &Curve, places: &[f64], nodes: &[Placed]) -> Vec<Body> {
+/// The bodies of elements between `positions`, whose nodes are `nodes`.
+pub(super) fn of(blade: &Blade, curve: &Curve, positions: &[f64], nodes: &[Placed]) -> Vec<Body> {
     let mut matrices = vec![Matrix6::zeros(); nodes.len()];
-    for (e, two) in places.windows(2).enumerate() {
+    for (e, two) in positions.windows(2).enumerate() {
         let (middle, half) = (0.5 * (two[0] + two[1]), 0.5 * (two[1] - two[0]));
         let [inner, outer] = [-1.0, 1.0].map(|side| middle + side * EVALUATION * half);
         let pieces = [(two[0], inner), (inner, outer), (outer, two[1])];

@@ -110,7 +110,7 @@ fn the_bodies_together_have_the_inertia_of_a_full_blade() {
 
 // The laws agree with the blade at -+1/sqrt 3 of each element, in the axes there.
 #[test]
-fn laws_stand_at_the_evaluation_points() {
+fn laws_are_at_the_evaluation_points() {
     let blade = blade();
     let model = of(&blade);
     assert_eq!(model.elements.len(), 4);
@@ -207,7 +207,7 @@ fn laws_follow_the_damping() {
 }
 
 #[test]
-fn what_is_lost_is_told_with_its_size() {
+fn what_is_lost_is_reported_with_its_size() {
     let lost = write(&uniform(), "a").lost;
     assert_eq!(lost.len(), 1, "{lost:?}");
     // 2 h/sqrt 3 with h = 1 of 3 m is 38.5 %

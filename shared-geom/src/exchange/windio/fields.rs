@@ -33,7 +33,7 @@ impl Column {
 /// The interval of `grid` that contains `part`, and the local coordinate (0 to 1).
 pub(super) fn interval(grid: &[f64], part: f64) -> (usize, f64) {
     let last = grid.len().saturating_sub(2);
-    let behind = grid.iter().position(|&place| place > part);
+    let behind = grid.iter().position(|&position| position > part);
     let i = behind
         .map_or(last, |behind| behind.saturating_sub(1))
         .min(last);
@@ -117,9 +117,9 @@ pub(super) fn grid(node: &Node, what: &str, problems: &mut Problems) -> Option<V
     }
     let outside = grid
         .iter()
-        .find(|&&place| !(-SAME..=1.0 + SAME).contains(&place));
-    if let Some(place) = outside {
-        problems.push(at.line, &bad(place.to_string(), "positions from 0 to 1"));
+        .find(|&&position| !(-SAME..=1.0 + SAME).contains(&position));
+    if let Some(position) = outside {
+        problems.push(at.line, &bad(position.to_string(), "positions from 0 to 1"));
         return None;
     }
     if let Some(two) = grid.windows(2).find(|two| two[1] <= two[0]) {

@@ -209,7 +209,7 @@ fn the_head_states_frame_order_and_point() {
 
 // A mass matrix other than a rigid slice's: version 2 reports the difference.
 #[test]
-fn what_seven_numbers_leave_out_is_told_with_its_size() {
+fn what_seven_numbers_leave_out_is_reported_with_its_size() {
     let mut blade = full(Course::Spline);
     let polar = blade.stations[2].mass[(3, 3)];
     blade.stations[2].mass[(3, 4)] = 0.25 * polar;
@@ -223,7 +223,7 @@ fn what_seven_numbers_leave_out_is_told_with_its_size() {
 // Two pieces of constant properties: a ramp replaces the jump between them, and the mass
 // changes by half its width at most.
 #[test]
-fn jumps_become_ramps_and_are_told() {
+fn jumps_become_ramps_and_are_reported() {
     let mut blade = full(Course::Spline);
     blade.interpolation = Interpolation::Constant;
     let writing = write_version_1(&blade, "full");
@@ -261,7 +261,7 @@ fn all_stations_lie_on_the_written_line() {
 }
 
 #[test]
-fn arcs_become_points_and_are_told() {
+fn arcs_become_points_and_are_reported() {
     let mut blade = full(Course::Spline);
     let root = blade.line.points[0];
     let arcs = [
@@ -291,7 +291,7 @@ fn arcs_become_points_and_are_told() {
 
 // The grids of stiffness and inertia may differ: linear between the positions of both.
 #[test]
-fn stations_stand_at_the_places_of_both_grids() {
+fn stations_are_at_the_positions_of_both_grids() {
     let half = V1.rfind("inertia_matrix").unwrap();
     let (stiff, inertia) = V1.split_at(half);
     let grid = inertia.lines().nth(1).unwrap();
@@ -324,7 +324,7 @@ fn stations_stand_at_the_places_of_both_grids() {
 }
 
 #[test]
-fn bad_fields_of_version_2_are_told() {
+fn bad_fields_of_version_2_are_reported() {
     let v2 = |from, to, expected| assert_says(V2, from, to, expected);
     v2(
         "K11: [6740375994.200792,",
@@ -372,7 +372,7 @@ fn bad_fields_of_version_2_are_told() {
 }
 
 #[test]
-fn bad_fields_of_version_1_are_told() {
+fn bad_fields_of_version_1_are_reported() {
     let v1 = |from, to, expected| assert_says(V1, from, to, expected);
     v1(
         "- [6740376000.0, ",
@@ -401,7 +401,7 @@ fn bad_fields_of_version_1_are_told() {
 
 // Off-diagonal entries have a default in the schema, zero; diagonal ones are needed.
 #[test]
-fn entries_that_are_not_given_are_zero_and_told() {
+fn entries_that_are_not_given_are_zero_and_reported() {
     let line = V2.lines().find(|line| line.contains("K12:")).unwrap();
     let reading = blade_of(&V2.replace(&format!("{line}\n"), ""));
     assert!(

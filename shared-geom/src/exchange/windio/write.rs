@@ -228,7 +228,7 @@ fn damping_in_words(blade: &Blade) -> String {
 
 /// The entries of the mass matrices that the seven numbers omit.
 fn lost_mass(inertia: &[Matrix6<f64>], grid: &[f64]) -> Option<String> {
-    let off = inertia.iter().zip(grid).map(|(matrix, &place)| {
+    let off = inertia.iter().zip(grid).map(|(matrix, &position)| {
         let left = matrix - mass::matrix(mass::values(matrix));
         // Entries of the three blocks have different units.
         let part = |rows: usize, columns: usize| {
@@ -236,13 +236,13 @@ fn lost_mass(inertia: &[Matrix6<f64>], grid: &[f64]) -> Option<String> {
             let left = left.fixed_view::<3, 3>(rows, columns).amax();
             if left > 0.0 { left / greatest } else { 0.0 }
         };
-        (part(0, 0).max(part(0, 3)).max(part(3, 3)), place)
+        (part(0, 0).max(part(0, 3)).max(part(3, 3)), position)
     });
-    let (part, place) = off.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (part, position) = off.max_by(|a, b| a.0.total_cmp(&b.0))?;
     (part > EQUAL).then(|| {
         format!(
             "mass entries beyond m, center of mass and moments of inertia: up to {part:.1e} of the \
-             greatest of their block, at {place:.3} of the length"
+             greatest of their block, at {position:.3} of the length"
         )
     })
 }

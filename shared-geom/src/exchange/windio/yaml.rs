@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn twice_the_same_key_and_bad_text_are_told_with_their_line() {
+    fn twice_the_same_key_and_bad_text_are_reported_with_their_line() {
         assert_eq!(parse("a: 1\nb: 2\na: 3\n").unwrap_err().0, 3);
         assert_eq!(parse("a: [1, 2\nb: 3\n").unwrap_err().0, 2);
         assert!(parse("").is_err());

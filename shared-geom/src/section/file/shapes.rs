@@ -7,9 +7,9 @@ use super::fields::Shape::{
     Count, Either, Entries, Number, Row, Rows, Square, Table, Tables, Text, Texts, Word,
 };
 use super::fields::{ENTRY, FILE, Field, Shape, expected};
-use super::places::{OUTERMOST, Places};
+use super::locations::{FieldLocations, OUTERMOST};
 use super::{FORMAT, PropertyProblem};
-use crate::error::{Diagnostics, Explain, Place, nearest_name};
+use crate::error::{Diagnostics, Explain, SourceLocation, nearest_name};
 
 /// A problem of a field, whose name is a text.
 #[derive(Debug, thiserror::Error)]
@@ -48,8 +48,8 @@ impl Explain for ShapeProblem {
 /// all problems of its fields, or that error.
 pub(super) fn malformed(error: &serde_json::Error, text: &str, file: &str) -> Diagnostics {
     let words = |reason: String| {
-        let place = Place::line(file, error.line().max(1));
-        Diagnostics::one(place, &PropertyProblem::Malformed { reason })
+        let location = SourceLocation::line(file, error.line().max(1));
+        Diagnostics::one(location, &PropertyProblem::Malformed { reason })
     };
     let value = match serde_json::from_str::<Value>(text) {
         Ok(value) => value,
@@ -67,7 +67,7 @@ pub(super) fn malformed(error: &serde_json::Error, text: &str, file: &str) -> Di
     };
     let mut check = Check {
         file,
-        places: Places::of(text),
+        locations: FieldLocations::of(text),
         problems: Diagnostics::new(),
     };
     let whole = Holder {
@@ -109,17 +109,17 @@ impl Holder {
 /// Problems so far.
 struct Check<'a> {
     file: &'a str,
-    places: Places,
+    locations: FieldLocations,
     problems: Diagnostics,
 }
 
 impl Check<'_> {
     fn push(&mut self, line: Option<usize>, problem: &ShapeProblem) {
-        let place = match line {
-            Some(line) => Place::line(self.file, line),
-            None => Place::file(self.file),
+        let location = match line {
+            Some(line) => SourceLocation::line(self.file, line),
+            None => SourceLocation::file(self.file),
         };
-        self.problems.push(place, problem);
+        self.problems.push(location, problem);
     }
 
     /// Unknown fields, absent ones that are not misspelled, and the content of the others.
@@ -137,12 +137,12 @@ impl Check<'_> {
                 near,
                 known: names().collect(),
             };
-            let spot = self.places.inside(holder.number, name);
+            let spot = self.locations.inside(holder.number, name);
             self.push(spot.map(|spot| spot.line), &problem);
         }
         for field in known {
             let words = holder.words(field.name);
-            if let Some(line) = self.places.again(holder.number, field.name) {
+            if let Some(line) = self.locations.again(holder.number, field.name) {
                 let field = words.clone();
                 self.push(Some(line), &ShapeProblem::Twice { field });
             }
@@ -164,7 +164,7 @@ impl Check<'_> {
     }
 
     fn field(&mut self, value: &Value, field: &Field, holder: &Holder) {
-        let spot = self.places.inside(holder.number, field.name);
+        let spot = self.locations.inside(holder.number, field.name);
         let line = spot.map(|spot| spot.line);
         let number = spot.map_or(usize::MAX, |spot| spot.number);
         let words = holder.words(field.name);
@@ -188,7 +188,7 @@ impl Check<'_> {
                     let name = value.get("name").and_then(Value::as_str);
                     let name =
                         name.map_or_else(|| (i + 1).to_string(), |name| format!("\"{name}\""));
-                    let spot = self.places.inside(number, &i.to_string());
+                    let spot = self.locations.inside(number, &i.to_string());
                     let one = Holder {
                         prefix: String::new(),
                         suffix: format!(" of {called} {name}"),

@@ -41,18 +41,20 @@ fn fields(value: &Value, path: &str, found: &mut Vec<String>) {
 }
 
 /// The message about a file whose table at `path` was changed, if it is refused.
-fn told(file: &Value, path: &str, change: impl FnOnce(&mut Value, &str)) -> Option<String> {
+fn reported(file: &Value, path: &str, change: impl FnOnce(&mut Value, &str)) -> Option<String> {
     let mut file = file.clone();
     let (holder, name) = path.rsplit_once('/').unwrap();
     change(file.pointer_mut(holder).unwrap(), name);
     let text = serde_json::to_string_pretty(&file).unwrap();
-    parse(&text, "a.json").err().map(|told| told.to_string())
+    parse(&text, "a.json")
+        .err()
+        .map(|reported| reported.to_string())
 }
 
 /// Every field of a file is known here, and its problems are reported in Helicoid's
 /// messages, with its line: misspelled, absent, of another kind.
 #[test]
-fn every_field_is_told_by_its_name() {
+fn every_field_is_reported_by_its_name() {
     for section in [full(), curved()] {
         let file: Value = serde_json::from_str(&write(&section)).unwrap();
         let mut paths = Vec::new();
@@ -60,13 +62,13 @@ fn every_field_is_told_by_its_name() {
         assert!(paths.len() > 30);
         for path in paths.iter().filter(|path| *path != "/format") {
             let name = path.rsplit('/').next().unwrap();
-            let ours = |told: &str| {
+            let ours = |reported: &str| {
                 assert!(
-                    !told.contains('`') && !told.contains("invalid"),
-                    "{path}: {told}"
+                    !reported.contains('`') && !reported.contains("invalid"),
+                    "{path}: {reported}"
                 );
             };
-            let misspelled = told(&file, path, |table, name| {
+            let misspelled = reported(&file, path, |table, name| {
                 let table = table.as_object_mut().unwrap();
                 let value = table.remove(name).unwrap();
                 table.insert(format!("{name}x"), value);
@@ -87,12 +89,12 @@ fn every_field_is_told_by_its_name() {
                 "{path}: {misspelled}"
             );
 
-            let absent = told(&file, path, |table, name| {
+            let absent = reported(&file, path, |table, name| {
                 table.as_object_mut().unwrap().remove(name);
             });
             absent.iter().for_each(|absent| ours(absent));
 
-            let other = told(&file, path, |table, name| table[name] = json!(true));
+            let other = reported(&file, path, |table, name| table[name] = json!(true));
             let other = other.unwrap();
             ours(&other);
             assert!(other.contains(&format!("{name}\"")), "{path}: {other}");
@@ -103,7 +105,7 @@ fn every_field_is_told_by_its_name() {
 
 /// All errors at once, in the order of their lines.
 #[test]
-fn all_slips_are_told_together() {
+fn all_slips_are_reported_together() {
     let mut text = write(&full());
     for (old, new) in [
         ("\"stiffness\"", "\"stifness\""),
@@ -118,7 +120,7 @@ fn all_slips_are_told_together() {
     let line = |key: &str| 1 + text.lines().position(|line| line.contains(key)).unwrap();
     let shown = parse(&text, "a.json").unwrap_err().to_string();
     let weight = line("\"weight\"");
-    let place = |key: &str| format!("error: a.json:{}: ", line(key));
+    let location = |key: &str| format!("error: a.json:{}: ", line(key));
     let again = text
         .lines()
         .enumerate()
@@ -128,16 +130,16 @@ fn all_slips_are_told_together() {
         "error: a.json: \"mass\" is missing, expected 6 rows of 6 numbers".to_owned(),
         format!(
             "{}unknown field \"stifness\"\n  help: did you mean \"stiffness\"?",
-            place("stifness")
+            location("stifness")
         ),
         format!(
             "{}unknown field \"centers.tensoin\"\n  help: did you mean \"tension\"?",
-            place("tensoin")
+            location("tensoin")
         ),
         format!(
             "{}unknown field \"free strain\" of the imposed state \"hot\"\n  help: did you mean \
              \"free_strain\"?",
-            place("free strain")
+            location("free strain")
         ),
         format!(
             "error: a.json:{again}: \"provenance.cells\" is given a second time, expected it once"
@@ -153,7 +155,7 @@ fn all_slips_are_told_together() {
 
 /// Lists of tables, matrices by rows and dampings of two kinds.
 #[test]
-fn wrong_lists_are_told() {
+fn wrong_lists_are_reported() {
     let file: Value = serde_json::from_str(&write(&full())).unwrap();
     let cases = [
         (
@@ -189,14 +191,14 @@ fn wrong_lists_are_told() {
         ),
     ];
     for (path, value, expected) in cases {
-        let shown = told(&file, path, |table, name| table[name] = value).unwrap();
+        let shown = reported(&file, path, |table, name| table[name] = value).unwrap();
         assert!(shown.contains(expected), "{shown}");
     }
 }
 
 /// A problem of a state is reported with its name and line, even after other states.
 #[test]
-fn a_skew_change_is_told_of_its_state() {
+fn a_skew_change_is_reported_of_its_state() {
     let mut section = full();
     let mut cold = section.imposed[0].clone();
     cold.name = "cold".to_owned();

@@ -6,7 +6,7 @@
 use crate::analysis::transient::energy::Finding;
 use crate::analysis::transient::failure::quoted;
 use crate::analysis::transient::multibody::Multibody;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::elements::{Element, Queries};
 use crate::integrator::{Jacobians, LocalError, Reason, Scheme, StepFailure, StepLimits, Stepping};
 use crate::model::{NodeMotion, State};
@@ -62,27 +62,27 @@ impl From<Finding> for Cause {
 }
 
 /// Data of a failed step.
-pub(super) struct Scene<'a> {
+pub(super) struct FailureContext<'a> {
     failure: &'a StepFailure,
     model: &'a Model,
     /// The latest accepted state.
     state: &'a State,
     /// The wished length [s].
     wished: f64,
-    question: &'a TransientQuestion,
+    settings: &'a TransientSettings,
     newton: StepLimits,
     dae: &'a Multibody<'a>,
     /// Unexplained gain of energy.
     gained: Option<Finding>,
 }
 
-impl<'a> Scene<'a> {
+impl<'a> FailureContext<'a> {
     pub fn new(
         failure: &'a StepFailure,
-        (model, question): (&'a Model, &'a TransientQuestion),
+        (model, settings): (&'a Model, &'a TransientSettings),
         (dae, gained): (&'a Multibody<'a>, Option<Finding>),
     ) -> Self {
-        let wished = match question.stepping {
+        let wished = match settings.stepping {
             Stepping::Constant { step } => step,
             Stepping::Variable(_) => failure.length,
         };
@@ -91,8 +91,8 @@ impl<'a> Scene<'a> {
             model,
             state: dae.state(),
             wished,
-            question,
-            newton: question.newton,
+            settings,
+            newton: settings.newton,
             dae,
             gained,
         }
@@ -384,11 +384,11 @@ impl<'a> Scene<'a> {
         let words = "a step too long for the fastest motion, or a mechanism near a locked \
                      position";
         let mut remedies = vec!["allow shorter steps".to_owned()];
-        let question = self.question;
-        if question.simplified_jacobian || question.newton.jacobians == Jacobians::Modified {
+        let settings = self.settings;
+        if settings.simplified_jacobian || settings.newton.jacobians == Jacobians::Modified {
             remedies.push("use the exact Jacobian in every iteration".to_owned());
         }
-        let radius = match question.scheme {
+        let radius = match settings.scheme {
             Scheme::TwoStep { radius } | Scheme::Cubic { radius } => radius,
             _ => 0.0,
         };
@@ -407,7 +407,7 @@ impl<'a> Scene<'a> {
     /// A scheme that cannot enforce the constraints of the model.
     fn scheme_without_joints(&self) -> Option<Cause> {
         let has_joints = self.model.system.numbering().multipliers() > 0;
-        let is_it = has_joints && self.question.scheme == Scheme::CubicGauss;
+        let is_it = has_joints && self.settings.scheme == Scheme::CubicGauss;
         is_it.then(|| {
             Cause::new(
                 "the scheme: stages at Gauss' points cannot enforce constraints, as of joints",

@@ -1,7 +1,7 @@
 //! Unexplained gain of energy, as text: time, amount, location, and cause.
 
 use super::EnergyWatch;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::elements::{Element, Queries};
 use crate::integrator::Scheme;
 
@@ -113,7 +113,7 @@ impl EnergyWatch {
     pub fn finding(
         &self,
         model: &Model,
-        question: &TransientQuestion,
+        settings: &TransientSettings,
         turns_far: bool,
     ) -> Option<Finding> {
         let since = self.since.filter(|_| self.is_found)?;
@@ -139,14 +139,14 @@ impl EnergyWatch {
             }
         }
         let most = groups.iter().max_by(|a, b| a.growth.total_cmp(&b.growth));
-        let (cause, remedies) = cause(most, question.scheme, turns_far);
-        let place = most.map_or_else(String::new, |group| {
+        let (cause, remedies) = cause(most, settings.scheme, turns_far);
+        let index = most.map_or_else(String::new, |group| {
             format!("; most of it is in {}", group.words(model))
         });
         let balance = self.largest.balance;
         let words = format!(
             "from t = {} s on the energy grows beyond what was put in: until {} s by {} J, of which \
-             {} J were put in by loads and drives{place}",
+             {} J were put in by loads and drives{index}",
             short(since),
             short(self.largest.time),
             short(balance.growth),

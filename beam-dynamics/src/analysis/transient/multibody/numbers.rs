@@ -50,11 +50,15 @@ pub(super) type Integrated = [Vector3<f64>; 2];
 /// The angular momentum of a node in its axes of integration.
 fn integrated(node: &NodeMotion, follows: Option<Following>) -> Integrated {
     let (gamma, rate) = (node.angular_momentum, node.angular_momentum_rate);
-    let Some(Following { axes, spin }) = follows else {
+    let Some(Following {
+        axes,
+        angular_velocity,
+    }) = follows
+    else {
         return [gamma, rate];
     };
     let back = axes.transpose();
-    [back * gamma, back * (rate - spin.cross(&gamma))]
+    [back * gamma, back * (rate - angular_velocity.cross(&gamma))]
 }
 
 /// The same for the latest accepted state of a node, from which its axes follow it.
@@ -126,10 +130,15 @@ pub(super) fn moved(
     let [gamma, gamma_rate] = match axes {
         None => *gamma,
         Some((own, origin)) => {
-            let Following { axes, spin } =
-                own.at(origin, &turned.rotation, &turned.angular_velocity);
+            let Following {
+                axes,
+                angular_velocity,
+            } = own.at(origin, &turned.rotation, &turned.angular_velocity);
             let in_space = axes * gamma[0];
-            [in_space, axes * gamma[1] + spin.cross(&in_space)]
+            [
+                in_space,
+                axes * gamma[1] + angular_velocity.cross(&in_space),
+            ]
         }
     };
     NodeMotion {

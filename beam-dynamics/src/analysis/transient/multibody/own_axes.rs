@@ -37,7 +37,7 @@ use crate::model::{Equation, NODE_UNKNOWNS, NodeMotion, Variable};
 /// largest.
 const SLENDER: f64 = 0.1;
 
-/// Places of a block of a matrix on the pattern, column by column.
+/// Indices of a block of a matrix in the pattern, column by column.
 type Block = [usize; 9];
 
 /// A node whose angular momentum is integrated in axes that follow its long axis.
@@ -57,7 +57,7 @@ pub(super) struct Following {
     /// E [-].
     pub axes: Matrix3<f64>,
     /// Their angular velocity [rad/s].
-    pub spin: Vector3<f64>,
+    pub angular_velocity: Vector3<f64>,
 }
 
 /// How the axes E change with the attitude of a node.
@@ -65,7 +65,7 @@ struct Derivatives {
     /// P [-].
     turn: Matrix3<f64>,
     /// L [1/s].
-    spin_by_turn: Matrix3<f64>,
+    angular_velocity_by_turn: Matrix3<f64>,
 }
 
 /// The rotation that takes the long axis from the latest accepted attitude to another one.
@@ -84,7 +84,7 @@ struct Bend {
 }
 
 /// The nodes that are integrated in such axes: slender ones that other nodes, joints or
-/// springs act on; `None` for all others. `nodes` and `tangent` are those of the model at
+/// springs act on; `None` for all others. `nodes` and `tangent` describe the model at
 /// rest.
 pub(super) fn find(
     system: &System,
@@ -123,9 +123,9 @@ impl OwnAxes {
         let first = NODE_UNKNOWNS * node;
         let block = |row: Equation, column: Variable| -> Option<Block> {
             let mut block = [0; 9];
-            for (i, place) in block.iter_mut().enumerate() {
+            for (i, index) in block.iter_mut().enumerate() {
                 let (row, column) = (first + row.row() + i % 3, first + column.column() + i / 3);
-                *place = pattern.place(row, column)?;
+                *index = pattern.index(row, column)?;
             }
             Some(block)
         };
@@ -154,7 +154,7 @@ impl OwnAxes {
         }
     }
 
-    /// The axes E that follow the long axis from the attitude `origin` to that of a node.
+    /// The axes E that follow the long axis from the attitude `origin` to a node's attitude.
     pub fn at(
         &self,
         origin: &Matrix3<f64>,
@@ -169,7 +169,7 @@ impl OwnAxes {
         let e = origin * self.axis;
         Following {
             axes: *origin,
-            spin: omega - omega.dot(&e) * e,
+            angular_velocity: omega - omega.dot(&e) * e,
         }
     }
 
@@ -190,7 +190,7 @@ impl OwnAxes {
         let g_rate_by_turn = (by_axis * skew(omega) + by_axis_again) * de;
         Derivatives {
             turn: tangent * g_by_turn,
-            spin_by_turn: gibbs::tangent_derivative(g, &bend.g_rate) * g_by_turn
+            angular_velocity_by_turn: gibbs::tangent_derivative(g, &bend.g_rate) * g_by_turn
                 + tangent * g_rate_by_turn,
         }
     }
@@ -207,16 +207,20 @@ impl OwnAxes {
     ) {
         let (a, b) = (sum.by_unknowns, sum.by_rates);
         let bend = self.bend(origin, &node.rotation, &node.angular_velocity);
-        let Following { axes, spin } = bend.following(origin);
-        let omega = skew(&spin);
+        let Following {
+            axes,
+            angular_velocity,
+        } = bend.following(origin);
+        let omega = skew(&angular_velocity);
         let gamma = skew(&node.angular_momentum);
-        let rate = node.angular_momentum_rate - spin.cross(&node.angular_momentum);
+        let rate = node.angular_momentum_rate - angular_velocity.cross(&node.angular_momentum);
         let Derivatives {
             turn: p,
-            spin_by_turn,
+            angular_velocity_by_turn,
         } = Self::derivatives(&bend, &node.angular_velocity);
         let turn = a * p * by.turn;
-        let spin = p * (b * by.turn + a * by.spin) + a * spin_by_turn * by.turn;
+        let angular_velocity =
+            p * (b * by.turn + a * by.rate_by_turn) + a * angular_velocity_by_turn * by.turn;
         let values = sum.matrix.values_mut();
         set(values, &self.definition_by_momentum, &(a * axes));
         set(
@@ -225,7 +229,7 @@ impl OwnAxes {
             &-(b * axes + a * omega * axes),
         );
         add(values, &self.definition_by_rotation, &-(gamma * turn));
-        let of_balance = (skew(&rate) + omega * gamma) * turn + gamma * spin;
+        let of_balance = (skew(&rate) + omega * gamma) * turn + gamma * angular_velocity;
         add(values, &self.balance_by_rotation, &of_balance);
     }
 }
@@ -235,19 +239,19 @@ impl Bend {
     fn following(&self, origin: &Matrix3<f64>) -> Following {
         Following {
             axes: gibbs::to_rotation(&self.g) * origin,
-            spin: gibbs::tangent(&self.g) * self.g_rate,
+            angular_velocity: gibbs::tangent(&self.g) * self.g_rate,
         }
     }
 }
 
 fn set(values: &mut [f64], block: &Block, new: &Matrix3<f64>) {
-    for (place, value) in block.iter().zip(new.iter()) {
-        values[*place] = *value;
+    for (index, value) in block.iter().zip(new.iter()) {
+        values[*index] = *value;
     }
 }
 
 fn add(values: &mut [f64], block: &Block, more: &Matrix3<f64>) {
-    for (place, value) in block.iter().zip(more.iter()) {
-        values[*place] += *value;
+    for (index, value) in block.iter().zip(more.iter()) {
+        values[*index] += *value;
     }
 }

@@ -2,7 +2,7 @@
 
 use super::models::{Kept, bipendulum, run, states};
 use crate::analysis::transient::transient;
-use crate::case::TransientQuestion;
+use crate::case::TransientSettings;
 use crate::integrator::{Jacobians, Scheme, StepControl, Stepping};
 use crate::model::State;
 
@@ -44,9 +44,9 @@ const AT_06: [f64; 12] = [
 ];
 
 fn errors(radius: f64, h: f64) -> (f64, f64, f64) {
-    let mut question = TransientQuestion::new(0.6, h);
-    question.scheme = Scheme::TwoStep { radius };
-    let (kept, outcome) = run(&bipendulum(), &question);
+    let mut settings = TransientSettings::new(0.6, h);
+    settings.scheme = Scheme::TwoStep { radius };
+    let (kept, outcome) = run(&bipendulum(), &settings);
     if outcome.failure.is_some() {
         return (f64::NAN, f64::NAN, spin(&kept.states));
     }
@@ -94,7 +94,7 @@ fn slender_links_do_not_spin_at_large_steps() {
 // steps, which must not oscillate by more than the error of the scheme.
 #[test]
 fn the_first_reactions_do_not_oscillate() {
-    let found = states(&bipendulum(), &TransientQuestion::new(0.01, 0.001));
+    let found = states(&bipendulum(), &TransientSettings::new(0.01, 0.001));
     let start = row(&found[0]);
     for (i, state) in found.iter().enumerate() {
         let t = 0.001 * i as f64;
@@ -123,19 +123,19 @@ fn a_continued_run_of_slender_links_is_the_same_to_the_last_bit() {
         (Stepping::Variable(control), Jacobians::Full),
         (Stepping::Variable(control), Jacobians::Modified),
     ] {
-        let mut question = TransientQuestion::new(0.4, 0.005);
-        question.stepping = stepping;
-        question.newton.jacobians = jacobians;
+        let mut settings = TransientSettings::new(0.4, 0.005);
+        settings.stepping = stepping;
+        settings.newton.jacobians = jacobians;
         for at in [3, 17, 29] {
             let mut whole = Kept {
                 wanted: Some(at),
                 ..Kept::default()
             };
-            let outcome = transient(&model, &question, None, &mut whole, &|| 0.0);
+            let outcome = transient(&model, &settings, None, &mut whole, &|| 0.0);
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
             let snapshot = whole.snapshot.take().unwrap();
             let mut rest = Kept::default();
-            transient(&model, &question, Some(&snapshot), &mut rest, &|| 0.0);
+            transient(&model, &settings, Some(&snapshot), &mut rest, &|| 0.0);
             assert!(!rest.times.is_empty());
             assert_eq!(whole.times[at + 1..], rest.times, "{stepping:?} {at}");
             assert_eq!(whole.states[at + 1..], rest.states, "{stepping:?} {at}");

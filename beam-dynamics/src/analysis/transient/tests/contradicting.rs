@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::models::{body, node, run};
-use crate::analysis::transient::corner::struck;
+use crate::analysis::transient::corner::after_impulse;
 use crate::analysis::transient::{TransientFailure, TransientOutcome, redundant};
 use crate::assembly::{Sharing, System};
-use crate::case::{self, Model, TransientQuestion};
+use crate::case::{self, Model, TransientSettings};
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::model::{Drive, Ramp, Step};
 
@@ -63,11 +63,11 @@ fn ramp(start: f64, end: f64, smooth: bool) -> Option<Turning> {
 }
 
 fn swing(drives: [Option<Turning>; 2]) -> TransientOutcome {
-    let question = TransientQuestion {
+    let settings = TransientSettings {
         redundant: case::Redundant::Remove,
-        ..TransientQuestion::new(0.7, STEP)
+        ..TransientSettings::new(0.7, STEP)
     };
-    run(&door(1.0, drives), &question).1
+    run(&door(1.0, drives), &settings).1
 }
 
 /// Time and text of the contradiction of the drives.
@@ -85,10 +85,10 @@ fn contradiction(outcome: &TransientOutcome) -> (f64, String) {
 #[test]
 fn ramps_that_begin_apart_contradict_where_the_first_begins() {
     let outcome = swing([ramp(BEGIN, 0.605, false), ramp(0.205, 0.705, false)]);
-    let (time, told) = contradiction(&outcome);
+    let (time, reported) = contradiction(&outcome);
     assert_eq!(time, BEGIN);
     let expected = "(rotation about z) of \"high\" contradicts \"low\", by 2 rad/s";
-    assert!(told.ends_with(expected), "{told}");
+    assert!(reported.ends_with(expected), "{reported}");
     let mut remarks = outcome.remarks.iter();
     assert!(!remarks.any(|remark| remark.contains("impulse")));
     assert_eq!(outcome.time, BEGIN);
@@ -98,9 +98,9 @@ fn ramps_that_begin_apart_contradict_where_the_first_begins() {
 #[test]
 fn a_small_contradiction_is_one() {
     let outcome = swing([ramp(BEGIN, 0.605, false), ramp(BEGIN, 0.6051, false)]);
-    let (time, told) = contradiction(&outcome);
+    let (time, reported) = contradiction(&outcome);
     assert_eq!(time, BEGIN);
-    let by = told.rsplit_once("by ").unwrap().1;
+    let by = reported.rsplit_once("by ").unwrap().1;
     let by: f64 = by.strip_suffix(" rad/s").unwrap().parse().unwrap();
     let expected = 1.0 / 0.5 - 1.0 / 0.5001;
     assert!((by - expected).abs() < 1e-6 * 2.0, "{by}");
@@ -111,9 +111,12 @@ fn a_small_contradiction_is_one() {
 #[test]
 fn a_contradiction_that_grows_ends_the_run_as_such() {
     let outcome = swing([ramp(BEGIN, 0.605, true), ramp(BEGIN, 0.705, true)]);
-    let (time, told) = contradiction(&outcome);
+    let (time, reported) = contradiction(&outcome);
     assert!(time > BEGIN && time < BEGIN + 0.1, "{time}");
-    assert!(told.contains("of \"high\" contradicts \"low\""), "{told}");
+    assert!(
+        reported.contains("of \"high\" contradicts \"low\""),
+        "{reported}"
+    );
 }
 
 #[test]
@@ -136,13 +139,14 @@ fn no_impulse_brings_velocities_that_contradict() {
         };
         Some(Turning::Speed(Drive::Step(step).into()))
     };
-    let struck = |to: [f64; 2]| {
+    let after_impulse = |to: [f64; 2]| {
         let model = door(1.0, to.map(speed));
         let after = model.conditions_at(BEGIN);
-        struck(&model.system, &model.system.rest(), &after).map(|struck| struck.0)
+        after_impulse(&model.system, &model.system.rest(), &after)
+            .map(|after_impulse| after_impulse.0)
     };
-    assert!(struck([1.0, 2.0]).is_none());
-    let turning = struck([2.0, 2.0]).unwrap().nodes[0].angular_velocity;
+    assert!(after_impulse([1.0, 2.0]).is_none());
+    let turning = after_impulse([2.0, 2.0]).unwrap().nodes[0].angular_velocity;
     assert!(
         (turning - Vector3::new(0.0, 0.0, 2.0)).amax() < 1e-9,
         "{turning}"
@@ -155,11 +159,11 @@ fn no_impulse_brings_velocities_that_contradict() {
 fn what_gives_way_is_measured_by_the_size_of_lengths_and_as_it_is_of_angles() {
     for size in [1e-3, 100.0] {
         let model = door(size, [None, None]);
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             redundant: case::Redundant::Remove,
-            ..TransientQuestion::new(0.7, STEP)
+            ..TransientSettings::new(0.7, STEP)
         };
-        let shared = redundant::independent(&model, &question).unwrap().unwrap();
+        let shared = redundant::independent(&model, &settings).unwrap().unwrap();
         let system = &shared.model.system;
         let (state, conditions) = (system.rest(), model.conditions_at(0.0));
         assert!((system.size() / size - 1.0).abs() < 1e-12);

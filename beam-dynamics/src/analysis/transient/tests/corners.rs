@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::models::{body, node, run, states};
 use crate::analysis::transient::TransientFailure;
-use crate::analysis::transient::corner::struck;
+use crate::analysis::transient::corner::after_impulse;
 use crate::assembly::System;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::elements::Element;
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along};
 use crate::integrator::{Scheme, StepControl, Stepping};
@@ -43,8 +43,8 @@ fn hinge(nodes: &[Node], b: usize, turning: Option<Turning>) -> Box<dyn Element>
         a,
         b: (b, &nodes[b]),
     };
-    let place = 2.0 * HALF * b as f64 * Vector3::x();
-    let placing = Placing::at(&place, &axes_along(&Vector3::z()));
+    let position = 2.0 * HALF * b as f64 * Vector3::x();
+    let placing = Placing::at(&position, &axes_along(&Vector3::z()));
     let label = format!("hinge {b}");
     Box::new(ConstraintJoint::revolute(label, &ends, &placing, turning))
 }
@@ -81,7 +81,7 @@ fn speed() -> Drive {
     Drive::Sum(vec![step(SPEED, BEGIN), step(-SPEED, END)].into())
 }
 
-fn questions() -> Vec<TransientQuestion> {
+fn all_settings() -> Vec<TransientSettings> {
     let schemes = [
         Scheme::TwoStep { radius: 0.6 },
         Scheme::TwoStep { radius: 0.0 },
@@ -99,10 +99,10 @@ fn questions() -> Vec<TransientQuestion> {
         Stepping::Variable(control),
     ];
     let all = schemes.iter().flat_map(|&scheme| {
-        steppings.map(|stepping| TransientQuestion {
+        steppings.map(|stepping| TransientSettings {
             scheme,
             stepping,
-            ..TransientQuestion::new(0.6, STEP)
+            ..TransientSettings::new(0.6, STEP)
         })
     });
     all.collect()
@@ -122,11 +122,11 @@ fn reaction(model: &Model, state: &State, time: f64) -> [f64; 2] {
 // / h. Without the impulse the moment rings with J c / h = 200 N m.
 #[test]
 fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
-    for question in questions() {
+    for settings in all_settings() {
         let angle = chain(1, Turning::Angle(ramp().into()));
         let speed = chain(1, Turning::Speed(speed().into()));
         for model in [&angle, &speed] {
-            let (kept, outcome) = run(model, &question);
+            let (kept, outcome) = run(model, &settings);
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
             let turned = SPEED * STEP;
             let about_end = INERTIA + MASS * HALF * HALF;
@@ -139,14 +139,14 @@ fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
                 };
                 let omega = state.nodes[0].angular_velocity.z;
                 let off = (omega - expected).abs();
-                assert!(off <= off_speed, "{question:?} {time} {omega}");
+                assert!(off <= off_speed, "{settings:?} {time} {omega}");
                 let [moment, force] = reaction(model, state, *time);
                 let off = moment.abs() / off_moment;
-                assert!(off < turned * turned, "{question:?} {time} {moment}");
+                assert!(off < turned * turned, "{settings:?} {time} {moment}");
                 let off = (force + MASS * expected * expected * HALF).abs();
                 assert!(off < 1e-2 * MASS * SPEED * SPEED * HALF, "{time} {force}");
             }
-            let told: Vec<_> = outcome
+            let reported: Vec<_> = outcome
                 .remarks
                 .iter()
                 .filter(|r| r.contains("impulse"))
@@ -154,11 +154,11 @@ fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
             // J c about the hinge; the second to the error of the velocities of the steps.
             let expected = "the drive of \"hinge 0\" jumps in rate at t = 0.103 s and once more: \
                 an impulse of up to ";
-            let [told] = &told[..] else {
-                panic!("{told:?}")
+            let [reported] = &reported[..] else {
+                panic!("{reported:?}")
             };
-            let told = told.strip_prefix(expected).unwrap();
-            let size = told.strip_suffix(" N m s; velocities were set to follow it");
+            let reported = reported.strip_prefix(expected).unwrap();
+            let size = reported.strip_suffix(" N m s; velocities were set to follow it");
             let size: f64 = size.unwrap().parse().unwrap();
             let about_hinge = INERTIA + MASS * HALF * HALF;
             assert!((size - about_hinge * SPEED).abs() < 2e-3, "{size}");
@@ -174,7 +174,7 @@ fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
 fn the_impulse_on_a_free_link_is_that_of_a_struck_bar() {
     let model = chain(2, Turning::Angle(ramp().into()));
     let after = model.conditions_at(BEGIN);
-    let (state, impulse) = struck(&model.system, &model.system.rest(), &after).unwrap();
+    let (state, impulse) = after_impulse(&model.system, &model.system.rest(), &after).unwrap();
     let [driven, free] = [&state.nodes[0], &state.nodes[1]];
     let v = SPEED * 2.0 * HALF;
     for (found, expected) in [
@@ -205,10 +205,10 @@ fn the_impulse_on_a_free_link_is_that_of_a_struck_bar() {
 // The same in a run: just after the corner, when both bars are still in line. A step after it the
 // free bar has turned by 1.5 c h = 0.03 out of line, and its rates change by c^2 times that.
 #[test]
-fn a_chain_goes_on_from_its_impulse() {
-    for question in questions() {
+fn a_chain_continues_from_its_impulse() {
+    for settings in all_settings() {
         let model = chain(2, Turning::Angle(ramp().into()));
-        let (kept, outcome) = run(&model, &question);
+        let (kept, outcome) = run(&model, &settings);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         let behind = kept.times.iter().position(|time| *time > BEGIN).unwrap();
         let free = &kept.states[behind].nodes[1];
@@ -224,7 +224,7 @@ fn a_chain_goes_on_from_its_impulse() {
 // step.
 #[test]
 fn a_step_of_a_velocity_is_an_impulse() {
-    for question in questions() {
+    for settings in all_settings() {
         let (nodes, mut elements) = bars(1);
         let ends = JointEnds {
             a: None,
@@ -235,7 +235,7 @@ fn a_step_of_a_velocity_is_an_impulse() {
         let rates = ConstraintJoint::velocity("belt", &ends, &at, rates);
         elements.push(Box::new(rates));
         let model = Model::new("belt", System::new(nodes, elements));
-        let (kept, outcome) = run(&model, &question);
+        let (kept, outcome) = run(&model, &settings);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         assert!(outcome.remarks.iter().any(|r| r.contains("\"belt\"")));
         for (time, state) in kept.times.iter().zip(&kept.states) {
@@ -245,7 +245,7 @@ fn a_step_of_a_velocity_is_an_impulse() {
                 0.0
             };
             let off = (state.nodes[0].velocity.x - expected).abs();
-            assert!(off < 1e-7, "{question:?} {time} {off:e}");
+            assert!(off < 1e-7, "{settings:?} {time} {off:e}");
             assert!(state.multipliers[0].abs() < 1e-5 * MASS * SPEED / STEP);
         }
     }
@@ -255,9 +255,9 @@ fn a_step_of_a_velocity_is_an_impulse() {
 // is the state before it, and so are all recorded quantities: else a row of the table would show a
 // speed of 2 rad/s for a bar at rest.
 #[test]
-fn what_acts_at_a_corner_is_told_as_before_it() {
-    for question in questions() {
-        let (kept, outcome) = run(&chain(2, Turning::Speed(speed().into())), &question);
+fn what_acts_at_a_corner_is_reported_as_before_it() {
+    for settings in all_settings() {
+        let (kept, outcome) = run(&chain(2, Turning::Speed(speed().into())), &settings);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         let (drive, mut corners) = (speed(), 0);
         for ((time, seen), state) in kept.times.iter().zip(&kept.seen).zip(&kept.states) {
@@ -288,13 +288,13 @@ fn nothing_is_renewed_where_nothing_jumps() {
     });
     let (_, outcome) = run(
         &chain(2, Turning::Angle(smooth.into())),
-        &TransientQuestion::new(0.6, STEP),
+        &TransientSettings::new(0.6, STEP),
     );
     assert!(outcome.failure.is_none());
     assert!(outcome.remarks.is_empty(), "{:?}", outcome.remarks);
     let found = states(
         &chain(1, Turning::Angle(ramp().into())),
-        &TransientQuestion::new(0.2, STEP),
+        &TransientSettings::new(0.2, STEP),
     );
     let resting = found
         .iter()
@@ -313,7 +313,7 @@ fn a_step_of_an_angle_is_refused_before_the_run() {
     });
     let (kept, outcome) = run(
         &chain(1, Turning::Angle(jump.into())),
-        &TransientQuestion::new(1.0, STEP),
+        &TransientSettings::new(1.0, STEP),
     );
     let failure = outcome.failure.unwrap();
     assert!(matches!(failure, TransientFailure::Jump { .. }));

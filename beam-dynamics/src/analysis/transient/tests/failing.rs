@@ -6,31 +6,31 @@ use nalgebra::{Matrix1, Matrix3, Vector3};
 
 use super::models::{body, driven_beam, node, pendulum, run};
 use crate::assembly::System;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::elements::laws::Law;
 use crate::elements::springs::{End, Measure, Rod};
-use crate::model::{Drive, DriveTable, Interpolation, Outside, Ramp};
+use crate::model::{Drive, DriveTable, Extrapolation, Interpolation, Ramp};
 
 /// A number in the first tenth of a second; after it there is none.
 fn short(value: f64) -> Drive {
     let rows = [[0.0, value], [0.1, value]];
-    let table = DriveTable::new(&rows, Interpolation::Linear, Outside::Error);
+    let table = DriveTable::new(&rows, Interpolation::Linear, Extrapolation::Error);
     Drive::Table(Arc::new(table.unwrap()))
 }
 
 // A model that is not read from a file is not checked before it is run.
 #[test]
 fn a_drive_that_leaves_its_table_is_named_with_its_times() {
-    let question = TransientQuestion::new(1.0, 0.01);
+    let settings = TransientSettings::new(1.0, 0.01);
     let mut heavy = pendulum();
     heavy.gravity_drive = short(1.0);
     for (model, whose) in [(driven_beam(short(0.0)), "\""), (heavy, "gravity")] {
-        let (kept, outcome) = run(&model, &question);
-        let told = outcome.failure.unwrap().to_string();
+        let (kept, outcome) = run(&model, &settings);
+        let reported = outcome.failure.unwrap().to_string();
         let expected = format!("likely cause: a drive of {whose}");
-        assert!(told.contains(&expected), "{told}");
+        assert!(reported.contains(&expected), "{reported}");
         let expected = "has values from 0 s to 0.1 s, and the step goes to 0.1";
-        assert!(told.contains(expected), "{told}");
+        assert!(reported.contains(expected), "{reported}");
         // The run reaches the end of the table.
         assert!((outcome.time - 0.1).abs() < 1e-12, "{}", outcome.time);
         assert_eq!(kept.states.len(), 11);
@@ -61,11 +61,11 @@ fn a_rod_whose_relaxed_length_gets_to_zero_is_named_with_the_cause() {
     let rod = Rod::new("winch", ends, &nodes, Some(length.into()), law);
     let elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(rod)];
     let model = Model::new("winch", System::new(nodes, elements));
-    let outcome = run(&model, &TransientQuestion::new(1.0, 0.03)).1;
+    let outcome = run(&model, &TransientSettings::new(1.0, 0.03)).1;
     let failure = outcome.failure.unwrap();
-    let told = failure.to_string();
+    let reported = failure.to_string();
     let expected = "likely cause: \"winch\" has no value: its relaxed length is zero or less: ";
-    assert!(told.contains(expected), "{told}");
+    assert!(reported.contains(expected), "{reported}");
     assert!(failure.remedy().contains("max()"), "{}", failure.remedy());
     assert!((0.45..0.5).contains(&outcome.time), "{}", outcome.time);
 }

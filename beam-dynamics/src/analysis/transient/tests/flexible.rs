@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::models::{driven_beam, run, states, swinging_cantilever};
 use crate::analysis::transient::TransientFailure;
-use crate::case::{Start, TransientQuestion};
+use crate::case::{Start, TransientSettings};
 use crate::model::{Drive, Ramp};
 
 /// A turning angle of the rate `speed`, from the start.
@@ -22,11 +22,11 @@ fn turning(speed: f64) -> Drive {
 // of 1e-16 move masses of 0.015 kg by less than 1e-9 m in 0.1 s.
 #[test]
 fn an_equilibrium_stays_at_rest() {
-    let question = TransientQuestion {
+    let settings = TransientSettings {
         start: Start::Equilibrium,
-        ..TransientQuestion::new(0.1, 0.005)
+        ..TransientSettings::new(0.1, 0.005)
     };
-    let found = states(&swinging_cantilever(3), &question);
+    let found = states(&swinging_cantilever(3), &settings);
     let tip = |i: usize| found[i].nodes.last().unwrap().position;
     assert!((tip(0) - Vector3::x()).norm() > 0.1);
     let moved = (0..found.len()).map(|i| (tip(i) - tip(0)).norm());
@@ -39,11 +39,11 @@ fn an_equilibrium_stays_at_rest() {
 #[test]
 fn a_rotating_beam_keeps_its_radius() {
     let speed = 6.0;
-    let question = TransientQuestion {
+    let settings = TransientSettings {
         start: Start::Rotating { speed },
-        ..TransientQuestion::new(0.25, 0.005)
+        ..TransientSettings::new(0.25, 0.005)
     };
-    let (kept, outcome) = run(&driven_beam(turning(speed)), &question);
+    let (kept, outcome) = run(&driven_beam(turning(speed)), &settings);
     assert!(outcome.failure.is_none(), "{}", outcome.failure.unwrap());
     assert_eq!(outcome.changes, []);
     let radii = kept
@@ -63,7 +63,7 @@ fn a_rotating_beam_keeps_its_radius() {
     // 2 * 0.03^3 * eta^2 over the square of its frequency in the plane, 18.
     assert!((angle - 0.25 * speed).abs() < 2e-4, "{angle}");
     // A root at rest is reported.
-    let held = run(&driven_beam(Drive::Constant(0.0)), &question).1.failure;
+    let held = run(&driven_beam(Drive::Constant(0.0)), &settings).1.failure;
     assert!(
         matches!(held, Some(TransientFailure::Held { .. })),
         "{held:?}"
@@ -76,7 +76,7 @@ fn a_rotating_beam_keeps_its_radius() {
 fn the_tip_of_a_swinging_cantilever() {
     let (kept, outcome) = run(
         &swinging_cantilever(20),
-        &TransientQuestion::new(0.2, 0.001),
+        &TransientSettings::new(0.2, 0.001),
     );
     assert!(outcome.failure.is_none(), "{}", outcome.failure.unwrap());
     let tip = kept.states.last().unwrap().nodes.last().unwrap().position;

@@ -9,7 +9,7 @@ use shared_geom::expression::{Expression, Names};
 use super::models::{Kept, body, node, run, states};
 use super::sampled::{sensor, signal};
 use crate::assembly::System;
-use crate::case::{Model, Redundant, TransientQuestion};
+use crate::case::{Model, Redundant, TransientSettings};
 use crate::elements::control::{Actuator, Servo};
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning::Dead};
@@ -40,10 +40,10 @@ fn alone(servo: Servo, command: Signal) -> Model {
     Model::new("servo", System::new(Vec::new(), elements))
 }
 
-fn exact_to_order_two(to: f64, step: f64) -> TransientQuestion {
-    TransientQuestion {
+fn exact_to_order_two(to: f64, step: f64) -> TransientSettings {
+    TransientSettings {
         scheme: Scheme::CrankNicolson,
-        ..TransientQuestion::new(to, step)
+        ..TransientSettings::new(to, step)
     }
 }
 
@@ -51,8 +51,8 @@ fn exact_to_order_two(to: f64, step: f64) -> TransientQuestion {
 #[test]
 fn an_actuator_answers_a_step_as_its_closed_form() {
     let error = |length: f64| {
-        let question = exact_to_order_two(0.3, length);
-        let (Kept { times, states, .. }, outcome) = run(&alone(SERVO, step(0.15)), &question);
+        let settings = exact_to_order_two(0.3, length);
+        let (Kept { times, states, .. }, outcome) = run(&alone(SERVO, step(0.15)), &settings);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         let root = (1.0 - SERVO.damping.powi(2)).sqrt();
         let off = times.iter().zip(&states).map(|(time, state)| {
@@ -76,8 +76,8 @@ fn the_rate_of_an_actuator_stays_in_its_limit_and_does_not_wind_up() {
         rate_limit: Some(0.5),
         ..SERVO
     };
-    let question = TransientQuestion::new(0.6, 1e-4);
-    let (Kept { times, states, .. }, outcome) = run(&alone(servo, step(0.15)), &question);
+    let settings = TransientSettings::new(0.6, 1e-4);
+    let (Kept { times, states, .. }, outcome) = run(&alone(servo, step(0.15)), &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let fastest = states.iter().map(|state| state.scalars[1]);
     let fastest = fastest.fold(0.0, f64::max);
@@ -99,8 +99,8 @@ fn a_command_beyond_the_limits_is_that_of_the_limit() {
     };
     for (command, expected) in [(5.0, 0.2), (-5.0, -0.1), (0.05, 0.05)] {
         let found = states(&alone(servo, step(command)), &exact_to_order_two(0.6, 1e-3));
-        let place = found[found.len() - 1].scalars[0];
-        assert!((place - expected).abs() < 1e-9, "{command}: {place}");
+        let position = found[found.len() - 1].scalars[0];
+        assert!((position - expected).abs() < 1e-9, "{command}: {position}");
     }
 }
 
@@ -119,8 +119,8 @@ fn slider(command: &str) -> Model {
         b: (0, &nodes[0]),
     };
     let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
-    let place = Freedom::Driven(signal("2*a", &[&position]));
-    let joint = ConstraintJoint::prismatic("guide", &ends, &at, place);
+    let point = Freedom::Driven(signal("2*a", &[&position]));
+    let joint = ConstraintJoint::prismatic("guide", &ends, &at, point);
     let actuator = Actuator::new("servo", SERVO, command, position);
     let elements = vec![
         body(0, 3.0, Vector3::zeros(), [1.0; 3]),
@@ -133,19 +133,22 @@ fn slider(command: &str) -> Model {
 // The guide pushes with m x'' = 3 (2 a''), a'' from the equation of the actuator at its state:
 // from the first instant on, and after the jump of the command at 0.05 s.
 #[test]
-fn a_joint_that_follows_an_actuator_has_its_place_rate_and_force() {
+fn a_joint_that_follows_an_actuator_has_its_position_rate_and_force() {
     for (scheme, tolerance) in [(Scheme::CrankNicolson, 1e-9), (Scheme::ImplicitEuler, 1e-9)] {
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             scheme,
-            ..TransientQuestion::new(0.1, 5e-4)
+            ..TransientSettings::new(0.1, 5e-4)
         };
         let (Kept { times, states, .. }, outcome) =
-            run(&slider("0.1 + 0.05*step(t - 0.05)"), &question);
+            run(&slider("0.1 + 0.05*step(t - 0.05)"), &settings);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         for (time, state) in times.iter().zip(&states) {
-            let [place, rate] = [state.scalars[0], state.scalars[1]];
+            let [position, rate] = [state.scalars[0], state.scalars[1]];
             let found = state.nodes[0].position.x;
-            assert!((found - 2.0 * place).abs() < tolerance, "{time}: {found}");
+            assert!(
+                (found - 2.0 * position).abs() < tolerance,
+                "{time}: {found}"
+            );
             let off = state.nodes[0].velocity.x - 2.0 * rate;
             // Positions are held, and velocities follow from them by the scheme.
             assert!(off.abs() < 2e-2 * 12.0, "{time}: {off:e}");
@@ -189,8 +192,8 @@ fn a_start_at_rest_agrees_with_feedback_through_the_joint() {
         b: (0, &nodes[0]),
     };
     let at = Placing::at(&Vector3::zeros(), &Matrix3::identity());
-    let place = Freedom::Driven(signal("2*a", &[&position]));
-    let joint = ConstraintJoint::prismatic("guide", &ends, &at, place);
+    let point = Freedom::Driven(signal("2*a", &[&position]));
+    let joint = ConstraintJoint::prismatic("guide", &ends, &at, point);
     let command = signal("0.3 + a/4", &[&value]);
     let elements = vec![
         body(0, 3.0, Vector3::zeros(), [1.0; 3]),
@@ -200,8 +203,8 @@ fn a_start_at_rest_agrees_with_feedback_through_the_joint() {
     ];
     let model = Model::new("slider", System::new(nodes, elements));
     for state in &states(&model, &exact_to_order_two(0.02, 1e-3)) {
-        let place = state.nodes[0].position.x;
-        assert!((place - 1.2).abs() < 1e-7, "{place}");
+        let point = state.nodes[0].position.x;
+        assert!((point - 1.2).abs() < 1e-7, "{point}");
     }
 }
 
@@ -378,9 +381,9 @@ fn following_door((heights, gain): (&[f64], f64)) -> Vec<State> {
     ));
     let mut model = Model::new("door", System::new(nodes, elements));
     model.gravity = -9.81 * Vector3::y();
-    let question = TransientQuestion {
+    let settings = TransientSettings {
         redundant: Redundant::Remove,
-        ..TransientQuestion::new(0.2, 0.01)
+        ..TransientSettings::new(0.2, 0.01)
     };
-    states(&model, &question)
+    states(&model, &settings)
 }

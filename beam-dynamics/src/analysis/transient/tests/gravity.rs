@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::models::{driven_beam, run};
-use crate::case::{Model, Start, TransientQuestion};
+use crate::case::{Model, Start, TransientSettings};
 use crate::integrator::Scheme;
 use crate::model::{Drive, Ramp, State};
 
@@ -25,11 +25,11 @@ fn wheel(speed: f64, gravity: f64) -> Model {
     model
 }
 
-fn question(speed: f64, to: f64, step: f64) -> TransientQuestion {
-    TransientQuestion {
+fn settings(speed: f64, to: f64, step: f64) -> TransientSettings {
+    TransientSettings {
         start: Start::Rotating { speed },
         scheme: Scheme::Cubic { radius: 1.0 },
-        ..TransientQuestion::new(to, step)
+        ..TransientSettings::new(to, step)
     }
 }
 
@@ -48,7 +48,7 @@ fn deflection(state: &State, angle: f64) -> f64 {
 #[test]
 fn a_slow_rotor_starts_with_its_static_deflection() {
     let (speed, gravity) = (0.1, 1e-3);
-    let (kept, outcome) = run(&wheel(speed, gravity), &question(speed, 0.1, 0.05));
+    let (kept, outcome) = run(&wheel(speed, gravity), &settings(speed, 0.1, 0.05));
     assert!(outcome.failure.is_none(), "{}", outcome.failure.unwrap());
     let expected = -gravity / 8.0;
     let found = deflection(&kept.states[0], 0.0);
@@ -66,7 +66,7 @@ fn the_response_to_gravity_is_periodic_from_the_start() {
     let (speed, gravity) = (6.0, 1e-3);
     let turn = std::f64::consts::TAU / speed;
     let model = wheel(speed, gravity);
-    let (kept, outcome) = run(&model, &question(speed, turn, turn / 320.0));
+    let (kept, outcome) = run(&model, &settings(speed, turn, turn / 320.0));
     assert!(outcome.failure.is_none(), "{}", outcome.failure.unwrap());
     assert_eq!(outcome.changes, []);
     let of = |i: usize| deflection(&kept.states[i], speed * kept.times[i]);
@@ -87,7 +87,7 @@ fn gravity_that_grows_starts_without_response() {
     let speed = 6.0;
     let mut model = wheel(speed, 0.1);
     model.gravity_drive = ramp(0.0, 1.0, 10.0);
-    let (kept, outcome) = run(&model, &question(speed, 0.02, 0.01));
+    let (kept, outcome) = run(&model, &settings(speed, 0.02, 0.01));
     assert!(outcome.failure.is_none(), "{}", outcome.failure.unwrap());
     assert!(deflection(&kept.states[0], 0.0).abs() < 1e-12);
     let is_said = |remark: &String| remark.contains("its growth causes a transient");

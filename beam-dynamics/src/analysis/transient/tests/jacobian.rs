@@ -8,7 +8,7 @@ use super::models::{bipendulum, top};
 use crate::analysis::transient::multibody::Multibody;
 use crate::analysis::transient::start::start;
 use crate::assembly::{Combination, Residual, Sparse};
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::integrator::Dae;
 
 /// Deterministic numbers from -1 to 1.
@@ -27,7 +27,7 @@ impl Random {
 /// Largest difference from central differences, relative to the largest entry.
 fn error(model: &Model) -> f64 {
     const STEP: f64 = 1e-6;
-    let state = start(model, &TransientQuestion::new(1.0, 0.1))
+    let state = start(model, &TransientSettings::new(1.0, 0.1))
         .unwrap()
         .state;
     let mut dae = Multibody::new(model, [state.clone(), state], (1, false));

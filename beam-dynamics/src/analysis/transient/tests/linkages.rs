@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::models::{Kept, body, node, run};
 use crate::analysis::transient::{redundant, transient};
 use crate::assembly::{Sharing, System};
-use crate::case::{Model, Redundant, TransientQuestion};
+use crate::case::{Model, Redundant, TransientSettings};
 use crate::elements::Element;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::integrator::{StepControl, Stepping};
@@ -62,7 +62,7 @@ impl FourBar {
         let origin = Vector3::from_fn(|_, _| numbers.between(-3.0, 3.0));
         let (crank, coupler) = (numbers.between(0.15, 0.3), numbers.between(0.8, 1.1));
         let (last, angle) = (numbers.between(0.7, 1.0), numbers.between(0.0, 6.0));
-        let place = |[x, y]: [f64; 2]| origin + axes * Vector3::new(x, y, 0.0);
+        let position = |[x, y]: [f64; 2]| origin + axes * Vector3::new(x, y, 0.0);
         let a = [crank * angle.cos(), crank * angle.sin()];
         // Where circles about the end of the crank and about (1, 0) meet.
         let apart = (1.0 - a[0]).hypot(a[1]);
@@ -73,7 +73,7 @@ impl FourBar {
             a[0] + along * unit[0] - across * unit[1],
             a[1] + along * unit[1] + across * unit[0],
         ];
-        let corners = [[0.0, 0.0], a, b, [1.0, 0.0]].map(place);
+        let corners = [[0.0, 0.0], a, b, [1.0, 0.0]].map(position);
         let names = ["crank", "coupler", "rocker"].into_iter();
         let middle =
             |(label, ends): (&str, &[Vector3<f64>])| node(label, 0.5 * (ends[0] + ends[1]), axes);
@@ -146,15 +146,15 @@ fn four_bar(seed: u64, rocker: Rocker, order: [usize; 4]) -> Model {
 
 const IN_ORDER: [usize; 4] = [0, 1, 2, 3];
 
-fn question(to: f64, step: f64) -> TransientQuestion {
-    TransientQuestion {
+fn settings(to: f64, step: f64) -> TransientSettings {
+    TransientSettings {
         redundant: Redundant::Remove,
-        ..TransientQuestion::new(to, step)
+        ..TransientSettings::new(to, step)
     }
 }
 
-fn kept(model: &Model, question: &TransientQuestion) -> (Kept, Vec<String>) {
-    let (kept, outcome) = run(model, question);
+fn kept(model: &Model, settings: &TransientSettings) -> (Kept, Vec<String>) {
+    let (kept, outcome) = run(model, settings);
     if let Some(failure) = outcome.failure {
         panic!("{failure}");
     }
@@ -167,11 +167,11 @@ fn kept(model: &Model, question: &TransientQuestion) -> (Kept, Vec<String>) {
 #[test]
 fn random_four_bars_move_as_those_without_redundant_constraints() {
     for seed in 1..=8 {
-        let asked = question(1.0, 5e-3);
-        let (four, remarks) = kept(&four_bar(seed, Rocker::Revolutes, IN_ORDER), &asked);
+        let settings = settings(1.0, 5e-3);
+        let (four, remarks) = kept(&four_bar(seed, Rocker::Revolutes, IN_ORDER), &settings);
         assert_eq!(remarks.len(), 3, "{remarks:?}");
         for rocker in [Rocker::BallAndCylinder, Rocker::UniversalAndBall] {
-            let (other, remarks) = kept(&four_bar(seed, rocker, IN_ORDER), &asked);
+            let (other, remarks) = kept(&four_bar(seed, rocker, IN_ORDER), &settings);
             assert_eq!(remarks, [""; 0], "{seed}");
             assert_eq!(four.states.len(), other.states.len());
             for (a, b) in four.states.iter().zip(&other.states) {
@@ -193,9 +193,9 @@ fn random_four_bars_move_as_those_without_redundant_constraints() {
 #[test]
 fn reactions_do_not_hang_on_the_order_of_the_joints() {
     let order = [3, 1, 0, 2];
-    let asked = question(0.4, 5e-3);
-    let (one, _) = kept(&four_bar(3, Rocker::Revolutes, IN_ORDER), &asked);
-    let (other, _) = kept(&four_bar(3, Rocker::Revolutes, order), &asked);
+    let settings = settings(0.4, 5e-3);
+    let (one, _) = kept(&four_bar(3, Rocker::Revolutes, IN_ORDER), &settings);
+    let (other, _) = kept(&four_bar(3, Rocker::Revolutes, order), &settings);
     let firsts = |order: [usize; 4]| {
         let mut firsts = [0; 4];
         let mut next = 0;
@@ -217,7 +217,7 @@ fn reactions_do_not_hang_on_the_order_of_the_joints() {
     }
 }
 
-/// A door that hangs on hinges at the given heights, pushed by gravity across its axis.
+/// A door on hinges at the given heights, pushed by gravity across its axis.
 fn door(hinges: &[f64]) -> Model {
     let door = node("door", Vector3::new(0.5, 0.0, 1.0), Matrix3::identity());
     let mut elements = vec![body(0, 1.0, Vector3::zeros(), [0.3, 0.4, 0.1])];
@@ -239,9 +239,9 @@ fn door(hinges: &[f64]) -> Model {
 // in the middle.
 #[test]
 fn two_hinges_carry_half_of_a_door_each() {
-    let asked = question(0.5, 5e-3);
-    let (two, _) = kept(&door(&[0.2, 1.8]), &asked);
-    let (one, _) = kept(&door(&[1.0]), &asked);
+    let settings = settings(0.5, 5e-3);
+    let (two, _) = kept(&door(&[0.2, 1.8]), &settings);
+    let (one, _) = kept(&door(&[1.0]), &settings);
     for (two, one) in two.states.iter().zip(&one.states) {
         let (low, high) = two.multipliers.split_at(5);
         for i in 0..5 {
@@ -263,18 +263,24 @@ fn a_run_with_redundant_constraints_is_continued_bit_for_bit() {
         tolerance: 1e-6,
     });
     for stepping in [Stepping::Constant { step: 5e-3 }, variable] {
-        let asked = TransientQuestion {
+        let settings = TransientSettings {
             stepping,
-            ..question(0.3, 5e-3)
+            ..settings(0.3, 5e-3)
         };
         let mut whole = Kept {
             wanted: Some(20),
             ..Kept::default()
         };
-        let outcome = transient(&model, &asked, None, &mut whole, &|| 0.0);
+        let outcome = transient(&model, &settings, None, &mut whole, &|| 0.0);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         let mut rest = Kept::default();
-        let outcome = transient(&model, &asked, whole.snapshot.as_ref(), &mut rest, &|| 0.0);
+        let outcome = transient(
+            &model,
+            &settings,
+            whole.snapshot.as_ref(),
+            &mut rest,
+            &|| 0.0,
+        );
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
         assert_eq!(rest.states[..], whole.states[21..]);
     }
@@ -316,19 +322,25 @@ fn ring(count: usize) -> Model {
 #[test]
 fn a_long_ring_shares_its_loads_and_is_continued_bit_for_bit() {
     let model = ring(20);
-    let asked = question(0.2, 5e-3);
+    let settings = settings(0.2, 5e-3);
     let mut whole = Kept {
         wanted: Some(20),
         ..Kept::default()
     };
-    let outcome = transient(&model, &asked, None, &mut whole, &|| 0.0);
+    let outcome = transient(&model, &settings, None, &mut whole, &|| 0.0);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     assert_eq!(outcome.remarks.len(), 3);
     let mut rest = Kept::default();
-    let outcome = transient(&model, &asked, whole.snapshot.as_ref(), &mut rest, &|| 0.0);
+    let outcome = transient(
+        &model,
+        &settings,
+        whole.snapshot.as_ref(),
+        &mut rest,
+        &|| 0.0,
+    );
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     assert_eq!(rest.states[..], whole.states[21..]);
-    let shared = redundant::independent(&model, &asked).unwrap().unwrap();
+    let shared = redundant::independent(&model, &settings).unwrap().unwrap();
     let conditions = model.conditions_at(0.0);
     for state in &whole.states {
         let mut sharing = Sharing::new(&shared.model.system, state, &conditions);
@@ -358,7 +370,7 @@ fn hinges_out_of_line_hold_a_door() {
     }
     let mut model = Model::new("door", System::new(nodes.clone(), elements));
     model.gravity = Vector3::new(0.0, -9.81, 0.0);
-    let (kept, outcome) = run(&model, &question(0.2, 5e-3));
+    let (kept, outcome) = run(&model, &settings(0.2, 5e-3));
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     assert_eq!((outcome.remarks.len(), kept.states.len()), (4, 41));
     for state in &kept.states {
@@ -369,7 +381,7 @@ fn hinges_out_of_line_hold_a_door() {
 // A parallelogram whose bars come to lie in one line after a quarter of a turn: there they can
 // continue as an antiparallelogram too, and the reactions of their joints are undetermined.
 #[test]
-fn steps_that_end_in_a_singular_position_are_told() {
+fn steps_that_end_in_a_singular_position_are_reported() {
     let corners = [[0.0, 0.0], [0.0, 1.0], [2.0, 1.0], [2.0, 0.0]];
     let corners = corners.map(|[x, y]| Vector3::new(x, y, 0.0));
     let names = ["crank", "coupler", "rocker"].into_iter();
@@ -388,13 +400,13 @@ fn steps_that_end_in_a_singular_position_are_told() {
     elements.extend(IN_ORDER.map(joint));
     let model = Model::new("parallelogram", System::new(bars.nodes.clone(), elements));
     let singular = |to: f64| {
-        let (_, remarks) = kept(&model, &question(to, 5e-3));
+        let (_, remarks) = kept(&model, &settings(to, 5e-3));
         let found = remarks.into_iter().filter(|text| text.contains("singular"));
         found.collect::<Vec<_>>()
     };
     assert_eq!(singular(0.24), [""; 0]);
-    let [told] = &singular(0.3)[..] else {
+    let [reported] = &singular(0.3)[..] else {
         panic!("one remark")
     };
-    assert!(told.starts_with("at t = 0.25 s the constraints are in a singular position"));
+    assert!(reported.starts_with("at t = 0.25 s the constraints are in a singular position"));
 }

@@ -4,14 +4,14 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 use crate::analysis::transient::{TransientOutcome, transient};
 use crate::assembly::System;
-use crate::case::{InitialMotion, Model, TransientQuestion};
+use crate::case::{InitialMotion, Model, TransientSettings};
 use crate::elements::Element;
 use crate::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along, clamped};
 use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad};
 use crate::model::{Drive, Node, State};
-use crate::result::{Moment, Recorder, Snapshot};
+use crate::result::{AcceptedStep, Recorder, Snapshot};
 
 /// Keeps every state.
 #[derive(Debug, Default)]
@@ -28,15 +28,15 @@ pub struct Kept {
 }
 
 impl Recorder for Kept {
-    fn record(&mut self, moment: &Moment<'_>) -> bool {
-        self.times.push(moment.time);
-        self.seen.push(moment.conditions.loading.time);
-        self.states.push(moment.state.clone());
-        self.most != Some(moment.step)
+    fn record(&mut self, accepted: &AcceptedStep<'_>) -> bool {
+        self.times.push(accepted.time);
+        self.seen.push(accepted.conditions.loading.time);
+        self.states.push(accepted.state.clone());
+        self.most != Some(accepted.step)
     }
 
-    fn wants_snapshot(&self, moment: &Moment<'_>) -> bool {
-        self.wanted == Some(moment.step)
+    fn wants_snapshot(&self, accepted: &AcceptedStep<'_>) -> bool {
+        self.wanted == Some(accepted.step)
     }
 
     fn keep(&mut self, snapshot: &Snapshot) -> bool {
@@ -46,15 +46,15 @@ impl Recorder for Kept {
 }
 
 /// Runs a model; all its states, and the outcome.
-pub fn run(model: &Model, question: &TransientQuestion) -> (Kept, TransientOutcome) {
+pub fn run(model: &Model, settings: &TransientSettings) -> (Kept, TransientOutcome) {
     let mut kept = Kept::default();
-    let outcome = transient(model, question, None, &mut kept, &|| 0.0);
+    let outcome = transient(model, settings, None, &mut kept, &|| 0.0);
     (kept, outcome)
 }
 
 /// As [`run`], of a run that reaches its end.
-pub fn states(model: &Model, question: &TransientQuestion) -> Vec<State> {
-    let (kept, outcome) = run(model, question);
+pub fn states(model: &Model, settings: &TransientSettings) -> Vec<State> {
+    let (kept, outcome) = run(model, settings);
     if let Some(failure) = outcome.failure {
         panic!("{failure}");
     }
@@ -209,9 +209,9 @@ impl Strip {
     /// Nodes along x, and the beams with their mass.
     pub fn parts(&self) -> (Vec<Node>, Vec<Box<dyn Element>>) {
         let count = 2 * self.elements;
-        let place = |i: usize| i as f64 / count as f64 * Vector3::x();
+        let position = |i: usize| i as f64 / count as f64 * Vector3::x();
         let nodes: Vec<_> = (0..=count)
-            .map(|i| node(&format!("{i}"), place(i), Matrix3::identity()))
+            .map(|i| node(&format!("{i}"), position(i), Matrix3::identity()))
             .collect();
         let [m, jx, jy, jz] = self.mass;
         let section = Matrix6::from_diagonal(&Vector6::new(m, m, m, jx, jy, jz));

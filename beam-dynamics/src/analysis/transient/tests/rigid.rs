@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::models::{Kept, free_body, pendulum, run, states, top};
 use crate::analysis::transient::{TransientFailure, transient};
-use crate::case::{StartAccelerations, TransientQuestion};
+use crate::case::{StartAccelerations, TransientSettings};
 use crate::elements::joints::axes_along;
 use crate::integrator::Scheme;
 use crate::model::State;
@@ -25,13 +25,13 @@ fn tension(state: &State) -> f64 {
 // 1.0199 after dummy steps, and an oscillation that begins with 2.02 without them.
 #[test]
 fn a_pendulum_starts_without_oscillation() {
-    let question = TransientQuestion::new(0.05, 0.01);
+    let settings = TransientSettings::new(0.05, 0.01);
     let first = |how: StartAccelerations| {
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             start_accelerations: how,
-            ..question
+            ..settings
         };
-        let found = states(&pendulum(), &question);
+        let found = states(&pendulum(), &settings);
         [tension(&found[0]), tension(&found[1])]
     };
     let [start, step] = first(StartAccelerations::Consistent);
@@ -85,7 +85,7 @@ const TOPS: [([f64; 3], [[f64; 3]; 5]); 3] = [
 
 fn top_error(number: usize, h: f64) -> f64 {
     let (spin, expected) = TOPS[number];
-    let found = states(&top(spin.into()), &TransientQuestion::new(10.0, h));
+    let found = states(&top(spin.into()), &TransientSettings::new(10.0, h));
     let times = [0.5, 1.0, 2.0, 5.0, 10.0].iter().zip(expected);
     let errors = times.map(|(t, expected)| {
         let state = &found[(t / h).round() as usize];
@@ -112,7 +112,7 @@ fn a_spinning_top_stays_on_its_path() {
 // of terms of order ten over 1000 steps.
 #[test]
 fn a_free_body_keeps_its_momenta() {
-    let found = states(&free_body(), &TransientQuestion::new(10.0, 0.01));
+    let found = states(&free_body(), &TransientSettings::new(10.0, 0.01));
     let momenta = |state: &State| {
         let node = &state.nodes[0];
         let about_origin = node.angular_momentum + node.position.cross(&node.momentum);
@@ -135,27 +135,27 @@ fn a_free_body_keeps_its_momenta() {
 fn a_continued_run_is_the_same_to_the_last_bit() {
     let model = top(Vector3::new(0.0, 0.9888, 7.5167));
     for scheme in [Scheme::default(), Scheme::Cubic { radius: 0.3 }] {
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             scheme,
-            ..TransientQuestion::new(0.5, 0.01)
+            ..TransientSettings::new(0.5, 0.01)
         };
         let mut whole = Kept {
             wanted: Some(17),
             ..Kept::default()
         };
         assert!(
-            transient(&model, &question, None, &mut whole, &|| 0.0)
+            transient(&model, &settings, None, &mut whole, &|| 0.0)
                 .failure
                 .is_none()
         );
         let snapshot = whole.snapshot.take().unwrap();
         let mut rest = Kept::default();
-        let outcome = transient(&model, &question, Some(&snapshot), &mut rest, &|| 0.0);
+        let outcome = transient(&model, &settings, Some(&snapshot), &mut rest, &|| 0.0);
         assert!(outcome.failure.is_none());
         assert_eq!(whole.states[18..], rest.states);
         assert_eq!(whole.times[18..], rest.times);
         // A snapshot of another model is refused.
-        let refused = transient(&pendulum(), &question, Some(&snapshot), &mut rest, &|| 0.0);
+        let refused = transient(&pendulum(), &settings, Some(&snapshot), &mut rest, &|| 0.0);
         assert!(matches!(
             refused.failure,
             Some(TransientFailure::Resume { .. })
@@ -168,7 +168,7 @@ fn a_continued_run_is_the_same_to_the_last_bit() {
 #[test]
 fn the_effort_of_a_continued_run_is_that_of_all_of_it() {
     let model = top(Vector3::new(0.0, 0.9888, 7.5167));
-    let question = TransientQuestion::new(0.5, 0.01);
+    let settings = TransientSettings::new(0.5, 0.01);
     let ticks = Cell::new(0.0);
     let clock = || {
         ticks.set(ticks.get() + 1.0);
@@ -178,11 +178,11 @@ fn the_effort_of_a_continued_run_is_that_of_all_of_it() {
         wanted: Some(40),
         ..Kept::default()
     };
-    let all = transient(&model, &question, None, &mut whole, &clock).effort;
+    let all = transient(&model, &settings, None, &mut whole, &clock).effort;
     let snapshot = whole.snapshot.take().unwrap();
     ticks.set(0.0);
     let mut rest = Kept::default();
-    let continued = transient(&model, &question, Some(&snapshot), &mut rest, &clock).effort;
+    let continued = transient(&model, &settings, Some(&snapshot), &mut rest, &clock).effort;
     let phases = |effort: &Effort| {
         effort.residual_time
             + effort.prediction_time
@@ -202,11 +202,11 @@ fn the_effort_of_a_continued_run_is_that_of_all_of_it() {
 #[test]
 fn the_simplified_jacobian_finds_the_same_motion() {
     let model = top(Vector3::new(0.0, 0.9888, 7.5167));
-    let mut question = TransientQuestion::new(1.0, 0.02);
-    question.newton.correction = 1e-12;
-    let exact = run(&model, &question);
-    question.simplified_jacobian = true;
-    let simplified = run(&model, &question);
+    let mut settings = TransientSettings::new(1.0, 0.02);
+    settings.newton.correction = 1e-12;
+    let exact = run(&model, &settings);
+    settings.simplified_jacobian = true;
+    let simplified = run(&model, &settings);
     let ends = [&exact, &simplified].map(|run| run.0.states.last().unwrap().nodes[0]);
     let off = (ends[0].rotation - ends[1].rotation).amax();
     let iterations = [&exact, &simplified].map(|run| run.1.effort.iterations);

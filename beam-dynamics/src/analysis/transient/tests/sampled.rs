@@ -11,7 +11,7 @@ use shared_geom::expression::{Expression, Names};
 use super::models::{Kept, body, node, revolute_about_z, run};
 use crate::analysis::transient::transient;
 use crate::assembly::System;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::elements::control::{Limits, Matrices, Sampled, Sampling, StateSpace};
 use crate::elements::laws::Law;
 use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
@@ -157,8 +157,8 @@ fn oscillator(delay: usize, limits: Limits) -> Model {
 }
 
 fn pendulum() -> Model {
-    let place = Vector3::new(0.5_f64.sin(), -0.5_f64.cos(), 0.0);
-    let nodes = vec![node("bob", place, Matrix3::identity())];
+    let position = Vector3::new(0.5_f64.sin(), -0.5_f64.cos(), 0.0);
+    let nodes = vec![node("bob", position, Matrix3::identity())];
     let sampling = Sampling {
         period: 0.1,
         offset: 0.0,
@@ -183,26 +183,26 @@ fn pendulum() -> Model {
     model
 }
 
-fn constant(scheme: Scheme, to: f64, step: f64) -> TransientQuestion {
-    TransientQuestion {
+fn constant(scheme: Scheme, to: f64, step: f64) -> TransientSettings {
+    TransientSettings {
         scheme,
-        ..TransientQuestion::new(to, step)
+        ..TransientSettings::new(to, step)
     }
 }
 
 /// The largest error of `found` of a state at the samples of `period`.
 fn error(
     model: &Model,
-    question: &TransientQuestion,
+    settings: &TransientSettings,
     (period, exact): (f64, &[f64]),
     found: impl Fn(&crate::model::State) -> f64,
 ) -> f64 {
-    let (Kept { times, states, .. }, outcome) = run(model, question);
+    let (Kept { times, states, .. }, outcome) = run(model, settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let errors = exact.iter().enumerate().map(|(k, exact)| {
         let time = k as f64 * period;
-        let place = times.iter().position(|own| (own - time).abs() < 1e-9);
-        (found(&states[place.unwrap()]) - exact).abs()
+        let index = times.iter().position(|own| (own - time).abs() < 1e-9);
+        (found(&states[index.unwrap()]) - exact).abs()
     });
     errors.fold(0.0, f64::max)
 }
@@ -210,7 +210,7 @@ fn error(
 // Second order, since rates are computed again after each sample.
 #[test]
 fn a_sampled_law_is_followed_to_second_order() {
-    let of_place = |state: &crate::model::State| state.nodes[0].position.x;
+    let of_position = |state: &crate::model::State| state.nodes[0].position.x;
     let model = oscillator(0, Limits::default());
     for scheme in [Scheme::CrankNicolson, Scheme::TwoStep { radius: 0.6 }] {
         let mut before = None;
@@ -220,8 +220,8 @@ fn a_sampled_law_is_followed_to_second_order() {
             (20.0, 5.8e-5),
             (40.0, 1.45e-5),
         ] {
-            let asked = constant(scheme, 0.5, 0.05 / steps);
-            let found = error(&model, &asked, (0.05, &OSCILLATOR), of_place);
+            let settings = constant(scheme, 0.5, 0.05 / steps);
+            let found = error(&model, &settings, (0.05, &OSCILLATOR), of_position);
             assert!(
                 found < 1.2 * listed,
                 "{scheme:?} {steps}: {found:e} {listed:e}"
@@ -232,9 +232,9 @@ fn a_sampled_law_is_followed_to_second_order() {
             }
         }
     }
-    let asked = constant(Scheme::CrankNicolson, 0.5, 0.05 / 20.0);
+    let settings = constant(Scheme::CrankNicolson, 0.5, 0.05 / 20.0);
     let model = oscillator(1, Limits::default());
-    let found = error(&model, &asked, (0.05, &DELAYED), of_place);
+    let found = error(&model, &settings, (0.05, &DELAYED), of_position);
     assert!(found < 1.2 * 1.07e-4, "{found:e}");
 }
 
@@ -242,8 +242,8 @@ fn a_sampled_law_is_followed_to_second_order() {
 #[test]
 fn a_held_force_on_a_constrained_mass_is_followed_to_second_order() {
     let angle = |state: &crate::model::State| {
-        let place = &state.nodes[0].position;
-        place.x.atan2(-place.y)
+        let position = &state.nodes[0].position;
+        position.x.atan2(-position.y)
     };
     for (steps, listed) in [
         (5.0, 5.72e-4),
@@ -251,8 +251,8 @@ fn a_held_force_on_a_constrained_mass_is_followed_to_second_order() {
         (20.0, 3.64e-5),
         (40.0, 9.12e-6),
     ] {
-        let asked = constant(Scheme::CrankNicolson, 1.0, 0.1 / steps);
-        let found = error(&pendulum(), &asked, (0.1, &PENDULUM), angle);
+        let settings = constant(Scheme::CrankNicolson, 1.0, 0.1 / steps);
+        let found = error(&pendulum(), &settings, (0.1, &PENDULUM), angle);
         assert!(found < 1.2 * listed, "{steps}: {found:e} {listed:e}");
     }
 }
@@ -260,7 +260,7 @@ fn a_held_force_on_a_constrained_mass_is_followed_to_second_order() {
 // Steps that would pass over samples end at them.
 #[test]
 fn variable_steps_land_on_samples() {
-    let of_place = |state: &crate::model::State| state.nodes[0].position.x;
+    let of_position = |state: &crate::model::State| state.nodes[0].position.x;
     for scheme in [
         Scheme::TwoStep { radius: 0.6 },
         Scheme::Parabolic { zeta: -2.0 / 3.0 },
@@ -271,13 +271,13 @@ fn variable_steps_land_on_samples() {
             most: 0.2,
             tolerance: 1e-6,
         };
-        let asked = TransientQuestion {
+        let settings = TransientSettings {
             scheme,
             stepping: Stepping::Variable(control),
-            ..TransientQuestion::new(0.5, 1e-3)
+            ..TransientSettings::new(0.5, 1e-3)
         };
         let model = oscillator(0, Limits::default());
-        let found = error(&model, &asked, (0.05, &OSCILLATOR), of_place);
+        let found = error(&model, &settings, (0.05, &OSCILLATOR), of_position);
         // About a hundred steps of the tolerance.
         assert!(found < 1e-4, "{scheme:?} {found:e}");
     }
@@ -285,7 +285,7 @@ fn variable_steps_land_on_samples() {
 
 // The requested output jumps to -15 and to -6.5: the output falls by 60/s, 3 per sample, to -4.
 #[test]
-fn outputs_are_limited_in_place_and_rate() {
+fn outputs_are_limited_in_position_and_rate() {
     let limits = Limits {
         range: [-4.0, 5.0],
         rate: 60.0,
@@ -295,8 +295,8 @@ fn outputs_are_limited_in_place_and_rate() {
         &constant(Scheme::CrankNicolson, 0.3, 0.01),
     );
     let outputs = |time: f64| {
-        let place = kept.times.iter().position(|own| (own - time).abs() < 1e-9);
-        kept.states[place.unwrap()].scalars.clone()
+        let index = kept.times.iter().position(|own| (own - time).abs() < 1e-9);
+        kept.states[index.unwrap()].scalars.clone()
     };
     for (time, expected) in [(0.01, -3.0), (0.05, -3.0), (0.06, -4.0), (0.10, -4.0)] {
         let all = outputs(time);
@@ -323,18 +323,24 @@ fn a_run_with_samples_is_continued_bit_for_bit() {
         (pendulum(), Stepping::Constant { step: 0.02 }),
     ] {
         for wanted in 1..30 {
-            let asked = TransientQuestion {
+            let settings = TransientSettings {
                 stepping,
-                ..TransientQuestion::new(0.8, 0.01)
+                ..TransientSettings::new(0.8, 0.01)
             };
             let mut whole = Kept {
                 wanted: Some(wanted),
                 ..Kept::default()
             };
-            let outcome = transient(&model, &asked, None, &mut whole, &|| 0.0);
+            let outcome = transient(&model, &settings, None, &mut whole, &|| 0.0);
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
             let mut rest = Kept::default();
-            transient(&model, &asked, whole.snapshot.as_ref(), &mut rest, &|| 0.0);
+            transient(
+                &model,
+                &settings,
+                whole.snapshot.as_ref(),
+                &mut rest,
+                &|| 0.0,
+            );
             assert!(rest.states[..] == whole.states[wanted + 1..], "{wanted}");
         }
     }

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 use super::models::{Kept, Random, node, run, states};
 use crate::analysis::transient::TransientFailure;
 use crate::assembly::System;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::elements::beams::{Beam, BeamElectrode, BeamGeometry, BeamNode, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
 use crate::elements::control::{Matrices, StateSpace};
@@ -24,25 +24,25 @@ const SCHEMES: [Scheme; 6] = [
     Scheme::Parabolic { zeta: -2.0 / 3.0 },
 ];
 
-fn question(scheme: Scheme, to: f64, tolerance: f64) -> TransientQuestion {
+fn settings(scheme: Scheme, to: f64, tolerance: f64) -> TransientSettings {
     let control = StepControl {
         first: 1e-3,
         least: 1e-12,
         most: 0.1 * to,
         tolerance,
     };
-    TransientQuestion {
+    TransientSettings {
         scheme,
         stepping: Stepping::Variable(control),
-        ..TransientQuestion::new(to, 1e-3)
+        ..TransientSettings::new(to, 1e-3)
     }
 }
 
 /// A beam whose nodes are clamped, with an electrode of 1 uF in `circuit`.
 fn capacitor(circuit: Circuit) -> Model {
     let nodes = (0..3).map(|i| {
-        let place = Vector3::new(0.5 * f64::from(i), 0.0, 0.0);
-        node(&format!("n{i}"), place, Matrix3::identity())
+        let position = Vector3::new(0.5 * f64::from(i), 0.0, 0.0);
+        node(&format!("n{i}"), position, Matrix3::identity())
     });
     let nodes: Vec<_> = nodes.collect();
     let geometry = BeamGeometry::new([BeamNode::aligned(); 3]);
@@ -85,7 +85,7 @@ fn a_quick_circuit_is_resolved_from_the_first_step_on() {
     for scheme in SCHEMES {
         for tolerance in [1e-4, 1e-6] {
             let (Kept { times, states, .. }, outcome) =
-                run(&model, &question(scheme, 0.02, tolerance));
+                run(&model, &settings(scheme, 0.02, tolerance));
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
             let off = times.iter().zip(&states).map(|(time, state)| {
                 let since = (time - 0.01).max(0.0);
@@ -178,7 +178,7 @@ fn alone(element: impl Element + 'static) -> Model {
 fn a_quick_state_is_resolved_from_its_start_value_on() {
     for scheme in SCHEMES {
         let model = alone(Lag::new(ScalarStart::Value(1.0), true, 1e4));
-        let (Kept { times, states, .. }, _) = run(&model, &question(scheme, 0.01, 1e-5));
+        let (Kept { times, states, .. }, _) = run(&model, &settings(scheme, 0.01, 1e-5));
         assert_eq!(states[0].scalars, [1.0]);
         assert_eq!(states[0].scalar_rates, [-1e4]);
         for (time, state) in times.iter().zip(&states) {
@@ -199,7 +199,7 @@ fn scalars_settle_by_newtons_method() {
         let mut lag = Lag::new(start, has_rate, 50.0);
         (lag.cubic, lag.rest) = (3.0, 2.0);
         let model = alone(lag);
-        let found = states(&model, &TransientQuestion::new(0.01, 1e-3));
+        let found = states(&model, &TransientSettings::new(0.01, 1e-3));
         for state in [&found[0], &found[found.len() - 1]] {
             assert!((state.scalars[0] - 2.0).abs() < 1e-9, "{:?}", state.scalars);
             assert!(state.scalar_rates[0].abs() < 1e-6);
@@ -211,7 +211,7 @@ fn scalars_settle_by_newtons_method() {
 #[test]
 fn a_scalar_that_nothing_determines_is_named() {
     let model = alone(Lag::new(ScalarStart::Settled, false, 0.0));
-    let (_, outcome) = run(&model, &TransientQuestion::new(0.01, 1e-3));
+    let (_, outcome) = run(&model, &TransientSettings::new(0.01, 1e-3));
     let failure = outcome.failure.unwrap();
     assert!(matches!(failure, TransientFailure::Scalars(_)), "{failure}");
     assert!(
@@ -243,8 +243,8 @@ fn answer(time: f64) -> f64 {
 }
 
 /// The largest error of the output in a run.
-fn filter_error(question: &TransientQuestion) -> f64 {
-    let (Kept { times, states, .. }, outcome) = run(&filter(), question);
+fn filter_error(settings: &TransientSettings) -> f64 {
+    let (Kept { times, states, .. }, outcome) = run(&filter(), settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let off = times.iter().zip(&states);
     let off = off.map(|(time, state)| (state.scalars[2] - answer(*time)).abs());
@@ -256,9 +256,9 @@ fn filter_error(question: &TransientQuestion) -> f64 {
 fn a_filter_answers_a_step_to_second_order() {
     for scheme in [SCHEMES[0], SCHEMES[1], SCHEMES[2]] {
         let error = |step: f64| {
-            filter_error(&TransientQuestion {
+            filter_error(&TransientSettings {
                 scheme,
-                ..TransientQuestion::new(0.2, step)
+                ..TransientSettings::new(0.2, step)
             })
         };
         let (coarse, fine) = (error(1e-3), error(5e-4));
@@ -276,7 +276,7 @@ fn a_filter_answers_a_step_to_second_order() {
 fn a_filter_answers_a_step_to_the_tolerance() {
     for scheme in SCHEMES {
         for tolerance in [1e-4, 1e-6] {
-            let off = filter_error(&question(scheme, 0.2, tolerance));
+            let off = filter_error(&settings(scheme, 0.2, tolerance));
             assert!(off < 500.0 * tolerance, "{scheme:?} {tolerance:e}: {off:e}");
         }
     }
@@ -319,11 +319,11 @@ fn random_systems_of_states_are_those_of_the_exponential() {
         let names = (0..outputs).map(|i| StateSpace::output("law", &format!("y{i}")));
         let starts: Vec<_> = start.iter().map(|x| ScalarStart::Value(*x)).collect();
         let law = StateSpace::new("law", matrices, signals.collect(), names.collect(), &starts);
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             scheme: Scheme::CrankNicolson,
-            ..TransientQuestion::new(0.5, 1e-3)
+            ..TransientSettings::new(0.5, 1e-3)
         };
-        let found = states(&alone(law), &question);
+        let found = states(&alone(law), &settings);
         let last = &found[found.len() - 1].scalars;
         let scale = exact.amax().max(1.0);
         for (found, exact) in last.iter().zip(exact.iter().chain(expected.iter())) {

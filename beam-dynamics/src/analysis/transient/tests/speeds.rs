@@ -7,7 +7,7 @@ use shared_geom::expression::{Expression, Names};
 use super::models::{Strip, body, free_body, moving, node, run, states};
 use crate::analysis::transient::TransientFailure;
 use crate::assembly::System;
-use crate::case::{Model, Start, TransientQuestion};
+use crate::case::{Model, Start, TransientSettings};
 use crate::elements::Element;
 use crate::elements::joints::{
     ConstraintJoint, Hinge, HingeSpring, JointEnds, Placing, Turning, axes_along,
@@ -30,10 +30,10 @@ fn beam(turning: Turning) -> Model {
     Model::new("beam", System::new(nodes, parts))
 }
 
-fn rotating(speed: f64) -> TransientQuestion {
-    TransientQuestion {
+fn rotating(speed: f64) -> TransientSettings {
+    TransientSettings {
         start: Start::Rotating { speed },
-        ..TransientQuestion::new(0.25, 0.005)
+        ..TransientSettings::new(0.25, 0.005)
     }
 }
 
@@ -72,11 +72,11 @@ fn a_driven_speed_starts_from_the_rotating_equilibrium() {
 fn a_driven_speed_starts_from_the_equilibrium_at_rest() {
     let mut model = beam(Turning::Speed(Drive::Constant(0.0).into()));
     model.gravity = Vector3::new(0.0, -0.3, -0.5);
-    let question = TransientQuestion {
+    let settings = TransientSettings {
         start: Start::Equilibrium,
-        ..TransientQuestion::new(0.1, 0.005)
+        ..TransientSettings::new(0.1, 0.005)
     };
-    let found = states(&model, &question);
+    let found = states(&model, &settings);
     let tip = |i: usize| found[i].nodes.last().unwrap().position;
     assert!((tip(0) - Vector3::x()).norm() > 0.05, "{}", tip(0));
     let moved = (0..found.len()).map(|i| (tip(i) - tip(0)).norm());
@@ -86,7 +86,7 @@ fn a_driven_speed_starts_from_the_equilibrium_at_rest() {
 // A velocity on a body next to the axis.
 #[test]
 fn imposed_velocities_that_go_with_the_rotation_are_kept() {
-    let question = rotating(2.0);
+    let settings = rotating(2.0);
     let attempt = |along: f64| {
         let nodes = vec![node("a", Vector3::x(), Matrix3::identity())];
         let ends = JointEnds {
@@ -107,7 +107,7 @@ fn imposed_velocities_that_go_with_the_rotation_are_kept() {
         let elements: Vec<Box<dyn Element>> =
             vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(belt)];
         let model = Model::new("belt", System::new(nodes, elements));
-        run(&model, &question)
+        run(&model, &settings)
     };
     let (kept, outcome) = attempt(2.0);
     assert!(outcome.failure.is_none(), "{}", outcome.failure.unwrap());
@@ -146,9 +146,16 @@ fn wound(is_hinge: bool, speed: f64) -> Model {
                 stiffness: 0.1,
                 ..HingeSpring::default()
             };
-            let places = ends.map(|end| end.0);
+            let positions = ends.map(|end| end.0);
             let on = ends.map(|end| end.1);
-            let hinge = Hinge::new("coil", places, on, &Vector3::zeros(), &Vector3::z(), spring);
+            let hinge = Hinge::new(
+                "coil",
+                positions,
+                on,
+                &Vector3::zeros(),
+                &Vector3::z(),
+                spring,
+            );
             elements.push(Box::new(hinge));
         }
         false => {
@@ -168,8 +175,8 @@ fn wound(is_hinge: bool, speed: f64) -> Model {
 #[test]
 fn springs_that_turn_by_half_a_turn_end_the_run() {
     for is_hinge in [true, false] {
-        let question = TransientQuestion::new(1.0, 0.01);
-        let failure = run(&wound(is_hinge, 10.0), &question).1.failure.unwrap();
+        let settings = TransientSettings::new(1.0, 0.01);
+        let failure = run(&wound(is_hinge, 10.0), &settings).1.failure.unwrap();
         assert!(matches!(failure, TransientFailure::Wound { .. }));
         let text = failure.to_string();
         assert!(
@@ -177,22 +184,22 @@ fn springs_that_turn_by_half_a_turn_end_the_run() {
             "{text}"
         );
         assert!(failure.remedy().contains("half a turn"));
-        let question = TransientQuestion::new(20.0, 0.05);
-        let outcome = run(&wound(is_hinge, 0.5), &question).1;
+        let settings = TransientSettings::new(20.0, 0.05);
+        let outcome = run(&wound(is_hinge, 0.5), &settings).1;
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     }
 }
 
 // |omega| = sqrt(1 + 4 + 0.04) = 2.245 rad/s.
 #[test]
-fn a_node_that_turns_far_in_a_step_is_told_once() {
-    let outcome = run(&free_body(), &TransientQuestion::new(1.0, 0.2)).1;
+fn a_node_that_turns_far_in_a_step_is_reported_once() {
+    let outcome = run(&free_body(), &TransientSettings::new(1.0, 0.2)).1;
     let [remark] = &outcome.remarks[..] else {
         panic!("{:?}", outcome.remarks)
     };
     assert!(remark.starts_with("node \"body\" turns by 0.4"), "{remark}");
     assert!(remark.contains("at t = 0.2 s"), "{remark}");
-    let outcome = run(&free_body(), &TransientQuestion::new(1.0, 0.1)).1;
+    let outcome = run(&free_body(), &TransientSettings::new(1.0, 0.1)).1;
     assert!(outcome.remarks.is_empty(), "{:?}", outcome.remarks);
 }
 
@@ -208,7 +215,7 @@ fn corners_without_end_end_the_run() {
     let mut model = free_body();
     model.gravity = 1e-9 * Vector3::z();
     model.gravity_drive = Drive::Formula(std::sync::Arc::new(steps));
-    let failure = run(&model, &TransientQuestion::new(1.0, 0.01))
+    let failure = run(&model, &TransientSettings::new(1.0, 0.01))
         .1
         .failure
         .unwrap();

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::models::{body, node, pendulum, run, spherical, states};
 use crate::analysis::transient::{Changed, StartChange, TransientFailure};
 use crate::assembly::System;
-use crate::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientQuestion};
+use crate::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientSettings};
 use crate::elements::Element;
 use crate::elements::joints::{
     ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along, clamped, partly_clamped,
@@ -29,7 +29,7 @@ fn distance(nodes: &[Node], b: usize, length: f64) -> Box<dyn Element> {
 // The point of a circle of radius 2 next to (3, 4) is at 2/5 of it; the component of the velocity
 // (1, 0) along the tangent (-4, 3)/5 is (16, -12)/25. Newton's method to round-off.
 #[test]
-fn a_point_goes_to_the_nearest_place_and_velocity() {
+fn a_point_goes_to_the_nearest_position_and_velocity() {
     let nodes = vec![node("p", Vector3::new(3.0, 4.0, 0.0), Matrix3::identity())];
     let elements = vec![
         body(0, 1.0, Vector3::zeros(), [1.0; 3]),
@@ -37,16 +37,16 @@ fn a_point_goes_to_the_nearest_place_and_velocity() {
     ];
     let mut model = Model::new("circle", System::new(nodes, elements));
     model.initial[0].velocity = Some(Vector3::x());
-    let (kept, outcome) = run(&model, &TransientQuestion::new(0.01, 0.01));
+    let (kept, outcome) = run(&model, &TransientSettings::new(0.01, 0.01));
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let start = &kept.states[0].nodes[0];
     let off = start.position - Vector3::new(1.2, 1.6, 0.0);
     assert!(off.norm() < 1e-12, "{}", start.position);
     let off = start.velocity - Vector3::new(0.64, -0.48, 0.0);
     assert!(off.norm() < 1e-12, "{}", start.velocity);
-    let told: Vec<_> = outcome.changes.iter().map(ToString::to_string).collect();
+    let reported: Vec<_> = outcome.changes.iter().map(ToString::to_string).collect();
     assert_eq!(
-        told,
+        reported,
         [
             "position of node \"p\" along x: from 3 to 1.2 m",
             "position of node \"p\" along y: from 4 to 1.6 m",
@@ -82,7 +82,7 @@ fn pair(weights: [Option<f64>; 2]) -> Model {
 #[test]
 fn velocities_that_conflict_meet_by_their_weights() {
     let start = |model: &Model| {
-        let found = states(model, &TransientQuestion::new(0.01, 0.01));
+        let found = states(model, &TransientSettings::new(0.01, 0.01));
         found[0].nodes[1].velocity.x
     };
     assert!((start(&pair([None, None])) - 0.5).abs() < 1e-12);
@@ -90,14 +90,14 @@ fn velocities_that_conflict_meet_by_their_weights() {
     let mut follows = pair([None, None]);
     follows.initial[1].velocity = None;
     assert!((start(&follows) - 1.0).abs() < 1e-7);
-    let changes = run(&follows, &TransientQuestion::new(0.01, 0.01)).1.changes;
+    let changes = run(&follows, &TransientSettings::new(0.01, 0.01)).1.changes;
     let of_b = |change: &&StartChange| change.node == "b" && change.what == Changed::Velocity;
     assert_eq!(changes.iter().filter(of_b).count(), 1, "{changes:?}");
 }
 
 // Rods that cannot meet: 3 long from one point and 1 long from another point at a distance of 5.
 #[test]
-fn places_that_do_not_exist_are_told() {
+fn positions_that_do_not_exist_are_reported() {
     let nodes = vec![node("p", Vector3::new(1.0, 0.0, 0.0), Matrix3::identity())];
     let elements = vec![
         body(0, 1.0, Vector3::zeros(), [1.0; 3]),
@@ -105,15 +105,18 @@ fn places_that_do_not_exist_are_told() {
         distance(&nodes, 0, 3.0),
     ];
     let model = Model::new("rods", System::new(nodes, elements));
-    let failure = run(&model, &TransientQuestion::new(0.1, 0.01))
+    let failure = run(&model, &TransientSettings::new(0.1, 0.01))
         .1
         .failure
         .unwrap();
     let text = failure.to_string();
-    assert!(matches!(failure, TransientFailure::Places { .. }), "{text}");
+    assert!(
+        matches!(failure, TransientFailure::Positions { .. }),
+        "{text}"
+    );
     assert!(text.contains("\"rod\""), "{text}");
     // The smallest violation is half a meter; at the given positions it is two.
-    let TransientFailure::Places { value, .. } = failure else {
+    let TransientFailure::Positions { value, .. } = failure else {
         unreachable!("it has been asserted above");
     };
     assert!((0.5 - 1e-9..=2.0).contains(&value.abs()), "{text}");
@@ -131,15 +134,15 @@ fn constraints_that_follow_from_others_are_refused_or_left_out() {
     ];
     let mut model = Model::new("twice", System::new(nodes, elements));
     model.gravity = -10.0 * Vector3::z();
-    let mut question = TransientQuestion::new(0.1, 0.01);
-    let failure = run(&model, &question).1.failure.unwrap();
+    let mut settings = TransientSettings::new(0.1, 0.01);
+    let failure = run(&model, &settings).1.failure.unwrap();
     let text = failure.to_string();
     assert!(
         text.contains("redundant constraints") && text.contains("\"two\""),
         "{text}"
     );
-    question.redundant = Redundant::Remove;
-    let (kept, outcome) = run(&model, &question);
+    settings.redundant = Redundant::Remove;
+    let (kept, outcome) = run(&model, &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     assert!(!outcome.remarks.is_empty());
     for state in &kept.states {
@@ -156,7 +159,7 @@ fn a_loose_node_without_mass_is_named() {
     ];
     let elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3])];
     let model = Model::new("loose", System::new(nodes, elements));
-    let failure = run(&model, &TransientQuestion::new(0.1, 0.01))
+    let failure = run(&model, &TransientSettings::new(0.1, 0.01))
         .1
         .failure
         .unwrap();
@@ -199,7 +202,7 @@ fn a_step_that_cannot_be_made_is_explained_and_the_rest_is_kept() {
         Box::new(rod),
     ];
     let model = Model::new("rail", System::new(nodes, elements));
-    let (kept, outcome) = run(&model, &TransientQuestion::new(1.0, 0.01));
+    let (kept, outcome) = run(&model, &TransientSettings::new(1.0, 0.01));
     let failure = outcome.failure.unwrap();
     let text = failure.to_string();
     assert!(matches!(failure, TransientFailure::Step(_)), "{text}");
@@ -233,7 +236,7 @@ fn small_models_are_placed_as_well_as_large_ones() {
         distance(&nodes, 1, length),
     ];
     let model = Model::new("small", System::new(nodes, elements));
-    let found = states(&model, &TransientQuestion::new(0.01, 0.01));
+    let found = states(&model, &TransientSettings::new(0.01, 0.01));
     let off = found[0].nodes[1].position.norm() / length - 1.0;
     assert!(off.abs() < 1e-11, "{off:e}");
 }
@@ -241,11 +244,11 @@ fn small_models_are_placed_as_well_as_large_ones() {
 // Dummy steps are iterated like the steps of the run.
 #[test]
 fn dummy_steps_keep_the_limits_of_the_run() {
-    let mut question = TransientQuestion::new(0.1, 0.01);
-    question.start_accelerations = StartAccelerations::Dummy;
-    question.newton.iterations = 1;
-    (question.newton.residual, question.newton.correction) = (1e-300, 1e-300);
-    let failure = run(&pendulum(), &question).1.failure.unwrap();
+    let mut settings = TransientSettings::new(0.1, 0.01);
+    settings.start_accelerations = StartAccelerations::Dummy;
+    settings.newton.iterations = 1;
+    (settings.newton.residual, settings.newton.correction) = (1e-300, 1e-300);
+    let failure = run(&pendulum(), &settings).1.failure.unwrap();
     let text = failure.to_string();
     assert!(matches!(failure, TransientFailure::Dummy(_)), "{text}");
     assert!(text.contains("did not converge"), "{text}");
@@ -254,15 +257,15 @@ fn dummy_steps_keep_the_limits_of_the_run() {
 
 // A local error below round-off: the unknown is named, and the requested tolerance is the cause.
 #[test]
-fn a_local_error_is_told_by_its_unknown() {
-    let mut question = TransientQuestion::new(1.0, 0.01);
-    question.stepping = Stepping::Variable(StepControl {
+fn a_local_error_is_reported_by_its_unknown() {
+    let mut settings = TransientSettings::new(1.0, 0.01);
+    settings.stepping = Stepping::Variable(StepControl {
         first: 1e-3,
         least: 1e-4,
         most: 0.1,
         tolerance: 1e-14,
     });
-    let failure = run(&pendulum(), &question).1.failure.unwrap();
+    let failure = run(&pendulum(), &settings).1.failure.unwrap();
     let text = failure.to_string();
     for part in ["largest error: ", "of node \"bob\"", "tolerance 1.000e-14"] {
         assert!(text.contains(part), "{part}: {text}");
@@ -287,7 +290,7 @@ fn driven_rotations_start_at_their_angle_however_large() {
         let elements: Vec<Box<dyn Element>> =
             vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(joint)];
         let model = Model::new("turned", System::new(nodes, elements));
-        let (kept, outcome) = run(&model, &TransientQuestion::new(0.02, 0.01));
+        let (kept, outcome) = run(&model, &TransientSettings::new(0.02, 0.01));
         assert!(outcome.failure.is_none(), "{angle}: {:?}", outcome.failure);
         kept.states[0].nodes[0]
     };
@@ -317,9 +320,9 @@ fn refusal(joints: [Box<dyn Element>; 2], nodes: Vec<Node>) -> String {
     let mut elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3])];
     elements.extend(joints);
     let model = Model::new("two", System::new(nodes, elements));
-    let mut question = TransientQuestion::new(0.02, 0.01);
-    question.redundant = Redundant::Remove;
-    let failure = run(&model, &question).1.failure;
+    let mut settings = TransientSettings::new(0.02, 0.01);
+    settings.redundant = Redundant::Remove;
+    let failure = run(&model, &settings).1.failure;
     failure.map_or_else(String::new, |failure| failure.to_string())
 }
 
@@ -365,7 +368,7 @@ fn constraints_that_contradict_are_never_left_out() {
 // first there only. Then two motors of one axis whose angles diverge later: a ramp of 1/0.02 rad/s
 // against zero.
 #[test]
-fn constraints_that_follow_in_one_place_only_are_not_left_out() {
+fn constraints_that_follow_in_one_position_only_are_not_left_out() {
     let nodes = vec![node("p", Vector3::x(), Matrix3::identity())];
     let ends = JointEnds {
         a: None,
@@ -416,12 +419,12 @@ fn a_parallelogram_at_its_dead_point_is_refused_and_beside_it_runs() {
         let middles = [0.5 * arm, arm + 0.5 * base, base + 0.5 * arm];
         let nodes = ["crank", "coupler", "rocker"].into_iter().zip(middles);
         let nodes: Vec<_> = nodes
-            .map(|(label, place)| node(label, place, Matrix3::identity()))
+            .map(|(label, position)| node(label, position, Matrix3::identity()))
             .collect();
         let mut elements: Vec<_> = (0..3)
             .map(|i| body(i, 1.0, Vector3::zeros(), [1.0; 3]))
             .collect();
-        for (name, a, b, place) in [
+        for (name, a, b, position) in [
             ("O", None, 0, Vector3::zeros()),
             ("A", Some(0), 1, arm),
             ("B", Some(1), 2, arm + base),
@@ -431,14 +434,14 @@ fn a_parallelogram_at_its_dead_point_is_refused_and_beside_it_runs() {
                 a: a.map(|a: usize| (a, &nodes[a])),
                 b: (b, &nodes[b]),
             };
-            let at = Placing::at(&place, &axes_along(&Vector3::z()));
+            let at = Placing::at(&position, &axes_along(&Vector3::z()));
             elements.push(Box::new(ConstraintJoint::revolute(name, &ends, &at, None)));
         }
         let mut model = Model::new("parallelogram", System::new(nodes, elements));
         model.gravity = -10.0 * Vector3::y();
-        let mut question = TransientQuestion::new(0.1, 0.01);
-        question.redundant = Redundant::Remove;
-        run(&model, &question).1
+        let mut settings = TransientSettings::new(0.1, 0.01);
+        settings.redundant = Redundant::Remove;
+        run(&model, &settings).1
     };
     let failure = attempt(0.0).failure.unwrap();
     assert!(
@@ -471,7 +474,7 @@ fn a_rotation_that_a_step_leaves_half_a_turn_off_ends_the_run() {
     let elements: Vec<Box<dyn Element>> =
         vec![body(0, 1.0, Vector3::zeros(), [1.0; 3]), Box::new(motor)];
     let model = Model::new("jump", System::new(nodes, elements));
-    let failure = run(&model, &TransientQuestion::new(0.05, 0.01)).1.failure;
+    let failure = run(&model, &TransientSettings::new(0.05, 0.01)).1.failure;
     let text = failure.map_or_else(String::new, |failure| failure.to_string());
     let expected = "at 0.02 s a driven rotation settled 180 deg away from its prescribed value: \
                     \"motor\"";

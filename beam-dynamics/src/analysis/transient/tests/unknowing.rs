@@ -8,14 +8,14 @@ use shared_geom::expression::{Expression, Names};
 use super::models::{body, moving, node, pendulum, run, states};
 use crate::analysis::transient::TransientFailure;
 use crate::assembly::System;
-use crate::case::{Model, Start, StartAccelerations, TransientQuestion};
+use crate::case::{Model, Start, StartAccelerations, TransientSettings};
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along};
 use crate::elements::{
     Charges, ConstraintRates, ConstraintWords, Constraints, Element, Level, Local, LocalJacobian,
-    LocalResidual, Observations, PlaceJump, Queries, Reading, ReadingRow, Reports, Signal, has,
+    LocalResidual, Observations, PositionJump, Queries, Reading, ReadingRow, Reports, Signal, has,
 };
 use crate::model::{
-    Drive, DriveTable, Formula, Harmonic, Interpolation, Loading, Node, NodeMotion, Outside,
+    Drive, DriveTable, Extrapolation, Formula, Harmonic, Interpolation, Loading, Node, NodeMotion,
     Scalars, State, Step,
 };
 
@@ -65,7 +65,11 @@ impl Constraints for Unknowing {
         false
     }
 
-    fn jump_of_place(&self, _between: [&Loading; 2], _scalars: Scalars<'_>) -> Option<PlaceJump> {
+    fn position_jump(
+        &self,
+        _between: [&Loading; 2],
+        _scalars: Scalars<'_>,
+    ) -> Option<PositionJump> {
         None
     }
 
@@ -131,7 +135,7 @@ fn tension(state: &State) -> f64 {
 fn a_start_without_derivatives_makes_dummy_steps() {
     let mut model = on_pivot(None, false);
     model.initial[0] = moving(-Vector3::y(), -Vector3::z());
-    let (kept, outcome) = run(&model, &TransientQuestion::new(0.05, 0.01));
+    let (kept, outcome) = run(&model, &TransientSettings::new(0.05, 0.01));
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let [remark] = &outcome.remarks[..] else {
         panic!("{:?}", outcome.remarks)
@@ -157,7 +161,7 @@ fn velocities_follow_from_differences_of_constraints() {
     });
     let found = [true, false].map(|is_known| {
         let model = on_pivot(Some(Turning::Angle(swing.clone().into())), is_known);
-        let found = states(&model, &TransientQuestion::new(0.01, 0.01));
+        let found = states(&model, &TransientSettings::new(0.01, 0.01));
         found[0].nodes[0].angular_velocity.z
     });
     let expected = 0.6 * std::f64::consts::PI;
@@ -178,7 +182,7 @@ fn a_corner_is_passed_without_derivatives() {
             to: 1.0,
             time: 0.105,
         });
-        let found = states(&model, &TransientQuestion::new(0.3, step));
+        let found = states(&model, &TransientSettings::new(0.3, step));
         found.last().unwrap().nodes[0].position
     });
     // It falls for 0.195 s under a gravity of one.
@@ -192,19 +196,19 @@ fn a_corner_is_passed_without_derivatives() {
 /// A value that exists in the first instants only.
 fn brief() -> Drive {
     let rows = [[0.0, 1.0], [1e-9, 1.0]];
-    let table = DriveTable::new(&rows, Interpolation::Linear, Outside::Error);
+    let table = DriveTable::new(&rows, Interpolation::Linear, Extrapolation::Error);
     Drive::Table(Arc::new(table.unwrap()))
 }
 
 #[test]
-fn dummy_steps_that_cannot_be_made_are_told() {
+fn dummy_steps_that_cannot_be_made_are_reported() {
     let mut model = pendulum();
     model.gravity_drive = brief();
-    let question = TransientQuestion {
+    let settings = TransientSettings {
         start_accelerations: StartAccelerations::Dummy,
-        ..TransientQuestion::new(0.05, 0.01)
+        ..TransientSettings::new(0.05, 0.01)
     };
-    let failure = run(&model, &question).1.failure.unwrap();
+    let failure = run(&model, &settings).1.failure.unwrap();
     assert!(matches!(failure, TransientFailure::Dummy(_)), "{failure}");
     let text = failure.to_string();
     assert!(
@@ -216,7 +220,7 @@ fn dummy_steps_that_cannot_be_made_are_told() {
 
 // The square root of time rises infinitely fast at the start.
 #[test]
-fn velocities_that_do_not_exist_are_told() {
+fn velocities_that_do_not_exist_are_reported() {
     let names = Names {
         variables: &["t"],
         constants: &[],
@@ -224,7 +228,7 @@ fn velocities_that_do_not_exist_are_told() {
     let root = Formula::new(Expression::parse("sqrt(t)", &names).unwrap(), 1.0);
     let angle = Turning::Angle(Drive::Formula(Arc::new(root)).into());
     let model = on_pivot(Some(angle), true);
-    let failure = run(&model, &TransientQuestion::new(0.1, 0.01))
+    let failure = run(&model, &TransientSettings::new(0.1, 0.01))
         .1
         .failure
         .unwrap();
@@ -238,16 +242,16 @@ fn velocities_that_do_not_exist_are_told() {
 
 // A free body carries no load.
 #[test]
-fn a_start_without_equilibrium_is_told() {
+fn a_start_without_equilibrium_is_reported() {
     let nodes = vec![node("free", Vector3::x(), Matrix3::identity())];
     let elements = vec![body(0, 1.0, Vector3::zeros(), [1.0; 3])];
     let mut model = Model::new("free", System::new(nodes, elements));
     model.gravity = -Vector3::z();
-    let question = TransientQuestion {
+    let settings = TransientSettings {
         start: Start::Equilibrium,
-        ..TransientQuestion::new(0.1, 0.01)
+        ..TransientSettings::new(0.1, 0.01)
     };
-    let failure = run(&model, &question).1.failure.unwrap();
+    let failure = run(&model, &settings).1.failure.unwrap();
     assert!(
         matches!(failure, TransientFailure::Equilibrium(_)),
         "{failure}"

@@ -8,7 +8,7 @@ use shared_geom::expression::{Expression, Names};
 
 use super::models::{Random, body, moving, node, revolute_about_z, spherical, states};
 use crate::assembly::System;
-use crate::case::{Model, Redundant, TransientQuestion};
+use crate::case::{Model, Redundant, TransientSettings};
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, axes_along};
 use crate::elements::laws::{Bilinear, Law, LawKind};
 use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
@@ -36,17 +36,17 @@ const SCHEMES: [Scheme; 11] = [
     RADAU,
 ];
 
-fn question(scheme: Scheme, to: f64, tolerance: f64) -> TransientQuestion {
+fn settings(scheme: Scheme, to: f64, tolerance: f64) -> TransientSettings {
     let control = StepControl {
         first: 1e-3,
         least: 1e-9,
         most: 0.02 * to,
         tolerance,
     };
-    TransientQuestion {
+    TransientSettings {
         scheme,
         stepping: Stepping::Variable(control),
-        ..TransientQuestion::new(to, 1e-3)
+        ..TransientSettings::new(to, 1e-3)
     }
 }
 
@@ -76,8 +76,8 @@ fn clearance(size: f64, along: usize, limit: f64, stiffness: f64) -> Model {
 }
 
 /// Energy at the end of a run, relative to the start.
-fn energy_left(model: &Model, question: &TransientQuestion, of: impl Fn(&State) -> f64) -> f64 {
-    let found = states(model, question);
+fn energy_left(model: &Model, settings: &TransientSettings, of: impl Fn(&State) -> f64) -> f64 {
+    let found = states(model, settings);
     of(&found[found.len() - 1]) / of(&found[0])
 }
 
@@ -90,7 +90,7 @@ fn after_bounce(scheme: Scheme, tolerance: f64, stiffness: f64) -> f64 {
         let pressed = (-1.0 - z).max(0.0);
         9.81 * (z + 1.0) + 0.5 * v * v + 0.5 * stiffness * pressed * pressed
     };
-    energy_left(&model, &question(scheme, 1.0, tolerance), energy)
+    energy_left(&model, &settings(scheme, 1.0, tolerance), energy)
 }
 
 // The allowed error of the velocity per step, times T (about 0.02 s here), is the tolerance: 5e-3
@@ -147,7 +147,7 @@ fn a_mass_between_stops_keeps_its_energy_to_the_tolerance() {
         for (tolerance, within) in [(1e-4, 0.02), (1e-6, 2e-3)] {
             let mut model = clearance(0.1, 0, 0.1, 1e4);
             model.initial[0] = moving(Vector3::x(), Vector3::zeros());
-            let left = energy_left(&model, &question(scheme, 4.0, tolerance), energy);
+            let left = energy_left(&model, &settings(scheme, 4.0, tolerance), energy);
             let off = (left - 1.0).abs();
             assert!(off < within, "{scheme:?} {tolerance:e}: {left}");
         }
@@ -185,7 +185,7 @@ fn a_short_pulse_is_not_stepped_over() {
         ];
         let model = Model::new("pulse", System::new(nodes, elements));
         for scheme in [TWO_STEP, CUBIC, RADAU] {
-            let found = states(&model, &question(scheme, 10.0, 1e-6));
+            let found = states(&model, &settings(scheme, 10.0, 1e-6));
             let v = found[found.len() - 1].nodes[0].velocity.x;
             assert!((v - 1.0).abs() < 1.5e-4, "{scheme:?} {width:e}: {v}");
         }
@@ -197,9 +197,9 @@ fn a_short_pulse_is_not_stepped_over() {
 fn mechanism(seed: u64, unit: f64) -> Model {
     let mut random = Random(seed);
     let count = 1 + seed as usize % 2;
-    let places: Vec<_> = (0..count).map(|_| unit * random.vector()).collect();
-    let nodes: Vec<_> = (places.iter().enumerate())
-        .map(|(i, place)| node(&format!("link {i}"), *place, Matrix3::identity()))
+    let positions: Vec<_> = (0..count).map(|_| unit * random.vector()).collect();
+    let nodes: Vec<_> = (positions.iter().enumerate())
+        .map(|(i, position)| node(&format!("link {i}"), *position, Matrix3::identity()))
         .collect();
     let mut elements: Vec<Box<dyn Element>> = Vec::new();
     for i in 0..count {
@@ -207,12 +207,12 @@ fn mechanism(seed: u64, unit: f64) -> Model {
         let moments = [1.0, 1.3, 0.8].map(|of_unit| of_unit * unit * unit);
         elements.push(body(i, 1.5 + random.number(), offset, moments));
         let on = i.checked_sub(1);
-        let from = on.map_or(Vector3::zeros(), |on| places[on]);
+        let from = on.map_or(Vector3::zeros(), |on| positions[on]);
         let joint = from + 0.5 * unit * random.vector();
         elements.push(spherical(&nodes, on, i, joint));
     }
     let law = Law::linear(20.0 * Matrix3::identity());
-    let at = places[0] + unit * random.vector();
+    let at = positions[0] + unit * random.vector();
     let law = SpringLaw::of_displacement(law);
     let spring = Spring::new("spring", (&[0], &nodes), &at, &Matrix3::identity(), law);
     elements.push(Box::new(spring));
@@ -228,7 +228,7 @@ fn steps_do_not_depend_on_the_unit_of_length() {
         let scheme = [TWO_STEP, CUBIC, RADAU][seed as usize % 3];
         let found = [2.0_f64.powi(-10), 1.0, 1000.0].map(|unit| {
             let model = mechanism(seed, unit);
-            let found = states(&model, &question(scheme, 1.0, 1e-4));
+            let found = states(&model, &settings(scheme, 1.0, 1e-4));
             let end = found[found.len() - 1].nodes[0].position / unit;
             (found.len(), end)
         });
@@ -264,11 +264,11 @@ fn shares_of_redundant_constraints_do_not_depend_on_the_unit_of_length() {
     let found = [1e-3, 1.0, 1e3].map(|unit| {
         let mut model = door(unit);
         model.gravity = unit * Vector3::new(1.0, 2.0, -9.81);
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             redundant: Redundant::Remove,
-            ..TransientQuestion::new(0.02, 0.01)
+            ..TransientSettings::new(0.02, 0.01)
         };
-        let found = states(&model, &question);
+        let found = states(&model, &settings);
         let last = &found[found.len() - 1].multipliers;
         let first = model.system.numbering().unknowns() - last.len();
         let of_unit = |(i, value): (usize, &f64)| match &*model.system.unknown(first + i).unit {
@@ -285,13 +285,13 @@ fn shares_of_redundant_constraints_do_not_depend_on_the_unit_of_length() {
 }
 
 /// Rotational energy, relative to the start: the largest of a run of equal steps.
-fn largest_energy(model: &Model, moments: [f64; 3], question: &TransientQuestion) -> f64 {
+fn largest_energy(model: &Model, moments: [f64; 3], settings: &TransientSettings) -> f64 {
     let energy = |state: &State| {
         let node = &state.nodes[0];
         let spin = node.rotation.transpose() * node.angular_velocity;
         (0..3).map(|i| moments[i] * spin[i] * spin[i]).sum::<f64>()
     };
-    let found = states(model, question);
+    let found = states(model, settings);
     let start = energy(&found[0]);
     found
         .iter()
@@ -329,11 +329,11 @@ fn a_free_top_gains_no_energy() {
     let moments = [4.0, 4.0, 7.0];
     let model = turning(moments, Vector3::new(0.4, 0.3, 5.0));
     for scheme in &RADII[1..] {
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             scheme: *scheme,
-            ..TransientQuestion::new(100.0, 0.02)
+            ..TransientSettings::new(100.0, 0.02)
         };
-        let most = largest_energy(&model, moments, &question);
+        let most = largest_energy(&model, moments, &settings);
         assert!(most < 1.01, "{scheme:?}: {most}");
     }
 }
@@ -349,15 +349,15 @@ fn free_bodies_gain_no_energy_beyond_the_order_of_the_formula() {
         let moments = [1, 2, 0].map(|i| squares[i] + squares[(i + 1) % 3]);
         let spin = random.vector();
         let scheme = RADII[number % RADII.len()];
-        let question = TransientQuestion {
+        let settings = TransientSettings {
             scheme,
-            ..TransientQuestion::new(20.0 / spin.norm(), 0.05 / spin.norm())
+            ..TransientSettings::new(20.0 / spin.norm(), 0.05 / spin.norm())
         };
         let within = match scheme {
             Scheme::ImplicitEuler => 0.05,
             _ => 0.01,
         };
-        let most = largest_energy(&turning(moments, spin), moments, &question);
+        let most = largest_energy(&turning(moments, spin), moments, &settings);
         assert!(most < 1.0 + within, "{number} {scheme:?}: {most}");
     }
 }
@@ -373,7 +373,7 @@ fn a_pendulum_takes_the_same_steps_whatever_its_length() {
         ];
         let mut model = Model::new("pendulum", System::new(nodes, elements));
         model.gravity = -9.81 * length * Vector3::y();
-        states(&model, &question(TWO_STEP, 2.0, 1e-4)).len()
+        states(&model, &settings(TWO_STEP, 2.0, 1e-4)).len()
     });
     assert!(found.iter().all(|steps| *steps == found[1]), "{found:?}");
 }

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::models::{body, moving, node, run};
 use crate::analysis::transient::{TransientFailure, TransientOutcome};
 use crate::assembly::System;
-use crate::case::{Model, TransientQuestion};
+use crate::case::{Model, TransientSettings};
 use crate::elements::Element;
 use crate::elements::joints::{Hinge, HingeSpring};
 use crate::elements::laws::{Driven, Law, LawKind, Term};
@@ -84,7 +84,7 @@ fn wound_at(outcome: TransientOutcome) -> f64 {
 #[test]
 fn a_hinge_follows_its_relaxed_angle_over_turns() {
     let model = model(1.0, 5.0, hinge(1000.0, None));
-    let (kept, outcome) = run(&model, &TransientQuestion::new(2.6, 0.01));
+    let (kept, outcome) = run(&model, &TransientSettings::new(2.6, 0.01));
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     // In a step of 0.05 rad the rotation agrees with its velocity to (0.05)^2 / 12 = 2e-4 of it.
     for state in &kept.states {
@@ -98,7 +98,7 @@ fn a_hinge_follows_its_relaxed_angle_over_turns() {
 #[test]
 fn a_hinge_that_cannot_follow_its_relaxed_angle_ends_the_run() {
     let model = model(1000.0, 0.0, hinge(1.0, None));
-    let outcome = run(&model, &TransientQuestion::new(1.0, 0.01)).1;
+    let outcome = run(&model, &TransientSettings::new(1.0, 0.01)).1;
     let remedy = outcome.failure.as_ref().map(TransientFailure::remedy);
     assert!(remedy.is_some_and(|remedy| remedy.contains("from its relaxed angle")));
     let time = wound_at(outcome);
@@ -111,10 +111,10 @@ fn a_hinge_that_cannot_follow_its_relaxed_angle_ends_the_run() {
 // beyond half a turn of the undeformed state.
 #[test]
 fn half_a_turn_counts_from_the_relaxed_angle() {
-    let question = TransientQuestion::new(1.0, 0.01);
-    let time = wound_at(run(&model(1.0, -12.0, hinge(20.0, Some(2.0))), &question).1);
+    let settings = TransientSettings::new(1.0, 0.01);
+    let time = wound_at(run(&model(1.0, -12.0, hinge(20.0, Some(2.0))), &settings).1);
     assert!((time - 0.13).abs() < 1e-9, "{time}");
-    let outcome = run(&model(1.0, -10.0, hinge(20.0, Some(2.0))), &question).1;
+    let outcome = run(&model(1.0, -10.0, hinge(20.0, Some(2.0))), &settings).1;
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
 }
 
@@ -139,7 +139,7 @@ fn a_spring_that_follows_its_prestrain_ends_the_run_at_half_a_turn() {
         prestrain: driven([0.0, 0.0, 1.0], turning()),
         prestress: None,
     });
-    let outcome = run(&model(1.0, 5.0, coil), &TransientQuestion::new(1.0, 0.01)).1;
+    let outcome = run(&model(1.0, 5.0, coil), &TransientSettings::new(1.0, 0.01)).1;
     let time = wound_at(outcome);
     assert!((time - 0.63).abs() < 1e-9, "{time}");
 }
@@ -154,8 +154,8 @@ fn a_prestress_about_a_free_axis_turns_on() {
         prestrain: None,
         prestress: driven([0.0, 0.0, -0.5], Drive::Constant(1.0)),
     };
-    let question = TransientQuestion::new(1.0, 0.01);
-    let (kept, outcome) = run(&model(1.0, 10.0, spring(motor())), &question);
+    let settings = TransientSettings::new(1.0, 0.01);
+    let (kept, outcome) = run(&model(1.0, 10.0, spring(motor())), &settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     let last = kept
         .states
@@ -170,7 +170,7 @@ fn a_prestress_about_a_free_axis_turns_on() {
         kind: linear([300.0, 300.0, 0.0]),
         ..motor()
     };
-    let time = wound_at(run(&model(1.0, 10.0, spring(across)), &question).1);
+    let time = wound_at(run(&model(1.0, 10.0, spring(across)), &settings).1);
     assert!((time - 0.32).abs() < 0.02, "{time}");
 }
 
@@ -184,7 +184,7 @@ fn a_spring_relaxed_beyond_half_a_turn_unfolds() {
     let relaxed = 200.0_f64.to_radians();
     for sense in [1.0, -1.0] {
         let model = model(1.0, 0.0, hinge(20.0, Some(sense * relaxed)));
-        let (kept, outcome) = run(&model, &TransientQuestion::new(1.0, 0.001));
+        let (kept, outcome) = run(&model, &TransientSettings::new(1.0, 0.001));
         let speed = |time: f64| {
             let step = kept.times.iter().position(|own| *own >= time - 1e-9);
             kept.states[step.unwrap()].nodes[1].angular_velocity.z

@@ -26,13 +26,13 @@ pub(super) struct Part {
     tree: Tree,
     /// A, and in its first columns Q; then P. Only if the tree method fails.
     all: Option<[DMatrix<f64>; 2]>,
-    places: Places,
+    entries: Entries,
 }
 
 /// Entries of the pattern for the loads that balance each other: load after load, and for each
 /// load constraint after constraint.
 #[derive(Debug, Clone)]
-struct Places {
+struct Entries {
     /// In the rows of the constraints.
     gives: Vec<usize>,
     /// In the columns of their multipliers.
@@ -41,21 +41,21 @@ struct Places {
     own: Vec<usize>,
 }
 
-impl Places {
+impl Entries {
     /// The rows and columns of the constraints and of the loads; `first` are the first indices of
     /// both.
     fn new(pattern: &Pattern, constraints: &[usize], first: [usize; 2], loads: usize) -> Self {
         let pairs = || (0..loads).flat_map(|k| constraints.iter().map(move |i| (*i, k)));
-        let place = |row: usize, column: usize| pattern.place(row, column);
+        let index = |row: usize, column: usize| pattern.index(row, column);
         Self {
             gives: pairs()
-                .filter_map(|(i, k)| place(first[0] + i, first[1] + k))
+                .filter_map(|(i, k)| index(first[0] + i, first[1] + k))
                 .collect(),
             takes: pairs()
-                .filter_map(|(i, k)| place(first[1] + k, first[0] + i))
+                .filter_map(|(i, k)| index(first[1] + k, first[0] + i))
                 .collect(),
             own: (0..loads)
-                .filter_map(|k| place(first[1] + k, first[1] + k))
+                .filter_map(|k| index(first[1] + k, first[1] + k))
                 .collect(),
         }
     }
@@ -90,7 +90,7 @@ impl Part {
             along: vec![0.0; loads],
             basis: DMatrix::zeros(count, loads),
             all: None,
-            places: Places::new(&system.pattern, &constraints, first, loads),
+            entries: Entries::new(&system.pattern, &constraints, first, loads),
             constraints,
         }
     }
@@ -125,9 +125,9 @@ impl Part {
         rows.fill(0.0);
         for member in &self.members {
             for (row, constraint) in member.constraints().enumerate() {
-                for (place, node) in member.nodes.iter().enumerate() {
+                for (index, node) in member.nodes.iter().enumerate() {
                     for i in 0..MOTION {
-                        let entry = member.rows[(row, MOTION * place + i)];
+                        let entry = member.rows[(row, MOTION * index + i)];
                         rows[(constraint, MOTION * node + i)] += entry;
                     }
                 }
@@ -168,14 +168,14 @@ impl Part {
     pub fn add_to(&self, weight: f64, compliance: f64, entries: &mut [f64]) {
         let forces = || self.forces.iter().cycle();
         let numbers = self.basis.iter().zip(forces());
-        for (&place, (part, force)) in self.places.gives.iter().zip(numbers.clone()) {
-            entries[place] += weight * compliance * force * part;
+        for (&index, (part, force)) in self.entries.gives.iter().zip(numbers.clone()) {
+            entries[index] += weight * compliance * force * part;
         }
-        for (&place, (part, force)) in self.places.takes.iter().zip(numbers) {
-            entries[place] -= weight * force * part;
+        for (&index, (part, force)) in self.entries.takes.iter().zip(numbers) {
+            entries[index] -= weight * force * part;
         }
-        for &place in &self.places.own {
-            entries[place] += weight;
+        for &index in &self.entries.own {
+            entries[index] += weight;
         }
     }
 

@@ -146,9 +146,9 @@ fn rows(system: &System) -> DMatrix<f64> {
     let count = system.numbering().multipliers();
     let mut rows = DMatrix::zeros(count, 6 * system.nodes().len());
     for (row, column, value) in system.constraint_rows(&tangent, &[Level::Position]) {
-        let place = column % NODE_UNKNOWNS;
-        let size = if place < 3 { 1.0 } else { system.size() };
-        rows[(row, 6 * (column / NODE_UNKNOWNS) + place)] = value / size;
+        let index = column % NODE_UNKNOWNS;
+        let size = if index < 3 { 1.0 } else { system.size() };
+        rows[(row, 6 * (column / NODE_UNKNOWNS) + index)] = value / size;
     }
     for mut row in rows.row_iter_mut() {
         let own: Vec<f64> = row.iter().copied().collect();
@@ -228,7 +228,7 @@ fn a_ring_has_three_loads_that_balance_each_other() {
 
 // The result for one position does not depend on the result for a previous one.
 #[test]
-fn the_same_place_gives_the_same_bits() {
+fn the_same_state_gives_the_same_bits() {
     let system = shared(&ring(&mut Numbers::new(8))).unwrap();
     let (rest, conditions) = (system.rest(), Conditions::at_rest());
     let mut turned = rest.clone();

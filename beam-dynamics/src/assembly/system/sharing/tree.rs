@@ -136,9 +136,9 @@ impl Tree {
             let member = &members[*cut];
             for (row, constraint) in member.constraints().enumerate() {
                 self.forces[(constraint, unit)] = 1.0;
-                for (place, node) in member.nodes.iter().enumerate() {
+                for (index, node) in member.nodes.iter().enumerate() {
                     for i in 0..MOTION {
-                        let entry = member.rows[(row, MOTION * place + i)];
+                        let entry = member.rows[(row, MOTION * index + i)];
                         self.left[(unit, MOTION * node + i)] += entry;
                     }
                 }
@@ -206,7 +206,7 @@ fn carry(
     let (first, count) = (member.constraints().start, member.constraints().len());
     let on_outer = MOTION * member.nodes[outer];
     // A joint on the frame has no inner node.
-    let inner = (0..member.nodes.len()).find(|place| *place != outer);
+    let inner = (0..member.nodes.len()).find(|index| *index != outer);
     for unit in 0..loads.nrows() {
         let mut load = [0.0; MOTION];
         for (k, value) in load.iter_mut().enumerate() {

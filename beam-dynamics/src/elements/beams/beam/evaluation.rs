@@ -6,7 +6,7 @@ use super::Beam;
 use crate::elements::beams::attachment::Formulation;
 use crate::elements::beams::electrodes::Voltage;
 use crate::elements::beams::forces::{Test, add_column, add_forces, add_tangent};
-use crate::elements::beams::gradient::{self, Place};
+use crate::elements::beams::gradient::{self, EvaluationPoint};
 use crate::elements::beams::interpolation::{NodalKinematics, PointKinematics};
 use crate::elements::beams::portions;
 use crate::elements::beams::strain::{StrainPoint, Variation};
@@ -28,15 +28,15 @@ impl Beam {
     /// An evaluation point at a state.
     pub(super) fn at(
         &self,
-        place: usize,
+        index: usize,
         nodal: &NodalKinematics,
         at: &Local<'_>,
         voltages: &[Voltage],
     ) -> At {
-        let point = &self.points[place];
+        let point = &self.points[index];
         let kinematics = nodal.at(&point.shape, point.reference.j0);
         let rate = match point.law.is_viscous() {
-            true => self.strain_point(place, nodal).rate(at.nodes),
+            true => self.strain_point(index, nodal).rate(at.nodes),
             false => Vector6::zeros(),
         };
         let mut found = At {
@@ -48,7 +48,7 @@ impl Beam {
         let response = &mut found.response;
         (point.law).add(&found.now, &found.rate, &at.instant(), response);
         if !self.electrodes.is_empty() {
-            response.force += self.electrodes.force(place, voltages);
+            response.force += self.electrodes.force(index, voltages);
         }
         found
     }
@@ -56,26 +56,26 @@ impl Beam {
     /// An evaluation point with the variation of its strain.
     pub(super) fn strain_point<'a>(
         &'a self,
-        place: usize,
+        index: usize,
         nodal: &'a NodalKinematics,
     ) -> StrainPoint<'a> {
-        let point = &self.points[place];
+        let point = &self.points[index];
         StrainPoint::new(nodal, &point.shape, point.reference.j0)
     }
 
     /// W of an evaluation point (D-23).
-    fn test(&self, place: usize, strain: &StrainPoint<'_>) -> Test {
+    fn test(&self, index: usize, strain: &StrainPoint<'_>) -> Test {
         match self.geometry.formulation {
             Formulation::Variational => strain.j0() * strain.variation,
-            Formulation::FiniteVolume(_) => portions::test(place, &strain.section),
+            Formulation::FiniteVolume(_) => portions::test(index, &strain.section),
         }
     }
 
-    /// Evaluation point of index `place` of a variational beam.
-    fn place<'a>(&'a self, place: usize, point: &'a At) -> Place<'a> {
-        Place {
-            shape: &self.points[place].shape,
-            j0: self.points[place].reference.j0,
+    /// Evaluation point of index `index` of a variational beam.
+    fn evaluation_point<'a>(&'a self, index: usize, point: &'a At) -> EvaluationPoint<'a> {
+        EvaluationPoint {
+            shape: &self.points[index].shape,
+            j0: self.points[index].reference.j0,
             point: &point.kinematics,
         }
     }
@@ -87,15 +87,15 @@ impl Beam {
         points: &[At; 2],
         out: &mut LocalResidual,
     ) {
-        let force = |place: usize| &points[place].response.force;
+        let force = |index: usize| &points[index].response.force;
         if self.geometry.formulation == Formulation::Variational {
-            let of = |place: usize| (self.place(place, &points[place]), force(place));
+            let of = |index: usize| (self.evaluation_point(index, &points[index]), force(index));
             gradient::add_forces(nodal, &[of(0), of(1)], out);
             return;
         }
-        for place in [0, 1] {
-            let test = self.test(place, &self.strain_point(place, nodal));
-            add_forces(&test, force(place), out);
+        for index in [0, 1] {
+            let test = self.test(index, &self.strain_point(index, nodal));
+            add_forces(&test, force(index), out);
         }
     }
 
@@ -108,22 +108,27 @@ impl Beam {
         out: &mut LocalJacobian,
     ) {
         let strains = [self.strain_point(0, nodal), self.strain_point(1, nodal)];
-        let of = |place: usize| {
-            let strain = &strains[place];
+        let of = |index: usize| {
+            let strain = &strains[index];
             (
-                self.test(place, strain),
-                sections[place].1 * strain.variation,
+                self.test(index, strain),
+                sections[index].1 * strain.variation,
             )
         };
         add_tangent(&[of(0), of(1)], false, out);
         if self.geometry.formulation == Formulation::Variational {
-            let of = |place: usize| (self.place(place, &points[place]), sections[place].0);
+            let of = |index: usize| {
+                (
+                    self.evaluation_point(index, &points[index]),
+                    sections[index].0,
+                )
+            };
             gradient::add_geometric(nodal, &[of(0), of(1)], out);
             return;
         }
-        for (place, (force, _)) in sections.into_iter().enumerate() {
+        for (index, (force, _)) in sections.into_iter().enumerate() {
             let [force, moment] = [0, 3].map(|row| force.fixed_rows::<3>(row).into_owned());
-            portions::add_geometric(place, &strains[place].section, &force, &moment, out);
+            portions::add_geometric(index, &strains[index].section, &force, &moment, out);
         }
     }
 
@@ -131,16 +136,16 @@ impl Beam {
     /// evaluation point.
     pub(super) fn add_more(
         &self,
-        (place, point): (usize, &At),
+        (index, point): (usize, &At),
         (nodal, at): (&NodalKinematics, &Local<'_>),
         out: &mut LocalJacobian,
     ) {
-        let law = &self.points[place].law;
+        let law = &self.points[index].law;
         if !law.is_viscous() && self.scalars.is_empty() {
             return;
         }
-        let strain = self.strain_point(place, nodal);
-        let test = self.test(place, &strain);
+        let strain = self.strain_point(index, nodal);
+        let test = self.test(index, &strain);
         if law.is_viscous() {
             let by_rate = &point.response.by_rate;
             let by_unknowns = by_rate * strain.rate_variation(at.nodes);
@@ -155,18 +160,18 @@ impl Beam {
             add_column(&test, q, (scalar, of_rate), out);
         });
         self.electrodes.by_scalars(at, |k, scalar, slope| {
-            let q = slope * self.electrodes.coupling(k, place);
+            let q = slope * self.electrodes.coupling(k, index);
             add_column(&test, &q, (scalar, false), out);
         });
         let variation = (&strain.variation, at);
-        self.electrodes.add_charge_rows(place, variation, out);
+        self.electrodes.add_charge_rows(index, variation, out);
     }
 
     /// Adds the derivatives of a component of the strain, or of the internal force, at an
     /// evaluation point.
     pub(super) fn add_reading(
         &self,
-        place: usize,
+        index: usize,
         (point, variation): (&At, &StrainPoint<'_>),
         at: &Local<'_>,
         (strain, component): (bool, usize),
@@ -181,23 +186,27 @@ impl Beam {
                     row.by_node(node, variables[k], &slope);
                 }
             };
-        const PLACES: [Variable; 2] = [Variable::Position, Variable::Rotation];
+        const DISPLACEMENTS: [Variable; 2] = [Variable::Position, Variable::Rotation];
         const RATES: [Variable; 2] = [Variable::Velocity, Variable::AngularVelocity];
         let rates = variation;
         let variation = &variation.variation;
         if strain {
             let alone = RowVector6::from_fn(|_, j| f64::from(u8::from(j == component)));
-            add(&alone, variation, PLACES);
+            add(&alone, variation, DISPLACEMENTS);
             return;
         }
         let Response {
             by_strain, by_rate, ..
         } = &point.response;
-        add(&by_strain.row(component).into_owned(), variation, PLACES);
-        let law = &self.points[place].law;
+        add(
+            &by_strain.row(component).into_owned(),
+            variation,
+            DISPLACEMENTS,
+        );
+        let law = &self.points[index].law;
         if law.is_viscous() {
             let slopes = by_rate.row(component).into_owned();
-            add(&slopes, &rates.rate_variation(at.nodes), PLACES);
+            add(&slopes, &rates.rate_variation(at.nodes), DISPLACEMENTS);
             add(&slopes, variation, RATES);
         }
         law.by_scalars(
@@ -209,7 +218,7 @@ impl Beam {
             },
         );
         self.electrodes.by_scalars(at, |k, scalar, slope| {
-            let coupling = self.electrodes.coupling(k, place)[component];
+            let coupling = self.electrodes.coupling(k, index)[component];
             row.by_scalar((scalar, false), slope * coupling);
         });
     }

@@ -69,7 +69,7 @@ pub(in crate::elements::joints) enum Form {
         length: f64,
     },
     /// The angular velocity about a direction.
-    Spin {
+    AngularVelocity {
         /// The direction e [-].
         axis: Vector3<f64>,
         /// Carrier of the direction.
@@ -85,7 +85,7 @@ impl Form {
             Self::Along { axis, .. } => axis.dot(&d),
             Self::Across { a, b } => a.dot(b),
             Self::Distance { length } => 0.5 * (d.norm_squared() / length - length),
-            Self::Spin { .. } => 0.0,
+            Self::AngularVelocity { .. } => 0.0,
         }
     }
 
@@ -108,12 +108,12 @@ impl Form {
                 [zero, couple, zero, -couple]
             }
             Self::Distance { length } => along(&(d / *length)),
-            Self::Spin { axis, .. } => [zero, -axis, zero, *axis],
+            Self::AngularVelocity { axis, .. } => [zero, -axis, zero, *axis],
         }
     }
 
     /// Whether the form depends on displacements.
-    pub fn has_places(&self) -> bool {
+    pub fn has_positions(&self) -> bool {
         matches!(self, Self::Along { .. } | Self::Distance { .. })
     }
 
@@ -129,9 +129,9 @@ impl Form {
                 let Some(k) = carrier.part() else {
                     return;
                 };
-                add(Part::PlaceB, k, -e);
+                add(Part::PositionB, k, -e);
                 add(Part::TurnB, k, -f_b * e);
-                add(Part::PlaceA, k, e);
+                add(Part::PositionA, k, e);
                 add(Part::TurnA, k, f_a * e);
                 add(k, k, skew(&d) * e);
                 by_between(k, &e, &f_a, &f_b, add);
@@ -149,15 +149,15 @@ impl Form {
                 add(Part::TurnA, Part::TurnA, -n * f_a);
                 let unit = Matrix3::identity();
                 for (part, factor) in [
-                    (Part::PlaceA, -unit),
+                    (Part::PositionA, -unit),
                     (Part::TurnA, -f_a),
-                    (Part::PlaceB, unit),
+                    (Part::PositionB, unit),
                     (Part::TurnB, f_b),
                 ] {
                     by_between(part, &(factor / *length), &f_a, &f_b, add);
                 }
             }
-            Self::Spin { axis, carrier } => {
+            Self::AngularVelocity { axis, carrier } => {
                 if let Some(k) = carrier.part() {
                     add(Part::TurnB, k, -skew(axis));
                     add(Part::TurnA, k, skew(axis));
@@ -185,9 +185,9 @@ fn by_between(
     f_b: &Matrix3<f64>,
     add: &mut impl FnMut(Part, Part, Matrix3<f64>),
 ) {
-    add(row, Part::PlaceB, *factor);
+    add(row, Part::PositionB, *factor);
     add(row, Part::TurnB, -factor * f_b);
-    add(row, Part::PlaceA, -factor);
+    add(row, Part::PositionA, -factor);
     add(row, Part::TurnA, factor * f_a);
 }
 

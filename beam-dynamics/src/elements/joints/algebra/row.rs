@@ -25,7 +25,7 @@ pub(in crate::elements::joints) enum Held {
     /// The distance of the points.
     Distance,
     /// The angular velocity of b against a about an axis of the carrier.
-    Spin(Carrier, usize),
+    AngularVelocity(Carrier, usize),
 }
 
 /// A constraint.
@@ -51,7 +51,7 @@ pub(in crate::elements::joints) struct Seen<'a> {
 
 /// A row at a state.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::elements::joints) struct PlacedRow<'a> {
+pub(in crate::elements::joints) struct RowAtState<'a> {
     seen: &'a Seen<'a>,
     pub form: Form,
     /// Whether it constrains a rate.
@@ -81,12 +81,12 @@ impl Row {
 
     pub fn level(&self) -> Level {
         match self.held {
-            Held::Velocity(..) | Held::Spin(..) => Level::Velocity,
+            Held::Velocity(..) | Held::AngularVelocity(..) => Level::Velocity,
             _ => Level::Position,
         }
     }
 
-    pub fn at<'a>(&self, seen: &'a Seen<'a>) -> PlacedRow<'a> {
+    pub fn at<'a>(&self, seen: &'a Seen<'a>) -> RowAtState<'a> {
         let target = self.target.as_ref();
         let target = target.map_or_else(DriveValue::default, |s| s.at(&seen.now));
         let target = target.times(seen.scale);
@@ -114,12 +114,12 @@ impl Row {
                     false => f64::NAN,
                 },
             },
-            Held::Spin(carrier, i) => Form::Spin {
+            Held::AngularVelocity(carrier, i) => Form::AngularVelocity {
                 axis: axis(carrier, i),
                 carrier,
             },
         };
-        PlacedRow {
+        RowAtState {
             seen,
             form,
             of_rates: self.level() == Level::Velocity,
@@ -129,7 +129,7 @@ impl Row {
     }
 }
 
-impl PlacedRow<'_> {
+impl RowAtState<'_> {
     fn ends(&self) -> &Ends {
         &self.seen.ends
     }
@@ -141,7 +141,7 @@ impl PlacedRow<'_> {
 
     /// Whether the part of the reaction belongs to the row at every state.
     fn has(&self, part: Part) -> bool {
-        part.is_turn() || self.form.has_places()
+        part.is_turn() || self.form.has_positions()
     }
 
     fn value(&self) -> f64 {
@@ -182,10 +182,10 @@ impl PlacedRow<'_> {
     /// Derivatives of [`Self::residual`].
     fn jacobian(&self, (row, lambda): (usize, f64), reaction: &Parts, out: &mut LocalJacobian) {
         self.each_part(|part, node| {
-            let (equation, places, rates) = names(part);
+            let (equation, positions, rates) = names(part);
             let reaction = reaction[part as usize];
             out.add_multiplier((node, equation), row, &reaction);
-            let by = if self.of_rates { rates } else { places };
+            let by = if self.of_rates { rates } else { positions };
             out.add_constraint(row, (node, by), &-reaction.transpose());
         });
         let velocities = self.ends().rates();
@@ -194,11 +194,11 @@ impl PlacedRow<'_> {
             let (Some(node), Some(column)) = nodes else {
                 return;
             };
-            let (equation, places) = (names(of).0, names(by).1);
-            out.add((node, equation), (column, places), &(-lambda * block));
+            let (equation, positions) = (names(of).0, names(by).1);
+            out.add((node, equation), (column, positions), &(-lambda * block));
             if self.of_rates {
                 let slope = velocities[of as usize].transpose() * block;
-                out.add_constraint(row, (column, places), &slope);
+                out.add_constraint(row, (column, positions), &slope);
             }
         });
     }
@@ -227,7 +227,7 @@ impl PlacedRow<'_> {
                 let gradient = self.form.gradient(ends).map(|g| -slope * g);
                 (-0.5 * (square + 1.0) * rate, gradient)
             }
-            Form::Along { .. } | Form::Spin { .. } => (-rate, zero),
+            Form::Along { .. } | Form::AngularVelocity { .. } => (-rate, zero),
         }
     }
 

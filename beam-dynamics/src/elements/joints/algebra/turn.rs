@@ -22,9 +22,9 @@ pub(in crate::elements::joints) struct Turned {
     /// `E R(phi)` [-].
     pub axes: Matrix3<f64>,
     /// w, model axes [rad/s].
-    pub spin: Vector3<f64>,
+    pub omega: Vector3<f64>,
     /// w', model axes [rad/s^2].
-    pub spin_rate: Vector3<f64>,
+    pub alpha: Vector3<f64>,
 }
 
 impl Turned {
@@ -32,8 +32,8 @@ impl Turned {
     pub fn fixed(axes: &Matrix3<f64>) -> Self {
         Self {
             axes: *axes,
-            spin: Vector3::zeros(),
-            spin_rate: Vector3::zeros(),
+            omega: Vector3::zeros(),
+            alpha: Vector3::zeros(),
         }
     }
 
@@ -42,15 +42,15 @@ impl Turned {
         let tangent = vector::tangent(phi);
         Self {
             axes: axes * vector::to_rotation(phi),
-            spin: axes * (tangent * first),
-            spin_rate: axes * (tangent * second + tangent_rate(phi, first)),
+            omega: axes * (tangent * first),
+            alpha: axes * (tangent * second + tangent_rate(phi, first)),
         }
     }
 
     /// `e'` and `e''` of a direction `e`.
     pub fn derivatives(&self, e: &Vector3<f64>) -> [Vector3<f64>; 2] {
-        let first = self.spin.cross(e);
-        [first, self.spin_rate.cross(e) + self.spin.cross(&first)]
+        let first = self.omega.cross(e);
+        [first, self.alpha.cross(e) + self.omega.cross(&first)]
     }
 }
 

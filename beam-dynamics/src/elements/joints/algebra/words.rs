@@ -35,7 +35,7 @@ impl Held {
                     (held, "-", format!("across {a} of a and {b} of b"), "N m")
                 }
             },
-            Self::Spin(carrier, axis) => {
+            Self::AngularVelocity(carrier, axis) => {
                 let direction = format!("about {} of {}", AXES[axis], axes(carrier));
                 let held = format!("angular velocity {direction}");
                 (held, "rad/s", direction, "N m")

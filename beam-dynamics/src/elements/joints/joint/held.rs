@@ -20,7 +20,7 @@ impl ConstraintJoint {
                 let now = Row::zero(held).at(&seen).form.value(&seen.ends);
                 Row::driven(held, Drive::Constant(now))
             }
-            Held::Spin(_, axis) => {
+            Held::AngularVelocity(_, axis) => {
                 let held = about(axis);
                 let now = Row::zero(held).at(&seen).form.value(&seen.ends);
                 Row::driven(held, Drive::Constant(now))

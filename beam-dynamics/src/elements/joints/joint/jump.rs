@@ -5,7 +5,7 @@ use shared_geom::rotation::vector;
 
 use super::{ConstraintJoint, by_axis};
 use crate::elements::joints::algebra::Held;
-use crate::elements::{Instant, PlaceJump};
+use crate::elements::{Instant, PositionJump};
 use crate::model::{DriveValue, Loading, Scalars};
 
 /// Changes of the value of a drive between two instants, beyond its rate, that are ignored:
@@ -22,35 +22,35 @@ fn jumps([from, to]: [DriveValue; 2], delay: f64) -> bool {
 
 impl ConstraintJoint {
     /// The first jump of a position or of an attitude between two instants.
-    pub(super) fn place_jump(
+    pub(super) fn position_jump(
         &self,
         between: [&Loading; 2],
         scalars: Scalars<'_>,
-    ) -> Option<PlaceJump> {
+    ) -> Option<PositionJump> {
         let delay = between[1].time - between[0].time;
         let now = |at: &Loading| Instant {
             time: at.time,
             scalars,
         };
-        let places = self.rows.iter().filter_map(|row| {
+        let positions = self.rows.iter().filter_map(|row| {
             let target = row.target.as_ref()?;
             let what = match row.held {
                 Held::Along(_, axis) => {
                     format!("displacement along its {}", ["x", "y", "z"][axis % 3])
                 }
                 Held::Distance => "length".to_owned(),
-                Held::Across(..) | Held::Velocity(..) | Held::Spin(..) => return None,
+                Held::Across(..) | Held::Velocity(..) | Held::AngularVelocity(..) => return None,
             };
             let held = between.map(|at| target.at(&now(at)).times(self.scale(at, &now(at))));
-            jumps(held, delay).then(|| PlaceJump {
+            jumps(held, delay).then(|| PositionJump {
                 what,
                 from: held[0].value,
                 to: held[1].value,
                 unit: "m",
             })
         });
-        let mut places = places;
-        places.next().or_else(|| {
+        let mut positions = positions;
+        positions.next().or_else(|| {
             let turn = self.turn.as_ref()?;
             let turned = between.map(|at| by_axis(turn, &now(at), &self.scale(at, &now(at))));
             self.attitude_jump(&turned, delay)
@@ -58,7 +58,7 @@ impl ConstraintJoint {
     }
 
     /// Whole turns are no jump.
-    fn attitude_jump(&self, turned: &[[Vector3<f64>; 3]; 2], delay: f64) -> Option<PlaceJump> {
+    fn attitude_jump(&self, turned: &[[Vector3<f64>; 3]; 2], delay: f64) -> Option<PositionJump> {
         let [from, to] = turned.map(|[phi, ..]| vector::to_rotation(&phi));
         let off = vector::from_rotation(&(from.transpose() * to)).norm();
         let rates = turned[0][1].norm() + turned[1][1].norm();
@@ -71,7 +71,7 @@ impl ConstraintJoint {
             Some(about) if about == axis => "angle".to_owned(),
             _ => format!("rotation about its axis {}", axis + 1),
         };
-        Some(PlaceJump {
+        Some(PositionJump {
             what,
             from: turned[0][0][axis].to_degrees(),
             to: turned[1][0][axis].to_degrees(),
@@ -109,13 +109,13 @@ mod tests {
         })
     }
 
-    fn told(joint: &ConstraintJoint) -> Option<String> {
+    fn reported(joint: &ConstraintJoint) -> Option<String> {
         let at = |time: f64| Loading {
             time,
             ..Loading::none()
         };
         let jump = joint.jump([&at(0.5_f64.next_down()), &at(0.5)], Scalars::NONE)?;
-        let PlaceJump {
+        let PositionJump {
             what,
             from,
             to,
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_of_places_are_told_and_ramps_and_whole_turns_are_not() {
+    fn steps_of_positions_are_reported_and_ramps_and_whole_turns_are_not() {
         let node = Node {
             label: "b".to_owned(),
             position: Vector3::x(),
@@ -138,14 +138,14 @@ mod tests {
         let at = Placing::at(&node.position, &Matrix3::identity());
         let angle = |drive: Drive| {
             let turning = Some(Turning::Angle(drive.into()));
-            told(&ConstraintJoint::revolute("hinge", &ends, &at, turning))
+            reported(&ConstraintJoint::revolute("hinge", &ends, &at, turning))
         };
         assert_eq!(angle(step(0.5)).unwrap(), "angle 0.000 28.648 deg");
         assert_eq!(angle(ramp()), None);
         assert_eq!(angle(step(4.0 * std::f64::consts::PI)), None);
         let slide = |drive: Drive| {
             let slide = Freedom::Driven(drive.into());
-            told(&ConstraintJoint::prismatic("guide", &ends, &at, slide))
+            reported(&ConstraintJoint::prismatic("guide", &ends, &at, slide))
         };
         let expected = "displacement along its x 0.000 -0.010 m";
         assert_eq!(slide(step(-0.01)).unwrap(), expected);
@@ -153,6 +153,6 @@ mod tests {
         // A jump of a velocity is an impulse, not a jump of positions.
         let speed = Some(Turning::Speed(step(1.0).into()));
         let wheel = ConstraintJoint::revolute("wheel", &ends, &at, speed);
-        assert_eq!(told(&wheel), None);
+        assert_eq!(reported(&wheel), None);
     }
 }

@@ -23,25 +23,25 @@ pub(super) struct Legend {
 }
 
 impl Legend {
-    /// Height in a figure of width `room` \[figure pixels\].
-    pub fn height(&self, room: f64) -> f64 {
-        let last = self.places(room).last().copied();
+    /// Height in a figure of width `space` \[figure pixels\].
+    pub fn height(&self, space: f64) -> f64 {
+        let last = self.positions(space).last().copied();
         last.map_or(0.0, |[_, row]| (row + 1.0) * ROW)
     }
 
     /// Beginning of each entry \[figure pixels\], and its row.
-    fn places(&self, room: f64) -> Vec<[f64; 2]> {
+    fn positions(&self, space: f64) -> Vec<[f64; 2]> {
         let (mut x, mut row) = (0.0, 0.0);
-        let mut places = Vec::new();
+        let mut positions = Vec::new();
         for entry in &self.entries {
             let width = width(entry);
-            if x > 0.0 && x + width > room {
+            if x > 0.0 && x + width > space {
                 (x, row) = (0.0, row + 1.0);
             }
-            places.push([x, row]);
+            positions.push([x, row]);
             x += width + GAPS[1];
         }
-        places
+        positions
     }
 
     /// Draws the entries from the upper left corner to the right and downward.
@@ -49,13 +49,13 @@ impl Legend {
         &self,
         canvas: &Canvas<B>,
         [left, top]: [f64; 2],
-        room: f64,
+        space: f64,
     ) -> Result<(), FigureProblem> {
-        for (entry, [place, row]) in self.entries.iter().zip(self.places(room)) {
+        for (entry, [position, row]) in self.entries.iter().zip(self.positions(space)) {
             let (name, stroke) = entry;
-            let mut x = left + place;
+            let mut x = left + position;
             let y = top + ROW * (row + 0.5);
-            let mut rest = width(entry).min(room - place);
+            let mut rest = width(entry).min(space - position);
             if let Some(stroke) = stroke {
                 stroke.draw(canvas, &[[x, y], [x + SAMPLE, y]])?;
                 x += SAMPLE + GAPS[0];

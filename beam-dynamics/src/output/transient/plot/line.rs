@@ -82,36 +82,36 @@ impl Stroke {
     pub fn draw<B: DrawingBackend>(
         &self,
         canvas: &Canvas<B>,
-        places: &[[f64; 2]],
+        positions: &[[f64; 2]],
     ) -> Result<(), FigureProblem> {
-        if let [place] = places {
-            return canvas.disc(*place, self.width, self.color);
+        if let [position] = positions {
+            return canvas.disc(*position, self.width, self.color);
         }
         if self.dashes.is_empty() {
-            return canvas.line(places, self.width, self.color);
+            return canvas.line(positions, self.width, self.color);
         }
-        for dash in dashed(places, self.dashes) {
+        for dash in dashed(positions, self.dashes) {
             canvas.line(&dash, self.width, self.color)?;
         }
         Ok(())
     }
 }
 
-/// The dashes along the line through `places`.
-fn dashed(places: &[[f64; 2]], pattern: &[f64]) -> Vec<Vec<[f64; 2]>> {
-    let mut dashes = vec![places[..1].to_vec()];
+/// The dashes along the line through `positions`.
+fn dashed(positions: &[[f64; 2]], pattern: &[f64]) -> Vec<Vec<[f64; 2]>> {
+    let mut dashes = vec![positions[..1].to_vec()];
     let (mut part, mut left) = (0, pattern[0]);
-    for ends in places.windows(2) {
+    for ends in positions.windows(2) {
         let [from, to] = [ends[0], ends[1]];
         let length = (to[0] - from[0]).hypot(to[1] - from[1]);
         let mut done = 0.0;
         while length - done > left {
             done += left;
             let share = done / length;
-            let place = [0, 1].map(|k| from[k] + share * (to[k] - from[k]));
+            let position = [0, 1].map(|k| from[k] + share * (to[k] - from[k]));
             match (part % 2, dashes.last_mut()) {
-                (0, Some(dash)) => dash.push(place),
-                _ => dashes.push(vec![place]),
+                (0, Some(dash)) => dash.push(position),
+                _ => dashes.push(vec![position]),
             }
             part = (part + 1) % pattern.len();
             left = pattern[part];
@@ -150,10 +150,10 @@ fn extremes(part: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
     let by_value = |a: &usize, b: &usize| part[*a][1].total_cmp(&part[*b][1]);
     let least = (0..part.len()).min_by(by_value).unwrap_or(0);
     let largest = (0..part.len()).max_by(by_value).unwrap_or(0);
-    let mut places = vec![0, least, largest, part.len() - 1];
-    places.sort_unstable();
-    places.dedup();
-    places.into_iter().map(|place| part[place])
+    let mut positions = vec![0, least, largest, part.len() - 1];
+    positions.sort_unstable();
+    positions.dedup();
+    positions.into_iter().map(|position| part[position])
 }
 
 /// Points of a path that are `across` from the one before, or the same part of its height.
@@ -217,8 +217,8 @@ mod tests {
 
     #[test]
     fn dashes_follow_corners() {
-        let places = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]];
-        let found = dashed(&places, &[8.0, 4.0]);
+        let positions = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]];
+        let found = dashed(&positions, &[8.0, 4.0]);
         let expected = [
             vec![[0.0, 0.0], [8.0, 0.0]],
             vec![[10.0, 2.0], [10.0, 10.0]],

@@ -24,7 +24,7 @@ pub(super) fn title(tables: &[TimeTable]) -> String {
     }
 }
 
-/// A name for each run: that of the file, with its ending or with as many folders as distinguish
+/// A name for each run: the name of the file, with its ending or with as many folders as distinguish
 /// the runs.
 pub(super) fn runs(tables: &[TimeTable]) -> Vec<String> {
     let paths: Vec<_> = tables.iter().map(|table| Path::new(&table.file)).collect();

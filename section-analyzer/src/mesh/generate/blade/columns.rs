@@ -33,7 +33,7 @@ pub(super) struct Columns {
 
 /// The sum of 1/h along a surface.
 struct Progress {
-    places: Vec<f64>,
+    positions: Vec<f64>,
     sums: Vec<f64>,
 }
 
@@ -45,10 +45,10 @@ impl Progress {
             range.reverse();
         }
         let [from, to] = range;
-        let places: Vec<f64> = (0..=SAMPLES)
+        let positions: Vec<f64> = (0..=SAMPLES)
             .map(|i| from + (to - from) * i as f64 / SAMPLES as f64)
             .collect();
-        let mut lengths: Vec<f64> = places
+        let mut lengths: Vec<f64> = positions
             .iter()
             .map(|&u| {
                 let turned = sizes.turn / contour.bend(u).abs().max(f64::MIN_POSITIVE);
@@ -64,19 +64,19 @@ impl Progress {
         }
         let mut sums = vec![0.0];
         for i in 0..SAMPLES {
-            let step = (places[i + 1] - places[i]).abs();
+            let step = (positions[i + 1] - positions[i]).abs();
             let mean = 0.5 * (1.0 / lengths[i] + 1.0 / lengths[i + 1]);
             sums.push(sums[i] + step * mean);
         }
-        Self { places, sums }
+        Self { positions, sums }
     }
 
     fn at(&self, u: f64) -> f64 {
-        interpolated(&self.places, &self.sums, u)
+        interpolated(&self.positions, &self.sums, u)
     }
 
-    fn place(&self, sum: f64) -> f64 {
-        interpolated(&self.sums, &self.places, sum)
+    fn position(&self, sum: f64) -> f64 {
+        interpolated(&self.sums, &self.positions, sum)
     }
 }
 
@@ -103,7 +103,7 @@ impl Columns {
         let progress = Half::BOTH.map(|half| Progress::new(contour, half, sizes));
         let sums: Vec<[f64; 2]> = landmarks
             .iter()
-            .map(|places| [0, 1].map(|i| progress[i].at(places[i])))
+            .map(|positions| [0, 1].map(|i| progress[i].at(positions[i])))
             .collect();
         let whole = sums[sums.len() - 1].iter().copied().fold(0.0, f64::max);
         if whole > MOST_CELLS as f64 {
@@ -121,9 +121,9 @@ impl Columns {
             let count = count.max(LEAST);
             for step in 1..count {
                 let part = step as f64 / count as f64;
-                let place = |i: usize| progress[i].place(ends[0][i] + part * lengths[i]);
-                columns.upper.push(place(0));
-                columns.lower.push(place(1));
+                let position = |i: usize| progress[i].position(ends[0][i] + part * lengths[i]);
+                columns.upper.push(position(0));
+                columns.lower.push(position(1));
             }
             columns.upper.push(marks[1][0]);
             columns.lower.push(marks[1][1]);

@@ -97,17 +97,17 @@ impl Contour {
         end: f64,
     ) -> Result<Self, Vec<BladeProblem>> {
         check(points)?;
-        let place = |[x, z]: [f64; 2]| [(origin - x) * chord, z * chord];
-        let mut places: Vec<[f64; 2]> = points.iter().map(|point| place(*point)).collect();
-        let last = places.len() - 1;
-        let mut edge = match distance(places[0], places[last]) > SAME * chord {
+        let position = |[x, z]: [f64; 2]| [(origin - x) * chord, z * chord];
+        let mut positions: Vec<[f64; 2]> = points.iter().map(|point| position(*point)).collect();
+        let last = positions.len() - 1;
+        let mut edge = match distance(positions[0], positions[last]) > SAME * chord {
             true => Edge::Blunt,
             false => Edge::Sharp,
         };
         if edge == Edge::Sharp {
-            let middle = [0, 1].map(|i| 0.5 * (places[0][i] + places[last][i]));
-            (places[0], places[last]) = (middle, middle);
-            if turn_at_end(&places) < SMOOTH && end >= 1.0 {
+            let middle = [0, 1].map(|i| 0.5 * (positions[0][i] + positions[last][i]));
+            (positions[0], positions[last]) = (middle, middle);
+            if turn_at_end(&positions) < SMOOTH && end >= 1.0 {
                 edge = Edge::None;
             }
         }
@@ -115,13 +115,18 @@ impl Contour {
             Edge::None => OVERLAP.min(last / 2),
             _ => 0,
         };
-        let padded = [&places[last - overlap..last], &places, &places[1..=overlap]].concat();
+        let padded = [
+            &positions[last - overlap..last],
+            &positions,
+            &positions[1..=overlap],
+        ]
+        .concat();
         let mut along = vec![0.0];
         for pair in padded.windows(2) {
             along.push(along[along.len() - 1] + distance(pair[0], pair[1]));
         }
         let [y, z] = [0, 1].map(|i| {
-            let values: Vec<f64> = padded.iter().map(|place| place[i]).collect();
+            let values: Vec<f64> = padded.iter().map(|position| position[i]).collect();
             Spline::new(&along, &values)
         });
         let (from, to) = (along[overlap], along[overlap + last]);
@@ -158,12 +163,13 @@ impl Contour {
     fn nose_in(&self, from: f64, to: f64) -> f64 {
         let slope = |u: f64| self.y.slope(self.y.interval(u), u);
         // the foremost of many points, then the zero of the slope next to it
-        let place = |i: usize| from + (to - from) * i as f64 / 1000.0;
+        let position = |i: usize| from + (to - from) * i as f64 / 1000.0;
         let forward = |u: f64| self.y.value(self.y.interval(u), u);
-        let foremost = (1..1000).max_by(|a, b| forward(place(*a)).total_cmp(&forward(place(*b))));
+        let foremost =
+            (1..1000).max_by(|a, b| forward(position(*a)).total_cmp(&forward(position(*b))));
         let foremost = foremost.unwrap_or(500);
-        let bounds = [place(foremost - 1), place(foremost + 1)];
-        halve(bounds, slope).unwrap_or(place(foremost))
+        let bounds = [position(foremost - 1), position(foremost + 1)];
+        halve(bounds, slope).unwrap_or(position(foremost))
     }
 
     /// Shape of the trailing edge.
@@ -185,7 +191,7 @@ impl Contour {
     }
 
     /// A point of the contour.
-    pub(super) fn place(&self, u: f64) -> [f64; 2] {
+    pub(super) fn position(&self, u: f64) -> [f64; 2] {
         let i = self.y.interval(u);
         [self.y.value(i, u), self.z.value(i, u)]
     }
@@ -214,8 +220,8 @@ impl Contour {
 
     /// The point at a depth below the contour.
     pub(super) fn offset(&self, u: f64, depth: f64) -> [f64; 2] {
-        let (place, inward) = (self.place(u), self.inward(u));
-        [0, 1].map(|i| place[i] + depth * inward[i])
+        let (position, inward) = (self.position(u), self.inward(u));
+        [0, 1].map(|i| position[i] + depth * inward[i])
     }
 
     /// Chordwise position of a coordinate y, as a fraction.
@@ -232,15 +238,15 @@ impl Contour {
     /// it.
     pub(super) fn at_chord(&self, half: Half, part: f64) -> Option<f64> {
         let y = self.at_part(part);
-        halve(self.range(half), |u| self.place(u)[0] - y)
+        halve(self.range(half), |u| self.position(u)[0] - y)
     }
 
     /// Position at which the surface at `depth` under a half lies `gap` inside of a
     /// straight line.
     pub(super) fn meet(&self, half: Half, depth: f64, line: Straight, gap: f64) -> Option<f64> {
         halve(self.range(half), |u| {
-            let place = self.offset(u, depth);
-            let inside = [0, 1].map(|i| (place[i] - line.point[i]) * line.inward[i]);
+            let position = self.offset(u, depth);
+            let inside = [0, 1].map(|i| (position[i] - line.point[i]) * line.inward[i]);
             let off = inside[0] + inside[1] - gap;
             // the line through an end meets it there, regardless of round-off
             if off.abs() < 1e-12 * self.chord {
@@ -262,10 +268,10 @@ impl Contour {
         let half_angle = 0.5 * (-a[0] * b[0] - a[1] * b[1]).clamp(-1.0, 1.0).acos();
         let back = depth / half_angle.tan().max(1e-6);
         let mut at = [upper + back, lower - back];
-        let room = [self.ends[1] - upper, lower - self.ends[1]];
+        let space = [self.ends[1] - upper, lower - self.ends[1]];
         for _ in 0..50 {
-            let places = at.map(|u| self.offset(u, depth));
-            let off = [0, 1].map(|i| places[0][i] - places[1][i]);
+            let positions = at.map(|u| self.offset(u, depth));
+            let off = [0, 1].map(|i| positions[0][i] - positions[1][i]);
             let slopes = at.map(|u| {
                 let stretch = 1.0 - self.bend(u) * depth;
                 self.tangent(u).map(|x| x * stretch)
@@ -276,8 +282,8 @@ impl Contour {
             let da = (off[0] * t[1] - off[1] * t[0]) / determinant;
             let db = (off[0] * s[1] - off[1] * s[0]) / determinant;
             at = [at[0] + da, at[1] + db];
-            let is_inside = at[0] > upper && at[0] < upper + room[0];
-            if !(is_inside && at[1] < lower && at[1] > lower - room[1]) {
+            let is_inside = at[0] > upper && at[0] < upper + space[0];
+            if !(is_inside && at[1] < lower && at[1] > lower - space[1]) {
                 return None;
             }
             if off[0].hypot(off[1]) < 1e-13 * self.chord {
@@ -289,13 +295,13 @@ impl Contour {
 
     /// Thickness of the airfoil at a chordwise fraction [unit of the mesh].
     pub(super) fn thickness(&self, part: f64) -> Option<f64> {
-        let at = |half| self.at_chord(half, part).map(|u| self.place(u)[1]);
+        let at = |half| self.at_chord(half, part).map(|u| self.position(u)[1]);
         Some(at(Half::Upper)? - at(Half::Lower)?)
     }
 
     /// Chordwise fraction at which the contour ends.
     pub(super) fn last_part(&self) -> f64 {
-        let [upper, lower] = [self.ends[0], self.ends[2]].map(|u| self.place(u)[0]);
+        let [upper, lower] = [self.ends[0], self.ends[2]].map(|u| self.position(u)[0]);
         self.chord_part(upper.max(lower))
     }
 
@@ -338,12 +344,12 @@ pub(super) fn halve([mut a, mut b]: [f64; 2], f: impl Fn(f64) -> f64) -> Option<
 }
 
 /// Change of direction from the last line of the points to the first one \[rad\].
-fn turn_at_end(places: &[[f64; 2]]) -> f64 {
-    let last = places.len() - 1;
+fn turn_at_end(positions: &[[f64; 2]]) -> f64 {
+    let last = positions.len() - 1;
     let line = |a: [f64; 2], b: [f64; 2]| [b[0] - a[0], b[1] - a[1]];
     let [before, behind] = [
-        line(places[last - 1], places[last]),
-        line(places[0], places[1]),
+        line(positions[last - 1], positions[last]),
+        line(positions[0], positions[1]),
     ];
     let cross = before[0] * behind[1] - before[1] * behind[0];
     let dot = before[0] * behind[0] + before[1] * behind[1];

@@ -40,7 +40,7 @@ pub(super) fn lines(
     let counts = [&first_line, &last_line].map(|line| line.len() - 1);
     let mut lines = vec![first_line];
     for column in 1..last {
-        let (from, to) = (grid.place(lower[column]), grid.place(upper[column]));
+        let (from, to) = (grid.position(lower[column]), grid.position(upper[column]));
         // toward an end the number decreases to the number of the end
         let near = (counts[0] + 2 * column).min(counts[1] + 2 * (last - column));
         let size = size.min(SQUARE * width(grid, walls, column));
@@ -48,8 +48,8 @@ pub(super) fn lines(
         let mut line = vec![lower[column]];
         for cell in 1..count {
             let part = cell as f64 / count as f64;
-            let place = [0, 1].map(|i| (1.0 - part) * from[i] + part * to[i]);
-            line.push(grid.node(place));
+            let position = [0, 1].map(|i| (1.0 - part) * from[i] + part * to[i]);
+            line.push(grid.node(position));
         }
         line.push(upper[column]);
         lines.push(line);
@@ -61,7 +61,7 @@ pub(super) fn lines(
 /// Mean distance from a column to its neighbors.
 fn width(grid: &Grid, walls: [&[u32]; 2], column: usize) -> f64 {
     let middle = |column: usize| {
-        let ends = walls.map(|wall| grid.place(wall[column])[0]);
+        let ends = walls.map(|wall| grid.position(wall[column])[0]);
         0.5 * (ends[0] + ends[1])
     };
     0.5 * (middle(column + 1) - middle(column - 1)).abs()

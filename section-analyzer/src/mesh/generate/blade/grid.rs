@@ -17,7 +17,7 @@ const SURFACE: u8 = 2;
 /// A blade during generation.
 #[derive(Debug, Default)]
 pub(super) struct Grid {
-    places: Vec<[f64; 2]>,
+    positions: Vec<[f64; 2]>,
     cells: Vec<(Vec<u32>, GroupSet)>,
     lines: Vec<([u32; 2], GroupSet)>,
     middles: HashMap<[u32; 2], [f64; 2]>,
@@ -26,20 +26,20 @@ pub(super) struct Grid {
 
 impl Grid {
     /// A new node.
-    pub fn node(&mut self, place: [f64; 2]) -> u32 {
-        self.places.push(place);
-        self.places.len() as u32 - 1
+    pub fn node(&mut self, position: [f64; 2]) -> u32 {
+        self.positions.push(position);
+        self.positions.len() as u32 - 1
     }
 
     /// The position of a node.
-    pub fn place(&self, node: u32) -> [f64; 2] {
-        self.places[node as usize]
+    pub fn position(&self, node: u32) -> [f64; 2] {
+        self.positions[node as usize]
     }
 
     /// Sets the position of the middle node between two nodes, unless it is already set.
-    pub fn middle(&mut self, a: u32, b: u32, place: [f64; 2]) {
+    pub fn middle(&mut self, a: u32, b: u32, position: [f64; 2]) {
         if a != b {
-            self.middles.entry(key(a, b)).or_insert(place);
+            self.middles.entry(key(a, b)).or_insert(position);
         }
     }
 
@@ -109,11 +109,11 @@ impl Grid {
             mesh.cells.push(cell);
         }
         mesh.groups = self.numbered_groups();
-        let node = |(index, place): (usize, &[f64; 2])| Node {
+        let node = |(index, point): (usize, &[f64; 2])| Node {
             tag: index as u64 + 1,
-            position: Vector3::new(place[0], place[1], 0.0),
+            position: Vector3::new(point[0], point[1], 0.0),
         };
-        mesh.nodes = self.places.iter().enumerate().map(node).collect();
+        mesh.nodes = self.positions.iter().enumerate().map(node).collect();
         without_unused(mesh)
     }
 
@@ -134,7 +134,7 @@ impl Grid {
         }
         if kind == CellKind::Quadrilateral9 {
             let sum = |nodes: &[u32], i: usize| -> f64 {
-                nodes.iter().map(|node| self.place(*node)[i]).sum()
+                nodes.iter().map(|node| self.position(*node)[i]).sum()
             };
             // the center of the corresponding cell with 8 nodes
             let center = [0, 1].map(|i| 0.5 * sum(&nodes[4..], i) - 0.25 * sum(&nodes[..4], i));
@@ -147,11 +147,11 @@ impl Grid {
         if let Some(&node) = known.get(&key(a, b)) {
             return node;
         }
-        let place = self.middles.get(&key(a, b)).copied().unwrap_or_else(|| {
-            let (a, b) = (self.place(a), self.place(b));
+        let position = self.middles.get(&key(a, b)).copied().unwrap_or_else(|| {
+            let (a, b) = (self.position(a), self.position(b));
             [0, 1].map(|i| 0.5 * (a[i] + b[i]))
         });
-        let node = self.node(place);
+        let node = self.node(position);
         known.insert(key(a, b), node);
         node
     }
@@ -207,21 +207,25 @@ fn without_unused(mut mesh: Mesh) -> Mesh {
 /// first one.
 pub(super) fn folded(mesh: &Mesh) -> Option<(usize, [f64; 2])> {
     let jacobian = Jacobian::new();
-    let places_of = |cell: &Cell| -> Vec<[f64; 2]> {
-        let place = |node: &u32| mesh.nodes[*node as usize].position;
-        let places = cell.nodes().iter().map(place);
-        places.map(|place| [place.x, place.y]).collect()
+    let positions_of = |cell: &Cell| -> Vec<[f64; 2]> {
+        let position = |node: &u32| mesh.nodes[*node as usize].position;
+        let positions = cell.nodes().iter().map(position);
+        positions.map(|position| [position.x, position.y]).collect()
     };
     let mut found = None;
     for cell in &mesh.cells {
-        let places = places_of(cell);
-        if jacobian.extremes(cell.kind, &places)[0] <= 0.0 {
+        let positions = positions_of(cell);
+        if jacobian.extremes(cell.kind, &positions)[0] <= 0.0 {
             let corners = cell.kind.corner_count();
             let mean = |i: usize| {
-                places[..corners].iter().map(|place| place[i]).sum::<f64>() / corners as f64
+                positions[..corners]
+                    .iter()
+                    .map(|position| position[i])
+                    .sum::<f64>()
+                    / corners as f64
             };
-            let (count, place) = found.unwrap_or((0, [mean(0), mean(1)]));
-            found = Some((count + 1, place));
+            let (count, position) = found.unwrap_or((0, [mean(0), mean(1)]));
+            found = Some((count + 1, position));
         }
     }
     found

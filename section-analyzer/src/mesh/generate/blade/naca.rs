@@ -35,10 +35,10 @@ pub fn naca(digits: &str, is_closed: bool) -> Result<Vec<[f64; 2]>, BladeProblem
         why,
     };
     let found = found.filter(|found| found.len() == 4);
-    let [camber, place, tens, ones] = found.ok_or(wrong("four digits"))?[..] else {
+    let [camber, position, tens, ones] = found.ok_or(wrong("four digits"))?[..] else {
         return Err(wrong("four digits"));
     };
-    let (m, p, t) = (0.01 * camber, 0.1 * place, 0.01 * (10.0 * tens + ones));
+    let (m, p, t) = (0.01 * camber, 0.1 * position, 0.01 * (10.0 * tens + ones));
     if t <= 0.0 {
         return Err(wrong("a thickness, its last two digits, above 00"));
     }

@@ -109,7 +109,7 @@ pub enum BladeProblem {
         surface: &'static str,
     },
     /// A web whose plies fill the spar along the chord.
-    #[error("the plies of the {} need {} of the {} surface of the spar, which is {} long", web_name(*.web), short(*.thickness), .surface, short(*.room))]
+    #[error("the plies of the {} need {} of the {} surface of the spar, which is {} long", web_name(*.web), short(*.thickness), .surface, short(*.space))]
     WebThick {
         /// The web.
         web: BladePart,
@@ -118,7 +118,7 @@ pub enum BladeProblem {
         /// Required length of the surface [unit of the mesh].
         thickness: f64,
         /// Available length [unit of the mesh].
-        room: f64,
+        space: f64,
     },
     /// A ply outside of the spar.
     #[error("ply \"{ply}\" runs from x/c = {} to {}, expected a range within the spar, x/c = {} to {}", short(.range[0]), short(.range[1]), short(.spar[0]), short(.spar[1]))]
@@ -155,7 +155,7 @@ pub enum BladeProblem {
         radius: f64,
     },
     /// Plies of both surfaces that intersect.
-    #[error("the plies of both surfaces intersect at x/c = {}: {} thick together, in a section {} thick there", short(*.part), short(*.thickness), short(*.room))]
+    #[error("the plies of both surfaces intersect at x/c = {}: {} thick together, in a section {} thick there", short(*.part), short(*.thickness), short(*.space))]
     Collision {
         /// The part that they belong to.
         about: BladePart,
@@ -164,7 +164,7 @@ pub enum BladeProblem {
         /// Thickness of the plies of both surfaces [unit of the mesh].
         thickness: f64,
         /// Thickness of the airfoil [unit of the mesh].
-        room: f64,
+        space: f64,
         /// The chordwise position ahead of which they fit [-].
         ahead: Option<f64>,
     },
@@ -185,14 +185,14 @@ pub enum BladeProblem {
         found: usize,
     },
     /// Cells that fold.
-    #[error("{count} cells fold, the first one at x/c = {}, ({}, {})", short(*.part), short(.place[0]), short(.place[1]))]
+    #[error("{count} cells fold, the first one at x/c = {}, ({}, {})", short(*.part), short(.position[0]), short(.position[1]))]
     Folded {
         /// Their number.
         count: usize,
         /// Chordwise position of the first one [-].
         part: f64,
         /// Its center [unit of the mesh].
-        place: [f64; 2],
+        position: [f64; 2],
     },
 }
 
@@ -250,7 +250,7 @@ impl Explain for BladeProblem {
             }
             | Self::EdgeThick {
                 ahead: Some(ahead), ..
-            } => return Some(room_ahead(*ahead)),
+            } => return Some(space_ahead(*ahead)),
             Self::Collision { .. } => "thinner plies, or plies that end ahead of it",
             Self::EdgeThick { .. } => "closure = \"open\" gives a skin without a wall there",
             Self::TooManyCells { .. } => "larger cells: [mesh] size",
@@ -263,7 +263,7 @@ impl Explain for BladeProblem {
     }
 }
 
-fn room_ahead(part: f64) -> String {
+fn space_ahead(part: f64) -> String {
     // rounded, with a margin
     let part = (part * 1000.0).floor() / 1000.0;
     format!(

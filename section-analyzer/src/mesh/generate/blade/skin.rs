@@ -135,8 +135,8 @@ fn close(grid: &mut Grid, stations: &mut Vec<Station>, depths: &[f64], blade: &B
     let last = depths.len() - 1;
     let (from, to) = (stations[stations.len() - 1].clone(), stations[0].clone());
     let corners = [&from, &to].map(|station| {
-        let place = |node: &u32| grid.place(*node);
-        station.nodes.iter().map(place).collect::<Vec<_>>()
+        let position = |node: &u32| grid.position(*node);
+        station.nodes.iter().map(position).collect::<Vec<_>>()
     });
     let count = even_cells(distance(corners[0][0], corners[1][0]), blade.sizes.size);
     let mut inner = vec![from.nodes[last]];
@@ -169,14 +169,14 @@ fn closing(
         return Ok([rest(0), rest(1)]);
     }
     let whole = depths[depths.len() - 1];
-    let [upper, lower] = at.map(|u| contour.place(u));
+    let [upper, lower] = at.map(|u| contour.position(u));
     let width = distance(upper, lower);
     let is_blunt = contour.edge() == Edge::Blunt;
     let too_thick = || {
         vec![BladeProblem::EdgeThick {
             thickness: whole,
             edge: width,
-            ahead: blade.room_ahead(LEAST_EDGE * 1.1 * whole),
+            ahead: blade.space_ahead(LEAST_EDGE * 1.1 * whole),
         }]
     };
     if is_blunt && width < LEAST_EDGE * whole {
@@ -187,24 +187,24 @@ fn closing(
         // right of the upward direction
         inward: [(upper[1] - lower[1]) / width, (lower[0] - upper[0]) / width],
     };
-    let places = depths.iter().map(|&depth| match is_blunt {
+    let spots = depths.iter().map(|&depth| match is_blunt {
         true => Some([
             contour.meet(Half::Upper, depth, line, depth)?,
             contour.meet(Half::Lower, depth, line, depth)?,
         ]),
         false => contour.meet_other(depth),
     });
-    let places: Option<Vec<[f64; 2]>> = places.collect();
-    let places = places.ok_or_else(too_thick)?;
+    let spots: Option<Vec<[f64; 2]>> = spots.collect();
+    let spots = spots.ok_or_else(too_thick)?;
     let end = columns.landmarks.get(1).copied().unwrap_or(columns.nose());
     let shifts = Half::BOTH.map(|half| {
-        let room = MOST * (columns.at(half, end) - columns.at(half, 0)).abs();
-        let own: Vec<f64> = places.iter().map(|place| place[half as usize]).collect();
-        (Shift::new(at[half as usize], &own, room), room)
+        let space = MOST * (columns.at(half, end) - columns.at(half, 0)).abs();
+        let own: Vec<f64> = spots.iter().map(|spot| spot[half as usize]).collect();
+        (Shift::new(at[half as usize], &own, space), space)
     });
     if shifts
         .iter()
-        .all(|(shift, room)| shift.most() <= FULL * room)
+        .all(|(shift, space)| shift.most() <= FULL * space)
     {
         return Ok(shifts.map(|(shift, _)| shift));
     }
@@ -219,12 +219,12 @@ fn closing(
 
 impl Blade {
     /// The chordwise position ahead of which the airfoil is thicker than `needed`.
-    pub(super) fn room_ahead(&self, needed: f64) -> Option<f64> {
+    pub(super) fn space_ahead(&self, needed: f64) -> Option<f64> {
         let last = self.contour.last_part();
         let parts = (1..500).map(|i| last * (1.0 - i as f64 / 500.0));
         let mut fitting = parts.filter(|part| {
-            let room = self.contour.thickness(*part);
-            room.is_some_and(|room| room > needed)
+            let space = self.contour.thickness(*part);
+            space.is_some_and(|space| space > needed)
         });
         fitting.next().filter(|part| *part > 0.3 * last)
     }

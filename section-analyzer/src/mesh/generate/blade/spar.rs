@@ -24,7 +24,7 @@ use super::{Spar, SparPly};
 /// Fraction of the surface of a spar that a web may use at its end.
 const MOST: f64 = 0.45;
 /// Fraction of the surface of a spar in which nodes may move with a corner.
-const ROOM: f64 = 0.9;
+const USABLE: f64 = 0.9;
 
 /// Intersection of a web with the surfaces.
 #[derive(Debug, Clone, Copy)]
@@ -108,7 +108,7 @@ impl Making<'_> {
         let front = self.webs.get(1).map(|web| web.column);
         let cells = |column: usize| {
             let ends = [&self.skin.inner[0], &self.skin.inner[1]].map(|nodes| nodes[column]);
-            let height = grid.place(ends[0])[1] - grid.place(ends[1])[1];
+            let height = grid.position(ends[0])[1] - grid.position(ends[1])[1];
             even_cells(height, self.blade.sizes.size)
         };
         let web = |number: usize, column: usize| {
@@ -150,12 +150,12 @@ impl Making<'_> {
         let (part, at) = match (from, to) {
             (Stop::Web(web, _), _) | (_, Stop::Web(web, _)) => (self.web_part(web), 0.0),
             _ => {
-                let half = match (self.place(from), self.place(to)) {
+                let half = match (self.position(from), self.position(to)) {
                     ((Half::Lower, _), _) | (_, (Half::Lower, _)) => Half::Lower,
                     _ => Half::Upper,
                 };
-                let u = [self.place(from).1, self.place(to).1];
-                let middle = contour.place(0.5 * (u[0] + u[1]));
+                let u = [self.position(from).1, self.position(to).1];
+                let middle = contour.position(0.5 * (u[0] + u[1]));
                 (part_of(half), contour.chord_part(middle[0]))
             }
         };
@@ -175,7 +175,7 @@ impl Making<'_> {
 
     /// The surface of a stop, and its position on it; for a stop on a web, the lower end
     /// of the web.
-    fn place(&self, stop: Stop) -> (Half, f64) {
+    fn position(&self, stop: Stop) -> (Half, f64) {
         let (half, column) = match stop {
             Stop::Wall(half, column) => (half, column),
             Stop::Corner(half, web) => (half, self.webs[web].column),
@@ -187,14 +187,14 @@ impl Making<'_> {
     /// Checks that no surface folds.
     fn check_radii(&self) -> Result<(), Vec<BladeProblem>> {
         let on_walls = self.stops.iter().zip(&self.depths);
-        let places = on_walls.filter_map(|(stop, depths)| match stop {
+        let positions = on_walls.filter_map(|(stop, depths)| match stop {
             Stop::Wall(half, _) => {
                 let thickness = self.depth + depths[depths.len() - 1];
-                Some((*half, self.place(*stop).1, thickness))
+                Some((*half, self.position(*stop).1, thickness))
             }
             _ => None,
         });
-        super::check_radii(&self.blade.contour, places, BladePart::Spar)
+        super::check_radii(&self.blade.contour, positions, BladePart::Spar)
     }
 
     fn stations(&self, grid: &mut Grid) -> Result<Vec<Station>, Vec<BladeProblem>> {
@@ -217,8 +217,8 @@ impl Making<'_> {
                 match stop {
                     // needs the corners, which are made in the first pass
                     Stop::Web(web, part) if pass == 1 => {
-                        let place = self.on_web(grid, &stations, index, (*web, *part));
-                        stations[index] = place;
+                        let position = self.on_web(grid, &stations, index, (*web, *part));
+                        stations[index] = position;
                     }
                     Stop::Wall(half, column) if pass == 0 => {
                         stations[index] = self.on_wall(grid, index, (*half, *column), &shifts);
@@ -248,22 +248,22 @@ impl Making<'_> {
         let other = self.webs.get(1 - web.min(1));
         let end = other.filter(|_| self.webs.len() > 1);
         let end = end.map_or(columns.nose(), |other| other.column);
-        let room = (columns.at(half, end) - at).abs();
-        let place = |depth: &f64| contour.meet(half, self.depth + depth, own.line, *depth);
-        let places: Option<Vec<f64>> = depths.iter().map(place).collect();
+        let space = (columns.at(half, end) - at).abs();
+        let position = |depth: &f64| contour.meet(half, self.depth + depth, own.line, *depth);
+        let positions: Option<Vec<f64>> = depths.iter().map(position).collect();
         let thick = |thickness: f64| BladeProblem::WebThick {
             web: own.web,
             surface: half.name(),
             thickness,
-            room,
+            space,
         };
-        let Some(mut places) = places else {
+        let Some(mut positions) = positions else {
             return Err(thick(depths[depths.len() - 1]));
         };
         // the outer face is the inner face of the skin
-        places[0] = at;
-        let shift = Shift::new(at, &places, ROOM * room);
-        match shift.most() > MOST * room {
+        positions[0] = at;
+        let shift = Shift::new(at, &positions, USABLE * space);
+        match shift.most() > MOST * space {
             true => Err(thick(shift.most())),
             false => Ok(shift),
         }
@@ -307,7 +307,7 @@ impl Making<'_> {
             found.map_or(&stations[index], |found| &stations[found])
         };
         let heights = [Half::Lower, Half::Upper].map(|half| {
-            let height = |node: &u32| grid.place(*node)[1];
+            let height = |node: &u32| grid.position(*node)[1];
             corner(half).nodes.iter().map(height).collect::<Vec<f64>>()
         });
         let line = self.webs[web].line;

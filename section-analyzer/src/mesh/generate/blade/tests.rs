@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use shared_geom::error::Place;
+use shared_geom::error::SourceLocation;
 use shared_geom::mesh::{Cell, CellKind, Mesh};
 
 use super::super::super::{SectionMesh, distance};
@@ -120,7 +120,7 @@ fn polygon_area(points: &[[f64; 2]]) -> f64 {
 }
 
 fn is_sound(mesh: &Mesh) -> bool {
-    SectionMesh::from_mesh(mesh, 1.0, &Place::file("test")).is_ok()
+    SectionMesh::from_mesh(mesh, 1.0, &SourceLocation::file("test")).is_ok()
 }
 
 /// The area of a strip inside of a convex contour of perimeter P is
@@ -175,14 +175,14 @@ fn filled_blades_have_the_area_of_the_airfoil() {
 }
 
 /// Distance from a fine polygon, whose chords lie 1e-5 of a unit inside of the contour.
-fn depth(place: [f64; 2], contour: &[[f64; 2]]) -> f64 {
+fn depth(position: [f64; 2], contour: &[[f64; 2]]) -> f64 {
     let to_line = |pair: &[[f64; 2]]| {
         let [a, b] = [pair[0], pair[1]];
         let line = [b[0] - a[0], b[1] - a[1]];
-        let from = [place[0] - a[0], place[1] - a[1]];
+        let from = [position[0] - a[0], position[1] - a[1]];
         let length = line[0] * line[0] + line[1] * line[1];
         let part = ((from[0] * line[0] + from[1] * line[1]) / length).clamp(0.0, 1.0);
-        distance(place, [a[0] + part * line[0], a[1] + part * line[1]])
+        distance(position, [a[0] + part * line[0], a[1] + part * line[1]])
     };
     contour
         .windows(2)
@@ -203,15 +203,15 @@ fn plies_keep_their_thickness_up_to_the_mitre() {
     let (mut mitred, mut on_web) = (0, 0);
     for cell in &mesh.cells {
         for &node in cell.corners() {
-            let place = mesh.nodes[node as usize].position;
-            let (inside, ahead) = (depth([place.x, place.y], &contour), place.x - web);
+            let position = mesh.nodes[node as usize].position;
+            let (inside, ahead) = (depth([position.x, position.y], &contour), position.x - web);
             if cell.groups.contains(group("spar/web")) {
-                assert!(near(ahead, 0.0) || near(ahead, SPAR), "{place}");
+                assert!(near(ahead, 0.0) || near(ahead, SPAR), "{position}");
                 on_web += 1;
             } else if cell.groups.contains(group("spar")) {
                 assert!(
                     near(inside, SKIN) || near(inside, SKIN + SPAR),
-                    "{place}: {inside}"
+                    "{position}: {inside}"
                 );
             }
             let is_inner = near(inside, SKIN + SPAR) && near(ahead, SPAR);
@@ -233,9 +233,9 @@ fn symmetric_airfoils_have_symmetric_meshes() {
     let key = |y: f64, z: f64| [y, z].map(|x| (1e6 * x / CHORD).round() as i64);
     let nodes = |sign: f64| {
         let of_cell = |cell: &Cell| {
-            let place = |node: &u32| mesh.nodes[*node as usize].position;
-            let places = cell.nodes().iter().map(place);
-            let mut keys: Vec<_> = places.map(|p| key(p.x, sign * p.y)).collect();
+            let position = |node: &u32| mesh.nodes[*node as usize].position;
+            let positions = cell.nodes().iter().map(position);
+            let mut keys: Vec<_> = positions.map(|p| key(p.x, sign * p.y)).collect();
             keys.sort_unstable();
             keys
         };
@@ -275,7 +275,7 @@ fn every_kind_of_cell_and_every_edge_gives_a_sound_mesh() {
 /// A ply that ends tapers over one cell: its area equals the area of a ply shortened by
 /// half a cell at each end.
 #[test]
-fn plies_end_where_they_are_told_to() {
+fn plies_end_where_they_are_reported_to() {
     let mut blade = d_spar();
     blade.spar.as_mut().unwrap().plies.push(SparPly {
         upper: Some([0.1, 0.3]),
@@ -323,18 +323,18 @@ fn curves_run_clockwise() {
 }
 
 #[test]
-fn what_does_not_fit_is_told_where() {
-    let told = |blade: Blade| blade.generate().unwrap_err();
+fn what_does_not_fit_is_reported_where() {
+    let reported = |blade: Blade| blade.generate().unwrap_err();
     let mut thick = d_spar();
     thick.skin[0].thickness = 1.5;
     assert!(
-        matches!(&told(thick)[..], [BladeProblem::EdgeThick { ahead: Some(ahead), .. }]
+        matches!(&reported(thick)[..], [BladeProblem::EdgeThick { ahead: Some(ahead), .. }]
             if (0.5..1.0).contains(ahead))
     );
     let with = |change: &dyn Fn(&mut Spar)| {
         let mut blade = d_spar();
         change(blade.spar.as_mut().unwrap());
-        told(blade)
+        reported(blade)
     };
     let radius = with(&|spar| spar.plies[0].ply.thickness = 4.0);
     assert!(
@@ -370,11 +370,14 @@ fn what_does_not_fit_is_told_where() {
     ));
     let mut mass = d_spar();
     mass.cores.nose_mass = Some((0.5, "mass".into()));
-    assert!(matches!(told(mass)[..], [BladeProblem::NoseMass { .. }]));
+    assert!(matches!(
+        reported(mass)[..],
+        [BladeProblem::NoseMass { .. }]
+    ));
     let mut tiny = d_spar();
     tiny.sizes.size = 1e-9;
     assert!(matches!(
-        told(tiny)[..],
+        reported(tiny)[..],
         [BladeProblem::TooManyCells { .. }]
     ));
 }
@@ -386,7 +389,7 @@ fn airfoils_are_those_of_the_report() {
     let at = |digits: &str, is_closed: bool, half: Half, part: f64| {
         let points = naca(digits, is_closed).unwrap();
         let contour = Contour::new(&points, 100.0, 0.0, 1.0).unwrap();
-        contour.place(contour.at_chord(half, part).unwrap())[1]
+        contour.position(contour.at_chord(half, part).unwrap())[1]
     };
     for (digits, half, part, expected) in [
         ("0012", Half::Upper, 0.3, 6.002),
@@ -409,25 +412,31 @@ fn airfoils_are_those_of_the_report() {
 }
 
 #[test]
-fn airfoils_that_are_none_are_told() {
+fn airfoils_that_are_none_are_reported() {
     for digits in ["12", "00120", "0a12", "0000", "2012", "0412"] {
         assert!(naca(digits, false).is_err(), "{digits}");
     }
-    let told = |points: &[[f64; 2]]| Contour::new(points, 1.0, 0.25, 1.0).unwrap_err();
+    let reported = |points: &[[f64; 2]]| Contour::new(points, 1.0, 0.25, 1.0).unwrap_err();
     let good = naca("0012", false).unwrap();
     let backward: Vec<_> = good.iter().rev().copied().collect();
-    assert!(matches!(told(&backward)[..], [BladeProblem::LowerFirst]));
-    let large: Vec<_> = good.iter().map(|point| point.map(|x| 100.0 * x)).collect();
-    assert!(matches!(told(&large)[..], [BladeProblem::Range { .. }]));
     assert!(matches!(
-        told(&good[..5])[..],
+        reported(&backward)[..],
+        [BladeProblem::LowerFirst]
+    ));
+    let large: Vec<_> = good.iter().map(|point| point.map(|x| 100.0 * x)).collect();
+    assert!(matches!(reported(&large)[..], [BladeProblem::Range { .. }]));
+    assert!(matches!(
+        reported(&good[..5])[..],
         [BladeProblem::FewPoints { .. }]
     ));
     let shifted = [&good[200..], &good[..200]].concat();
-    assert!(matches!(told(&shifted)[..], [BladeProblem::Order { .. }]));
+    assert!(matches!(
+        reported(&shifted)[..],
+        [BladeProblem::Order { .. }]
+    ));
     let twice = [&good[..7], &good[6..]].concat();
     assert!(matches!(
-        told(&twice)[..],
+        reported(&twice)[..],
         [BladeProblem::Doubled { number: 8 }]
     ));
     let crossed: Vec<_> = good
@@ -435,7 +444,7 @@ fn airfoils_that_are_none_are_told() {
         .map(|&[x, z]| [x, z - 0.5 * x * (1.0 - x) * z.signum()])
         .collect();
     assert!(matches!(
-        told(&crossed)[..],
+        reported(&crossed)[..],
         [BladeProblem::Crossed { .. } | BladeProblem::LowerFirst, ..]
     ));
 }

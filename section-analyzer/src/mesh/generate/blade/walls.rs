@@ -47,15 +47,15 @@ pub(super) struct Shift {
 }
 
 impl Shift {
-    /// Shift of a corner at `at` whose levels lie at `places`, with the length `room`
+    /// Shift of a corner at `at` whose levels lie at `positions`, with the length `space`
     /// along the wall.
-    pub fn new(at: f64, places: &[f64], room: f64) -> Self {
-        let by: Vec<f64> = places.iter().map(|place| place - at).collect();
+    pub fn new(at: f64, positions: &[f64], space: f64) -> Self {
+        let by: Vec<f64> = positions.iter().map(|position| position - at).collect();
         let most = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
         Self {
             at,
             by,
-            reach: (REACH * most).min(room),
+            reach: (REACH * most).min(space),
         }
     }
 
@@ -76,8 +76,8 @@ impl Shift {
 
 /// Positions at which the levels of a wall cross the column at `u`.
 pub(super) fn moved(u: f64, levels: usize, shifts: &[&Shift]) -> Vec<f64> {
-    let place = |level| u + shifts.iter().map(|shift| shift.of(level, u)).sum::<f64>();
-    (0..levels).map(place).collect()
+    let position = |level| u + shifts.iter().map(|shift| shift.of(level, u)).sum::<f64>();
+    (0..levels).map(position).collect()
 }
 
 /// Nodes at these positions, one for all levels at the same depth; the outer node may
@@ -86,14 +86,14 @@ pub(super) fn nodes(
     grid: &mut Grid,
     outer: Option<u32>,
     depths: &[f64],
-    place: impl Fn(usize) -> [f64; 2],
+    position: impl Fn(usize) -> [f64; 2],
 ) -> Vec<u32> {
     let mut nodes: Vec<u32> = Vec::with_capacity(depths.len());
     for (level, depth) in depths.iter().enumerate() {
         let node = match level {
-            0 => outer.unwrap_or_else(|| grid.node(place(0))),
+            0 => outer.unwrap_or_else(|| grid.node(position(0))),
             _ if *depth == depths[level - 1] => nodes[level - 1],
-            _ => grid.node(place(level)),
+            _ => grid.node(position(level)),
         };
         nodes.push(node);
     }
@@ -183,8 +183,8 @@ impl Wall<'_> {
         for level in 0..=self.layers.len() {
             let u = 0.5 * (from.behind[level] + to.before[level]);
             let depth = self.depth + 0.5 * (from.depths[level] + to.depths[level]);
-            let place = self.contour.offset(u, depth);
-            grid.middle(from.nodes[level], to.nodes[level], place);
+            let position = self.contour.offset(u, depth);
+            grid.middle(from.nodes[level], to.nodes[level], position);
         }
     }
 }

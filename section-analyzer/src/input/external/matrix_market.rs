@@ -17,7 +17,7 @@
 //! - R. F. Boisvert, R. Pozo, K. A. Remington, *The Matrix Market exchange formats:
 //!   initial design*, NISTIR 5935, 1996.
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 use sprs::{CsMat, TriMat};
 
 use super::problem::MatrixProblem;
@@ -47,7 +47,7 @@ pub(super) fn parse(text: &str, file: &str) -> Result<CsMat<f64>, Diagnostics> {
     let Some((is_array, symmetry)) = heading_of(heading) else {
         let found = shortened(heading);
         return Err(Diagnostics::one(
-            Place::line(file, 1),
+            SourceLocation::line(file, 1),
             &MatrixProblem::Heading { found },
         ));
     };
@@ -58,7 +58,7 @@ pub(super) fn parse(text: &str, file: &str) -> Result<CsMat<f64>, Diagnostics> {
     else {
         let (line, found) = sizes.map_or((1, String::new()), |(at, line)| (at, shortened(line)));
         let problem = MatrixProblem::Sizes { found, expected };
-        return Err(Diagnostics::one(Place::line(file, line), &problem));
+        return Err(Diagnostics::one(SourceLocation::line(file, line), &problem));
     };
     let mut reader = Reader {
         rows,
@@ -67,24 +67,27 @@ pub(super) fn parse(text: &str, file: &str) -> Result<CsMat<f64>, Diagnostics> {
         triangle: None,
         matrix: TriMat::new((rows, columns)),
     };
-    let mut place = reader.first();
+    let mut position = reader.first();
     let (mut count, mut wrong, mut last) = (0, 0, 1);
     for (line, text) in lines {
         let read = match is_array {
-            true => reader.value(text, &mut place),
+            true => reader.value(text, &mut position),
             false => reader.entry(text),
         };
         if let Err(problem) = read {
             wrong += 1;
             if wrong <= SHOWN {
-                problems.push(Place::line(file, line), &problem);
+                problems.push(SourceLocation::line(file, line), &problem);
             }
         }
         (count, last) = (count + 1, line);
     }
     if wrong > SHOWN {
         let count = wrong - SHOWN;
-        problems.push(Place::line(file, last), &MatrixProblem::More { count });
+        problems.push(
+            SourceLocation::line(file, last),
+            &MatrixProblem::More { count },
+        );
     }
     let expected = if is_array { reader.values() } else { entries };
     if count != expected {
@@ -92,7 +95,7 @@ pub(super) fn parse(text: &str, file: &str) -> Result<CsMat<f64>, Diagnostics> {
             found: count,
             expected,
         };
-        problems.push(Place::line(file, last), &problem);
+        problems.push(SourceLocation::line(file, last), &problem);
     }
     problems.into_result(reader.matrix.to_csr())
 }
@@ -188,24 +191,24 @@ impl Reader {
         Ok(())
     }
 
-    /// Reads the value at `place` and advances to the next index.
-    fn value(&mut self, text: &str, place: &mut [usize; 2]) -> Result<(), MatrixProblem> {
+    /// Reads the value at `index` and advances to the next index.
+    fn value(&mut self, text: &str, index: &mut [usize; 2]) -> Result<(), MatrixProblem> {
         let value = number(text.trim()).ok_or_else(|| MatrixProblem::Value {
             found: shortened(text),
         })?;
         // values beyond the last are counted and reported as surplus
-        if place[0] < self.rows && place[1] < self.columns {
-            self.add(*place, value);
+        if index[0] < self.rows && index[1] < self.columns {
+            self.add(*index, value);
         }
-        place[0] += 1;
-        if place[0] >= self.rows {
-            let next = place[1] + 1;
+        index[0] += 1;
+        if index[0] >= self.rows {
+            let next = index[1] + 1;
             let first = match self.symmetry {
                 Symmetry::General => 0,
                 Symmetry::Symmetric => next,
                 Symmetry::Skew => next + 1,
             };
-            *place = [first, next];
+            *index = [first, next];
         }
         Ok(())
     }
@@ -281,22 +284,29 @@ mod tests {
     fn files_that_count_from_zero() {
         let entries: String = (0..20).map(|i| format!("{i} 0 1.0\n")).collect();
         let head = "%%MatrixMarket matrix coordinate real general\n20 20 20\n";
-        let told = refused(&format!("{head}{entries}"));
-        assert_eq!(told.matches("an entry at row").count(), SHOWN, "{told}");
-        assert!(told.contains("rows and columns count from one"), "{told}");
+        let reported = refused(&format!("{head}{entries}"));
+        assert_eq!(
+            reported.matches("an entry at row").count(),
+            SHOWN,
+            "{reported}"
+        );
         assert!(
-            told.contains("m.mtx:22: and 10 more lines are wrong"),
-            "{told}"
+            reported.contains("rows and columns count from one"),
+            "{reported}"
+        );
+        assert!(
+            reported.contains("m.mtx:22: and 10 more lines are wrong"),
+            "{reported}"
         );
     }
 
     #[test]
     fn symmetric_files_list_one_triangle() {
         let head = "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n";
-        let told = refused(&format!("{head}1 1 1.0\n2 1 2.0\n1 2 2.0\n"));
+        let reported = refused(&format!("{head}1 1 1.0\n2 1 2.0\n1 2 2.0\n"));
         assert!(
-            told.contains("m.mtx:5: an entry at row 1, column 2"),
-            "{told}"
+            reported.contains("m.mtx:5: an entry at row 1, column 2"),
+            "{reported}"
         );
         let upper = dense(&format!("{head}1 1 1.0\n1 2 2.0\n2 2 1.0\n"));
         assert_eq!(upper, [[1.0, 2.0], [2.0, 1.0]]);
@@ -306,13 +316,13 @@ mod tests {
     fn sizes_have_a_range() {
         for sizes in ["0 0 0", "99999999999 99999999999 1"] {
             let head = "%%MatrixMarket matrix coordinate real general\n";
-            let told = refused(&format!("{head}{sizes}\n"));
-            assert!(told.contains("from 1 to 100000000"), "{told}");
+            let reported = refused(&format!("{head}{sizes}\n"));
+            assert!(reported.contains("from 1 to 100000000"), "{reported}");
         }
     }
 
     #[test]
-    fn every_wrong_line_is_told() {
+    fn every_wrong_line_is_reported() {
         let head = "%%MatrixMarket matrix coordinate real general\n";
         for (text, words) in [
             ("", "m.mtx:1"),

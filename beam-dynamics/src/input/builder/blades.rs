@@ -2,10 +2,10 @@
 
 use shared_geom::document::Table;
 
-use super::Draft;
+use super::ModelBuilder;
 use crate::case::BladeNodes;
 
-impl Draft {
+impl ModelBuilder {
     /// The node of the hub if the hub moves; `None` if the frame holds it, so that roots
     /// are clamped.
     pub fn hub_node(&self) -> Option<usize> {

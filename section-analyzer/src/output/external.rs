@@ -6,12 +6,12 @@ use nalgebra::DMatrix;
 use shared_geom::section::SectionProperties;
 
 use super::properties::{Source, properties_of};
-use crate::section::OutsideSection;
+use crate::section::ExternalSection;
 use crate::solution::SectionSolution;
 
 /// The properties of `section`, with the fingerprint of their input.
-pub fn outside_properties(
-    section: &OutsideSection,
+pub fn external_properties(
+    section: &ExternalSection,
     solution: &SectionSolution,
     input_hash: &str,
 ) -> SectionProperties {
@@ -27,7 +27,7 @@ pub fn outside_properties(
 
 /// The warping under each unit internal force: a row per node, with its number and position,
 /// then ux, uy, uz under N, Vy, Vz, Mx, My, Mz \[m/N, 1/N\].
-pub fn outside_warping_csv(section: &OutsideSection, solution: &SectionSolution) -> String {
+pub fn external_warping_csv(section: &ExternalSection, solution: &SectionSolution) -> String {
     let mut text = "node,y,z".to_owned();
     for force in ["N", "Vy", "Vz", "Mx", "My", "Mz"] {
         for axis in ["x", "y", "z"] {

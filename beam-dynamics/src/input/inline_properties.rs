@@ -192,8 +192,8 @@ mod tests {
         assert!(sheared[3].abs() < 1e-15, "{sheared}");
         assert!((sheared[1] - 0.5e-6).abs() < 1e-15 && (sheared[2] - 1e-6).abs() < 1e-15);
         // At other points they do: EA at y = 0.3 bends about z by -0.3 F / EIz.
-        let elsewhere = strain(&p, [1.0, 0.0, 0.0], 0.0, 0.0);
-        assert!((elsewhere[5] - 0.3 / 900.0).abs() < 1e-12, "{elsewhere}");
+        let away = strain(&p, [1.0, 0.0, 0.0], 0.0, 0.0);
+        assert!((away[5] - 0.3 / 900.0).abs() < 1e-12, "{away}");
     }
 
     // Momentum for a rotation about z through the reference point: the mass center at
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn every_wrong_number_is_told_by_its_key() {
+    fn every_wrong_number_is_reported_by_its_key() {
         let text = TEXT
             .replace("gj = 30", "gj = 0")
             .replace("m = 2\n", "m = -2\n");

@@ -14,8 +14,8 @@ impl Recoverer<'_> {
     ///
     /// The strain follows from the displacement of the cell there, without smoothing.
     /// Imposed states whose solution was not given are ignored.
-    pub fn at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, Tensors)> {
-        let (cell, tensors, _) = self.state_at(load, None, place)?;
+    pub fn at(&self, load: &LoadCase, position: [f64; 2]) -> Option<(usize, Tensors)> {
+        let (cell, tensors, _) = self.state_at(load, None, position)?;
         Some((cell, tensors))
     }
 
@@ -24,15 +24,19 @@ impl Recoverer<'_> {
         &self,
         load: &LoadCase,
         added: &DistributedState,
-        place: [f64; 2],
+        position: [f64; 2],
     ) -> Option<(usize, Tensors)> {
-        let (cell, tensors, _) = self.state_at(load, Some(added), place)?;
+        let (cell, tensors, _) = self.state_at(load, Some(added), position)?;
         Some((cell, tensors))
     }
 
     /// Electric field and displacement, as [`Recoverer::at`]; zero in cells without field.
-    pub fn electric_at(&self, load: &LoadCase, place: [f64; 2]) -> Option<(usize, ElectricState)> {
-        let (cell, _, electric) = self.state_at(load, None, place)?;
+    pub fn electric_at(
+        &self,
+        load: &LoadCase,
+        position: [f64; 2],
+    ) -> Option<(usize, ElectricState)> {
+        let (cell, _, electric) = self.state_at(load, None, position)?;
         Some((cell, electric))
     }
 
@@ -40,11 +44,11 @@ impl Recoverer<'_> {
         &self,
         load: &LoadCase,
         added: Option<&DistributedState>,
-        place: [f64; 2],
+        position: [f64; 2],
     ) -> Option<(usize, Tensors, ElectricState)> {
-        let Located { cell, r, s } = locate(&self.section.mesh, place)?;
+        let Located { cell, r, s } = locate(&self.section.mesh, position)?;
         let kind = self.section.mesh.cells[cell].kind;
-        let point = CellPoint::at(kind, &self.places(cell), r, s, 1.0);
+        let point = CellPoint::at(kind, &self.positions(cell), r, s, 1.0);
         let theta = self.about_center(load);
         let mut strain = self.unit_strain(cell, &point) * theta;
         let imposed = Imposed::of_load(self.section, self.imposed, load);

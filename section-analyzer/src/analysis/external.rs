@@ -5,10 +5,10 @@ use thiserror::Error;
 use super::central::{Central, Limits, Named, Naming, require_connected, solve_central};
 use super::decay::end_effects;
 use super::si::{Frame, in_si};
-use crate::assembly::{Model, OUTSIDE_IDENTITIES, OutsideDomain, Pattern, Scaling, largest};
+use crate::assembly::{EXTERNAL_IDENTITIES, ExternalDomain, Model, Pattern, Scaling, largest};
 use crate::element::Line;
 use crate::failure::Failure;
-use crate::section::{Blocks, OutsideSection, Slice, Through};
+use crate::section::{Blocks, ExternalSection, Slice, Through};
 use crate::solution::{EndEffects, SectionSolution};
 use crate::solve::{CentralSystems, FactorError, elimination_order, require_positive};
 use shared_geom::error::Explain;
@@ -40,7 +40,7 @@ const E: &str = "E, the stiffness against the warping,";
 
 /// Warnings about given matrices.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum OutsideWarning {
+pub enum ExternalWarning {
     /// The matrices have few digits.
     #[error(
         "the digits of the matrices leave a relative error of about {error:.0e} (identities of rigid motions {identity:.1e}, times the condition number {condition:.1e})"
@@ -66,7 +66,7 @@ pub enum OutsideWarning {
     NoMass,
 }
 
-impl Explain for OutsideWarning {
+impl Explain for ExternalWarning {
     fn help(&self) -> Option<String> {
         let help = match self {
             Self::Digits { .. } => "write the matrices with 15 digits or more",
@@ -82,33 +82,33 @@ impl Explain for OutsideWarning {
 /// # Errors
 /// [`Failure`] when the matrices are inconsistent, or the section has no unique, accurate
 /// solution.
-pub fn analyze_matrices(section: &OutsideSection) -> Result<SectionSolution, Failure> {
-    Ok(OutsideAnalysis::new(section)?.solution)
+pub fn analyze_matrices(section: &ExternalSection) -> Result<SectionSolution, Failure> {
+    Ok(ExternalAnalysis::new(section)?.solution)
 }
 
 /// The analysis of a section that is given by its matrices, for further results.
 #[derive(Debug)]
-pub struct OutsideAnalysis {
-    domain: OutsideDomain,
+pub struct ExternalAnalysis {
+    domain: ExternalDomain,
     central: Central,
     systems: CentralSystems,
     solution: SectionSolution,
-    warnings: Vec<OutsideWarning>,
+    warnings: Vec<ExternalWarning>,
 }
 
-impl OutsideAnalysis {
+impl ExternalAnalysis {
     /// Analyzes `section`.
     ///
     /// # Errors
     /// As [`analyze_matrices`].
-    pub fn new(section: &OutsideSection) -> Result<Self, Failure> {
+    pub fn new(section: &ExternalSection) -> Result<Self, Failure> {
         let count = section.nodes.len();
         let pattern = pattern(count, &section.blocks);
         let unknowns = 3 * count;
         let order = elimination_order(&pattern).ok_or(Failure::OutOfMemory { unknowns })?;
         let named = |node: usize| Named {
             tag: section.tags[order[node] as usize],
-            place: section.nodes[order[node] as usize],
+            position: section.nodes[order[node] as usize],
         };
         let blocks = renumbered(&section.blocks, &order);
         let pattern = self::pattern(count, &blocks);
@@ -124,7 +124,7 @@ impl OutsideAnalysis {
             solve_central(&domain, &pattern, matrices, &named, LIMITS).map_err(in_words)?;
         warnings.extend(digits(&central)?);
         if section.mass.iter().all(|&entry| entry == 0.0) {
-            warnings.push(OutsideWarning::NoMass);
+            warnings.push(ExternalWarning::NoMass);
         }
         let frame = Frame {
             scaling: domain.scaling(),
@@ -148,7 +148,7 @@ impl OutsideAnalysis {
     }
 
     /// Warnings about the matrices.
-    pub fn warnings(&self) -> &[OutsideWarning] {
+    pub fn warnings(&self) -> &[ExternalWarning] {
         &self.warnings
     }
 
@@ -166,11 +166,11 @@ impl OutsideAnalysis {
 /// Requires all identities of the matrices; the error lists every identity that is
 /// violated.
 fn require_belonging(
-    domain: &OutsideDomain,
-    section: &OutsideSection,
+    domain: &ExternalDomain,
+    section: &ExternalSection,
     order: &[u32],
 ) -> Result<(), Failure> {
-    let between = OUTSIDE_IDENTITIES.into_iter().zip(domain.identities());
+    let between = EXTERNAL_IDENTITIES.into_iter().zip(domain.identities());
     let given = domain.compared(&section.reduced, order);
     let is_broken = |error: f64| error.is_nan() || error > LIMITS.identity;
     let broken: Vec<_> = between
@@ -189,14 +189,17 @@ fn require_belonging(
 
 /// Requires that M gives no motion a negative energy.
 fn require_positive_face(
-    domain: &OutsideDomain,
+    domain: &ExternalDomain,
     pattern: &Pattern,
     naming: Naming<'_>,
 ) -> Result<(), Failure> {
     let m = domain.face_matrix(pattern, SEMIDEFINITE, 0.0)?;
     require_positive(&m, pattern).map_err(|error| match error {
         FactorError::NotPositive(pivot) => {
-            let Named { tag, place: [y, z] } = naming(pivot.node);
+            let Named {
+                tag,
+                position: [y, z],
+            } = naming(pivot.node);
             Failure::NotPositive {
                 matrix: M,
                 node: tag,
@@ -215,10 +218,10 @@ fn require_positive_face(
 /// is as thick as its cells. Thinner slices cannot be distinguished, but the difference
 /// hardly matters.
 fn looks_linear(
-    section: &OutsideSection,
-    domain: &OutsideDomain,
+    section: &ExternalSection,
+    domain: &ExternalDomain,
     pattern: &Pattern,
-) -> Result<Option<OutsideWarning>, Failure> {
+) -> Result<Option<ExternalWarning>, Failure> {
     let Some(Slice { thickness, through }) = section.slice else {
         return Ok(None);
     };
@@ -231,11 +234,11 @@ fn looks_linear(
         Ok(require_positive(&m, pattern).is_ok())
     };
     let looks = is_positive(part)? && !is_positive(2.0 * part)?;
-    Ok(looks.then_some(OutsideWarning::Through { thickness }))
+    Ok(looks.then_some(ExternalWarning::Through { thickness }))
 }
 
 /// Warning or error for the loss of digits in the matrices.
-fn digits(central: &Central) -> Result<Option<OutsideWarning>, Failure> {
+fn digits(central: &Central) -> Result<Option<ExternalWarning>, Failure> {
     let checks = &central.checks;
     let identity = checks.identities.into_iter().fold(0.0, largest);
     let condition = checks.condition;
@@ -248,7 +251,7 @@ fn digits(central: &Central) -> Result<Option<OutsideWarning>, Failure> {
             condition,
         });
     }
-    Ok((error > DIGITS.0).then_some(OutsideWarning::Digits {
+    Ok((error > DIGITS.0).then_some(ExternalWarning::Digits {
         error,
         identity,
         condition,
@@ -289,10 +292,10 @@ fn pattern(count: usize, blocks: &Blocks) -> Pattern {
 /// The section in the units of the solver, with its nodes in the order of elimination, the
 /// order of `blocks`.
 fn in_order(
-    section: &OutsideSection,
+    section: &ExternalSection,
     order: &[u32],
     blocks: &Blocks,
-) -> Result<OutsideDomain, Failure> {
+) -> Result<ExternalDomain, Failure> {
     let nodes = &section.nodes;
     let mean = |axis: usize| nodes.iter().map(|p| p[axis]).sum::<f64>() / nodes.len() as f64;
     let origin = [mean(0), mean(1)];
@@ -320,24 +323,33 @@ fn in_order(
         length,
         modulus,
     };
-    let places = order.iter().map(|&node| {
+    let positions = order.iter().map(|&node| {
         let [y, z] = from_origin(&nodes[node as usize]);
         [y / length, z / length]
     });
     let line = Line::through(&section.initial_curvature, origin, length);
-    Ok(OutsideDomain::new(places.collect(), line, scaling, blocks))
+    Ok(ExternalDomain::new(
+        positions.collect(),
+        line,
+        scaling,
+        blocks,
+    ))
 }
 
 /// The matrices with their nodes in another order.
 fn renumbered(blocks: &Blocks, order: &[u32]) -> Blocks {
-    let mut place = vec![0; order.len()];
+    let mut position = vec![0; order.len()];
     for (new, &old) in order.iter().enumerate() {
-        place[old as usize] = new;
+        position[old as usize] = new;
     }
     let of = |matrix: &CsMat<f64>| {
         let mut moved = TriMat::new((matrix.rows(), matrix.cols()));
         for (&value, (i, j)) in matrix {
-            moved.add_triplet(3 * place[i / 3] + i % 3, 3 * place[j / 3] + j % 3, value);
+            moved.add_triplet(
+                3 * position[i / 3] + i % 3,
+                3 * position[j / 3] + j % 3,
+                value,
+            );
         }
         moved.to_csr()
     };

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::input::along::Along;
+use crate::input::beam_properties::BeamProperties;
 
 /// Entries of the relative rotation below this are aligned: round-off of the
 /// same axes found in two ways.
@@ -11,7 +11,7 @@ const ALIGNED: f64 = 1e-12;
 
 /// A node of a blade.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::input) struct LaidNode {
+pub(in crate::input) struct LayoutNode {
     /// Arc length from the root along the line \[m\].
     pub arc_length: f64,
     /// Position \[m\].
@@ -23,35 +23,35 @@ pub(in crate::input) struct LaidNode {
 
 /// A beam of a blade; beam k has the nodes 2k, 2k + 1, 2k + 2.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::input) struct LaidBeam {
+pub(in crate::input) struct LayoutBeam {
     /// Description of the part of the blade to which it belongs.
     pub part: String,
     /// Section axes at the three nodes, in the axes of the nodes.
     pub orientations: [Matrix3<f64>; 3],
     /// Its properties.
-    pub along: Along,
+    pub properties: BeamProperties,
 }
 
 /// Nodes and beams of a blade, from the root to the tip.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(in crate::input) struct Laid {
-    pub nodes: Vec<LaidNode>,
-    pub beams: Vec<LaidBeam>,
+pub(in crate::input) struct BladeLayout {
+    pub nodes: Vec<LayoutNode>,
+    pub beams: Vec<LayoutBeam>,
 }
 
-impl Laid {
+impl BladeLayout {
     /// Adds a beam outboard of the others: its three positions and section axes there.
-    pub fn add(&mut self, places: [LaidNode; 3], part: String, along: Along) {
+    pub fn add(&mut self, positions: [LayoutNode; 3], part: String, properties: BeamProperties) {
         let mut orientations = [Matrix3::identity(); 3];
         match self.nodes.last() {
-            Some(inner) => orientations[0] = relative(&inner.axes, &places[0].axes),
-            None => self.nodes.push(places[0]),
+            Some(inner) => orientations[0] = relative(&inner.axes, &positions[0].axes),
+            None => self.nodes.push(positions[0]),
         }
-        self.nodes.extend(&places[1..]);
-        self.beams.push(LaidBeam {
+        self.nodes.extend(&positions[1..]);
+        self.beams.push(LayoutBeam {
             part,
             orientations,
-            along,
+            properties,
         });
     }
 

@@ -10,11 +10,11 @@ use std::path::Path;
 
 use nalgebra::{DMatrix, Matrix6};
 use section_analyzer::analysis::{
-    Analysis, OutsideAnalysis, OutsideWarning, analyze, analyze_matrices,
+    Analysis, ExternalAnalysis, ExternalWarning, analyze, analyze_matrices,
 };
 use section_analyzer::element::{Line, NO_COLUMNS, cell_points, strain_at};
 use section_analyzer::failure::Failure;
-use section_analyzer::input::outside;
+use section_analyzer::input::external;
 use section_analyzer::material::{EngineeringConstants, section_stiffness};
 use section_analyzer::mesh::generate::Rectangle;
 use section_analyzer::section::Section;
@@ -73,28 +73,28 @@ struct Operators {
 fn operators(section: &Section, cell: usize) -> Vec<Operators> {
     let line = Line::through(&section.initial_curvature, [0.0; 2], 1.0);
     let mesh = &section.mesh;
-    let places: Vec<_> = mesh.places(&mesh.cells[cell]).collect();
-    let points = cell_points(mesh.cells[cell].kind, &places).map(|point| {
+    let positions: Vec<_> = mesh.positions(&mesh.cells[cell]).collect();
+    let points = cell_points(mesh.cells[cell].kind, &positions).map(|point| {
         let (mut b1, mut b0) = (
-            DMatrix::zeros(6, 3 * places.len()),
-            DMatrix::zeros(6, 3 * places.len()),
+            DMatrix::zeros(6, 3 * positions.len()),
+            DMatrix::zeros(6, 3 * positions.len()),
         );
-        for node in 0..places.len() {
+        for node in 0..positions.len() {
             let mut unit = NO_COLUMNS;
             unit[node].fixed_view_mut::<3, 3>(0, 0).fill_with_identity();
             let still = Matrix6::zeros();
             let of_rate = strain_at(&line, &point, Some(&unit), None, &still);
-            let of_place = strain_at(&line, &point, None, Some(&unit), &still);
+            let of_position = strain_at(&line, &point, None, Some(&unit), &still);
             b1.columns_mut(3 * node, 3)
                 .copy_from(&of_rate.columns(0, 3));
             b0.columns_mut(3 * node, 3)
-                .copy_from(&of_place.columns(0, 3));
+                .copy_from(&of_position.columns(0, 3));
         }
         Operators {
             b1,
             b0,
             volume: point.area * line.metric(point.y, point.z).volume,
-            n: point.n[..places.len()].to_vec(),
+            n: point.n[..positions.len()].to_vec(),
         }
     });
     points.collect()
@@ -215,7 +215,7 @@ fn write_nodes(folder: &Path, section: &Section, unit: f64) {
 
 fn solved_from(folder: &Path, text: &str) -> Result<SectionSolution, Failure> {
     write(folder, "bar.matrices.toml", text);
-    let input = outside::read(&folder.join("bar.matrices.toml"));
+    let input = external::read(&folder.join("bar.matrices.toml"));
     let input = input.unwrap_or_else(|problems| panic!("{problems}"));
     analyze_matrices(&input.section)
 }
@@ -439,7 +439,7 @@ fn analyzed(
     section: &Section,
     [thickness, points]: [f64; 2],
     (through, digits): (&str, usize),
-) -> Result<OutsideAnalysis, Failure> {
+) -> Result<ExternalAnalysis, Failure> {
     let [stiffness, _] = slice(section, thickness, points as usize);
     write_nodes(path, section, 1.0);
     write(path, "k.mtx", &market_of(&stiffness, 1.0, digits));
@@ -448,9 +448,9 @@ fn analyzed(
          thickness = {thickness}\nthrough = \"{through}\"\n"
     );
     write(path, "bar.matrices.toml", &text);
-    let input = outside::read(&path.join("bar.matrices.toml"));
+    let input = external::read(&path.join("bar.matrices.toml"));
     let input = input.unwrap_or_else(|problems| panic!("{problems}"));
-    OutsideAnalysis::new(&input.section)
+    ExternalAnalysis::new(&input.section)
 }
 
 /// Files of few digits: a result without warning is accurate to a thousandth, a result with
@@ -469,17 +469,20 @@ fn digits_of_files_are_watched() {
             match analyzed(folder.path(), &section, [thickness, 2.0], kind) {
                 Ok(analysis) => {
                     let off = scaled_error(&analysis.solution().stiffness, &expected);
-                    let told = analysis
+                    let reported = analysis
                         .warnings()
                         .iter()
                         .find_map(|warning| match warning {
-                            OutsideWarning::Digits { error, .. } => Some(*error),
+                            ExternalWarning::Digits { error, .. } => Some(*error),
                             _ => None,
                         });
-                    println!("{case}: error {off:.1e}, reported {told:?}");
-                    match told {
-                        Some(told) => {
-                            assert!(off < 0.1 && off < 30.0 * told, "{case}: {off:e}, {told:e}");
+                    println!("{case}: error {off:.1e}, reported {reported:?}");
+                    match reported {
+                        Some(reported) => {
+                            assert!(
+                                off < 0.1 && off < 30.0 * reported,
+                                "{case}: {off:e}, {reported:e}"
+                            );
                             outcomes[1] += 1;
                         }
                         None => {
@@ -513,21 +516,21 @@ fn through_the_slice_is_watched() {
     let failure = read([thick, 1.0], "linear").expect_err("M below zero");
     assert!(matches!(failure, Failure::NotPositive { .. }), "{failure}");
     assert!(failure.help().expect("help").contains("\"through\""));
-    let is_told = |slice: [f64; 2], through: &str| {
+    let is_reported = |slice: [f64; 2], through: &str| {
         let analysis = read(slice, through).unwrap_or_else(|failure| panic!("{failure}"));
         let mut warnings = analysis.warnings().iter();
-        warnings.any(|warning| matches!(warning, OutsideWarning::Through { .. }))
+        warnings.any(|warning| matches!(warning, ExternalWarning::Through { .. }))
     };
-    assert!(is_told([thick, 2.0], "middle"));
-    assert!(!is_told([thick, 1.0], "middle"));
-    assert!(!is_told([thick, 2.0], "linear"));
-    assert!(!is_told([0.02, 1.0], "middle"));
+    assert!(is_reported([thick, 2.0], "middle"));
+    assert!(!is_reported([thick, 1.0], "middle"));
+    assert!(!is_reported([thick, 2.0], "linear"));
+    assert!(!is_reported([0.02, 1.0], "middle"));
 }
 
 /// Matrices of wrong size or sign are refused as wrong input, with a message about
 /// matrices.
 #[test]
-fn wrong_matrices_are_told_as_such() {
+fn wrong_matrices_are_reported_as_such() {
     let section = bar(CellKind::Quadrilateral4);
     let failed = |change: fn(&mut [DMatrix<f64>; 3])| {
         let mut blocks = blocks(&section);
@@ -559,8 +562,8 @@ fn wrong_matrices_are_told_as_such() {
         ),
     ];
     for (change, words) in cases {
-        let told = failed(change);
-        assert!(told.contains(words), "{words}: {told}");
+        let reported = failed(change);
+        assert!(reported.contains(words), "{words}: {reported}");
     }
 }
 

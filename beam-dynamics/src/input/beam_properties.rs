@@ -10,7 +10,7 @@ use crate::elements::laws::{Imposed, Law, LawKind};
 
 /// Stiffness and mass per length along one beam, by xi from -1 to 1.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Along {
+pub(super) struct BeamProperties {
     /// 6x6 stiffness at the two evaluation points \[N, N m, N m^2\].
     pub stiffness: [Matrix6<f64>; 2],
     /// 6x6 viscosity there; `None` without internal damping \[N s, N m s, N m^2 s\].
@@ -36,7 +36,7 @@ pub(super) struct Along {
     length: Option<f64>,
 }
 
-impl Along {
+impl BeamProperties {
     /// The same properties everywhere.
     pub fn constant(properties: &Properties) -> Self {
         Self {
@@ -60,7 +60,7 @@ impl Along {
         mass: Vec<(f64, Matrix6<f64>)>,
         length: f64,
     ) -> Self {
-        let inside = mass.iter().map(|place| place.0);
+        let inside = mass.iter().map(|position| position.0);
         Self {
             stiffness,
             damping: None,
@@ -176,7 +176,7 @@ impl Along {
     }
 
     fn mass_at(&self, xi: f64) -> Matrix6<f64> {
-        let after = self.mass.partition_point(|place| place.0 < xi);
+        let after = self.mass.partition_point(|position| position.0 < xi);
         let inner = self.mass[after.saturating_sub(1)];
         let Some(outer) = self.mass.get(after.max(1)) else {
             return inner.1;
@@ -191,10 +191,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn mass_is_linear_between_its_places() {
+    fn mass_is_linear_between_its_positions() {
         let unit = Matrix6::identity();
         let mass = vec![(-1.0, unit), (0.5, 4.0 * unit), (1.0, 2.0 * unit)];
-        let along = Along::varying([unit; 2], mass, 3.0);
+        let beam_properties = BeamProperties::varying([unit; 2], mass, 3.0);
         for (xi, expected) in [
             (-1.0, 1.0),
             (-0.5, 2.0),
@@ -202,9 +202,15 @@ mod tests {
             (0.75, 3.0),
             (1.0, 2.0),
         ] {
-            assert!((along.mass_at(xi) - unit * expected).amax() < 1e-15, "{xi}");
+            assert!(
+                (beam_properties.mass_at(xi) - unit * expected).amax() < 1e-15,
+                "{xi}"
+            );
         }
-        assert_eq!(along.with_mass(|mass| mass.breaks.to_vec()), [0.5]);
+        assert_eq!(
+            beam_properties.with_mass(|mass| mass.breaks.to_vec()),
+            [0.5]
+        );
         let properties = Properties {
             stiffness: unit,
             mass: 7.0 * unit,
@@ -216,7 +222,7 @@ mod tests {
             piezo: None,
             curved: None,
         };
-        let constant = Along::constant(&properties);
+        let constant = BeamProperties::constant(&properties);
         for xi in [-1.0, 0.0, 0.3, 1.0] {
             assert_eq!(constant.mass_at(xi), 7.0 * unit);
         }

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use super::{Draft, boxed};
+use super::{ModelBuilder, boxed};
 use crate::elements::control::{Matrices, StateSpace};
 use crate::elements::{Adapted, Element, EnergyPart, EnergySlope, Reading, Signal};
 use crate::model::{Node, NodeMotion, Scalar};
 
-impl Draft {
+impl ModelBuilder {
     /// Makes a scalar of a reading of the element called `label`.
     pub fn watch(&mut self, label: String, reading: Reading, scalar: Scalar) {
         self.watched.push((label, reading, scalar));
@@ -50,14 +50,14 @@ impl Draft {
 
     /// Makes a scalar of an unknown of the circuit of an electrode, by the indices of both,
     /// for the sensor `name`.
-    pub fn watch_electrode(&mut self, place: (usize, usize), name: String, scalar: Scalar) {
-        self.watched_electrodes.push((place.into(), name, scalar));
+    pub fn watch_electrode(&mut self, index: (usize, usize), name: String, scalar: Scalar) {
+        self.watched_electrodes.push((index.into(), name, scalar));
     }
 
     /// The sensors of unknowns of electrodes, which have the given scalars.
     pub(super) fn electrode_sensors(&self, scalars: &[Vec<Scalar>]) -> Vec<Box<dyn Element>> {
-        let sensor = |([electrode, place], name, scalar): &([usize; 2], String, Scalar)| {
-            let input = Signal::scalar(scalars[*electrode][*place].clone());
+        let sensor = |([electrode, index], name, scalar): &([usize; 2], String, Scalar)| {
+            let input = Signal::scalar(scalars[*electrode][*index].clone());
             let gain = Matrices::gain(DMatrix::identity(1, 1));
             boxed(StateSpace::new(
                 name,

@@ -11,7 +11,7 @@ use crate::wrench;
 
 /// Settings of the file for all stations.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Given<'a> {
+pub(super) struct Settings<'a> {
     pub frame: Option<&'a Frame>,
     pub reference_point: Option<Vector2<f64>>,
     /// Length of the line.
@@ -20,7 +20,7 @@ pub(super) struct Given<'a> {
 
 /// Position and axes of a station.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Seat {
+pub(super) struct StationAxes {
     pub arc_length: f64,
     /// Its own reference point.
     pub point: Vector2<f64>,
@@ -29,16 +29,16 @@ pub(super) struct Seat {
 }
 
 /// The 6x6 about the reference point of the blade, in the section axes of the line.
-pub(super) fn seated(
+pub(super) fn moved(
     matrix: &Matrix6<f64>,
-    seat: &Seat,
-    given: &Given<'_>,
+    axes: &StationAxes,
+    settings: &Settings<'_>,
 ) -> Option<Matrix6<f64>> {
-    let turned = match seat.angle {
+    let turned = match axes.angle {
         0.0 => *matrix,
         angle => wrench::rotate(matrix, &about_x(-angle)),
     };
-    let by = given.reference_point? - seat.point;
+    let by = settings.reference_point? - axes.point;
     Some(match by == Vector2::zeros() {
         true => turned,
         false => wrench::shift(&turned, &Vector3::new(0.0, by.x, by.y)),
@@ -76,8 +76,8 @@ pub(super) fn either(
 }
 
 /// Notes engineering properties in a frame other than Helicoid's.
-pub(super) fn note_foreign(table: &Table<'_>, parts: Parts, given: &Given<'_>) -> bool {
-    let foreign = given.frame.is_some_and(|frame| !frame.is_ours());
+pub(super) fn note_foreign(table: &Table<'_>, parts: Parts, settings: &Settings<'_>) -> bool {
+    let foreign = settings.frame.is_some_and(|frame| !frame.is_ours());
     let key = match (parts.stiffness, parts.mass) {
         (true, _) => STIFFNESS[0].0,
         (false, true) => MASS[0].0,

@@ -2,7 +2,7 @@
 
 use super::System;
 use crate::elements::{
-    Element, Energy, Local, LocalJacobian, LocalResidual, LocalSize, Observations, PlaceJump,
+    Element, Energy, Local, LocalJacobian, LocalResidual, LocalSize, Observations, PositionJump,
     Queries,
 };
 use crate::model::{Conditions, State};
@@ -78,11 +78,11 @@ impl System {
 
     /// The first jump between two instants of a position that an element prescribes at a state, and
     /// the element.
-    pub fn place_jump(
+    pub fn position_jump(
         &self,
         state: &State,
         between: [&Conditions; 2],
-    ) -> Option<(&dyn Element, PlaceJump)> {
+    ) -> Option<(&dyn Element, PositionJump)> {
         let loadings = between.map(|at| &at.loading);
         let mut elements = self.elements.iter().enumerate();
         elements.find_map(|(index, element)| {

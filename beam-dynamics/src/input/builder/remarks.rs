@@ -1,10 +1,10 @@
 //! Remarks on a model for the user: heat and electrodes of its beams, effects that are left
 //! out.
 
-use super::{Draft, ElectrodeCard};
+use super::{ElectrodeCard, ModelBuilder};
 use crate::elements::circuits::Circuit;
 use crate::elements::{Instant, Signal};
-use crate::input::along::Along;
+use crate::input::beam_properties::BeamProperties;
 use crate::input::formulation::Inertia;
 use crate::input::heat;
 use crate::input::number::short_number;
@@ -15,7 +15,7 @@ const DIGITS: usize = 6;
 /// Number of beams that are named.
 const MOST_BEAMS: usize = 3;
 
-impl Draft {
+impl ModelBuilder {
     /// Adds remarks on a file that was read.
     pub fn add_remarks(&mut self, remarks: Vec<String>) {
         self.remarks.extend(remarks);
@@ -23,11 +23,11 @@ impl Draft {
 
     /// Remarks on the files that were read.
     pub fn remarks(&self, of_buckling: bool) -> Vec<String> {
-        let heat = heat::told(self.beams.iter().map(|beam| beam.along.heat()));
+        let heat = heat::reported(self.beams.iter().map(|beam| beam.properties.heat()));
         let buckling = of_buckling.then(|| self.properties.of_buckling());
-        let plain = self.beams.iter().map(|beam| &beam.along);
-        let plain = plain.filter(|along| !along.knows_prestress());
-        let stiffness = heat::unused_stiffness(plain.map(Along::heat));
+        let plain = self.beams.iter().map(|beam| &beam.properties);
+        let plain = plain.filter(|properties| !properties.knows_prestress());
+        let stiffness = heat::unused_stiffness(plain.map(BeamProperties::heat));
         let electrodes = self.electrode_remarks();
         let masses = self.jumping_masses();
         let remarks = [self.remarks.clone(), masses, heat, stiffness, electrodes];
@@ -55,15 +55,19 @@ impl Draft {
 
     /// Remarks on electrodes: their connections, and those without a card.
     pub(super) fn electrode_remarks(&self) -> Vec<String> {
-        let told = self.electrodes.iter().map(told);
-        told.chain(self.unnamed()).collect()
+        let reported = self.electrodes.iter().map(reported);
+        reported.chain(self.unnamed()).collect()
     }
 
     /// A remark for each electrode of property files that no card names on some beams.
     fn unnamed(&self) -> Vec<String> {
         let mut found: Vec<(&str, Vec<&str>)> = Vec::new();
         for (index, beam) in self.beams.iter().enumerate() {
-            let names = beam.along.piezo.as_ref().map(|piezo| &piezo.electrodes);
+            let names = beam
+                .properties
+                .piezo
+                .as_ref()
+                .map(|piezo| &piezo.electrodes);
             for (column, name) in names.into_iter().flatten().enumerate() {
                 let mut cards = self.electrodes.iter();
                 if cards.any(|card| card.column(index) == Some(column)) {
@@ -94,7 +98,7 @@ fn listed(names: &[&str]) -> String {
 }
 
 /// Description of the circuit of an electrode.
-fn told(card: &ElectrodeCard) -> String {
+fn reported(card: &ElectrodeCard) -> String {
     let volts = |source: &Signal| {
         let now = short_number(source.value(&Instant::START), DIGITS);
         match source {

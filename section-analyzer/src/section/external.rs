@@ -10,7 +10,7 @@ use sprs::CsMat;
 
 /// A section given by its matrices.
 #[derive(Debug, Clone)]
-pub struct OutsideSection {
+pub struct ExternalSection {
     /// Name for reports.
     pub name: String,
     /// Numbers of the nodes in the program that made the matrices.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use shared_geom::error::{Diagnostics, Place};
+use shared_geom::error::{Diagnostics, SourceLocation};
 
 use super::problem::MatrixProblem;
 use crate::solve::Pins;
@@ -13,7 +13,7 @@ pub(super) struct NodeTable {
     /// Numbers.
     pub tags: Vec<u64>,
     /// Positions (y, z) \[m\].
-    pub places: Vec<[f64; 2]>,
+    pub positions: Vec<[f64; 2]>,
 }
 
 impl NodeTable {
@@ -32,14 +32,17 @@ impl NodeTable {
             let (line, found) = heading.map_or((1, ""), |(line, row)| (line, row.trim()));
             let found = found.to_owned();
             let problem = MatrixProblem::NodeHeading { found };
-            return Err(Diagnostics::one(Place::line(file, line), &problem));
+            return Err(Diagnostics::one(SourceLocation::line(file, line), &problem));
         }
         let mut table = Self::default();
         let mut line_of = BTreeMap::new();
         for (line, row) in rows {
-            let Some((tag, place)) = node(row) else {
+            let Some((tag, position)) = node(row) else {
                 let found = row.trim().to_owned();
-                problems.push(Place::line(file, line), &MatrixProblem::NodeRow { found });
+                problems.push(
+                    SourceLocation::line(file, line),
+                    &MatrixProblem::NodeRow { found },
+                );
                 continue;
             };
             if let Some(&first) = line_of.get(&tag) {
@@ -47,18 +50,21 @@ impl NodeTable {
                     node: tag,
                     line: first,
                 };
-                problems.push(Place::line(file, line), &problem);
+                problems.push(SourceLocation::line(file, line), &problem);
             }
             line_of.insert(tag, line);
             table.tags.push(tag);
-            table.places.push(place.map(|value| unit * value));
+            table.positions.push(position.map(|value| unit * value));
         }
         let found = table.tags.len();
         if found < 3 && problems.is_empty() {
-            problems.push(Place::file(file), &MatrixProblem::FewNodes { found });
+            problems.push(
+                SourceLocation::file(file),
+                &MatrixProblem::FewNodes { found },
+            );
         }
-        if found >= 3 && problems.is_empty() && Pins::choose(&table.places).is_err() {
-            problems.push(Place::file(file), &MatrixProblem::OneLine);
+        if found >= 3 && problems.is_empty() && Pins::choose(&table.positions).is_err() {
+            problems.push(SourceLocation::file(file), &MatrixProblem::OneLine);
         }
         problems.into_result(table)
     }
@@ -86,11 +92,11 @@ mod tests {
         let text = "# from a slice\nnode, y, z\n7, 1, 2\n\n3, -1.5, 0\n5,0,1e1\n";
         let table = NodeTable::parse(text, "n.csv", 1e-3).expect("sound");
         assert_eq!(table.tags, [7, 3, 5]);
-        assert_eq!(table.places, [[1e-3, 2e-3], [-1.5e-3, 0.0], [0.0, 1e-2]]);
+        assert_eq!(table.positions, [[1e-3, 2e-3], [-1.5e-3, 0.0], [0.0, 1e-2]]);
     }
 
     #[test]
-    fn wrong_rows_are_all_told() {
+    fn wrong_rows_are_all_reported() {
         let problems = NodeTable::parse("node,y,z\n1,0\n2,x,0\n3,0,0\n3,1,0\n", "n.csv", 1.0);
         let problems = problems.expect_err("wrong rows").to_string();
         for words in ["n.csv:2", "n.csv:3", "n.csv:5", "first in line 4"] {
@@ -102,8 +108,8 @@ mod tests {
         }
         for rows in ["1,0,0\n2,1,1\n3,2,2\n", "1,1,1\n2,1,1\n3,1,1\n"] {
             let problems = NodeTable::parse(&format!("node,y,z\n{rows}"), "n.csv", 1.0);
-            let told = problems.expect_err(rows).to_string();
-            assert!(told.contains("lie on one line"), "{told}");
+            let reported = problems.expect_err(rows).to_string();
+            assert!(reported.contains("lie on one line"), "{reported}");
         }
         let problems = NodeTable::parse("node,y,z\n1,0,0\n", "n.csv", 1.0);
         assert!(problems.expect_err("one").to_string().contains("three"));

@@ -8,9 +8,12 @@ use shared_geom::units::Dimension;
 
 use super::loads::LoadProblem;
 use super::problem::InputProblem;
-use super::speeds::{self, RPM};
+use super::rotor_speed::RPM;
+use super::speeds;
 use super::transient;
-use crate::case::{BucklingQuestion, ModesQuestion, Spin, StaticQuestion, TransientQuestion};
+use crate::case::{
+    BucklingSettings, FrameRotation, ModesSettings, StaticSettings, TransientSettings,
+};
 
 keys! {
     /// Equilibria under rotation and loads.
@@ -54,22 +57,22 @@ const ALONG: f64 = 1e-9;
 
 /// All analyses of a model.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Questions {
-    pub modes: Option<ModesQuestion>,
-    pub statics: Option<StaticQuestion>,
-    pub buckling: Option<BucklingQuestion>,
-    pub transient: Option<TransientQuestion>,
+pub(super) struct Analyses {
+    pub modes: Option<ModesSettings>,
+    pub statics: Option<StaticSettings>,
+    pub buckling: Option<BucklingSettings>,
+    pub transient: Option<TransientSettings>,
 }
 
 /// Reads the cards of all analyses.
-pub(super) fn read(root: &Table<'_>) -> Option<Questions> {
+pub(super) fn read(root: &Table<'_>) -> Option<Analyses> {
     let modes = match root.has("modes") {
         true => speeds::read(root).map(Some),
         false => Some(None),
     };
     let (statics, buckling) = (statics(root), buckling(root));
     let transient = transient::read(root);
-    Some(Questions {
+    Some(Analyses {
         modes: modes?,
         statics: statics?,
         buckling: buckling?,
@@ -78,7 +81,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Questions> {
 }
 
 /// Reads `[static]`; `Some(None)` without the card.
-fn statics(root: &Table<'_>) -> Option<Option<StaticQuestion>> {
+fn statics(root: &Table<'_>) -> Option<Option<StaticSettings>> {
     if !root.has("static") {
         return Some(None);
     }
@@ -88,7 +91,7 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticQuestion>> {
     let (arc_length, most_steps) = (table.get(&ARC_LENGTH), table.get(&MOST));
     table.finish();
     let steps = steps?;
-    Some(Some(StaticQuestion {
+    Some(Some(StaticSettings {
         speed: speed?,
         to: to?,
         steps,
@@ -99,7 +102,7 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticQuestion>> {
 }
 
 /// Reads `[buckling]`; `Some(None)` without the card.
-fn buckling(root: &Table<'_>) -> Option<Option<BucklingQuestion>> {
+fn buckling(root: &Table<'_>) -> Option<Option<BucklingSettings>> {
     if !root.has("buckling") {
         return Some(None);
     }
@@ -107,7 +110,7 @@ fn buckling(root: &Table<'_>) -> Option<Option<BucklingQuestion>> {
     let speed = speed(&table);
     let count = table.get(&COUNT);
     table.finish();
-    Some(Some(BucklingQuestion {
+    Some(Some(BucklingSettings {
         speed: speed?,
         count: count?,
     }))
@@ -126,7 +129,7 @@ fn speed(table: &Table<'_>) -> Option<f64> {
     Some(speed)
 }
 
-impl Questions {
+impl Analyses {
     /// The first and the last time at which drives are evaluated \[s\]: equilibria and
     /// modes are at time zero.
     pub fn times(&self) -> Option<[f64; 2]> {
@@ -141,13 +144,13 @@ impl Questions {
 
     /// Notes gravity across the axis of a rotating model: it has no steady equilibrium. Runs in time
     /// start from the mean of it.
-    pub fn check(&self, root: &Table<'_>, gravity: &Vector3<f64>, spin: &Spin) {
+    pub fn check(&self, root: &Table<'_>, gravity: &Vector3<f64>, frame_rotation: &FrameRotation) {
         let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());
         let of_statics = self.statics.iter().map(|statics| &statics.speed);
         let of_buckling = self.buckling.iter().map(|buckling| &buckling.speed);
         let speeds = of_modes.chain(of_statics).chain(of_buckling);
         let highest = speeds.copied().map(f64::abs).fold(0.0, f64::max);
-        let across = (gravity - spin.axis * spin.axis.dot(gravity)).norm();
+        let across = (gravity - frame_rotation.axis * frame_rotation.axis.dot(gravity)).norm();
         if highest > 0.0 && across > ALONG * gravity.norm() {
             let rpm = highest / RPM;
             root.note("gravity", &LoadProblem::GravityGoesRound { across, rpm });

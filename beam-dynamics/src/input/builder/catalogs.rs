@@ -1,11 +1,11 @@
-//! Names that the cards of a model may use other than those of its parts: drives with the
-//! names that expressions read, frames, and samplings.
+//! Names that the cards of a model may use in addition to the names of its parts: drives with
+//! the names that expressions read, frames, and samplings.
 
-use super::Draft;
+use super::ModelBuilder;
 use crate::input::drives;
 use crate::input::frames::Frames;
 
-impl Draft {
+impl ModelBuilder {
     /// The drives by name.
     pub fn drives(&self) -> &drives::Catalog {
         &self.drives

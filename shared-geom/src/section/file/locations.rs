@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use crate::error::Place;
+use crate::error::SourceLocation;
 
 /// The outermost table of a text.
 pub(super) const OUTERMOST: usize = 0;
@@ -13,7 +13,7 @@ pub(super) const OUTERMOST: usize = 0;
 /// Tables, lists and fields have numbers; their content is found by the number and a
 /// name, an element of a list by its index, counted from zero.
 #[derive(Debug, Default)]
-pub(super) struct Places {
+pub(super) struct FieldLocations {
     inside: BTreeMap<(usize, String), Spot>,
     /// Lines of fields that are given a second time.
     again: BTreeMap<(usize, String), usize>,
@@ -33,10 +33,10 @@ struct Open {
     element: Option<usize>,
 }
 
-impl Places {
+impl FieldLocations {
     /// Locations in a text that is JSON.
     pub fn of(text: &str) -> Self {
-        let mut places = Self::default();
+        let mut locations = Self::default();
         let mut open: Vec<Open> = Vec::new();
         let mut value_of = None;
         let (mut line, mut at) = (1, 0);
@@ -49,7 +49,7 @@ impl Places {
                     if let (true, Some(holder)) = (is_key(bytes, end), open.last()) {
                         let written = text.get(at..end).unwrap_or_default();
                         let name = serde_json::from_str(written).unwrap_or_default();
-                        value_of = Some(places.add(holder.number, name, line));
+                        value_of = Some(locations.add(holder.number, name, line));
                     }
                     at = end - 1;
                 }
@@ -58,7 +58,7 @@ impl Places {
                         (Some(number), _) => number,
                         (None, Some(list)) => {
                             let element = list.element.unwrap_or_default().to_string();
-                            places.add(list.number, element, line)
+                            locations.add(list.number, element, line)
                         }
                         (None, None) => OUTERMOST,
                     };
@@ -76,7 +76,7 @@ impl Places {
             }
             at += 1;
         }
-        places
+        locations
     }
 
     fn add(&mut self, holder: usize, name: String, line: usize) -> usize {
@@ -104,29 +104,29 @@ impl Places {
     }
 
     /// The location of a field, `imposed.0.name`, or of its nearest existing holder.
-    pub fn place(&self, path: &str, file: &str) -> Place {
+    pub fn location(&self, path: &str, file: &str) -> SourceLocation {
         // these have one name only
         let path = match path {
             "history" => "provenance.history",
             "stiffness_per_kelvin" => "prestress.stiffness_per_kelvin",
             _ => path,
         };
-        let mut place = Place::file(file);
+        let mut location = SourceLocation::file(file);
         let mut holder = OUTERMOST;
         for name in path.split('.') {
             let Some(spot) = self.inside(holder, name) else {
                 break;
             };
-            place = Place::line(file, spot.line);
+            location = SourceLocation::line(file, spot.line);
             holder = spot.number;
         }
-        place
+        location
     }
 }
 
-/// The location of a field of `text`, as [`Places::place`].
-pub(super) fn place_of(path: &str, text: &str, file: &str) -> Place {
-    Places::of(text).place(path, file)
+/// The location of a field of `text`, as [`FieldLocations::location`].
+pub(super) fn location_of(path: &str, text: &str, file: &str) -> SourceLocation {
+    FieldLocations::of(text).location(path, file)
 }
 
 /// Index after the closing quote of the text that begins at `start`.
@@ -153,11 +153,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fields_are_found_where_they_stand() {
+    fn fields_are_found_where_they_are() {
         let text =
             "{\n\"a\": {\"b \\\" }\": 1,\n \"c\"\n: [2,\n {\"d\": \"e\"}, [\n3]]},\n\"a\": 4}\n";
-        let places = Places::of(text);
-        let line = |path: &str| places.place(path, "x").line;
+        let locations = FieldLocations::of(text);
+        let line = |path: &str| locations.location(path, "x").line;
         assert_eq!(line("a"), Some(2));
         assert_eq!(line("a.b \" }"), Some(2));
         assert_eq!(line("a.c"), Some(3));
@@ -167,7 +167,7 @@ mod tests {
         // an absent field has the location of its holder
         assert_eq!(line("a.c.1.f"), Some(5));
         assert_eq!(line("g"), None);
-        assert_eq!(places.again(OUTERMOST, "a"), Some(7));
+        assert_eq!(locations.again(OUTERMOST, "a"), Some(7));
     }
 
     /// Text that is no JSON has locations too, as far as it can be read.
@@ -183,8 +183,8 @@ mod tests {
             "]{\"é\" :[,,{",
             ",:\"a\":",
         ] {
-            let places = Places::of(text);
-            assert_eq!(places.place("b", "x"), Place::file("x"));
+            let locations = FieldLocations::of(text);
+            assert_eq!(locations.location("b", "x"), SourceLocation::file("x"));
         }
     }
 }

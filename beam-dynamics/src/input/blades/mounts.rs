@@ -19,7 +19,7 @@ use shared_geom::units::Dimension;
 use std::f64::consts::TAU;
 
 use super::problem::BladeProblem;
-use crate::input::draft::Draft;
+use crate::input::builder::ModelBuilder;
 use crate::input::problem::InputProblem;
 
 keys! {
@@ -49,9 +49,9 @@ const MOST_BLADES: usize = 100;
 /// Azimuths nearer than this are the same \[rad\].
 const SAME_AZIMUTH: f64 = 1e-6;
 
-/// The seat of one blade.
+/// The mount of one blade on the hub.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Seat {
+pub(super) struct BladeMount {
     /// Name of the blade.
     pub name: String,
     /// Azimuth on the rotor, positive about the axis \[rad\].
@@ -66,7 +66,7 @@ pub(super) struct Seat {
     pub pitch: f64,
 }
 
-impl Seat {
+impl BladeMount {
     /// Axes (columns) of the blade, pitch included.
     pub fn blade_axes(&self) -> Matrix3<f64> {
         self.axes * about(Vector3::x() * self.pitch)
@@ -84,7 +84,7 @@ fn about(turn: Vector3<f64>) -> Matrix3<f64> {
 
 /// Position of the root, by key.
 #[derive(Debug, Clone, Copy)]
-enum RootPlace {
+enum RootPosition {
     /// `root`: its position at azimuth zero \[m\].
     At(Vector3<f64>),
     /// `hub_radius`: its distance from the center along the span \[m\].
@@ -92,10 +92,10 @@ enum RootPlace {
 }
 
 /// Names and azimuths \[rad\] of the blades of a card.
-pub(super) type Places = Vec<(String, f64)>;
+pub(super) type NamedAzimuths = Vec<(String, f64)>;
 
 /// Names and azimuths; `None` if they are wrong, which is noted.
-pub(super) fn places(table: &Table<'_>) -> Option<Places> {
+pub(super) fn named_azimuths(table: &Table<'_>) -> Option<NamedAzimuths> {
     let name = table.get(&NAME);
     let azimuths = azimuths(table, name.as_deref().unwrap_or_default());
     let names = table.get(&NAMES)?;
@@ -153,31 +153,35 @@ fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
     Some(angles)
 }
 
-/// The seats of the blades of a card at `places`.
-pub(super) fn read(table: &Table<'_>, draft: &Draft, places: Option<&Places>) -> Option<Vec<Seat>> {
+/// The mounts of the blades of a card, by their names and azimuths.
+pub(super) fn read(
+    table: &Table<'_>,
+    builder: &ModelBuilder,
+    named: Option<&NamedAzimuths>,
+) -> Option<Vec<BladeMount>> {
     let name = table.text("name").unwrap_or_default();
-    let root = root_place(table, &name);
+    let root = root_position(table, &name);
     let precone = shallow(table, &PRECONE);
     let pitch = table.get(&PITCH);
-    let (hub, places, root) = (draft.hub()?, places?, root?);
+    let (hub, named, root) = (builder.hub()?, named?, root?);
     let cone = about(Vector3::new(0.0, -precone?, 0.0));
-    let mut seats = Vec::with_capacity(places.len());
-    for (name, azimuth) in places {
+    let mut mounts = Vec::with_capacity(named.len());
+    for (name, azimuth) in named {
         let Some(axes) = hub.blade_axes(*azimuth) else {
             table.note("azimuth", &InputProblem::AxisAlongSpan);
             return None;
         };
         let axes = axes * cone;
         let span = axes.column(0).into_owned();
-        let center = hub.spin().center;
+        let center = hub.frame_rotation().center;
         let (root, radius) = match root {
-            RootPlace::Radius(radius) => (center + radius * span, radius),
-            RootPlace::At(place) => {
-                let root = hub.at_azimuth(place, *azimuth);
+            RootPosition::Radius(radius) => (center + radius * span, radius),
+            RootPosition::At(position) => {
+                let root = hub.at_azimuth(position, *azimuth);
                 (root, (root - center).dot(&span))
             }
         };
-        seats.push(Seat {
+        mounts.push(BladeMount {
             name: name.clone(),
             azimuth: *azimuth,
             root,
@@ -186,10 +190,10 @@ pub(super) fn read(table: &Table<'_>, draft: &Draft, places: Option<&Places>) ->
             pitch: pitch?,
         });
     }
-    Some(seats)
+    Some(mounts)
 }
 
-fn root_place(table: &Table<'_>, name: &str) -> Option<RootPlace> {
+fn root_position(table: &Table<'_>, name: &str) -> Option<RootPosition> {
     match (table.has("root"), table.has("hub_radius")) {
         (true, true) => {
             let problem = BladeProblem::Both {
@@ -200,16 +204,18 @@ fn root_place(table: &Table<'_>, name: &str) -> Option<RootPlace> {
             table.note("hub_radius", &problem);
             None
         }
-        (true, false) => table.vector("root", Dimension::LENGTH).map(RootPlace::At),
+        (true, false) => table
+            .vector("root", Dimension::LENGTH)
+            .map(RootPosition::At),
         (false, true) => {
             let radius = table.quantity("hub_radius", Dimension::LENGTH)?;
             if radius >= 0.0 {
-                return Some(RootPlace::Radius(radius));
+                return Some(RootPosition::Radius(radius));
             }
             table.wrong("hub_radius", "a length, zero or more");
             None
         }
-        (false, false) => Some(RootPlace::At(Vector3::zeros())),
+        (false, false) => Some(RootPosition::At(Vector3::zeros())),
     }
 }
 

@@ -19,7 +19,7 @@ use super::hub::Hub;
 use super::problem::InputProblem;
 use super::properties::Catalog;
 use crate::assembly::System;
-use crate::case::{BladeNodes, InitialMotion, Model, Spin};
+use crate::case::{BladeNodes, FrameRotation, InitialMotion, Model};
 use crate::elements::beams::{self, BeamInertia, LumpedMass, lumped_bodies};
 use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Hinge, clamped, rigid_connection};
@@ -28,8 +28,8 @@ use crate::elements::{Element, EnergyPart, Reading};
 use crate::model::{Drive, Node, Scalar};
 
 mod blades;
+mod catalogs;
 mod electrodes;
-mod given;
 mod lookup;
 mod remarks;
 mod watch;
@@ -47,7 +47,7 @@ struct Named {
 
 /// The model during reading.
 #[derive(Debug)]
-pub(super) struct Draft {
+pub(super) struct ModelBuilder {
     properties: Catalog,
     drives: drives::Catalog,
     frames: Frames,
@@ -87,7 +87,7 @@ pub(super) struct Draft {
     broken: bool,
 }
 
-impl Draft {
+impl ModelBuilder {
     /// An empty model; `hub` is `None` if its card is wrong.
     pub fn new(properties: Catalog, hub: Option<Hub>) -> Self {
         let remarks = properties.remarks.clone();
@@ -412,13 +412,13 @@ impl Draft {
 
     pub(super) fn lumped(&self, beam: &Beam) -> LumpedMass {
         let ends = self.ends(beam);
-        beam.along
+        beam.properties
             .with_mass(|mass| lumped_bodies(&beam.geometry, ends, mass))
     }
 
     /// The checked model; `None` if some card could not be read, even if that was not
     /// noted: a model without a part is a different one.
-    pub fn model(self, name: String, spin: Spin) -> Option<Model> {
+    pub fn model(self, name: String, frame_rotation: FrameRotation) -> Option<Model> {
         if self.broken {
             return None;
         }
@@ -450,7 +450,7 @@ impl Draft {
             blades: self.blades,
             system: System::new(self.nodes, elements),
             naming,
-            spin,
+            frame_rotation,
             gravity: Vector3::zeros(),
             gravity_drive: Drive::Constant(1.0),
         })
@@ -468,16 +468,16 @@ impl Draft {
             label,
             nodes,
             geometry,
-            along,
+            properties,
             inertia,
         } = beam;
         let ends = self.ends(beam);
-        let elastic = beams::Beam::new(label, *nodes, *geometry, ends, along.laws_like(law));
+        let elastic = beams::Beam::new(label, *nodes, *geometry, ends, properties.laws_like(law));
         let mut elements = vec![boxed(self.with_electrodes(index, elastic, scalars))];
         match inertia {
             Inertia::Consistent => {
-                let inertia =
-                    along.with_mass(|mass| BeamInertia::new(label, *nodes, *geometry, ends, mass));
+                let inertia = properties
+                    .with_mass(|mass| BeamInertia::new(label, *nodes, *geometry, ends, mass));
                 elements.push(boxed(inertia));
             }
             Inertia::Lumped => {

@@ -12,7 +12,7 @@ use super::segments::label;
 use super::words::Wall;
 use super::{Lamina, LaminaCell, Laminated};
 
-type Told = (usize, LaminaProblem);
+type LaminaReport = (usize, LaminaProblem);
 
 /// Splits `problems` of the mesh into problems of the mesh itself and of laminates, the
 /// latter with the index of the laminate whose input must change.
@@ -21,7 +21,7 @@ pub fn of_laminae(
     laminae: &[Lamina],
     laminated: &Laminated,
     problems: Vec<MeshProblem>,
-) -> (Vec<MeshProblem>, Vec<Told>) {
+) -> (Vec<MeshProblem>, Vec<LaminaReport>) {
     if laminated.cells.is_empty() {
         return (problems, Vec::new());
     }
@@ -30,12 +30,12 @@ pub fn of_laminae(
     let mut misshapen = Vec::new();
     let mut others = Vec::new();
     for problem in problems {
-        match cells.told(&problem) {
+        match cells.reported(&problem) {
             Some((lamina, LaminaProblem::Misshapen { .. })) if counted(&mut misshapen, lamina) => {}
-            Some(told) if matches!(told.1, LaminaProblem::Misshapen { .. }) => {
-                misshapen.push(told);
+            Some(reported) if matches!(reported.1, LaminaProblem::Misshapen { .. }) => {
+                misshapen.push(reported);
             }
-            Some(told) => others.push(told),
+            Some(reported) => others.push(reported),
             None => own.push(cells.without_made_nodes(problem)),
         }
     }
@@ -47,14 +47,14 @@ pub fn of_laminae(
         own.clear();
     }
     others.dedup();
-    let mut told = misshapen;
-    told.extend(limited(others, "positions at which laminates do not fit"));
-    (own, told)
+    let mut reported = misshapen;
+    reported.extend(limited(others, "positions at which laminates do not fit"));
+    (own, reported)
 }
 
 /// Counts one more cell of a laminate with a reported cell; otherwise false.
-fn counted(told: &mut [Told], lamina: usize) -> bool {
-    let known = told.iter_mut().find(|(known, _)| *known == lamina);
+fn counted(reported: &mut [LaminaReport], lamina: usize) -> bool {
+    let known = reported.iter_mut().find(|(known, _)| *known == lamina);
     match known {
         Some((_, LaminaProblem::Misshapen { count, .. })) => {
             *count += 1;
@@ -100,7 +100,7 @@ impl<'a> Cells<'a> {
         Wall::Cells(group.map(|group| group.label()))
     }
 
-    fn told(&self, problem: &MeshProblem) -> Option<Told> {
+    fn reported(&self, problem: &MeshProblem) -> Option<LaminaReport> {
         match problem {
             MeshProblem::InvertedCell { cell, center, .. }
             | MeshProblem::TurnedCell { cell, center, .. } => {
@@ -109,7 +109,7 @@ impl<'a> Cells<'a> {
                 let problem = LaminaProblem::Misshapen {
                     curve: label(self.mesh, self.laminae, found.lamina),
                     line: found.line,
-                    place: *center,
+                    position: *center,
                     thickness: lamina.thicknesses.iter().sum(),
                     count: 1,
                 };
@@ -117,18 +117,20 @@ impl<'a> Cells<'a> {
             }
             MeshProblem::Overlap { cells, nodes } => {
                 let node = self.mesh.nodes.iter().find(|node| node.tag == nodes[0])?;
-                let place = [node.position.x, node.position.y];
+                let position = [node.position.x, node.position.y];
                 self.pair(*cells, |walls| LaminaProblem::Overlaps {
                     walls,
-                    place,
+                    position,
                     count: 1,
                 })
             }
-            MeshProblem::DoubleCover(CellOverlap { cells, places, .. }) => {
-                let (pair, place) = (*cells.first()?, *places.first()?);
+            MeshProblem::DoubleCover(CellOverlap {
+                cells, positions, ..
+            }) => {
+                let (pair, position) = (*cells.first()?, *positions.first()?);
                 self.pair(pair, |walls| LaminaProblem::Overlaps {
                     walls,
-                    place,
+                    position,
                     count: cells.len(),
                 })
             }
@@ -136,7 +138,7 @@ impl<'a> Cells<'a> {
                 self.pair([node.corner_of, node.side_of], |walls| {
                     LaminaProblem::Unjoined {
                         walls,
-                        place: node.place,
+                        position: node.position,
                         count: 1 + more,
                     }
                 })
@@ -145,7 +147,7 @@ impl<'a> Cells<'a> {
                 let pair = cells.map(|(tag, _)| tag);
                 self.pair(pair, |walls| LaminaProblem::Unjoined {
                     walls,
-                    place: *at,
+                    position: *at,
                     count: 1,
                 })
             }
@@ -158,7 +160,7 @@ impl<'a> Cells<'a> {
         &self,
         cells: [u64; 2],
         problem: impl FnOnce([Wall; 2]) -> LaminaProblem,
-    ) -> Option<Told> {
+    ) -> Option<LaminaReport> {
         let mut found = cells.iter().filter_map(|&cell| self.of_lamina(cell));
         let lamina = found.next().map(|cell| cell.lamina)?;
         let lamina = found.fold(lamina, |last, cell| last.max(cell.lamina));

@@ -28,7 +28,7 @@ use sprs::{CsMat, CsMatI};
 
 /// A section of given matrices in the units of the solver.
 #[derive(Debug, Clone)]
-pub struct OutsideDomain {
+pub struct ExternalDomain {
     nodes: Vec<[f64; 2]>,
     line: Line,
     scaling: Scaling,
@@ -41,11 +41,11 @@ pub struct OutsideDomain {
     a: Matrix6<f64>,
 }
 
-/// The identities between given matrices, as [`OutsideDomain::identities`] orders them.
-pub const OUTSIDE_IDENTITIES: [&str; 5] =
+/// The identities between given matrices, as [`ExternalDomain::identities`] orders them.
+pub const EXTERNAL_IDENTITIES: [&str; 5] =
     ["M = M'", "E = E'", "C H = L T", "E H = R T", "R' H = A T"];
 
-impl OutsideDomain {
+impl ExternalDomain {
     /// The section with `nodes` (y, z) in `scaling`, and `blocks` in SI, both in the
     /// order in which unknowns are eliminated.
     pub fn new(nodes: Vec<[f64; 2]>, line: Line, scaling: Scaling, blocks: &Blocks) -> Self {
@@ -116,7 +116,7 @@ impl OutsideDomain {
         Ok(CsMatI::new_csc((unknowns, unknowns), starts, rows, entries))
     }
 
-    /// Error of each of the [`OUTSIDE_IDENTITIES`], relative to the largest sum of
+    /// Error of each of the [`EXTERNAL_IDENTITIES`], relative to the largest sum of
     /// absolute terms of its products.
     pub fn identities(&self) -> [f64; 5] {
         let h = self.rigid_motions();
@@ -229,7 +229,7 @@ impl OutsideDomain {
     }
 }
 
-impl Model for OutsideDomain {
+impl Model for ExternalDomain {
     fn nodes(&self) -> &[[f64; 2]] {
         &self.nodes
     }

@@ -2,13 +2,13 @@
 
 use shared_geom::document::Table;
 
-use super::Draft;
+use super::ModelBuilder;
 use crate::elements::joints::clamped;
 use crate::elements::{Adapted, Axes, Element, Queries, Reading};
 use crate::input::problem::InputProblem;
 use crate::model::NodeMotion;
 
-impl Draft {
+impl ModelBuilder {
     /// The node called `name` under `key` of a card described by `user`; the node is not
     /// treated as used.
     pub fn look_up_node(
@@ -153,7 +153,7 @@ impl Draft {
 
     /// The nodes of most interest in a run in time: all that move if they are few, else the
     /// ends of lines of beams and the nodes of bodies, up to `most`.
-    pub fn telling_nodes(&self, most: usize) -> Vec<usize> {
+    pub fn main_nodes(&self, most: usize) -> Vec<usize> {
         let moves = |node: &usize| !self.clamps.contains_key(node);
         let all: Vec<_> = (0..self.nodes.len()).filter(moves).collect();
         if all.len() <= most {

@@ -7,7 +7,7 @@ use shared_geom::files::true_path;
 
 use super::arguments::Results;
 use crate::input;
-use crate::output::ResultPlace;
+use crate::output::ResultLocation;
 
 /// Two files whose results would have the same names.
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
@@ -29,18 +29,18 @@ impl Explain for SameResults {
 ///
 /// # Errors
 /// [`SameResults`]: the first two files with the same results.
-pub(super) fn places(
+pub(super) fn result_locations(
     files: &[PathBuf],
     results: &Results,
-) -> Result<Vec<ResultPlace>, SameResults> {
-    let places: Vec<_> = files.iter().map(|file| place(file, results)).collect();
-    let keys = places
+) -> Result<Vec<ResultLocation>, SameResults> {
+    let locations: Vec<_> = files.iter().map(|file| location(file, results)).collect();
+    let keys = locations
         .iter()
-        .map(|place| (true_path(&place.folder), place.name.as_str()));
+        .map(|location| (true_path(&location.folder), location.name.as_str()));
     let keys: Vec<_> = keys.collect();
     for (second, key) in keys.iter().enumerate() {
         if let Some(first) = keys[..second].iter().position(|other| other == key) {
-            let ResultPlace { folder, name, .. } = &places[second];
+            let ResultLocation { folder, name, .. } = &locations[second];
             return Err(SameResults {
                 first: files[first].display().to_string(),
                 second: files[second].display().to_string(),
@@ -48,13 +48,13 @@ pub(super) fn places(
             });
         }
     }
-    Ok(places)
+    Ok(locations)
 }
 
-fn place(file: &Path, results: &Results) -> ResultPlace {
+fn location(file: &Path, results: &Results) -> ResultLocation {
     let beside = || file.parent().unwrap_or(Path::new("")).join("results");
     let folder = results.out.clone().unwrap_or_else(beside);
-    ResultPlace::new(folder, input::name_of(file)).with_figures(!results.no_figures)
+    ResultLocation::new(folder, input::name_of(file)).with_figures(!results.no_figures)
 }
 
 #[cfg(test)]
@@ -62,15 +62,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_folder_in_two_ways_is_one_place() {
+    fn one_folder_in_two_ways_is_one_location() {
         let same = |files: [&str; 2], out: Option<&str>| {
             let results = Results {
                 out: out.map(PathBuf::from),
                 no_figures: false,
                 quiet: false,
             };
-            let told = places(&files.map(PathBuf::from), &results);
-            told.err().map(|problem| problem.to_string())
+            let reported = result_locations(&files.map(PathBuf::from), &results);
+            reported.err().map(|problem| problem.to_string())
         };
         let expected = "results of \"x.dynamics.toml\" and \"./x.dynamics.toml\" would both be \
                         \"./results/x.*\"";

@@ -1,7 +1,7 @@
 //! Reads and checks sections given by their matrices.
 //!
 //! [`read`] converts a matrices file, its node table and its Matrix Market files to a
-//! checked [`OutsideSection`] in SI units. It notes all problems before it fails.
+//! checked [`ExternalSection`] in SI units. It notes all problems before it fails.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ use sprs::CsMat;
 use super::curvature;
 use super::files::Files;
 use super::regions::Written;
-use crate::section::{Blocks, OutsideSection, Reduced, Slice, Through};
+use crate::section::{Blocks, ExternalSection, Reduced, Slice, Through};
 
 mod matrix_market;
 mod nodes;
@@ -31,9 +31,9 @@ pub(super) const ENDING: &str = ".matrices.toml";
 
 /// A section given by its matrices, and the fingerprint of its files.
 #[derive(Debug, Clone)]
-pub struct OutsideInput {
+pub struct ExternalInput {
     /// The section, checked and in SI units.
-    pub section: OutsideSection,
+    pub section: ExternalSection,
     /// Hash of all files.
     pub input_hash: String,
 }
@@ -42,7 +42,7 @@ pub struct OutsideInput {
 ///
 /// # Errors
 /// All problems of these files, with file and line.
-pub fn read(path: &Path) -> Result<OutsideInput, Diagnostics> {
+pub fn read(path: &Path) -> Result<ExternalInput, Diagnostics> {
     let problem = MatrixProblem::Kind {
         found: super::ENDING,
         expected: ENDING,
@@ -56,7 +56,7 @@ pub fn read(path: &Path) -> Result<OutsideInput, Diagnostics> {
 ///
 /// # Errors
 /// As [`read`].
-pub fn parse(text: &str, path: &Path) -> Result<OutsideInput, Diagnostics> {
+pub fn parse(text: &str, path: &Path) -> Result<ExternalInput, Diagnostics> {
     let document = Document::parse(text, &path.display().to_string())?;
     let root = document.root();
     document.declare_units(&root);
@@ -67,7 +67,7 @@ pub fn parse(text: &str, path: &Path) -> Result<OutsideInput, Diagnostics> {
     let section = reading.section(&root, name_of(path));
     root.finish();
     let input_hash = reading.files.hash();
-    document.finish(section.map(|section| OutsideInput {
+    document.finish(section.map(|section| ExternalInput {
         section,
         input_hash,
     }))
@@ -84,7 +84,7 @@ struct Reading<'a> {
 }
 
 impl Reading<'_> {
-    fn section(&mut self, root: &Table<'_>, name: String) -> Option<OutsideSection> {
+    fn section(&mut self, root: &Table<'_>, name: String) -> Option<ExternalSection> {
         let name = root.text("name").unwrap_or(name);
         let nodes = self.nodes(root);
         let count = nodes.as_ref().map(|nodes| nodes.tags.len());
@@ -109,10 +109,10 @@ impl Reading<'_> {
             }
         };
         let (found, nodes) = (found?, nodes?);
-        Some(OutsideSection {
+        Some(ExternalSection {
             name,
             tags: nodes.tags,
-            nodes: nodes.places,
+            nodes: nodes.positions,
             blocks: found.blocks,
             slice: found.slice,
             reduced: found.reduced,
@@ -136,7 +136,7 @@ impl Reading<'_> {
     }
 
     /// `[matrices]`: the blocks.
-    fn matrices(&mut self, table: &Table<'_>, nodes: Option<usize>) -> Option<Given> {
+    fn matrices(&mut self, table: &Table<'_>, nodes: Option<usize>) -> Option<ReadMatrices> {
         let square = nodes.map(|nodes| [3 * nodes, 3 * nodes]);
         let tall = nodes.map(|nodes| [3 * nodes, 6]);
         let m = self.matrix(table, "m", true, Dimension::FORCE, square);
@@ -166,7 +166,7 @@ impl Reading<'_> {
             c: c?,
             e: e?,
         };
-        Some(Given {
+        Some(ReadMatrices {
             blocks,
             slice: None,
             reduced,
@@ -182,7 +182,7 @@ impl Reading<'_> {
         table: &Table<'_>,
         nodes: Option<&NodeTable>,
         is_given: bool,
-    ) -> Option<Given> {
+    ) -> Option<ReadMatrices> {
         let square = nodes.map(|nodes| [6 * nodes.tags.len(), 6 * nodes.tags.len()]);
         let unit = Dimension::SPRING_STIFFNESS;
         let stiffness = self.matrix(table, "stiffness", true, unit, square);
@@ -204,13 +204,13 @@ impl Reading<'_> {
         let (stiffness, thickness) = (stiffness?, thickness?);
         let slice = Slice { thickness, through };
         let mass = mass.zip(nodes).map(|(mass, nodes)| {
-            let mass = mass_of(&folded(&mass, thickness), &nodes.places);
+            let mass = mass_of(&folded(&mass, thickness), &nodes.positions);
             for problem in section::mass_problems(&mass) {
                 table.note("mass", &problem);
             }
             mass
         });
-        Some(Given {
+        Some(ReadMatrices {
             blocks: Blocks::of_slice(&stiffness, slice),
             slice: Some(slice),
             reduced: Reduced::default(),
@@ -256,7 +256,7 @@ impl Reading<'_> {
 }
 
 /// Matrices given in a file.
-struct Given {
+struct ReadMatrices {
     blocks: Blocks,
     slice: Option<Slice>,
     reduced: Reduced,

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector6};
 use shared_geom::section::Piezo;
 
-use super::{Beam, Draft, boxed};
+use super::{Beam, ModelBuilder, boxed};
 use crate::elements::Element;
 use crate::elements::beams::{self, BeamElectrode, Potential};
 use crate::elements::circuits::{Circuit, Electrode};
@@ -30,7 +30,7 @@ impl ElectrodeCard {
     }
 }
 
-impl Draft {
+impl ModelBuilder {
     /// Electrodes so far.
     pub fn electrodes(&self) -> &[ElectrodeCard] {
         &self.electrodes
@@ -46,7 +46,7 @@ impl Draft {
         let of_beam = |(beam, column): &(usize, usize)| {
             let other = second.column(*beam)?;
             let beam = &self.beams[*beam];
-            let piezo = beam.along.piezo.as_ref()?;
+            let piezo = beam.properties.piezo.as_ref()?;
             let per_length = [piezo.capacitance[(*column, other)]; 2];
             let ends = self.ends(beam);
             Some(BeamElectrode::capacitance(&beam.geometry, ends, per_length))
@@ -85,7 +85,7 @@ impl Draft {
         let cards = self.electrodes.iter().enumerate();
         let on = cards.filter_map(|(number, card)| Some((number, card, card.column(index)?)));
         let on: Vec<_> = on.collect();
-        let (Some(piezo), false) = (&beam.along.piezo, on.is_empty()) else {
+        let (Some(piezo), false) = (&beam.properties.piezo, on.is_empty()) else {
             return element;
         };
         let columns: Vec<_> = on.iter().map(|on| on.2).collect();
@@ -110,6 +110,6 @@ impl Draft {
 
 /// The electrodes of a beam; empty if it has no electrodes.
 pub(in crate::input) fn names(beam: &Beam) -> &[String] {
-    let piezo: Option<&Piezo> = beam.along.piezo.as_ref();
+    let piezo: Option<&Piezo> = beam.properties.piezo.as_ref();
     piezo.map_or(&[], |piezo| &piezo.electrodes)
 }
