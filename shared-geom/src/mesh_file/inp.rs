@@ -131,7 +131,7 @@ impl Reader {
             found.map(|option| option.1)
         };
         if let Some(refused) = REFUSED.iter().find(|refused| **refused == name) {
-            self.problems.push(at, FileProblem::Keyword(*refused));
+            self.problems.push(at, FileProblem::Keyword(refused));
         }
         self.block = match name.as_str() {
             "NODE" if option("SYSTEM").is_some_and(|system| !system.eq_ignore_ascii_case("R")) => {

@@ -39,6 +39,9 @@ struct Listed {
     points: Vec<u64>,
 }
 
+/// A line of the head of the file: its expected text, and the test of a line.
+type HeadLine = (&'static str, fn(&str) -> bool);
+
 /// Reads the mesh of a legacy file of VTK.
 ///
 /// # Errors
@@ -87,7 +90,7 @@ impl Reader<'_> {
     /// Reads all sections; the first problem ends the reading, as later words have no
     /// meaning without the earlier ones.
     fn sections(&mut self) -> Result<(), FileProblem> {
-        let head: [(&'static str, fn(&str) -> bool); 3] = [
+        let head: [HeadLine; 3] = [
             ("# vtk DataFile Version", is_version),
             ("a title", |_| true),
             ("ASCII", |line| line.eq_ignore_ascii_case("ASCII")),

@@ -48,6 +48,9 @@ pub(in crate::input) struct Reading<'a> {
     pub user: &'a str,
 }
 
+/// The node that a motion is relative to, with its name; `None` for the ground.
+type Against = Option<(usize, String)>;
+
 impl Reading<'_> {
     /// The quantities of the card, one per component.
     pub fn parts(&self, kind: &Kind) -> Option<Vec<Found>> {
@@ -186,7 +189,7 @@ impl Reading<'_> {
     fn turns(
         &self,
         kind: &Kind,
-        (node, against): (Option<(String, usize)>, Option<Option<(usize, String)>>),
+        (node, against): (Option<(String, usize)>, Option<Against>),
     ) -> Option<Vec<Found>> {
         let (sequence, indices) = (self.table.get(&SEQUENCE), self.components(&TURNS));
         let ((name, node), against, sequence) = (node?, against?, sequence?);

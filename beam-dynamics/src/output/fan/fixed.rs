@@ -37,7 +37,7 @@ pub(super) fn patterns(fixed: &FixedTable, table: &FrequencyTable) -> Vec<(usize
         };
         let word = match number {
             2 => "several waves".to_owned(),
-            0 if blades > 0 && blades % 2 == 0 => "collective, differential".to_owned(),
+            0 if blades > 0 && blades.is_multiple_of(2) => "collective, differential".to_owned(),
             _ => whirl.word_in(table.style.words),
         };
         found.push((number, format!("{word}{shift}")));

@@ -129,7 +129,7 @@ mod tests {
         assert_eq!(find(&lines, &["b", "c", "c"]), Err(2));
         // A key inside another table is not found, nor one that begins alike.
         assert_eq!(find(&lines, &["d"]), Err(0));
-        assert_eq!(find(&["ab: 1".to_owned()].to_vec(), &["a"]), Err(0));
+        assert_eq!(find(&["ab: 1".to_owned()], &["a"]), Err(0));
     }
 
     #[test]
