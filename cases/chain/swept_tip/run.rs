@@ -70,13 +70,13 @@ fn summary(case: &Path) -> Result<String, csv::Error> {
         let file = case.join(format!("results/sweep_{sweep}.comparison.csv"));
         for record in csv::Reader::from_path(file)?.deserialize() {
             let Comparison {
-                speed_rpm,
+                speed,
                 order,
-                measured_hz,
-                computed_hz,
+                measured,
+                computed,
             } = record?;
-            let key = format!("{speed_rpm:>5}  {order:>4}");
-            let entry = format!("{measured_hz:>6.1}  {computed_hz:>6.1}");
+            let key = format!("{speed:>5}  {order:>4}");
+            let entry = format!("{measured:>6.1}  {computed:>6.1}");
             let row = match rows.iter().position(|row| row.0 == key) {
                 Some(row) => row,
                 None => {
@@ -108,10 +108,13 @@ fn summary(case: &Path) -> Result<String, csv::Error> {
 /// The columns of a comparison file that the summary shows.
 #[derive(serde::Deserialize)]
 struct Comparison {
-    speed_rpm: f64,
+    #[serde(rename = "rotor speed [rpm]")]
+    speed: f64,
     order: usize,
-    measured_hz: f64,
-    computed_hz: f64,
+    #[serde(rename = "measured [Hz]")]
+    measured: f64,
+    #[serde(rename = "computed [Hz]")]
+    computed: f64,
 }
 
 /// The case below the current folder, or below the folder in which the runner was built.
