@@ -26,11 +26,7 @@ pub(super) fn groups(values: &[c64]) -> Vec<Vec<c64>> {
 
 /// Whether no two of the vectors are nearly parallel.
 pub(super) fn is_independent(pairs: &[Eigenpair]) -> bool {
-    let complex = |pair: &Eigenpair| -> Vec<c64> {
-        let parts = pair.real.iter().zip(&pair.imaginary);
-        parts.map(|(re, im)| c64::new(*re, *im)).collect()
-    };
-    let vectors: Vec<_> = pairs.iter().map(complex).collect();
+    let vectors: Vec<_> = pairs.iter().map(Eigenpair::vector).collect();
     // The vectors are of unit size.
     let overlap = |i: usize, j: usize| product(&vectors[i], &vectors[j], vectors[i].len()).norm();
     (0..vectors.len()).all(|i| (0..i).all(|j| overlap(i, j) < PARALLEL))

@@ -163,8 +163,7 @@ impl<'a> EigenProblem<'a> {
             let mut found = found.unwrap_or_else(|| self.vectors(&rest[..copies]));
             // Multipliers, whose values are infinite, come out as large ones by round-off,
             // which no vector confirms.
-            let s = |pair: &Eigenpair| c64::new(pair.growth, pair.angular_frequency);
-            found.retain(|pair| (s(pair) - first).norm() <= CONFIRMED * first.norm());
+            found.retain(|pair| (pair.value() - first).norm() <= CONFIRMED * first.norm());
             if first.norm() <= fastest {
                 unconfirmed += copies - found.len();
             }
@@ -323,8 +322,7 @@ impl<'a> EigenProblem<'a> {
             self.vectors_beside(mean * (1.0 + BESIDE), values.len())
         };
         let together = beside(copies);
-        let value = |pair: &Eigenpair| c64::new(pair.growth, pair.angular_frequency);
-        let groups = groups(&together.iter().map(value).collect::<Vec<_>>());
+        let groups = groups(&together.iter().map(Eigenpair::value).collect::<Vec<_>>());
         if groups.len() < 2 {
             return together;
         }
@@ -356,12 +354,8 @@ impl<'a> EigenProblem<'a> {
             let mean = values.iter().sum::<c64>() / count as f64;
             values.fill(mean);
         }
-        let pair = |(vector, s): (Vec<c64>, c64)| Eigenpair {
-            growth: s.re,
-            angular_frequency: s.im,
-            real: vector[..self.size].iter().map(|v| v.re).collect(),
-            imaginary: vector[..self.size].iter().map(|v| v.im).collect(),
-            residual: self.inverse.residual(s, &vector),
+        let pair = |(vector, s): (Vec<c64>, c64)| {
+            Eigenpair::new(s, &vector[..self.size], self.inverse.residual(s, &vector))
         };
         vectors.into_iter().zip(values).map(pair).collect()
     }

@@ -19,8 +19,8 @@ use super::krylov::{Found, Ritz};
 /// the round-off of the factorization, about 1e-12 of well-conditioned models.
 const ACCURATE: f64 = 1e-10;
 
-/// Accurate vectors of oscillations, each with its value.
-pub(super) struct Ready(Vec<(c64, Eigenpair)>);
+/// Accurate pairs of oscillations.
+pub(super) struct Ready(Vec<Eigenpair>);
 
 impl Ready {
     /// Accurate vectors in `space` of some of the `values`, in the first `size` unknowns.
@@ -41,14 +41,10 @@ impl Ready {
             let residual = inverse.error(s, vector, product);
             // The vector of the conjugate value is the conjugate one.
             let sign = if s.im < 0.0 { -1.0 } else { 1.0 };
-            let pair = Eigenpair {
-                growth: s.re,
-                angular_frequency: s.im.abs(),
-                real: (0..size).map(|i| product[(i, 0)]).collect(),
-                imaginary: (0..size).map(|i| sign * product[(i, 1)]).collect(),
-                residual,
-            };
-            (residual <= ACCURATE).then_some((c64::new(s.re, s.im.abs()), pair))
+            let complete = (0..size).map(|i| c64::new(product[(i, 0)], sign * product[(i, 1)]));
+            let s = c64::new(s.re, s.im.abs());
+            let pair = Eigenpair::new(s, &complete.collect::<Vec<_>>(), residual);
+            (residual <= ACCURATE).then_some(pair)
         };
         Self(wanted.iter().enumerate().filter_map(pair).collect())
     }
@@ -56,47 +52,25 @@ impl Ready {
     /// The pairs of a value and its copies, orthonormal if they are the same up to round-off;
     /// `None` unless all are accurate and independent.
     pub fn pairs(&self, copies: &[c64]) -> Option<Vec<Eigenpair>> {
-        let is_copy = |(s, _): &&(c64, Eigenpair)| copies.contains(s);
-        let found: Vec<_> = self
-            .0
-            .iter()
-            .filter(is_copy)
-            .map(|(_, pair)| pair)
-            .collect();
+        let is_copy = |pair: &&Eigenpair| copies.contains(&pair.value());
+        let found: Vec<_> = self.0.iter().filter(is_copy).collect();
         if found.len() != copies.len() {
             return None;
         }
-        let mut vectors: Vec<_> = found.iter().map(|pair| complex(pair)).collect();
+        let mut vectors: Vec<_> = found.iter().map(|pair| pair.vector()).collect();
+        let mut values: Vec<_> = found.iter().map(|pair| pair.value()).collect();
         let size = vectors[0].len();
-        let mut values = copies.to_vec();
-        match groups(copies).len() {
-            1 => {
-                orthonormalize(&mut vectors, size);
-                let mean = copies.iter().sum::<c64>() / copies.len() as f64;
-                values.fill(mean);
-            }
-            _ => {
-                let each = vectors.iter_mut();
-                each.for_each(|vector| orthonormalize(std::slice::from_mut(vector), size));
-                values = found
-                    .iter()
-                    .map(|pair| c64::new(pair.growth, pair.angular_frequency))
-                    .collect();
-            }
+        if groups(copies).len() == 1 {
+            orthonormalize(&mut vectors, size);
+            values.fill(copies.iter().sum::<c64>() / copies.len() as f64);
+        } else {
+            let each = vectors.iter_mut();
+            each.for_each(|vector| orthonormalize(std::slice::from_mut(vector), size));
         }
-        let pair = |((vector, s), of): ((&Vec<c64>, &c64), &&Eigenpair)| Eigenpair {
-            growth: s.re,
-            angular_frequency: s.im,
-            real: vector.iter().map(|v| v.re).collect(),
-            imaginary: vector.iter().map(|v| v.im).collect(),
-            residual: of.residual,
+        let pair = |((vector, s), of): ((&Vec<c64>, &c64), &&Eigenpair)| {
+            Eigenpair::new(*s, vector, of.residual)
         };
         let pairs: Vec<_> = vectors.iter().zip(&values).zip(&found).map(pair).collect();
         is_independent(&pairs).then_some(pairs)
     }
-}
-
-fn complex(pair: &Eigenpair) -> Vec<c64> {
-    let parts = pair.real.iter().zip(&pair.imaginary);
-    parts.map(|(re, im)| c64::new(*re, *im)).collect()
 }

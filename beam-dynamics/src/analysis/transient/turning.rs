@@ -39,7 +39,7 @@ impl fmt::Display for LargestTurn {
 pub(super) struct Turns {
     /// The integrals, model's axes \[rad\].
     turned: Vec<Vector3<f64>>,
-    /// Node, angle \[rad\] and time \[s\] of the largest magnitude so far.
+    /// Node, square of the angle \[rad^2\] and time \[s\] of the largest magnitude so far.
     largest: Option<(usize, f64, f64)>,
 }
 
@@ -61,16 +61,18 @@ impl Turns {
         let nodes = now.nodes.iter().zip(&before.nodes);
         for (i, ((now, before), turned)) in nodes.zip(&mut self.turned).enumerate() {
             *turned += 0.5 * length * (now.angular_velocity + before.angular_velocity);
-            let angle = turned.norm();
-            if self.largest.is_none_or(|largest| angle > largest.1) {
-                self.largest = Some((i, angle, time));
+            let square = turned.norm_squared();
+            if self.largest.is_none_or(|largest| square > largest.1) {
+                self.largest = Some((i, square, time));
             }
         }
     }
 
     /// The largest rotation of a node of `system`, if it is visible.
     pub fn largest(&self, system: &System) -> Option<LargestTurn> {
-        let (node, angle, time) = self.largest.filter(|largest| largest.1 > VISIBLE)?;
+        let (node, square, time) = self.largest?;
+        let angle = square.sqrt();
+        (angle > VISIBLE).then_some(())?;
         Some(LargestTurn {
             node: system.nodes().get(node)?.label.clone(),
             angle,
