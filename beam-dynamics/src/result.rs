@@ -160,6 +160,11 @@ impl Whirl {
         }
     }
 
+    /// Whether most of the energy is in this pattern, so that it names the mode.
+    pub fn is_pure(&self) -> bool {
+        self.share >= PURE_SHARE
+    }
+
     /// Whether the pattern runs around the rotor.
     pub fn has_direction(&self) -> bool {
         let waves = self.harmonic.unsigned_abs() as usize;

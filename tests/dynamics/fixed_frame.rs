@@ -2,9 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use beam_dynamics::result::{Direction, FixedTable, ModeKind};
+use beam_dynamics::result::{Direction, FixedTable, FrequencyTable, ModeKind};
 
 use super::case_files;
+use super::effort::cases;
+use super::variational_beam::spectra::Random;
 
 /// A disk of 10 kg on 40 kN/m in all directions across the axis and 90 kN/m along it.
 const DISK: &str = "units = \"SI\"\n[[node]]\nname = \"disk\"\nposition = [0, 0, 0]\n\
@@ -13,16 +15,20 @@ const DISK: &str = "units = \"SI\"\n[[node]]\nname = \"disk\"\nposition = [0, 0,
     rotational_stiffness = [1e6, 1e6, 1e6]\nstands_in = \"world\"\n\
     [modes]\nspeeds = [0, 200, 400, 700, 900]\ncount = 3\nname_at = 200\n";
 
+fn table(model: &str) -> FrequencyTable {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("disk.dynamics.toml");
+    std::fs::write(&file, model).unwrap();
+    case_files::table(&file)
+}
+
 // f = sqrt(k / m) / 2 pi at all speeds, forward and backward, and along the axis; so the disk is
 // critical at the speed f. In the turning axes the forward whirl is at |f - n|, through zero.
 // Frequencies are exact but for the eigenvalue solver (1e-8), and constant lines have exact
 // intersections.
 #[test]
 fn a_disk_whirls_at_one_frequency_and_is_critical_there() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("disk.dynamics.toml");
-    std::fs::write(&file, DISK).unwrap();
-    let table = case_files::table(&file);
+    let table = table(DISK);
     let named = |name: &str| table.branches.iter().any(|branch| branch.name == name);
     assert!(named("lateral 1 progressive"), "{:?}", table.branches);
     assert!(named("lateral 1 regressive") && named("axial 1"));
@@ -55,4 +61,37 @@ fn a_disk_whirls_at_one_frequency_and_is_critical_there() {
     );
     let kinds = table.branches.iter().map(|branch| branch.kind);
     assert_eq!(kinds.filter(|kind| *kind == ModeKind::Lateral).count(), 3);
+}
+
+// Whatever the distance of the speeds, both whirls, forward and backward, meet the speed at f, and
+// no other crossing is listed. Beyond f the forward whirl has the shape of the backward one in the
+// turning axes.
+#[test]
+fn critical_speeds_do_not_depend_on_the_speeds_of_the_list() {
+    let critical = (4e4_f64 / 10.0).sqrt();
+    let rpm = TAU / 60.0;
+    let mut random = Random(11);
+    let mut crossed = 0;
+    for _ in 0..cases(100) {
+        let mut speed = random.between(0.0, 400.0);
+        let mut speeds = vec![speed];
+        for _ in 0..random.between(2.0, 5.0) as usize {
+            speed += random.between(20.0, 620.0);
+            speeds.push(speed);
+        }
+        let list = format!("speeds = {speeds:?}");
+        let given = "speeds = [0, 200, 400, 700, 900]";
+        let model = DISK.replace(given, &list).replace("name_at = 200\n", "");
+        let table = table(&model);
+        let fixed = FixedTable::new(&table, &[1]).unwrap();
+        let of_whirls = fixed.critical.iter().filter(|c| c.name.contains("lateral"));
+        let found: Vec<_> = of_whirls.collect();
+        let crosses = speeds[0] * rpm < critical && critical < speed * rpm;
+        crossed += usize::from(crosses);
+        assert_eq!(found.len(), if crosses { 2 } else { 0 }, "{list} {found:?}");
+        for one in found {
+            assert!((one.speed / critical - 1.0).abs() < 1e-8, "{list} {one:?}");
+        }
+    }
+    assert!(2 * crossed > cases(100), "{crossed}");
 }

@@ -2,10 +2,7 @@
 
 use crate::case::ModeStyle;
 use crate::modes::ModeMotion;
-use crate::result::{ModeBranch, ModeKind, ModePoint};
-
-/// Share of the energy in one way of the blades moving together that names a mode.
-const PURE: f64 = 0.6;
+use crate::result::{ModeBranch, ModeKind, ModePoint, Whirl};
 
 /// Branches that grow by one speed after the other.
 #[derive(Default)]
@@ -116,7 +113,7 @@ fn name(branches: &mut [ModeBranch], reference: usize, style: &ModeStyle) {
         let Some(point) = at(&branches[index]) else {
             continue;
         };
-        let whirl = point.whirl.filter(|whirl| whirl.share >= PURE);
+        let whirl = point.whirl.filter(Whirl::is_pure);
         // Motion of a shaft along and about its axis has no pattern to name.
         let whirl = whirl.filter(|whirl| whirl.blades > 0 || whirl.harmonic != 0);
         let key = (point.kind(), whirl.map(|whirl| whirl.harmonic));

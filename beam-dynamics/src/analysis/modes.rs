@@ -1,5 +1,7 @@
 //! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
 
+use std::f64::consts::TAU;
+
 use rayon::iter::{IntoParallelRefIterator, ParallelExtend, ParallelIterator};
 use shared_geom::rotation::vector;
 
@@ -86,6 +88,18 @@ impl Mode {
         let square = self.point.frequency.powi(2) + self.slope? * (to * to - from * from);
         Some(square.max(0.0).sqrt())
     }
+
+    /// Pattern and signed frequency [Hz] in the fixed system of a whirl; the frequency of a shaft's
+    /// whirl hardly changes with the speed there, and its shape in the turning axes is the
+    /// conjugate one beyond its critical speed.
+    fn in_fixed_system(&self, speed: f64) -> Option<(i32, f64)> {
+        let whirl = self
+            .point
+            .whirl
+            .filter(|w| w.is_pure() && w.has_direction())?;
+        let seen = whirl.signed_in_fixed_system(self.point.frequency, speed / TAU);
+        Some((whirl.harmonic.abs(), seen))
+    }
 }
 
 /// A model and the settings of its modes.
@@ -157,10 +171,11 @@ fn run(
         let mut now = found?;
         let links = match &last {
             Some(before) => Some(links(case, &solver, before, &mut now, HALVINGS)?),
-            None => None,
+            None => {
+                now.found.iter_mut().for_each(|mode| case.describe(mode));
+                None
+            }
         };
-        // Only now: the copies of repeated modes have been turned.
-        now.found.iter_mut().for_each(|mode| case.describe(mode));
         let with_shapes = case.settings.shapes.contains(speed);
         let found: Vec<_> = now.found.iter().map(|m| (&m.point, &m.motion)).collect();
         branches.add(&found, links.as_deref(), with_shapes);
@@ -373,7 +388,7 @@ fn links(
     now: &mut Modes,
     halvings: usize,
 ) -> Result<Vec<Option<(usize, f64)>>, Failure> {
-    let direct = direct_links(before, now);
+    let direct = direct_links(case, before, now);
     let reported = direct.iter().take(case.settings.count);
     let certain = reported
         .clone()
@@ -396,8 +411,8 @@ fn links(
 }
 
 /// For each mode of `before` its nearest shape in `now`. Repeated modes in `now` are turned
-/// toward the modes of `before`.
-fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
+/// toward the modes of `before`, and described after that.
+fn direct_links(case: &Case<'_>, before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     let motions = |modes: &Modes| -> Vec<ModeMotion> {
         modes.found.iter().map(|mode| mode.motion.clone()).collect()
     };
@@ -407,13 +422,25 @@ fn direct_links(before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
     let macs = assurances(&known, &found);
     for (mode, motion) in now.found.iter_mut().zip(found) {
         mode.motion = motion;
+        case.describe(mode);
     }
-    let expected: Vec<_> = before
-        .found
-        .iter()
-        .map(|mode| mode.expected(before.speed, now.speed))
-        .collect();
-    let weights = closeness(&expected, &frequencies);
+    let weight = |a: &Mode, b: &Mode| {
+        let turning = a.expected(before.speed, now.speed);
+        let turning = turning.map(|expected| closeness(expected, b.point.frequency));
+        let fixed = a
+            .in_fixed_system(before.speed)
+            .zip(b.in_fixed_system(now.speed));
+        let fixed = fixed.filter(|(a, b)| a.0 == b.0);
+        let fixed = fixed.map(|(a, b)| closeness(a.1, b.1));
+        turning.into_iter().chain(fixed).reduce(f64::max)
+    };
+    let row = |a: &Mode| {
+        now.found
+            .iter()
+            .map(|b| weight(a, b).unwrap_or(1.0))
+            .collect()
+    };
+    let weights: Vec<Vec<_>> = before.found.iter().map(row).collect();
     let followed = follow(&macs, &weights);
     let squares = now.speed.powi(2) - before.speed.powi(2);
     for (i, next) in followed.iter().enumerate() {

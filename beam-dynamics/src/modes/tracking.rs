@@ -33,23 +33,16 @@ pub fn assurances(before: &[ModeMotion], after: &[ModeMotion]) -> Vec<Vec<f64>> 
     before.iter().map(row).collect()
 }
 
-/// Closeness of each frequency after (columns) to that expected of each mode before
-/// (rows), from one down to a least; one where nothing is expected.
+/// Closeness of a frequency to the expected one, from one down to a least; frequencies of whirls
+/// in the fixed system have a sign.
 ///
 /// ```text
-/// closeness = FAR + (1 - FAR) / (1 + (distance / HALF)^2),   distance = |f / expected - 1|
+/// closeness = FAR + (1 - FAR) / (1 + (distance / HALF)^2),   distance = |f - expected| / larger
 /// ```
-pub fn closeness(expected: &[Option<f64>], after: &[f64]) -> Vec<Vec<f64>> {
-    let weight = |expected: f64, frequency: f64| {
-        let scale = expected.max(frequency).max(f64::MIN_POSITIVE);
-        let distance = (frequency - expected).abs() / scale / HALF;
-        FAR + (1.0 - FAR) / (1.0 + distance * distance)
-    };
-    let row = |expected: &Option<f64>| {
-        let of = |f: &f64| expected.map_or(1.0, |expected| weight(expected, *f));
-        after.iter().map(of).collect()
-    };
-    expected.iter().map(row).collect()
+pub fn closeness(expected: f64, found: f64) -> f64 {
+    let larger = expected.abs().max(found.abs()).max(f64::MIN_POSITIVE);
+    let distance = (found - expected) / larger / HALF;
+    FAR + (1.0 - FAR) / (1.0 + distance * distance)
 }
 
 /// For each mode before, the mode after that continues it: pairs are taken by falling
@@ -87,7 +80,7 @@ mod tests {
             vec![0.8, 0.7, 0.0],
             vec![0.0, 0.0, 0.3],
         ];
-        let nothing_expected = closeness(&[None; 3], &[1.0; 3]);
+        let nothing_expected = vec![vec![1.0; 3]; 3];
         assert_eq!(follow(&macs, &nothing_expected), [Some(1), Some(0), None]);
     }
 
@@ -96,8 +89,10 @@ mod tests {
     #[test]
     fn the_slope_decides_between_equal_shapes() {
         let macs = vec![vec![0.52, 0.48], vec![0.48, 0.52]];
-        let near = closeness(&[Some(12.1), Some(10.1)], &[10.0, 12.0]);
+        let near =
+            [12.1, 10.1].map(|expected| [10.0, 12.0].map(|f| closeness(expected, f)).to_vec());
         assert_eq!(follow(&macs, &near), [Some(1), Some(0)]);
-        assert_eq!(closeness(&[Some(3.0)], &[3.0]), [[1.0]]);
+        assert_eq!(closeness(3.0, 3.0), 1.0);
+        assert!(closeness(-3.0, 3.0) < 0.601);
     }
 }

@@ -5,8 +5,6 @@ use std::f64::consts::TAU;
 use super::{Direction, FrequencyTable, ModeBranch, ModeKind, ModePoint, Whirl};
 use crate::case::Words;
 
-/// Share of the energy in one pattern that gives a mode its direction in a name.
-const PURE: f64 = 0.6;
 /// Relative difference of frequencies up to which a whirl that passes through zero in the turning
 /// axes is continued.
 const CONTINUED: f64 = 0.1;
@@ -114,12 +112,12 @@ impl FixedLine {
 /// The line of a branch; `None` if its blades rest.
 fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> {
     let whirls = branch.points.iter().flatten().filter_map(|p| p.whirl);
-    let pure: Vec<_> = whirls.filter(|whirl| whirl.share >= PURE).collect();
+    let pure: Vec<_> = whirls.filter(Whirl::is_pure).collect();
     // At rest the pattern of a shaft is open.
     let of_branch = *pure.last()?;
     let points = branch.points.iter().zip(speeds).map(|(point, speed)| {
         let point = point.as_ref()?;
-        let own = point.whirl.filter(|whirl| whirl.share >= PURE);
+        let own = point.whirl.filter(Whirl::is_pure);
         let whirl = own.unwrap_or(of_branch);
         Some(FixedPoint::new(point, whirl, branch.kind_at(point), *speed))
     });
