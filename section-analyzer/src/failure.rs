@@ -305,7 +305,7 @@ impl Explain for Failure {
                 "look for mid-side nodes that do not belong to their cell and for cells of extreme aspect ratio"
             }
             Self::Inaccurate { .. } | Self::Resultant { .. } => {
-                "look for nearly detached parts, cells of extreme aspect ratio, moduli many orders of magnitude apart, and a Poisson's ratio next to 0.5"
+                "look for nearly detached parts, walls thousands of times longer than thick, cells of extreme aspect ratio, moduli many orders of magnitude apart, and a Poisson's ratio next to 0.5"
             }
             Self::ComplianceNotPositive => {
                 "look for moduli many orders of magnitude apart, a shear modulus of nearly zero, and an origin of the mesh far from the section"
