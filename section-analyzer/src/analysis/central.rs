@@ -30,8 +30,8 @@ impl Limits {
     /// Largest relative error of the checks of a solution whose matrix has this condition
     /// number.
     ///
-    /// A strain is a difference of displacements, `e = B x`. Its round-off is that of the
-    /// terms that cancel, `|B| |x|` times the unit of round-off, and
+    /// A strain is a difference of displacements, `e = B x`. Its round-off follows from the
+    /// terms that cancel: it is `|B| |x|` times the unit of round-off, and
     /// `|B| |x| / |B x| <= sqrt(cond B'B)`. Strips that are 1e3 to 1e4 times wider than thick
     /// have up to a tenth of it.
     pub fn check_limit(&self, condition: f64) -> f64 {

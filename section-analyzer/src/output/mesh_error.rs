@@ -34,7 +34,7 @@ pub fn mesh_error_json(
     serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
 }
 
-/// The part of the report: relative errors, in parentheses those of weak couplings.
+/// The part of the report: relative errors, of weak couplings in parentheses.
 pub fn mesh_error_table(solution: &SectionSolution, error: &DiscretizationError) -> String {
     let relative = error.relative(&solution.stiffness);
     let heading = std::iter::once("").chain(COMPONENTS).map(str::to_owned);
