@@ -4,8 +4,8 @@
 //! K - K_exact  is about  f (K - K_fine)                                           (S-170)
 //! ```
 //!
-//! The displacements of the cells are among those of the finer ones, on the same outline
-//! ([`refined`]): an entry of K_fine is nearer to the exact value. If the second analysis
+//! The finer cells have all displacements of the cells, on the same outline ([`refined`]): an
+//! entry of K_fine is nearer to the exact value. If the second analysis
 //! divides the error by q, f is q / (q - 1): 16/15 for quadratic cells cut into four and a
 //! smooth solution (error of order four), less for linear cells that become quadratic, and
 //! 1.7 next to an edge that leaves a quarter of the plane open.
