@@ -286,7 +286,7 @@ impl Explain for Failure {
                 "merge coincident nodes along the seam (in gmsh: \"Coherence Mesh\"), or fill the gap with a soft material"
             }
             Self::Loose { .. } => {
-                "look for parts joined at a single node, seams whose nodes are doubled, moduli many orders of magnitude apart, and walls thousands of times longer than thick, which need cells about as long as they are thick"
+                "look for parts joined at a single node, seams of doubled nodes, moduli many orders of magnitude apart, and walls thousands of times longer than thick, which need square cells"
             }
             Self::Matrices { broken, .. } if are_digits(broken) => DIGITS,
             Self::Matrices { of_slice, .. } => GIVEN[usize::from(*of_slice)],

@@ -77,7 +77,7 @@ fn a_failed_run_removes_the_file() {
     let workplace = Workplace::with(&[], &[]);
     workplace.run(&REQUEST);
     let text = workplace.read("a.section.toml");
-    let curved = "\n[initial_curvature]\ncurvature = [0, 0, \"-800 rad/m\"]\n";
+    let curved = "\n[initial_curvature]\ncurvature = [0, 0, \"800 rad/m\"]\n";
     workplace.write("a.section.toml", &format!("{text}{curved}"));
     let run = workplace.run(&REQUEST);
     assert_eq!(run.code, 1, "{}", run.err);

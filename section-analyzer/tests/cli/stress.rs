@@ -265,7 +265,9 @@ fn wrong_strengths_are_reported() {
     );
     refused(
         "[material.steel.strength]\ntension = 1\ncompression = \"-5 MPa\"\n",
-        &["error: a.section.toml:21: [strength] has no \"shear\", expected a stress"],
+        &[
+            "error: a.section.toml:21: [material.steel.strength] has no \"shear\", expected a stress",
+        ],
     );
     refused(
         "[material.steel.strength]\ntension = 1\nshear = 1\ncompression = \"-5 Pa\"\n",
