@@ -32,19 +32,29 @@ const SOURCE: &str = "Estimate of the discretization error, against errors of th
 /// of the true values.
 const ROUND_OFF: f64 = 1e-9;
 
+/// Fraction of `sqrt(eii ejj)`, e the errors, within which the estimate is accepted for any
+/// error of a coupling: it passes through zero on some mesh, and no factor holds there.
+const CANCELED: f64 = 0.2;
+
 /// Checks the estimate for `section`, whose exact stiffness is `exact`: within a factor of two
 /// of each entry's error, and for weak couplings not less than half of it. The number of
 /// entries that were compared.
 fn check(case: &str, section: &Section, exact: &Matrix6<f64>) -> usize {
     let found = solved(section).stiffness;
     let estimate = discretization_error(section, &found).expect("a second analysis");
+    let errors = found - exact;
     let mut compared = 0;
     for i in 0..6 {
         for j in i..6 {
-            let error = found[(i, j)] - exact[(i, j)];
+            let error = errors[(i, j)];
             let root = (exact[(i, i)] * exact[(j, j)]).sqrt();
             if error.abs() <= ROUND_OFF * root {
                 assert!(estimate.stiffness[(i, j)].abs() < 10.0 * ROUND_OFF * root);
+                continue;
+            }
+            let size = (errors[(i, i)] * errors[(j, j)]).abs().sqrt();
+            if i != j && (estimate.stiffness[(i, j)] - error).abs() < CANCELED * size {
+                compared += 1;
                 continue;
             }
             let ratio = estimate.stiffness[(i, j)] / error;
@@ -172,7 +182,7 @@ fn composite_boxes() {
         for along in [[8, 6], [16, 12]] {
             let section = composite_box(1, along, kind);
             let case = format!("box_CUS_45_m45, {}", cells_of(kind));
-            assert_eq!(check(&case, &section, &exact), 9);
+            assert!(check(&case, &section, &exact) >= 9);
         }
     }
 }
@@ -181,7 +191,7 @@ fn composite_boxes() {
 fn blade(mesh: &Mesh, cells: &str) {
     let section = section("blade_naca", &read_case("blade_naca"), mesh);
     let exact = limit(&section, 2, 1.0 / 4.0);
-    assert_eq!(check(&format!("blade_naca, {cells}"), &section, &exact), 12);
+    assert!(check(&format!("blade_naca, {cells}"), &section, &exact) >= 13);
 }
 
 #[test]
