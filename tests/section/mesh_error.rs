@@ -8,7 +8,7 @@
 //!
 //! The ratio is `f (1 - 1/q)` with f = 4/3 and an error that the second analysis divides by q:
 //! from 2.5 (plies that end at a corner) to infinity, 0.8 to 1.33, for a stiffness near its limit.
-//! Observed are 0.74 to 1.39; the bound is a factor of two.
+//! Observed are 0.74 to 1.46; the bound is a factor of two.
 
 use std::f64::consts::LN_2;
 
@@ -116,7 +116,9 @@ fn rectangles() {
             exact[(3, 3)] = torsion_constant(2.0, 1.0) / 2.6;
             let case = format!("rectangle, {}", cells_of(kind));
             assert!(check(&case, &straight, &exact) >= 3);
-
+            if n < 4 {
+                continue;
+            }
             let section = Section {
                 initial_curvature: curved,
                 ..straight
