@@ -53,22 +53,22 @@ fn check(case: &str, section: &Section, exact: &Matrix6<f64>) -> usize {
                 continue;
             }
             let size = (errors[(i, i)] * errors[(j, j)]).abs().sqrt();
-            if i != j && (estimate.stiffness[(i, j)] - error).abs() < CANCELED * size {
-                compared += 1;
-                continue;
-            }
+            let difference = (estimate.stiffness[(i, j)] - error).abs();
+            let is_canceled = i != j && difference < CANCELED * size;
             let ratio = estimate.stiffness[(i, j)] / error;
             let cells = section.mesh.cells.len();
             let what = format!("{case}, {cells} cells: K{}{}: {ratio:.2}", i + 1, j + 1);
             if !DiscretizationError::is_of_entry(exact, (i, j)) {
-                assert!(ratio.abs() > 0.5, "{what}");
+                assert!(ratio.abs() > 0.5 || is_canceled, "{what}");
                 continue;
             }
             compared += 1;
             let distance = ratio.ln().abs();
             println!("{what}, error {:.1e}", error / exact[(i, j)]);
-            record::largest(SOURCE, case, "logarithm of the ratio", distance, LN_2);
-            assert!(distance < LN_2, "{what}");
+            if distance < LN_2 || !is_canceled {
+                record::largest(SOURCE, case, "logarithm of the ratio", distance, LN_2);
+                assert!(distance < LN_2, "{what}");
+            }
         }
     }
     compared
