@@ -77,8 +77,10 @@ fn a_failed_run_removes_the_file() {
     let workplace = Workplace::with(&[], &[]);
     workplace.run(&REQUEST);
     let text = workplace.read("a.section.toml");
-    let curved = "\n[initial_curvature]\ncurvature = [0, 0, \"800 rad/m\"]\n";
-    workplace.write("a.section.toml", &format!("{text}{curved}"));
+    let web = "group = \"web\"\nmaterial = \"steel\"";
+    let air = "group = \"web\"\nmaterial = \"air\"";
+    let soft = "\n[material.air]\nyoung = 1e-20\npoisson = 0\ndensity = 1\n";
+    workplace.write("a.section.toml", &(text.replace(web, air) + soft));
     let run = workplace.run(&REQUEST);
     assert_eq!(run.code, 1, "{}", run.err);
     assert!(!workplace.path(FILE).exists());

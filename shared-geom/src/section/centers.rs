@@ -45,7 +45,7 @@ impl SectionProperties {
             let [y, z] = [own.x, own.y];
             let from = if name == "center of mass" { "mass" } else { "stiffness" };
             format!(
-                "the {name} is given at ({:e}, {:e}) m, and follows from the {from} at ({y:e}, {z:e}) m",
+                "the {name} is given at ({:.4e}, {:.4e}) m, and follows from the {from} at ({y:.4e}, {z:.4e}) m",
                 given.x, given.y
             )
         });
@@ -229,8 +229,8 @@ mod tests {
         wrong.principal_axes.bending_angle = -0.3;
         let found = wrong.disagreements();
         assert_eq!(found.len(), 3, "{found:?}");
-        assert!(found[0].starts_with("the shear center is given at (5e-2, 2e-2) m, and follows"));
-        assert!(found[1].starts_with("the center of mass is given at (7e-2, 0e0) m"));
+        assert!(found[0].starts_with("the shear center is given at (5.0000e-2, 2.0000e-2) m, and"));
+        assert!(found[1].starts_with("the center of mass is given at (7.0000e-2, 0.0000e0) m"));
         assert!(found[2].contains("principal axes of bending"));
         wrong.mass.fill(0.0);
         assert_eq!(wrong.disagreements().len(), 2);
