@@ -7,12 +7,14 @@
 
 mod central;
 mod decay;
+mod discretization;
 mod distributed;
 mod external;
 mod imposed;
 mod piezo;
 mod si;
 
+pub use discretization::discretization_error;
 pub use external::{ExternalAnalysis, ExternalWarning, analyze_matrices};
 
 use crate::assembly::{Domain, Pattern, SectionMatrices, mass_per_length, structural_parts};
@@ -123,7 +125,8 @@ impl<'a> Analysis<'a> {
     fn require_work(&self, check: &'static str, error: f64) -> Result<(), Failure> {
         let node = self.systems.smallest_pivot().node;
         let weakest = named(self.section(), self.domain(), node);
-        require_small((check, error), OF_CELLS.check, weakest)
+        let limit = OF_CELLS.check_limit(self.systems.condition());
+        require_small((check, error), limit, weakest)
     }
 
     /// Input of the derivatives.

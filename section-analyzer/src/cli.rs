@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use shared_geom::error::{Diagnostics, Explain};
+use shared_geom::section::{self, SectionProperties};
 
 use crate::input::{self, Input};
 use crate::output::Figures;
@@ -131,6 +132,16 @@ impl Terminal<'_> {
 
     fn read(&mut self, file: &Path) -> Result<Input, Stop> {
         input::read(file).map_err(|problems| self.report_all(&problems))
+    }
+
+    /// Reads a property file. Centers and axes that do not follow from its matrices are a
+    /// warning.
+    fn read_properties(&mut self, file: &Path) -> Result<SectionProperties, Stop> {
+        let properties = section::read(file).map_err(|problems| self.report_all(&problems))?;
+        for text in properties.disagreements() {
+            writeln!(self.err, "warning: {}: {text}", file.display())?;
+        }
+        Ok(properties)
     }
 
     fn report_all(&mut self, problems: &Diagnostics) -> Stop {

@@ -286,7 +286,7 @@ impl Explain for Failure {
                 "merge coincident nodes along the seam (in gmsh: \"Coherence Mesh\"), or fill the gap with a soft material"
             }
             Self::Loose { .. } => {
-                "look for parts joined at a single node, seams whose nodes are doubled, walls or cells thousands of times longer than thick, and moduli many orders of magnitude apart"
+                "look for parts joined at a single node, seams of doubled nodes, moduli many orders of magnitude apart, and walls thousands of times longer than thick, which need square cells"
             }
             Self::Matrices { broken, .. } if are_digits(broken) => DIGITS,
             Self::Matrices { of_slice, .. } => GIVEN[usize::from(*of_slice)],
@@ -305,7 +305,7 @@ impl Explain for Failure {
                 "look for mid-side nodes that do not belong to their cell and for cells of extreme aspect ratio"
             }
             Self::Inaccurate { .. } | Self::Resultant { .. } => {
-                "look for nearly detached parts, cells of extreme aspect ratio, moduli many orders of magnitude apart, and a Poisson's ratio next to 0.5"
+                "look for nearly detached parts, walls thousands of times longer than thick, cells of extreme aspect ratio, moduli many orders of magnitude apart, and a Poisson's ratio next to 0.5"
             }
             Self::ComplianceNotPositive => {
                 "look for moduli many orders of magnitude apart, a shear modulus of nearly zero, and an origin of the mesh far from the section"

@@ -98,10 +98,12 @@ pub struct Checks {
 }
 
 mod circuit;
+mod discretization;
 mod distributed;
 mod end_effects;
 mod piezo;
 
+pub use discretization::DiscretizationError;
 pub use distributed::DistributedState;
 pub use end_effects::{DecayingMode, EndEffects};
 pub use piezo::{ElectrodeSolution, InCircuit, PiezoChecks, PiezoSolution};

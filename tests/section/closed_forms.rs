@@ -126,7 +126,7 @@ pub fn cells_of(kind: CellKind) -> String {
     format!("{}-node {shape}", kind.node_count())
 }
 
-fn rectangle(width: f64, height: f64, cells: [usize; 2], kind: CellKind) -> Mesh {
+pub fn rectangle(width: f64, height: f64, cells: [usize; 2], kind: CellKind) -> Mesh {
     Rectangle {
         width,
         height,
@@ -139,7 +139,7 @@ fn rectangle(width: f64, height: f64, cells: [usize; 2], kind: CellKind) -> Mesh
     .expect("sound measures")
 }
 
-fn ellipse(semi_y: f64, semi_z: f64, cells: usize, kind: CellKind) -> Mesh {
+pub fn ellipse(semi_y: f64, semi_z: f64, cells: usize, kind: CellKind) -> Mesh {
     Ellipse {
         semi_y,
         semi_z,
@@ -169,7 +169,7 @@ fn tube(inner: f64, outer: f64, cells: usize, kind: CellKind) -> Mesh {
 /// (S-35).
 ///
 /// Terms decrease with n^-5: the error of 200 terms is less than 1e-12.
-fn torsion_constant(a: f64, b: f64) -> f64 {
+pub fn torsion_constant(a: f64, b: f64) -> f64 {
     let (a, b) = (a.max(b), a.min(b));
     let term = |n: f64| (n * PI * a / (2.0 * b)).tanh() / n.powi(5);
     let sum: f64 = (0..200).map(|k| term(f64::from(2 * k + 1))).sum();

@@ -18,6 +18,7 @@ mod invariances;
 mod line_cells;
 mod line_features;
 mod lines;
+mod mesh_error;
 mod piezo;
 mod piezo_recovery;
 mod prestress;

@@ -138,7 +138,7 @@ pub fn section(name: &str, case: &Value, mesh: &Mesh) -> Section {
 }
 
 /// The same mesh with only the corner nodes of its triangles.
-fn with_corners_only(mesh: &Mesh) -> Mesh {
+pub fn with_corners_only(mesh: &Mesh) -> Mesh {
     let corners = |cell: &Cell| {
         let nodes = cell.corners();
         let mut linear = Cell::new(cell.tag, CellKind::Triangle3, cell.entity, |i| nodes[i]);

@@ -10,6 +10,7 @@ use crate::output::Figures;
 mod electrodes;
 mod lines;
 mod many;
+mod mesh_error;
 mod one;
 mod open;
 mod overlap;
@@ -57,6 +58,8 @@ struct Run {
     /// Numbers of the nodes whose coordinates are parameters of the derivatives; `None`
     /// if no derivatives are requested.
     sensitivity: Option<Vec<u64>>,
+    /// Whether the discretization error is estimated.
+    mesh_error: bool,
     /// Driven electrodes that are open.
     open: Vec<String>,
 }
@@ -85,6 +88,7 @@ pub(super) fn analyze_files(
         sensitivity: arguments
             .sensitivity
             .then(|| arguments.sensitivity_nodes.clone()),
+        mesh_error: arguments.mesh_error,
         open: arguments.open.clone(),
     };
     match &jobs[..] {
@@ -94,7 +98,8 @@ pub(super) fn analyze_files(
 }
 
 /// The heading of removed files.
-const REMOVED: &str = "Removed: derivatives of an earlier run (--sensitivity makes them)";
+const REMOVED: &str =
+    "Removed: results of an earlier run (--sensitivity and --mesh-error make them)";
 
 /// Shows the outcome of a run with a single section.
 fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {

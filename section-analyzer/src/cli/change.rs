@@ -43,7 +43,7 @@ pub(super) fn shift_file(
     arguments: &ShiftArguments,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
-    let properties = read(&arguments.file, terminal)?;
+    let properties = terminal.read_properties(&arguments.file)?;
     let centers = &properties.centers;
     let by = match arguments.to {
         Point::At(by) => by,
@@ -63,7 +63,7 @@ pub(super) fn rotate_file(
     arguments: &RotateArguments,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
-    let properties = read(&arguments.file, terminal)?;
+    let properties = terminal.read_properties(&arguments.file)?;
     let axes = &properties.principal_axes;
     let angle = match arguments.turn.to_principal {
         // One of the two exists: the command line requires it.
@@ -76,10 +76,6 @@ pub(super) fn rotate_file(
     };
     let files = (arguments.file.as_path(), arguments.out.as_path());
     write_changed(&properties, Change::Rotate(angle), files, terminal)
-}
-
-fn read(file: &Path, terminal: &mut Terminal<'_>) -> Result<SectionProperties, Stop> {
-    section::read(file).map_err(|problems| terminal.report_all(&problems))
 }
 
 fn require_mass(

@@ -1,9 +1,7 @@
 //! `section-analyzer report`: shows property files as text and tables.
 
-use shared_geom::section;
-
 use super::arguments::ReportArguments;
-use super::{Stop, Terminal, WRONG_INPUT};
+use super::{Stop, Terminal};
 use crate::output::property_report;
 
 /// Shows every file that can be read, and reports the problems of the others.
@@ -14,14 +12,14 @@ pub(super) fn report_files(
     let mut wrong = None;
     let mut shown = 0;
     for file in &arguments.files {
-        match section::read(file) {
+        match terminal.read_properties(file) {
             Ok(properties) => {
                 let space = if shown > 0 { "\n" } else { "" };
                 let text = property_report(&file.display().to_string(), &properties);
                 write!(terminal.out, "{space}{text}")?;
                 shown += 1;
             }
-            Err(problems) => wrong = Some(terminal.report_text(&problems.to_string(), WRONG_INPUT)),
+            Err(stop) => wrong = Some(stop),
         }
     }
     wrong.map_or(Ok(()), Err)

@@ -22,6 +22,7 @@ mod parts;
 mod plane;
 mod problem;
 pub mod quality;
+mod refine;
 mod seams;
 mod section_mesh;
 mod sides;
@@ -36,5 +37,6 @@ pub use laminate::{
 pub(crate) use parts::Sets;
 pub(crate) use plane::{distance, polygon_area};
 pub use problem::{Inversion, MeshProblem, Part};
+pub use refine::{Refined, refined};
 pub use section_mesh::{Curve, CurveLine, MeshReport, SectionCell, SectionMesh};
 pub(crate) use words::{counted, short};

@@ -157,6 +157,16 @@ impl OutputFiles {
         self.path("sensitivity.json")
     }
 
+    /// The discretization error of the stiffness.
+    pub fn mesh_error(&self) -> PathBuf {
+        self.path("mesh_error.json")
+    }
+
+    /// Removes the discretization error of an earlier run, for a run without it.
+    pub fn remove_mesh_error(&self) {
+        remove([self.mesh_error()]);
+    }
+
     /// Removes the derivatives of an earlier run, for a run that does not request them.
     pub fn remove_sensitivity(&self) {
         remove([self.sensitivity()]);
@@ -175,6 +185,7 @@ impl OutputFiles {
             self.warping(),
             self.warping_field(),
             self.sensitivity(),
+            self.mesh_error(),
             self.warping_table(),
         ]);
     }

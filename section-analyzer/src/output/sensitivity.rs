@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use shared_geom::figure::tick_label;
 use shared_geom::wrench::{self, COMPONENTS};
 
-use super::text::table;
+use super::text::{rows, table};
 use crate::material::Constant;
 use crate::section::Section;
 use crate::sensitivity::{Axis, Cells, Derivative, Parameter};
@@ -53,10 +53,6 @@ pub fn sensitivity_json(
     });
     // strings, numbers and lists always have a JSON form
     serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
-}
-
-fn rows(matrix: &Matrix6<f64>) -> [[f64; 6]; 6] {
-    std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)]))
 }
 
 /// The value of a parameter in SI; `None` for angles that are not the same in all cells,

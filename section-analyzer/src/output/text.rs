@@ -58,6 +58,11 @@ pub(super) fn matrix(a: &Matrix6<f64>) -> String {
     table(&rows, "lr")
 }
 
+/// The matrix row by row.
+pub(super) fn rows(a: &Matrix6<f64>) -> [[f64; 6]; 6] {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[(i, j)]))
+}
+
 /// Rows as CSV; cells with commas or quotes are quoted.
 pub(super) fn csv(rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let mut writer = csv::WriterBuilder::new()

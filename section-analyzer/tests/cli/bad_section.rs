@@ -155,13 +155,13 @@ fn angle_must_be_a_number_a_table_or_a_curve() {
          at least one",
     ]);
     change("plane_angle = { follow = \"edge\", revers = true }").is_refused(&[
-        "error: a.section.toml:20: unknown key \"revers\" in [plane_angle]",
+        "error: a.section.toml:20: unknown key \"revers\" in [region.plane_angle]",
         "  help: did you mean \"reverse\"?",
     ]);
     let fiber = ("fiber_angle = 0", "fiber_angle = { follow = \"edge\" }");
     Workplace::with(&[fiber], &[]).is_refused(&[
         "error: a.section.toml:19: \"fiber_angle\" has no \"table\"",
-        "error: a.section.toml:19: unknown key \"follow\" in [fiber_angle]",
+        "error: a.section.toml:19: unknown key \"follow\" in [region.fiber_angle]",
         "  help: known keys: table",
     ]);
 }

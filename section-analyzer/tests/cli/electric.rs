@@ -188,7 +188,7 @@ fn forms_exclude_each_other() {
         &[
             "error: a.section.toml:12: \"relative_permittivity\" is an array of 2, expected a pure \
          number, an array of 3, one for each axis, or 3 rows of 3",
-            "error: a.section.toml:13: unknown key \"d3\" in [d]",
+            "error: a.section.toml:13: unknown key \"d3\" in [material.steel.electric.d]",
             "  help: did you mean \"d13\"?",
             "error: a.section.toml:13: [material.steel.electric]: \"d\" is zero, expected a \
              nonzero constant",

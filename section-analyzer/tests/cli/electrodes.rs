@@ -472,11 +472,14 @@ fn what_does_not_work_with_electrodes_is_refused() {
         ],
     );
     let workplace = with(&format!("{TOP}{MIDDLE}"), &[]);
-    let run = workplace.run(&["analyze", "a.section.toml", "--sensitivity"]);
+    let both = ["--sensitivity", "--mesh-error"];
+    let run = workplace.run(&[&["analyze", "a.section.toml"][..], &both].concat());
     assert_eq!(run.code, 2);
-    assert_eq!(
-        run.err,
-        "error: a.section.toml: --sensitivity is not known for sections with electrodes\n  help: \
-         remove --sensitivity, or the electrodes from the file\n"
-    );
+    let expected = both.map(|option| {
+        format!(
+            "error: a.section.toml: {option} is not known for sections with electrodes\n  help: \
+             remove {option}, or the electrodes from the file\n"
+        )
+    });
+    assert_eq!(run.err, expected.concat());
 }

@@ -18,6 +18,7 @@ mod imposed;
 mod many;
 mod matrices;
 mod mesh_checks;
+mod mesh_error;
 mod prestress;
 mod property_files;
 mod sensitivity;

@@ -312,3 +312,21 @@ fn options_of_a_property_file_are_reported() {
     }
     assert!(!report.contains("inertia, at the mass center"));
 }
+
+/// The matrices are another program's, the shear center of another definition.
+#[test]
+fn centers_that_do_not_follow_from_the_stiffness_are_a_warning() {
+    let workplace = coupled();
+    let mut section = properties(&workplace, "a.json");
+    section.centers.shear.x += 1e-3;
+    workplace.write("b.json", &section::write(&section));
+    let to = ["shift", "b.json", "--to", "shear-center", "--out", "c.json"];
+    for arguments in [&["report", "b.json"][..], &to] {
+        let run = workplace.run(arguments);
+        assert_eq!(run.code, 0);
+        let warned = "warning: b.json: the shear center is given at (";
+        assert!(run.err.starts_with(warned), "{}", run.err);
+        assert_eq!(run.err.lines().count(), 1, "{}", run.err);
+    }
+    assert_eq!(workplace.run(&["report", "a.json"]).err, "");
+}

@@ -259,13 +259,15 @@ fn wrong_strengths_are_reported() {
              \"s23\", \"tension\" to \"shear\", or \"yield\"",
             "error: a.section.toml:22: [material.steel.strain_limit] is empty, expected \"xt\" to \
              \"s23\", or \"tension\" to \"shear\"",
-            "error: a.section.toml:23: unknown key \"yield\" in [strain_limit]",
+            "error: a.section.toml:23: unknown key \"yield\" in [material.steel.strain_limit]",
             "  help: known keys: tension, compression, shear, xt, xc, yt, yc, s12, zt, zc, s13, s23",
         ],
     );
     refused(
         "[material.steel.strength]\ntension = 1\ncompression = \"-5 MPa\"\n",
-        &["error: a.section.toml:21: [strength] has no \"shear\", expected a stress"],
+        &[
+            "error: a.section.toml:21: [material.steel.strength] has no \"shear\", expected a stress",
+        ],
     );
     refused(
         "[material.steel.strength]\ntension = 1\nshear = 1\ncompression = \"-5 Pa\"\n",

@@ -21,7 +21,7 @@ impl<'a> Table<'a> {
         let entry = self.look_up_entry(key)?;
         match &entry.value.kind {
             Kind::Table(entries) => {
-                let title = format!("[{key}]");
+                let title = format!("[{}]", self.path_of(key));
                 let table = Table::new(self.document, entries, title, entry.line);
                 Some(self.describe(key, table))
             }
@@ -40,23 +40,18 @@ impl<'a> Table<'a> {
         let Some(value) = self.look_up(key) else {
             return Vec::new();
         };
+        let path = self.path_of(key);
         let Kind::Array(items) = &value.kind else {
-            let _: Option<()> = self.wrong_value(key, value, &format!("tables [[{key}]]"));
+            let _: Option<()> = self.wrong_value(key, value, &format!("tables [[{path}]]"));
             return Vec::new();
-        };
-        // Of [output], the tables are [[output.column]], of [[blade]] [[blade.piece]].
-        let outer = self.title.trim_start_matches('[').split_once(']');
-        let within = match outer.filter(|_| self.title.starts_with('[')) {
-            Some((outer, _)) => format!("{outer}."),
-            None => String::new(),
         };
         let table = |(i, item): (usize, &'a Value)| match &item.kind {
             Kind::Table(entries) => {
-                let title = format!("[[{within}{key}]] number {}", i + 1);
+                let title = format!("[[{path}]] number {}", i + 1);
                 let table = Table::new(self.document, entries, title, item.line);
                 Some(self.describe(key, table))
             }
-            _ => self.wrong_value(key, item, &format!("a table [[{key}]]")),
+            _ => self.wrong_value(key, item, &format!("a table [[{path}]]")),
         };
         items.iter().enumerate().filter_map(table).collect()
     }
@@ -77,8 +72,17 @@ impl<'a> Table<'a> {
             .collect()
     }
 
-    /// The table under `key` with the descriptions of the key.
+    /// The path of `key`: `blade.piece` of the pieces of a blade.
+    fn path_of(&self, key: &str) -> String {
+        match self.path.is_empty() {
+            true => key.to_owned(),
+            false => format!("{}.{key}", self.path),
+        }
+    }
+
+    /// The table under `key` with its path and the descriptions of the key.
     fn describe(&self, key: &str, mut table: Table<'a>) -> Table<'a> {
+        table.path = self.path_of(key);
         let keys = self.schemas.iter().flat_map(|schema| schema.all_keys());
         let keys = keys.filter(|own| own.name == key);
         for schema in keys

@@ -23,6 +23,8 @@ pub struct Table<'a> {
     pub(super) entries: &'a [Entry],
     /// The title of the table, for messages: `material "steel"`.
     pub(super) title: String,
+    /// Its keys from the root, separated by points; empty for the root.
+    pub(super) path: String,
     line: usize,
     /// Its descriptions: several if its key has several kinds of tables. Without any, every
     /// requested key is a key of the table.
@@ -41,6 +43,7 @@ impl<'a> Table<'a> {
             document,
             entries,
             title,
+            path: String::new(),
             line,
             schemas: Vec::new(),
             requested: RefCell::default(),

@@ -186,6 +186,51 @@ fn keys_that_are_there_twice_are_named_with_the_line_of_the_first() {
     }
 }
 
+/// Also in tables of named tables, and in lists of lists of tables.
+#[test]
+fn tables_in_tables_are_named_with_their_path() {
+    let text = "\
+[[blade]]
+[[blade.piece]]
+[[blade.piece.mass]]
+kg = 1
+[blade.piece.law]
+kn = 2
+[material.steel.electric]
+at = { d3 = 1 }
+";
+    let shown = problems(text, |root| {
+        for blade in root.tables("blade") {
+            for piece in blade.tables("piece") {
+                let law = piece.table("law");
+                for table in piece.tables("mass").into_iter().chain(law) {
+                    table.finish();
+                }
+                piece.finish();
+            }
+            blade.finish();
+        }
+        for (_, steel) in root.named_tables("material") {
+            let electric = steel.table("electric").unwrap();
+            electric.table("at").unwrap().finish();
+            electric.finish();
+            steel.finish();
+        }
+    });
+    for expected in [
+        "a.toml:4: unknown key \"kg\" in [[blade.piece.mass]] number 1",
+        "a.toml:6: unknown key \"kn\" in [blade.piece.law]",
+        "a.toml:8: unknown key \"d3\" in [material.steel.electric.at]",
+    ] {
+        assert!(shown.contains(expected), "{shown}");
+    }
+    let shown = problems("[a]\nb = { c = 1 }\n", |root| {
+        let inner = root.table("a").unwrap().table("b").unwrap();
+        assert!(inner.tables("c").is_empty());
+    });
+    assert!(shown.contains("expected tables [[a.b.c]]"), "{shown}");
+}
+
 /// The number of a parameter, or the messages.
 fn parameter(text: &str, name: &str) -> Result<f64, String> {
     let document = Document::parse(text, "a.toml").unwrap();

@@ -1,7 +1,11 @@
-//! Tables and figures of the electrodes of a section.
+//! Tables and figures of the electrodes of a section, and options that do not exist with
+//! electrodes.
 
+use shared_geom::error::{Diagnostics, Explain, SourceLocation};
 use shared_geom::files::OutputProblem;
+use thiserror::Error;
 
+use super::Run;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{ResultWriter, electric_plots, electrodes_csv};
@@ -9,6 +13,38 @@ use crate::recovery::{LoadCase, Recoverer, Recovery};
 use crate::section::Circuit;
 use crate::solution::SectionSolution;
 use nalgebra::Vector6;
+
+/// An option for a section with electrodes, for which it does not exist.
+#[derive(Debug, Error)]
+#[error("{0} is not known for sections with electrodes")]
+struct WithElectrodes(&'static str);
+
+impl Explain for WithElectrodes {
+    fn help(&self) -> Option<String> {
+        let Self(option) = self;
+        Some(format!("remove {option}, or the electrodes from the file"))
+    }
+}
+
+/// Requires that the section has no electrodes if the run has options that do not exist for
+/// them.
+pub(super) fn require_known(input: &Input, run: &Run) -> Result<(), String> {
+    let options = [
+        (run.sensitivity.is_some(), "--sensitivity"),
+        (run.mesh_error, "--mesh-error"),
+    ];
+    let mut problems = Diagnostics::new();
+    for (is_requested, option) in options {
+        if is_requested && !input.section.electrodes.is_empty() {
+            let location = SourceLocation::file(input.summary.file.clone());
+            problems.push(location, &WithElectrodes(option));
+        }
+    }
+    match problems.is_empty() {
+        true => Ok(()),
+        false => Err(problems.to_string()),
+    }
+}
 
 /// Fields at one volt of each driven electrode, with its name.
 ///

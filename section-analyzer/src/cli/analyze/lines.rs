@@ -67,7 +67,7 @@ impl Lines {
             count => line += &format!("  {count} warnings"),
         }
         if !outcome.removed.is_empty() {
-            line += "  derivatives of an earlier run removed";
+            line += "  results of an earlier run removed";
         }
         line.trim_end().to_owned()
     }

@@ -8,7 +8,8 @@ use shared_geom::files::OutputProblem;
 use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
 
-use super::electrodes::{fields_per_volt, write_electrodes};
+use super::electrodes::{fields_per_volt, require_known, write_electrodes};
+use super::mesh_error::MeshError;
 use super::open::open;
 use super::sensitivity::{Sensitivities, analyzed, parameters};
 use super::{Job, PROGRAM, Run};
@@ -77,7 +78,7 @@ pub(super) struct Outcome {
     pub report: String,
     /// The result files.
     pub files: Vec<PathBuf>,
-    /// Derivatives of an earlier run that this run removed.
+    /// Results of an earlier run with other options that this run removed.
     pub removed: Vec<PathBuf>,
     /// The reported problems.
     pub problems: Option<String>,
@@ -122,7 +123,7 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
     if let Err(problems) = open(&mut input, &run.open) {
         return Outcome::wrong_input(problems);
     }
-    let parameters = match parameters(&input, run) {
+    let parameters = match require_known(&input, run).and_then(|()| parameters(&input, run)) {
         Ok(parameters) => parameters,
         Err(problems) => return Outcome::wrong_input(problems),
     };
@@ -135,24 +136,38 @@ pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
         true => None,
         false => unchanged(&files, &made_from),
     };
-    let derivatives = files.sensitivity();
-    let had_derivatives = run.sensitivity.is_none() && derivatives.exists();
+    let mut removed = no_longer_requested(&files, run);
     let solve = || {
         let results = ResultWriter::new(files).with_figures(run.figures);
-        let in_circuit = |found| InCircuit::new(&input, found, run.figures.are_drawn());
+        let in_circuit = |found| InCircuit::new(&input, found, run);
         match analyzed(&input, parameters).and_then(in_circuit) {
             Ok(found) => solved(job, &input, &found, results, &made_from),
             Err(failure) => failed(job, &input, &failure, results),
         }
     };
     let outcome = unchanged.unwrap_or_else(solve);
-    let is_removed = had_derivatives && !derivatives.exists();
+    removed.retain(|file| !file.exists());
     Outcome {
-        removed: is_removed.then_some(derivatives).into_iter().collect(),
+        removed,
         nodes: Some(input.section.mesh.nodes.len()),
         warnings: input.summary.warnings.len(),
         ..outcome
     }
+}
+
+/// Results on request of an earlier run that this run does not request.
+fn no_longer_requested(files: &OutputFiles, run: &Run) -> Vec<PathBuf> {
+    let on_request = [
+        (run.sensitivity.is_some(), files.sensitivity()),
+        (run.mesh_error, files.mesh_error()),
+    ];
+    let others = on_request
+        .into_iter()
+        .filter(|(is_requested, _)| !is_requested);
+    others
+        .map(|(_, file)| file)
+        .filter(|file| file.exists())
+        .collect()
 }
 
 /// Fingerprint of everything on which the results depend: the files that were read, and
@@ -162,6 +177,7 @@ fn made_from(input: &Input, run: &Run) -> String {
     let requested = run.sensitivity.as_ref();
     let requested = requested.map(|nodes| format!("sensitivity {nodes:?}"));
     parts.extend(requested.as_ref().map(|requested| requested.as_bytes()));
+    parts.extend(run.mesh_error.then_some(&b"mesh error"[..]));
     let open = format!("open {:?}", run.open);
     parts.extend((!run.open.is_empty()).then_some(open.as_bytes()));
     match run.figures {
@@ -192,6 +208,7 @@ fn unchanged(files: &OutputFiles, made_from: &str) -> Option<Outcome> {
 struct InCircuit {
     found: Solved,
     derivatives: Sensitivities,
+    mesh_error: MeshError,
     /// With open electrodes at no charge.
     seen: SectionSolution,
     /// At one volt of each driven electrode, for its figures.
@@ -204,11 +221,12 @@ impl InCircuit {
     fn new(
         input: &Input,
         (found, derivatives): (Solved, Sensitivities),
-        figures: bool,
+        run: &Run,
     ) -> Result<Self, Failure> {
         Ok(Self {
             seen: found.solution.in_circuit()?,
-            fields: match figures {
+            mesh_error: MeshError::new(input, &found.solution, run),
+            fields: match run.figures.are_drawn() {
                 true => fields_per_volt(input, &found.solution)?,
                 false => Vec::new(),
             },
@@ -231,6 +249,7 @@ fn solved(
     let InCircuit {
         found,
         derivatives,
+        mesh_error,
         seen,
         fields,
     } = in_circuit;
@@ -244,6 +263,7 @@ fn solved(
         .and_then(|()| results.text(results.files().report(), &report))
         .and_then(|()| write_tables(input, restrained.as_ref().ok(), &mut results))
         .and_then(|()| derivatives.write(input, &mut results))
+        .and_then(|()| mesh_error.write(input, solution, &mut results))
         .and_then(|()| write_figures(input, (solution, &seen.centers), &mut results))
         .and_then(|()| write_electrodes(input, solution, fields, &mut results))
         .and_then(|()| stresses.write(input, found, &mut results));
@@ -282,6 +302,7 @@ fn reported(
     let (section, found) = (&input.section, &in_circuit.found);
     let prestress_part = prestressed(input, found, properties);
     let on_request = [
+        in_circuit.mesh_error.table(&found.solution),
         piezo_report(&found.solution, properties),
         imposed_report(properties),
         prestress_part,

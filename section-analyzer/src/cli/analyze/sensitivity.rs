@@ -29,17 +29,6 @@ impl Explain for WrongNode {
     }
 }
 
-/// Derivatives of a section with electrodes.
-#[derive(Debug, Error)]
-#[error("--sensitivity is not known for sections with electrodes")]
-struct WithElectrodes;
-
-impl Explain for WithElectrodes {
-    fn help(&self) -> Option<String> {
-        Some("remove --sensitivity, or the electrodes from the file".to_owned())
-    }
-}
-
 /// The derivatives of a section, if requested.
 #[derive(Debug, Default)]
 pub(super) struct Sensitivities(Option<(Vec<Parameter>, Vec<Derivative>)>);
@@ -72,10 +61,6 @@ pub(super) fn parameters(input: &Input, run: &Run) -> Result<Option<Vec<Paramete
     let Some(nodes) = &run.sensitivity else {
         return Ok(None);
     };
-    if !input.section.electrodes.is_empty() {
-        let location = SourceLocation::file(input.summary.file.clone());
-        return Err(Diagnostics::one(location, &WithElectrodes).to_string());
-    }
     let mut parameters = Parameter::of_section(&input.section);
     let mut problems = Diagnostics::new();
     let mesh = &input.summary.mesh_file;

@@ -22,6 +22,7 @@ once, solves, prints the report, and writes into the folder DIR:
   NAME.potential_ELECTRODE.png, NAME.field_ELECTRODE.png
                          potential and electric field at one volt of a driven electrode
   NAME.sensitivity.json  with --sensitivity: derivatives of stiffness, mass and centers
+  NAME.mesh_error.json   with --mesh-error: discretization error of each entry of the stiffness
   NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
   NAME.analysis.json     fingerprints of the input and of the files above
 where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
@@ -39,6 +40,7 @@ Examples:
   section-analyzer analyze blade/root.section.toml --out blade/results
   section-analyzer analyze blade/*.section.toml --threads 2 --no-figures
   section-analyzer analyze box.section.toml --sensitivity --sensitivity-nodes 12,40
+  section-analyzer analyze box.section.toml --mesh-error
   section-analyzer analyze patch.section.toml --open sensor
 
 The exit code of several sections is 2 if the input of any is wrong, else 1 if any
@@ -93,6 +95,10 @@ pub(in crate::cli) struct AnalyzeArguments {
         requires = "sensitivity"
     )]
     pub sensitivity_nodes: Vec<u64>,
+    /// Estimate of the discretization error of each entry of the stiffness, by a second
+    /// analysis with about four times the number of unknowns
+    #[arg(long)]
+    pub mesh_error: bool,
     /// Driven electrode that is open in this run, with zero charge instead of a voltage;
     /// may be given more than once, or as "all"
     #[arg(long, value_name = "ELECTRODE")]

@@ -367,7 +367,10 @@ fn a_table_or_column_that_is_not_there_is_reported() {
     let folder = tempfile::tempdir().unwrap();
     let good = "s,A,w\n0,2.0,0.5\n10,2.0,0.5\n";
     let shown = read_reported(&with_table(folder.path(), good, "mm = \"w\""));
-    assert!(shown.contains("unknown key \"mm\" in [columns]"), "{shown}");
+    assert!(
+        shown.contains("unknown key \"mm\" in [stations.columns]"),
+        "{shown}"
+    );
     assert!(shown.contains("t.csv has no column \"m\", and \"columns\" names no other"));
     std::fs::remove_file(folder.path().join("t.csv")).unwrap();
     let shown = read_reported(&folder.path().join("a.blade.toml"));

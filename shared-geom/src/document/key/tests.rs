@@ -167,7 +167,7 @@ fn only_declared_keys_are_keys() {
         shape.finish();
     });
     assert!(
-        shown.contains("unknown key \"zqj\" in [shape]\n  help: known keys: friction"),
+        shown.contains("unknown key \"zqj\" in [part.p.shape]\n  help: known keys: friction"),
         "{shown}"
     );
 }
