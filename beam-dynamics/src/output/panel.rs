@@ -1,15 +1,13 @@
 //! A small plot within a figure: frame, ticks, zero line, and positions of points.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{BLACK, RGBColor};
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks};
+use shared_geom::figure::{Anchor, BLACK, Color, Drawing, Label, TEXT, Ticks, text_width};
 
 /// Size of the letters of ticks.
 pub(super) const SMALL: f64 = 0.8 * TEXT;
 /// Color of the background of the curves.
-pub(super) const GRAY: RGBColor = RGBColor(165, 165, 165);
+pub(super) const GRAY: Color = Color(165, 165, 165);
 /// Color of zero lines.
-pub(super) const LIGHT: RGBColor = RGBColor(215, 215, 215);
+pub(super) const LIGHT: Color = Color(215, 215, 215);
 const TICK: f64 = 10.0;
 const FRAME: f64 = 2.5;
 /// Margin above and below the curves, as part of their range.
@@ -50,22 +48,16 @@ impl Panel {
     }
 
     /// Draws the line at zero, if zero is within the frame.
-    pub fn draw_zero<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    pub fn draw_zero(&self, drawing: &mut Drawing) {
         if self.y[0] < 0.0 && self.y[1] > 0.0 {
             let ends = [[self.x[0], 0.0], [self.x[1], 0.0]].map(|end| self.position(end));
-            canvas.line(&ends, FRAME, LIGHT)?;
+            drawing.line(&ends, FRAME, LIGHT);
         }
-        Ok(())
     }
 
     /// Draws the left and the lower edge with about these numbers of ticks; below the lower edge
     /// only if `below`.
-    pub fn draw_frame<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        [across, up]: [usize; 2],
-        below: bool,
-    ) -> Result<(), FigureProblem> {
+    pub fn draw_frame(&self, drawing: &mut Drawing, [across, up]: [usize; 2], below: bool) {
         let Self {
             left,
             right,
@@ -73,37 +65,30 @@ impl Panel {
             bottom,
             ..
         } = *self;
-        canvas.line(
+        drawing.line(
             &[[left, top], [left, bottom], [right, bottom]],
             FRAME,
             BLACK,
-        )?;
+        );
         let label = Label::new(SMALL);
         for (value, text) in Ticks::between(self.x[0], self.x[1], across).labeled() {
             let [x, y] = self.position([value, self.y[0]]);
-            canvas.line(&[[x, y], [x, y + TICK]], FRAME, BLACK)?;
+            drawing.line(&[[x, y], [x, y + TICK]], FRAME, BLACK);
             if below {
-                canvas.text(&text, [x, y + 3.4 * TICK], label.anchored(Anchor::Middle))?;
+                drawing.text(&text, [x, y + 3.4 * TICK], label.anchored(Anchor::Middle));
             }
         }
         for (value, text) in Ticks::between(self.y[0], self.y[1], up).labeled() {
             let [x, y] = self.position([self.x[0], value]);
-            canvas.line(&[[x, y], [x - TICK, y]], FRAME, BLACK)?;
-            canvas.text(&text, [x - 1.7 * TICK, y], label.anchored(Anchor::End))?;
+            drawing.line(&[[x, y], [x - TICK, y]], FRAME, BLACK);
+            drawing.text(&text, [x - 1.7 * TICK, y], label.anchored(Anchor::End));
         }
-        Ok(())
     }
 
     /// Draws the line through these points of the panel.
-    pub fn curve<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        points: &[[f64; 2]],
-        width: f64,
-        color: RGBColor,
-    ) -> Result<(), FigureProblem> {
+    pub fn curve(&self, drawing: &mut Drawing, points: &[[f64; 2]], width: f64, color: Color) {
         let positions: Vec<_> = points.iter().map(|point| self.position(*point)).collect();
-        canvas.line(&positions, width, color)
+        drawing.line(&positions, width, color);
     }
 }
 
@@ -130,37 +115,33 @@ pub(super) fn range(values: impl IntoIterator<Item = f64>, floor: f64) -> [f64; 
 }
 
 /// A title above all panels that fits on one line, in smaller letters if it is long.
-pub(super) fn draw_title<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    title: &str,
-    [x, y]: [f64; 2],
-) -> Result<(), FigureProblem> {
+pub(super) fn draw_title(drawing: &mut Drawing, title: &str, [x, y]: [f64; 2]) {
     // Bold letters are wider than the measured ones.
-    let width = 1.2 * canvas.text_width(title, TEXT);
-    let size = TEXT * ((canvas.size().0 - x - 24.0) / width).min(1.0);
-    canvas.text(title, [x, y], Label::new(size).bold())
+    let width = 1.2 * text_width(title, Label::new(TEXT));
+    let size = TEXT * ((drawing.size().0 - x - 24.0) / width).min(1.0);
+    drawing.text(title, [x, y], Label::new(size).bold());
 }
 
 /// A row of lines with their meaning, from `position` to the right; entries that do not fit into the
-/// canvas continue in the next row. Returns the height of the next row.
-pub(super) fn draw_legend<B: DrawingBackend>(
-    canvas: &Canvas<B>,
+/// drawing continue in the next row. Returns the height of the next row.
+pub(super) fn draw_legend(
+    drawing: &mut Drawing,
     position: [f64; 2],
-    entries: &[(String, f64, RGBColor)],
-) -> Result<f64, FigureProblem> {
+    entries: &[(String, f64, Color)],
+) -> f64 {
     const LINE: f64 = 56.0;
     let [left, mut y] = position;
     let mut x = left;
     for (text, width, color) in entries {
-        let needed = LINE + 16.0 + canvas.text_width(text, SMALL) + 40.0;
-        if x > left && x + needed > canvas.size().0 {
+        let needed = LINE + 16.0 + text_width(text, Label::new(SMALL)) + 40.0;
+        if x > left && x + needed > drawing.size().0 {
             (x, y) = (left, y + 1.4 * SMALL);
         }
-        canvas.line(&[[x, y], [x + LINE, y]], *width, *color)?;
-        canvas.text(text, [x + LINE + 16.0, y], Label::new(SMALL))?;
+        drawing.line(&[[x, y], [x + LINE, y]], *width, *color);
+        drawing.text(text, [x + LINE + 16.0, y], Label::new(SMALL));
         x += needed;
     }
-    Ok(y + 1.4 * SMALL)
+    y + 1.4 * SMALL
 }
 
 #[cfg(test)]

@@ -1,9 +1,7 @@
 //! Views of a model along the axes: selection of two axes each, and one scale for all.
 
 use nalgebra::Vector3;
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT};
+use shared_geom::figure::{Anchor, Color, Drawing, Label, TEXT};
 
 use super::panel::{Panel, SMALL};
 
@@ -12,7 +10,7 @@ use super::panel::{Panel, SMALL};
 pub(super) struct Stroke {
     pub points: Vec<Vector3<f64>>,
     pub width: f64,
-    pub color: RGBColor,
+    pub color: Color,
 }
 
 /// Content of the view along each axis.
@@ -164,18 +162,17 @@ impl Arrangement {
 
     /// Draws the strokes and the marks in every view; `corner` is the upper left corner
     /// of all.
-    pub fn draw<B: DrawingBackend>(
+    pub fn draw(
         &self,
-        canvas: &Canvas<B>,
+        drawing: &mut Drawing,
         corner: [f64; 2],
         strokes: &[Stroke],
-        marks: &[(Vector3<f64>, RGBColor)],
-    ) -> Result<(), FigureProblem> {
+        marks: &[(Vector3<f64>, Color)],
+    ) {
         for (view, panel) in &self.panels {
             let seen = (*view, &lengths(*view));
-            draw_view(canvas, seen, &panel.moved(corner), strokes, marks)?;
+            draw_view(drawing, seen, &panel.moved(corner), strokes, marks);
         }
-        Ok(())
     }
 }
 
@@ -185,39 +182,35 @@ pub(super) fn lengths(view: View) -> [String; 2] {
 }
 
 /// Draws strokes and marks in the projection of a view, with its axes and their titles.
-pub(super) fn draw_view<B: DrawingBackend>(
-    canvas: &Canvas<B>,
+pub(super) fn draw_view(
+    drawing: &mut Drawing,
     (view, names): (View, &[String; 2]),
     panel: &Panel,
     strokes: &[Stroke],
-    marks: &[(Vector3<f64>, RGBColor)],
-) -> Result<(), FigureProblem> {
+    marks: &[(Vector3<f64>, Color)],
+) {
     for stroke in strokes {
         let points: Vec<_> = stroke.points.iter().map(|p| view.map(|i| p[i])).collect();
-        panel.curve(canvas, &points, stroke.width, stroke.color)?;
+        panel.curve(drawing, &points, stroke.width, stroke.color);
     }
     for (mark, color) in marks {
-        canvas.disc(panel.position(view.map(|i| mark[i])), 7.0, *color)?;
+        drawing.disc(panel.position(view.map(|i| mark[i])), 7.0, *color);
     }
-    draw_axes(canvas, names, panel)
+    draw_axes(drawing, names, panel);
 }
 
-fn draw_axes<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    [right, upward]: &[String; 2],
-    panel: &Panel,
-) -> Result<(), FigureProblem> {
+fn draw_axes(drawing: &mut Drawing, [right, upward]: &[String; 2], panel: &Panel) {
     let ticks = |length: f64, each: f64| ((length / each).round() as usize).clamp(1, 10);
     let across = ticks(panel.right - panel.left, 170.0);
     let up = ticks(panel.bottom - panel.top, 110.0);
-    panel.draw_frame(canvas, [across, up], true)?;
+    panel.draw_frame(drawing, [across, up], true);
     let middle = [
         0.5 * (panel.left + panel.right),
         0.5 * (panel.top + panel.bottom),
     ];
     let title = Label::new(0.5 * (TEXT + SMALL)).anchored(Anchor::Middle);
-    canvas.text(right, [middle[0], panel.bottom + 78.0], title)?;
-    canvas.text(upward, [panel.left - 122.0, middle[1]], title.upward())
+    drawing.text(right, [middle[0], panel.bottom + 78.0], title);
+    drawing.text(upward, [panel.left - 122.0, middle[1]], title.upward());
 }
 
 /// Pixels per meter of views arranged below each other (`along` 0) or next to each other (1).

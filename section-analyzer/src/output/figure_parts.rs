@@ -1,8 +1,6 @@
 //! Common parts of the figures of a section: margins, title, cells, color bar.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Canvas, Drawing, FigureProblem, Label, TEXT};
+use shared_geom::figure::{Color, Drawing, Label, TEXT, text_width};
 
 use super::plane::INK;
 
@@ -31,53 +29,40 @@ const BOLD: f64 = 1.2;
 /// Pieces of a color bar, each of one color.
 const STEPS: u32 = 256;
 
-/// A drawing with a known size.
-pub trait Figure: Drawing {
-    /// Width and height \[figure pixels\].
-    fn size(&self) -> (u32, u32);
-}
-
 /// The name of the section, cut if it is longer than the width `space`, and `what` is shown;
 /// letters of `size` at the position `position` [figure pixels].
-pub(super) fn draw_title<B: DrawingBackend>(
-    canvas: &Canvas<B>,
+pub(super) fn draw_title(
+    drawing: &mut Drawing,
     [name, what]: [&str; 2],
     size: f64,
     position: [f64; 2],
     space: f64,
-) -> Result<(), FigureProblem> {
+) {
     let label = Label::new(size).bold();
-    let left = space - canvas.text_width(what, BOLD * size);
-    canvas.text(
-        &(canvas.shortened(name, label, left) + what),
+    let left = space - text_width(what, Label::new(BOLD * size));
+    drawing.text(
+        &(drawing.shortened(name, label, left) + what),
         position,
         label,
-    )
+    );
 }
 
 /// Fills a cell, or a piece of one, and if `is_thin` its rim too, so that it can be seen.
-pub(super) fn fill_cell<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    mut corners: Vec<[f64; 2]>,
-    color: RGBColor,
-    is_thin: bool,
-) -> Result<(), FigureProblem> {
-    canvas.polygon(&corners, color)?;
+pub(super) fn fill_cell(drawing: &mut Drawing, corners: &[[f64; 2]], color: Color, is_thin: bool) {
+    drawing.polygon(corners, color);
     if is_thin {
-        corners.push(corners[0]);
-        canvas.line(&corners, THINNEST, color)?;
+        drawing.outline(corners, THINNEST, color);
     }
-    Ok(())
 }
 
 /// A box with a line around it and `color(part)` in it, where `part` runs from 0 on the
 /// left to 1 on the right; `low` and `high` are its corners [figure pixels].
-pub(super) fn draw_color_bar<B: DrawingBackend>(
-    canvas: &Canvas<B>,
+pub(super) fn draw_color_bar(
+    drawing: &mut Drawing,
     low: [f64; 2],
     high: [f64; 2],
-    color: impl Fn(f64) -> RGBColor,
-) -> Result<(), FigureProblem> {
+    color: impl Fn(f64) -> Color,
+) {
     let boxed = |left: f64, right: f64| {
         let corners = [[left, low[1]], [right, low[1]]];
         [corners[0], corners[1], [right, high[1]], [left, high[1]]]
@@ -85,8 +70,8 @@ pub(super) fn draw_color_bar<B: DrawingBackend>(
     let at = |step: f64| low[0] + (high[0] - low[0]) * step / f64::from(STEPS);
     for step in (0..STEPS).map(f64::from) {
         let middle = (step + 0.5) / f64::from(STEPS);
-        canvas.polygon(&boxed(at(step), at(step + 1.0)), color(middle))?;
+        drawing.polygon(&boxed(at(step), at(step + 1.0)), color(middle));
     }
     let [a, b, c, d] = boxed(low[0], high[0]);
-    canvas.line(&[a, b, c, d, a], 2.0, INK)
+    drawing.line(&[a, b, c, d, a], 2.0, INK);
 }

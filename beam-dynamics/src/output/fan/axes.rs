@@ -1,8 +1,6 @@
-//! The two axes: from speeds and frequencies to positions on the canvas.
+//! The two axes: from speeds and frequencies to positions on the drawing.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::BLACK;
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks};
+use shared_geom::figure::{Anchor, BLACK, Drawing, Label, TEXT, Ticks, text_width};
 
 use super::{FanPlot, SIZE, SMALL};
 use crate::case::FrequencyUnit;
@@ -31,12 +29,12 @@ pub(super) struct Axes {
 
 impl Axes {
     /// Axes that contain all points, with space for the names on the right.
-    pub fn new<B: DrawingBackend>(canvas: &Canvas<B>, plot: &FanPlot) -> Self {
-        let (width, height) = (canvas.size().0, f64::from(SIZE.1));
+    pub fn new(drawing: &mut Drawing, plot: &FanPlot) -> Self {
+        let (width, height) = (drawing.size().0, f64::from(SIZE.1));
         let names = plot
             .curves
             .iter()
-            .map(|curve| canvas.text_width(&curve.name, SMALL));
+            .map(|curve| text_width(&curve.name, Label::new(SMALL)));
         let widest = names.fold(0.0, f64::max);
         let measured_speeds = plot.measured.iter().map(|point| point[0]);
         let speeds = || plot.speeds.iter().copied().chain(measured_speeds.clone());
@@ -78,11 +76,7 @@ impl Axes {
     }
 
     /// Draws axes, ticks and titles; the title of the speeds only if no damping is drawn below.
-    pub fn draw<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        plot: &FanPlot,
-    ) -> Result<(), FigureProblem> {
+    pub fn draw(&self, drawing: &mut Drawing, plot: &FanPlot) {
         const TICK: f64 = 12.0;
         const AXIS: f64 = 3.0;
         let Self {
@@ -92,25 +86,25 @@ impl Axes {
             bottom,
             ..
         } = *self;
-        canvas.line(&[[left, top], [left, bottom], [right, bottom]], AXIS, BLACK)?;
+        drawing.line(&[[left, top], [left, bottom], [right, bottom]], AXIS, BLACK);
 
         let label = Label::new(SMALL);
         for (speed, text) in Ticks::between(self.speeds[0], self.speeds[1], 8).labeled() {
             let [x, y] = self.position([speed, 0.0]);
-            canvas.line(&[[x, y], [x, y + TICK]], AXIS, BLACK)?;
-            canvas.text(&text, [x, y + 3.0 * TICK], label.anchored(Anchor::Middle))?;
+            drawing.line(&[[x, y], [x, y + TICK]], AXIS, BLACK);
+            drawing.text(&text, [x, y + 3.0 * TICK], label.anchored(Anchor::Middle));
         }
         for (frequency, text) in Ticks::between(0.0, self.highest, 8).labeled() {
             let [x, y] = self.position([self.speeds[0], frequency]);
-            canvas.line(&[[x, y], [x - TICK, y]], AXIS, BLACK)?;
-            canvas.text(&text, [x - 1.7 * TICK, y], label.anchored(Anchor::End))?;
+            drawing.line(&[[x, y], [x - TICK, y]], AXIS, BLACK);
+            drawing.text(&text, [x - 1.7 * TICK, y], label.anchored(Anchor::End));
         }
 
         let title = Label::new(TEXT).anchored(Anchor::Middle);
         let middle = [0.5 * (left + right), 0.5 * (top + bottom)];
         if !plot.is_damped() {
-            canvas.text("rotor speed [rpm]", [middle[0], bottom + 92.0], title)?;
+            drawing.text("rotor speed [rpm]", [middle[0], bottom + 92.0], title);
         }
-        canvas.text(&plot.axis_title(), [34.0, middle[1]], title.upward())
+        drawing.text(&plot.axis_title(), [34.0, middle[1]], title.upward());
     }
 }

@@ -1,8 +1,6 @@
 //! Lines and marks of the modes, and rings for measured points.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{BLACK, RGBColor};
-use shared_geom::figure::{Canvas, FigureProblem};
+use shared_geom::figure::{BLACK, Color, Drawing};
 
 use super::axes::Axes;
 use super::{Curve, FanPlot};
@@ -54,19 +52,15 @@ pub(super) fn runs(
 }
 
 /// Draws the lines, the measured points, and the marks.
-pub(super) fn draw<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    plot: &FanPlot,
-    axes: &Axes,
-) -> Result<(), FigureProblem> {
+pub(super) fn draw(drawing: &mut Drawing, plot: &FanPlot, axes: &Axes) {
     for curve in &plot.curves {
         for run in frequency_runs(plot, curve, axes) {
-            line(canvas, &run, curve.pattern, curve.color)?;
+            line(drawing, &run, curve.pattern, curve.color);
         }
     }
     // Below the marks, which are not covered.
     for &point in &plot.measured {
-        ring(canvas, axes.position(point))?;
+        ring(drawing, axes.position(point));
     }
     let step = marked_every(plot, axes);
     for curve in &plot.curves {
@@ -75,13 +69,14 @@ pub(super) fn draw<B: DrawingBackend>(
             let shown = frequency.filter(|_| k % step == 0 || is_end);
             if let (Some(frequency), Some(kind)) = (shown, curve.kinds[k]) {
                 let position = axes.position([plot.speeds[k], frequency]);
-                mark(canvas, position, kind, curve.color)?;
+                mark(drawing, position, kind, curve.color);
             }
         }
     }
-    let mut critical = plot.critical.iter();
     let size = diamond_size(plot.critical.len());
-    critical.try_for_each(|point| diamond(canvas, axes.position(*point), size))
+    for point in &plot.critical {
+        diamond(drawing, axes.position(*point), size);
+    }
 }
 
 /// Distance in speeds between two marks of a line.
@@ -91,20 +86,14 @@ fn marked_every(plot: &FanPlot, axes: &Axes) -> usize {
 }
 
 /// A solid or dashed line, by the number of its pattern.
-pub(super) fn line<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    points: &[[f64; 2]],
-    pattern: usize,
-    color: RGBColor,
-) -> Result<(), FigureProblem> {
+pub(super) fn line(drawing: &mut Drawing, points: &[[f64; 2]], pattern: usize, color: Color) {
     let pattern = PATTERNS[pattern % PATTERNS.len()];
     if pattern.is_empty() {
-        return canvas.line(points, LINE, color);
+        return drawing.line(points, LINE, color);
     }
     for dash in dashes(points, pattern) {
-        canvas.line(&dash, LINE, color)?;
+        drawing.line(&dash, LINE, color);
     }
-    Ok(())
 }
 
 /// The dashes of a line, which continue around its corners.
@@ -134,12 +123,7 @@ fn dashes(points: &[[f64; 2]], pattern: &[f64]) -> Vec<[[f64; 2]; 2]> {
 }
 
 /// The mark of a kind of mode.
-pub(super) fn mark<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    [x, y]: [f64; 2],
-    kind: ModeKind,
-    color: RGBColor,
-) -> Result<(), FigureProblem> {
+pub(super) fn mark(drawing: &mut Drawing, [x, y]: [f64; 2], kind: ModeKind, color: Color) {
     let polygon = |corners: &[[f64; 2]], size: f64| {
         let moved = corners
             .iter()
@@ -147,28 +131,27 @@ pub(super) fn mark<B: DrawingBackend>(
         moved.collect::<Vec<_>>()
     };
     match kind {
-        ModeKind::Flap => canvas.disc([x, y], MARK, color),
+        ModeKind::Flap => drawing.disc([x, y], MARK, color),
         ModeKind::Lag => {
             let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-            canvas.polygon(&polygon(&square, 0.95), color)
+            drawing.polygon(&polygon(&square, 0.95), color)
         }
         ModeKind::Torsion => {
             let triangle = [[0.0, -1.2], [1.1, 0.8], [-1.1, 0.8]];
-            canvas.polygon(&polygon(&triangle, 1.1), color)
+            drawing.polygon(&polygon(&triangle, 1.1), color)
         }
         ModeKind::Axial => {
             let diamond = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
-            canvas.polygon(&polygon(&diamond, 1.35), color)
+            drawing.polygon(&polygon(&diamond, 1.35), color)
         }
         ModeKind::Lateral => {
             let triangle = [[0.0, 1.2], [1.1, -0.8], [-1.1, -0.8]];
-            canvas.polygon(&polygon(&triangle, 1.1), color)
+            drawing.polygon(&polygon(&triangle, 1.1), color)
         }
         ModeKind::Coupled => {
             for arm in [[[-1.0, -1.0], [1.0, 1.0]], [[-1.0, 1.0], [1.0, -1.0]]] {
-                canvas.line(&polygon(&arm, 1.0), 1.4 * LINE, color)?;
+                drawing.line(&polygon(&arm, 1.0), 1.4 * LINE, color);
             }
-            Ok(())
         }
     }
 }
@@ -179,11 +162,7 @@ pub(super) fn diamond_size(count: usize) -> f64 {
 }
 
 /// An open diamond, for critical speeds.
-pub(super) fn diamond<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    [x, y]: [f64; 2],
-    size: f64,
-) -> Result<(), FigureProblem> {
+pub(super) fn diamond(drawing: &mut Drawing, [x, y]: [f64; 2], size: f64) {
     let corners = [
         [x, y - size],
         [x + size, y],
@@ -191,14 +170,11 @@ pub(super) fn diamond<B: DrawingBackend>(
         [x - size, y],
         [x, y - size],
     ];
-    canvas.line(&corners, 0.8 * LINE, BLACK)
+    drawing.line(&corners, 0.8 * LINE, BLACK);
 }
 
 /// An open ring, through which lines are visible.
-pub(super) fn ring<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    [x, y]: [f64; 2],
-) -> Result<(), FigureProblem> {
+pub(super) fn ring(drawing: &mut Drawing, [x, y]: [f64; 2]) {
     const CORNERS: u32 = 48;
     let circle: Vec<_> = (0..=CORNERS)
         .map(|k| {
@@ -207,7 +183,7 @@ pub(super) fn ring<B: DrawingBackend>(
             [x + RING * cosine, y + RING * sine]
         })
         .collect();
-    canvas.line(&circle, 0.8 * LINE, BLACK)
+    drawing.line(&circle, 0.8 * LINE, BLACK);
 }
 
 #[cfg(test)]

@@ -1,16 +1,14 @@
 //! Multiples of the rotor speed: thin lines, labeled where the plot is free.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{RGBColor, WHITE};
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label};
+use shared_geom::figure::{Anchor, Color, Drawing, Label, WHITE, text_width};
 
 use super::SMALL;
 use super::axes::Axes;
 use super::boxes::{Box2, Obstacles};
 use crate::case::FrequencyUnit;
 
-const GRAY: RGBColor = RGBColor(175, 175, 175);
-const DARK_GRAY: RGBColor = RGBColor(105, 105, 105);
+const GRAY: Color = Color(175, 175, 175);
+const DARK_GRAY: Color = Color(105, 105, 105);
 const LINE: f64 = 2.0;
 const LETTERS: f64 = 0.85 * SMALL;
 
@@ -63,30 +61,27 @@ fn multiple(axes: &Axes, number: u32, part: f64) -> Option<Multiple> {
 }
 
 /// Draws the lines.
-pub(super) fn draw_lines<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    multiples: &[Multiple],
-) -> Result<(), FigureProblem> {
-    multiples
-        .iter()
-        .try_for_each(|multiple| canvas.line(&multiple.ends, LINE, GRAY))
+pub(super) fn draw_lines(drawing: &mut Drawing, multiples: &[Multiple]) {
+    for multiple in multiples {
+        drawing.line(&multiple.ends, LINE, GRAY);
+    }
 }
 
 /// Writes `1P`, `2P` and so on at the lines, as far out as they cover nothing: over the line, or
 /// else below or above it. Labels without a free position are omitted.
-pub(super) fn draw_labels<B: DrawingBackend>(
-    canvas: &Canvas<B>,
+pub(super) fn draw_labels(
+    drawing: &mut Drawing,
     axes: &Axes,
     multiples: &[Multiple],
     obstacles: &mut Obstacles,
-) -> Result<(), FigureProblem> {
+) {
     let frame = Box2 {
         low: [axes.left, axes.top],
         high: [axes.right, axes.bottom],
     };
     for multiple in multiples {
         let text = format!("{}P", multiple.number);
-        let width = canvas.text_width(&text, LETTERS);
+        let width = text_width(&text, Label::new(LETTERS));
         let mut in_the_way = obstacles.clone();
         for other in multiples.iter().filter(|other| *other != multiple) {
             in_the_way.add_line(&other.ends);
@@ -99,13 +94,12 @@ pub(super) fn draw_labels<B: DrawingBackend>(
             continue;
         };
         obstacles.add_box(position.label);
-        canvas.polygon(&position.label.corners(), WHITE)?;
+        drawing.polygon(&position.label.corners(), WHITE);
         let label = Label::new(LETTERS)
             .anchored(Anchor::Middle)
             .colored(DARK_GRAY);
-        canvas.text(&text, position.label.center(), label)?;
+        drawing.text(&text, position.label.center(), label);
     }
-    Ok(())
 }
 
 /// A position for a label.

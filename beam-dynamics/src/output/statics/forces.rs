@@ -1,11 +1,6 @@
 //! Internal forces along blades and lines of beams, one small plot per component.
 
-use std::path::Path;
-
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{Anchor, CATEGORIES, Color, Drawing, Figure, Label, TEXT, WIDTH};
 
 use super::floors::{Floors, clean};
 use crate::input::short_number;
@@ -44,7 +39,7 @@ pub struct ForcePlot {
 #[derive(Debug, Clone, PartialEq)]
 struct Curve {
     name: String,
-    color: RGBColor,
+    color: Color,
     /// Arc position \[m\] and internal force \[N, N m\].
     points: Vec<(f64, [f64; 6])>,
 }
@@ -82,20 +77,7 @@ impl ForcePlot {
         })
     }
 
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`OutputProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        write_figure(path, (WIDTH, HEIGHT), self)
-    }
-
-    fn draw_component<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        component: usize,
-        [top, bottom]: [f64; 2],
-    ) -> Result<(), FigureProblem> {
+    fn draw_component(&self, drawing: &mut Drawing, component: usize, [top, bottom]: [f64; 2]) {
         let left = 190.0 + (component / 3) as f64 * 890.0;
         let floor = self.floors.of_component(component);
         let shown = |force: &[f64; 6]| clean(force[component], floor);
@@ -109,40 +91,44 @@ impl ForcePlot {
             // With zero, so that a constant force is recognizable.
             y: range(values.map(|point| shown(&point.1)).chain([0.0]), floor),
         };
-        panel.draw_zero(canvas)?;
+        panel.draw_zero(drawing);
         for curve in &self.curves {
             let points: Vec<_> = curve
                 .points
                 .iter()
                 .map(|(arc, force)| [*arc, shown(force)])
                 .collect();
-            panel.curve(canvas, &points, LINE, curve.color)?;
+            panel.curve(drawing, &points, LINE, curve.color);
             for point in points {
-                canvas.disc(panel.position(point), POINT, curve.color)?;
+                drawing.disc(panel.position(point), POINT, curve.color);
             }
         }
-        panel.draw_frame(canvas, [5, 4], true)?;
+        panel.draw_frame(drawing, [5, 4], true);
         let label = Label::new(SMALL).bold();
-        canvas.text(TITLES[component], [left, top + 26.0], label)
+        drawing.text(TITLES[component], [left, top + 26.0], label);
     }
 }
 
-impl Drawing for ForcePlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let (width, height) = canvas.size();
-        draw_title(canvas, &self.title, [40.0, 44.0])?;
+impl Figure for ForcePlot {
+    fn size(&self) -> (u32, u32) {
+        (WIDTH, HEIGHT)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        let (width, height) = drawing.size();
+        draw_title(drawing, &self.title, [40.0, 44.0]);
         let entry = |curve: &Curve| (curve.name.clone(), LINE, curve.color);
         let legend: Vec<_> = self.curves.iter().map(entry).collect();
-        let head = draw_legend(canvas, [40.0, 100.0], &legend)?;
+        let head = draw_legend(drawing, [40.0, 100.0], &legend);
         let foot = 56.0;
         let row = (height - head - foot) / 3.0;
         for component in 0..6 {
             let top = head + (component % 3) as f64 * row;
-            self.draw_component(canvas, component, [top, top + row])?;
+            self.draw_component(drawing, component, [top, top + row]);
         }
         let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
         let text = "arc position along the undeformed line [m]";
-        canvas.text(text, [0.5 * width, height - 34.0], label)
+        drawing.text(text, [0.5 * width, height - 34.0], label);
     }
 }
 
@@ -153,13 +139,10 @@ mod tests {
 
     #[test]
     fn every_component_has_a_plot_with_its_unit() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
         let plot = ForcePlot::new(&samples::bent(&[0.0, 1.0])).unwrap();
         assert_eq!(plot.curves[0].points.len(), 8);
         assert_eq!(plot.curves[0].points[7].0, 9.375);
-        plot.save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&plot);
         for expected in TITLES.iter().chain(&["blade"]) {
             assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
         }
@@ -169,8 +152,6 @@ mod tests {
     // Bending of 1e-13 N m compared with 1 kN is zero: the panel shows zero between -1 and 1.
     #[test]
     fn round_off_is_drawn_as_zero() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
         let mut result = samples::bent(&[0.0, 1.0]);
         let last = result.steps.last_mut().unwrap();
         last.reactions.clear();
@@ -178,8 +159,7 @@ mod tests {
             let noise = 1e-13 * (k as f64 - 3.5);
             section.internal_force.fixed_rows_mut::<3>(3).fill(noise);
         }
-        ForcePlot::new(&result).unwrap().save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&ForcePlot::new(&result).unwrap());
         assert!(!text.contains("e-13"));
         assert_eq!(text.matches("\n-1.0\n").count(), 3);
     }

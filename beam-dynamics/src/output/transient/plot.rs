@@ -4,11 +4,7 @@
 //! panel has one column, and else the columns, with tone and dashes for the runs; a legend above
 //! all panels shows this.
 
-use std::path::Path;
-
-use plotters::backend::DrawingBackend;
-use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{Anchor, Drawing, Figure, Label, TEXT, WIDTH};
 
 use super::{Heading, RunFileProblem, TimeTable};
 use crate::output::panel::{Panel, draw_title, range};
@@ -282,21 +278,8 @@ impl TimePlot {
         }
     }
 
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`OutputProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        write_figure(path, (WIDTH, self.full_height().ceil() as u32), self)
-    }
-
     /// Draws a panel whose legend begins at `top`.
-    fn draw_panel<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        curves: &Curves,
-        (top, is_last): (f64, bool),
-    ) -> Result<(), FigureProblem> {
+    fn draw_panel(&self, drawing: &mut Drawing, curves: &Curves, (top, is_last): (f64, bool)) {
         let legend = self.legend(curves);
         let frame_top = top + legend.height(space()) + GAPS[0];
         let panel = Panel {
@@ -307,19 +290,19 @@ impl TimePlot {
             x: self.range(),
             y: curves.range(),
         };
-        legend.draw(canvas, [panel.left, top], space())?;
-        panel.draw_zero(canvas)?;
+        legend.draw(drawing, [panel.left, top], space());
+        panel.draw_zero(drawing);
         for curve in &curves.curves {
             let stroke = self.stroke(curve);
             for piece in &curve.pieces {
                 let positions: Vec<_> = piece.iter().map(|point| panel.position(*point)).collect();
-                stroke.draw(canvas, &positions)?;
+                stroke.draw(drawing, &positions);
             }
         }
-        panel.draw_frame(canvas, [8, 5], is_last)?;
+        panel.draw_frame(drawing, [8, 5], is_last);
         let middle = 0.5 * (panel.top + panel.bottom);
         let label = Label::new(TEXT).anchored(Anchor::Middle).upward();
-        canvas.text(&format!("[{}]", curves.unit), [44.0, middle], label)
+        drawing.text(&format!("[{}]", curves.unit), [44.0, middle], label);
     }
 }
 
@@ -334,22 +317,26 @@ impl Curves {
     }
 }
 
-impl Drawing for TimePlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        draw_title(canvas, &self.title, [40.0, 40.0])?;
+impl Figure for TimePlot {
+    fn size(&self) -> (u32, u32) {
+        (WIDTH, self.full_height().ceil() as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        draw_title(drawing, &self.title, [40.0, 40.0]);
         if let Some(legend) = self.legend_of_runs() {
-            legend.draw(canvas, [MARGINS[0], HEAD], space())?;
+            legend.draw(drawing, [MARGINS[0], HEAD], space());
         }
         let mut top = self.head();
         for (number, curves) in self.panels.iter().enumerate() {
             let is_last = number + 1 == self.panels.len();
-            self.draw_panel(canvas, curves, (top, is_last))?;
+            self.draw_panel(drawing, curves, (top, is_last));
             top += self.height(curves);
         }
         let label = Label::new(TEXT).anchored(Anchor::Middle);
         let middle = MARGINS[0] + 0.5 * space();
-        let height = canvas.size().1;
-        canvas.text(&self.across, [middle, height - 36.0], label)
+        let height = drawing.size().1;
+        drawing.text(&self.across, [middle, height - 36.0], label);
     }
 }
 

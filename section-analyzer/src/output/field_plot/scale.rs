@@ -1,9 +1,7 @@
 //! Unit, range and colors of a field, and its color bar.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
 use shared_geom::figure::{
-    Anchor, Canvas, FigureProblem, Label, TEXT, Ticks, diverging, sequential, tick_label,
+    Anchor, Color, Drawing, Label, TEXT, Ticks, diverging, sequential, tick_label,
 };
 
 use super::field::Quantity;
@@ -11,13 +9,13 @@ use crate::output::figure_parts::draw_color_bar;
 use crate::output::plane::INK;
 
 /// Color of a field that is zero.
-const NOTHING: RGBColor = RGBColor(225, 225, 225);
+const NOTHING: Color = Color(225, 225, 225);
 /// Spread below which values are equal, relative to the largest value.
 const UNIFORM: f64 = 1e-6;
 /// Size below which values are round-off, relative to the largest.
 const NOISE: f64 = 1e-9;
 /// Color of failure, different from all others.
-const FAILED: RGBColor = RGBColor(214, 20, 60);
+const FAILED: Color = Color(214, 20, 60);
 /// A value of failure: all such values have the same color.
 const BEYOND: f64 = 2.0;
 /// Space at the end of the bar for failure, and gap before it [figure pixels].
@@ -127,7 +125,7 @@ impl Scale {
     }
 
     /// Color of a value [SI].
-    pub fn color(&self, value: f64) -> RGBColor {
+    pub fn color(&self, value: f64) -> Color {
         if self.is_zero() {
             return NOTHING;
         }
@@ -171,15 +169,9 @@ impl Scale {
     }
 
     /// Draws the bar between the `ends` from left to right, with ticks and its name.
-    pub fn draw_bar<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        [left, right]: [f64; 2],
-        top: f64,
-        name: &str,
-    ) -> Result<(), FigureProblem> {
+    pub fn draw_bar(&self, drawing: &mut Drawing, [left, right]: [f64; 2], top: f64, name: &str) {
         if self.is_zero() {
-            return Ok(());
+            return;
         }
         let bottom = top + HEIGHT;
         let label = Label::new(0.88 * TEXT)
@@ -188,30 +180,30 @@ impl Scale {
         let mut right = right;
         if self.quantity == Quantity::Index && self.high > 1.0 {
             let (low, high) = ([right - BOX, top], [right, bottom]);
-            draw_color_bar(canvas, low, high, |_| FAILED)?;
+            draw_color_bar(drawing, low, high, |_| FAILED);
             let below = [right - 0.5 * BOX, bottom + TICK + 0.7 * TEXT];
-            canvas.text("above 1: fails", below, label)?;
+            drawing.text("above 1: fails", below, label);
             right -= BOX + GAP;
         }
         let [low, high] = self.ends();
         let color = |part: f64| self.color(low + part * (high - low));
-        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
+        draw_color_bar(drawing, [left, top], [right, bottom], color);
 
         let [low, high] = [low, high].map(|value| value / self.factor);
         for (tick, text) in Ticks::between(low, high, 9).labeled() {
             let x = left + (right - left) * (tick - low) / (high - low);
-            canvas.line(&[[x, bottom], [x, bottom + TICK]], 2.0, INK)?;
-            canvas.text(&text, [x, bottom + TICK + 0.7 * TEXT], label)?;
+            drawing.line(&[[x, bottom], [x, bottom + TICK]], 2.0, INK);
+            drawing.text(&text, [x, bottom + TICK + 0.7 * TEXT], label);
         }
         let position = [0.5 * (left + right), bottom + TICK + 2.0 * TEXT];
-        canvas.text(
+        drawing.text(
             &self.axis_name(name),
             position,
             Label {
                 size: TEXT,
                 ..label
             },
-        )
+        );
     }
 
     fn axis_name(&self, name: &str) -> String {

@@ -1,7 +1,6 @@
 //! Rows of names with their lines; their height is known before drawing.
 
-use plotters::backend::DrawingBackend;
-use shared_geom::figure::{Canvas, FigureProblem, Label};
+use shared_geom::figure::{Drawing, Label};
 
 use super::line::Stroke;
 use crate::output::panel::SMALL;
@@ -45,19 +44,14 @@ impl Legend {
     }
 
     /// Draws the entries from the upper left corner to the right and downward.
-    pub fn draw<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        [left, top]: [f64; 2],
-        space: f64,
-    ) -> Result<(), FigureProblem> {
+    pub fn draw(&self, drawing: &mut Drawing, [left, top]: [f64; 2], space: f64) {
         for (entry, [position, row]) in self.entries.iter().zip(self.positions(space)) {
             let (name, stroke) = entry;
             let mut x = left + position;
             let y = top + ROW * (row + 0.5);
             let mut rest = width(entry).min(space - position);
             if let Some(stroke) = stroke {
-                stroke.draw(canvas, &[[x, y], [x + SAMPLE, y]])?;
+                stroke.draw(drawing, &[[x, y], [x + SAMPLE, y]]);
                 x += SAMPLE + GAPS[0];
                 rest -= SAMPLE + GAPS[0];
             }
@@ -65,11 +59,10 @@ impl Legend {
             // A single letter is not shortened by dots.
             let text = match name.chars().count() {
                 0 | 1 => name.clone(),
-                _ => canvas.shortened(name, label, rest),
+                _ => drawing.shortened(name, label, rest),
             };
-            canvas.text(&text, [x, y], label)?;
+            drawing.text(&text, [x, y], label);
         }
-        Ok(())
     }
 }
 

@@ -1,8 +1,6 @@
 //! Lines of curves: their strokes, and the reduced points of a long curve.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{CATEGORIES, Canvas, FigureProblem};
+use shared_geom::figure::{CATEGORIES, Color, Drawing};
 
 /// Width of a curve \[figure pixels\].
 const WIDTH: f64 = 3.5;
@@ -13,12 +11,12 @@ pub(super) const TONES: usize = 4;
 /// Lengths of dashes and gaps in turn \[figure pixels\].
 const DASHES: [&[f64]; 4] = [&[], &[20.0, 11.0], &[5.0, 9.0], &[20.0, 9.0, 5.0, 9.0]];
 /// Color of lines that represent a run, not a column.
-const NO_COLUMN: RGBColor = RGBColor(120, 120, 120);
+const NO_COLUMN: Color = Color(120, 120, 120);
 
 /// Style of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stroke {
-    color: RGBColor,
+    color: Color,
     /// \[figure pixels\].
     width: f64,
     /// Dashes and gaps \[figure pixels\]; none for a solid line.
@@ -60,9 +58,9 @@ impl Stroke {
             let channel = f64::from(channel);
             (channel + part * (toward - channel)).round() as u8
         };
-        let RGBColor(red, green, blue) = self.color;
+        let Color(red, green, blue) = self.color;
         Self {
-            color: RGBColor(mixed(red), mixed(green), mixed(blue)),
+            color: Color(mixed(red), mixed(green), mixed(blue)),
             width,
             dashes: DASHES[dashes],
         }
@@ -79,21 +77,16 @@ impl Stroke {
     }
 
     /// Draws the line through these positions; a dot for a single one.
-    pub fn draw<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        positions: &[[f64; 2]],
-    ) -> Result<(), FigureProblem> {
+    pub fn draw(&self, drawing: &mut Drawing, positions: &[[f64; 2]]) {
         if let [position] = positions {
-            return canvas.disc(*position, self.width, self.color);
+            return drawing.disc(*position, self.width, self.color);
         }
         if self.dashes.is_empty() {
-            return canvas.line(positions, self.width, self.color);
+            return drawing.line(positions, self.width, self.color);
         }
         for dash in dashed(positions, self.dashes) {
-            canvas.line(&dash, self.width, self.color)?;
+            drawing.line(&dash, self.width, self.color);
         }
-        Ok(())
     }
 }
 
