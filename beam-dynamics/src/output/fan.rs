@@ -1,6 +1,6 @@
 //! The fan plot: frequencies over rotor speed, with the multiples of the speed.
 
-use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, Label, TEXT, WIDTH, text_width};
+use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, Legend, WIDTH};
 
 use super::text::{DAMPED, RPM};
 use crate::case::{FrequencyUnit, Words};
@@ -16,7 +16,6 @@ mod labels;
 mod legend;
 mod per_rev;
 
-use axes::Axes;
 use boxes::Obstacles;
 use groups::{Group, groups};
 
@@ -24,8 +23,10 @@ use groups::{Group, groups};
 const SIZE: (u32, u32) = (WIDTH, 1250);
 /// Height of the plot of damping below \[figure pixels\].
 const DAMPING: u32 = 480;
-/// Size of labels next to lines.
-const SMALL: f64 = 0.8 * TEXT;
+/// Position of the legend \[figure pixels\].
+const LEGEND: f64 = 70.0;
+/// Title of the horizontal axis.
+const SPEED: &str = "rotor speed [rpm]";
 /// Largest frequency per revolution that is drawn, over the largest at the last speed.
 const PER_REV_LIMIT: f64 = 1.6;
 /// Colors of modes: the colors of categories without yellow, which is faint as a line.
@@ -142,6 +143,11 @@ impl FanPlot {
 }
 
 impl FanPlot {
+    /// Meaning of marks and lines.
+    fn legend(&self) -> Legend {
+        legend::legend(self)
+    }
+
     /// Title of the vertical axis.
     fn axis_title(&self) -> String {
         format!("{} [{}]", self.axis, self.unit.word())
@@ -151,19 +157,6 @@ impl FanPlot {
     fn is_damped(&self) -> bool {
         let mut ratios = self.curves.iter().flat_map(|c| c.damping.iter().flatten());
         ratios.any(|per_cent| per_cent.abs() > 100.0 * DAMPED)
-    }
-
-    /// The name above all, in smaller letters if it is long.
-    fn draw_title(&self, drawing: &mut Drawing, axes: &Axes) {
-        // Bold letters are wider than the measured ones.
-        let width = 1.2 * text_width(&self.title, Label::new(TEXT));
-        let (total, height) = (drawing.size().0, f64::from(SIZE.1));
-        let size = TEXT * ((total - axes.left - 24.0) / width).min(1.0);
-        drawing.text(
-            &self.title,
-            [axes.left, 0.032 * height],
-            Label::new(size).bold(),
-        );
     }
 }
 
@@ -213,8 +206,8 @@ impl Figure for FanPlot {
     }
 
     fn draw(&self, drawing: &mut Drawing) {
-        let axes = Axes::new(drawing, self);
-        let multiples = per_rev::multiples(&axes, self.multiples.as_deref());
+        let axes = axes::axes(self);
+        let multiples = per_rev::multiples(&axes, self.unit, self.multiples.as_deref());
         let mut obstacles = Obstacles::default();
         for curve in &self.curves {
             for run in curves::frequency_runs(self, curve, &axes) {
@@ -234,9 +227,11 @@ impl Figure for FanPlot {
         if self.is_damped() {
             damping::draw(drawing, self, &axes);
         }
-        axes.draw(drawing, self);
-        self.draw_title(drawing, &axes);
-        legend::draw(drawing, self, &axes);
+        let below = (!self.is_damped()).then_some(SPEED);
+        axes.draw(drawing, below, &self.axis_title());
+        drawing.title(&self.title, [axes.left, 40.0]);
+        let legend = self.legend();
+        legend.draw(drawing, [axes.left, LEGEND], f64::from(WIDTH) - axes.left);
     }
 }
 

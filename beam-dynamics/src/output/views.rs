@@ -1,9 +1,7 @@
 //! Views of a model along the axes: selection of two axes each, and one scale for all.
 
 use nalgebra::Vector3;
-use shared_geom::figure::{Anchor, Color, Drawing, Label, TEXT};
-
-use super::panel::{Panel, SMALL};
+use shared_geom::figure::{self, Axes, Color, Drawing};
 
 /// A line in space with its style.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,8 +94,8 @@ impl Extent {
 
     /// The view in a frame of `size` with the upper left corner at `corner`; its scales
     /// are equal where the frame has the aspect of the view.
-    pub fn panel(&self, view: View, [left, top]: [f64; 2], size: [f64; 2]) -> Panel {
-        Panel {
+    pub fn panel(&self, view: View, [left, top]: [f64; 2], size: [f64; 2]) -> Axes {
+        Axes {
             left,
             right: left + size[0],
             top,
@@ -119,8 +117,8 @@ impl Extent {
 /// Views next to or below each other, all in one scale.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Arrangement {
-    /// Panel of each view, from the upper left corner of all.
-    panels: Vec<(View, Panel)>,
+    /// Axes of each view, from the upper left corner of all.
+    panels: Vec<(View, Axes)>,
     /// Width and height of all \[figure pixels\].
     pub size: [f64; 2],
 }
@@ -185,32 +183,19 @@ pub(super) fn lengths(view: View) -> [String; 2] {
 pub(super) fn draw_view(
     drawing: &mut Drawing,
     (view, names): (View, &[String; 2]),
-    panel: &Panel,
+    panel: &Axes,
     strokes: &[Stroke],
     marks: &[(Vector3<f64>, Color)],
 ) {
     for stroke in strokes {
         let points: Vec<_> = stroke.points.iter().map(|p| view.map(|i| p[i])).collect();
-        panel.curve(drawing, &points, stroke.width, stroke.color);
+        let style = figure::Stroke::new(stroke.width, stroke.color);
+        panel.curve(drawing, &points, style);
     }
     for (mark, color) in marks {
         drawing.disc(panel.position(view.map(|i| mark[i])), 7.0, *color);
     }
-    draw_axes(drawing, names, panel);
-}
-
-fn draw_axes(drawing: &mut Drawing, [right, upward]: &[String; 2], panel: &Panel) {
-    let ticks = |length: f64, each: f64| ((length / each).round() as usize).clamp(1, 10);
-    let across = ticks(panel.right - panel.left, 170.0);
-    let up = ticks(panel.bottom - panel.top, 110.0);
-    panel.draw_frame(drawing, [across, up], true);
-    let middle = [
-        0.5 * (panel.left + panel.right),
-        0.5 * (panel.top + panel.bottom),
-    ];
-    let title = Label::new(0.5 * (TEXT + SMALL)).anchored(Anchor::Middle);
-    drawing.text(right, [middle[0], panel.bottom + 78.0], title);
-    drawing.text(upward, [panel.left - 122.0, middle[1]], title.upward());
+    panel.draw(drawing, Some(&names[0]), &names[1]);
 }
 
 /// Pixels per meter of views arranged below each other (`along` 0) or next to each other (1).

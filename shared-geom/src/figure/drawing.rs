@@ -3,7 +3,7 @@
 use super::color::Color;
 use super::shade::{ColorTable, ValueTriangle};
 use super::shape::{Label, Shape};
-use super::{raster, render};
+use super::{TEXT, raster, render};
 
 /// Shapes in the order in which they cover each other, on a white sheet.
 ///
@@ -117,6 +117,14 @@ impl Drawing {
             position,
             label,
         });
+    }
+
+    /// Writes a title above all panels on one line, in smaller letters if it is long.
+    pub fn title(&mut self, title: &str, [x, y]: [f64; 2]) {
+        let label = Label::new(TEXT).bold();
+        let part = (self.size().0 - x - 24.0) / text_width(title, label);
+        let size = TEXT * part.min(1.0);
+        self.text(title, [x, y], Label { size, ..label });
     }
 
     /// The text, its end cut off if it is wider than `space` \[figure pixels\].

@@ -1,11 +1,10 @@
 //! Buckling shapes of a model, over the equilibrium in gray.
 
 use nalgebra::Vector3;
-use shared_geom::figure::{CATEGORIES, Drawing, Figure, Label, WIDTH};
+use shared_geom::figure::{CATEGORIES, Drawing, Figure, GRAY, INK, Label, Legend, SMALL, WIDTH};
 
 use super::fields::{base, displaced, turned};
 use crate::input::short_number;
-use crate::output::panel::{GRAY, SMALL, draw_legend, draw_title};
 use crate::output::structure::Structure;
 use crate::output::views::{Extent, MARGINS, Stroke, View, draw_view, lengths};
 use crate::result::{BucklingMode, BucklingResult};
@@ -168,19 +167,19 @@ impl Figure for BucklingPlot {
     }
 
     fn draw(&self, drawing: &mut Drawing) {
-        draw_title(drawing, &self.title, [40.0, 44.0]);
+        drawing.title(&self.title, [40.0, 44.0]);
         let legend = [
             ("equilibrium".to_owned(), LINE, GRAY),
             ("shape, arbitrary scale".to_owned(), LINE, CATEGORIES[5]),
         ];
-        draw_legend(drawing, [40.0, 104.0], &legend);
+        Legend::of_lines(legend).draw(drawing, [40.0, 82.0], f64::from(WIDTH) - 80.0);
         let mut top = HEAD;
         for (modes, height) in self.modes.chunks(self.columns).zip(self.rows()) {
             for (column, mode) in modes.iter().enumerate() {
                 let left = 20.0 + self.column() * column as f64 + MARGINS[0];
                 let frame = self.frame(mode);
                 let panel = mode.extent.panel(mode.view, [left, top + TITLE], frame);
-                let label = Label::new(SMALL).bold();
+                let label = Label::new(SMALL).bold().colored(INK);
                 drawing.text(&mode.title, [left, top + 0.5 * TITLE], label);
                 let seen = (mode.view, &mode.names);
                 draw_view(drawing, seen, &panel, &mode.strokes, &[]);

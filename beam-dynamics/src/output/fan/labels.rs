@@ -1,10 +1,10 @@
 //! Names of the modes at the right ends of their lines.
 
-use shared_geom::figure::{Anchor, BLACK, Drawing, Label, WHITE, text_width};
+use shared_geom::figure::{Anchor, Axes, Drawing, INK, Label, SMALL, WHITE, text_width};
 
-use super::axes::{Axes, LEADER};
+use super::axes::LEADER;
 use super::boxes::{Box2, Obstacles, spread};
-use super::{Curve, FanPlot, SMALL};
+use super::{Curve, FanPlot};
 
 /// Distance of two names, in sizes of their letters.
 const LINE_SPACING: f64 = 1.15;
@@ -35,7 +35,7 @@ pub(super) fn draw_column(drawing: &mut Drawing, plot: &FanPlot, axes: &Axes) {
             [text - 10.0, height],
         ];
         drawing.line(&leader, LEADER_LINE, curve.color);
-        drawing.text(&curve.name, [text, height], Label::new(size).colored(BLACK));
+        drawing.text(&curve.name, [text, height], Label::new(size).colored(INK));
     }
 }
 

@@ -1,11 +1,13 @@
 //! Shapes of the lowest modes along the span, one small plot per mode.
 
-use shared_geom::figure::{Anchor, CATEGORIES, Color, Drawing, Figure, Label, TEXT, WIDTH};
+use shared_geom::figure::{
+    Anchor, Axes, CATEGORIES, Color, Drawing, Figure, INK, Label, Legend, SMALL, Stroke, TEXT,
+    WIDTH,
+};
 
 use super::{MemberMotion, Shaped, member_motion, shaped, structure};
 use crate::case::{Model, Words};
 use crate::input::short_number;
-use crate::output::panel::{LIGHT, Panel, SMALL, draw_legend, draw_title};
 use crate::output::text::{DAMPED, RPM};
 use crate::result::{FrequencyTable, ModeKind};
 
@@ -118,9 +120,9 @@ impl Shown {
         points.any(|point| point.1[component].im.abs() > FAINT)
     }
 
-    fn draw(&self, drawing: &mut Drawing, panel: &Panel, on_one_line: bool) {
-        panel.curve(drawing, &[[0.0, 0.0], [self.length, 0.0]], THIN, LIGHT);
-        for component in 0..NAMES.len() {
+    fn draw(&self, drawing: &mut Drawing, panel: &Axes, on_one_line: bool) {
+        panel.draw_zero(drawing);
+        for (component, color) in COLORS.into_iter().enumerate() {
             let part = |pick: fn(&nalgebra::Complex<f64>) -> f64| -> Vec<_> {
                 let points = self.member_motion.points.iter();
                 points
@@ -128,13 +130,13 @@ impl Shown {
                     .collect()
             };
             if self.is_real(component) {
-                panel.curve(drawing, &part(|z| z.re), LINE, COLORS[component]);
+                panel.curve(drawing, &part(|z| z.re), Stroke::new(LINE, color));
             }
             if self.is_complex(component) {
-                panel.curve(drawing, &part(|z| z.im), THIN, COLORS[component]);
+                panel.curve(drawing, &part(|z| z.im), Stroke::new(THIN, color));
             }
         }
-        panel.draw_frame(drawing, [4, 2], true);
+        panel.draw(drawing, Some(""), "");
         self.draw_title(drawing, panel, on_one_line);
     }
 
@@ -143,7 +145,7 @@ impl Shown {
     }
 
     /// Name and values on one line, or on two.
-    fn draw_title(&self, drawing: &mut Drawing, panel: &Panel, on_one_line: bool) {
+    fn draw_title(&self, drawing: &mut Drawing, panel: &Axes, on_one_line: bool) {
         let space = title_width(panel.right - panel.left);
         let label = Label::new(SMALL).bold();
         if on_one_line {
@@ -174,7 +176,7 @@ impl Figure for ShapePlot {
 
     fn draw(&self, drawing: &mut Drawing) {
         let (width, height) = drawing.size();
-        draw_title(drawing, &self.title, [40.0, 44.0]);
+        drawing.title(&self.title, [40.0, 44.0]);
         let entry = |component: usize| {
             let name = match component {
                 1 => ModeKind::Lag.word_in(self.words),
@@ -188,7 +190,7 @@ impl Figure for ShapePlot {
             let gray = Color(90, 90, 90);
             legend.push(("thin: a quarter of a period earlier".to_owned(), THIN, gray));
         }
-        draw_legend(drawing, [40.0, 104.0], &legend);
+        Legend::of_lines(legend).draw(drawing, [40.0, 82.0], width - 80.0);
         let column = (width - 60.0) / COLUMNS as f64;
         let (panel_width, bold) = (column - 140.0, Label::new(SMALL).bold());
         let fits = |mode: &Shown| {
@@ -199,7 +201,7 @@ impl Figure for ShapePlot {
         for (index, mode) in self.modes.iter().enumerate() {
             let left = 40.0 + column * (index % COLUMNS) as f64 + 90.0;
             let top = HEAD + ROW * (index / COLUMNS) as f64 + 50.0;
-            let panel = Panel {
+            let panel = Axes {
                 left,
                 right: left + panel_width,
                 top,
@@ -209,7 +211,7 @@ impl Figure for ShapePlot {
             };
             mode.draw(drawing, &panel, on_one_line);
         }
-        let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
+        let label = Label::new(TEXT).colored(INK).anchored(Anchor::Middle);
         let text = "arc position along the undeformed line [m]";
         drawing.text(text, [0.5 * width, height - 70.0], label);
         let text = "motion over its largest component [-]";

@@ -1,12 +1,11 @@
 //! The deformed shape along a load path, over the undeformed one.
 
 use nalgebra::Vector3;
-use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, WIDTH, sequential};
+use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, GRAY, Legend, WIDTH, sequential};
 
 use super::floors::ROUND_OFF;
 use super::text::most_displaced;
 use crate::input::short_number;
-use crate::output::panel::{GRAY, draw_legend, draw_title};
 use crate::output::structure::Structure;
 use crate::output::views::{Arrangement, Extent, Stroke};
 use crate::result::StaticResult;
@@ -105,8 +104,9 @@ impl Figure for DeformedPlot {
     }
 
     fn draw(&self, drawing: &mut Drawing) {
-        draw_title(drawing, &self.title, [40.0, 44.0]);
-        draw_legend(drawing, [40.0, 108.0], &self.legend);
+        drawing.title(&self.title, [40.0, 44.0]);
+        let legend = Legend::of_lines(self.legend.iter().cloned());
+        legend.draw(drawing, [40.0, 86.0], f64::from(WIDTH) - 80.0);
         let left = 0.5 * (drawing.size().0 - self.views.size[0]).max(0.0);
         self.views
             .draw(drawing, [left, HEAD], &self.strokes, &self.marks);

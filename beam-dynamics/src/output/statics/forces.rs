@@ -1,10 +1,9 @@
 //! Internal forces along blades and lines of beams, one small plot per component.
 
-use shared_geom::figure::{Anchor, CATEGORIES, Color, Drawing, Figure, Label, TEXT, WIDTH};
+use shared_geom::figure::{Axes, CATEGORIES, Color, Drawing, Figure, Legend, Stroke, WIDTH, range};
 
 use super::floors::{Floors, clean};
 use crate::input::short_number;
-use crate::output::panel::{Panel, SMALL, draw_legend, draw_title, range};
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
 
@@ -18,6 +17,8 @@ const TITLES: [&str; 6] = [
     "bending moment z [N m]",
 ];
 const HEIGHT: u32 = 1500;
+/// Space for the titles of the horizontal axes \[figure pixels\].
+const FOOT: f64 = 46.0;
 const LINE: f64 = 4.0;
 const POINT: f64 = 6.5;
 /// Forces and moments below this part of their scale are shown as zero.
@@ -82,30 +83,33 @@ impl ForcePlot {
         let floor = self.floors.of_component(component);
         let shown = |force: &[f64; 6]| clean(force[component], floor);
         let values = self.curves.iter().flat_map(|curve| &curve.points);
-        let panel = Panel {
+        let axes = Axes {
             left,
             right: left + 680.0,
-            top: top + 60.0,
+            top: top + 20.0,
             bottom: bottom - 66.0,
             x: [0.0, self.length],
             // With zero, so that a constant force is recognizable.
             y: range(values.map(|point| shown(&point.1)).chain([0.0]), floor),
         };
-        panel.draw_zero(drawing);
+        axes.draw_zero(drawing);
         for curve in &self.curves {
-            let points: Vec<_> = curve
-                .points
-                .iter()
-                .map(|(arc, force)| [*arc, shown(force)])
-                .collect();
-            panel.curve(drawing, &points, LINE, curve.color);
+            let points = curve.points.iter();
+            let points: Vec<_> = points.map(|(arc, force)| [*arc, shown(force)]).collect();
+            axes.curve(drawing, &points, Stroke::new(LINE, curve.color));
             for point in points {
-                drawing.disc(panel.position(point), POINT, curve.color);
+                drawing.disc(axes.position(point), POINT, curve.color);
             }
         }
-        panel.draw_frame(drawing, [5, 4], true);
-        let label = Label::new(SMALL).bold();
-        drawing.text(TITLES[component], [left, top + 26.0], label);
+        axes.draw(drawing, Some(title_below(component)), TITLES[component]);
+    }
+}
+
+/// Title of the horizontal axis: of the lowest panels only.
+fn title_below(component: usize) -> &'static str {
+    match component % 3 {
+        2 => "arc position along the undeformed line [m]",
+        _ => "",
     }
 }
 
@@ -115,20 +119,17 @@ impl Figure for ForcePlot {
     }
 
     fn draw(&self, drawing: &mut Drawing) {
-        let (width, height) = drawing.size();
-        draw_title(drawing, &self.title, [40.0, 44.0]);
+        drawing.title(&self.title, [40.0, 44.0]);
         let entry = |curve: &Curve| (curve.name.clone(), LINE, curve.color);
-        let legend: Vec<_> = self.curves.iter().map(entry).collect();
-        let head = draw_legend(drawing, [40.0, 100.0], &legend);
-        let foot = 56.0;
-        let row = (height - head - foot) / 3.0;
+        let legend = Legend::of_lines(self.curves.iter().map(entry));
+        let space = f64::from(WIDTH) - 80.0;
+        legend.draw(drawing, [40.0, 80.0], space);
+        let head = 90.0 + legend.height(space);
+        let row = (f64::from(HEIGHT) - head - FOOT) / 3.0;
         for component in 0..6 {
             let top = head + (component % 3) as f64 * row;
             self.draw_component(drawing, component, [top, top + row]);
         }
-        let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
-        let text = "arc position along the undeformed line [m]";
-        drawing.text(text, [0.5 * width, height - 34.0], label);
     }
 }
 

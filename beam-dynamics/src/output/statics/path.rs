@@ -1,10 +1,9 @@
 //! The factor of the loads over the displacement of a node.
 
-use shared_geom::figure::{Anchor, CATEGORIES, Color, Drawing, Figure, Label, TEXT, WIDTH};
+use shared_geom::figure::{Axes, CATEGORIES, Color, Drawing, Figure, Legend, Stroke, WIDTH, range};
 
 use super::floors::ROUND_OFF;
 use super::text::most_displaced;
-use crate::output::panel::{Panel, draw_legend, draw_title, range};
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
 
@@ -81,35 +80,28 @@ impl Figure for PathPlot {
     fn draw(&self, drawing: &mut Drawing) {
         let (width, height) = drawing.size();
         let points = || self.curves.iter().flat_map(|curve| &curve.points);
-        let panel = Panel {
+        let axes = Axes {
             left: 190.0,
             right: width - 50.0,
-            top: 170.0,
+            top: 150.0,
             bottom: height - 130.0,
             x: range(points().map(|point| point[0]), 0.0),
             y: range(points().map(|point| point[1]), 0.0),
         };
-        draw_title(drawing, &self.title, [40.0, 44.0]);
+        drawing.title(&self.title, [40.0, 44.0]);
         let entry = |curve: &Curve| (curve.name.to_owned(), LINE, curve.color);
-        let legend: Vec<_> = self.curves.iter().map(entry).collect();
-        draw_legend(drawing, [panel.left, 112.0], &legend);
-        panel.draw_zero(drawing);
+        let legend = Legend::of_lines(self.curves.iter().map(entry));
+        legend.draw(drawing, [axes.left, 86.0], axes.right - axes.left);
+        axes.draw_zero(drawing);
         for curve in &self.curves {
-            panel.curve(drawing, &curve.points, LINE, curve.color);
+            axes.curve(drawing, &curve.points, Stroke::new(LINE, curve.color));
             if curve.points.len() <= MOST_POINTS {
                 for point in &curve.points {
-                    drawing.disc(panel.position(*point), POINT, curve.color);
+                    drawing.disc(axes.position(*point), POINT, curve.color);
                 }
             }
         }
-        panel.draw_frame(drawing, [8, 8], true);
-        let label = Label::new(TEXT).anchored(Anchor::Middle);
-        let middle = [
-            0.5 * (panel.left + panel.right),
-            0.5 * (panel.top + panel.bottom),
-        ];
-        drawing.text("displacement [m]", [middle[0], height - 46.0], label);
-        drawing.text("factor of the loads [-]", [44.0, middle[1]], label.upward());
+        axes.draw(drawing, Some("displacement [m]"), "factor of the loads [-]");
     }
 }
 
