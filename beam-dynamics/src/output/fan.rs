@@ -1,6 +1,6 @@
 //! The fan plot: frequencies over rotor speed, with the multiples of the speed.
 
-use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, Legend, WIDTH};
+use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, WIDTH};
 
 use super::text::{DAMPED, RPM};
 use crate::case::{FrequencyUnit, Words};
@@ -143,11 +143,6 @@ impl FanPlot {
 }
 
 impl FanPlot {
-    /// Meaning of marks and lines.
-    fn legend(&self) -> Legend {
-        legend::legend(self)
-    }
-
     /// Title of the vertical axis.
     fn axis_title(&self) -> String {
         format!("{} [{}]", self.axis, self.unit.word())
@@ -230,8 +225,11 @@ impl Figure for FanPlot {
         let below = (!self.is_damped()).then_some(SPEED);
         axes.draw(drawing, below, &self.axis_title());
         drawing.title(&self.title, [axes.left, 40.0]);
-        let legend = self.legend();
-        legend.draw(drawing, [axes.left, LEGEND], f64::from(WIDTH) - axes.left);
+        let (mut top, space) = (LEGEND, f64::from(WIDTH) - axes.left);
+        for legend in legend::legends(self) {
+            legend.draw(drawing, [axes.left, top], space);
+            top += legend.height(space);
+        }
     }
 }
 

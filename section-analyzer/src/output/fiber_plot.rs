@@ -9,23 +9,23 @@
 //! ```
 
 use shared_geom::figure::{
-    Anchor, Color, Drawing, Figure, Label, TEXT, WHITE, WIDTH, diverging, tick_label,
+    Anchor, Color, Drawing, Figure, INK, Label, SMALL, WHITE, WIDTH, diverging,
 };
 
 use super::cell_colors::fill_cells;
 use super::figure_parts::{
-    BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TITLE, TOP, draw_color_bar, draw_title,
+    BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TOP, draw_color_bar, draw_title,
 };
 use super::layup_strip::LayupStrip;
 use super::outline::{Outline, Side, SideRole, side_points};
-use super::plane::{Extent, INK, Plane, PlotUnit};
+use super::plane::{Extent, Plane, PlotUnit};
 use crate::input::InputSummary;
 use crate::material::ElasticLaw;
 use crate::mesh::distance;
 use crate::section::Section;
 
 /// Height of the legend, and of one of its lines [figure pixels].
-const LEGEND: f64 = 330.0;
+const LEGEND: f64 = 390.0;
 const LINE: f64 = 54.0;
 /// Least distance between feet of flags [figure pixels]; smaller if their arrows point in other
 /// directions, as in a web and in the adjacent skins.
@@ -154,7 +154,7 @@ impl<'a> FiberPlot<'a> {
 
     fn draw_legend(&self, drawing: &mut Drawing) {
         let top = TOP + self.plane.frame[1] + BELOW;
-        let label = Label::new(0.88 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let foot = [LEFT + 10.0, top + 1.1 * LINE];
         draw_flag(drawing, foot, 0.0, (diverging(0.0), RIM));
         let beside = [foot[0] + ARROW + 16.0, foot[1] - POLE];
@@ -181,30 +181,12 @@ impl<'a> FiberPlot<'a> {
             let y = top + LINE * (0.5 + row as f64);
             drawing.text(line, [LEFT + 130.0, y], label);
         }
-        self.draw_bar(drawing, [LEFT + 130.0, top + LINE * (count as f64 + 0.25)]);
-    }
-
-    /// The scale of the fiber angle, its upper left corner at `[left, top]`.
-    fn draw_bar(&self, drawing: &mut Drawing, [left, top]: [f64; 2]) {
-        let (width, height) = (900.0, 32.0);
-        let at = |part: f64| left + 0.5 * width * (part + 1.0);
-        let (right, bottom) = (left + width, top + height);
-        let color = |part: f64| diverging(2.0 * part - 1.0);
-        draw_color_bar(drawing, [left, top], [right, bottom], color);
-        let label = Label::new(0.82 * TEXT)
-            .colored(INK)
-            .anchored(Anchor::Middle);
-        for part in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-            drawing.line(&[[at(part), bottom], [at(part), bottom + 8.0]], 2.0, INK);
-            let text = tick_label(part * self.scale, self.scale);
-            drawing.text(&text, [at(part), bottom + 30.0], label);
-        }
-        let name = label.anchored(Anchor::Start);
-        drawing.text(
-            "fiber angle [deg]",
-            [right + 40.0, top + 0.5 * height],
-            name,
-        );
+        let left = LEFT + 130.0;
+        let top = top + LINE * (count as f64 + 0.25);
+        let corners = [[left, top], [left + 900.0, top + 32.0]];
+        let ends = [-self.scale, self.scale];
+        let color = |angle: f64| diverging(angle / self.scale);
+        draw_color_bar(drawing, corners, (ends, "fiber angle [deg]"), color);
     }
 }
 
@@ -217,7 +199,7 @@ impl Figure for FiberPlot<'_> {
     fn draw(&self, drawing: &mut Drawing) {
         let title = [self.section.name.as_str(), ": fiber directions"];
         let space = f64::from(WIDTH) - LEFT - RIGHT;
-        draw_title(drawing, title, TITLE, [LEFT, 50.0], space);
+        draw_title(drawing, title, [LEFT, 50.0], space);
         let line = format!(
             "flags in {} of {} cells{}",
             self.flags.len(),
@@ -227,7 +209,7 @@ impl Figure for FiberPlot<'_> {
                 false => "",
             }
         );
-        drawing.text(&line, [LEFT, 105.0], Label::new(0.88 * TEXT).colored(INK));
+        drawing.text(&line, [LEFT, 105.0], Label::new(SMALL).colored(INK));
         self.plane.draw_axes(drawing, &self.unit);
         self.draw_cells(drawing);
         self.draw_flags(drawing);

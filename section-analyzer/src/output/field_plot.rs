@@ -1,10 +1,10 @@
 //! Values over a section in colors: stresses and failure indices of a load case.
 
-use shared_geom::figure::{BLACK, Drawing, Figure, Label, TEXT, WHITE, WIDTH, tick_label};
+use shared_geom::figure::{BLACK, Drawing, Figure, INK, Label, SMALL, WHITE, WIDTH, tick_label};
 
-use super::figure_parts::{LEFT, TITLE, draw_title};
+use super::figure_parts::{LEFT, draw_title};
 use super::outline::{Side, SideRole, side_points, sides_by, widths};
-use super::plane::{Extent, INK, Plane, PlotUnit};
+use super::plane::{Extent, Plane, PlotUnit};
 use super::text::rounded;
 use crate::input::InputSummary;
 use crate::section::Section;
@@ -138,10 +138,10 @@ impl<'a> FieldPlot<'a> {
 
     fn draw_title(&self, drawing: &mut Drawing) {
         let space = f64::from(WIDTH) - LEFT - RIGHT;
-        let label = Label::new(0.88 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let what = format!(": {}", self.field.title);
         let title = [self.section.name.as_str(), &what];
-        draw_title(drawing, title, TITLE, [LEFT, 50.0], space);
+        draw_title(drawing, title, [LEFT, 50.0], space);
         for (row, words) in self.words.iter().enumerate() {
             let y = 105.0 + NOTE * row as f64;
             drawing.text(&drawing.shortened(words, label, space), [LEFT, y], label);
@@ -212,7 +212,7 @@ impl<'a> FieldPlot<'a> {
     /// Lowest and highest value with their positions, below the color bar.
     fn draw_legend(&self, drawing: &mut Drawing) {
         let top = self.legend();
-        let label = Label::new(0.94 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let space = f64::from(WIDTH) - LEFT - RIGHT - 50.0;
         // the highest first
         let both = self.extremes.iter().flatten().zip(Mark::BOTH);

@@ -3,11 +3,11 @@
 //! A straight cut runs from the middle of a side of the boundary along its normal to the other
 //! face of the wall; consecutive cells of one material and fiber angle are a ply.
 
-use shared_geom::figure::{Anchor, Color, Drawing, Label, TEXT, WIDTH, tick_label};
+use shared_geom::figure::{Anchor, Color, Drawing, INK, Label, SMALL, TEXT, WIDTH, tick_label};
 
-use super::figure_parts::{LEFT, RIGHT};
+use super::figure_parts::{LEFT, RIGHT, boxed};
 use super::outline::{Outline, Side, SideRole};
-use super::plane::{INK, Plane, PlotUnit};
+use super::plane::{Plane, PlotUnit};
 use super::text::rounded;
 use crate::mesh::distance;
 use crate::section::{CellMaterial, Section};
@@ -98,7 +98,7 @@ impl LayupStrip {
         top: f64,
         color: impl Fn(usize) -> Color,
     ) {
-        let label = Label::new(0.88 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let words = "plies of the wall along the cut, from the end called 1:";
         drawing.text(words, [LEFT, top + 0.4 * HEADING], label);
         let width = (f64::from(WIDTH) - LEFT - RIGHT) / COLUMNS as f64;
@@ -107,10 +107,9 @@ impl LayupStrip {
             let left = LEFT + width * (number / self.rows()) as f64;
             let above = top + HEADING + ROW * (number % self.rows()) as f64;
             let (right, below) = (left + BOX, above + ROW);
-            let corners = [[left, above], [right, above], [right, below], [left, below]];
-            let [a, b, c, d] = corners;
+            let corners = boxed([left, above], [right, below]);
             drawing.polygon(&corners, color(ply.cell));
-            drawing.line(&[a, b, c, d, a], 2.0, INK);
+            drawing.outline(&corners, 2.0, INK);
             let left_out = self.plies.len() - shown;
             let text = match number + 1 == shown && left_out > 0 {
                 true => format!("and {} more plies", left_out + 1),

@@ -1,13 +1,13 @@
 //! The mesh in the colors of its materials, with the centers of the section.
 
 use shared_geom::figure::{
-    Anchor, BLACK, Color, Drawing, Figure, Label, TEXT, WHITE, WIDTH, category, tick_label,
+    Anchor, BLACK, Color, Drawing, Figure, INK, Label, SMALL, WHITE, WIDTH, category, tick_label,
 };
 
 use super::cell_colors::fill_cells;
-use super::figure_parts::{BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TITLE, TOP, draw_title};
+use super::figure_parts::{BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TOP, boxed, draw_title};
 use super::outline::{Outline, Side, SideRole, side_points};
-use super::plane::{Extent, INK, Plane, PlotUnit};
+use super::plane::{Extent, Plane, PlotUnit};
 use super::text::rounded;
 use crate::input::InputSummary;
 use crate::properties::Centers;
@@ -117,14 +117,14 @@ impl<'a> MeshPlot<'a> {
     fn draw_title(&self, drawing: &mut Drawing) {
         let section = self.section;
         let space = f64::from(WIDTH) - LEFT - RIGHT;
-        draw_title(drawing, [&section.name, ""], TITLE, [LEFT, 50.0], space);
+        draw_title(drawing, [&section.name, ""], [LEFT, 50.0], space);
         let line = format!(
             "{} nodes, {} cells{}",
             section.mesh.nodes.len(),
             section.mesh.cells.len(),
             self.true_scale()
         );
-        drawing.text(&line, [LEFT, 105.0], Label::new(0.88 * TEXT).colored(INK));
+        drawing.text(&line, [LEFT, 105.0], Label::new(SMALL).colored(INK));
     }
 
     /// Note on walls that are drawn wider than in reality.
@@ -180,20 +180,14 @@ impl<'a> MeshPlot<'a> {
 
     fn draw_legend(&self, drawing: &mut Drawing) {
         let top = TOP + self.plane.frame[1] + BELOW + 0.5 * LINE;
-        let label = Label::new(0.94 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let second = 0.42 * f64::from(WIDTH);
         for (row, name) in self.legend_names().iter().enumerate() {
             let y = top + LINE * row as f64;
             if row < NAMES - 1 || self.colors <= NAMES {
-                let (left, right) = (LEFT, LEFT + 56.0);
-                let box_ = [
-                    [left, y - 18.0],
-                    [right, y - 18.0],
-                    [right, y + 18.0],
-                    [left, y + 18.0],
-                ];
-                drawing.polygon(&box_, category(row));
-                drawing.line(&[box_[0], box_[1], box_[2], box_[3], box_[0]], 2.0, INK);
+                let corners = boxed([LEFT, y - 18.0], [LEFT + 56.0, y + 18.0]);
+                drawing.polygon(&corners, category(row));
+                drawing.outline(&corners, 2.0, INK);
             }
             let space = second - LEFT - 110.0;
             drawing.text(

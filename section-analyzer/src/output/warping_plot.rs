@@ -2,14 +2,14 @@
 
 use nalgebra::DMatrix;
 use shared_geom::figure::{
-    Anchor, Color, Drawing, Figure, Label, TEXT, ValueTriangle, WIDTH, diverging,
+    Anchor, Color, Drawing, Figure, INK, Label, SMALL, TEXT, ValueTriangle, WIDTH, diverging,
 };
 use shared_geom::wrench::COMPONENTS;
 
 use super::cell_pieces::{PIECE, Patterns};
 use super::figure_parts::{THINNEST, draw_color_bar, draw_title, fill_cell};
 use super::outline::{Outline, Side, SideRole, side_points};
-use super::plane::{Extent, INK, Plane};
+use super::plane::{Extent, Plane};
 use crate::mesh::distance;
 use crate::section::Section;
 use crate::solution::SectionSolution;
@@ -28,7 +28,7 @@ const GAP: f64 = 50.0;
 const HEADING: f64 = 115.0;
 /// Space for the title of the figure, and for the color bar below the panels.
 const TITLE: f64 = 100.0;
-const BAR: f64 = 220.0;
+const BAR: f64 = 230.0;
 /// Size of the pieces of a cell that have one color each, for walls so thin that their rims are
 /// drawn too [figure pixels].
 const FLAT: f64 = 5.0;
@@ -112,7 +112,7 @@ impl<'a> WarpingPlot<'a> {
         let label = Label::new(TEXT).anchored(Anchor::Middle);
         drawing.text(&title(component), [middle, top + 28.0], label.bold());
         let words = Label {
-            size: 0.8 * TEXT,
+            size: SMALL,
             color: INK,
             ..label
         };
@@ -194,25 +194,13 @@ impl<'a> WarpingPlot<'a> {
         let (width, height) = drawing.size();
         let (left, right) = (0.3 * width, 0.7 * width);
         let (top, bottom) = (height - BAR + 30.0, height - BAR + 66.0);
-        let color = |part: f64| diverging(2.0 * part - 1.0);
-        draw_color_bar(drawing, [left, top], [right, bottom], color);
-        let label = Label::new(0.88 * TEXT)
-            .colored(INK)
-            .anchored(Anchor::Middle);
-        for (x, text) in [(left, "-1"), (0.5 * width, "0"), (right, "1")] {
-            drawing.text(text, [x, bottom + 26.0], label);
-        }
-        let words = [
-            "color: warping along x over its largest [-]; dark outline: warping in the plane,",
-            "exaggerated; above each panel: the largest along x and in the y-z plane",
-        ];
-        let label = Label {
-            size: 0.8 * TEXT,
-            ..label
-        };
-        for (text, below) in words.into_iter().zip([78.0, 120.0]) {
-            drawing.text(text, [0.5 * width, bottom + below], label);
-        }
+        let name = "warping along x over its largest [-]";
+        let corners = [[left, top], [right, bottom]];
+        draw_color_bar(drawing, corners, ([-1.0, 1.0], name), diverging);
+        let words = "dark outline: warping in the plane, exaggerated; \
+            above each panel: the largest along x and in the y-z plane";
+        let label = Label::new(SMALL).colored(INK).anchored(Anchor::Middle);
+        drawing.text(words, [0.5 * width, bottom + 136.0], label);
     }
 }
 
@@ -229,7 +217,7 @@ impl Figure for WarpingPlot<'_> {
             ": warping per unit internal force",
         ];
         let space = f64::from(WIDTH) - 2.0 * EDGE;
-        draw_title(drawing, title, 1.1 * TEXT, [EDGE, 45.0], space);
+        draw_title(drawing, title, [EDGE, 45.0], space);
         for component in 0..COMPONENTS.len() {
             self.draw_panel(drawing, component);
         }

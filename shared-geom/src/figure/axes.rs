@@ -19,7 +19,7 @@ pub const LIGHT: Color = Color(220, 220, 220);
 const TICK: f64 = 10.0;
 const FRAME: f64 = 2.5;
 /// Distance of ticks that have labels: across and up \[figure pixels\].
-const APART: [f64; 2] = [170.0, 80.0];
+const APART: [f64; 2] = [150.0, 90.0];
 /// Distance from the lower edge to the middle of the title below it \[figure pixels\].
 pub const TITLE: f64 = TICK + 2.1 * TEXT;
 /// Least distance from the left edge to the middle of the title beside it, so that the titles
@@ -145,11 +145,17 @@ impl Axes {
         }
     }
 
+    /// Writes a note in the upper right corner of the frame.
+    pub fn note(&self, drawing: &mut Drawing, text: &str) {
+        let label = Label::new(SMALL).colored(INK).anchored(Anchor::End);
+        drawing.text(text, [self.right - TICK, self.top + 0.7 * TEXT], label);
+    }
+
     /// Ticks as close as their labels allow, across and up.
     fn ticks(&self) -> [Ticks; 2] {
         let lengths = [self.right - self.left, self.bottom - self.top];
         [(self.x, 0), (self.y, 1)].map(|([low, high], axis)| {
-            let count = (lengths[axis] / APART[axis]).round().clamp(2.0, 12.0);
+            let count = (lengths[axis] / APART[axis]).round().clamp(2.0, 10.0);
             Ticks::between(low, high, count as usize)
         })
     }

@@ -2,6 +2,7 @@
 
 use shared_geom::figure::{Axes, Label, SMALL, WIDTH, text_width};
 
+use super::legend::legends;
 use super::{FanPlot, LEGEND, SIZE};
 
 /// Margin above the highest frequency, as part of it.
@@ -34,11 +35,11 @@ pub(super) fn axes(plot: &FanPlot) -> Axes {
     let measured = plot.measured.iter().map(|point| point[1]);
     let frequencies = computed.flatten().copied().chain(measured);
     let highest = frequencies.fold(0.0, f64::max) * (1.0 + HEADROOM);
-    let legend = plot.legend().height(f64::from(WIDTH) - LEFT);
+    let legends = legends(plot).map(|legend| legend.height(f64::from(WIDTH) - LEFT));
     Axes {
         left: LEFT,
         right: f64::from(WIDTH) - widest - LEADER - RIGHT,
-        top: LEGEND + legend + ABOVE,
+        top: LEGEND + legends[0] + legends[1] + ABOVE,
         bottom: f64::from(SIZE.1) - BELOW,
         x: [if low > FAR_FROM_ZERO * high { low } else { 0.0 }, high],
         y: [0.0, if highest > 0.0 { highest } else { 1.0 }],

@@ -7,10 +7,11 @@ use crate::result::ModeKind;
 
 const GRAY: Color = Color(90, 90, 90);
 
-/// The marks of the kinds that the plot has, the ring of measured points, the multiples of the
-/// rotor speed, the patterns of lines, and the mark of critical speeds.
-pub(super) fn legend(plot: &FanPlot) -> Legend {
-    let mut legend = Legend::default();
+/// Two legends, the second one below the first one: the marks of the kinds that the plot has, the
+/// ring of measured points and the multiples of the rotor speed; the patterns of lines and the
+/// mark of critical speeds.
+pub(super) fn legends(plot: &FanPlot) -> [Legend; 2] {
+    let [mut legend, mut lines] = [Legend::default(), Legend::default()];
     let others = [ModeKind::Lateral, ModeKind::Coupled];
     for kind in ModeKind::PURE.into_iter().chain(others) {
         let mut kinds = plot.curves.iter().flat_map(|curve| &curve.kinds);
@@ -26,12 +27,12 @@ pub(super) fn legend(plot: &FanPlot) -> Legend {
     legend.add("nP: n per revolution", Sample::Line(per_rev::STROKE));
     for (pattern, text) in &plot.patterns {
         let stroke = Stroke::new(curves::LINE, GRAY).dashed(*pattern);
-        legend.add(text, Sample::Line(stroke));
+        lines.add(text, Sample::Line(stroke));
     }
     if !plot.critical.is_empty() {
         let size = curves::diamond_size(plot.critical.len());
         let diamond = Sample::Mark(Mark::OpenDiamond, size, curves::BLACK);
-        legend.add("critical speed", diamond);
+        lines.add("critical speed", diamond);
     }
-    legend
+    [legend, lines]
 }

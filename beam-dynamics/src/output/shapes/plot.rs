@@ -41,9 +41,8 @@ pub struct ShapePlot {
 
 #[derive(Debug, Clone, PartialEq)]
 struct Shown {
-    /// Name, with the member if there are several.
     name: String,
-    /// Frequency, and damping if there is any.
+    /// Frequency, damping if there is any, and the member if there are several.
     values: String,
     length: f64,
     member_motion: MemberMotion,
@@ -66,12 +65,11 @@ impl ShapePlot {
                 let per_cent = short_number(100.0 * mode.damping_ratio, 2);
                 values.push_str(&format!(", {per_cent} %"));
             }
-            let name = match structure.members.len() {
-                1 => mode.shown.clone(),
-                _ => format!("{} ({})", mode.shown, member.name),
-            };
+            if structure.members.len() > 1 {
+                values.push_str(&format!(", {}", member.name));
+            }
             Some(Shown {
-                name,
+                name: mode.shown.clone(),
                 values,
                 length: member.length,
                 member_motion,
@@ -190,7 +188,7 @@ impl Figure for ShapePlot {
             let gray = Color(90, 90, 90);
             legend.push(("thin: a quarter of a period earlier".to_owned(), THIN, gray));
         }
-        Legend::of_lines(legend).draw(drawing, [40.0, 82.0], width - 80.0);
+        Legend::of_lines(legend).draw(drawing, [40.0, 74.0], width - 80.0);
         let column = (width - 60.0) / COLUMNS as f64;
         let (panel_width, bold) = (column - 140.0, Label::new(SMALL).bold());
         let fits = |mode: &Shown| {

@@ -102,6 +102,12 @@ impl ForcePlot {
             }
         }
         axes.draw(drawing, Some(title_below(component)), TITLES[component]);
+        let values = self.curves.iter().flat_map(|curve| &curve.points);
+        let sizes = values.map(|point| point.1[component].abs());
+        let largest = sizes.fold(0.0, f64::max);
+        if largest > 0.0 && largest <= floor {
+            axes.note(drawing, "zero up to round-off");
+        }
     }
 }
 

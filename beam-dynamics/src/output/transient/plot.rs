@@ -113,7 +113,7 @@ impl TimePlot {
         }
         let mut plot = Self {
             title: names::title(tables),
-            across: format!("{} [{}]", heading.name, heading.shown_unit()),
+            across: title_across(&heading),
             path_unit: match heading.name.as_str() {
                 "time" => String::new(),
                 _ => heading.shown_unit().to_owned(),
@@ -283,14 +283,9 @@ impl TimePlot {
             }
         };
         let columns = panel.columns.iter().enumerate();
-        let mut entries: Vec<_> = columns.map(entry).collect();
-        let largest = panel.largest();
-        if largest > 0.0 && largest <= self.floor(&panel.unit) {
-            let largest = short_number(largest, 2);
-            let note = format!("zero up to round-off: at most {largest} {}", panel.unit);
-            entries.push((note, Sample::None));
+        Legend {
+            entries: columns.map(entry).collect(),
         }
-        Legend { entries }
     }
 
     /// Magnitude up to which values of a unit are round-off.
@@ -331,6 +326,12 @@ impl TimePlot {
         let length = axes.bottom - axes.top;
         let title = titles::title(&curves.meanings, &curves.unit, length);
         axes.draw(drawing, below, &title);
+        let largest = curves.largest();
+        if largest > 0.0 && largest <= self.floor(&curves.unit) {
+            let largest = short_number(largest, 2);
+            let note = format!("zero up to round-off: at most {largest} {}", curves.unit);
+            axes.note(drawing, &note);
+        }
     }
 }
 
@@ -398,6 +399,13 @@ fn common_heading(
     }
     let heading = first.cloned().unwrap_or_else(Heading::time);
     Ok((heading, tight(values.into_iter())))
+}
+
+/// Meaning, or else name, and unit of the horizontal axis.
+fn title_across(heading: &Heading) -> String {
+    let words = Some(&heading.words).filter(|words| !words.is_empty());
+    let unit = heading.shown_unit().replace('*', " ");
+    format!("{} [{unit}]", words.unwrap_or(&heading.name))
 }
 
 /// Whether two columns have one unit and names that differ only after the last `_`.

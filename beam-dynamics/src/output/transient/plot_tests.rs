@@ -70,7 +70,13 @@ fn a_run_has_a_panel_for_each_unit_and_a_color_for_each_column() {
     let one = table("results/a.transient.csv", 400);
     let drawing = drawn(std::slice::from_ref(&one), "time", &[]).unwrap();
     let expected = [
-        "a model", "tip_x", "tip_y", "count", "[mm]", "[-]", "time [s]",
+        "a model",
+        "tip_x",
+        "tip_y",
+        "count",
+        "length [mm]",
+        "number [-]",
+        "time [s]",
     ];
     assert_texts(&drawing, &expected);
     let found = colors(&drawing);
@@ -96,7 +102,7 @@ fn runs_of_many_columns_are_reported_by_tone_and_columns_by_color() {
     let both = ["a", "b"].map(|name| table(&format!("results/{name}.transient.csv"), 100));
     let drawing = drawn(&both, "time", &["tip_*"]).unwrap();
     assert_texts(&drawing, &["a", "b", "tip_x", "tip_y"]);
-    assert!(!has(&drawing, "[-]"));
+    assert!(!has(&drawing, "number [-]"));
     let found = colors(&drawing);
     let distinct: std::collections::BTreeSet<_> = found.iter().collect();
     assert_eq!((found.len(), distinct.len()), (4, 4));
@@ -167,6 +173,22 @@ fn wrong_columns_units_and_times_are_reported() {
     part.between(0.995, 1.205);
     assert_eq!(part.rows(), 21);
     assert_eq!(part.columns[0][0], 1.0);
+}
+
+// Beside a position of one meter, 1e-15 m are zero; alone they are not.
+#[test]
+fn round_off_is_drawn_flat_with_a_note() {
+    let mut one = wide(8);
+    for column in &mut one.columns[4..10] {
+        column.fill(1e-15);
+    }
+    let wanted: Vec<_> = (0..8).map(|k| format!("place_{k}")).collect();
+    let wanted: Vec<_> = wanted.iter().map(String::as_str).collect();
+    let note = "zero up to round-off: at most 1e-15 m";
+    let both = drawn(std::slice::from_ref(&one), "time", &wanted).unwrap();
+    assert_texts(&both, &[note, "length [m]"]);
+    let alone = drawn(&[one], "time", &wanted[..6]).unwrap();
+    assert!(!has(&alone, note));
 }
 
 #[test]

@@ -38,12 +38,18 @@ pub(super) fn title(meanings: &[String], unit: &str, space: f64) -> String {
         common(meanings.iter().map(|text| bare(split(text).0).to_owned())),
     ];
     let titles = candidates.into_iter().flatten();
-    let mut titles = titles.map(|quantity| format!("{quantity} [{unit}]"));
-    let fits = |title: &String| text_width(title, Label::new(TEXT)) <= space + BEYOND;
-    titles.find(fits).unwrap_or_else(|| match quantity(&unit) {
-        Some(quantity) => format!("{quantity} [{unit}]"),
-        None => format!("value [{unit}]"),
-    })
+    let titles: Vec<_> = titles
+        .map(|quantity| format!("{quantity} [{unit}]"))
+        .collect();
+    let fits = |title: &&String| text_width(title, Label::new(TEXT)) <= space + BEYOND;
+    if let Some(title) = titles.iter().find(fits) {
+        return title.clone();
+    }
+    match (quantity(&unit), titles.last()) {
+        (Some(quantity), _) => format!("{quantity} [{unit}]"),
+        (None, Some(long)) => long.clone(),
+        (None, None) => format!("value [{unit}]"),
+    }
 }
 
 /// The text that all share, unless it is empty.
@@ -117,5 +123,9 @@ mod tests {
         assert_eq!(title(&[y, "elongation of rod"], 1e3), "length [m]");
         assert_eq!(title(&[y, ""], 1e3), "length [m]");
         assert_eq!(title(&[y], 200.0), "position y [m]");
+        assert_eq!(
+            title(&["a long meaning without an owner"], 200.0),
+            "length [m]"
+        );
     }
 }
