@@ -324,7 +324,7 @@ impl TimePlot {
         }
         let below = is_last.then_some(self.across.as_str());
         let length = axes.bottom - axes.top;
-        let title = titles::title(&curves.meanings, &curves.unit, length);
+        let title = titles::title(&curves.columns, &curves.meanings, &curves.unit, length);
         axes.draw(drawing, below, &title);
         let largest = curves.largest();
         if largest > 0.0 && largest <= self.floor(&curves.unit) {

@@ -75,7 +75,7 @@ fn a_run_has_a_panel_for_each_unit_and_a_color_for_each_column() {
         "tip_y",
         "count",
         "length [mm]",
-        "number [-]",
+        "count [-]",
         "time [s]",
     ];
     assert_texts(&drawing, &expected);
@@ -102,7 +102,7 @@ fn runs_of_many_columns_are_reported_by_tone_and_columns_by_color() {
     let both = ["a", "b"].map(|name| table(&format!("results/{name}.transient.csv"), 100));
     let drawing = drawn(&both, "time", &["tip_*"]).unwrap();
     assert_texts(&drawing, &["a", "b", "tip_x", "tip_y"]);
-    assert!(!has(&drawing, "number [-]"));
+    assert!(!has(&drawing, "count [-]"));
     let found = colors(&drawing);
     let distinct: std::collections::BTreeSet<_> = found.iter().collect();
     assert_eq!((found.len(), distinct.len()), (4, 4));

@@ -22,14 +22,15 @@ const QUANTITIES: [(&str, &[&str]); 13] = [
     ("charge", &["C", "mC", "uC", "nC"]),
 ];
 /// Components at the end of the name of a quantity.
-const COMPONENTS: [&str; 3] = [" x", " y", " z"];
+const COMPONENTS: [&str; 4] = [" x", " y", " z", " magnitude"];
 /// Largest length of a title beyond its axis \[figure pixels\].
 const BEYOND: f64 = 2.0 * TEXT;
 
 /// Title for columns of a unit, as long as the length `space` of the axis allows
 /// \[figure pixels\]: `position y of tip [m]`, `position of tip [m]`, `position [m]`, or by the
-/// unit alone `length [m]`. `meanings` are texts such as `position y of tip`; empty if unknown.
-pub(super) fn title(meanings: &[String], unit: &str, space: f64) -> String {
+/// unit alone `length [m]`. `meanings` are texts such as `position y of tip`, empty if unknown; the
+/// name of a single one of the columns `names` represents a quantity that its unit does not state.
+pub(super) fn title(names: &[String], meanings: &[String], unit: &str, space: f64) -> String {
     let unit = unit.replace('*', " ");
     let candidates = [
         common(meanings.iter().map(String::as_str)),
@@ -45,10 +46,12 @@ pub(super) fn title(meanings: &[String], unit: &str, space: f64) -> String {
     if let Some(title) = titles.iter().find(fits) {
         return title.clone();
     }
-    match (quantity(&unit), titles.last()) {
-        (Some(quantity), _) => format!("{quantity} [{unit}]"),
-        (None, Some(long)) => long.clone(),
-        (None, None) => format!("value [{unit}]"),
+    match (quantity(&unit), titles.last(), names) {
+        (Some(quantity), ..) => format!("{quantity} [{unit}]"),
+        (None, Some(long), _) => long.clone(),
+        (None, None, [name]) => format!("{name} [{unit}]"),
+        _ if unit == "-" => "number [-]".to_owned(),
+        _ => format!("value [{unit}]"),
     }
 }
 
@@ -84,9 +87,6 @@ fn without_component(meaning: &str) -> String {
 }
 
 fn quantity(unit: &str) -> Option<&'static str> {
-    if unit == "-" {
-        return Some("number");
-    }
     let of_unit = |known: &&(&str, &[&str])| known.1.contains(&unit);
     QUANTITIES.iter().find(of_unit).map(|known| known.0)
 }
@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn units_state_their_quantities() {
-        let titles = ["N*m", "mm", "rpm", "J", "-", "Pa"].map(|unit| title(&[], unit, 1e3));
+        let titles = ["N*m", "mm", "rpm", "J", "-", "Pa"].map(|unit| title(&[], &[], unit, 1e3));
         let expected = [
             "moment [N m]",
             "length [mm]",
@@ -107,13 +107,16 @@ mod tests {
             "value [Pa]",
         ];
         assert_eq!(titles, expected);
+        let names = ["count".to_owned()];
+        assert_eq!(title(&names, &[String::new()], "-", 1e3), "count [-]");
+        assert_eq!(title(&names, &[], "mm", 1e3), "length [mm]");
     }
 
     #[test]
     fn meanings_are_given_as_far_as_they_are_common_and_fit() {
         let title = |meanings: &[&str], space: f64| {
             let meanings: Vec<_> = meanings.iter().map(|text| (*text).to_owned()).collect();
-            title(&meanings, "m", space)
+            title(&[], &meanings, "m", space)
         };
         let [y, z] = ["position y of tip", "position z of tip"];
         assert_eq!(title(&[y], 1e3), "position y of tip [m]");
