@@ -31,13 +31,13 @@ const MARGIN: f64 = 0.06;
 /// A frame \[figure pixels\] and the values at its edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axes {
-    /// Left edge \[figure pixels\].
+    /// Left edge \[figure pixels, unit of the drawing\].
     pub left: f64,
-    /// Right edge \[figure pixels\].
+    /// Right edge \[figure pixels, unit of the drawing\].
     pub right: f64,
-    /// Upper edge \[figure pixels\].
+    /// Upper edge \[figure pixels, unit of the drawing\].
     pub top: f64,
-    /// Lower edge \[figure pixels\].
+    /// Lower edge \[figure pixels, unit of the drawing\].
     pub bottom: f64,
     /// Values at the left and the right edge \[unit of the axis\].
     pub x: [f64; 2],

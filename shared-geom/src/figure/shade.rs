@@ -7,7 +7,7 @@ use super::sheet::Sheet;
 /// A triangle with a value at each corner, linear in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ValueTriangle {
-    /// Its corners \[figure pixels, unit of the canvas\].
+    /// Its corners \[figure pixels, unit of the drawing\].
     pub corners: [[f64; 2]; 3],
     /// The values there \[any unit\].
     pub values: [f64; 3],

@@ -17,7 +17,7 @@ pub enum Anchor {
 /// Format of a text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Label {
-    /// Size of the font \[figure pixels\].
+    /// Size of the font \[figure pixels, unit of the drawing\].
     pub size: f64,
     /// Part of the text that is at the given position.
     pub anchor: Anchor,

@@ -11,7 +11,7 @@ const DASHES: [&[f64]; 4] = [&[], &[24.0, 13.0], &[6.0, 10.0], &[24.0, 9.0, 6.0,
 pub struct Stroke {
     /// Color of the line.
     pub color: Color,
-    /// Width of the line \[figure pixels\].
+    /// Width of the line \[figure pixels, unit of the drawing\].
     pub width: f64,
     /// Number of the pattern of dashes; zero for a solid line.
     pub pattern: usize,
