@@ -9,7 +9,6 @@ mod fan;
 mod files;
 mod folder;
 mod grid;
-mod panel;
 mod rows;
 mod shapes;
 mod statics;

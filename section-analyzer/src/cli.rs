@@ -92,6 +92,14 @@ fn dispatch(
         // the texts of --help and --version
         Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
     };
+    let mut nowhere = io::sink();
+    let terminal = &mut Terminal {
+        out: match arguments.command.is_quiet() {
+            true => &mut nowhere,
+            false => &mut *terminal.out,
+        },
+        err: &mut *terminal.err,
+    };
     match arguments.command {
         Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
         Command::Check { file, out } => check::check_file(&file, out, terminal),
@@ -101,11 +109,12 @@ fn dispatch(
             out,
             no_figures,
             svg,
+            ..
         } => {
             let figures = Figures::requested(no_figures, svg);
             stress::recover_file(&file, &load, (out, figures), terminal)
         }
-        Command::Matrices { file, out } => matrices::analyze_file(&file, out, terminal),
+        Command::Matrices { file, out, .. } => matrices::analyze_file(&file, out, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
         Command::Report(arguments) => report::report_files(&arguments, terminal),
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),

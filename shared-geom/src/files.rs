@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::error::{Explain, nearest_name};
-use crate::figure::{self, Drawing, FigureProblem};
+use crate::figure::{Drawing, FigureProblem};
 
 /// Reason for which results could not be written.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -90,19 +90,15 @@ pub(crate) fn unwritable(file: &Path, error: &io::Error) -> OutputProblem {
     }
 }
 
-/// Draws a figure of `size` (width, height) in figure pixels into a file.
+/// Writes a drawing to a file, as PNG or SVG by its ending.
 ///
 /// # Errors
 /// [`OutputProblem::File`] if the file cannot be made, else [`OutputProblem::Figure`].
-pub fn write_figure(
-    file: &Path,
-    size: (u32, u32),
-    drawing: &impl Drawing,
-) -> Result<(), OutputProblem> {
+pub fn write_figure(file: &Path, drawing: &Drawing) -> Result<(), OutputProblem> {
     // Made first, since messages of the system are clearer than messages of the backend;
     // with one character, since a full disk accepts an empty file.
     write_text(file, " ")?;
-    Ok(figure::save(file, size, drawing)?)
+    Ok(drawing.save(file)?)
 }
 
 /// The name of `path` without folder and `ending`, or else without `.toml`: `blade`
@@ -237,19 +233,12 @@ mod tests {
     #[cfg(target_os = "linux")]
     #[test]
     fn a_full_disk_is_reported_in_words() {
-        struct Empty;
-        impl Drawing for Empty {
-            fn draw<B: plotters::backend::DrawingBackend>(
-                &self,
-                _: &figure::Canvas<B>,
-            ) -> Result<(), FigureProblem> {
-                Ok(())
-            }
-        }
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("a.png");
         std::os::unix::fs::symlink("/dev/full", &file).unwrap();
-        let shown = write_figure(&file, (8, 8), &Empty).unwrap_err().to_string();
+        let shown = write_figure(&file, &Drawing::new((8, 8)))
+            .unwrap_err()
+            .to_string();
         assert!(
             shown.ends_with("a.png\" cannot be written: no space is left"),
             "{shown}"

@@ -55,10 +55,10 @@ const ABOVE: [&str; 4] = ["analysis", "cli", "main", "lib"];
 /// Modules that every stage may import: the errors of the crate.
 const BELOW: [&str; 1] = ["error"];
 
-/// Crates that must not name each other.
+/// Crates that must not name each other, nor the drawing library, which figures hide.
 const APART: [(&str, &[&str]); 3] = [
-    ("section-analyzer", &["beam-dynamics"]),
-    ("beam-dynamics", &["section-analyzer"]),
+    ("section-analyzer", &["beam-dynamics", "plotters"]),
+    ("beam-dynamics", &["section-analyzer", "plotters"]),
     ("shared-geom", &["section-analyzer", "beam-dynamics"]),
 ];
 

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use shared_geom::error::Explain;
+use shared_geom::figure::{Drawing, Figure};
 use shared_geom::files::OutputProblem;
 
 use super::terminal::Terminal;
@@ -74,8 +75,9 @@ pub(super) fn plot_files(
         }
     };
     terminal.show("Written\n");
+    let drawing = plot.drawing();
     for path in targets(&results[0], out) {
-        if let Err(problem) = save(&plot, &path) {
+        if let Err(problem) = save(&drawing, &path) {
             terminal.report(&problem);
             return NOT_REACHED;
         }
@@ -166,14 +168,15 @@ fn read(
     Some(tables)
 }
 
-fn save(plot: &TimePlot, path: &Path) -> Result<(), OutputProblem> {
+/// Writes the figure into a folder that is made.
+fn save(drawing: &Drawing, path: &Path) -> Result<(), OutputProblem> {
     let folder = path
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder {
         shared_geom::files::make_folder(folder)?;
     }
-    plot.save(path)
+    shared_geom::files::write_figure(path, drawing)
 }
 
 /// Files to write: one if its ending is given, else both kinds.

@@ -1,11 +1,6 @@
 //! The fan plot: frequencies over rotor speed, with the multiples of the speed.
 
-use std::path::Path;
-
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, WIDTH};
 
 use super::text::{DAMPED, RPM};
 use crate::case::{FrequencyUnit, Words};
@@ -21,7 +16,6 @@ mod labels;
 mod legend;
 mod per_rev;
 
-use axes::Axes;
 use boxes::Obstacles;
 use groups::{Group, groups};
 
@@ -29,8 +23,10 @@ use groups::{Group, groups};
 const SIZE: (u32, u32) = (WIDTH, 1250);
 /// Height of the plot of damping below \[figure pixels\].
 const DAMPING: u32 = 480;
-/// Size of labels next to lines.
-const SMALL: f64 = 0.8 * TEXT;
+/// Position of the legend \[figure pixels\].
+const LEGEND: f64 = 70.0;
+/// Title of the horizontal axis.
+const SPEED: &str = "rotor speed [rpm]";
 /// Largest frequency per revolution that is drawn, over the largest at the last speed.
 const PER_REV_LIMIT: f64 = 1.6;
 /// Colors of modes: the colors of categories without yellow, which is faint as a line.
@@ -68,7 +64,7 @@ struct Curve {
     frequencies: Vec<Option<f64>>,
     /// Speeds \[rpm\] at which the line is reflected at zero.
     zeros: Vec<f64>,
-    color: RGBColor,
+    color: Color,
     /// Damping ratios \[%\].
     damping: Vec<Option<f64>>,
     /// Pattern of the line: a different one for each repetition of the colors.
@@ -144,15 +140,6 @@ impl FanPlot {
         self.critical.retain(|point| point[1] <= limit);
         self.measured.retain(|point| point[1] <= limit);
     }
-
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`FigureProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        let below = if self.is_damped() { DAMPING } else { 0 };
-        write_figure(path, (SIZE.0, SIZE.1 + below), self)
-    }
 }
 
 impl FanPlot {
@@ -165,23 +152,6 @@ impl FanPlot {
     fn is_damped(&self) -> bool {
         let mut ratios = self.curves.iter().flat_map(|c| c.damping.iter().flatten());
         ratios.any(|per_cent| per_cent.abs() > 100.0 * DAMPED)
-    }
-
-    /// The name above all, in smaller letters if it is long.
-    fn draw_title<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        axes: &Axes,
-    ) -> Result<(), FigureProblem> {
-        // Bold letters are wider than the measured ones.
-        let width = 1.2 * canvas.text_width(&self.title, TEXT);
-        let (total, height) = (canvas.size().0, f64::from(SIZE.1));
-        let size = TEXT * ((total - axes.left - 24.0) / width).min(1.0);
-        canvas.text(
-            &self.title,
-            [axes.left, 0.032 * height],
-            Label::new(size).bold(),
-        )
     }
 }
 
@@ -224,10 +194,15 @@ impl Curve {
     }
 }
 
-impl Drawing for FanPlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let axes = Axes::new(canvas, self);
-        let multiples = per_rev::multiples(&axes, self.multiples.as_deref());
+impl Figure for FanPlot {
+    fn size(&self) -> (u32, u32) {
+        let below = if self.is_damped() { DAMPING } else { 0 };
+        (SIZE.0, SIZE.1 + below)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        let axes = axes::axes(self);
+        let multiples = per_rev::multiples(&axes, self.unit, self.multiples.as_deref());
         let mut obstacles = Obstacles::default();
         for curve in &self.curves {
             for run in curves::frequency_runs(self, curve, &axes) {
@@ -238,18 +213,23 @@ impl Drawing for FanPlot {
             obstacles.add_disc(axes.position(point), curves::RING);
         }
 
-        per_rev::draw_lines(canvas, &multiples)?;
-        let at_ends = labels::beside_ends(canvas, self, &axes, &mut obstacles)?;
-        per_rev::draw_labels(canvas, &axes, &multiples, &mut obstacles)?;
-        curves::draw(canvas, self, &axes)?;
-        at_ends.draw(canvas)?;
-        labels::draw_column(canvas, self, &axes)?;
+        per_rev::draw_lines(drawing, &multiples);
+        let at_ends = labels::beside_ends(self, &axes, &mut obstacles);
+        per_rev::draw_labels(drawing, &axes, &multiples, &mut obstacles);
+        curves::draw(drawing, self, &axes);
+        at_ends.draw(drawing);
+        labels::draw_column(drawing, self, &axes);
         if self.is_damped() {
-            damping::draw(canvas, self, &axes)?;
+            damping::draw(drawing, self, &axes);
         }
-        axes.draw(canvas, self)?;
-        self.draw_title(canvas, &axes)?;
-        legend::draw(canvas, self, &axes)
+        let below = (!self.is_damped()).then_some(SPEED);
+        axes.draw(drawing, below, &self.axis_title());
+        drawing.title(&self.title, [axes.left, 40.0]);
+        let (mut top, space) = (LEGEND, f64::from(WIDTH) - axes.left);
+        for legend in legend::legends(self) {
+            legend.draw(drawing, [axes.left, top], space);
+            top += legend.height(space);
+        }
     }
 }
 

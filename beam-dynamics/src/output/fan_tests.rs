@@ -15,11 +15,8 @@ fn one_speed_has_no_plot() {
 
 #[test]
 fn the_plot_names_axes_modes_and_multiples() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("fan.svg");
     let plot = FanPlot::new(&samples::swept_tip(9), &samples::epps_chandra()).unwrap();
-    plot.save(&path).unwrap();
-    let text = std::fs::read_to_string(&path).unwrap();
+    let text = samples::texts(&plot);
     for expected in [
         "swept tip, 15 deg",
         "rotor speed [rpm]",
@@ -43,16 +40,11 @@ fn no_line_is_drawn_beyond_the_last_speed() {
     let table = samples::swept_tip(3);
     let mut measured = Measured::default();
     let lines = |measured: &Measured| {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("fan.svg");
         let plot = FanPlot::new(&table, measured).unwrap();
-        plot.save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
-        assert!(text.contains("\nflap 1\n"));
+        let drawing = plot.drawing();
+        assert!(drawing.texts().any(|text| text == "flap 1"));
         let color = plot.curves[0].color;
-        let color = format!("#{:02X}{:02X}{:02X}", color.0, color.1, color.2);
-        let of_color = |line: &&str| line.contains("polyline") && line.contains(&color);
-        text.lines().filter(of_color).count()
+        drawing.lines().filter(|line| line.1 == color).count()
     };
     let with_leaders = lines(&measured);
     measured.points.push(crate::result::MeasuredPoint {
@@ -66,11 +58,8 @@ fn no_line_is_drawn_beyond_the_last_speed() {
 #[test]
 fn damping_is_drawn_below_where_there_is_any() {
     let draw = |table: &FrequencyTable| {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("fan.svg");
         let plot = FanPlot::new(table, &Measured::default()).unwrap();
-        plot.save(&path).unwrap();
-        std::fs::read_to_string(&path).unwrap()
+        samples::texts(&plot)
     };
     let title = "\ndamping ratio [%]\n";
     let damped = draw(&samples::crowded());
@@ -83,11 +72,8 @@ fn damping_is_drawn_below_where_there_is_any() {
 fn a_short_piece_of_a_line_has_no_name() {
     let mut table = samples::swept_tip(9);
     let named = |table: &FrequencyTable| {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("fan.svg");
         let plot = FanPlot::new(table, &Measured::default()).unwrap();
-        plot.save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&plot);
         text.contains("\naxial 1\n")
     };
     // Five points of nine, then three.
@@ -107,26 +93,19 @@ fn no_two_modes_look_alike() {
     }
 }
 
-fn drawn(plot: &FanPlot) -> String {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("fan.svg");
-    plot.save(&path).unwrap();
-    std::fs::read_to_string(&path).unwrap()
-}
-
 // Of two waves of 2 Hz one line is left in the turning axes, and two in the fixed system.
 #[test]
 fn waves_coincide_in_the_turning_axes_and_not_in_the_fixed_system() {
     let mut table = samples::waves();
     let fan = FanPlot::new(&table, &Measured::default()).unwrap();
     assert_eq!(fan.curves.len(), 1);
-    let text = drawn(&fan);
+    let text = samples::texts(&fan);
     assert!(text.contains("\nlag 1 progressive, regressive\n"), "{text}");
     let fixed = FixedTable::new(&table, &table.harmonics()).unwrap();
     let plot = FanPlot::campbell(&table, &fixed);
     assert_eq!(plot.curves.len(), 2);
     assert_eq!(plot.curves[1].zeros, [120.0]);
-    let text = drawn(&plot);
+    let text = samples::texts(&plot);
     for expected in [
         "frequency in the fixed system [Hz]",
         "lag 1 progressive",
@@ -167,7 +146,7 @@ fn all_waves_of_a_rotor_have_one_name_and_units_are_chosen() {
     let found = plot.curves[0].frequencies.clone();
     assert_eq!(found[..2], [None, None]);
     assert!((found[2].unwrap() - 2.0 / 3.0).abs() < 1e-12);
-    assert!(drawn(&plot).contains("\nfrequency in the turning axes [1/rev]\n"));
+    assert!(samples::texts(&plot).contains("\nfrequency in the turning axes [1/rev]\n"));
 }
 
 #[test]

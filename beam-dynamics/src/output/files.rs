@@ -62,7 +62,7 @@ pub fn write(
     if !measured.points.is_empty() {
         results.text(COMPARISON, &comparison_csv(&measured.compare(table)))?;
     }
-    let is_drawn = results.figures(FAN, || FanPlot::new(table, measured), FanPlot::save)?;
+    let is_drawn = results.figures(FAN, || FanPlot::new(table, measured))?;
     if results.draws() && !is_drawn {
         results.written.no_plot = Some(no_plot(table));
     }
@@ -70,7 +70,7 @@ pub fn write(
         results.text(FIXED, &campbell_csv(table, &fixed))?;
         results.text(CRITICAL, &critical_csv(&fixed))?;
         let plot = || Some(FanPlot::campbell(table, &fixed));
-        results.figures(CAMPBELL, plot, FanPlot::save)?;
+        results.figures(CAMPBELL, plot)?;
     }
     Ok(results.written)
 }

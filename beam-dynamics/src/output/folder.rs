@@ -3,7 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::files::{OutputProblem, make_folder, write_text};
+use shared_geom::figure::Figure;
+use shared_geom::files::{OutputProblem, make_folder, write_figure, write_text};
 use shared_geom::vtk::FieldFile;
 
 /// Endings of the files in a folder of field files; only these are removed from it.
@@ -117,18 +118,18 @@ impl<'a> Results<'a> {
 
     /// Saves one figure in two formats, if there is one. It is made only if figures are drawn.
     /// Returns whether it is drawn.
-    pub fn figures<F>(
+    pub fn figures<F: Figure>(
         &mut self,
         endings: [&str; 2],
         figure: impl FnOnce() -> Option<F>,
-        save: impl Fn(&F, &Path) -> Result<(), OutputProblem>,
     ) -> Result<bool, OutputProblem> {
         let Some(figure) = self.draws().then(figure).flatten() else {
             return Ok(false);
         };
+        let drawing = figure.drawing();
         for ending in endings {
             let path = self.path(ending);
-            save(&figure, &path)?;
+            write_figure(&path, &drawing)?;
             self.written.files.push(path);
         }
         Ok(true)
@@ -202,19 +203,31 @@ mod tests {
         assert!(exists("x.b.png") && exists("y.a_1.png") && exists("x.static/notes.txt"));
     }
 
+    /// A figure without shapes.
+    struct Empty;
+
+    impl Figure for Empty {
+        fn size(&self) -> (u32, u32) {
+            (8, 8)
+        }
+
+        fn draw(&self, _: &mut shared_geom::figure::Drawing) {}
+    }
+
     #[test]
     fn figures_are_not_even_made_where_they_are_left_out() {
         let folder = tempfile::tempdir().unwrap();
-        let save = |_: &(), path: &Path| write_text(path, "");
         let location = ResultLocation::new(folder.path(), "x");
         let mut results = Results::new(&location);
-        assert_eq!(results.figures(["a", "b"], || None, save), Ok(false));
-        assert_eq!(results.figures(["a", "b"], || Some(()), save), Ok(true));
-        assert_eq!(results.written.files, ["a", "b"].map(|e| results.path(e)));
+        let endings = ["png", "svg"];
+        let none = results.figures(endings, || None::<Empty>);
+        assert_eq!(none, Ok(false));
+        assert_eq!(results.figures(endings, || Some(Empty)), Ok(true));
+        assert_eq!(results.written.files, endings.map(|e| results.path(e)));
         let bare = location.clone().with_figures(false);
         let mut results = Results::new(&bare);
-        let made = || panic!("a figure is made");
-        assert_eq!(results.figures(["c", "d"], made, save), Ok(false));
+        let made = || -> Option<Empty> { panic!("a figure is made") };
+        assert_eq!(results.figures(endings, made), Ok(false));
         assert!(results.written.files.is_empty());
         assert_eq!(folder.path().read_dir().unwrap().count(), 2);
     }

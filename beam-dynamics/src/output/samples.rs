@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use nalgebra::{Matrix3, Vector3};
+use shared_geom::figure::Figure;
 
 use super::Written;
 use super::text::RPM;
@@ -15,6 +16,13 @@ use crate::result::{
 mod fields;
 mod shapes;
 mod statics;
+
+/// The texts of a figure, each on a line of its own between other lines.
+pub fn texts(figure: &impl Figure) -> String {
+    let drawing = figure.drawing();
+    let texts = drawing.texts().map(|text| format!("\n{text}\n"));
+    texts.collect()
+}
 
 pub use fields::{read_back, values};
 pub use shapes::{shaped, tip_motion};

@@ -1,18 +1,14 @@
 //! Views of a model along the axes: selection of two axes each, and one scale for all.
 
 use nalgebra::Vector3;
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT};
-
-use super::panel::{Panel, SMALL};
+use shared_geom::figure::{self, Axes, Color, Drawing};
 
 /// A line in space with its style.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Stroke {
     pub points: Vec<Vector3<f64>>,
     pub width: f64,
-    pub color: RGBColor,
+    pub color: Color,
 }
 
 /// Content of the view along each axis.
@@ -98,8 +94,8 @@ impl Extent {
 
     /// The view in a frame of `size` with the upper left corner at `corner`; its scales
     /// are equal where the frame has the aspect of the view.
-    pub fn panel(&self, view: View, [left, top]: [f64; 2], size: [f64; 2]) -> Panel {
-        Panel {
+    pub fn panel(&self, view: View, [left, top]: [f64; 2], size: [f64; 2]) -> Axes {
+        Axes {
             left,
             right: left + size[0],
             top,
@@ -121,8 +117,8 @@ impl Extent {
 /// Views next to or below each other, all in one scale.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Arrangement {
-    /// Panel of each view, from the upper left corner of all.
-    panels: Vec<(View, Panel)>,
+    /// Axes of each view, from the upper left corner of all.
+    panels: Vec<(View, Axes)>,
     /// Width and height of all \[figure pixels\].
     pub size: [f64; 2],
 }
@@ -164,18 +160,17 @@ impl Arrangement {
 
     /// Draws the strokes and the marks in every view; `corner` is the upper left corner
     /// of all.
-    pub fn draw<B: DrawingBackend>(
+    pub fn draw(
         &self,
-        canvas: &Canvas<B>,
+        drawing: &mut Drawing,
         corner: [f64; 2],
         strokes: &[Stroke],
-        marks: &[(Vector3<f64>, RGBColor)],
-    ) -> Result<(), FigureProblem> {
+        marks: &[(Vector3<f64>, Color)],
+    ) {
         for (view, panel) in &self.panels {
             let seen = (*view, &lengths(*view));
-            draw_view(canvas, seen, &panel.moved(corner), strokes, marks)?;
+            draw_view(drawing, seen, &panel.moved(corner), strokes, marks);
         }
-        Ok(())
     }
 }
 
@@ -185,39 +180,22 @@ pub(super) fn lengths(view: View) -> [String; 2] {
 }
 
 /// Draws strokes and marks in the projection of a view, with its axes and their titles.
-pub(super) fn draw_view<B: DrawingBackend>(
-    canvas: &Canvas<B>,
+pub(super) fn draw_view(
+    drawing: &mut Drawing,
     (view, names): (View, &[String; 2]),
-    panel: &Panel,
+    panel: &Axes,
     strokes: &[Stroke],
-    marks: &[(Vector3<f64>, RGBColor)],
-) -> Result<(), FigureProblem> {
+    marks: &[(Vector3<f64>, Color)],
+) {
     for stroke in strokes {
         let points: Vec<_> = stroke.points.iter().map(|p| view.map(|i| p[i])).collect();
-        panel.curve(canvas, &points, stroke.width, stroke.color)?;
+        let style = figure::Stroke::new(stroke.width, stroke.color);
+        panel.curve(drawing, &points, style);
     }
     for (mark, color) in marks {
-        canvas.disc(panel.position(view.map(|i| mark[i])), 7.0, *color)?;
+        drawing.disc(panel.position(view.map(|i| mark[i])), 7.0, *color);
     }
-    draw_axes(canvas, names, panel)
-}
-
-fn draw_axes<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    [right, upward]: &[String; 2],
-    panel: &Panel,
-) -> Result<(), FigureProblem> {
-    let ticks = |length: f64, each: f64| ((length / each).round() as usize).clamp(1, 10);
-    let across = ticks(panel.right - panel.left, 170.0);
-    let up = ticks(panel.bottom - panel.top, 110.0);
-    panel.draw_frame(canvas, [across, up], true)?;
-    let middle = [
-        0.5 * (panel.left + panel.right),
-        0.5 * (panel.top + panel.bottom),
-    ];
-    let title = Label::new(0.5 * (TEXT + SMALL)).anchored(Anchor::Middle);
-    canvas.text(right, [middle[0], panel.bottom + 78.0], title)?;
-    canvas.text(upward, [panel.left - 122.0, middle[1]], title.upward())
+    panel.draw(drawing, Some(&names[0]), &names[1]);
 }
 
 /// Pixels per meter of views arranged below each other (`along` 0) or next to each other (1).

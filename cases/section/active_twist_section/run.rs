@@ -9,11 +9,9 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Matrix6;
-use plotters::backend::DrawingBackend;
-use plotters::style::{BLACK, RGBColor};
 use section_analyzer::analysis::analyze;
 use section_analyzer::input::{self, blade};
-use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, category};
+use shared_geom::figure::{Anchor, BLACK, Color, Drawing, Figure, Label, TEXT, WIDTH, category};
 use shared_geom::files::{make_folder, write_figure, write_text};
 use shared_geom::gmsh;
 
@@ -65,7 +63,7 @@ fn main() -> Result<()> {
     println!("{:24}{}", "nodes", nodes.concat());
     let plot = Convergence::new(&found, &finer);
     let file = root.join("docs/src/images/active_twist_convergence.png");
-    write_figure(&file, (WIDTH, HEIGHT), &plot)?;
+    write_figure(&file, &plot.drawing())?;
     println!("{}", file.display());
     Ok(())
 }
@@ -131,24 +129,25 @@ fn position([nodes, difference]: [f64; 2]) -> [f64; 2] {
     ]
 }
 
-impl Drawing for Convergence {
-    fn draw<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-    ) -> std::result::Result<(), FigureProblem> {
-        let gray = RGBColor(215, 215, 215);
+impl Figure for Convergence {
+    fn size(&self) -> (u32, u32) {
+        (WIDTH, HEIGHT)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        let gray = Color(215, 215, 215);
         let small = Label::new(0.8 * TEXT);
         for power in -6..=-2 {
             let at = position([2000.0, 10f64.powi(power)])[1];
-            canvas.line(&[[LEFT, at], [RIGHT, at]], 1.5, gray)?;
+            drawing.line(&[[LEFT, at], [RIGHT, at]], 1.5, gray);
             let text = format!("1e{power}");
-            canvas.text(&text, [LEFT - 15.0, at], small.anchored(Anchor::End))?;
+            drawing.text(&text, [LEFT - 15.0, at], small.anchored(Anchor::End));
         }
         for nodes in [2000, 3000, 5000, 10000] {
             let at = position([f64::from(nodes), 0.01])[0];
-            canvas.line(&[[at, TOP], [at, BOTTOM]], 1.5, gray)?;
+            drawing.line(&[[at, TOP], [at, BOTTOM]], 1.5, gray);
             let below = [at, BOTTOM + 35.0];
-            canvas.text(&nodes.to_string(), below, small.anchored(Anchor::Middle))?;
+            drawing.text(&nodes.to_string(), below, small.anchored(Anchor::Middle));
         }
         let frame = [
             [LEFT, TOP],
@@ -157,23 +156,22 @@ impl Drawing for Convergence {
             [LEFT, BOTTOM],
             [LEFT, TOP],
         ];
-        canvas.line(&frame, 2.0, BLACK)?;
+        drawing.line(&frame, 2.0, BLACK);
         let middle = [0.5 * (LEFT + RIGHT), BOTTOM + 95.0];
-        canvas.text("nodes", middle, small.anchored(Anchor::Middle))?;
+        drawing.text("nodes", middle, small.anchored(Anchor::Middle));
         let beside = [40.0, 0.5 * (TOP + BOTTOM)];
         let text = "difference from a finer mesh, of sqrt(Kii Kjj)";
-        canvas.text(text, beside, small.anchored(Anchor::Middle).upward())?;
+        drawing.text(text, beside, small.anchored(Anchor::Middle).upward());
         for (index, line) in self.lines.iter().enumerate() {
             let color = if index < 7 { category(index) } else { BLACK };
             let points: Vec<_> = line.iter().map(|point| position(*point)).collect();
-            canvas.line(&points, 4.0, color)?;
+            drawing.line(&points, 4.0, color);
             for point in &points {
-                canvas.disc(*point, 9.0, color)?;
+                drawing.disc(*point, 9.0, color);
             }
             let at = TOP + 30.0 + 60.0 * index as f64;
-            canvas.line(&[[RIGHT + 40.0, at], [RIGHT + 110.0, at]], 4.0, color)?;
-            canvas.text(ENTRIES[index].0, [RIGHT + 130.0, at], small)?;
+            drawing.line(&[[RIGHT + 40.0, at], [RIGHT + 110.0, at]], 4.0, color);
+            drawing.text(ENTRIES[index].0, [RIGHT + 130.0, at], small);
         }
-        Ok(())
     }
 }

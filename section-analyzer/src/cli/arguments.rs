@@ -172,6 +172,17 @@ pub(super) struct Arguments {
     pub command: Command,
 }
 
+impl Command {
+    /// Whether no report is printed.
+    pub fn is_quiet(&self) -> bool {
+        match self {
+            Self::Analyze(arguments) => arguments.quiet,
+            Self::Stress { quiet, .. } | Self::Matrices { quiet, .. } => *quiet,
+            _ => false,
+        }
+    }
+}
+
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     #[command(about = first_line(ANALYZE), long_about = ANALYZE, after_help = ANALYZE_EXAMPLE)]
@@ -199,6 +210,9 @@ pub(super) enum Command {
         /// Draw each figure as SVG too, beside its PNG
         #[arg(long, conflicts_with = "no_figures")]
         svg: bool,
+        /// Print no report; problems are still reported on the error stream
+        #[arg(long, short)]
+        quiet: bool,
     },
     #[command(about = first_line(MATRICES), long_about = MATRICES, after_help = MATRICES_EXAMPLE)]
     Matrices {
@@ -207,6 +221,9 @@ pub(super) enum Command {
         /// Folder for the results; the folder "results" next to FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        /// Print no report; problems are still reported on the error stream
+        #[arg(long, short)]
+        quiet: bool,
     },
     #[command(subcommand, about = first_line(MESH), long_about = MESH)]
     Mesh(Shape),

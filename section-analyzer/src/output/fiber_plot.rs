@@ -8,26 +8,24 @@
 //!     o
 //! ```
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{RGBColor, WHITE};
 use shared_geom::figure::{
-    Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, diverging, tick_label,
+    Anchor, Color, Drawing, Figure, INK, Label, SMALL, WHITE, WIDTH, diverging,
 };
 
 use super::cell_colors::fill_cells;
 use super::figure_parts::{
-    BELOW, Figure, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TITLE, TOP, draw_color_bar, draw_title,
+    BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TOP, draw_color_bar, draw_title,
 };
 use super::layup_strip::LayupStrip;
 use super::outline::{Outline, Side, SideRole, side_points};
-use super::plane::{Extent, INK, Plane, PlotUnit};
+use super::plane::{Extent, Plane, PlotUnit};
 use crate::input::InputSummary;
 use crate::material::ElasticLaw;
 use crate::mesh::distance;
 use crate::section::Section;
 
 /// Height of the legend, and of one of its lines [figure pixels].
-const LEGEND: f64 = 330.0;
+const LEGEND: f64 = 390.0;
 const LINE: f64 = 54.0;
 /// Least distance between feet of flags [figure pixels]; smaller if their arrows point in other
 /// directions, as in a web and in the adjacent skins.
@@ -45,7 +43,7 @@ const MARGIN: f64 = 90.0;
 /// Ends of the scale of angles, of which the least sufficient one is used [deg].
 const SCALES: [f64; 4] = [15.0, 30.0, 60.0, 90.0];
 /// Lines between cells [figure pixels].
-const FAINT: RGBColor = RGBColor(120, 120, 120);
+const FAINT: Color = Color(120, 120, 120);
 
 /// The figure of the fibers of a section.
 #[derive(Debug)]
@@ -110,7 +108,7 @@ impl<'a> FiberPlot<'a> {
         TOP + self.plane.frame[1] + BELOW + LEGEND
     }
 
-    fn color(&self, cell: usize) -> RGBColor {
+    fn color(&self, cell: usize) -> Color {
         match has_directions(self.section, cell) {
             true => {
                 let angle = line_angle(self.section.cells[cell].fiber_angle);
@@ -120,54 +118,52 @@ impl<'a> FiberPlot<'a> {
         }
     }
 
-    fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_cells(&self, drawing: &mut Drawing) {
         let position = |node: u32| self.plane.position(self.section.mesh.nodes[node as usize]);
         let is_thin = self.wall < THINNEST;
         let color = |cell| self.color(cell);
         fill_cells(
-            canvas,
+            drawing,
             (self.section, self.sides),
             &position,
             color,
             is_thin,
-        )?;
+        );
         for side in self.sides {
             let (width, color) = match side.role {
                 SideRole::Boundary => (2.0, INK),
                 SideRole::Interface => (1.2, FAINT),
                 SideRole::Inner(_) => continue,
             };
-            canvas.line(
+            drawing.line(
                 &side_points(side.ends, side.middle, &position),
                 width,
                 color,
-            )?;
+            );
         }
-        Ok(())
     }
 
-    fn draw_flags<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_flags(&self, drawing: &mut Drawing) {
         for &cell in &self.flags {
             let foot = self.plane.position(center(self.section, cell));
             let angle = self.section.cells[cell].plane_angle;
             let rim = if self.wall < SPARED { 0.0 } else { RIM };
-            draw_flag(canvas, foot, angle, (self.color(cell), rim))?;
+            draw_flag(drawing, foot, angle, (self.color(cell), rim));
         }
-        Ok(())
     }
 
-    fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_legend(&self, drawing: &mut Drawing) {
         let top = TOP + self.plane.frame[1] + BELOW;
-        let label = Label::new(0.88 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let foot = [LEFT + 10.0, top + 1.1 * LINE];
-        draw_flag(canvas, foot, 0.0, (diverging(0.0), RIM))?;
+        draw_flag(drawing, foot, 0.0, (diverging(0.0), RIM));
         let beside = [foot[0] + ARROW + 16.0, foot[1] - POLE];
-        canvas.text("s", beside, label)?;
-        canvas.text(
+        drawing.text("s", beside, label);
+        drawing.text(
             "n",
             [foot[0] - 20.0, foot[1] - 0.6 * POLE],
             label.anchored(Anchor::End),
-        )?;
+        );
         let cells = 0..self.section.cells.len();
         let is_plain = |cell: usize| !has_directions(self.section, cell);
         let lines = [
@@ -183,44 +179,27 @@ impl<'a> FiberPlot<'a> {
         };
         for (row, line) in lines.into_iter().enumerate().take(count) {
             let y = top + LINE * (0.5 + row as f64);
-            canvas.text(line, [LEFT + 130.0, y], label)?;
+            drawing.text(line, [LEFT + 130.0, y], label);
         }
-        self.draw_bar(canvas, [LEFT + 130.0, top + LINE * (count as f64 + 0.25)])
-    }
-
-    /// The scale of the fiber angle, its upper left corner at `[left, top]`.
-    fn draw_bar<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        [left, top]: [f64; 2],
-    ) -> Result<(), FigureProblem> {
-        let (width, height) = (900.0, 32.0);
-        let at = |part: f64| left + 0.5 * width * (part + 1.0);
-        let (right, bottom) = (left + width, top + height);
-        let color = |part: f64| diverging(2.0 * part - 1.0);
-        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
-        let label = Label::new(0.82 * TEXT)
-            .colored(INK)
-            .anchored(Anchor::Middle);
-        for part in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-            canvas.line(&[[at(part), bottom], [at(part), bottom + 8.0]], 2.0, INK)?;
-            let text = tick_label(part * self.scale, self.scale);
-            canvas.text(&text, [at(part), bottom + 30.0], label)?;
-        }
-        let name = label.anchored(Anchor::Start);
-        canvas.text(
-            "fiber angle [deg]",
-            [right + 40.0, top + 0.5 * height],
-            name,
-        )
+        let left = LEFT + 130.0;
+        let top = top + LINE * (count as f64 + 0.25);
+        let corners = [[left, top], [left + 900.0, top + 32.0]];
+        let ends = [-self.scale, self.scale];
+        let color = |angle: f64| diverging(angle / self.scale);
+        draw_color_bar(drawing, corners, (ends, "fiber angle [deg]"), color);
     }
 }
 
-impl Drawing for FiberPlot<'_> {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+impl Figure for FiberPlot<'_> {
+    fn size(&self) -> (u32, u32) {
+        let layup = self.layup.as_ref().map_or(0.0, LayupStrip::height);
+        (WIDTH, (self.bottom() + layup).ceil() as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
         let title = [self.section.name.as_str(), ": fiber directions"];
         let space = f64::from(WIDTH) - LEFT - RIGHT;
-        draw_title(canvas, title, TITLE, [LEFT, 50.0], space)?;
+        draw_title(drawing, title, [LEFT, 50.0], space);
         let line = format!(
             "flags in {} of {} cells{}",
             self.flags.len(),
@@ -230,24 +209,17 @@ impl Drawing for FiberPlot<'_> {
                 false => "",
             }
         );
-        canvas.text(&line, [LEFT, 105.0], Label::new(0.88 * TEXT).colored(INK))?;
-        self.plane.draw_axes(canvas, &self.unit)?;
-        self.draw_cells(canvas)?;
-        self.draw_flags(canvas)?;
-        self.draw_legend(canvas)?;
+        drawing.text(&line, [LEFT, 105.0], Label::new(SMALL).colored(INK));
+        self.plane.draw_axes(drawing, &self.unit);
+        self.draw_cells(drawing);
+        self.draw_flags(drawing);
+        self.draw_legend(drawing);
         let Some(layup) = &self.layup else {
-            return Ok(());
+            return;
         };
-        layup.draw_cut(canvas, &self.plane)?;
+        layup.draw_cut(drawing, &self.plane);
         let color = |cell| self.color(cell);
-        layup.draw(canvas, (self.section, &self.unit), self.bottom(), color)
-    }
-}
-
-impl Figure for FiberPlot<'_> {
-    fn size(&self) -> (u32, u32) {
-        let layup = self.layup.as_ref().map_or(0.0, LayupStrip::height);
-        (WIDTH, (self.bottom() + layup).ceil() as u32)
+        layup.draw(drawing, (self.section, &self.unit), self.bottom(), color);
     }
 }
 
@@ -335,12 +307,7 @@ fn center(section: &Section, cell: usize) -> [f64; 2] {
 
 /// A flag with its foot at a position of the figure and its arrow at `angle` from +y; its foot
 /// has a color, and the whole flag a white rim \[figure pixels\].
-fn draw_flag<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    foot: [f64; 2],
-    angle: f64,
-    (color, rim): (RGBColor, f64),
-) -> Result<(), FigureProblem> {
+fn draw_flag(drawing: &mut Drawing, foot: [f64; 2], angle: f64, (color, rim): (Color, f64)) {
     let (sine, cosine) = angle.sin_cos();
     // z runs up, the figure's second coordinate down
     let at = |along: f64, out: f64| {
@@ -357,14 +324,14 @@ fn draw_flag<B: DrawingBackend>(
     };
     // a white rim separates it from dark colors
     if rim > 0.0 {
-        canvas.line(&line, 3.5 + 2.0 * rim, WHITE)?;
-        canvas.polygon(&head(rim), WHITE)?;
-        canvas.disc(foot, 9.5 + rim, WHITE)?;
+        drawing.line(&line, 3.5 + 2.0 * rim, WHITE);
+        drawing.polygon(&head(rim), WHITE);
+        drawing.disc(foot, 9.5 + rim, WHITE);
     }
-    canvas.line(&line, 3.5, INK)?;
-    canvas.polygon(&head(0.0), INK)?;
-    canvas.disc(foot, 9.5, INK)?;
-    canvas.disc(foot, 6.5, color)
+    drawing.line(&line, 3.5, INK);
+    drawing.polygon(&head(0.0), INK);
+    drawing.disc(foot, 9.5, INK);
+    drawing.disc(foot, 6.5, color);
 }
 
 #[cfg(test)]

@@ -1,12 +1,10 @@
 //! Values over a section in colors: stresses and failure indices of a load case.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{BLACK, WHITE};
-use shared_geom::figure::{Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, tick_label};
+use shared_geom::figure::{BLACK, Drawing, Figure, INK, Label, SMALL, WHITE, WIDTH, tick_label};
 
-use super::figure_parts::{Figure, LEFT, TITLE, draw_title};
+use super::figure_parts::{LEFT, draw_title};
 use super::outline::{Side, SideRole, side_points, sides_by, widths};
-use super::plane::{Extent, INK, Plane, PlotUnit};
+use super::plane::{Extent, Plane, PlotUnit};
 use super::text::rounded;
 use crate::input::InputSummary;
 use crate::section::Section;
@@ -138,20 +136,19 @@ impl<'a> FieldPlot<'a> {
         }
     }
 
-    fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_title(&self, drawing: &mut Drawing) {
         let space = f64::from(WIDTH) - LEFT - RIGHT;
-        let label = Label::new(0.88 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let what = format!(": {}", self.field.title);
         let title = [self.section.name.as_str(), &what];
-        draw_title(canvas, title, TITLE, [LEFT, 50.0], space)?;
+        draw_title(drawing, title, [LEFT, 50.0], space);
         for (row, words) in self.words.iter().enumerate() {
             let y = 105.0 + NOTE * row as f64;
-            canvas.text(&canvas.shortened(words, label, space), [LEFT, y], label)?;
+            drawing.text(&drawing.shortened(words, label, space), [LEFT, y], label);
         }
-        Ok(())
     }
 
-    fn draw_field<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_field(&self, drawing: &mut Drawing) {
         let surface = Surface::new(self.section, &self.plane, &self.field);
         let rim = Rim::new(
             self.section,
@@ -165,19 +162,14 @@ impl<'a> FieldPlot<'a> {
         for triangle in &mut triangles {
             triangle.values = triangle.values.map(|value| self.scale.drawn(value));
         }
-        canvas.shade(&triangles, color)?;
-        self.draw_borders(canvas)?;
+        drawing.shade(triangles, color);
+        self.draw_borders(drawing);
         for line in &rim.outlines {
-            canvas.line(line, if self.wall > 40.0 { 3.0 } else { 2.0 }, INK)?;
+            drawing.line(line, if self.wall > 40.0 { 3.0 } else { 2.0 }, INK);
         }
-        match self.scale.is_zero() {
-            true => Ok(()),
-            false => arrows::draw(
-                canvas,
-                &surface.samples,
-                &[rim.outlines, self.material_borders()].concat(),
-                self.scale.highest(),
-            ),
+        if !self.scale.is_zero() {
+            let rim = [rim.outlines, self.material_borders()].concat();
+            arrows::draw(drawing, &surface.samples, &rim, self.scale.highest());
         }
     }
 
@@ -193,7 +185,7 @@ impl<'a> FieldPlot<'a> {
     }
 
     /// Lines between regions, if these are wide enough compared with the lines.
-    fn draw_borders<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_borders(&self, drawing: &mut Drawing) {
         let position = |node: u32| self.plane.position(self.section.mesh.nodes[node as usize]);
         let borders = self
             .sides
@@ -206,38 +198,35 @@ impl<'a> FieldPlot<'a> {
                 self.regions[region] >= NARROWEST
             };
             if cells.into_iter().all(is_wide) {
-                canvas.line(&side_points(side.ends, side.middle, &position), 1.6, INK)?;
+                drawing.line(&side_points(side.ends, side.middle, &position), 1.6, INK);
             }
         }
-        Ok(())
     }
 
-    fn draw_marks<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_marks(&self, drawing: &mut Drawing) {
         for (extreme, mark) in self.extremes.iter().flatten().zip(Mark::BOTH) {
-            mark.draw(canvas, self.plane.position(extreme.position))?;
+            mark.draw(drawing, self.plane.position(extreme.position));
         }
-        Ok(())
     }
 
     /// Lowest and highest value with their positions, below the color bar.
-    fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_legend(&self, drawing: &mut Drawing) {
         let top = self.legend();
-        let label = Label::new(0.94 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let space = f64::from(WIDTH) - LEFT - RIGHT - 50.0;
         // the highest first
         let both = self.extremes.iter().flatten().zip(Mark::BOTH);
         for ((extreme, mark), row) in both.zip([1.0, 0.0]) {
             let y = top + LINE * row;
-            mark.draw(canvas, [LEFT + 16.0, y])?;
+            mark.draw(drawing, [LEFT + 16.0, y]);
             let text = format!("{} {}", mark.word(), self.words(extreme));
-            let text = canvas.shortened(&text, label, space);
-            canvas.text(&text, [LEFT + 50.0, y], label)?;
+            let text = drawing.shortened(&text, label, space);
+            drawing.text(&text, [LEFT + 50.0, y], label);
         }
         if self.extremes.is_none() {
             let is_whole = !self.field.values.iter().any(|values| values[0].is_nan());
-            canvas.text(&self.scale.uniform_words(is_whole), [LEFT, top], label)?;
+            drawing.text(&self.scale.uniform_words(is_whole), [LEFT, top], label);
         }
-        Ok(())
     }
 
     /// `12.3 MPa at (10, -5) mm, region skin`.
@@ -257,23 +246,21 @@ impl<'a> FieldPlot<'a> {
     }
 }
 
-impl Drawing for FieldPlot<'_> {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        self.draw_title(canvas)?;
-        self.plane.draw_axes(canvas, &self.unit)?;
-        self.draw_field(canvas)?;
-        self.draw_marks(canvas)?;
-        let top = self.bottom() + BELOW;
-        let ends = [LEFT, f64::from(WIDTH) - RIGHT];
-        self.scale.draw_bar(canvas, ends, top, &self.field.title)?;
-        self.draw_legend(canvas)
-    }
-}
-
 impl Figure for FieldPlot<'_> {
     fn size(&self) -> (u32, u32) {
         let height = self.legend() + self.rows() * LINE;
         (WIDTH, height.ceil() as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        self.draw_title(drawing);
+        self.plane.draw_axes(drawing, &self.unit);
+        self.draw_field(drawing);
+        self.draw_marks(drawing);
+        let top = self.bottom() + BELOW;
+        let ends = [LEFT, f64::from(WIDTH) - RIGHT];
+        self.scale.draw_bar(drawing, ends, top, &self.field.title);
+        self.draw_legend(drawing);
     }
 }
 
@@ -307,11 +294,7 @@ impl Mark {
     }
 
     /// A triangle that points up at the highest and down at the lowest value.
-    fn draw<B: DrawingBackend>(
-        self,
-        canvas: &Canvas<B>,
-        [x, y]: [f64; 2],
-    ) -> Result<(), FigureProblem> {
+    fn draw(self, drawing: &mut Drawing, [x, y]: [f64; 2]) {
         let up = match self {
             Self::Lowest => 1.0,
             Self::Highest => -1.0,
@@ -320,7 +303,7 @@ impl Mark {
             [[0.0, 1.0], [0.87, -0.5], [-0.87, -0.5]]
                 .map(|[dx, dy]| [x + size * dx, y + up * size * dy])
         };
-        canvas.polygon(&triangle(21.0), BLACK)?;
-        canvas.polygon(&triangle(14.0), WHITE)
+        drawing.polygon(&triangle(21.0), BLACK);
+        drawing.polygon(&triangle(14.0), WHITE);
     }
 }

@@ -1,10 +1,8 @@
 //! Common parts of the figures of a section: margins, title, cells, color bar.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Canvas, Drawing, FigureProblem, Label, TEXT};
-
-use super::plane::INK;
+use shared_geom::figure::{
+    Anchor, Color, Drawing, INK, Label, SMALL, TEXT, TITLE, Ticks, text_width,
+};
 
 /// Maximum height of a frame if only a legend is below it [figure pixels].
 pub(super) const HIGHEST: f64 = 1250.0;
@@ -24,69 +22,66 @@ pub(super) const THINNEST: f64 = 5.0;
 /// [figure pixels].
 pub(super) const SPARED: f64 = 30.0;
 
-/// Size of a title that is alone above a frame.
-pub(super) const TITLE: f64 = 1.15 * TEXT;
-/// Largest ratio of the width of bold letters to others.
-const BOLD: f64 = 1.2;
 /// Pieces of a color bar, each of one color.
 const STEPS: u32 = 256;
+/// Distance of ticks of a color bar, and their length [figure pixels].
+const APART: f64 = 170.0;
+const TICK: f64 = 10.0;
 
-/// A drawing with a known size.
-pub trait Figure: Drawing {
-    /// Width and height \[figure pixels\].
-    fn size(&self) -> (u32, u32);
-}
-
-/// The name of the section, cut if it is longer than the width `space`, and `what` is shown;
-/// letters of `size` at the position `position` [figure pixels].
-pub(super) fn draw_title<B: DrawingBackend>(
-    canvas: &Canvas<B>,
+/// The name of the section, cut if it is longer than the width `space`, and `what` is shown, at
+/// `position` [figure pixels].
+pub(super) fn draw_title(
+    drawing: &mut Drawing,
     [name, what]: [&str; 2],
-    size: f64,
     position: [f64; 2],
     space: f64,
-) -> Result<(), FigureProblem> {
-    let label = Label::new(size).bold();
-    let left = space - canvas.text_width(what, BOLD * size);
-    canvas.text(
-        &(canvas.shortened(name, label, left) + what),
-        position,
-        label,
-    )
+) {
+    let label = Label::new(TEXT).bold();
+    let left = space - text_width(what, label);
+    let title = drawing.shortened(name, label, left) + what;
+    drawing.text(&title, position, label);
 }
 
 /// Fills a cell, or a piece of one, and if `is_thin` its rim too, so that it can be seen.
-pub(super) fn fill_cell<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    mut corners: Vec<[f64; 2]>,
-    color: RGBColor,
-    is_thin: bool,
-) -> Result<(), FigureProblem> {
-    canvas.polygon(&corners, color)?;
+pub(super) fn fill_cell(drawing: &mut Drawing, corners: &[[f64; 2]], color: Color, is_thin: bool) {
+    drawing.polygon(corners, color);
     if is_thin {
-        corners.push(corners[0]);
-        canvas.line(&corners, THINNEST, color)?;
+        drawing.outline(corners, THINNEST, color);
     }
-    Ok(())
 }
 
-/// A box with a line around it and `color(part)` in it, where `part` runs from 0 on the
-/// left to 1 on the right; `low` and `high` are its corners [figure pixels].
-pub(super) fn draw_color_bar<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    low: [f64; 2],
-    high: [f64; 2],
-    color: impl Fn(f64) -> RGBColor,
-) -> Result<(), FigureProblem> {
-    let boxed = |left: f64, right: f64| {
-        let corners = [[left, low[1]], [right, low[1]]];
-        [corners[0], corners[1], [right, high[1]], [left, high[1]]]
-    };
-    let at = |step: f64| low[0] + (high[0] - low[0]) * step / f64::from(STEPS);
+/// The scale of the colors `color(value)` of values between `ends`: a bar between the corners
+/// `low` and `high` [figure pixels] with ticks below it, and its name below these.
+pub(super) fn draw_color_bar(
+    drawing: &mut Drawing,
+    [low, high]: [[f64; 2]; 2],
+    (ends, name): ([f64; 2], &str),
+    color: impl Fn(f64) -> Color,
+) {
+    let value = |part: f64| ends[0] + (ends[1] - ends[0]) * part;
+    let at = |part: f64| low[0] + (high[0] - low[0]) * part;
+    let steps = f64::from(STEPS);
     for step in (0..STEPS).map(f64::from) {
-        let middle = (step + 0.5) / f64::from(STEPS);
-        canvas.polygon(&boxed(at(step), at(step + 1.0)), color(middle))?;
+        let [left, right] = [step, step + 1.0].map(|step| at(step / steps));
+        let corners = boxed([left, low[1]], [right, high[1]]);
+        drawing.polygon(&corners, color(value((step + 0.5) / steps)));
     }
-    let [a, b, c, d] = boxed(low[0], high[0]);
-    canvas.line(&[a, b, c, d, a], 2.0, INK)
+    drawing.outline(&boxed(low, high), 2.0, INK);
+    let label = Label::new(SMALL).colored(INK).anchored(Anchor::Middle);
+    let count = ((high[0] - low[0]) / APART).max(2.0) as usize;
+    for (tick, text) in Ticks::between(ends[0], ends[1], count).labeled() {
+        let x = at((tick - ends[0]) / (ends[1] - ends[0]));
+        drawing.line(&[[x, high[1]], [x, high[1] + TICK]], 2.0, INK);
+        drawing.text(&text, [x, high[1] + TICK + 0.7 * TEXT], label);
+    }
+    let label = Label {
+        size: TEXT,
+        ..label
+    };
+    drawing.text(name, [at(0.5), high[1] + TITLE], label);
+}
+
+/// The corners of a box between two of them.
+pub(super) fn boxed(low: [f64; 2], high: [f64; 2]) -> [[f64; 2]; 4] {
+    [low, [high[0], low[1]], high, [low[0], high[1]]]
 }

@@ -3,13 +3,11 @@
 //! A straight cut runs from the middle of a side of the boundary along its normal to the other
 //! face of the wall; consecutive cells of one material and fiber angle are a ply.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, WIDTH, tick_label};
+use shared_geom::figure::{Anchor, Color, Drawing, INK, Label, SMALL, TEXT, WIDTH, tick_label};
 
-use super::figure_parts::{LEFT, RIGHT};
+use super::figure_parts::{LEFT, RIGHT, boxed};
 use super::outline::{Outline, Side, SideRole};
-use super::plane::{INK, Plane, PlotUnit};
+use super::plane::{Plane, PlotUnit};
 use super::text::rounded;
 use crate::mesh::distance;
 use crate::section::{CellMaterial, Section};
@@ -80,52 +78,46 @@ impl LayupStrip {
     }
 
     /// Draws the cut across the wall, with a number at its first end.
-    pub fn draw_cut<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        plane: &Plane,
-    ) -> Result<(), FigureProblem> {
+    pub fn draw_cut(&self, drawing: &mut Drawing, plane: &Plane) {
         let [a, b] = self.ends.map(|end| plane.position(end));
         let length = distance(a, b).max(1e-9);
         let along = [0, 1].map(|axis| (b[axis] - a[axis]) / length);
         let at = |from: [f64; 2], by: f64| [0, 1].map(|axis| from[axis] + by * along[axis]);
-        canvas.line(&[at(a, -BEYOND), at(b, BEYOND)], 3.5, INK)?;
+        drawing.line(&[at(a, -BEYOND), at(b, BEYOND)], 3.5, INK);
         let label = Label::new(TEXT).bold().colored(INK);
         let label = label.anchored(Anchor::Middle);
-        canvas.text("1", at(a, -BEYOND - 0.6 * TEXT), label)
+        drawing.text("1", at(a, -BEYOND - 0.6 * TEXT), label);
     }
 
     /// Draws the plies below each other from the first end of the cut, in the colors of their
     /// cells and with equal heights.
-    pub fn draw<B: DrawingBackend>(
+    pub fn draw(
         &self,
-        canvas: &Canvas<B>,
+        drawing: &mut Drawing,
         (section, unit): (&Section, &PlotUnit),
         top: f64,
-        color: impl Fn(usize) -> RGBColor,
-    ) -> Result<(), FigureProblem> {
-        let label = Label::new(0.88 * TEXT).colored(INK);
+        color: impl Fn(usize) -> Color,
+    ) {
+        let label = Label::new(SMALL).colored(INK);
         let words = "plies of the wall along the cut, from the end called 1:";
-        canvas.text(words, [LEFT, top + 0.4 * HEADING], label)?;
+        drawing.text(words, [LEFT, top + 0.4 * HEADING], label);
         let width = (f64::from(WIDTH) - LEFT - RIGHT) / COLUMNS as f64;
         let shown = self.plies.len().min(COLUMNS * ROWS);
         for (number, ply) in self.plies.iter().take(shown).enumerate() {
             let left = LEFT + width * (number / self.rows()) as f64;
             let above = top + HEADING + ROW * (number % self.rows()) as f64;
             let (right, below) = (left + BOX, above + ROW);
-            let corners = [[left, above], [right, above], [right, below], [left, below]];
-            let [a, b, c, d] = corners;
-            canvas.polygon(&corners, color(ply.cell))?;
-            canvas.line(&[a, b, c, d, a], 2.0, INK)?;
+            let corners = boxed([left, above], [right, below]);
+            drawing.polygon(&corners, color(ply.cell));
+            drawing.outline(&corners, 2.0, INK);
             let left_out = self.plies.len() - shown;
             let text = match number + 1 == shown && left_out > 0 {
                 true => format!("and {} more plies", left_out + 1),
                 false => ply.words(section, unit, number + 1),
             };
-            let text = canvas.shortened(&text, label, width - BOX - 40.0);
-            canvas.text(&text, [right + 20.0, above + 0.5 * ROW], label)?;
+            let text = drawing.shortened(&text, label, width - BOX - 40.0);
+            drawing.text(&text, [right + 20.0, above + 0.5 * ROW], label);
         }
-        Ok(())
     }
 }
 

@@ -1,17 +1,13 @@
 //! The mesh in the colors of its materials, with the centers of the section.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{BLACK, RGBColor, WHITE};
 use shared_geom::figure::{
-    Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH, category, tick_label,
+    Anchor, BLACK, Color, Drawing, Figure, INK, Label, SMALL, WHITE, WIDTH, category, tick_label,
 };
 
 use super::cell_colors::fill_cells;
-use super::figure_parts::{
-    BELOW, Figure, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TITLE, TOP, draw_title,
-};
+use super::figure_parts::{BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TOP, boxed, draw_title};
 use super::outline::{Outline, Side, SideRole, side_points};
-use super::plane::{Extent, INK, Plane, PlotUnit};
+use super::plane::{Extent, Plane, PlotUnit};
 use super::text::rounded;
 use crate::input::InputSummary;
 use crate::properties::Centers;
@@ -118,17 +114,17 @@ impl<'a> MeshPlot<'a> {
         names
     }
 
-    fn draw_title<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_title(&self, drawing: &mut Drawing) {
         let section = self.section;
         let space = f64::from(WIDTH) - LEFT - RIGHT;
-        draw_title(canvas, [&section.name, ""], TITLE, [LEFT, 50.0], space)?;
+        draw_title(drawing, [&section.name, ""], [LEFT, 50.0], space);
         let line = format!(
             "{} nodes, {} cells{}",
             section.mesh.nodes.len(),
             section.mesh.cells.len(),
             self.true_scale()
         );
-        canvas.text(&line, [LEFT, 105.0], Label::new(0.88 * TEXT).colored(INK))
+        drawing.text(&line, [LEFT, 105.0], Label::new(SMALL).colored(INK));
     }
 
     /// Note on walls that are drawn wider than in reality.
@@ -145,14 +141,14 @@ impl<'a> MeshPlot<'a> {
         }
     }
 
-    fn draw_cells<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_cells(&self, drawing: &mut Drawing) {
         let section = self.section;
         let position = |node: u32| self.plane.position(section.mesh.nodes[node as usize]);
         let color = |cell: usize| category(self.color_of[section.cells[cell].material]);
         let is_thin = self.wall < THINNEST;
-        fill_cells(canvas, (section, self.sides), &position, color, is_thin)?;
+        fill_cells(drawing, (section, self.sides), &position, color, is_thin);
         if is_thin {
-            return Ok(());
+            return;
         }
         for side in self.sides {
             let (width, color) = match side.role {
@@ -162,16 +158,15 @@ impl<'a> MeshPlot<'a> {
                 SideRole::Inner(_) if self.cell < NARROWEST => continue,
                 SideRole::Inner(material) => (1.2, shaded(category(self.color_of[material]))),
             };
-            canvas.line(
+            drawing.line(
                 &side_points(side.ends, side.middle, &position),
                 width,
                 color,
-            )?;
+            );
         }
-        Ok(())
     }
 
-    fn draw_marks<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_marks(&self, drawing: &mut Drawing) {
         for mark in self
             .marks
             .iter()
@@ -179,38 +174,31 @@ impl<'a> MeshPlot<'a> {
         {
             let rim = if self.wall < SPARED { 0.0 } else { RIM };
             mark.shape
-                .draw(canvas, self.plane.position(mark.position), rim)?;
+                .draw(drawing, self.plane.position(mark.position), rim);
         }
-        Ok(())
     }
 
-    fn draw_legend<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    fn draw_legend(&self, drawing: &mut Drawing) {
         let top = TOP + self.plane.frame[1] + BELOW + 0.5 * LINE;
-        let label = Label::new(0.94 * TEXT).colored(INK);
+        let label = Label::new(SMALL).colored(INK);
         let second = 0.42 * f64::from(WIDTH);
         for (row, name) in self.legend_names().iter().enumerate() {
             let y = top + LINE * row as f64;
             if row < NAMES - 1 || self.colors <= NAMES {
-                let (left, right) = (LEFT, LEFT + 56.0);
-                let box_ = [
-                    [left, y - 18.0],
-                    [right, y - 18.0],
-                    [right, y + 18.0],
-                    [left, y + 18.0],
-                ];
-                canvas.polygon(&box_, category(row))?;
-                canvas.line(&[box_[0], box_[1], box_[2], box_[3], box_[0]], 2.0, INK)?;
+                let corners = boxed([LEFT, y - 18.0], [LEFT + 56.0, y + 18.0]);
+                drawing.polygon(&corners, category(row));
+                drawing.outline(&corners, 2.0, INK);
             }
             let space = second - LEFT - 110.0;
-            canvas.text(
-                &canvas.shortened(name, label, space),
+            drawing.text(
+                &drawing.shortened(name, label, space),
                 [LEFT + 76.0, y],
                 label,
-            )?;
+            );
         }
         for (row, mark) in self.marks.iter().enumerate() {
             let y = top + LINE * row as f64;
-            mark.shape.draw_in_legend(canvas, [second, y])?;
+            mark.shape.draw_in_legend(drawing, [second, y]);
             let [at_y, at_z] = mark.position.map(|value| self.unit.shown(value, self.size));
             let beyond = if self.plane.shows(mark.position) {
                 ""
@@ -218,19 +206,8 @@ impl<'a> MeshPlot<'a> {
                 ", outside of the figure"
             };
             let text = format!("{} ({at_y}, {at_z}) {}{beyond}", mark.name, self.unit.name);
-            canvas.text(&text, [second + 50.0, y], label.anchored(Anchor::Start))?;
+            drawing.text(&text, [second + 50.0, y], label.anchored(Anchor::Start));
         }
-        Ok(())
-    }
-}
-
-impl Drawing for MeshPlot<'_> {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        self.draw_title(canvas)?;
-        self.plane.draw_axes(canvas, &self.unit)?;
-        self.draw_cells(canvas)?;
-        self.draw_marks(canvas)?;
-        self.draw_legend(canvas)
     }
 }
 
@@ -240,68 +217,68 @@ impl Figure for MeshPlot<'_> {
         let height = TOP + self.plane.frame[1] + BELOW + LINE * rows + 0.5 * LINE;
         (WIDTH, height.ceil() as u32)
     }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        self.draw_title(drawing);
+        self.plane.draw_axes(drawing, &self.unit);
+        self.draw_cells(drawing);
+        self.draw_marks(drawing);
+        self.draw_legend(drawing);
+    }
 }
 
 impl Shape {
     /// Draws the shape in black with a white rim \[figure pixels\]. Ring, triangle and cross
     /// around one point do not overlap.
-    fn draw<B: DrawingBackend>(
-        self,
-        canvas: &Canvas<B>,
-        center: [f64; 2],
-        rim: f64,
-    ) -> Result<(), FigureProblem> {
+    fn draw(self, drawing: &mut Drawing, center: [f64; 2], rim: f64) {
         let [x, y] = center;
-        let at = |dx: f64, dy: f64| [x + dx, y + dy];
-        let rimmed = |lines: &[&[[f64; 2]]]| {
-            for points in lines.iter().filter(|_| rim > 0.0) {
-                canvas.line(points, 3.5 + 2.0 * rim, WHITE)?;
-            }
-            lines
-                .iter()
-                .try_for_each(|points| canvas.line(points, 3.5, BLACK))
-        };
-        match self {
+        let at = |[dx, dy]: [f64; 2]| [x + dx, y + dy];
+        let lines = match self {
             Self::Disc => {
                 // the largest width that the dot leaves inside of the ring
-                canvas.disc(center, 5.0 + rim.min(2.0), WHITE)?;
-                canvas.disc(center, 5.0, BLACK)
+                drawing.disc(center, 5.0 + rim.min(2.0), WHITE);
+                drawing.disc(center, 5.0, BLACK);
+                return;
             }
             Self::Ring => {
-                let turn = |k: u32| f64::from(k) * std::f64::consts::TAU / 48.0;
-                let points: Vec<_> = (0..=48)
-                    .map(|k| at(11.0 * turn(k).cos(), 11.0 * turn(k).sin()))
-                    .collect();
-                rimmed(&[&points])
+                for (width, color) in strokes(rim) {
+                    drawing.ring(center, 11.0, width, color);
+                }
+                return;
             }
-            Self::Triangle => rimmed(&[&[
-                at(0.0, -34.0),
-                at(29.5, 17.0),
-                at(-29.5, 17.0),
-                at(0.0, -34.0),
-            ]]),
-            Self::Cross => rimmed(&[
-                &[at(-46.0, 0.0), at(46.0, 0.0)],
-                &[at(0.0, -46.0), at(0.0, 46.0)],
-            ]),
+            Self::Triangle => {
+                let [top, right, left] = [[0.0, -34.0], [29.5, 17.0], [-29.5, 17.0]].map(at);
+                vec![vec![top, right, left, top]]
+            }
+            Self::Cross => vec![
+                [[-46.0, 0.0], [46.0, 0.0]].map(at).to_vec(),
+                [[0.0, -46.0], [0.0, 46.0]].map(at).to_vec(),
+            ],
+        };
+        for (width, color) in strokes(rim) {
+            for line in &lines {
+                drawing.line(line, width, color);
+            }
         }
     }
 
     /// Draws the shape small enough for a line of the legend.
-    fn draw_in_legend<B: DrawingBackend>(
-        self,
-        canvas: &Canvas<B>,
-        [x, y]: [f64; 2],
-    ) -> Result<(), FigureProblem> {
+    fn draw_in_legend(self, drawing: &mut Drawing, [x, y]: [f64; 2]) {
         match self {
             Self::Cross => {
-                canvas.line(&[[x - 26.0, y], [x + 26.0, y]], 3.5, BLACK)?;
-                canvas.line(&[[x, y - 26.0], [x, y + 26.0]], 3.5, BLACK)
+                drawing.line(&[[x - 26.0, y], [x + 26.0, y]], 3.5, BLACK);
+                drawing.line(&[[x, y - 26.0], [x, y + 26.0]], 3.5, BLACK)
             }
-            Self::Triangle => self.draw(canvas, [x, y + 8.0], RIM),
-            Self::Ring | Self::Disc => self.draw(canvas, [x, y], RIM),
+            Self::Triangle => self.draw(drawing, [x, y + 8.0], RIM),
+            Self::Ring | Self::Disc => self.draw(drawing, [x, y], RIM),
         }
     }
+}
+
+/// Widths and colors of the strokes of a mark: with a white rim below the black one, if any.
+fn strokes(rim: f64) -> impl Iterator<Item = (f64, Color)> {
+    let below = (rim > 0.0).then_some((3.5 + 2.0 * rim, WHITE));
+    below.into_iter().chain([(3.5, BLACK)])
 }
 
 /// Color indices of the materials, in the order of the first cells that use them, and the
@@ -320,9 +297,9 @@ fn colors(section: &Section) -> (Vec<usize>, usize) {
     (color_of, next)
 }
 
-fn shaded(RGBColor(r, g, b): RGBColor) -> RGBColor {
+fn shaded(Color(r, g, b): Color) -> Color {
     let dark = |channel: u8| (SHADE * f64::from(channel)).round() as u8;
-    RGBColor(dark(r), dark(g), dark(b))
+    Color(dark(r), dark(g), dark(b))
 }
 
 fn marks(centers: Option<&Centers>) -> Vec<Mark> {

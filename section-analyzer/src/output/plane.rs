@@ -1,18 +1,9 @@
 //! The plane of the section on a figure: equal scales along y and z, axes with
 //! ticks and units.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label, TEXT, Ticks, tick_label};
+use shared_geom::figure::{Axes, Drawing, tick_label};
 
 use crate::input::InputSummary;
-
-/// Color of frames and ticks.
-pub(super) const INK: RGBColor = RGBColor(40, 40, 40);
-/// Color of the lines across the plot at the ticks.
-const GRID: RGBColor = RGBColor(226, 226, 226);
-/// Length of a tick mark [figure pixels].
-const TICK: f64 = 10.0;
 
 /// The unit in which a section is drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -144,55 +135,21 @@ impl Plane {
     }
 
     /// Draws frame, grid, ticks and names of the axes; before the content.
-    pub fn draw_axes<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        unit: &PlotUnit,
-    ) -> Result<(), FigureProblem> {
+    pub fn draw_axes(&self, drawing: &mut Drawing, unit: &PlotUnit) {
         let [left, top] = self.corner;
-        let (right, bottom) = (left + self.frame[0], top + self.frame[1]);
-        let label = Label::new(0.88 * TEXT).colored(INK);
-
-        for (tick, text) in self.ticks(0, unit).labeled() {
-            let [x, _] = self.position([tick * unit.meters, 0.0]);
-            canvas.line(&[[x, top], [x, bottom]], 1.0, GRID)?;
-            canvas.line(&[[x, bottom], [x, bottom + TICK]], 2.0, INK)?;
-            let position = [x, bottom + TICK + 0.7 * TEXT];
-            canvas.text(&text, position, label.anchored(Anchor::Middle))?;
-        }
-        let mut widest = 0.0_f64;
-        for (tick, text) in self.ticks(1, unit).labeled() {
-            let [_, y] = self.position([0.0, tick * unit.meters]);
-            canvas.line(&[[left, y], [right, y]], 1.0, GRID)?;
-            canvas.line(&[[left - TICK, y], [left, y]], 2.0, INK)?;
-            let position = [left - 1.8 * TICK, y];
-            canvas.text(&text, position, label.anchored(Anchor::End))?;
-            widest = widest.max(canvas.text_width(&text, label.size));
-        }
-        let corners = [
-            [left, top],
-            [right, top],
-            [right, bottom],
-            [left, bottom],
-            [left, top],
-        ];
-        canvas.line(&corners, 2.0, INK)?;
-
-        let name = Label::new(TEXT).colored(INK).anchored(Anchor::Middle);
-        let below = [0.5 * (left + right), bottom + TICK + 2.0 * TEXT];
-        canvas.text(&format!("y [{}]", unit.name), below, name)?;
-        let beside = [
-            left - 2.8 * TICK - widest - 0.5 * TEXT,
-            0.5 * (top + bottom),
-        ];
-        canvas.text(&format!("z [{}]", unit.name), beside, name.upward())
-    }
-
-    /// Ticks as close as their labels allow.
-    fn ticks(&self, axis: usize, unit: &PlotUnit) -> Ticks {
-        let space = if axis == 0 { 170.0 } else { 75.0 };
-        let count = (self.frame[axis] / space).floor().clamp(2.0, 12.0) as usize;
-        let [low, high] = [self.extent.low, self.extent.high].map(|end| end[axis] / unit.meters);
-        Ticks::between(low, high, count)
+        let ends = |axis: usize| {
+            [self.extent.low[axis], self.extent.high[axis]].map(|end| end / unit.meters)
+        };
+        let axes = Axes {
+            left,
+            right: left + self.frame[0],
+            top,
+            bottom: top + self.frame[1],
+            x: ends(0),
+            y: ends(1),
+        };
+        axes.draw_grid(drawing);
+        let [y, z] = ["y", "z"].map(|name| format!("{name} [{}]", unit.name));
+        axes.draw(drawing, Some(&y), &z);
     }
 }

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use shared_geom::figure::Figure;
 use shared_geom::files::{OutputProblem, write_figure, write_text};
 
-use super::figure_parts::Figure;
 use super::files::OutputFiles;
 use super::record::AnalysisRecord;
 
@@ -119,18 +119,13 @@ impl ResultWriter {
     ) -> Result<(), OutputProblem> {
         let vector = file.with_extension("svg");
         let figure = self.draws().then(figure).flatten();
-        let draw = |file: &Path| {
-            let drawn = figure
-                .as_ref()
-                .map(|figure| write_figure(file, figure.size(), figure));
-            drawn.unwrap_or(Ok(()))
-        };
+        let drawing = figure.map(|figure| figure.drawing());
         let wanted = [true, self.figures == Figures::PngAndSvg];
         for (file, is_wanted) in [file, vector].into_iter().zip(wanted) {
-            match is_wanted && figure.is_some() {
-                true => self.add(file, draw)?,
+            match drawing.as_ref().filter(|_| is_wanted) {
+                Some(drawing) => self.add(file, |file| write_figure(file, drawing))?,
                 // A missing file is ignored.
-                false => drop(std::fs::remove_file(file)),
+                None => drop(std::fs::remove_file(file)),
             }
         }
         Ok(())

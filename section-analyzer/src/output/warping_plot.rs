@@ -1,17 +1,15 @@
 //! The warping of the section under each unit internal force, in six panels.
 
 use nalgebra::DMatrix;
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
 use shared_geom::figure::{
-    Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, ValueTriangle, WIDTH, diverging,
+    Anchor, Color, Drawing, Figure, INK, Label, SMALL, TEXT, ValueTriangle, WIDTH, diverging,
 };
 use shared_geom::wrench::COMPONENTS;
 
 use super::cell_pieces::{PIECE, Patterns};
-use super::figure_parts::{Figure, THINNEST, draw_color_bar, draw_title, fill_cell};
+use super::figure_parts::{THINNEST, draw_color_bar, draw_title, fill_cell};
 use super::outline::{Outline, Side, SideRole, side_points};
-use super::plane::{Extent, INK, Plane};
+use super::plane::{Extent, Plane};
 use crate::mesh::distance;
 use crate::section::Section;
 use crate::solution::SectionSolution;
@@ -30,7 +28,7 @@ const GAP: f64 = 50.0;
 const HEADING: f64 = 115.0;
 /// Space for the title of the figure, and for the color bar below the panels.
 const TITLE: f64 = 100.0;
-const BAR: f64 = 220.0;
+const BAR: f64 = 230.0;
 /// Size of the pieces of a cell that have one color each, for walls so thin that their rims are
 /// drawn too [figure pixels].
 const FLAT: f64 = 5.0;
@@ -39,7 +37,7 @@ const FLAT: f64 = 5.0;
 const SHORT: f64 = 12.0;
 const AS_STRAIGHT: f64 = 0.05;
 /// Color of the outline before warping.
-const FAINT: RGBColor = RGBColor(150, 150, 150);
+const FAINT: Color = Color(150, 150, 150);
 
 /// The figure of the warping of a section.
 #[derive(Debug)]
@@ -99,11 +97,7 @@ impl<'a> WarpingPlot<'a> {
         [0, 1, 2].map(|axis| self.warping[(3 * node + axis, component)])
     }
 
-    fn draw_panel<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        component: usize,
-    ) -> Result<(), FigureProblem> {
+    fn draw_panel(&self, drawing: &mut Drawing, component: usize) {
         let column = (component % self.columns) as f64;
         let row = (component / self.columns) as f64;
         let left = EDGE + column * (self.space[0] + GAP);
@@ -116,23 +110,19 @@ impl<'a> WarpingPlot<'a> {
         };
         let middle = left + 0.5 * self.space[0];
         let label = Label::new(TEXT).anchored(Anchor::Middle);
-        canvas.text(&title(component), [middle, top + 28.0], label.bold())?;
+        drawing.text(&title(component), [middle, top + 28.0], label.bold());
         let words = Label {
-            size: 0.8 * TEXT,
+            size: SMALL,
             color: INK,
             ..label
         };
-        canvas.text(&panel.words(), [middle, top + 76.0], words)?;
-        self.draw_cells(canvas, &panel)?;
-        self.draw_outlines(canvas, &panel)
+        drawing.text(&panel.words(), [middle, top + 76.0], words);
+        self.draw_cells(drawing, &panel);
+        self.draw_outlines(drawing, &panel);
     }
 
     /// Fills the cells with the colors of their axial warping.
-    fn draw_cells<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        panel: &Panel<'_>,
-    ) -> Result<(), FigureProblem> {
+    fn draw_cells(&self, drawing: &mut Drawing, panel: &Panel<'_>) {
         let thin = self.wall * panel.plane.scale < THINNEST;
         let mut patterns = Patterns::new(if thin { FLAT } else { PIECE });
         let mut points = Vec::new();
@@ -160,20 +150,17 @@ impl<'a> WarpingPlot<'a> {
             triangles.extend(corners.map(|corners| triangle(corners.map(|k| points[k]))));
         }
         if !thin {
-            return canvas.shade(&triangles, diverging);
+            drawing.shade(triangles, diverging);
+            return;
         }
-        triangles.iter().try_for_each(|triangle| {
+        for triangle in &triangles {
             let color = diverging(triangle.mean());
-            fill_cell(canvas, triangle.corners.to_vec(), color, true)
-        })
+            fill_cell(drawing, &triangle.corners, color, true);
+        }
     }
 
     /// The outline before and after the warping in the plane.
-    fn draw_outlines<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        panel: &Panel<'_>,
-    ) -> Result<(), FigureProblem> {
+    fn draw_outlines(&self, drawing: &mut Drawing, panel: &Panel<'_>) {
         let factor = match panel.has_in_plane() {
             true => EXAGGERATED * self.size / panel.largest[1],
             false => 0.0,
@@ -191,7 +178,7 @@ impl<'a> WarpingPlot<'a> {
         };
         let thin = self.wall * panel.plane.scale < THINNEST;
         for side in boundary().filter(|_| !thin) {
-            canvas.line(&side_points(side.ends, side.middle, &before), 1.5, FAINT)?;
+            drawing.line(&side_points(side.ends, side.middle, &before), 1.5, FAINT);
         }
         for side in boundary().filter(|_| panel.has_in_plane()) {
             let [a, b] = side.ends.map(after);
@@ -199,50 +186,21 @@ impl<'a> WarpingPlot<'a> {
             let is_long = distance(a, b) > SHORT;
             let is_curved = |&m: &u32| is_long || distance(after(m), mean) > AS_STRAIGHT;
             let middle = side.middle.filter(is_curved);
-            canvas.line(&side_points(side.ends, middle, &after), 2.5, INK)?;
+            drawing.line(&side_points(side.ends, middle, &after), 2.5, INK);
         }
-        Ok(())
     }
 
-    fn draw_bar<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let (width, height) = canvas.size();
+    fn draw_bar(&self, drawing: &mut Drawing) {
+        let (width, height) = drawing.size();
         let (left, right) = (0.3 * width, 0.7 * width);
         let (top, bottom) = (height - BAR + 30.0, height - BAR + 66.0);
-        let color = |part: f64| diverging(2.0 * part - 1.0);
-        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
-        let label = Label::new(0.88 * TEXT)
-            .colored(INK)
-            .anchored(Anchor::Middle);
-        for (x, text) in [(left, "-1"), (0.5 * width, "0"), (right, "1")] {
-            canvas.text(text, [x, bottom + 26.0], label)?;
-        }
-        let words = [
-            "color: warping along x over its largest [-]; dark outline: warping in the plane,",
-            "exaggerated; above each panel: the largest along x and in the y-z plane",
-        ];
-        let label = Label {
-            size: 0.8 * TEXT,
-            ..label
-        };
-        for (text, below) in words.into_iter().zip([78.0, 120.0]) {
-            canvas.text(text, [0.5 * width, bottom + below], label)?;
-        }
-        Ok(())
-    }
-}
-
-impl Drawing for WarpingPlot<'_> {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let title = [
-            self.section.name.as_str(),
-            ": warping per unit internal force",
-        ];
-        let space = f64::from(WIDTH) - 2.0 * EDGE;
-        draw_title(canvas, title, 1.1 * TEXT, [EDGE, 45.0], space)?;
-        for component in 0..COMPONENTS.len() {
-            self.draw_panel(canvas, component)?;
-        }
-        self.draw_bar(canvas)
+        let name = "warping along x over its largest [-]";
+        let corners = [[left, top], [right, bottom]];
+        draw_color_bar(drawing, corners, ([-1.0, 1.0], name), diverging);
+        let words = "dark outline: warping in the plane, exaggerated; \
+            above each panel: the largest along x and in the y-z plane";
+        let label = Label::new(SMALL).colored(INK).anchored(Anchor::Middle);
+        drawing.text(words, [0.5 * width, bottom + 136.0], label);
     }
 }
 
@@ -251,6 +209,19 @@ impl Figure for WarpingPlot<'_> {
         let rows = COMPONENTS.len().div_ceil(self.columns) as f64;
         let height = TITLE + rows * (HEADING + self.space[1] + GAP) + BAR;
         (WIDTH, height.ceil() as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        let title = [
+            self.section.name.as_str(),
+            ": warping per unit internal force",
+        ];
+        let space = f64::from(WIDTH) - 2.0 * EDGE;
+        draw_title(drawing, title, [EDGE, 45.0], space);
+        for component in 0..COMPONENTS.len() {
+            self.draw_panel(drawing, component);
+        }
+        self.draw_bar(drawing);
     }
 }
 

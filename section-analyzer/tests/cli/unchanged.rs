@@ -265,3 +265,15 @@ fn figures_go_without_a_record_too() {
     assert!(stress(&[]) > 0);
     assert_eq!(stress(&["--no-figures"]), 0);
 }
+
+/// The files are the same; only problems are printed.
+#[test]
+fn a_quiet_run_prints_problems_only() {
+    let workplace = Workplace::with(&[], &[]);
+    let run = workplace.run(&["analyze", "a.section.toml", "--quiet", "--no-figures"]);
+    assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, "", ""));
+    assert!(!workplace.read("results/a.report.txt").is_empty());
+    let run = workplace.run(&["stress", "a.section.toml", "-q"]);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert!(run.err.contains("has no load case"), "{}", run.err);
+}

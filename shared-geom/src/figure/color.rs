@@ -8,27 +8,40 @@
 //! - K. Moreland, "Diverging color maps for scientific visualization", Proc. 5th
 //!   Int. Symp. Visual Computing (2009), section 4.
 
-use plotters::style::RGBColor;
+/// Red, green and blue of a color.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Color(pub u8, pub u8, pub u8);
+
+impl Color {
+    pub(super) fn bytes(self) -> [u8; 3] {
+        [self.0, self.1, self.2]
+    }
+}
+
+/// Black: text and outlines.
+pub const BLACK: Color = Color(0, 0, 0);
+/// White: the sheet.
+pub const WHITE: Color = Color(255, 255, 255);
 
 /// Colors of categories, by Okabe and Ito; black, the color of axes and outlines, is
 /// omitted, and yellow comes last, since it is faint on white.
-pub const CATEGORIES: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(213, 94, 0),
-    RGBColor(240, 228, 66),
+pub const CATEGORIES: [Color; 7] = [
+    Color(0, 114, 178),
+    Color(230, 159, 0),
+    Color(0, 158, 115),
+    Color(204, 121, 167),
+    Color(86, 180, 233),
+    Color(213, 94, 0),
+    Color(240, 228, 66),
 ];
 
 /// Color of the category number `index`, from zero; from the eighth the colors repeat,
 /// each time half way to white.
-pub fn category(index: usize) -> RGBColor {
-    let RGBColor(r, g, b) = CATEGORIES[index % CATEGORIES.len()];
+pub fn category(index: usize) -> Color {
+    let Color(r, g, b) = CATEGORIES[index % CATEGORIES.len()];
     let fade = 0.5_f64.powi((index / CATEGORIES.len()).min(3) as i32);
     let pale = |channel: u8| (255.0 - (255.0 - f64::from(channel)) * fade).round() as u8;
-    RGBColor(pale(r), pale(g), pale(b))
+    Color(pale(r), pale(g), pale(b))
 }
 
 /// Ten evenly spaced colors of "viridis".
@@ -68,18 +81,18 @@ const DIVERGING: [[u8; 3]; 17] = [
 ];
 
 /// Color of a magnitude: dark at 0, light at 1; values outside are cut off.
-pub fn sequential(value: f64) -> RGBColor {
+pub fn sequential(value: f64) -> Color {
     between(&SEQUENTIAL, value)
 }
 
 /// Color of a signed value: blue at -1, light gray at 0, brown at 1; values
 /// outside are cut off.
-pub fn diverging(value: f64) -> RGBColor {
+pub fn diverging(value: f64) -> Color {
     between(&DIVERGING, 0.5 * (value + 1.0))
 }
 
 /// Linear interpolation in an evenly spaced table over [0, 1]; NaN is treated as 0.
-fn between(table: &[[u8; 3]], value: f64) -> RGBColor {
+fn between(table: &[[u8; 3]], value: f64) -> Color {
     let value = if value.is_nan() { 0.0 } else { value };
     let position = value.clamp(0.0, 1.0) * (table.len() - 1) as f64;
     let below = (position as usize).min(table.len() - 2);
@@ -89,7 +102,7 @@ fn between(table: &[[u8; 3]], value: f64) -> RGBColor {
         // rounded: the channel is positive, and a byte cuts off
         (low + part * (high - low) + 0.5) as u8
     };
-    RGBColor(channel(0), channel(1), channel(2))
+    Color(channel(0), channel(1), channel(2))
 }
 
 #[cfg(test)]
@@ -97,7 +110,7 @@ mod tests {
     use super::*;
 
     /// CIE 1976 lightness of an sRGB color (IEC 61966-2-1, white D65).
-    fn lightness(RGBColor(r, g, b): RGBColor) -> f64 {
+    fn lightness(Color(r, g, b): Color) -> f64 {
         let linear = |c: u8| {
             let c = f64::from(c) / 255.0;
             if c <= 0.04045 {
@@ -144,7 +157,7 @@ mod tests {
         assert_eq!(sequential(-3.0), sequential(0.0));
         assert_eq!(sequential(f64::INFINITY), sequential(1.0));
         assert_eq!(sequential(f64::NAN), sequential(0.0));
-        assert_eq!(diverging(0.0), RGBColor(238, 238, 238));
+        assert_eq!(diverging(0.0), Color(238, 238, 238));
     }
 
     #[test]

@@ -1,12 +1,13 @@
 //! Triangles filled with the values in them, on a grid of pixels.
 
+use super::color::Color;
 use super::raster::{each_span, holds_no_center};
 use super::sheet::Sheet;
 
 /// A triangle with a value at each corner, linear in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ValueTriangle {
-    /// Its corners \[figure pixels, unit of the canvas\].
+    /// Its corners \[figure pixels, unit of the drawing\].
     pub corners: [[f64; 2]; 3],
     /// The values there \[any unit\].
     pub values: [f64; 3],
@@ -44,19 +45,19 @@ impl ValueTriangle {
 }
 
 /// Colors of values in equal steps, smaller than visible differences.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct ColorTable {
     low: f64,
     /// Steps per unit of the values.
     density: f64,
-    colors: Vec<[u8; 3]>,
+    colors: Vec<Color>,
 }
 
 impl ColorTable {
     const STEPS: usize = 4096;
 
     /// The colors `color(value)` of all values in `triangles`.
-    pub fn new(triangles: &[ValueTriangle], color: impl Fn(f64) -> [u8; 3]) -> Self {
+    pub fn new(triangles: &[ValueTriangle], color: impl Fn(f64) -> Color) -> Self {
         let values = triangles.iter().flat_map(|triangle| triangle.values);
         let none = (f64::INFINITY, f64::NEG_INFINITY);
         let (low, high) = values
@@ -77,7 +78,7 @@ impl ColorTable {
     }
 
     /// The color of a value of the triangles.
-    pub fn of(&self, value: f64) -> [u8; 3] {
+    pub fn of(&self, value: f64) -> Color {
         let index = ((value - self.low) * self.density + 0.5) as usize;
         self.colors[index.min(self.colors.len() - 1)]
     }
@@ -155,15 +156,15 @@ mod tests {
             corners: [[0.0; 2]; 3],
             values,
         };
-        let color = |value: f64| [(1e-10 * value) as u8, 0, 0];
+        let color = |value: f64| Color((1e-10 * value) as u8, 0, 0);
         let triangles = [of([1e11, f64::NAN, 2e11]), of([2.5e12, 0.0, 3e11])];
         let table = ColorTable::new(&triangles, color);
         for k in 0..=250 {
             let value = 1e10 * (f64::from(k) + 0.5);
-            assert_eq!(table.of(value)[0], k.min(250) as u8, "{k}");
+            assert_eq!(table.of(value).0, k.min(250) as u8, "{k}");
         }
         let one = ColorTable::new(&[of([7e10; 3])], color);
-        assert_eq!((one.of(7e10), one.colors.len()), ([7, 0, 0], 1));
+        assert_eq!((one.of(7e10), one.colors.len()), (Color(7, 0, 0), 1));
         assert_eq!(ColorTable::new(&[], color).colors.len(), 1);
     }
 

@@ -3,13 +3,8 @@
 //! Most of a figure remains white: only the squares of the sheet with drawn pixels need
 //! memory and time.
 
-use std::cell::RefCell;
-use std::convert::Infallible;
-use std::rc::Rc;
-
-use plotters_backend::{
-    BackendColor, BackendCoord, BackendStyle, DrawingBackend, DrawingErrorKind, rasterizer,
-};
+use super::color::Color;
+use super::raster;
 
 /// Sheet pixels in one figure pixel, along each side.
 pub(super) const OVERSAMPLING: u32 = 2;
@@ -65,6 +60,14 @@ impl Sheet {
         });
     }
 
+    /// Fills the polygon with these corners \[sheet pixels\].
+    pub fn polygon(&mut self, corners: &[[f64; 2]], color: Color) {
+        let (width, height) = self.size;
+        raster::each_span(corners, width, height, |span| {
+            self.fill(span.row, span.start, span.end, color.bytes());
+        });
+    }
+
     /// Sets the pixels from `start` to before `end` of a row of the sheet to the colors
     /// of their columns.
     pub fn shade(&mut self, row: i32, start: i32, end: i32, color: impl Fn(i32) -> Pixel) {
@@ -104,7 +107,7 @@ impl Sheet {
     }
 
     /// Mixes `color` into a pixel: fully if `alpha` is one, not at all if it is zero.
-    fn blend(&mut self, (column, row): BackendCoord, color: Pixel, alpha: f64) {
+    pub fn blend(&mut self, (column, row): (i32, i32), color: Pixel, alpha: f64) {
         if alpha <= 0.0 {
             return;
         }
@@ -166,54 +169,6 @@ fn average(mean: &mut [u8], [above, below]: [&[Pixel; SIDE]; OVERSAMPLING as usi
         for channel in 0..CHANNELS {
             pixel[channel] = ((pair[channel] + pair[channel + CHANNELS]) / 4) as u8;
         }
-    }
-}
-
-/// A sheet on which plotters draws texts and lines, while the canvas fills shapes.
-#[derive(Debug, Clone)]
-pub(super) struct SheetBackend(pub Rc<RefCell<Sheet>>);
-
-/// Only the font can cause errors of drawing on a sheet.
-type Drawn = Result<(), DrawingErrorKind<Infallible>>;
-
-impl DrawingBackend for SheetBackend {
-    type ErrorType = Infallible;
-
-    fn get_size(&self) -> (u32, u32) {
-        self.0.borrow().size()
-    }
-
-    fn ensure_prepared(&mut self) -> Drawn {
-        Ok(())
-    }
-
-    fn present(&mut self) -> Drawn {
-        Ok(())
-    }
-
-    fn draw_pixel(&mut self, point: BackendCoord, color: BackendColor) -> Drawn {
-        let (r, g, b) = color.rgb;
-        self.0.borrow_mut().blend(point, [r, g, b], color.alpha);
-        Ok(())
-    }
-
-    fn draw_rect<S: BackendStyle>(
-        &mut self,
-        upper_left: BackendCoord,
-        bottom_right: BackendCoord,
-        style: &S,
-        fill: bool,
-    ) -> Drawn {
-        let color = style.color();
-        if !fill || color.alpha < OPAQUE {
-            return rasterizer::draw_rect(self, upper_left, bottom_right, style, fill);
-        }
-        let (r, g, b) = color.rgb;
-        for row in upper_left.1..bottom_right.1 {
-            let mut sheet = self.0.borrow_mut();
-            sheet.fill(row, upper_left.0, bottom_right.0, [r, g, b]);
-        }
-        Ok(())
     }
 }
 

@@ -1,21 +1,23 @@
 //! Tests of saving: endings, formats, fonts, averaging.
 
-use plotters::style::{BLACK, RED};
-
 use super::*;
 
 /// A square, a line, a disc and two texts.
 struct Sample;
 
-impl Drawing for Sample {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        assert_eq!(canvas.size(), (60.0, 40.0));
-        canvas.polygon(&[[5.0, 5.0], [25.0, 5.0], [25.0, 25.0], [5.0, 25.0]], RED)?;
-        canvas.line(&[[30.0, 5.0], [50.0, 5.0], [50.0, 9.0]], 2.0, BLACK)?;
-        canvas.disc([40.0, 20.0], 5.0, BLACK)?;
+impl Figure for Sample {
+    fn size(&self) -> (u32, u32) {
+        (60, 40)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        let red = Color(255, 0, 0);
+        drawing.polygon(&[[5.0, 5.0], [25.0, 5.0], [25.0, 25.0], [5.0, 25.0]], red);
+        drawing.line(&[[30.0, 5.0], [50.0, 5.0], [50.0, 9.0]], 2.0, BLACK);
+        drawing.disc([40.0, 20.0], 5.0, BLACK);
         let label = Label::new(10.0).anchored(Anchor::Middle);
-        canvas.text("a < b", [30.0, 35.0], label)?;
-        canvas.text("up", [56.0, 20.0], label.upward().bold())
+        drawing.text("a < b", [30.0, 35.0], label);
+        drawing.text("up", [56.0, 20.0], label.upward().bold());
     }
 }
 
@@ -23,14 +25,14 @@ impl Drawing for Sample {
 fn png_has_its_size_and_svg_its_text() {
     let folder = tempfile::tempdir().unwrap();
     let png = folder.path().join("a.png");
-    save(&png, (60, 40), &Sample).unwrap();
+    Sample.drawing().save(&png).unwrap();
     let bytes = std::fs::read(&png).unwrap();
     // PNG: signature of 8 bytes, then the header block: width and height at 16 and 20.
     assert_eq!(&bytes[..4], b"\x89PNG");
     assert_eq!(bytes[16..24], [0, 0, 0, 60, 0, 0, 0, 40]);
 
     let svg = folder.path().join("a.SVG");
-    save(&svg, (60, 40), &Sample).unwrap();
+    Sample.drawing().save(&svg).unwrap();
     let text = std::fs::read_to_string(&svg).unwrap();
     assert!(
         text.starts_with(
@@ -43,28 +45,49 @@ fn png_has_its_size_and_svg_its_text() {
 
 #[test]
 fn wrong_endings_and_folders_are_reported() {
-    let wrong = save(Path::new("a.jpeg"), (60, 40), &Sample).unwrap_err();
+    let wrong = Sample.drawing().save(Path::new("a.jpeg")).unwrap_err();
     assert_eq!(
         wrong.to_string(),
         "figure \"a.jpeg\" ends in neither \".png\" nor \".svg\""
     );
     assert_eq!(wrong.help().unwrap(), "name the file .png or .svg");
     for file in ["no/such/folder/a.png", "no/such/folder/a.svg"] {
-        let wrong = save(Path::new(file), (60, 40), &Sample).unwrap_err();
+        let wrong = Sample.drawing().save(Path::new(file)).unwrap_err();
         assert!(matches!(wrong, FigureProblem::Unwritable { .. }), "{wrong}");
     }
 }
 
 #[test]
 fn longer_texts_are_wider() {
-    struct Widths;
-    impl Drawing for Widths {
-        fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-            let (one, two) = (canvas.text_width("n", 20.0), canvas.text_width("nn", 20.0));
-            assert!(one > 5.0 && (two - 2.0 * one).abs() <= 1.0, "{one} {two}");
-            Ok(())
-        }
-    }
+    let [one, two] = ["n", "nn"].map(|text| text_width(text, Label::new(20.0)));
+    assert!(one > 5.0 && (two - 2.0 * one).abs() <= 0.2, "{one} {two}");
+    let bold = text_width("n", Label::new(20.0).bold());
+    assert!(bold > one && bold < 1.2 * one, "{bold}");
+}
+
+#[test]
+fn texts_are_recorded_in_their_order() {
+    let drawing = Sample.drawing();
+    assert_eq!(drawing.size(), (60.0, 40.0));
+    assert_eq!(drawing.texts().collect::<Vec<_>>(), ["a < b", "up"]);
+}
+
+/// A region is its polygons in an SVG, and the pixels within its border in a PNG.
+#[test]
+fn regions_are_the_same_in_both_formats() {
+    let square = [[5.0, 5.0], [25.0, 5.0], [25.0, 25.0], [5.0, 25.0]];
+    let border = [0, 1, 2, 3].map(|k| [square[k], square[(k + 1) % 4]]);
+    let mut region = Drawing::new((30, 30));
+    region.region(vec![square.to_vec()], border.to_vec(), BLACK);
+    let mut polygon = Drawing::new((30, 30));
+    polygon.polygon(&square, BLACK);
     let folder = tempfile::tempdir().unwrap();
-    save(&folder.path().join("w.svg"), (60, 40), &Widths).unwrap();
+    for name in ["a.png", "a.svg"] {
+        let [one, two] = [&region, &polygon].map(|drawing| {
+            let path = folder.path().join(name);
+            drawing.save(&path).unwrap();
+            std::fs::read(path).unwrap()
+        });
+        assert_eq!(one, two, "{name}");
+    }
 }

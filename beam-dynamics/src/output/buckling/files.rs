@@ -36,7 +36,7 @@ pub fn write_buckling(
     let text = format!("{}\n{BUCKLING_CONVENTION}", buckling_text(result));
     results.text(TEXT, &text)?;
     results.text(TABLE, &buckling_csv(result))?;
-    results.figures(PLOT, || BucklingPlot::new(result), BucklingPlot::save)?;
+    results.figures(PLOT, || BucklingPlot::new(result))?;
     if result.modes.is_empty() {
         return Ok(results.written);
     }

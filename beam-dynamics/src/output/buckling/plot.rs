@@ -1,15 +1,10 @@
 //! Buckling shapes of a model, over the equilibrium in gray.
 
-use std::path::Path;
-
 use nalgebra::Vector3;
-use plotters::backend::DrawingBackend;
-use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, Label, WIDTH};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{CATEGORIES, Drawing, Figure, GRAY, INK, Label, Legend, SMALL, WIDTH};
 
 use super::fields::{base, displaced, turned};
 use crate::input::short_number;
-use crate::output::panel::{GRAY, SMALL, draw_legend, draw_title};
 use crate::output::structure::Structure;
 use crate::output::views::{Extent, MARGINS, Stroke, View, draw_view, lengths};
 use crate::result::{BucklingMode, BucklingResult};
@@ -108,15 +103,6 @@ impl BucklingPlot {
         };
         self.modes.chunks(self.columns).map(row).collect()
     }
-
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`OutputProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        let height = HEAD + self.rows().iter().sum::<f64>();
-        write_figure(path, (WIDTH, height.ceil() as u32), self)
-    }
 }
 
 /// Number and factor, and the drawn quantity of a shape that only rotates nodes about an axis.
@@ -174,28 +160,32 @@ fn in_plane(structure: &Structure, toward: usize) -> View {
     [along.min(toward), along.max(toward)]
 }
 
-impl Drawing for BucklingPlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        draw_title(canvas, &self.title, [40.0, 44.0])?;
+impl Figure for BucklingPlot {
+    fn size(&self) -> (u32, u32) {
+        let height = HEAD + self.rows().iter().sum::<f64>();
+        (WIDTH, height.ceil() as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        drawing.title(&self.title, [40.0, 44.0]);
         let legend = [
             ("equilibrium".to_owned(), LINE, GRAY),
             ("shape, arbitrary scale".to_owned(), LINE, CATEGORIES[5]),
         ];
-        draw_legend(canvas, [40.0, 104.0], &legend)?;
+        Legend::of_lines(legend).draw(drawing, [40.0, 82.0], f64::from(WIDTH) - 80.0);
         let mut top = HEAD;
         for (modes, height) in self.modes.chunks(self.columns).zip(self.rows()) {
             for (column, mode) in modes.iter().enumerate() {
                 let left = 20.0 + self.column() * column as f64 + MARGINS[0];
                 let frame = self.frame(mode);
                 let panel = mode.extent.panel(mode.view, [left, top + TITLE], frame);
-                let label = Label::new(SMALL).bold();
-                canvas.text(&mode.title, [left, top + 0.5 * TITLE], label)?;
+                let label = Label::new(SMALL).bold().colored(INK);
+                drawing.text(&mode.title, [left, top + 0.5 * TITLE], label);
                 let seen = (mode.view, &mode.names);
-                draw_view(canvas, seen, &panel, &mode.strokes, &[])?;
+                draw_view(drawing, seen, &panel, &mode.strokes, &[]);
             }
             top += height;
         }
-        Ok(())
     }
 }
 
@@ -209,10 +199,7 @@ mod tests {
         let plot = BucklingPlot::new(&samples::column()).unwrap();
         let views: Vec<_> = plot.modes.iter().map(|mode| mode.view).collect();
         assert_eq!(views, [[0, 2], [0, 1], [0, 2], [0, 1]]);
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
-        plot.save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&plot);
         for expected in [
             "column: shapes of critical loads",
             "1: factor 2.4674",

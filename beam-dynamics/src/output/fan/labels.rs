@@ -1,12 +1,10 @@
 //! Names of the modes at the right ends of their lines.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{BLACK, WHITE};
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label};
+use shared_geom::figure::{Anchor, Axes, Drawing, INK, Label, SMALL, WHITE, text_width};
 
-use super::axes::{Axes, LEADER};
+use super::axes::LEADER;
 use super::boxes::{Box2, Obstacles, spread};
-use super::{Curve, FanPlot, SMALL};
+use super::{Curve, FanPlot};
 
 /// Distance of two names, in sizes of their letters.
 const LINE_SPACING: f64 = 1.15;
@@ -14,11 +12,7 @@ const LEADER_LINE: f64 = 2.0;
 
 /// Writes the names of the modes that reach the last speed in a column to the right,
 /// each joined with its line.
-pub(super) fn draw_column<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    plot: &FanPlot,
-    axes: &Axes,
-) -> Result<(), FigureProblem> {
+pub(super) fn draw_column(drawing: &mut Drawing, plot: &FanPlot, axes: &Axes) {
     let mut ends: Vec<_> = plot
         .curves
         .iter()
@@ -40,10 +34,9 @@ pub(super) fn draw_column<B: DrawingBackend>(
             [bends[1], height],
             [text - 10.0, height],
         ];
-        canvas.line(&leader, LEADER_LINE, curve.color)?;
-        canvas.text(&curve.name, [text, height], Label::new(size).colored(BLACK))?;
+        drawing.line(&leader, LEADER_LINE, curve.color);
+        drawing.text(&curve.name, [text, height], Label::new(size).colored(INK));
     }
-    Ok(())
 }
 
 /// Position of the end of a curve that reaches the last speed, at the edge of the frame.
@@ -62,12 +55,7 @@ pub(super) struct Placed(Vec<(String, Box2)>);
 
 /// Positions of the names of modes that end before the edge of the frame, without short pieces of
 /// lines: the table names them.
-pub(super) fn beside_ends<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    plot: &FanPlot,
-    axes: &Axes,
-    obstacles: &mut Obstacles,
-) -> Result<Placed, FigureProblem> {
+pub(super) fn beside_ends(plot: &FanPlot, axes: &Axes, obstacles: &mut Obstacles) -> Placed {
     let mut placed = Placed::default();
     for curve in plot
         .curves
@@ -78,7 +66,7 @@ pub(super) fn beside_ends<B: DrawingBackend>(
             continue;
         };
         let [x, y] = axes.position([plot.speeds[k], frequency]);
-        let width = canvas.text_width(&curve.name, SMALL);
+        let width = text_width(&curve.name, Label::new(SMALL));
         let right = x + 0.5 * width + 26.0;
         let steps = [0.0, -0.7, 0.7, -1.1, 1.1, -1.6, 1.6];
         let beside = steps.map(|step| [right, y + step * SMALL]);
@@ -90,20 +78,19 @@ pub(super) fn beside_ends<B: DrawingBackend>(
             placed.0.push((curve.name.clone(), position));
         }
     }
-    Ok(placed)
+    placed
 }
 
 impl Placed {
     /// Writes the names, on white.
-    pub fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
+    pub fn draw(&self, drawing: &mut Drawing) {
         for (name, position) in &self.0 {
-            canvas.polygon(&position.corners(), WHITE)?;
-            canvas.text(
+            drawing.polygon(&position.corners(), WHITE);
+            drawing.text(
                 name,
                 position.center(),
                 Label::new(SMALL).anchored(Anchor::Middle),
-            )?;
+            );
         }
-        Ok(())
     }
 }

@@ -1,69 +1,38 @@
-//! Meaning of the marks, in a row above the plot.
+//! Meaning of the marks and of the patterns of lines.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Canvas, FigureProblem, Label};
+use shared_geom::figure::{Color, Legend, Mark, Sample, Stroke};
 
-use super::axes::Axes;
-use super::{FanPlot, SIZE, SMALL, curves};
+use super::{FanPlot, curves, per_rev};
 use crate::result::ModeKind;
 
-const GRAY: RGBColor = RGBColor(90, 90, 90);
-/// From the middle of a mark to its word, and from a word to the next mark.
-const GAPS: [f64; 2] = [24.0, 44.0];
-/// Distance of the two rows, and length of the samples of lines.
-const ROW: f64 = 46.0;
-const SAMPLE: f64 = 80.0;
+const GRAY: Color = Color(90, 90, 90);
 
-/// Draws the marks of the kinds that the plot has, and the ring of measured points.
-pub(super) fn draw<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    plot: &FanPlot,
-    axes: &Axes,
-) -> Result<(), FigureProblem> {
-    let y = 0.078 * f64::from(SIZE.1);
-    let mut x = axes.left + 12.0;
-    let word = |x: &mut f64, text: &str| {
-        let start = *x + GAPS[0];
-        *x = start + canvas.text_width(text, SMALL) + GAPS[1];
-        canvas.text(text, [start, y], Label::new(SMALL))
-    };
+/// Two legends, the second one below the first one: the marks of the kinds that the plot has, the
+/// ring of measured points and the multiples of the rotor speed; the patterns of lines and the
+/// mark of critical speeds.
+pub(super) fn legends(plot: &FanPlot) -> [Legend; 2] {
+    let [mut legend, mut lines] = [Legend::default(), Legend::default()];
     let others = [ModeKind::Lateral, ModeKind::Coupled];
     for kind in ModeKind::PURE.into_iter().chain(others) {
         let mut kinds = plot.curves.iter().flat_map(|curve| &curve.kinds);
         if kinds.any(|found| *found == Some(kind)) {
-            curves::mark(canvas, [x, y], kind, GRAY)?;
-            word(&mut x, kind.word_in(plot.words))?;
+            let mark = Sample::Mark(curves::mark(kind), curves::MARK, GRAY);
+            legend.add(kind.word_in(plot.words), mark);
         }
     }
     if !plot.measured.is_empty() {
-        curves::ring(canvas, [x, y])?;
-        word(&mut x, "measured")?;
+        let ring = Sample::Mark(Mark::Ring, curves::RING, curves::BLACK);
+        legend.add("measured", ring);
     }
-    x += GAPS[0];
-    canvas.line(&[[x - 34.0, y], [x, y]], 2.0, RGBColor(175, 175, 175))?;
-    word(&mut x, "nP: n per revolution")?;
-    patterns(canvas, plot, axes, y + ROW)
-}
-
-/// Draws the meaning of the patterns of lines, and of the marks of critical speeds, in a row of
-/// their own.
-fn patterns<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    plot: &FanPlot,
-    axes: &Axes,
-    y: f64,
-) -> Result<(), FigureProblem> {
-    let mut x = axes.left;
+    legend.add("nP: n per revolution", Sample::Line(per_rev::STROKE));
     for (pattern, text) in &plot.patterns {
-        curves::line(canvas, &[[x, y], [x + SAMPLE, y]], *pattern, GRAY)?;
-        canvas.text(text, [x + SAMPLE + 14.0, y], Label::new(SMALL))?;
-        x += SAMPLE + 14.0 + canvas.text_width(text, SMALL) + GAPS[1];
+        let stroke = Stroke::new(curves::LINE, GRAY).dashed(*pattern);
+        lines.add(text, Sample::Line(stroke));
     }
-    if plot.critical.is_empty() {
-        return Ok(());
+    if !plot.critical.is_empty() {
+        let size = curves::diamond_size(plot.critical.len());
+        let diamond = Sample::Mark(Mark::OpenDiamond, size, curves::BLACK);
+        lines.add("critical speed", diamond);
     }
-    let size = curves::diamond_size(plot.critical.len());
-    curves::diamond(canvas, [x + 17.0, y], size)?;
-    canvas.text("critical speed", [x + 48.0, y], Label::new(SMALL))
+    [legend, lines]
 }

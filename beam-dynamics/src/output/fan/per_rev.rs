@@ -1,17 +1,17 @@
 //! Multiples of the rotor speed: thin lines, labeled where the plot is free.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{RGBColor, WHITE};
-use shared_geom::figure::{Anchor, Canvas, FigureProblem, Label};
+use shared_geom::figure::{Anchor, Axes, Color, Drawing, Label, SMALL, Stroke, WHITE, text_width};
 
-use super::SMALL;
-use super::axes::Axes;
 use super::boxes::{Box2, Obstacles};
 use crate::case::FrequencyUnit;
 
-const GRAY: RGBColor = RGBColor(175, 175, 175);
-const DARK_GRAY: RGBColor = RGBColor(105, 105, 105);
-const LINE: f64 = 2.0;
+/// Line of a multiple.
+pub(super) const STROKE: Stroke = Stroke {
+    color: Color(175, 175, 175),
+    width: 2.0,
+    pattern: 0,
+};
+const DARK_GRAY: Color = Color(105, 105, 105);
 const LETTERS: f64 = 0.85 * SMALL;
 
 /// A line that leaves the frame before this part of the speeds is left out.
@@ -27,32 +27,33 @@ pub(super) struct Multiple {
 
 /// The chosen multiples that cross the frame; if none are chosen, the first ten, then fewer, up to
 /// the first that leaves the frame early.
-pub(super) fn multiples(axes: &Axes, chosen: Option<&[u32]>) -> Vec<Multiple> {
+pub(super) fn multiples(axes: &Axes, unit: FrequencyUnit, chosen: Option<&[u32]>) -> Vec<Multiple> {
     if let Some(chosen) = chosen {
         let lines = chosen
             .iter()
-            .filter_map(|number| multiple(axes, *number, 0.0));
+            .filter_map(|number| multiple((axes, unit), *number, 0.0));
         return lines.collect();
     }
     let numbers = (1..=10).chain([15, 20, 30, 50, 100]);
     numbers
-        .map_while(|number| multiple(axes, number, FIRST_EXIT))
+        .map_while(|number| multiple((axes, unit), number, FIRST_EXIT))
         .collect()
 }
 
 /// The line of n per revolution within the frame; `None` if it leaves it before `part` of the
 /// speeds.
-fn multiple(axes: &Axes, number: u32, part: f64) -> Option<Multiple> {
-    let [low, high] = axes.speeds;
+fn multiple((axes, unit): (&Axes, FrequencyUnit), number: u32, part: f64) -> Option<Multiple> {
+    let [low, high] = axes.x;
+    let highest = axes.y[1];
     let number = f64::from(number);
     // The line over the speed in rpm; per revolution it is horizontal.
-    let slope = match axes.unit {
+    let slope = match unit {
         FrequencyUnit::PerRevolution => 0.0,
         unit => unit.value(number / 60.0, 0.0)?,
     };
     let exit = match slope > 0.0 {
-        true => high.min(axes.highest / slope),
-        false if number > axes.highest => low,
+        true => high.min(highest / slope),
+        false if number > highest => low,
         false => high,
     };
     let height = |speed: f64| if slope > 0.0 { slope * speed } else { number };
@@ -63,30 +64,27 @@ fn multiple(axes: &Axes, number: u32, part: f64) -> Option<Multiple> {
 }
 
 /// Draws the lines.
-pub(super) fn draw_lines<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    multiples: &[Multiple],
-) -> Result<(), FigureProblem> {
-    multiples
-        .iter()
-        .try_for_each(|multiple| canvas.line(&multiple.ends, LINE, GRAY))
+pub(super) fn draw_lines(drawing: &mut Drawing, multiples: &[Multiple]) {
+    for multiple in multiples {
+        STROKE.draw(drawing, &multiple.ends);
+    }
 }
 
 /// Writes `1P`, `2P` and so on at the lines, as far out as they cover nothing: over the line, or
 /// else below or above it. Labels without a free position are omitted.
-pub(super) fn draw_labels<B: DrawingBackend>(
-    canvas: &Canvas<B>,
+pub(super) fn draw_labels(
+    drawing: &mut Drawing,
     axes: &Axes,
     multiples: &[Multiple],
     obstacles: &mut Obstacles,
-) -> Result<(), FigureProblem> {
+) {
     let frame = Box2 {
         low: [axes.left, axes.top],
         high: [axes.right, axes.bottom],
     };
     for multiple in multiples {
         let text = format!("{}P", multiple.number);
-        let width = canvas.text_width(&text, LETTERS);
+        let width = text_width(&text, Label::new(LETTERS));
         let mut in_the_way = obstacles.clone();
         for other in multiples.iter().filter(|other| *other != multiple) {
             in_the_way.add_line(&other.ends);
@@ -99,13 +97,12 @@ pub(super) fn draw_labels<B: DrawingBackend>(
             continue;
         };
         obstacles.add_box(position.label);
-        canvas.polygon(&position.label.corners(), WHITE)?;
+        drawing.polygon(&position.label.corners(), WHITE);
         let label = Label::new(LETTERS)
             .anchored(Anchor::Middle)
             .colored(DARK_GRAY);
-        canvas.text(&text, position.label.center(), label)?;
+        drawing.text(&text, position.label.center(), label);
     }
-    Ok(())
 }
 
 /// A position for a label.
@@ -146,17 +143,20 @@ mod tests {
             right: 1000.0,
             top: 0.0,
             bottom: 1000.0,
-            unit: FrequencyUnit::Hertz,
-            speeds: [0.0, 600.0],
-            highest,
+            x: [0.0, 600.0],
+            y: [0.0, highest],
         }
+    }
+
+    fn first(highest: f64) -> Vec<Multiple> {
+        multiples(&axes(highest), FrequencyUnit::Hertz, None)
     }
 
     // At 600 rpm = 10 Hz, 3P is 30 Hz: it leaves a frame of 40 Hz at three quarters of
     // its height, 5P at four fifths of its width.
     #[test]
     fn lines_end_at_the_frame() {
-        let found = multiples(&axes(40.0), None);
+        let found = first(40.0);
         assert_eq!(found[2].ends, [[0.0, 1000.0], [1000.0, 250.0]]);
         assert_eq!(found[4].ends, [[0.0, 1000.0], [800.0, 0.0]]);
     }
@@ -164,11 +164,7 @@ mod tests {
     #[test]
     fn chosen_multiples_are_drawn_in_each_unit() {
         let ends = |unit, highest| {
-            let axes = Axes {
-                unit,
-                ..axes(highest)
-            };
-            let lines = multiples(&axes, Some(&[3, 50]));
+            let lines = multiples(&axes(highest), unit, Some(&[3, 50]));
             lines.iter().map(|line| line.ends).collect::<Vec<_>>()
         };
         // 3P of 600 rpm is 30 Hz = 1800 rpm; 50P leaves 2400 rpm at 48 rpm.
@@ -184,19 +180,16 @@ mod tests {
 
     #[test]
     fn after_ten_they_are_thinned() {
-        let numbers: Vec<_> = multiples(&axes(400.0), None)
-            .iter()
-            .map(|m| m.number)
-            .collect();
+        let numbers: Vec<_> = first(400.0).iter().map(|m| m.number).collect();
         assert_eq!(numbers[8..], [9.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0]);
         // 15P leaves a frame of 40 Hz at 160 of 600 rpm, 20P at 120.
-        assert_eq!(multiples(&axes(40.0), None).len(), 11);
-        assert_eq!(multiples(&axes(2.0), None), []);
+        assert_eq!(first(40.0).len(), 11);
+        assert_eq!(first(2.0), []);
     }
 
     #[test]
     fn labels_beside_a_line_clear_it() {
-        let line = multiples(&axes(40.0), None)[2];
+        let line = first(40.0)[2];
         let mut obstacles = Obstacles::default();
         obstacles.add_line(&line.ends);
         let beside = |position: &Candidate| obstacles.is_free(&position.label);

@@ -44,7 +44,7 @@ pub fn write_shapes(
         let at = format!("{}_rpm", short_number(table.speeds[speed] * RPM, 6));
         let endings = ["png", "svg"].map(|ending| format!("shapes_at_{at}.{ending}"));
         let plot = || ShapePlot::new(model, table, speed);
-        results.figures([&endings[0], &endings[1]], plot, ShapePlot::save)?;
+        results.figures([&endings[0], &endings[1]], plot)?;
         if !animate {
             continue;
         }

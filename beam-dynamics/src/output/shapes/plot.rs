@@ -1,16 +1,13 @@
 //! Shapes of the lowest modes along the span, one small plot per mode.
 
-use std::path::Path;
-
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{
+    Anchor, Axes, CATEGORIES, Color, Drawing, Figure, INK, Label, Legend, SMALL, Stroke, TEXT,
+    WIDTH,
+};
 
 use super::{MemberMotion, Shaped, member_motion, shaped, structure};
 use crate::case::{Model, Words};
 use crate::input::short_number;
-use crate::output::panel::{LIGHT, Panel, SMALL, draw_legend, draw_title};
 use crate::output::text::{DAMPED, RPM};
 use crate::result::{FrequencyTable, ModeKind};
 
@@ -30,7 +27,7 @@ const FAINT: f64 = 0.01;
 const EQUAL: f64 = 1e-5;
 /// Meaning of the components.
 const NAMES: [&str; 4] = ["flap", "lag", "torsion angle x length / 10", "axial"];
-const COLORS: [RGBColor; 4] = [CATEGORIES[0], CATEGORIES[5], CATEGORIES[2], CATEGORIES[3]];
+const COLORS: [Color; 4] = [CATEGORIES[0], CATEGORIES[5], CATEGORIES[2], CATEGORIES[3]];
 
 /// Shapes of modes at one speed, ready to be saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,9 +41,8 @@ pub struct ShapePlot {
 
 #[derive(Debug, Clone, PartialEq)]
 struct Shown {
-    /// Name, with the member if there are several.
     name: String,
-    /// Frequency, and damping if there is any.
+    /// Frequency, damping if there is any, and the member if there are several.
     values: String,
     length: f64,
     member_motion: MemberMotion,
@@ -69,12 +65,11 @@ impl ShapePlot {
                 let per_cent = short_number(100.0 * mode.damping_ratio, 2);
                 values.push_str(&format!(", {per_cent} %"));
             }
-            let name = match structure.members.len() {
-                1 => mode.shown.clone(),
-                _ => format!("{} ({})", mode.shown, member.name),
-            };
+            if structure.members.len() > 1 {
+                values.push_str(&format!(", {}", member.name));
+            }
             Some(Shown {
-                name,
+                name: mode.shown.clone(),
                 values,
                 length: member.length,
                 member_motion,
@@ -88,16 +83,6 @@ impl ShapePlot {
             thinned,
             words: table.style.words,
         })
-    }
-
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`OutputProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        let rows = self.modes.len().div_ceil(COLUMNS);
-        let height = HEAD + ROW * rows as f64 + FOOT;
-        write_figure(path, (WIDTH, height as u32), self)
     }
 
     /// Components that at least one mode has.
@@ -133,14 +118,9 @@ impl Shown {
         points.any(|point| point.1[component].im.abs() > FAINT)
     }
 
-    fn draw<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        panel: &Panel,
-        on_one_line: bool,
-    ) -> Result<(), FigureProblem> {
-        panel.curve(canvas, &[[0.0, 0.0], [self.length, 0.0]], THIN, LIGHT)?;
-        for component in 0..NAMES.len() {
+    fn draw(&self, drawing: &mut Drawing, panel: &Axes, on_one_line: bool) {
+        panel.draw_zero(drawing);
+        for (component, color) in COLORS.into_iter().enumerate() {
             let part = |pick: fn(&nalgebra::Complex<f64>) -> f64| -> Vec<_> {
                 let points = self.member_motion.points.iter();
                 points
@@ -148,14 +128,14 @@ impl Shown {
                     .collect()
             };
             if self.is_real(component) {
-                panel.curve(canvas, &part(|z| z.re), LINE, COLORS[component])?;
+                panel.curve(drawing, &part(|z| z.re), Stroke::new(LINE, color));
             }
             if self.is_complex(component) {
-                panel.curve(canvas, &part(|z| z.im), THIN, COLORS[component])?;
+                panel.curve(drawing, &part(|z| z.im), Stroke::new(THIN, color));
             }
         }
-        panel.draw_frame(canvas, [4, 2], true)?;
-        self.draw_title(canvas, panel, on_one_line)
+        panel.draw(drawing, Some(""), "");
+        self.draw_title(drawing, panel, on_one_line);
     }
 
     fn title(&self) -> String {
@@ -163,26 +143,20 @@ impl Shown {
     }
 
     /// Name and values on one line, or on two.
-    fn draw_title<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        panel: &Panel,
-        on_one_line: bool,
-    ) -> Result<(), FigureProblem> {
+    fn draw_title(&self, drawing: &mut Drawing, panel: &Axes, on_one_line: bool) {
         let space = title_width(panel.right - panel.left);
         let label = Label::new(SMALL).bold();
         if on_one_line {
-            return canvas.text(&self.title(), [panel.left, panel.top - 30.0], label);
+            return drawing.text(&self.title(), [panel.left, panel.top - 30.0], label);
         }
         let lines = [
             (&self.name, label, 54.0),
             (&self.values, Label::new(SMALL), 23.0),
         ];
         for (line, label, above) in lines {
-            let line = canvas.shortened(line, label, space);
-            canvas.text(&line, [panel.left, panel.top - above], label)?;
+            let line = drawing.shortened(line, label, space);
+            drawing.text(&line, [panel.left, panel.top - above], label);
         }
-        Ok(())
     }
 }
 
@@ -191,10 +165,16 @@ fn title_width(width: f64) -> f64 {
     width + 60.0
 }
 
-impl Drawing for ShapePlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let (width, height) = canvas.size();
-        draw_title(canvas, &self.title, [40.0, 44.0])?;
+impl Figure for ShapePlot {
+    fn size(&self) -> (u32, u32) {
+        let rows = self.modes.len().div_ceil(COLUMNS);
+        let height = HEAD + ROW * rows as f64 + FOOT;
+        (WIDTH, height as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        let (width, height) = drawing.size();
+        drawing.title(&self.title, [40.0, 44.0]);
         let entry = |component: usize| {
             let name = match component {
                 1 => ModeKind::Lag.word_in(self.words),
@@ -205,21 +185,21 @@ impl Drawing for ShapePlot {
         let mut legend: Vec<_> = self.components().into_iter().map(entry).collect();
         let mut all = self.modes.iter();
         if all.any(|mode| (0..NAMES.len()).any(|component| mode.is_complex(component))) {
-            let gray = RGBColor(90, 90, 90);
+            let gray = Color(90, 90, 90);
             legend.push(("thin: a quarter of a period earlier".to_owned(), THIN, gray));
         }
-        draw_legend(canvas, [40.0, 104.0], &legend)?;
+        Legend::of_lines(legend).draw(drawing, [40.0, 74.0], width - 80.0);
         let column = (width - 60.0) / COLUMNS as f64;
         let (panel_width, bold) = (column - 140.0, Label::new(SMALL).bold());
         let fits = |mode: &Shown| {
             let title = mode.title();
-            canvas.shortened(&title, bold, title_width(panel_width)) == title
+            drawing.shortened(&title, bold, title_width(panel_width)) == title
         };
         let on_one_line = self.modes.iter().all(fits);
         for (index, mode) in self.modes.iter().enumerate() {
             let left = 40.0 + column * (index % COLUMNS) as f64 + 90.0;
             let top = HEAD + ROW * (index / COLUMNS) as f64 + 50.0;
-            let panel = Panel {
+            let panel = Axes {
                 left,
                 right: left + panel_width,
                 top,
@@ -227,21 +207,20 @@ impl Drawing for ShapePlot {
                 x: [0.0, mode.length],
                 y: [-1.1, 1.1],
             };
-            mode.draw(canvas, &panel, on_one_line)?;
+            mode.draw(drawing, &panel, on_one_line);
         }
-        let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
+        let label = Label::new(TEXT).colored(INK).anchored(Anchor::Middle);
         let text = "arc position along the undeformed line [m]";
-        canvas.text(text, [0.5 * width, height - 70.0], label)?;
+        drawing.text(text, [0.5 * width, height - 70.0], label);
         let text = "motion over its largest component [-]";
         let rows = self.modes.len().div_ceil(COLUMNS) as f64;
         let middle = [34.0, HEAD + 0.5 * ROW * rows];
-        canvas.text(text, middle, label.upward())?;
+        drawing.text(text, middle, label.upward());
         if self.thinned {
             let text = "of modes of one kind and frequency only the first is shown";
             let label = Label::new(SMALL).anchored(Anchor::Middle);
-            canvas.text(text, [0.5 * width, height - 28.0], label)?;
+            drawing.text(text, [0.5 * width, height - 28.0], label);
         }
-        Ok(())
     }
 }
 
@@ -253,13 +232,7 @@ mod tests {
     #[test]
     fn every_mode_has_a_plot_with_its_name_and_frequency() {
         let (model, table) = samples::shaped();
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
-        ShapePlot::new(&model, &table, 0)
-            .unwrap()
-            .save(&path)
-            .unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&ShapePlot::new(&model, &table, 0).unwrap());
         for expected in [
             "shaped blade: shapes of modes at 0 rpm",
             "flap 1, 1.4 Hz",
@@ -273,8 +246,7 @@ mod tests {
         let mut long = table.clone();
         long.branches[1].name = "lag 1 progressive on one of many".to_owned();
         let plot = ShapePlot::new(&model, &long, 0).unwrap();
-        plot.save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&plot);
         for expected in [
             "lag 1 progressive on one of many",
             "22.25 Hz, 2 %",

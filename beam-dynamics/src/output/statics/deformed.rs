@@ -1,17 +1,11 @@
 //! The deformed shape along a load path, over the undeformed one.
 
-use std::path::Path;
-
 use nalgebra::Vector3;
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{CATEGORIES, Canvas, Drawing, FigureProblem, WIDTH, sequential};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, GRAY, Legend, WIDTH, sequential};
 
 use super::floors::ROUND_OFF;
 use super::text::most_displaced;
 use crate::input::short_number;
-use crate::output::panel::{GRAY, draw_legend, draw_title};
 use crate::output::structure::Structure;
 use crate::output::views::{Arrangement, Extent, Stroke};
 use crate::result::StaticResult;
@@ -34,8 +28,8 @@ const THIN: f64 = 3.5;
 pub struct DeformedPlot {
     title: String,
     strokes: Vec<Stroke>,
-    marks: Vec<(Vector3<f64>, RGBColor)>,
-    legend: Vec<(String, f64, RGBColor)>,
+    marks: Vec<(Vector3<f64>, Color)>,
+    legend: Vec<(String, f64, Color)>,
     views: Arrangement,
 }
 
@@ -87,7 +81,7 @@ impl DeformedPlot {
         &mut self,
         structure: &Structure,
         positions: &[Vector3<f64>],
-        (name, width, color): (&str, f64, RGBColor),
+        (name, width, color): (&str, f64, Color),
     ) {
         for points in structure.curves(positions) {
             self.strokes.push(Stroke {
@@ -101,24 +95,21 @@ impl DeformedPlot {
             .extend(loose.map(|node| (positions[node], color)));
         self.legend.push((name.to_owned(), width, color));
     }
-
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`OutputProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        let height = HEAD + self.views.size[1];
-        write_figure(path, (WIDTH, height.ceil() as u32), self)
-    }
 }
 
-impl Drawing for DeformedPlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        draw_title(canvas, &self.title, [40.0, 44.0])?;
-        draw_legend(canvas, [40.0, 108.0], &self.legend)?;
-        let left = 0.5 * (canvas.size().0 - self.views.size[0]).max(0.0);
+impl Figure for DeformedPlot {
+    fn size(&self) -> (u32, u32) {
+        let height = HEAD + self.views.size[1];
+        (WIDTH, height.ceil() as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        drawing.title(&self.title, [40.0, 44.0]);
+        let legend = Legend::of_lines(self.legend.iter().cloned());
+        legend.draw(drawing, [40.0, 86.0], f64::from(WIDTH) - 80.0);
+        let left = 0.5 * (drawing.size().0 - self.views.size[0]).max(0.0);
         self.views
-            .draw(canvas, [left, HEAD], &self.strokes, &self.marks)
+            .draw(drawing, [left, HEAD], &self.strokes, &self.marks);
     }
 }
 
@@ -174,11 +165,8 @@ mod tests {
 
     #[test]
     fn the_plot_names_axes_and_factors() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
         let result = samples::bent(&[0.0, 0.25, 0.5, 0.75, 1.0]);
-        DeformedPlot::new(&result).unwrap().save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&DeformedPlot::new(&result).unwrap());
         for expected in [
             "bent blade: deformed shape",
             "undeformed",

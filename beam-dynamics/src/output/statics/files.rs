@@ -51,9 +51,9 @@ pub fn write_static(
     if result.steps.iter().any(|step| !step.electrodes.is_empty()) {
         results.text(ELECTRODES, &electrode_csv(result))?;
     }
-    results.figures(DEFORMED, || DeformedPlot::new(result), DeformedPlot::save)?;
-    results.figures(ALONG, || ForcePlot::new(result), ForcePlot::save)?;
-    results.figures(PATH, || PathPlot::new(result), PathPlot::save)?;
+    results.figures(DEFORMED, || DeformedPlot::new(result))?;
+    results.figures(ALONG, || ForcePlot::new(result))?;
+    results.figures(PATH, || PathPlot::new(result))?;
     if !result.steps.is_empty() {
         write_fields(result, &mut results)?;
     }

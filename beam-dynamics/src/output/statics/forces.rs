@@ -1,15 +1,9 @@
 //! Internal forces along blades and lines of beams, one small plot per component.
 
-use std::path::Path;
-
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{Axes, CATEGORIES, Color, Drawing, Figure, Legend, Stroke, WIDTH, range};
 
 use super::floors::{Floors, clean};
 use crate::input::short_number;
-use crate::output::panel::{Panel, SMALL, draw_legend, draw_title, range};
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
 
@@ -23,6 +17,8 @@ const TITLES: [&str; 6] = [
     "bending moment z [N m]",
 ];
 const HEIGHT: u32 = 1500;
+/// Space for the titles of the horizontal axes \[figure pixels\].
+const FOOT: f64 = 46.0;
 const LINE: f64 = 4.0;
 const POINT: f64 = 6.5;
 /// Forces and moments below this part of their scale are shown as zero.
@@ -44,7 +40,7 @@ pub struct ForcePlot {
 #[derive(Debug, Clone, PartialEq)]
 struct Curve {
     name: String,
-    color: RGBColor,
+    color: Color,
     /// Arc position \[m\] and internal force \[N, N m\].
     points: Vec<(f64, [f64; 6])>,
 }
@@ -82,67 +78,64 @@ impl ForcePlot {
         })
     }
 
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`OutputProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        write_figure(path, (WIDTH, HEIGHT), self)
-    }
-
-    fn draw_component<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        component: usize,
-        [top, bottom]: [f64; 2],
-    ) -> Result<(), FigureProblem> {
+    fn draw_component(&self, drawing: &mut Drawing, component: usize, [top, bottom]: [f64; 2]) {
         let left = 190.0 + (component / 3) as f64 * 890.0;
         let floor = self.floors.of_component(component);
         let shown = |force: &[f64; 6]| clean(force[component], floor);
         let values = self.curves.iter().flat_map(|curve| &curve.points);
-        let panel = Panel {
+        let axes = Axes {
             left,
             right: left + 680.0,
-            top: top + 60.0,
+            top: top + 20.0,
             bottom: bottom - 66.0,
             x: [0.0, self.length],
             // With zero, so that a constant force is recognizable.
             y: range(values.map(|point| shown(&point.1)).chain([0.0]), floor),
         };
-        panel.draw_zero(canvas)?;
+        axes.draw_zero(drawing);
         for curve in &self.curves {
-            let points: Vec<_> = curve
-                .points
-                .iter()
-                .map(|(arc, force)| [*arc, shown(force)])
-                .collect();
-            panel.curve(canvas, &points, LINE, curve.color)?;
+            let points = curve.points.iter();
+            let points: Vec<_> = points.map(|(arc, force)| [*arc, shown(force)]).collect();
+            axes.curve(drawing, &points, Stroke::new(LINE, curve.color));
             for point in points {
-                canvas.disc(panel.position(point), POINT, curve.color)?;
+                drawing.disc(axes.position(point), POINT, curve.color);
             }
         }
-        panel.draw_frame(canvas, [5, 4], true)?;
-        let label = Label::new(SMALL).bold();
-        canvas.text(TITLES[component], [left, top + 26.0], label)
+        axes.draw(drawing, Some(title_below(component)), TITLES[component]);
+        let values = self.curves.iter().flat_map(|curve| &curve.points);
+        let sizes = values.map(|point| point.1[component].abs());
+        let largest = sizes.fold(0.0, f64::max);
+        if largest > 0.0 && largest <= floor {
+            axes.note(drawing, "zero up to round-off");
+        }
     }
 }
 
-impl Drawing for ForcePlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let (width, height) = canvas.size();
-        draw_title(canvas, &self.title, [40.0, 44.0])?;
+/// Title of the horizontal axis: of the lowest panels only.
+fn title_below(component: usize) -> &'static str {
+    match component % 3 {
+        2 => "arc position along the undeformed line [m]",
+        _ => "",
+    }
+}
+
+impl Figure for ForcePlot {
+    fn size(&self) -> (u32, u32) {
+        (WIDTH, HEIGHT)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        drawing.title(&self.title, [40.0, 44.0]);
         let entry = |curve: &Curve| (curve.name.clone(), LINE, curve.color);
-        let legend: Vec<_> = self.curves.iter().map(entry).collect();
-        let head = draw_legend(canvas, [40.0, 100.0], &legend)?;
-        let foot = 56.0;
-        let row = (height - head - foot) / 3.0;
+        let legend = Legend::of_lines(self.curves.iter().map(entry));
+        let space = f64::from(WIDTH) - 80.0;
+        legend.draw(drawing, [40.0, 80.0], space);
+        let head = 90.0 + legend.height(space);
+        let row = (f64::from(HEIGHT) - head - FOOT) / 3.0;
         for component in 0..6 {
             let top = head + (component % 3) as f64 * row;
-            self.draw_component(canvas, component, [top, top + row])?;
+            self.draw_component(drawing, component, [top, top + row]);
         }
-        let label = Label::new(0.9 * TEXT).anchored(Anchor::Middle);
-        let text = "arc position along the undeformed line [m]";
-        canvas.text(text, [0.5 * width, height - 34.0], label)
     }
 }
 
@@ -153,13 +146,10 @@ mod tests {
 
     #[test]
     fn every_component_has_a_plot_with_its_unit() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
         let plot = ForcePlot::new(&samples::bent(&[0.0, 1.0])).unwrap();
         assert_eq!(plot.curves[0].points.len(), 8);
         assert_eq!(plot.curves[0].points[7].0, 9.375);
-        plot.save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&plot);
         for expected in TITLES.iter().chain(&["blade"]) {
             assert!(text.contains(&format!("\n{expected}\n")), "{expected}");
         }
@@ -169,8 +159,6 @@ mod tests {
     // Bending of 1e-13 N m compared with 1 kN is zero: the panel shows zero between -1 and 1.
     #[test]
     fn round_off_is_drawn_as_zero() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
         let mut result = samples::bent(&[0.0, 1.0]);
         let last = result.steps.last_mut().unwrap();
         last.reactions.clear();
@@ -178,8 +166,7 @@ mod tests {
             let noise = 1e-13 * (k as f64 - 3.5);
             section.internal_force.fixed_rows_mut::<3>(3).fill(noise);
         }
-        ForcePlot::new(&result).unwrap().save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&ForcePlot::new(&result).unwrap());
         assert!(!text.contains("e-13"));
         assert_eq!(text.matches("\n-1.0\n").count(), 3);
     }

@@ -1,15 +1,9 @@
 //! The factor of the loads over the displacement of a node.
 
-use std::path::Path;
-
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{Anchor, CATEGORIES, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{Axes, CATEGORIES, Color, Drawing, Figure, Legend, Stroke, WIDTH, range};
 
 use super::floors::ROUND_OFF;
 use super::text::most_displaced;
-use crate::output::panel::{Panel, draw_legend, draw_title, range};
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
 
@@ -35,7 +29,7 @@ pub struct PathPlot {
 #[derive(Debug, Clone, PartialEq)]
 struct Curve {
     name: &'static str,
-    color: RGBColor,
+    color: Color,
     /// Displacement \[m\] and factor.
     points: Vec<[f64; 2]>,
 }
@@ -76,49 +70,38 @@ impl PathPlot {
             curves,
         })
     }
-
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`OutputProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        write_figure(path, (WIDTH, HEIGHT), self)
-    }
 }
 
-impl Drawing for PathPlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        let (width, height) = canvas.size();
+impl Figure for PathPlot {
+    fn size(&self) -> (u32, u32) {
+        (WIDTH, HEIGHT)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        let (width, height) = drawing.size();
         let points = || self.curves.iter().flat_map(|curve| &curve.points);
-        let panel = Panel {
+        let axes = Axes {
             left: 190.0,
             right: width - 50.0,
-            top: 170.0,
+            top: 150.0,
             bottom: height - 130.0,
             x: range(points().map(|point| point[0]), 0.0),
             y: range(points().map(|point| point[1]), 0.0),
         };
-        draw_title(canvas, &self.title, [40.0, 44.0])?;
+        drawing.title(&self.title, [40.0, 44.0]);
         let entry = |curve: &Curve| (curve.name.to_owned(), LINE, curve.color);
-        let legend: Vec<_> = self.curves.iter().map(entry).collect();
-        draw_legend(canvas, [panel.left, 112.0], &legend)?;
-        panel.draw_zero(canvas)?;
+        let legend = Legend::of_lines(self.curves.iter().map(entry));
+        legend.draw(drawing, [axes.left, 86.0], axes.right - axes.left);
+        axes.draw_zero(drawing);
         for curve in &self.curves {
-            panel.curve(canvas, &curve.points, LINE, curve.color)?;
+            axes.curve(drawing, &curve.points, Stroke::new(LINE, curve.color));
             if curve.points.len() <= MOST_POINTS {
                 for point in &curve.points {
-                    canvas.disc(panel.position(*point), POINT, curve.color)?;
+                    drawing.disc(axes.position(*point), POINT, curve.color);
                 }
             }
         }
-        panel.draw_frame(canvas, [8, 8], true)?;
-        let label = Label::new(TEXT).anchored(Anchor::Middle);
-        let middle = [
-            0.5 * (panel.left + panel.right),
-            0.5 * (panel.top + panel.bottom),
-        ];
-        canvas.text("displacement [m]", [middle[0], height - 46.0], label)?;
-        canvas.text("factor of the loads [-]", [44.0, middle[1]], label.upward())
+        axes.draw(drawing, Some("displacement [m]"), "factor of the loads [-]");
     }
 }
 
@@ -129,15 +112,12 @@ mod tests {
 
     #[test]
     fn the_path_of_the_tip_is_drawn() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
         let factors: Vec<_> = (0..=10).map(|k| f64::from(k) / 10.0).collect();
         let plot = PathPlot::new(&samples::bent(&factors)).unwrap();
         assert_eq!(plot.curves.len(), 3);
         let [displacement, factor] = plot.curves[1].points[5];
         assert!((displacement - 0.2).abs() < 1e-14 && factor == 0.5);
-        plot.save(&path).unwrap();
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = samples::texts(&plot);
         for expected in [
             "bent blade: load path, displacement of node n8",
             "along z",

@@ -161,7 +161,7 @@ impl<'a> RunFiles<'a> {
         self.results
             .text(TEXT, &(text.to_owned() + &not_drawn_text(&not_drawn)))?;
         self.results.written.not_drawn = not_drawn;
-        self.results.figures(PLOT, || plot, TimePlot::save)?;
+        self.results.figures(PLOT, || plot)?;
         if self.grids.is_some() && self.results.path(SERIES).exists() {
             let series = self.results.path(SERIES);
             self.results.written.files.push(series);

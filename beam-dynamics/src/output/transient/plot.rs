@@ -4,21 +4,16 @@
 //! panel has one column, and else the columns, with tone and dashes for the runs; a legend above
 //! all panels shows this.
 
-use std::path::Path;
-
-use plotters::backend::DrawingBackend;
-use shared_geom::figure::{Anchor, Canvas, Drawing, FigureProblem, Label, TEXT, WIDTH};
-use shared_geom::files::{OutputProblem, write_figure};
+use shared_geom::figure::{Axes, Drawing, Figure, Legend, Sample, Stroke, WIDTH, range};
 
 use super::{Heading, RunFileProblem, TimeTable};
-use crate::output::panel::{Panel, draw_title, range};
+use crate::input::short_number;
 
-mod legend;
 mod line;
 mod names;
+mod titles;
 
-use legend::Legend;
-use line::{COLORS, Stroke, TONES, thinned};
+use line::{COLORS, TONES, of_column, of_run, of_tone, thinned, toned};
 
 /// Largest number of panels in the figure of a run.
 const MOST_PANELS: usize = 12;
@@ -34,6 +29,10 @@ const MARGINS: [f64; 2] = [210.0, 50.0];
 /// Between a legend and the frame below it, and between panels.
 const GAPS: [f64; 2] = [12.0, 56.0];
 const FOOT: f64 = 120.0;
+/// Part of the largest value of a unit up to which values are round-off.
+const ROUND_OFF: f64 = 1e-12;
+/// Units in which an angle of one radian is this large: a scale even if all angles are small.
+const ANGLES: [(&str, f64); 3] = [("rad", 1.0), ("deg", 57.3), ("mrad", 1000.0)];
 
 /// Curves over time or over another column, ready to be saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,6 +53,8 @@ pub struct TimePlot {
 struct Curves {
     unit: String,
     columns: Vec<String>,
+    /// Meanings of the columns; empty if unknown.
+    meanings: Vec<String>,
     curves: Vec<Curve>,
 }
 
@@ -112,7 +113,7 @@ impl TimePlot {
         }
         let mut plot = Self {
             title: names::title(tables),
-            across: format!("{} [{}]", heading.name, heading.shown_unit()),
+            across: title_across(&heading),
             path_unit: match heading.name.as_str() {
                 "time" => String::new(),
                 _ => heading.shown_unit().to_owned(),
@@ -172,6 +173,7 @@ impl TimePlot {
                 self.panels.push(Curves {
                     unit: unit.to_owned(),
                     columns: Vec::new(),
+                    meanings: Vec::new(),
                     curves: Vec::new(),
                 });
                 self.panels.len() - 1
@@ -180,6 +182,7 @@ impl TimePlot {
             for found in part {
                 let column = panel.columns.len();
                 panel.columns.push(found.heading.name.clone());
+                panel.meanings.push(found.heading.words.clone());
                 let curves = found.curves.iter().cloned();
                 let curves = curves.map(|curve| Curve { column, ..curve });
                 panel.curves.extend(curves);
@@ -225,7 +228,7 @@ impl TimePlot {
         if curves.unit != self.path_unit {
             return FRAME;
         }
-        let [x, y] = [self.range(), curves.range()];
+        let [x, y] = [self.range(), self.values(curves)];
         (space() * (y[1] - y[0]) / (x[1] - x[0])).clamp(PATH[0], PATH[1])
     }
 
@@ -247,9 +250,9 @@ impl TimePlot {
 
     fn stroke(&self, curve: &Curve) -> Stroke {
         match self.runs.len() {
-            0 | 1 => Stroke::of_color(curve.column),
-            runs if self.is_by_run() => Stroke::of_run(curve.run, runs),
-            _ => Stroke::of_color(curve.column).toned(curve.run),
+            0 | 1 => of_column(curve.column),
+            runs if self.is_by_run() => of_run(curve.run, runs),
+            _ => toned(of_column(curve.column), curve.run),
         }
     }
 
@@ -257,11 +260,11 @@ impl TimePlot {
     fn legend_of_runs(&self) -> Option<Legend> {
         let count = self.runs.len();
         let stroke = |run: usize| match self.is_by_run() {
-            true => Stroke::of_run(run, count),
-            false => Stroke::of_tone(run),
+            true => of_run(run, count),
+            false => of_tone(run),
         };
         let entries = self.runs.iter().enumerate();
-        let entries = entries.map(|(run, name)| (name.clone(), Some(stroke(run))));
+        let entries = entries.map(|(run, name)| (name.clone(), Sample::Line(stroke(run))));
         let entries = entries.collect();
         (count > 1).then_some(Legend { entries })
     }
@@ -274,7 +277,10 @@ impl TimePlot {
                 true => format!("{name} (no numbers)"),
                 false => name.clone(),
             };
-            (name, (!self.is_by_run()).then(|| Stroke::of_color(column)))
+            match self.is_by_run() {
+                true => (name, Sample::None),
+                false => (name, Sample::Line(of_column(column))),
+            }
         };
         let columns = panel.columns.iter().enumerate();
         Legend {
@@ -282,50 +288,58 @@ impl TimePlot {
         }
     }
 
-    /// Writes the plot to `path`, as PNG or SVG by its ending.
-    ///
-    /// # Errors
-    /// [`OutputProblem`]: another ending, or a file that cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), OutputProblem> {
-        write_figure(path, (WIDTH, self.full_height().ceil() as u32), self)
+    /// Magnitude up to which values of a unit are round-off.
+    fn floor(&self, unit: &str) -> f64 {
+        let of_unit = self.panels.iter().filter(|panel| panel.unit == unit);
+        let largest = of_unit.map(Curves::largest).fold(0.0, f64::max);
+        let angle = ANGLES.iter().find(|known| known.0 == unit);
+        ROUND_OFF * largest.max(angle.map_or(0.0, |known| known.1))
+    }
+
+    /// Vertical range of a panel.
+    fn values(&self, curves: &Curves) -> [f64; 2] {
+        let values = curves.points().map(|point| point[1]);
+        range(values, self.floor(&curves.unit))
     }
 
     /// Draws a panel whose legend begins at `top`.
-    fn draw_panel<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        curves: &Curves,
-        (top, is_last): (f64, bool),
-    ) -> Result<(), FigureProblem> {
+    fn draw_panel(&self, drawing: &mut Drawing, curves: &Curves, (top, is_last): (f64, bool)) {
         let legend = self.legend(curves);
         let frame_top = top + legend.height(space()) + GAPS[0];
-        let panel = Panel {
+        let axes = Axes {
             left: MARGINS[0],
             right: MARGINS[0] + space(),
             top: frame_top,
             bottom: frame_top + self.frame(curves),
             x: self.range(),
-            y: curves.range(),
+            y: self.values(curves),
         };
-        legend.draw(canvas, [panel.left, top], space())?;
-        panel.draw_zero(canvas)?;
+        legend.draw(drawing, [axes.left, top], space());
+        axes.draw_zero(drawing);
         for curve in &curves.curves {
             let stroke = self.stroke(curve);
             for piece in &curve.pieces {
-                let positions: Vec<_> = piece.iter().map(|point| panel.position(*point)).collect();
-                stroke.draw(canvas, &positions)?;
+                axes.curve(drawing, piece, stroke);
             }
         }
-        panel.draw_frame(canvas, [8, 5], is_last)?;
-        let middle = 0.5 * (panel.top + panel.bottom);
-        let label = Label::new(TEXT).anchored(Anchor::Middle).upward();
-        canvas.text(&format!("[{}]", curves.unit), [44.0, middle], label)
+        let below = is_last.then_some(self.across.as_str());
+        let length = axes.bottom - axes.top;
+        let title = titles::title(&curves.columns, &curves.meanings, &curves.unit, length);
+        axes.draw(drawing, below, &title);
+        let largest = curves.largest();
+        if largest > 0.0 && largest <= self.floor(&curves.unit) {
+            let largest = short_number(largest, 2);
+            let note = format!("zero up to round-off: at most {largest} {}", curves.unit);
+            axes.note(drawing, &note);
+        }
     }
 }
 
 impl Curves {
-    fn range(&self) -> [f64; 2] {
-        range(self.points().map(|point| point[1]), 0.0)
+    /// Largest magnitude of a value.
+    fn largest(&self) -> f64 {
+        let values = self.points().map(|point| point[1].abs());
+        values.fold(0.0, f64::max)
     }
 
     fn points(&self) -> impl Iterator<Item = &[f64; 2]> {
@@ -334,22 +348,22 @@ impl Curves {
     }
 }
 
-impl Drawing for TimePlot {
-    fn draw<B: DrawingBackend>(&self, canvas: &Canvas<B>) -> Result<(), FigureProblem> {
-        draw_title(canvas, &self.title, [40.0, 40.0])?;
+impl Figure for TimePlot {
+    fn size(&self) -> (u32, u32) {
+        (WIDTH, self.full_height().ceil() as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        drawing.title(&self.title, [40.0, 40.0]);
         if let Some(legend) = self.legend_of_runs() {
-            legend.draw(canvas, [MARGINS[0], HEAD], space())?;
+            legend.draw(drawing, [MARGINS[0], HEAD], space());
         }
         let mut top = self.head();
         for (number, curves) in self.panels.iter().enumerate() {
             let is_last = number + 1 == self.panels.len();
-            self.draw_panel(canvas, curves, (top, is_last))?;
+            self.draw_panel(drawing, curves, (top, is_last));
             top += self.height(curves);
         }
-        let label = Label::new(TEXT).anchored(Anchor::Middle);
-        let middle = MARGINS[0] + 0.5 * space();
-        let height = canvas.size().1;
-        canvas.text(&self.across, [middle, height - 36.0], label)
     }
 }
 
@@ -385,6 +399,13 @@ fn common_heading(
     }
     let heading = first.cloned().unwrap_or_else(Heading::time);
     Ok((heading, tight(values.into_iter())))
+}
+
+/// Meaning, or else name, and unit of the horizontal axis.
+fn title_across(heading: &Heading) -> String {
+    let words = Some(&heading.words).filter(|words| !words.is_empty());
+    let unit = heading.shown_unit().replace('*', " ");
+    format!("{} [{unit}]", words.unwrap_or(&heading.name))
 }
 
 /// Whether two columns have one unit and names that differ only after the last `_`.

@@ -1,6 +1,7 @@
 //! Figures of made-up tables, read back as text.
 
 use shared_geom::error::Explain;
+use shared_geom::figure::{Color, Drawing, Figure};
 
 use super::{Heading, RunFileProblem, TimePlot, TimeTable};
 
@@ -43,50 +44,54 @@ fn wide(count: usize) -> TimeTable {
     table
 }
 
-fn drawn(tables: &[TimeTable], across: &str, wanted: &[&str]) -> Result<String, RunFileProblem> {
+fn drawn(tables: &[TimeTable], across: &str, wanted: &[&str]) -> Result<Drawing, RunFileProblem> {
     let wanted: Vec<_> = wanted.iter().map(|name| (*name).to_owned()).collect();
-    let plot = TimePlot::new(tables, across, &wanted)?;
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.svg");
-    plot.save(&path).unwrap();
-    Ok(std::fs::read_to_string(path).unwrap())
+    Ok(TimePlot::new(tables, across, &wanted)?.drawing())
 }
 
-fn assert_texts(svg: &str, expected: &[&str]) {
+fn has(drawing: &Drawing, text: &str) -> bool {
+    drawing.texts().any(|found| found == text)
+}
+
+fn assert_texts(drawing: &Drawing, expected: &[&str]) {
     for text in expected {
-        assert!(svg.contains(&format!("\n{text}\n")), "no \"{text}\"");
+        assert!(has(drawing, text), "no \"{text}\"");
     }
 }
 
-/// Colors of the lines with more than two points: the colors of curves.
-fn colors(svg: &str) -> Vec<String> {
-    let lines = svg.lines().filter(|line| line.starts_with("<polyline"));
-    let curves = lines.filter(|line| line.matches(',').count() > 5);
-    let color = |line: &str| Some(line.split_once("stroke=\"")?.1.get(..7)?.to_owned());
-    curves.filter_map(color).collect()
+/// Colors of the lines with more than five points: the colors of curves.
+fn colors(drawing: &Drawing) -> Vec<Color> {
+    let curves = drawing.lines().filter(|(points, _)| points.len() > 5);
+    curves.map(|(_, color)| color).collect()
 }
 
 #[test]
 fn a_run_has_a_panel_for_each_unit_and_a_color_for_each_column() {
     let one = table("results/a.transient.csv", 400);
-    let svg = drawn(std::slice::from_ref(&one), "time", &[]).unwrap();
+    let drawing = drawn(std::slice::from_ref(&one), "time", &[]).unwrap();
     let expected = [
-        "a model", "tip_x", "tip_y", "count", "[mm]", "[-]", "time [s]",
+        "a model",
+        "tip_x",
+        "tip_y",
+        "count",
+        "length [mm]",
+        "count [-]",
+        "time [s]",
     ];
-    assert_texts(&svg, &expected);
-    let found = colors(&svg);
+    assert_texts(&drawing, &expected);
+    let found = colors(&drawing);
     assert_eq!(found.len(), 3);
     assert_ne!(found[0], found[1]);
-    let svg = drawn(&[one], "tip_x", &["tip_y"]).unwrap();
-    assert_texts(&svg, &["tip_x [mm]"]);
+    let drawing = drawn(&[one], "tip_x", &["tip_y"]).unwrap();
+    assert_texts(&drawing, &["tip_x [mm]"]);
 }
 
 #[test]
 fn runs_of_one_column_are_reported_by_color() {
     let both = ["a", "b"].map(|name| table(&format!("results/{name}.transient.csv"), 100));
-    let svg = drawn(&both, "time", &["tip_x", "count"]).unwrap();
-    assert_texts(&svg, &["a model", "a", "b", "tip_x", "count"]);
-    let found = colors(&svg);
+    let drawing = drawn(&both, "time", &["tip_x", "count"]).unwrap();
+    assert_texts(&drawing, &["a model", "a", "b", "tip_x", "count"]);
+    let found = colors(&drawing);
     assert_eq!(found.len(), 4);
     assert_ne!(found[0], found[1]);
     assert_eq!(found[..2], found[2..]);
@@ -95,10 +100,10 @@ fn runs_of_one_column_are_reported_by_color() {
 #[test]
 fn runs_of_many_columns_are_reported_by_tone_and_columns_by_color() {
     let both = ["a", "b"].map(|name| table(&format!("results/{name}.transient.csv"), 100));
-    let svg = drawn(&both, "time", &["tip_*"]).unwrap();
-    assert_texts(&svg, &["a", "b", "tip_x", "tip_y"]);
-    assert!(!svg.contains("\n[-]\n"));
-    let found = colors(&svg);
+    let drawing = drawn(&both, "time", &["tip_*"]).unwrap();
+    assert_texts(&drawing, &["a", "b", "tip_x", "tip_y"]);
+    assert!(!has(&drawing, "count [-]"));
+    let found = colors(&drawing);
     let distinct: std::collections::BTreeSet<_> = found.iter().collect();
     assert_eq!((found.len(), distinct.len()), (4, 4));
     // More runs than tones: one panel per column, and colors for the runs.
@@ -137,9 +142,9 @@ fn gaps_and_columns_without_numbers_are_drawn_as_such() {
         }
     }
     one.columns[2].fill(f64::NAN);
-    let svg = drawn(&[one], "time", &["tip_*"]).unwrap();
-    assert_eq!(colors(&svg).len(), 5);
-    assert_texts(&svg, &["tip_y (no numbers)"]);
+    let drawing = drawn(&[one], "time", &["tip_*"]).unwrap();
+    assert_eq!(colors(&drawing).len(), 5);
+    assert_texts(&drawing, &["tip_y (no numbers)"]);
 }
 
 #[test]
@@ -170,6 +175,22 @@ fn wrong_columns_units_and_times_are_reported() {
     assert_eq!(part.columns[0][0], 1.0);
 }
 
+// Beside a position of one meter, 1e-15 m are zero; alone they are not.
+#[test]
+fn round_off_is_drawn_flat_with_a_note() {
+    let mut one = wide(8);
+    for column in &mut one.columns[4..10] {
+        column.fill(1e-15);
+    }
+    let wanted: Vec<_> = (0..8).map(|k| format!("place_{k}")).collect();
+    let wanted: Vec<_> = wanted.iter().map(String::as_str).collect();
+    let note = "zero up to round-off: at most 1e-15 m";
+    let both = drawn(std::slice::from_ref(&one), "time", &wanted).unwrap();
+    assert_texts(&both, &[note, "length [m]"]);
+    let alone = drawn(&[one], "time", &wanted[..6]).unwrap();
+    assert!(!has(&alone, note));
+}
+
 #[test]
 fn figures_of_thousands_of_columns_are_shortened_or_refused() {
     let mut plot = TimePlot::new(&[wide(2000)], "time", &[]).unwrap();
@@ -180,8 +201,6 @@ fn figures_of_thousands_of_columns_are_shortened_or_refused() {
     assert_eq!(left_out.len(), 2000 - 60);
     assert_eq!(left_out[0], "place_60");
     plot.check_size().unwrap();
-    let folder = tempfile::tempdir().unwrap();
-    plot.save(&folder.path().join("a.svg")).unwrap();
     let text = super::not_drawn_text(&left_out);
     assert!(text.contains("place_67 and 1932 more"), "{text}");
 }

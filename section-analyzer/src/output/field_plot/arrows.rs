@@ -2,9 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use plotters::backend::DrawingBackend;
-use plotters::style::{BLACK, WHITE};
-use shared_geom::figure::{Canvas, FigureProblem};
+use shared_geom::figure::{BLACK, Drawing, WHITE};
 
 use super::sample::{SPACING, Sample, grid_point};
 use crate::mesh::distance;
@@ -35,12 +33,7 @@ const HEAD: f64 = 17.0;
 
 /// Draws arrows at some of the samples; `rim` are the lines around the section and between its
 /// materials; the longest arrow is a vector of the length `largest`.
-pub(super) fn draw<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    samples: &[Sample],
-    rim: &[Vec<[f64; 2]>],
-    largest: f64,
-) -> Result<(), FigureProblem> {
+pub(super) fn draw(drawing: &mut Drawing, samples: &[Sample], rim: &[Vec<[f64; 2]>], largest: f64) {
     let near = BySquare::new(
         samples.iter().map(|sample| (sample.position, *sample)),
         MEAN,
@@ -52,10 +45,9 @@ pub(super) fn draw<B: DrawingBackend>(
             let length = (LONGEST * SPACING * size).max(0.25 * SPACING);
             // z is up on the figure, but the pixel coordinate y is down
             let direction = [y / y.hypot(z), -z / y.hypot(z)];
-            draw_arrow(canvas, position, direction, length)?;
+            draw_arrow(drawing, position, direction, length);
         }
     }
-    Ok(())
 }
 
 /// Mean vector around a position: in a wall the mean over its thickness, which is its flow.
@@ -170,12 +162,7 @@ impl<T> BySquare<T> {
 }
 
 /// An arrow around `middle`, black with a white rim.
-fn draw_arrow<B: DrawingBackend>(
-    canvas: &Canvas<B>,
-    middle: [f64; 2],
-    direction: [f64; 2],
-    length: f64,
-) -> Result<(), FigureProblem> {
+fn draw_arrow(drawing: &mut Drawing, middle: [f64; 2], direction: [f64; 2], length: f64) {
     let at = |along: f64, across: f64| {
         [
             middle[0] + along * direction[0] - across * direction[1],
@@ -186,13 +173,12 @@ fn draw_arrow<B: DrawingBackend>(
     let (tail, tip) = (-0.5 * length, 0.5 * length);
     for (rim, color) in [(2.0, WHITE), (0.0, BLACK)] {
         let shaft = [at(tail - rim, 0.0), at(tip - 0.5 * head, 0.0)];
-        canvas.line(&shaft, 3.0 + 2.0 * rim, color)?;
+        drawing.line(&shaft, 3.0 + 2.0 * rim, color);
         let half = 0.42 * head + 1.3 * rim;
         let back = tip - head - rim;
         let corners = [at(tip + 1.8 * rim, 0.0), at(back, half), at(back, -half)];
-        canvas.polygon(&corners, color)?;
+        drawing.polygon(&corners, color);
     }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -1,31 +1,27 @@
 //! Unit, range and colors of a field, and its color bar.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
 use shared_geom::figure::{
-    Anchor, Canvas, FigureProblem, Label, TEXT, Ticks, diverging, sequential, tick_label,
+    Anchor, Color, Drawing, INK, Label, SMALL, TEXT, diverging, sequential, tick_label,
 };
 
 use super::field::Quantity;
-use crate::output::figure_parts::draw_color_bar;
-use crate::output::plane::INK;
+use crate::output::figure_parts::{boxed, draw_color_bar};
 
 /// Color of a field that is zero.
-const NOTHING: RGBColor = RGBColor(225, 225, 225);
+const NOTHING: Color = Color(225, 225, 225);
 /// Spread below which values are equal, relative to the largest value.
 const UNIFORM: f64 = 1e-6;
 /// Size below which values are round-off, relative to the largest.
 const NOISE: f64 = 1e-9;
 /// Color of failure, different from all others.
-const FAILED: RGBColor = RGBColor(214, 20, 60);
+const FAILED: Color = Color(214, 20, 60);
 /// A value of failure: all such values have the same color.
 const BEYOND: f64 = 2.0;
 /// Space at the end of the bar for failure, and gap before it [figure pixels].
 const BOX: f64 = 190.0;
 const GAP: f64 = 40.0;
-/// Height of the bar and length of a tick [figure pixels].
+/// Height of the bar [figure pixels].
 const HEIGHT: f64 = 44.0;
-const TICK: f64 = 10.0;
 
 /// Units of stress, each for values from its size on [Pa]. Megapascals are used up to ten
 /// thousand, as usual in engineering.
@@ -127,7 +123,7 @@ impl Scale {
     }
 
     /// Color of a value [SI].
-    pub fn color(&self, value: f64) -> RGBColor {
+    pub fn color(&self, value: f64) -> Color {
         if self.is_zero() {
             return NOTHING;
         }
@@ -171,47 +167,26 @@ impl Scale {
     }
 
     /// Draws the bar between the `ends` from left to right, with ticks and its name.
-    pub fn draw_bar<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        [left, right]: [f64; 2],
-        top: f64,
-        name: &str,
-    ) -> Result<(), FigureProblem> {
+    pub fn draw_bar(&self, drawing: &mut Drawing, [left, right]: [f64; 2], top: f64, name: &str) {
         if self.is_zero() {
-            return Ok(());
+            return;
         }
         let bottom = top + HEIGHT;
-        let label = Label::new(0.88 * TEXT)
-            .colored(INK)
-            .anchored(Anchor::Middle);
         let mut right = right;
         if self.quantity == Quantity::Index && self.high > 1.0 {
-            let (low, high) = ([right - BOX, top], [right, bottom]);
-            draw_color_bar(canvas, low, high, |_| FAILED)?;
-            let below = [right - 0.5 * BOX, bottom + TICK + 0.7 * TEXT];
-            canvas.text("above 1: fails", below, label)?;
+            let failed = boxed([right - BOX, top], [right, bottom]);
+            drawing.polygon(&failed, FAILED);
+            drawing.outline(&failed, 2.0, INK);
+            let label = Label::new(SMALL).colored(INK).anchored(Anchor::Middle);
+            let below = [right - 0.5 * BOX, bottom + 10.0 + 0.7 * TEXT];
+            drawing.text("above 1: fails", below, label);
             right -= BOX + GAP;
         }
-        let [low, high] = self.ends();
-        let color = |part: f64| self.color(low + part * (high - low));
-        draw_color_bar(canvas, [left, top], [right, bottom], color)?;
-
-        let [low, high] = [low, high].map(|value| value / self.factor);
-        for (tick, text) in Ticks::between(low, high, 9).labeled() {
-            let x = left + (right - left) * (tick - low) / (high - low);
-            canvas.line(&[[x, bottom], [x, bottom + TICK]], 2.0, INK)?;
-            canvas.text(&text, [x, bottom + TICK + 0.7 * TEXT], label)?;
-        }
-        let position = [0.5 * (left + right), bottom + TICK + 2.0 * TEXT];
-        canvas.text(
-            &self.axis_name(name),
-            position,
-            Label {
-                size: TEXT,
-                ..label
-            },
-        )
+        let ends = self.ends().map(|value| value / self.factor);
+        let name = self.axis_name(name);
+        let color = |value: f64| self.color(self.factor * value);
+        let corners = [[left, top], [right, bottom]];
+        draw_color_bar(drawing, corners, (ends, &name), color);
     }
 
     fn axis_name(&self, name: &str) -> String {

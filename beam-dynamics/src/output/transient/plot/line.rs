@@ -1,8 +1,6 @@
 //! Lines of curves: their strokes, and the reduced points of a long curve.
 
-use plotters::backend::DrawingBackend;
-use plotters::style::RGBColor;
-use shared_geom::figure::{CATEGORIES, Canvas, FigureProblem};
+use shared_geom::figure::{CATEGORIES, Color, Stroke};
 
 /// Width of a curve \[figure pixels\].
 const WIDTH: f64 = 3.5;
@@ -10,119 +8,52 @@ const WIDTH: f64 = 3.5;
 pub(super) const COLORS: usize = CATEGORIES.len() - 1;
 /// Number of runs that tone and dashes can distinguish.
 pub(super) const TONES: usize = 4;
-/// Lengths of dashes and gaps in turn \[figure pixels\].
-const DASHES: [&[f64]; 4] = [&[], &[20.0, 11.0], &[5.0, 9.0], &[20.0, 9.0, 5.0, 9.0]];
 /// Color of lines that represent a run, not a column.
-const NO_COLUMN: RGBColor = RGBColor(120, 120, 120);
+const NO_COLUMN: Color = Color(120, 120, 120);
 
-/// Style of a line.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stroke {
-    color: RGBColor,
-    /// \[figure pixels\].
-    width: f64,
-    /// Dashes and gaps \[figure pixels\]; none for a solid line.
-    dashes: &'static [f64],
+/// Line of one of several columns: colors first, then dashes.
+pub(super) fn of_column(number: usize) -> Stroke {
+    Stroke::new(WIDTH, CATEGORIES[number % COLORS]).dashed(number / COLORS)
 }
 
-impl Stroke {
-    /// Line of one of several columns: colors first, then dashes.
-    pub fn of_color(number: usize) -> Self {
-        Self {
-            color: CATEGORIES[number % COLORS],
-            width: WIDTH,
-            dashes: DASHES[number / COLORS % DASHES.len()],
-        }
-    }
-
-    /// Line of run `run` of `runs`, distinguished by colors: earlier ones are broader, so that they
-    /// remain visible below a later run that covers them.
-    pub fn of_run(run: usize, runs: usize) -> Self {
-        let above = match runs <= TONES {
-            true => runs - 1 - run.min(runs - 1),
-            false => 0,
-        };
-        let stroke = Self::of_color(run);
-        let width = stroke.width + 1.5 * above as f64;
-        Self { width, ..stroke }
-    }
-
-    /// The same for run `run` if colors distinguish the columns: the first run is broad and pale,
-    /// so that later ones on top of it are visible, and later ones are darker and dashed.
-    pub fn toned(self, run: usize) -> Self {
-        let (part, toward, width, dashes) = match run {
-            0 => (0.55, 255.0, 2.4 * WIDTH, 0),
-            1 => (0.0, 0.0, 0.8 * WIDTH, 0),
-            2 => (0.45, 0.0, WIDTH, 1),
-            _ => (0.75, 0.0, WIDTH, 2),
-        };
-        let mixed = |channel: u8| {
-            let channel = f64::from(channel);
-            (channel + part * (toward - channel)).round() as u8
-        };
-        let RGBColor(red, green, blue) = self.color;
-        Self {
-            color: RGBColor(mixed(red), mixed(green), mixed(blue)),
-            width,
-            dashes: DASHES[dashes],
-        }
-    }
-
-    /// Line of run `run`, for any column.
-    pub fn of_tone(run: usize) -> Self {
-        let color = NO_COLUMN;
-        Self {
-            color,
-            ..Self::of_color(0)
-        }
-        .toned(run)
-    }
-
-    /// Draws the line through these positions; a dot for a single one.
-    pub fn draw<B: DrawingBackend>(
-        &self,
-        canvas: &Canvas<B>,
-        positions: &[[f64; 2]],
-    ) -> Result<(), FigureProblem> {
-        if let [position] = positions {
-            return canvas.disc(*position, self.width, self.color);
-        }
-        if self.dashes.is_empty() {
-            return canvas.line(positions, self.width, self.color);
-        }
-        for dash in dashed(positions, self.dashes) {
-            canvas.line(&dash, self.width, self.color)?;
-        }
-        Ok(())
+/// Line of run `run` of `runs`, distinguished by colors: earlier ones are broader, so that they
+/// remain visible below a later run that covers them.
+pub(super) fn of_run(run: usize, runs: usize) -> Stroke {
+    let above = match runs <= TONES {
+        true => runs - 1 - run.min(runs - 1),
+        false => 0,
+    };
+    let width = WIDTH + 1.5 * above as f64;
+    Stroke {
+        width,
+        ..of_column(run)
     }
 }
 
-/// The dashes along the line through `positions`.
-fn dashed(positions: &[[f64; 2]], pattern: &[f64]) -> Vec<Vec<[f64; 2]>> {
-    let mut dashes = vec![positions[..1].to_vec()];
-    let (mut part, mut left) = (0, pattern[0]);
-    for ends in positions.windows(2) {
-        let [from, to] = [ends[0], ends[1]];
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-        let mut done = 0.0;
-        while length - done > left {
-            done += left;
-            let share = done / length;
-            let position = [0, 1].map(|k| from[k] + share * (to[k] - from[k]));
-            match (part % 2, dashes.last_mut()) {
-                (0, Some(dash)) => dash.push(position),
-                _ => dashes.push(vec![position]),
-            }
-            part = (part + 1) % pattern.len();
-            left = pattern[part];
-        }
-        left -= length - done;
-        if let (0, Some(dash)) = (part % 2, dashes.last_mut()) {
-            dash.push(to);
-        }
+/// The line of a column for run `run` if colors distinguish the columns: the first run is broad
+/// and pale, so that later ones on top of it are visible, and later ones are darker and dashed.
+pub(super) fn toned(stroke: Stroke, run: usize) -> Stroke {
+    let (part, toward, width, pattern) = match run {
+        0 => (0.55, 255.0, 2.4 * WIDTH, 0),
+        1 => (0.0, 0.0, 0.8 * WIDTH, 0),
+        2 => (0.45, 0.0, WIDTH, 1),
+        _ => (0.75, 0.0, WIDTH, 2),
+    };
+    let mixed = |channel: u8| {
+        let channel = f64::from(channel);
+        (channel + part * (toward - channel)).round() as u8
+    };
+    let Color(red, green, blue) = stroke.color;
+    Stroke {
+        color: Color(mixed(red), mixed(green), mixed(blue)),
+        width,
+        pattern,
     }
-    dashes.retain(|dash| dash.len() > 1);
-    dashes
+}
+
+/// Line of run `run`, for any column.
+pub(super) fn of_tone(run: usize) -> Stroke {
+    toned(Stroke::new(WIDTH, NO_COLUMN), run)
 }
 
 /// Points of a curve that show all of it if the range `x` is `pixels` wide.
@@ -213,21 +144,5 @@ mod tests {
             let distance = (pair[0][0] - pair[1][0]).hypot(pair[0][1] - pair[1][1]);
             assert!(distance < 3.0 / 1000.0, "{distance}");
         }
-    }
-
-    #[test]
-    fn dashes_follow_corners() {
-        let positions = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]];
-        let found = dashed(&positions, &[8.0, 4.0]);
-        let expected = [
-            vec![[0.0, 0.0], [8.0, 0.0]],
-            vec![[10.0, 2.0], [10.0, 10.0]],
-        ];
-        assert_eq!(found, expected);
-        let full: f64 = dashed(&[[0.0, 0.0], [120.0, 0.0]], &[8.0, 4.0])
-            .iter()
-            .map(|dash| dash[dash.len() - 1][0] - dash[0][0])
-            .sum();
-        assert_eq!(full, 80.0);
     }
 }
