@@ -277,7 +277,7 @@ fn problems_of_vtk_are_reported_with_their_lines() {
         (
             "CELL_TYPES 5\n22 ",
             "CELL_TYPES 4\n",
-            "4 values of CELL_TYPES follow, expected 5",
+            "4 values of the types of the cells follow, expected 5",
         ),
         (
             "1 1 2 1 1\nPOINT_DATA",

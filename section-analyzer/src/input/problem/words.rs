@@ -27,6 +27,23 @@ pub(super) fn known_groups(kind: &str, group: &str, known: &[String], is_other: 
     }
 }
 
+/// How the cells of the mesh `file` get groups, by the format of its ending.
+pub(super) fn grouping(file: &str) -> &'static str {
+    let ending = file.rsplit('.').next().unwrap_or_default().to_lowercase();
+    match ending.as_str() {
+        "inp" => {
+            "in Abaqus, put every element of the section in a set (*ELEMENT, ELSET=, or *ELSET)"
+        }
+        "vtk" | "vtu" => {
+            "give every cell a number in an array of whole numbers by cell called \"group\""
+        }
+        _ => {
+            "in gmsh, put every surface of the section in a physical surface, and set \
+             Mesh.SaveAll = 0 (with 1, files of version 2.2 contain no groups)"
+        }
+    }
+}
+
 /// The keys of a table of strengths, as text.
 pub(super) fn strength_keys(table: &str) -> &'static str {
     match table {
