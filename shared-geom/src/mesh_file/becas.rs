@@ -70,20 +70,7 @@ pub fn read_becas(files: [(&str, &str); 4]) -> Result<Model, Diagnostics> {
     let mut number = 0;
     each(of_materials, materials, |_, row| {
         number += 1;
-        let expected = "9 elastic constants and the density";
-        let row: [&str; 10] = counted(row, "a material", expected)?;
-        let mut values = [0.0; 10];
-        for (value, word) in values.iter_mut().zip(row) {
-            *value = real(word, "a constant of a material")?;
-        }
-        let [e1, e2, e3, g12, g13, g23, nu12, nu13, nu23, density] = values;
-        let constants = [e1, e2, e3, g12, g13, g23, nu12, nu13, nu23];
-        let material = ModelMaterial {
-            name: format!("m{number}"),
-            law: ModelLaw::Orthotropic(constants),
-            density,
-        };
-        raw.materials.insert(number, material);
+        raw.materials.insert(number, material(number, row)?);
         Ok(())
     });
     let model = raw.finish(elements, layups);
@@ -92,6 +79,23 @@ pub fn read_becas(files: [(&str, &str); 4]) -> Result<Model, Diagnostics> {
         diagnostics.keep(problems.into_result(file, ()));
     }
     diagnostics.into_result(model)
+}
+
+/// A row of a material.
+fn material(number: u64, row: &[&str]) -> Result<ModelMaterial, FileProblem> {
+    let expected = "9 elastic constants and the density";
+    let row: [&str; 10] = counted(row, "a material", expected)?;
+    let mut values = [0.0; 10];
+    for (value, word) in values.iter_mut().zip(row) {
+        *value = real(word, "a constant of a material")?;
+    }
+    let [e1, e2, e3, g12, g13, g23, nu12, nu13, nu23, density] = values;
+    let constants = [e1, e2, e3, g12, g13, g23, nu12, nu13, nu23];
+    Ok(ModelMaterial {
+        name: format!("m{number}"),
+        law: ModelLaw::Orthotropic(constants),
+        density,
+    })
 }
 
 /// Reads each row of a table; problems are noted with their lines, and so is a table without

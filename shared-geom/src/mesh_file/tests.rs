@@ -526,82 +526,85 @@ fn many_fiber_angles_are_left_to_a_table() {
     assert_eq!(model.regions[1].fiber_angle, Some(15.0));
 }
 
+/// Changes of the files of VABS, and their problems.
+const BAD_VABS: [(&str, &str, &str, &str); 12] = [
+    (
+        VABS,
+        "1 3 ",
+        "7 3 ",
+        "a.sg:2: the flag \"format\" is 7, expected 0 or 1",
+    ),
+    (
+        VABS,
+        "1 0 0\n",
+        "1 0 3\n",
+        "a.sg:3: the flag \"thermal\" is 3, expected 0",
+    ),
+    (
+        VABS,
+        "0.8 0.6",
+        "0.8 0.7",
+        "the cosines are 0.8 and 0.7, expected",
+    ),
+    (
+        VABS,
+        "\n14 1.5",
+        "\n13 1.5",
+        "node 13 is listed twice\n  help: remove",
+    ),
+    (
+        VABS,
+        "\n2 1 3 4 0",
+        "\n2 1 99 4 0",
+        "element 2 refers to node 99, which does not exist",
+    ),
+    (
+        VABS,
+        "\n3 3 -70",
+        "\n3 9 -70",
+        "element 3 refers to layer 9, which does not exist\n  help",
+    ),
+    (
+        VABS,
+        "\n3 3 -70",
+        "\n2 3 -70",
+        "element 2 has 2 rows of its layup, expected one",
+    ),
+    (
+        VABS,
+        "3 2 15",
+        "3 5 15",
+        "the layup of element 3 refers to material 5",
+    ),
+    (
+        VABS,
+        "2 2\n11 ",
+        "2 4\n11 ",
+        "the flag \"kind of a material\" is 4, expected 0, 1 or 2",
+    ),
+    (
+        VABS,
+        "0.4\n",
+        "0.4 7\n",
+        "4 numbers in a row of the last constants of a material",
+    ),
+    (
+        OLD_VABS,
+        "540 0 0 0 0 0 0 0\n",
+        "540\n",
+        "numbers in a row of the layup of element 1",
+    ),
+    (
+        OLD_VABS,
+        "2 1 -35",
+        "2 1 x",
+        "theta3 \"x\" cannot be read, expected a finite number",
+    ),
+];
+
 #[test]
-fn problems_of_models_are_reported_with_their_lines() {
-    for (text, from, to, expected) in [
-        (
-            VABS,
-            "1 3 ",
-            "7 3 ",
-            "a.sg:2: the flag \"format\" is 7, expected 0 or 1",
-        ),
-        (
-            VABS,
-            "1 0 0\n",
-            "1 0 3\n",
-            "a.sg:3: the flag \"thermal\" is 3, expected 0",
-        ),
-        (
-            VABS,
-            "0.8 0.6",
-            "0.8 0.7",
-            "the cosines are 0.8 and 0.7, expected",
-        ),
-        (
-            VABS,
-            "\n14 1.5",
-            "\n13 1.5",
-            "node 13 is listed twice\n  help: remove",
-        ),
-        (
-            VABS,
-            "\n2 1 3 4 0",
-            "\n2 1 99 4 0",
-            "element 2 refers to node 99, which does not exist",
-        ),
-        (
-            VABS,
-            "\n3 3 -70",
-            "\n3 9 -70",
-            "element 3 refers to layer 9, which does not exist\n  help",
-        ),
-        (
-            VABS,
-            "\n3 3 -70",
-            "\n2 3 -70",
-            "element 2 has 2 rows of its layup, expected one",
-        ),
-        (
-            VABS,
-            "3 2 15",
-            "3 5 15",
-            "the layup of element 3 refers to material 5",
-        ),
-        (
-            VABS,
-            "2 2\n11 ",
-            "2 4\n11 ",
-            "the flag \"kind of a material\" is 4, expected 0, 1 or 2",
-        ),
-        (
-            VABS,
-            "0.4\n",
-            "0.4 7\n",
-            "4 numbers in a row of the last constants of a material",
-        ),
-        (
-            OLD_VABS,
-            "540 0 0 0 0 0 0 0\n",
-            "540\n",
-            "numbers in a row of the layup of element 1",
-        ),
-        (
-            OLD_VABS,
-            "2 1 -35",
-            "2 1 x",
-            "theta3 \"x\" cannot be read, expected a finite number",
-        ),
-    ] {
+fn problems_of_vabs_are_reported_with_their_lines() {
+    for (text, from, to, expected) in BAD_VABS {
         assert!(text.contains(from), "{from}");
         let shown = read_vabs(text.replacen(from, to, 1).as_bytes(), "a.sg");
         let shown = shown.unwrap_err().to_string();
@@ -609,6 +612,10 @@ fn problems_of_models_are_reported_with_their_lines() {
     }
     let cut = &VABS[..VABS.find("0.4\n").unwrap()];
     assert!(bad(cut, "a.sg").contains("ends before the constants of a material"));
+}
+
+#[test]
+fn problems_of_becas_are_reported_with_their_lines() {
     for (from, to, expected) in [
         (
             "14 1.5 1",

@@ -19,7 +19,7 @@
 //!
 //! VABS' axes x1 along the beam, x2, x3 are Helicoid's x, y, z. theta1 turns the wall about
 //! x1, theta3 the fiber about the normal of the wall: plane angle and fiber angle. The nine
-//! theta1 are those of the nodes; a second one above 360 states that the first one holds.
+//! theta1 belong to the nodes; a second one above 360 states that the first one holds.
 //! The order of the full stiffness is 11, 12, 13, 22, 23, 33.
 //!
 //! # References
@@ -39,7 +39,7 @@ const ORDER: [usize; 6] = [0, 3, 5, 4, 2, 1];
 /// Largest angle theta1 \[deg\]; a larger second one states that the first one holds.
 const FULL_TURN: f64 = 360.0;
 
-/// Whether the first rows are those of VABS: 2, 3 and 3 or 4 whole numbers.
+/// Whether the file begins as VABS does: rows of 2, 3 and 3 or 4 whole numbers.
 pub(super) fn recognize(content: &[u8]) -> bool {
     let head = content.get(..content.len().min(4096)).unwrap_or(content);
     let head = String::from_utf8_lossy(head);
@@ -245,7 +245,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The angle of an element from those of its nodes \[deg\].
+    /// The angle of an element from the angles of its nodes \[deg\].
     fn mean(&mut self, angles: &[f64], nodes: [u64; 9]) -> f64 {
         let first = angles.first().copied().unwrap_or(0.0);
         if angles.get(1).is_none_or(|second| *second > FULL_TURN) {
