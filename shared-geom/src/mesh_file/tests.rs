@@ -628,12 +628,12 @@ fn problems_of_becas_are_reported_with_their_lines() {
             "E2D.in:4: 3 numbers in a row of an element",
         ),
         (
-            "3 2 15 -70",
+            "3.0e+00 2 15 -70",
             "3 4 15 -70",
             "EMAT.in:3: the layup of element 3 refers to material 4",
         ),
         (
-            "3 2 15 -70",
+            "3.0e+00 2 15 -70",
             "5 2 15 -70",
             "EMAT.in:3: a layup refers to element 5",
         ),
