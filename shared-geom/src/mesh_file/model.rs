@@ -40,7 +40,7 @@ pub struct ModelMaterial {
     pub name: String,
     /// Elastic constants \[stress\].
     pub law: ModelLaw,
-    /// Density \[mass per volume\].
+    /// Density \[kg/m^3\], if the model is in SI units.
     pub density: f64,
 }
 
