@@ -12,7 +12,7 @@ use std::io::Read;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use flate2::read::ZlibDecoder;
+use flate2::bufread::ZlibDecoder;
 
 use super::xml::Appended;
 use crate::mesh_file::problem::FileProblem;
