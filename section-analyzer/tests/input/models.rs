@@ -274,8 +274,8 @@ fn the_box_cas1_of_vabs() {
         expected[(column, row)] = value;
     }
     let error = difference(&stiffness, &expected);
-    println!("CAS1: {error:.2e} {stiffness}");
-    assert!(error < 1e-3, "{error:e}\n{stiffness}");
+    // 2.0e-4, the bending stiffness about z
+    assert!(error < 2.5e-4, "{error:e}\n{stiffness}");
     let inertia = [
         0.08538,
         0.08538,
