@@ -21,7 +21,10 @@ pub(super) fn known_groups(kind: &str, group: &str, known: &[String], is_other: 
     match nearest_name(group, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"? {all}"),
         None if known.is_empty() => {
-            format!("the mesh has no physical {kind}: in gmsh, add a physical {kind}")
+            format!(
+                "the mesh has no physical {kind}: add one (in gmsh a physical {kind}, in Abaqus a set, in \
+                 VTK an array of whole numbers by cell)"
+            )
         }
         None => all,
     }
