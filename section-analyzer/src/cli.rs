@@ -16,6 +16,7 @@ mod arguments;
 mod change;
 mod check;
 mod compare;
+mod convert;
 mod figures;
 mod generate;
 mod help;
@@ -115,6 +116,7 @@ fn dispatch(
             stress::recover_file(&file, &load, (out, figures), terminal)
         }
         Command::Matrices { file, out, .. } => matrices::analyze_file(&file, out, terminal),
+        Command::Convert(arguments) => convert::convert_model(&arguments, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
         Command::Report(arguments) => report::report_files(&arguments, terminal),
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),

@@ -42,6 +42,7 @@ mod loads;
 mod material_warnings;
 mod materials;
 mod meshed;
+pub mod model;
 mod names;
 mod plausible;
 mod problem;

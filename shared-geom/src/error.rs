@@ -268,6 +268,15 @@ pub fn quoted<T: fmt::Display>(names: &[T]) -> String {
     }
 }
 
+/// The beginning of a text, for messages.
+pub fn shortened(text: &str) -> String {
+    const LETTERS: usize = 40;
+    match text.char_indices().nth(LETTERS) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 /// Edit distance; a missing or added ending counts as one edit.
 fn distance(a: &str, b: &str) -> usize {
     let slips = strsim::damerau_levenshtein(a, b);
@@ -371,6 +380,12 @@ mod tests {
             assert_eq!((location.as_str(), *message), (file, key));
         }
         assert_eq!(shown.len(), expected.len());
+    }
+
+    #[test]
+    fn long_texts_are_cut_between_letters() {
+        assert_eq!(shortened(&"ä".repeat(40)), "ä".repeat(40));
+        assert_eq!(shortened(&"ä".repeat(41)), format!("{}...", "ä".repeat(40)));
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! Mesh files of several programs, by their content: gmsh, Abaqus and the legacy format of
-//! VTK.
+//! Mesh files of several programs, by their content: gmsh, Abaqus, VTK (legacy and XML) and
+//! VABS; models of VABS and BECAS with their materials.
 //!
 //! [`read`] gives the same mesh for all of them: cells, lines, and the groups that name
 //! them. Unknown content is treated as a file of gmsh.
@@ -8,15 +8,33 @@ use crate::error::Diagnostics;
 use crate::gmsh;
 use crate::mesh::Mesh;
 
+mod becas;
+mod elements;
+mod grid;
 mod inp;
+mod model;
 mod parts;
 mod problem;
+mod rows;
+mod vabs;
 mod vtk;
+mod vtu;
 mod words;
 
+pub use becas::{BECAS_FILES, read_becas};
+pub use model::{Model, ModelCell, ModelLaw, ModelMaterial, ModelRegion};
+
+/// Reads an input file of VABS; `file` is the name for messages.
+///
+/// # Errors
+/// All errors of the file, each with its line.
+pub fn read_vabs(content: &[u8], file: &str) -> Result<Model, Diagnostics> {
+    vabs::read(content, file)
+}
+
 /// Reads the mesh in `content`; `file` is the name for messages. A file whose name ends in
-/// `.inp` is one of Abaqus; one that begins with `# vtk DataFile` is one of VTK; others are
-/// files of gmsh.
+/// `.inp` is one of Abaqus; one that begins with `# vtk DataFile` or as XML is one of VTK;
+/// rows of 2, 3 and 4 whole numbers begin one of VABS; others are files of gmsh.
 ///
 /// # Errors
 /// All errors of the file, each with its line or byte.
@@ -27,6 +45,12 @@ pub fn read(content: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
     let is_vtk = content.starts_with(b"# vtk DataFile");
     if is_vtk || file.to_lowercase().ends_with(".vtk") {
         return vtk::read(content, file);
+    }
+    if vtu::recognize(content, file) {
+        return vtu::read(content, file);
+    }
+    if vabs::recognize(content) {
+        return vabs::read(content, file).map(|model| model.mesh);
     }
     gmsh::read(content, file)
 }

@@ -7,6 +7,7 @@ use shared_geom::command_help::Shell;
 use shared_geom::mesh::CellKind;
 
 mod analyze;
+mod convert;
 mod matrices;
 mod property_files;
 mod stress;
@@ -14,6 +15,8 @@ mod stress;
 pub(super) use super::load_arguments::LoadArguments;
 pub(super) use analyze::AnalyzeArguments;
 use analyze::{ANALYZE, ANALYZE_EXAMPLE};
+pub(super) use convert::ConvertArguments;
+use convert::{CONVERT, CONVERT_EXAMPLE};
 use matrices::{MATRICES, MATRICES_EXAMPLE};
 use property_files::{
     COMPARE, COMPARE_EXAMPLE, REPORT, REPORT_EXAMPLE, ROTATE, ROTATE_EXAMPLE, SHIFT, SHIFT_EXAMPLE,
@@ -225,6 +228,8 @@ pub(super) enum Command {
         #[arg(long, short)]
         quiet: bool,
     },
+    #[command(about = first_line(CONVERT), long_about = CONVERT, after_help = CONVERT_EXAMPLE)]
+    Convert(ConvertArguments),
     #[command(subcommand, about = first_line(MESH), long_about = MESH)]
     Mesh(Shape),
     #[command(about = first_line(REPORT), long_about = REPORT, after_help = REPORT_EXAMPLE)]

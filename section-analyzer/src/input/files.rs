@@ -1,5 +1,6 @@
 //! The files named in a section input, read once and kept for the fingerprint.
 
+use std::ffi::OsStr;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +10,9 @@ use shared_geom::hash::sha256_of;
 
 use super::problem::InputProblem;
 use super::regions::Written;
+
+/// Endings of mesh files.
+const MESH_ENDINGS: [&str; 5] = ["msh", "inp", "vtk", "vtu", "sg"];
 
 /// All files, in the order of reading.
 #[derive(Debug)]
@@ -40,7 +44,7 @@ impl<'a> Files<'a> {
             }
             Err(error) => {
                 let known = match error.kind() {
-                    ErrorKind::NotFound => of_its_kind(path),
+                    ErrorKind::NotFound => of_its_kind(what, path),
                     _ => Vec::new(),
                 };
                 let reason = match error.kind() {
@@ -93,10 +97,22 @@ impl<'a> Files<'a> {
     }
 }
 
-/// The files beside a missing one that have its ending.
-fn of_its_kind(path: &Path) -> Vec<String> {
-    let ending = path.extension();
-    let mut names = names_beside(path);
-    names.retain(|name| Path::new(name).extension() == ending);
-    names
+/// The files beside a missing one that have its ending; without any, for a mesh, the meshes
+/// of all formats.
+fn of_its_kind(what: &str, path: &Path) -> Vec<String> {
+    let names = names_beside(path);
+    let with = |is_good: &dyn Fn(Option<&OsStr>) -> bool| {
+        let names = names
+            .iter()
+            .filter(|name| is_good(Path::new(name).extension()));
+        names.cloned().collect::<Vec<_>>()
+    };
+    let same = with(&|ending| ending == path.extension());
+    if what != "mesh" || !same.is_empty() {
+        return same;
+    }
+    with(&|ending| {
+        let ending = ending.and_then(OsStr::to_str).unwrap_or_default();
+        MESH_ENDINGS.contains(&ending.to_lowercase().as_str())
+    })
 }

@@ -12,7 +12,7 @@ use crate::properties::NoPrestress;
 mod words;
 
 pub(super) use words::nearest_or_all;
-use words::{across_fiber, known_groups, listed, strength_keys};
+use words::{across_fiber, grouping, known_groups, listed, strength_keys};
 
 /// A problem of a section input, of its tables, or of its references to the mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -389,11 +389,7 @@ impl Explain for InputProblem {
             Self::GroupWithoutRegion { group, .. } => Some(format!(
                 "add [[region]] with group = \"{group}\" and its material"
             )),
-            Self::CellsWithoutGroup { .. } => Some(
-                "in gmsh, put every surface of the section in a physical surface, and set \
-                 Mesh.SaveAll = 0 (with 1, files of version 2.2 contain no groups)"
-                    .to_owned(),
-            ),
+            Self::CellsWithoutGroup { mesh, .. } => Some(grouping(mesh).to_owned()),
             Self::CellInTwoRegions { .. } => Some(
                 "a cell has one material: name groups that share no cell, or remove the surface \
                  from one of them"

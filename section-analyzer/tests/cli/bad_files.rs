@@ -8,6 +8,11 @@ fn missing_files_are_reported_where_they_are_named() {
         "error: a.section.toml:1: mesh \"tow.msh\" cannot be read: no such file",
         "  help: did you mean \"two.msh\"?",
     ]);
+    // without a file of this ending, the meshes of other formats
+    Workplace::with(&[("two.msh", "two.inp")], &[]).is_refused(&[
+        "error: a.section.toml:1: mesh \"two.inp\" cannot be read: no such file",
+        "  help: files there: two.msh",
+    ]);
     Workplace::with(&[("\"two.msh\"", "\".\"")], &[])
         .is_refused(&["error: a.section.toml:1: mesh \".\" cannot be read: it is a folder"]);
     let run = Workplace::new().run(&["check", "b.section.toml"]);
@@ -46,6 +51,33 @@ fn cells_without_surface_are_counted() {
         "error: a.section.toml:17: physical surface \"web\" has no cells in the mesh, expected \
          at least one",
     ]);
+}
+
+/// The remedy is one of the format of the mesh.
+#[test]
+fn cells_without_set_or_array_are_counted() {
+    let nodes = "1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n";
+    let abaqus = format!("*node\n{nodes}*element, type=CPS4\n1, 1, 2, 3, 4\n");
+    let vtk = "# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n\
+        0 0 0 1 0 0 0 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n";
+    for (file, content, help) in [
+        (
+            "two.inp",
+            abaqus.as_str(),
+            "in Abaqus, put every element of the section in a set",
+        ),
+        (
+            "two.vtk",
+            vtk,
+            "give every cell a number in an array of whole numbers by cell",
+        ),
+    ] {
+        let workplace = Workplace::with(&[("two.msh", file)], &[]);
+        workplace.write(file, content);
+        let err = workplace.run(&["check", "a.section.toml"]).err;
+        assert!(err.contains("has 1 cell in no physical surface"), "{err}");
+        assert!(err.contains(&format!("  help: {help}")), "{err}");
+    }
 }
 
 /// The second cell moved away by one: the parts are reported with their positions.

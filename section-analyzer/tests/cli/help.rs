@@ -41,6 +41,10 @@ const EXAMPLES: &[(&[&str], &str)] = &[
         "section-analyzer rotate a.properties.json --angle \"3.5 deg\" --out",
     ),
     (
+        &["convert", "--help"],
+        "section-analyzer convert box.sg box.section.toml --length in",
+    ),
+    (
         &["mesh", "rectangle", "--help"],
         "section-analyzer mesh rectangle --width 1",
     ),

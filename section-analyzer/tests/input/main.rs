@@ -8,6 +8,7 @@ mod electrodes;
 mod follow;
 mod laminae;
 mod mesh_files;
+mod models;
 mod moved_nodes;
 #[path = "../../../shared-geom/tests/robust/mutation.rs"]
 mod mutation;

@@ -180,3 +180,49 @@ fn sections_in_other_formats_are_the_same() {
         }
     }
 }
+
+/// The field file of the warping is a mesh with the names of the regions, in meters.
+#[test]
+fn a_result_of_the_program_is_a_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let section = "[units]\nlength = \"mm\"\nforce = \"N\"\n[material.a]\nyoung = 7e4\n\
+        poisson = 0.3\ndensity = 0\n[[region]]\ngroup = \"section\"\nmaterial = \"a\"\n";
+    let text = format!("mesh = \"a.msh\"\n{section}");
+    let run = |words: &[&str]| {
+        let words = words.iter().map(|word| std::ffi::OsString::from(*word));
+        let (mut out, mut err) = (Vec::new(), Vec::new());
+        let code = section_analyzer::cli::run(words, &mut out, &mut err);
+        assert_eq!(code, 0, "{}", String::from_utf8_lossy(&err));
+    };
+    let (mesh, file) = (at("a.msh"), at("a.section.toml"));
+    let mesh = mesh.to_str().unwrap();
+    let ellipse = [
+        "x", "mesh", "ellipse", "--semi-y", "30", "--semi-z", "10", "--cells", "2",
+    ];
+    run(&[&ellipse[..], &["--out", mesh]].concat());
+    let expected = stiffness(folder.path(), &text);
+    let results = at("results");
+    let results = results.to_str().unwrap();
+    run(&[
+        "x",
+        "analyze",
+        file.to_str().unwrap(),
+        "--no-figures",
+        "--out",
+        results,
+    ]);
+    let text = text.replace("a.msh", "results/a.warping.vtu");
+    let text = text.replace("\"mm\"", "\"m\"").replace("7e4", "7e10");
+    let found = stiffness(folder.path(), &text);
+    let scale = expected[0].diagonal().map(f64::sqrt);
+    for i in 0..6 {
+        for j in 0..6 {
+            let error = found[0][(i, j)] - expected[0][(i, j)];
+            assert!(
+                error.abs() < 1e-12 * scale[i] * scale[j],
+                "({i}, {j}) {error:e}"
+            );
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::error::{Diagnostics, Explain, SourceLocation};
+use crate::error::{Diagnostics, Explain, SourceLocation, shortened};
 use crate::files::{names_beside, nearest_file};
 
 /// Number of problems of one file that are reported; the others are counted.
@@ -215,14 +215,5 @@ impl Problems {
             Some(value) if self.is_empty() => Ok(value),
             _ => Err(self.into_diagnostics()),
         }
-    }
-}
-
-/// The beginning of a text, for messages.
-pub(super) fn shortened(text: &str) -> String {
-    const LETTERS: usize = 40;
-    match text.char_indices().nth(LETTERS) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
     }
 }

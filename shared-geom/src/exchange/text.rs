@@ -2,7 +2,8 @@
 
 use nalgebra::Matrix6;
 
-use super::problem::{ExchangeProblem, Problems, shortened};
+use super::problem::{ExchangeProblem, Problems};
+use crate::error::shortened;
 
 /// A line that is not blank.
 #[derive(Debug, Clone, Copy)]

@@ -3,7 +3,8 @@
 use std::str::{FromStr, SplitAsciiWhitespace};
 
 use super::cursor::Cursor;
-use super::problem::{ReadProblem, shortened};
+use super::problem::ReadProblem;
+use crate::error::shortened;
 
 /// Reads the numbers of a record one after the other.
 #[derive(Debug)]

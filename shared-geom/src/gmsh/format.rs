@@ -2,7 +2,8 @@
 
 use super::cursor::{Cursor, Encoding};
 use super::fields::LineFields;
-use super::problem::{ReadProblem, shortened};
+use super::problem::ReadProblem;
+use crate::error::shortened;
 
 /// A version of the format that is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -209,12 +209,3 @@ impl Problems {
         diagnostics
     }
 }
-
-/// The beginning of a text, for messages.
-pub(super) fn shortened(text: &str) -> String {
-    const LETTERS: usize = 40;
-    match text.char_indices().nth(LETTERS) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_string(),
-    }
-}

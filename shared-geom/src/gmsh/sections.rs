@@ -7,10 +7,10 @@
 
 use super::cursor::Cursor;
 use super::format::{Version, format, not_text};
-use super::problem::{END_OF_FILE, KNOWN_SECTIONS, ReadProblem, shortened};
+use super::problem::{END_OF_FILE, KNOWN_SECTIONS, ReadProblem};
 use super::reader::Reader;
 use super::{names, read22, read41};
-use crate::error::Diagnostics;
+use crate::error::{Diagnostics, shortened};
 use crate::mesh::Mesh;
 
 /// Reads a file of either version and encoding.

@@ -32,6 +32,14 @@ pub(super) enum FileProblem {
     RepeatedElement(u64),
     #[error("element {element} refers to node {node}, which does not exist")]
     UnknownNode { element: u64, node: u64 },
+    #[error("{who} refers to {what} {number}, which does not exist")]
+    Unknown {
+        who: String,
+        what: &'static str,
+        number: u64,
+    },
+    #[error("element {element} has {found} rows of its layup, expected one")]
+    Layups { element: u64, found: usize },
     #[error("set \"{set}\" contains element {element}, which does not exist")]
     UnknownElement { set: String, element: u64 },
     #[error("set \"{set}\" contains \"{found}\", which is neither a number nor an earlier set")]
@@ -68,7 +76,15 @@ impl Explain for FileProblem {
             }
             Self::Keyword(_) => "write one file with all nodes in one system of axes",
             Self::Moved => "remove the translation of the instance, or apply it to the nodes",
+            Self::Unknown { .. } | Self::UnknownNode { .. } | Self::UnknownElement { .. } => {
+                "check the number, and that no row is missing"
+            }
+            Self::RepeatedNode(_) | Self::RepeatedElement(_) => "remove one of the rows",
+            Self::Layups { .. } => "give each element one row with its material and angles",
             Self::Arrays(_) => "call the array with the groups \"group\"",
+            Self::Header { found, .. } if found.contains("compressed by") => {
+                "save without compression, or compressed with zlib"
+            }
             Self::Header { found, .. } if found.contains("BINARY") => {
                 "save the mesh as text (ASCII)"
             }
@@ -95,6 +111,12 @@ impl Problems {
     /// The value of a good result; the problem of a bad one is added.
     pub(super) fn keep<T>(&mut self, line: usize, result: Result<T, FileProblem>) -> Option<T> {
         result.map_err(|problem| self.push(line, problem)).ok()
+    }
+
+    /// Adds the problems of `other`, of the same file.
+    pub(super) fn append(&mut self, other: Self) {
+        self.found.extend(other.found);
+        self.found.truncate(KEPT);
     }
 
     /// `value`, or all problems in the order of their lines.

@@ -1,43 +1,14 @@
-//! Unstructured grids in the legacy text format of VTK, versions 1 to 5: points, plane cells,
-//! lines, and an array of whole numbers by cell as groups.
-//!
-//! The array is called `group`, or has another of the [`USUAL`] names, or is the only one of
-//! whole numbers. Each of its values is a group of this number.
+//! Unstructured grids in the legacy text format of VTK, versions 1 to 5; see [`super::grid`]
+//! for the groups.
 
-use super::parts::{Parts, Shape};
+use super::grid::{Array, Grid, Listed};
 use super::problem::{FileProblem, Problems, text};
 use super::words::{Words, whole};
 use crate::error::Diagnostics;
-use crate::mesh::{CellKind, LineKind, Mesh};
+use crate::mesh::Mesh;
 
-/// Usual names of arrays of groups, the preferred ones first.
-const USUAL: [&str; 9] = [
-    "group",
-    "gmsh:physical",
-    "PhysicalIds",
-    "physical",
-    "region",
-    "CellEntityIds",
-    "MaterialIds",
-    "material",
-    "elset",
-];
 /// Largest number of values that are reserved before they are read.
 const RESERVED: usize = 1 << 20;
-
-/// An array of whole numbers by cell.
-#[derive(Debug)]
-struct Array {
-    name: String,
-    values: Vec<i32>,
-}
-
-/// A cell as listed: its line and the indices of its points.
-#[derive(Debug)]
-struct Listed {
-    line: usize,
-    points: Vec<u64>,
-}
 
 /// A line of the head of the file: its expected text, and the test of a line.
 type HeadLine = (&'static str, fn(&str) -> bool);
@@ -59,15 +30,12 @@ pub(super) fn read(content: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
     }
     let mut reader = Reader {
         words: Words::new(text(content, file)?),
-        points: Vec::new(),
-        cells: Vec::new(),
-        types: Vec::new(),
-        arrays: Vec::new(),
+        grid: Grid::default(),
     };
     let read = reader.sections();
     let line = reader.words.line();
     problems.keep(line, read);
-    let mesh = reader.finish(line, &mut problems);
+    let mesh = reader.grid.finish(line, &mut problems);
     problems.into_result(file, mesh)
 }
 
@@ -79,11 +47,7 @@ fn is_binary(head: &[u8]) -> bool {
 
 struct Reader<'a> {
     words: Words<'a>,
-    points: Vec<(usize, [f64; 3])>,
-    cells: Vec<Listed>,
-    /// Types of the cells, each with its line.
-    types: Vec<(usize, u32)>,
-    arrays: Vec<Array>,
+    grid: Grid,
 }
 
 impl Reader<'_> {
@@ -115,7 +79,7 @@ impl Reader<'_> {
                     let count: usize = self.words.number("the number of types")?;
                     for _ in 0..count {
                         let kind = self.words.number("the type of a cell")?;
-                        self.types.push((self.words.line(), kind));
+                        self.grid.types.push((self.words.line(), kind));
                     }
                 }
                 "CELL_DATA" => {
@@ -153,13 +117,13 @@ impl Reader<'_> {
     fn read_points(&mut self) -> Result<(), FileProblem> {
         let count: usize = self.words.number("the number of points")?;
         self.words.word();
-        self.points.reserve(count.min(RESERVED));
+        self.grid.points.reserve(count.min(RESERVED));
         for _ in 0..count {
             let mut position = [0.0; 3];
             for point in &mut position {
                 *point = self.words.real("coordinate")?;
             }
-            self.points.push((self.words.line(), position));
+            self.grid.points.push((self.words.line(), position));
         }
         Ok(())
     }
@@ -185,7 +149,7 @@ impl Reader<'_> {
             for _ in 0..length {
                 points.push(self.words.number("a point of a cell")?);
             }
-            self.cells.push(Listed { line, points });
+            self.grid.cells.push(Listed { line, points });
         }
         Ok(())
     }
@@ -216,7 +180,7 @@ impl Reader<'_> {
                 expected: pair[1],
             })?;
             let points = points.to_vec();
-            self.cells.push(Listed { line, points });
+            self.grid.cells.push(Listed { line, points });
         }
         Ok(())
     }
@@ -261,7 +225,7 @@ impl Reader<'_> {
                 }
             } else {
                 self.values(
-                    (name, of_cells && count == self.cells.len()),
+                    (name, of_cells && count == self.grid.cells.len()),
                     components,
                     count,
                 )?;
@@ -281,8 +245,8 @@ impl Reader<'_> {
     /// Number of values of an array by cell or by point.
     fn count(&self, of_cells: bool) -> usize {
         match of_cells {
-            true => self.cells.len(),
-            false => self.points.len(),
+            true => self.grid.cells.len(),
+            false => self.grid.points.len(),
         }
     }
 
@@ -294,109 +258,20 @@ impl Reader<'_> {
         count: usize,
     ) -> Result<(), FileProblem> {
         let mut values = Vec::new();
-        let mut are_whole = of_cells && components == 1;
+        let is_kept = of_cells && components == 1;
         for _ in 0..components.saturating_mul(count) {
             let value = self.words.real("a value")?;
-            are_whole &= value.fract() == 0.0 && value.abs() < f64::from(i32::MAX);
-            if are_whole {
-                values.push(value as i32);
+            if is_kept {
+                values.push(value);
             }
         }
-        if are_whole {
+        let values = is_kept.then(|| Grid::whole(values.into_iter()));
+        if let Some(values) = values.flatten() {
             let name = name.to_owned();
-            self.arrays.push(Array { name, values });
+            self.grid.arrays.push(Array { name, values });
         }
         Ok(())
     }
-
-    /// The mesh; points and cells are numbered from one.
-    fn finish(self, line: usize, problems: &mut Problems) -> Mesh {
-        let mut parts = Parts::default();
-        for (tag, (line, position)) in (1..).zip(&self.points) {
-            problems.keep(*line, parts.node(tag, *position));
-        }
-        if self.types.len() != self.cells.len() {
-            let problem = FileProblem::Length {
-                what: "CELL_TYPES",
-                found: self.types.len(),
-                expected: self.cells.len(),
-            };
-            problems.push(line, problem);
-            return Mesh::default();
-        }
-        let groups = problems.keep(line, self.groups()).flatten();
-        let mut sets: Vec<(i32, usize)> = Vec::new();
-        for (index, (cell, (_, kind))) in self.cells.iter().zip(&self.types).enumerate() {
-            let Some(shape) = problems.keep(cell.line, shape_of(*kind)).flatten() else {
-                continue;
-            };
-            let value = groups.and_then(|groups| groups.values.get(index).copied());
-            let set = value.map(|value| match sets.iter().find(|set| set.0 == value) {
-                Some(&(_, set)) => set,
-                None => {
-                    // physical numbers are positive: others are names
-                    let name = (value < 1).then(|| value.to_string());
-                    let set = parts.set(name, Some(value));
-                    sets.push((value, set));
-                    set
-                }
-            });
-            let tag = index as u64 + 1;
-            let mut nodes: Vec<_> = cell
-                .points
-                .iter()
-                .map(|point| point.saturating_add(1))
-                .collect();
-            if *kind == PIXEL && nodes.len() == 4 {
-                nodes.swap(2, 3);
-            }
-            let added = match nodes.len() == shape.node_count() {
-                true => parts.element((cell.line, tag), shape, nodes, set),
-                false => Err(FileProblem::Count {
-                    what: format!("cell {tag} of type {kind}"),
-                    found: nodes.len(),
-                    expected: shape.node_count().to_string(),
-                }),
-            };
-            problems.keep(cell.line, added);
-        }
-        parts.finish(problems)
-    }
-
-    /// The array whose values are the groups.
-    fn groups(&self) -> Result<Option<&Array>, FileProblem> {
-        let named = |name: &&str| {
-            let mut arrays = self.arrays.iter();
-            arrays.find(|array| array.name.eq_ignore_ascii_case(name))
-        };
-        match (USUAL.iter().find_map(named), &self.arrays[..]) {
-            (Some(array), _) => Ok(Some(array)),
-            (None, []) => Ok(None),
-            (None, [array]) => Ok(Some(array)),
-            (None, arrays) => {
-                let names = arrays.iter().map(|array| array.name.clone());
-                Err(FileProblem::Arrays(names.collect()))
-            }
-        }
-    }
-}
-
-/// The type of rectangles whose corners are listed by rows.
-const PIXEL: u32 = 8;
-
-/// The shape of a type of cells of VTK; `None` for points, which are skipped.
-fn shape_of(kind: u32) -> Result<Option<Shape>, FileProblem> {
-    Ok(Some(match kind {
-        1 | 2 => return Ok(None),
-        3 => Shape::Line(LineKind::Line2),
-        21 => Shape::Line(LineKind::Line3),
-        5 => Shape::Cell(CellKind::Triangle3),
-        22 => Shape::Cell(CellKind::Triangle6),
-        PIXEL | 9 => Shape::Cell(CellKind::Quadrilateral4),
-        23 => Shape::Cell(CellKind::Quadrilateral8),
-        28 => Shape::Cell(CellKind::Quadrilateral9),
-        other => return Err(FileProblem::Unsupported(other.to_string())),
-    }))
 }
 
 fn is_version(line: &str) -> bool {

@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use super::problem::FileProblem;
+use crate::error::shortened;
 
 /// The words of a text, separated by spaces and line ends.
 #[derive(Debug)]
@@ -78,13 +79,4 @@ pub(super) fn real(word: &str, what: &'static str) -> Result<f64, FileProblem> {
         found: shortened(word),
         expected: "a finite number",
     })
-}
-
-/// The beginning of a word, for messages.
-fn shortened(word: &str) -> String {
-    const LETTERS: usize = 40;
-    match word.char_indices().nth(LETTERS) {
-        Some((end, _)) => format!("{}...", &word[..end]),
-        None => word.to_owned(),
-    }
 }

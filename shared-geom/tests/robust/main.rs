@@ -12,6 +12,7 @@
 mod blade_files;
 mod helicoid_blades;
 mod mesh_files;
+mod meshes_of_others;
 mod mutation;
 mod property_files;
 

@@ -21,9 +21,29 @@ pub(super) fn known_groups(kind: &str, group: &str, known: &[String], is_other: 
     match nearest_name(group, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"? {all}"),
         None if known.is_empty() => {
-            format!("the mesh has no physical {kind}: in gmsh, add a physical {kind}")
+            format!(
+                "the mesh has no physical {kind}: add one (in gmsh a physical {kind}, in Abaqus a set, in \
+                 VTK an array of whole numbers by cell)"
+            )
         }
         None => all,
+    }
+}
+
+/// How the cells of the mesh `file` get groups, by the format of its ending.
+pub(super) fn grouping(file: &str) -> &'static str {
+    let ending = file.rsplit('.').next().unwrap_or_default().to_lowercase();
+    match ending.as_str() {
+        "inp" => {
+            "in Abaqus, put every element of the section in a set (*ELEMENT, ELSET=, or *ELSET)"
+        }
+        "vtk" | "vtu" => {
+            "give every cell a number in an array of whole numbers by cell called \"group\""
+        }
+        _ => {
+            "in gmsh, put every surface of the section in a physical surface, and set \
+             Mesh.SaveAll = 0 (with 1, files of version 2.2 contain no groups)"
+        }
     }
 }
 

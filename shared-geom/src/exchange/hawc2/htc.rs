@@ -5,8 +5,8 @@
 use std::path::{Path, PathBuf};
 
 use crate::document::read_text;
-use crate::error::{SourceLocation, nearest_name};
-use crate::exchange::problem::{ExchangeProblem, Problems, shortened};
+use crate::error::{SourceLocation, nearest_name, shortened};
+use crate::exchange::problem::{ExchangeProblem, Problems};
 use crate::exchange::text::{Line, lines, not_a_number, number};
 
 /// Most files that one may include: files that name each other twice would multiply.

@@ -9,7 +9,8 @@
 //! A row has 19 columns, or 30 with a fully populated stiffness; further text, or text
 //! after a semicolon, is a comment, as is every line outside of the rows.
 
-use crate::exchange::problem::{ExchangeProblem, Problems, shortened};
+use crate::error::shortened;
+use crate::exchange::problem::{ExchangeProblem, Problems};
 use crate::exchange::text::{Line, lines, not_a_number, number};
 
 /// Columns of a classic row.

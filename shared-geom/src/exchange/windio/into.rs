@@ -4,13 +4,13 @@
 use std::path::{Path, PathBuf};
 
 use super::super::plain::Plain;
-use super::super::problem::{ExchangeProblem, Problems, shortened};
+use super::super::problem::{ExchangeProblem, Problems};
 use super::super::{Options, Writing};
 use super::block::{self, Block, Lines};
 use super::write;
 use super::{VERSION_1, is_version_1};
 use crate::blade::Blade;
-use crate::error::Diagnostics;
+use crate::error::{Diagnostics, shortened};
 
 /// The reference axis of version 2.
 const AXIS: [&str; 3] = ["components", "blade", "reference_axis"];

@@ -9,7 +9,8 @@ use std::rc::Rc;
 
 use saphyr_parser::{Event, Parser};
 
-use super::super::problem::{ExchangeProblem, shortened};
+use super::super::problem::ExchangeProblem;
+use crate::error::shortened;
 
 /// Deeper than any description of a turbine.
 const DEPTH: usize = 64;
