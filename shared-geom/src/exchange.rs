@@ -130,7 +130,7 @@ pub enum Format {
     Vabs,
     /// MBDyn constitutive laws and bodies.
     MbDyn,
-    /// QBlade structural file with full matrices.
+    /// QBlade: structural table and geometry, or a file that leads to them.
     QBlade,
     /// Helicoid's table.
     Csv,
@@ -187,7 +187,7 @@ impl Format {
             Self::Dymore => "DYMORE table of sectional properties",
             Self::Vabs => "VABS section output",
             Self::MbDyn => "MBDyn constitutive laws and bodies",
-            Self::QBlade => "QBlade structural file",
+            Self::QBlade => "QBlade blade",
             Self::Csv => "Helicoid blade table (CSV)",
         }
     }
@@ -213,7 +213,7 @@ impl Format {
             Self::Hawc2 => &[".htc", ".st"],
             Self::WindIo1 | Self::BeamDyn4 | Self::ElastoDyn => &[],
             Self::OpenFast => &[".fst"],
-            Self::QBlade => &[".str"],
+            Self::QBlade => &[".str", ".bld", ".trb"],
             Self::WindIo2 => &[".yaml", ".yml"],
             Self::Dymore => &[".dym"],
             Self::Vabs => &[".k"],
@@ -246,7 +246,9 @@ impl Format {
             Self::WindIo1 | Self::WindIo2 => "the reference axis",
             Self::ElastoDyn => "the straight axis of the blade; there are no offsets",
             Self::OpenFast => "as in the file of the blade: see the remarks",
-            Self::QBlade => "the axis of the blade",
+            Self::QBlade => {
+                "the thread axis; the elastic center for bending, in engineering properties"
+            }
             Self::Hawc2 => {
                 "the line c2_def for offsets and mass; the elastic center, in axes turned by \
                  the structural pitch, for fully populated stiffness"

@@ -10,6 +10,7 @@ use shared_geom::document::read_text;
 use shared_geom::error::{Diagnostics, SourceLocation};
 
 use super::Input;
+use crate::case::{FrequencyUnit, Words};
 
 /// The file name of the text made from the settings.
 const MADE: &str = "(made from the options)";
@@ -39,6 +40,10 @@ pub struct BladeSettings {
     pub is_hinged: bool,
     /// Whether sections without shear stiffness are rigid in shear.
     pub rigid_shear: bool,
+    /// Words for the motion of blades.
+    pub words: Words,
+    /// Unit of frequencies in figures.
+    pub frequency_unit: FrequencyUnit,
 }
 
 impl Default for BladeSettings {
@@ -55,6 +60,8 @@ impl Default for BladeSettings {
             blades: None,
             is_hinged: false,
             rigid_shear: false,
+            words: Words::default(),
+            frequency_unit: FrequencyUnit::default(),
         }
     }
 }
@@ -91,7 +98,13 @@ impl BladeSettings {
             .iter()
             .map(|rpm| format!("{rpm:e}"))
             .collect();
-        let _ = writeln!(text, "[modes]\nspeeds = [{}]", speeds.join(", "));
+        let _ = writeln!(
+            text,
+            "[modes]\nspeeds = [{}]\nwords = \"{}\"\nfrequency_unit = \"{}\"",
+            speeds.join(", "),
+            self.words.name(),
+            self.frequency_unit.word()
+        );
         if let Some(count) = self.count {
             let _ = writeln!(text, "count = {count}");
         }
@@ -157,6 +170,8 @@ mod tests {
             hub_radius: 1.5,
             blades: Some(3),
             is_hinged: true,
+            words: Words::Wind,
+            frequency_unit: FrequencyUnit::PerRevolution,
             ..BladeSettings::default()
         };
         let file = "a \"b\"\\c\t.dat";
@@ -169,6 +184,8 @@ mod tests {
             "elements = 30",
             "count = 3",
             "count = 8",
+            "words = \"wind\"",
+            "frequency_unit = \"1/rev\"",
             "speeds = [0e0, 1.21e1]",
         ] {
             assert!(

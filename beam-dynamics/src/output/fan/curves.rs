@@ -164,6 +164,9 @@ pub(super) fn mark<B: DrawingBackend>(
             let triangle = [[0.0, 1.2], [1.1, -0.8], [-1.1, -0.8]];
             canvas.polygon(&polygon(&triangle, 1.1), color)
         }
+        ModeKind::Rigid => {
+            canvas.line(&polygon(&[[-1.2, 0.0], [1.2, 0.0]], 1.0), 1.4 * LINE, color)
+        }
         ModeKind::Coupled => {
             for arm in [[[-1.0, -1.0], [1.0, 1.0]], [[-1.0, 1.0], [1.0, -1.0]]] {
                 canvas.line(&polygon(&arm, 1.0), 1.4 * LINE, color)?;

@@ -28,7 +28,7 @@ pub(super) fn draw<B: DrawingBackend>(
         *x = start + canvas.text_width(text, SMALL) + GAPS[1];
         canvas.text(text, [start, y], Label::new(SMALL))
     };
-    let others = [ModeKind::Lateral, ModeKind::Coupled];
+    let others = [ModeKind::Lateral, ModeKind::Coupled, ModeKind::Rigid];
     for kind in ModeKind::PURE.into_iter().chain(others) {
         let mut kinds = plot.curves.iter().flat_map(|curve| &curve.kinds);
         if kinds.any(|found| *found == Some(kind)) {

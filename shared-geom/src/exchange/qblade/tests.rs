@@ -72,7 +72,7 @@ fn wrong_files_are_refused() {
             "K11",
             "EIx",
             Some(8.0),
-            "engineering properties (BEAMTYPE 0 or 1)",
+            "BEAMTYPE: found \"2\", expected 0 or 1",
         ),
         (
             "5.0000e-01 0 0 0",
