@@ -103,6 +103,9 @@ pub struct Writing {
 pub struct Options {
     /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file [m].
     pub length: Option<f64>,
+    /// Whether stations without shear stiffness become rigid in shear, which is remarked: see
+    /// [`Blade::make_shear_rigid`].
+    pub rigid_shear: bool,
 }
 
 /// A file format of blades.
@@ -446,6 +449,10 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
     reading
         .remarks
         .extend(unused_length(&reading.blade, options));
+    // Readers of Helicoid's files check the blade: they have replaced it before.
+    if options.rigid_shear && door.format != Format::Helicoid {
+        reading.make_shear_rigid();
+    }
     Ok((door.format, reading))
 }
 

@@ -53,6 +53,9 @@ pub(super) struct BladeOptions {
     /// Make sections without shear stiffness rigid in shear
     #[arg(long)]
     rigid_shear: bool,
+    /// Damping ratio of all modes, from 0 to below 1, instead of the damping of the file
+    #[arg(long, value_parser = finite, value_name = "RATIO", allow_negative_numbers = true)]
+    damping_ratio: Option<f64>,
     /// Words for the motion of blades: lag, progressive, regressive; or edge, forward, backward
     #[arg(long, value_name = "WORD", value_parser = one_of(Words::NAMES, Words::ALL))]
     words: Option<Words>,
@@ -106,6 +109,7 @@ impl BladeOptions {
             (self.blades.is_some(), "--blades"),
             (self.elements.is_some(), "--elements"),
             (self.rigid_shear, "--rigid-shear"),
+            (self.damping_ratio.is_some(), "--damping-ratio"),
             (self.words.is_some(), "--words"),
             (self.frequency_unit.is_some(), "--frequency-unit"),
         ];
@@ -126,6 +130,7 @@ impl BladeOptions {
             blades: self.blades,
             is_hinged: self.root == Some(RootWord::Hinged),
             rigid_shear: self.rigid_shear,
+            damping_ratio: self.damping_ratio,
             words: self.words.unwrap_or_default(),
             frequency_unit: self.frequency_unit.unwrap_or_default(),
         }

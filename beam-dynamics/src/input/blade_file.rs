@@ -40,6 +40,8 @@ pub struct BladeSettings {
     pub is_hinged: bool,
     /// Whether sections without shear stiffness are rigid in shear.
     pub rigid_shear: bool,
+    /// Damping ratio of all modes; `None` for the damping of the file [-].
+    pub damping_ratio: Option<f64>,
     /// Words for the motion of blades.
     pub words: Words,
     /// Unit of frequencies in figures.
@@ -60,6 +62,7 @@ impl Default for BladeSettings {
             blades: None,
             is_hinged: false,
             rigid_shear: false,
+            damping_ratio: None,
             words: Words::default(),
             frequency_unit: FrequencyUnit::default(),
         }
@@ -105,6 +108,9 @@ impl BladeSettings {
             self.words.name(),
             self.frequency_unit.word()
         );
+        if let Some(ratio) = self.damping_ratio {
+            let _ = writeln!(text, "damping_ratio = {ratio:e}");
+        }
         if let Some(count) = self.count {
             let _ = writeln!(text, "count = {count}");
         }
@@ -170,6 +176,7 @@ mod tests {
             hub_radius: 1.5,
             blades: Some(3),
             is_hinged: true,
+            damping_ratio: Some(0.02),
             words: Words::Wind,
             frequency_unit: FrequencyUnit::PerRevolution,
             ..BladeSettings::default()
@@ -184,6 +191,7 @@ mod tests {
             "elements = 30",
             "count = 3",
             "count = 8",
+            "damping_ratio = 2e-2",
             "words = \"wind\"",
             "frequency_unit = \"1/rev\"",
             "speeds = [0e0, 1.21e1]",

@@ -57,7 +57,7 @@ pub(super) fn recognize(text: &str) -> bool {
 }
 
 /// Reads a structural file with the geometry next to it, or both files from the file that leads
-/// to them. Without a geometry, matrices are those of a straight blade of the length of
+/// to them. Without a geometry, matrices belong to a straight blade of the length of
 /// `options`.
 ///
 /// # Errors
@@ -139,13 +139,13 @@ fn follow(text: &str, file: &Path, names: &[&str]) -> Result<Source, Diagnostics
 
 /// The blade of a table on the line of a geometry, or on a straight one of `length` [m].
 fn assemble(
-    content: Content,
+    mut content: Content,
     geometry: Option<Geometry>,
     length: f64,
     file: &Path,
     texts: &[&str],
 ) -> Reading {
-    let mut remarks = content.remarks;
+    let mut remarks = std::mem::take(&mut content.remarks);
     let (line, chord) = match geometry {
         Some(geometry) => {
             remarks.extend(geometry.remarks);
@@ -163,36 +163,13 @@ fn assemble(
         arcs: line.arc_lengths(),
         chord,
     };
-    let mut small = 0;
-    let stations: Vec<_> = content
-        .rows
-        .iter()
-        .map(|row| {
-            let (stiffness, mass, is_small) = of_line.matrices(row);
-            small += usize::from(is_small);
-            Station {
-                arc_length: row.part() * of_line.length,
-                stiffness: stiffness * content.factors[0],
-                mass: mass * content.factors[1],
-            }
-        })
-        .collect();
+    let (stations, small) = of_line.stations(&content);
     remarks.extend(engineering::small_radii(small, stations.len()));
     let blade = Blade {
         name: name_of(file),
         line,
         reference_point: Vector2::zeros(),
-        damping: match content.times {
-            Some(times) => {
-                let viscous = stations.iter().zip(times);
-                Some(BladeDamping::Viscous(
-                    viscous
-                        .map(|(station, time)| station.stiffness * time)
-                        .collect(),
-                ))
-            }
-            None => content.damping,
-        },
+        damping: damping(content.damping, content.times, &stations),
         stations,
         interpolation: Interpolation::Linear,
         provenance: provenance("QBlade", texts),
@@ -203,6 +180,21 @@ fn assemble(
         locations: content.rows.iter().map(at).collect(),
         ..Reading::new(blade, remarks)
     }
+}
+
+/// The damping of a table: of its rows if they have their own.
+fn damping(
+    of_all: Option<BladeDamping>,
+    times: Option<Vec<f64>>,
+    stations: &[Station],
+) -> Option<BladeDamping> {
+    let Some(times) = times else {
+        return of_all;
+    };
+    let viscous = |(station, time): (&Station, f64)| station.stiffness * time;
+    Some(BladeDamping::Viscous(
+        stations.iter().zip(times).map(viscous).collect(),
+    ))
 }
 
 /// The line of a blade, with its chords.
@@ -216,6 +208,23 @@ struct Sections {
 }
 
 impl Sections {
+    /// The stations of a table, and the number of those whose radius of gyration is too small.
+    fn stations(&self, content: &Content) -> (Vec<Station>, usize) {
+        let [stiff, heavy] = content.factors;
+        let mut small = 0;
+        let station = |row: &Row| {
+            let (stiffness, mass, is_small) = self.matrices(row);
+            small += usize::from(is_small);
+            Station {
+                arc_length: row.part() * self.length,
+                stiffness: stiffness * stiff,
+                mass: mass * heavy,
+            }
+        };
+        let stations = content.rows.iter().map(station).collect();
+        (stations, small)
+    }
+
     /// Stiffness and mass of a row in Helicoid's axes, about the line, without the factors of
     /// the file; and whether a radius of gyration is too small for its mass center.
     fn matrices(&self, row: &Row) -> (Matrix6<f64>, Matrix6<f64>, bool) {

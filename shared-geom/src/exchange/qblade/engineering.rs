@@ -2,9 +2,9 @@
 //!
 //! The axes of the table are X along the chord, to the trailing edge, and Y across it: in the
 //! file of the NREL 5 MW in QBlade's documentation `EIx` is the flap and `EIy` the edge
-//! stiffness, and `XCM` times the chord is its distance of the mass center, positive to the
-//! trailing edge; QBlade writes `XCM` as the part of the chord from the leading edge less the
-//! part of the thread axis. A row is then a classic row of HAWC2 with x = -X, in meters:
+//! stiffness. QBlade's export of sections puts the half chord at 0.5 less the part of the thread
+//! axis, and the converter of WEIS puts BeamDyn's y into X. A row is then a classic row of HAWC2
+//! with x = -X, in meters:
 //!
 //! ```text
 //! EA, EIx, EIy at the elastic center   KSX GA, KSY GA, GJ at the shear center

@@ -77,7 +77,7 @@ pub(super) fn read(text: &str, file: &Path) -> Result<Geometry, Diagnostics> {
         point.twist = turn - row[2].to_radians();
     }
     let remark = format!(
-        "line, twist and chord are those of {}; its first section is at {root} m: if this is the \
+        "line, twist and chord are from {}; its first section is at {root} m: if this is the \
          distance from the axis of rotation, give it as hub radius",
         file.display()
     );

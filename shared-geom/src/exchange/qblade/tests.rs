@@ -13,7 +13,13 @@ fn read(name: &str, text: &str, length: Option<f64>) -> Result<Reading, Diagnost
     fs::write(folder.path().join("plain_blade.str"), BLADE).unwrap();
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
-    let (format, reading) = read_with(&path, &Options { length })?;
+    let (format, reading) = read_with(
+        &path,
+        &Options {
+            length,
+            ..Options::default()
+        },
+    )?;
     assert_eq!(format, Format::QBlade);
     Ok(reading)
 }
