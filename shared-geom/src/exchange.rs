@@ -249,9 +249,7 @@ impl Format {
             Self::WindIo1 | Self::WindIo2 => "the reference axis",
             Self::ElastoDyn => "the straight axis of the blade; there are no offsets",
             Self::OpenFast => "as in the file of the blade: see the remarks",
-            Self::QBlade => {
-                "the thread axis; the elastic center for bending, in engineering properties"
-            }
+            Self::QBlade => "the thread axis of the blade",
             Self::Hawc2 => {
                 "the line c2_def for offsets and mass; the elastic center, in axes turned by \
                  the structural pitch, for fully populated stiffness"

@@ -15,9 +15,10 @@ const MASS: f64 = 3.0;
 const EI: f64 = 5.0;
 /// EIz / EIy.
 const RATIO: f64 = 4.0;
+/// GA L^2 / EI, and m L^2 over the rotary inertia: higher ones leave no digits for bending.
+const SLENDER: f64 = 1e7;
 
-/// Nodes and elements of a beam along x from `from`, 2 m long. Shear lowers the third frequency by
-/// some 1e-6: half of 121 EI / (GA L^2) times a factor of a few.
+/// Nodes and elements of a beam along x from `from`, 2 m long.
 fn beam(name: &str, from: f64, elements: usize) -> String {
     let mut text = String::new();
     let last = 2 * elements;
@@ -37,10 +38,11 @@ fn beam(name: &str, from: f64, elements: usize) -> String {
 }
 
 fn properties() -> String {
-    let shear = 1e8 * EI / LENGTH.powi(2);
+    let shear = SLENDER * EI / LENGTH.powi(2);
+    let turning = MASS * LENGTH.powi(2) / SLENDER;
     format!(
         "units = \"SI\"\n[properties.p]\nea = {shear:e}\ngay = {shear:e}\ngaz = {shear:e}\n\
-         gj = {:e}\neiy = {EI:e}\neiz = {:e}\nm = {MASS:e}\niy = 1e-8\niz = 1e-8\n",
+         gj = {:e}\neiy = {EI:e}\neiz = {:e}\nm = {MASS:e}\niy = {turning:e}\niz = {turning:e}\n",
         1e3 * EI,
         RATIO * EI
     )
@@ -66,7 +68,9 @@ fn named(table: &FrequencyTable) -> Vec<(String, f64)> {
     found
 }
 
-// Free bending: (beta L)^2 of cos(beta L) cosh(beta L) = 1. The elements are of fourth order.
+// Free bending: (beta L)^2 of cos(beta L) cosh(beta L) = 1. The elements are of fourth order; shear
+// and rotary inertia lower the third frequency by less than 121 / SLENDER times three, and in the
+// stiffer plane the shear by four times as much.
 #[test]
 fn a_free_beam_has_six_rigid_modes_and_the_closed_form() {
     const CLOSED: [f64; 3] = [22.373_285, 61.672_823, 120.903_392];
@@ -97,9 +101,9 @@ fn a_free_beam_has_six_rigid_modes_and_the_closed_form() {
         "free beam of 24 elements",
         "error of five frequencies",
         largest,
-        1e-5,
+        1e-4,
     );
-    assert!(largest < 1e-5, "{largest:e}");
+    assert!(largest < 1e-4, "{largest:e}");
     assert!(found[..6].iter().all(|(_, frequency)| *frequency == 0.0));
 }
 

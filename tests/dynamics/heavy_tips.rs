@@ -145,10 +145,13 @@ fn motions_without_stiffness_are_counted_beside_any_tip() {
     assert!(looked_at > cases(CASES) / 3, "{looked_at}");
 }
 
+// Bodies up to a hundred times as heavy as the beam: with 1e4 times, one in some hundred free
+// beams has an elastic mode below the round-off of its six rigid modes.
 #[test]
-fn free_beams_with_any_tip_have_six_rigid_modes() {
+fn free_beams_with_a_tip_have_six_rigid_modes() {
     let free = setting().prop_map(|setting| Setting {
         locked: 0,
+        tip: setting.tip.min(100.0 * setting.mass),
         ..setting
     });
     let (looked_at, largest) = compared(31, cases(FREE_CASES), free);
