@@ -168,6 +168,9 @@ pub struct ModesSettings {
     pub animate: bool,
     /// Words, units and multiples of tables and figures.
     pub style: ModeStyle,
+    /// Whether parts of the model may move as rigid bodies, at rest; their motions are modes of
+    /// frequency zero.
+    pub free: bool,
 }
 
 impl ModesSettings {
@@ -180,6 +183,7 @@ impl ModesSettings {
             animate: false,
             damping: ModalDamping::Found,
             style: ModeStyle::default(),
+            free: false,
         }
     }
 

@@ -164,11 +164,11 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);
-    // In time a part that is not held may move freely, but it must have mass.
-    let only_in_time = input.transient.is_some()
-        && input.modes.is_none()
-        && input.statics.is_none()
-        && input.buckling.is_none();
+    let is_held = input.statics.is_some() || input.buckling.is_some();
+    let only_in_time = input.transient.is_some() && input.modes.is_none() && !is_held;
+    let is_free = input.modes.as_ref().is_some_and(|modes| modes.free);
+    // A part that is not held may move freely in time and in free modes, but it must have mass.
+    let may_move = only_in_time || is_free && !is_held;
     let location = |node: &str| {
         let mut nodes = input.model.system.nodes().iter().zip(&input.node_locations);
         let found = nodes.find(|(own, _)| own.label == node);
@@ -177,12 +177,12 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
             |(_, location)| location.clone(),
         )
     };
-    for found in mobility.mechanisms.iter().filter(|_| !only_in_time) {
+    for found in mobility.mechanisms.iter().filter(|_| !may_move) {
         problems.push(location(&found.node), found);
     }
-    let massless = match input.transient {
-        Some(_) => massless::find(&input.model.system),
-        None => Vec::new(),
+    let massless = match input.transient.is_some() || is_free {
+        true => massless::find(&input.model.system),
+        false => Vec::new(),
     };
     for found in &massless {
         problems.push(location(&found.node), found);
@@ -190,11 +190,23 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     if !only_in_time {
         input.remarks.extend(free_hinges(&mobility.free_hinges));
     }
+    if is_free {
+        input.remarks.extend(free_parts(&mobility.mechanisms));
+    }
     if input.modes.is_some() || input.statics.is_some() || input.buckling.is_some() {
         input.remarks.extend(sampled(&input.model));
     }
     input.free_hinges = mobility.free_hinges;
     problems.into_result(input)
+}
+
+/// Remarks on the parts of a free model that can move; on their absence if there are none.
+fn free_parts(found: &[mechanism::Mechanism]) -> Vec<String> {
+    if found.is_empty() {
+        return vec!["\"free\" of [modes] has no effect: all parts are held".to_owned()];
+    }
+    let of_zero = |part| format!("{part}: each a mode of frequency zero");
+    found.iter().map(of_zero).collect()
 }
 
 /// Remark on joints that can move without a spring.

@@ -34,6 +34,8 @@ pub enum ModeKind {
     Lateral,
     /// No kind holds enough of the kinetic energy.
     Coupled,
+    /// Without strain, of parts that nothing holds: frequency zero.
+    Rigid,
 }
 
 impl ModeKind {
@@ -66,6 +68,7 @@ impl ModeKind {
             Self::Axial => "axial",
             Self::Lateral => "lateral",
             Self::Coupled => "coupled",
+            Self::Rigid => "rigid",
         }
     }
 }
@@ -235,10 +238,9 @@ pub struct ModeBranch {
 impl ModeBranch {
     /// Kind at the speed of `point`: another one than that of the name only if it is distinct.
     pub fn kind_at(&self, point: &ModePoint) -> ModeKind {
-        match point.kind() {
-            ModeKind::Coupled => self.kind,
-            kind if self.kind != ModeKind::Coupled => kind,
-            _ => self.kind,
+        match (self.kind, point.kind()) {
+            (ModeKind::Coupled | ModeKind::Rigid, _) | (_, ModeKind::Coupled) => self.kind,
+            (_, kind) => kind,
         }
     }
 

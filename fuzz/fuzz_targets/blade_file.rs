@@ -8,7 +8,7 @@ use libfuzzer_sys::fuzz_target;
 use shared_geom::exchange::{Format, Options, parse, write};
 
 fuzz_target!(|text: &str| {
-    let options = Options { length: Some(3.0) };
+    let options = Options { length: Some(3.0), ..Options::default() };
     match parse(text, Path::new("no_folder/a"), &options) {
         Ok((_, reading)) if reading.blade.problems().is_empty() => {
             for format in Format::ALL.into_iter().filter(|format| format.is_written()) {

@@ -55,6 +55,7 @@ mod transform;
 pub use crate::line::Side;
 pub use compare::BladeDifference;
 pub(crate) use curved::CurvedStation;
+pub(crate) use file::parse_with;
 pub use file::{VERSION, parse, read, write};
 pub use input::InputProblem;
 pub use moments::MassMoments;

@@ -103,6 +103,9 @@ pub struct Writing {
 pub struct Options {
     /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file [m].
     pub length: Option<f64>,
+    /// Whether stations without shear stiffness become rigid in shear, which is remarked: see
+    /// [`Blade::make_shear_rigid`].
+    pub rigid_shear: bool,
 }
 
 /// A file format of blades.
@@ -130,7 +133,7 @@ pub enum Format {
     Vabs,
     /// MBDyn constitutive laws and bodies.
     MbDyn,
-    /// QBlade structural file with full matrices.
+    /// QBlade: structural table and geometry, or a file that leads to them.
     QBlade,
     /// Helicoid's table.
     Csv,
@@ -187,7 +190,7 @@ impl Format {
             Self::Dymore => "DYMORE table of sectional properties",
             Self::Vabs => "VABS section output",
             Self::MbDyn => "MBDyn constitutive laws and bodies",
-            Self::QBlade => "QBlade structural file",
+            Self::QBlade => "QBlade blade",
             Self::Csv => "Helicoid blade table (CSV)",
         }
     }
@@ -213,7 +216,7 @@ impl Format {
             Self::Hawc2 => &[".htc", ".st"],
             Self::WindIo1 | Self::BeamDyn4 | Self::ElastoDyn => &[],
             Self::OpenFast => &[".fst"],
-            Self::QBlade => &[".str"],
+            Self::QBlade => &[".str", ".bld", ".trb"],
             Self::WindIo2 => &[".yaml", ".yml"],
             Self::Dymore => &[".dym"],
             Self::Vabs => &[".k"],
@@ -246,7 +249,7 @@ impl Format {
             Self::WindIo1 | Self::WindIo2 => "the reference axis",
             Self::ElastoDyn => "the straight axis of the blade; there are no offsets",
             Self::OpenFast => "as in the file of the blade: see the remarks",
-            Self::QBlade => "the axis of the blade",
+            Self::QBlade => "the thread axis of the blade",
             Self::Hawc2 => {
                 "the line c2_def for offsets and mass; the elastic center, in axes turned by \
                  the structural pitch, for fully populated stiffness"
@@ -444,6 +447,10 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
     reading
         .remarks
         .extend(unused_length(&reading.blade, options));
+    // Readers of Helicoid's files check the blade: they have replaced it before.
+    if options.rigid_shear && door.format != Format::Helicoid {
+        reading.make_shear_rigid();
+    }
     Ok((door.format, reading))
 }
 

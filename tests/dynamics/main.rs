@@ -20,6 +20,7 @@ mod equal_blades;
 mod fixed_frame;
 mod formats;
 mod free_flight;
+mod free_modes;
 mod heat;
 mod heavy_tips;
 mod in_time;

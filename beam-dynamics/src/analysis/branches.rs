@@ -1,8 +1,8 @@
 //! Modes while they are followed over the speeds, and their names.
 
-use crate::case::ModeStyle;
+use crate::case::ModesSettings;
 use crate::modes::ModeMotion;
-use crate::result::{ModeBranch, ModeKind, ModePoint, Whirl};
+use crate::result::{ModeBranch, ModeKind, ModePoint};
 
 /// Branches that grow by one speed after the other.
 #[derive(Default)]
@@ -52,19 +52,15 @@ impl Branches {
         self.all.len() - 1
     }
 
-    /// The branches that are among the lowest `count` modes at some of the `speeds` \[rad/s\],
-    /// with names.
-    pub fn into_table(
-        mut self,
-        count: usize,
-        speeds: &[f64],
-        style: &ModeStyle,
-    ) -> Vec<ModeBranch> {
+    /// The branches that are among the lowest modes requested by `settings` at some of the
+    /// `speeds` \[rad/s\], with names.
+    pub fn into_table(mut self, speeds: &[f64], settings: &ModesSettings) -> Vec<ModeBranch> {
+        let count = settings.count;
         for branch in &mut self.all {
             branch.points.resize(speeds.len(), None);
         }
-        let reference = style.name_at.unwrap_or(0.0);
-        name(&mut self.all, nearest(speeds, reference), style);
+        let reference = settings.style.name_at.unwrap_or(0.0);
+        name(&mut self.all, nearest(speeds, reference), settings);
         let rank = |branch: &ModeBranch, speed: usize| -> Option<usize> {
             let own = branch.points[speed].as_ref()?.frequency;
             let below = self
@@ -95,8 +91,10 @@ fn nearest(speeds: &[f64], wanted: f64) -> usize {
 
 /// Names the branches by their kind at speed index `reference`, or else at their first speed, by
 /// their number among alike ones, and on a rotor by the pattern of the blades: first those with
-/// a mode at that speed, by ascending frequency, then the others in their order.
-fn name(branches: &mut [ModeBranch], reference: usize, style: &ModeStyle) {
+/// a mode at that speed, by ascending frequency, then the others in their order. Modes of
+/// frequency zero of a free model are rigid.
+fn name(branches: &mut [ModeBranch], reference: usize, settings: &ModesSettings) {
+    let words = settings.style.words;
     let at = |branch: &ModeBranch| -> Option<ModePoint> {
         let own = branch.points.get(reference)?.as_ref();
         own.or_else(|| branch.points.iter().flatten().next())
@@ -113,13 +111,18 @@ fn name(branches: &mut [ModeBranch], reference: usize, style: &ModeStyle) {
         let Some(point) = at(&branches[index]) else {
             continue;
         };
-        let whirl = point.whirl.filter(Whirl::is_pure);
+        let is_rigid = settings.free && point.frequency == 0.0;
+        let whirl = point.whirl.filter(|whirl| !is_rigid && whirl.is_pure());
         // Motion of a shaft along and about its axis has no pattern to name.
         let whirl = whirl.filter(|whirl| whirl.blades > 0 || whirl.harmonic != 0);
-        let key = (point.kind(), whirl.map(|whirl| whirl.harmonic));
+        let kind = match is_rigid {
+            true => ModeKind::Rigid,
+            false => point.kind(),
+        };
+        let key = (kind, whirl.map(|whirl| whirl.harmonic));
         let number = 1 + named.iter().filter(|other| **other == key).count();
-        let pattern = whirl.map_or_else(String::new, |w| format!(" {}", w.word_in(style.words)));
-        let kind = key.0.word_in(style.words);
+        let pattern = whirl.map_or_else(String::new, |w| format!(" {}", w.word_in(words)));
+        let kind = kind.word_in(words);
         let branch = &mut branches[index];
         branch.name = format!("{kind} {number}{pattern}");
         (branch.kind, branch.harmonic) = key;
@@ -130,7 +133,7 @@ fn name(branches: &mut [ModeBranch], reference: usize, style: &ModeStyle) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::Words;
+    use crate::case::{ModeStyle, Words};
 
     fn point(frequency: f64, shares: [f64; 4]) -> Option<ModePoint> {
         Some(ModePoint {
@@ -155,7 +158,8 @@ mod tests {
             [None, point(1.0, flap)],
         ];
         let names = |name_at, words| {
-            let style = ModeStyle {
+            let mut settings = ModesSettings::new(Vec::new(), 9);
+            settings.style = ModeStyle {
                 name_at,
                 words,
                 ..ModeStyle::default()
@@ -170,7 +174,7 @@ mod tests {
                 all: all.collect(),
                 ..Branches::default()
             };
-            let named = branches.into_table(9, &[0.0, 10.0], &style);
+            let named = branches.into_table(&[0.0, 10.0], &settings);
             let last = named.iter().map(|branch| {
                 let point = branch.points[1].as_ref().unwrap();
                 branch.name_at(point, words)

@@ -144,7 +144,7 @@ pub fn modes(model: &Model, settings: &ModesSettings) -> ModesOutcome {
         style: settings.style.clone(),
     };
     let failure = run(case, &mut branches, &mut table).err();
-    table.branches = branches.into_table(settings.count, &table.speeds, &settings.style);
+    table.branches = branches.into_table(&table.speeds, settings);
     let unknown = modal_damping::give(&settings.damping, &mut table.branches);
     table.remarks.extend(unknown);
     ModesOutcome { table, failure }

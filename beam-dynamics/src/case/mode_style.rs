@@ -17,6 +17,14 @@ impl Words {
     pub const NAMES: [&str; 2] = ["rotor", "wind"];
     /// All of them.
     pub const ALL: [Self; 2] = [Self::Rotor, Self::Wind];
+
+    /// The word in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rotor => "rotor",
+            Self::Wind => "wind",
+        }
+    }
 }
 
 /// Unit of frequencies in figures.

@@ -1,7 +1,12 @@
-//! The options that mount the blade of a blade file.
+//! The options that mount the blade of a blade file, and the words of its modes.
 
+use std::f64::consts::PI;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
+use shared_geom::units::{Dimension, parse_quantity};
 
+use crate::case::{FrequencyUnit, Words};
 use crate::input::BladeSettings;
 
 /// How the root of a blade is held.
@@ -17,7 +22,8 @@ pub(super) enum RootWord {
 #[derive(Debug, Clone, Default, PartialEq, Args)]
 #[command(next_help_heading = "Options for blade files")]
 pub(super) struct BladeOptions {
-    /// Rotor speeds in rpm, with commas between; at rest if not given
+    /// Rotor speeds in rpm, or with a unit as in 0,"0.8 rad/s", with commas between; at rest if
+    /// not given
     #[arg(long, value_parser = speed, value_name = "RPM", value_delimiter = ',')]
     speeds: Option<Vec<f64>>,
     /// Number of modes to report at each speed
@@ -47,11 +53,38 @@ pub(super) struct BladeOptions {
     /// Make sections without shear stiffness rigid in shear
     #[arg(long)]
     rigid_shear: bool,
+    /// Damping ratio of all modes, from 0 to below 1, instead of the damping of the file
+    #[arg(long, value_parser = finite, value_name = "RATIO", allow_negative_numbers = true)]
+    damping_ratio: Option<f64>,
+    /// Words for the motion of blades: lag, progressive, regressive; or edge, forward, backward
+    #[arg(long, value_name = "WORD", value_parser = one_of(Words::NAMES, Words::ALL))]
+    words: Option<Words>,
+    /// Unit of frequencies in figures; Hz if not given
+    #[arg(long, value_name = "UNIT", value_parser = one_of(FrequencyUnit::NAMES, FrequencyUnit::ALL))]
+    frequency_unit: Option<FrequencyUnit>,
 }
 
-/// One of the rotor speeds.
+/// Reads one of `names` as the value at its index.
+fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    names: [&'static str; N],
+    all: [T; N],
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(names).try_map(move |found| {
+        let of_name = names.iter().zip(all).find(|(name, _)| **name == found);
+        of_name
+            .map(|(_, value)| value)
+            .ok_or("expected one of the words")
+    })
+}
+
+/// One of the rotor speeds, in rpm or with a unit \[rpm\].
 fn speed(text: &str) -> Result<f64, String> {
-    finite(text).map_err(|_| "expected numbers with commas between, as in 0,4,8".to_owned())
+    let with_unit = || parse_quantity(text, Dimension::ROTATION_SPEED).ok();
+    let rpm = |speed: f64| speed * 30.0 / PI;
+    let found = finite(text).ok().or_else(|| with_unit().map(rpm));
+    found.filter(|speed| speed.is_finite()).ok_or_else(|| {
+        "expected rotation speeds with commas between, as in 0,4,8 or 0,\"0.8 rad/s\"".to_owned()
+    })
 }
 
 /// A finite number.
@@ -76,6 +109,9 @@ impl BladeOptions {
             (self.blades.is_some(), "--blades"),
             (self.elements.is_some(), "--elements"),
             (self.rigid_shear, "--rigid-shear"),
+            (self.damping_ratio.is_some(), "--damping-ratio"),
+            (self.words.is_some(), "--words"),
+            (self.frequency_unit.is_some(), "--frequency-unit"),
         ];
         given.iter().find(|option| option.0).map(|option| option.1)
     }
@@ -94,6 +130,9 @@ impl BladeOptions {
             blades: self.blades,
             is_hinged: self.root == Some(RootWord::Hinged),
             rigid_shear: self.rigid_shear,
+            damping_ratio: self.damping_ratio,
+            words: self.words.unwrap_or_default(),
+            frequency_unit: self.frequency_unit.unwrap_or_default(),
         }
     }
 }

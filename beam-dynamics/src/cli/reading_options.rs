@@ -28,10 +28,13 @@ impl ReadingOptions {
     /// Reads a blade file with these settings, and `length` [m] unless one is given.
     pub fn read(&self, file: &Path, length: Option<f64>) -> Result<(Format, Reading), Diagnostics> {
         let length = self.length.or(length);
-        let (format, mut reading) = exchange::read_with(file, &Options { length })?;
-        if self.rigid_shear {
-            reading.make_shear_rigid();
-        }
-        Ok((format, reading))
+        let rigid_shear = self.rigid_shear;
+        exchange::read_with(
+            file,
+            &Options {
+                length,
+                rigid_shear,
+            },
+        )
     }
 }

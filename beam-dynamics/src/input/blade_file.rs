@@ -10,6 +10,7 @@ use shared_geom::document::read_text;
 use shared_geom::error::{Diagnostics, SourceLocation};
 
 use super::Input;
+use crate::case::{FrequencyUnit, Words};
 
 /// The file name of the text made from the settings.
 const MADE: &str = "(made from the options)";
@@ -39,6 +40,12 @@ pub struct BladeSettings {
     pub is_hinged: bool,
     /// Whether sections without shear stiffness are rigid in shear.
     pub rigid_shear: bool,
+    /// Damping ratio of all modes; `None` for the damping of the file [-].
+    pub damping_ratio: Option<f64>,
+    /// Words for the motion of blades.
+    pub words: Words,
+    /// Unit of frequencies in figures.
+    pub frequency_unit: FrequencyUnit,
 }
 
 impl Default for BladeSettings {
@@ -55,6 +62,9 @@ impl Default for BladeSettings {
             blades: None,
             is_hinged: false,
             rigid_shear: false,
+            damping_ratio: None,
+            words: Words::default(),
+            frequency_unit: FrequencyUnit::default(),
         }
     }
 }
@@ -91,7 +101,16 @@ impl BladeSettings {
             .iter()
             .map(|rpm| format!("{rpm:e}"))
             .collect();
-        let _ = writeln!(text, "[modes]\nspeeds = [{}]", speeds.join(", "));
+        let _ = writeln!(
+            text,
+            "[modes]\nspeeds = [{}]\nwords = \"{}\"\nfrequency_unit = \"{}\"",
+            speeds.join(", "),
+            self.words.name(),
+            self.frequency_unit.word()
+        );
+        if let Some(ratio) = self.damping_ratio {
+            let _ = writeln!(text, "damping_ratio = {ratio:e}");
+        }
         if let Some(count) = self.count {
             let _ = writeln!(text, "count = {count}");
         }
@@ -157,6 +176,9 @@ mod tests {
             hub_radius: 1.5,
             blades: Some(3),
             is_hinged: true,
+            damping_ratio: Some(0.02),
+            words: Words::Wind,
+            frequency_unit: FrequencyUnit::PerRevolution,
             ..BladeSettings::default()
         };
         let file = "a \"b\"\\c\t.dat";
@@ -169,6 +191,9 @@ mod tests {
             "elements = 30",
             "count = 3",
             "count = 8",
+            "damping_ratio = 2e-2",
+            "words = \"wind\"",
+            "frequency_unit = \"1/rev\"",
             "speeds = [0e0, 1.21e1]",
         ] {
             assert!(

@@ -312,6 +312,12 @@ pub enum InputProblem {
         /// The speed \[rpm\].
         rpm: f64,
     },
+    /// A rotor speed of a model with free parts.
+    #[error("\"free\" is true at the rotor speed {} rpm, expected the speed 0 only", six(*.rpm))]
+    FreeRotation {
+        /// The speed \[rpm\].
+        rpm: f64,
+    },
     /// A speed for shapes that is not analyzed.
     #[error("\"{key}\" has the speed {} rpm, expected some of \"speeds\"", six(*.rpm))]
     ShapeSpeed {
@@ -400,6 +406,9 @@ impl Explain for InputProblem {
             }
             Self::NoModeName { .. } => {
                 "modes are called by flap, lag (edge), torsion, axial, lateral or coupled, and a number, as in the table of modes"
+            }
+            Self::FreeRotation { .. } => {
+                "write speeds = 0, or hold the model and remove \"free\": parts that nothing holds do not follow the rotation"
             }
             Self::NoMultiple { .. } => "a multiple n is the line nP, n per revolution",
             Self::NoRatio { .. } => "the ratio is relative to critical damping: 1 % is 0.01",

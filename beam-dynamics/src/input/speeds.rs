@@ -26,6 +26,8 @@ keys! {
     /// Speeds, among `speeds`, at which shapes are drawn and animated.
     SHAPE_SPEEDS: ByHand = "shape_speeds", [Quantities(Dimension::ROTATION_SPEED)],
         or "the first and the last", "[0, 300]";
+    /// Whether parts that nothing holds may move, at rest: rigid-body modes of frequency zero.
+    FREE: bool = "free", [Boolean], or "false" = false, "true";
     with modal_damping::RATIO.schema, WORDS.schema, FREQUENCY_UNIT.schema, HARMONICS.schema,
         NAME_AT.schema;
 }
@@ -56,11 +58,13 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
     let shapes = shapes(&table, speeds.as_deref());
     let damping = modal_damping::read(&table);
     let style = mode_style::read(&table, speeds.as_deref());
+    let free = free(&table, speeds.as_deref());
     table.finish();
     let mut settings = ModesSettings::new(speeds?, count?);
     (settings.animate, settings.shapes) = shapes?;
     settings.damping = damping?;
     settings.style = style?;
+    settings.free = free?;
     if settings.shapes.is_empty() {
         settings.shapes = settings.ends();
     }
@@ -132,6 +136,18 @@ fn shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<(bool, Vec<f64>)>
         false => Some(Vec::new()),
     };
     Some((animate?, chosen?))
+}
+
+/// Reads `free`: a model that nothing holds has no steady rotation about a given axis.
+fn free(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<bool> {
+    let free = table.get(&FREE)?;
+    let highest = speeds?.last().copied().filter(|speed| free && *speed > 0.0);
+    if let Some(speed) = highest {
+        let rpm = speed / RPM;
+        table.note(FREE.name(), &InputProblem::FreeRotation { rpm });
+        return None;
+    }
+    Some(free)
 }
 
 /// The speeds of the analysis that `shape_speeds` names; each one that is not analyzed is

@@ -443,6 +443,45 @@ fn free_mechanisms_name_node_and_direction() {
     assert!(refused(&free).contains("free mechanism"));
 }
 
+// What a run in time accepts, free modes accept too; equilibria under loads do not.
+#[test]
+fn free_models_have_modes_on_request() {
+    let held = format!("{BEAM}{MODES}").replace("[0, 300]", "0");
+    let free = held.replace("[[clamp]]\nnode = \"root\"\n", "");
+    assert!(refused(&free).contains("free mechanism"));
+    let remarks = |text: &str| {
+        let input = input(&format!("{text}free = true\n"));
+        input
+            .unwrap_or_else(|problems| panic!("{problems}"))
+            .remarks
+            .join("\n")
+    };
+    let found = remarks(&free);
+    assert!(
+        found.contains("rotation about z: each a mode of frequency zero"),
+        "{found}"
+    );
+    let found = remarks(&held);
+    assert!(
+        found.contains("\"free\" of [modes] has no effect: all parts are held"),
+        "{found}"
+    );
+    let under_loads = format!("{free}free = true\n[static]\n");
+    assert!(refused(&under_loads).contains("free mechanism"));
+    let loose = "[[node]]\nname = \"loose\"\nposition = [0, 9, 0]\n[[spring]]\nname = \"s\"\n\
+                 nodes = [\"tip\", \"loose\"]\nstiffness = [1e3, 1e3, 1e3]\n";
+    let massless = free.replace("[modes]", &format!("{loose}[modes]")) + "free = true\n";
+    let shown = refused(&massless);
+    let expected = "node \"loose\" has no inertia, and nothing holds it";
+    assert!(shown.contains(expected), "{shown}");
+    let turning = free.replace("speeds = 0", "speeds = [0, 60]") + "free = true\n";
+    let shown = refused(&turning);
+    assert!(
+        shown.contains("\"free\" is true at the rotor speed 60 rpm"),
+        "{shown}"
+    );
+}
+
 #[test]
 fn files_beside_the_input_are_checked() {
     let cards = format!("{BLADE}{MODES}[properties.filed]\nfile = \"strip.property.json\"\n");

@@ -31,6 +31,11 @@ const LATERAL: &str = "\
         axial motion is along the axis, and torsion about it
 ";
 
+/// The kind of modes of parts that nothing holds.
+const RIGID: &str = "\
+\x20 rigid: motion without strain of parts that nothing holds, of frequency zero
+";
+
 /// Further columns of the tables of damped modes.
 const DAMPING: &str = "\
 \x20 %     damping ratio: part of the critical damping in per cent, negative if the motion
@@ -58,12 +63,13 @@ pub fn convention(table: &FrequencyTable) -> String {
         true => WHIRL,
         false => "",
     };
-    let kinds = || table.branches.iter().map(|branch| branch.kind);
-    let lateral = match kinds().any(|kind| kind == ModeKind::Lateral) {
-        true => LATERAL,
+    let of_kind = |kind, text| match table.branches.iter().any(|branch| branch.kind == kind) {
+        true => text,
         false => "",
     };
-    let text = format!("{CONVENTION}{lateral}{damping}{whirl}");
+    let lateral = of_kind(ModeKind::Lateral, LATERAL);
+    let rigid = of_kind(ModeKind::Rigid, RIGID);
+    let text = format!("{CONVENTION}{lateral}{rigid}{damping}{whirl}");
     match table.style.words {
         Words::Rotor => text,
         Words::Wind => text

@@ -146,6 +146,71 @@ fn blades_without_shear_stiffness_become_rigid_in_shear() {
 }
 
 #[test]
+fn helicoid_files_without_shear_stiffness_become_rigid_in_shear() {
+    let folder = Folder::new();
+    folder.write("a.csv", &table_of(&without_shear()));
+    let made = folder.run(&["convert", "a.csv", "b.blade.json"]);
+    assert_eq!(made.code, 0, "{}", made.err);
+    let run = folder.run(&["modes", "b.blade.json", "--no-figures"]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err
+            .contains("help: a section without shear stiffness: --rigid-shear")
+    );
+    let [a, b] = ["a.csv", "b.blade.json"].map(|file| {
+        let run = folder.run(&["modes", file, "--rigid-shear", "--no-figures"]);
+        assert_eq!((run.code, run.err.as_str()), (0, ""));
+        let stem = file.split('.').next().unwrap();
+        let table = folder.read(&format!("results/{stem}.frequencies.csv"));
+        let rows = table.lines().filter(|line| !line.starts_with('#'));
+        rows.map(str::to_owned).collect::<Vec<_>>()
+    });
+    assert_eq!(a, b);
+}
+
+#[test]
+fn words_and_units_of_blade_files_are_options() {
+    let folder = Folder::new();
+    folder.write("a.csv", &table_of(&strip()));
+    let options = [
+        "--speeds",
+        "0,10.471975511965978 rad/s",
+        "--frequency-unit",
+        "rpm",
+    ];
+    let run = folder.run(&[&["modes", "a.csv", "--words", "wind"][..], &options].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(
+        run.out.contains("edge 1") && !run.out.contains("lag 1"),
+        "{}",
+        run.out
+    );
+    let table = folder.read("results/a.frequencies.csv");
+    assert!(
+        table.lines().any(|line| line.starts_with("100,")),
+        "{table}"
+    );
+    for (option, value, expected) in [
+        ("--words", "sea", "[possible values: rotor, wind]"),
+        (
+            "--frequency-unit",
+            "hz",
+            "[possible values: Hz, rpm, rad/s, 1/rev]",
+        ),
+        ("--damping-ratio", "1.5", "\"damping_ratio\" is 1.5"),
+        (
+            "--speeds",
+            "4 m",
+            "expected rotation speeds with commas between",
+        ),
+    ] {
+        let run = folder.run(&["modes", "a.csv", option, value]);
+        assert_eq!(run.code, 2);
+        assert!(run.err.contains(expected), "{}", run.err);
+    }
+}
+
+#[test]
 fn problems_of_all_stations_are_one_in_lists() {
     let folder = Folder::new();
     let table = table_of(&without_shear());

@@ -115,8 +115,21 @@ pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
 /// Text of another format or a newer version, missing or unknown fields (with the
 /// line), and every [`BladeProblem`] of the content.
 pub fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
+    parse_with(text, file, false)
+}
+
+/// As [`parse`]; if `rigid_shear`, stations without shear stiffness become rigid in shear before
+/// they are checked, which is remarked.
+///
+/// # Errors
+/// As [`parse`].
+pub(crate) fn parse_with(
+    text: &str,
+    file: &str,
+    rigid_shear: bool,
+) -> Result<Reading, Diagnostics> {
     if !text.trim_start().starts_with('{') {
-        return input::parse(text, file);
+        return input::parse(text, file, rigid_shear);
     }
     let malformed = |error: serde_json::Error| {
         let location = SourceLocation::line(file, error.line().max(1));
@@ -127,9 +140,10 @@ pub fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     check_head(&head, text, file)?;
     let content: File = serde_json::from_str(text).map_err(malformed)?;
     let mut problems = Diagnostics::new();
-    let Some(blade) = content.blade(text, file, &mut problems) else {
+    let Some(mut blade) = content.blade(text, file, &mut problems) else {
         return Err(problems);
     };
+    let replaced = rigid_shear.then(|| blade.replace_absent_shear());
     let lines = lines_of("arc_length", text);
     for (station, problem) in blade.placed_problems() {
         let line = station.and_then(|station| lines.get(station));
@@ -139,7 +153,8 @@ pub fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
         };
         problems.push(location, &problem);
     }
-    let remarks = blade.remarks();
+    let mut remarks = blade.remarks();
+    remarks.extend(replaced);
     problems.into_result(Reading::new(blade, remarks))
 }
 

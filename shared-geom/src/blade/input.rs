@@ -7,6 +7,8 @@
 use std::cell::RefCell;
 use std::path::Path;
 
+use nalgebra::Vector2;
+
 use super::{Blade, BladeDamping, CurvedStation, Interpolation, Reading, Station};
 use crate::document::{Document, Table, read_text};
 use crate::error::{Diagnostics, SourceLocation};
@@ -62,11 +64,12 @@ struct Placed {
 }
 
 /// Reads and checks the text of a blade file in TOML, shown as `file` in messages; the
-/// files that it names lie in its folder.
+/// files that it names lie in its folder. If `rigid_shear`, stations without shear stiffness
+/// become rigid in shear, which is remarked.
 ///
 /// # Errors
 /// Every problem of the file, of the tables that it names, and of the blade.
-pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
+pub(super) fn parse(text: &str, file: &str, rigid_shear: bool) -> Result<Reading, Diagnostics> {
     let document = Document::parse(text, file)?;
     let sources = Sources::default();
     sources.texts.borrow_mut().push(text.to_owned());
@@ -74,7 +77,10 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     document.declare_units(&root);
     let read = blade(&root, &sources);
     root.finish();
-    let checked = read.and_then(|(blade, locations, curved)| {
+    let checked = read.and_then(|(mut blade, locations, curved)| {
+        if rigid_shear {
+            sources.remark(blade.replace_absent_shear());
+        }
         document.keep(check(&blade, &locations, file))?;
         document.keep(check_curved(&blade, &locations, &curved, &sources))?;
         Some((blade, locations))
@@ -98,6 +104,10 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
 /// beams.
 type Written = (Blade, Vec<SourceLocation>, Vec<Option<CurvedStation>>);
 
+/// Remark on the default reference point of property files.
+const ON_LINE: &str = "reference_point is not declared: the origin of the property files is on \
+                       the line";
+
 /// The blade as written.
 fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
     let file = root.document().file();
@@ -106,7 +116,14 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
         false => Some(name_without(Path::new(file), ENDING)),
     };
     let frame = Frame::read(root);
-    let reference_point = frame::reference_point(root, frame.as_ref());
+    let reference_point = match !root.has("reference_point") && stations::are_files(root) {
+        // Property files have the origin of their axes.
+        true => {
+            sources.remark(ON_LINE.to_owned());
+            Some(Vector2::zeros())
+        }
+        false => frame::reference_point(root, frame.as_ref()),
+    };
     let interpolation = match root.has("interpolation") {
         true => {
             let known = [Interpolation::Linear, Interpolation::Constant];

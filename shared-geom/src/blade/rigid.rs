@@ -66,11 +66,11 @@ impl Blade {
     }
 }
 
-impl Reading {
-    /// As [`Blade::make_shear_rigid`]; a remark states the change.
-    pub fn make_shear_rigid(&mut self) {
-        let (changed, all) = (self.blade.make_shear_rigid(), self.blade.stations.len());
-        self.remarks.push(match changed {
+impl Blade {
+    /// As [`Blade::make_shear_rigid`]; a remark on the change.
+    pub(crate) fn replace_absent_shear(&mut self) -> String {
+        let (changed, all) = (self.make_shear_rigid(), self.stations.len());
+        match changed {
             0 => "rigid shear has no effect: no station has zero shear stiffness without coupling"
                 .to_owned(),
             _ => format!(
@@ -78,6 +78,14 @@ impl Reading {
                  stations, is replaced by {FORCE:e} max(EIy, EIz) / L^2; sections then twist \
                  about the point of their matrices"
             ),
-        });
+        }
+    }
+}
+
+impl Reading {
+    /// As [`Blade::make_shear_rigid`]; a remark states the change.
+    pub(crate) fn make_shear_rigid(&mut self) {
+        let remark = self.blade.replace_absent_shear();
+        self.remarks.push(remark);
     }
 }

@@ -1,7 +1,7 @@
 //! Shear stiffness that is absent, and problems that many stations share.
 
 use super::tests::blade;
-use super::{Blade, Reading};
+use super::{Blade, Reading, parse, parse_with, write};
 
 /// The sample without shear stiffness.
 fn without_shear() -> Blade {
@@ -67,6 +67,42 @@ fn the_substitute_is_remarked() {
         "{text}"
     );
     assert!(remark(blade()).starts_with("rigid shear has no effect"));
+}
+
+// The readers of Helicoid's files check the blade: they replace absent shear before.
+#[test]
+fn helicoid_files_become_rigid_in_shear_on_request() {
+    let mut expected = without_shear();
+    expected.make_shear_rigid();
+    let json = write(&without_shear());
+    assert!(parse(&json, "a.blade.json").is_err());
+    let read = parse_with(&json, "a.blade.json", true).unwrap();
+    assert_eq!(read.blade.stations, expected.stations);
+    assert!(
+        read.remarks
+            .iter()
+            .any(|remark| remark.starts_with("rigid in shear"))
+    );
+    let station = |eta: f64| {
+        format!(
+            "[[station]]\neta = {eta}\nea = 1e9\ngay = 0\ngaz = 0\ngj = 1e6\neiy = 2e6\n\
+             eiz = 8e6\nm = 5\niy = 0.1\niz = 0.4\ntension_center = [0.1, 0]\n"
+        )
+    };
+    let head = "units = \"SI\"\nframe = \"helicoid\"\nreference_point = \"line\"\n[line]\n\
+                course = \"polyline\"\nspan = [0, 4]\n";
+    let toml = format!("{head}{}{}", station(0.0), station(1.0));
+    assert!(parse(&toml, "a.blade.toml").is_err());
+    let read = parse_with(&toml, "a.blade.toml", true).unwrap_or_else(|all| panic!("{all}"));
+    // About the line, EIz has EA times the square of the offset.
+    let k = read.blade.stations[1].stiffness;
+    let expected = 1e6 * (8e6 + 1e9 * 0.01) / 16.0;
+    assert!((k[(1, 1)] / expected - 1.0).abs() < 1e-14, "{k}");
+    assert!(
+        read.remarks
+            .iter()
+            .any(|remark| remark.starts_with("rigid in shear"))
+    );
 }
 
 #[test]

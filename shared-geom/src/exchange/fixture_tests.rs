@@ -16,7 +16,14 @@ fn fixture(name: &str) -> PathBuf {
 }
 
 fn read(name: &str, length: Option<f64>, format: Format) -> Reading {
-    let (seen, reading) = read_with(&fixture(name), &Options { length }).unwrap();
+    let (seen, reading) = read_with(
+        &fixture(name),
+        &Options {
+            length,
+            ..Options::default()
+        },
+    )
+    .unwrap();
     assert_eq!(seen, format, "{name}");
     assert!(
         reading.blade.problems().is_empty(),

@@ -43,7 +43,7 @@ mod htc_tests;
 mod tests;
 
 use htc::Body;
-use section::{Classic, Inertia, PrincipalAxes};
+pub(super) use section::{Classic, Inertia, PrincipalAxes};
 use st::{Row, SubSet};
 
 pub(super) use write::write;

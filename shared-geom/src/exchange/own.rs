@@ -41,7 +41,7 @@ pub(super) fn is_section(text: &str) -> bool {
 pub fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     let shown = file.display().to_string();
     if !is_section(text) {
-        return blade::parse(text, &shown);
+        return blade::parse_with(text, &shown, options.rigid_shear);
     }
     let section = section::parse(text, &shown)?;
     let Some(length) = options.length else {
@@ -223,7 +223,10 @@ mod tests {
             inertia_angle: 0.0,
         };
         let mut section = engineering.section("strip", Provenance::default());
-        let options = Options { length: Some(2.0) };
+        let options = Options {
+            length: Some(2.0),
+            ..Options::default()
+        };
         let reported = |section: &SectionProperties| {
             let text = section::write(section);
             let reading = read(&text, Path::new("strip.properties.json"), &options).unwrap();

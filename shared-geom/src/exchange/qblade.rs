@@ -1,18 +1,19 @@
-//! Structural files of QBlade: the main file, which names the file of the blade, and the
-//! blade file with a table of full matrices (`BEAMTYPE` 2).
+//! Blades of QBlade: the structural file with the table of the sections, `.str`, and the
+//! geometry with chord, twist and course of the axis, `.bld`. The turbine file, `.trb`, names
+//! both; the main structural file names the first.
 //!
-//! The matrices are in BeamDyn's axes and order: in the file of the IEA-22 the fourth
-//! row has the edge stiffness and inertia, the mass center is off the axis toward the
-//! trailing edge, and the documentation of `RAYLEIGHDMP_ANISO` calls bending about y
-//! flapwise. Tables of the other beam types have offsets and radii as parts of the chord,
-//! which is in another file.
+//! Full matrices (`BEAMTYPE` 2) are in BeamDyn's axes and order: x to the suction side, y to the
+//! trailing edge, as QBlade's local axes of a blade; the geometry is in the same axes of the
+//! root, with the twist positive nose down. Engineering properties (`BEAMTYPE` 0 and 1) have
+//! centers and radii of gyration as parts of the chord: see [`engineering`].
 //!
 //! # References
-//! - QBlade documentation, "Turbine Structural Model"; blade file of the IEA-22.
+//! - QBlade documentation, "Turbine Structural Model", "Blade Design Module", "Coordinate
+//!   Systems", "Turbine Definition ASCII File"; blade file of the IEA-22.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use nalgebra::Vector2;
+use nalgebra::{Matrix6, Vector2};
 
 use crate::blade::{Blade, BladeDamping, Interpolation, Station};
 use crate::document::read_text;
@@ -20,232 +21,237 @@ use crate::error::{Diagnostics, SourceLocation};
 use crate::line::ReferenceLine;
 
 use super::frame::Convention;
-use super::named::{companion, named, optional};
-use super::problem::{ExchangeProblem, Problems};
+use super::named::{companion, named};
+use super::problem::Problems;
 use super::stations::{name_of, provenance};
-use super::text::{Line, from_upper, lines, number};
+use super::text::from_upper;
 use super::{Options, Reading};
 
+mod engineering;
+mod geometry;
+mod pair;
+mod table;
+
+use geometry::Geometry;
+use table::{Content, Row};
+
 /// Name of the blade file in the main file.
-const BLADE_FILE: [&str; 1] = ["BLDFILE_1"];
-/// First word of the names of the columns.
-const HEAD: &str = "LENFRACT";
-/// Columns of a table of matrices: position, offsets, pitch, two upper triangles.
-const COLUMNS: usize = 46;
+const STRUCTURE: [&str; 1] = ["BLDFILE_1"];
+/// Name of the geometry in the turbine file.
+const GEOMETRY: [&str; 1] = ["BLADEFILE"];
+/// Name of the main structural file in the turbine file.
+const MAIN: [&str; 1] = ["STRUCTURALFILE"];
 
-/// Whether `text` is a blade file or a main file.
+/// A file and its text.
+struct Source {
+    path: PathBuf,
+    text: String,
+}
+
+/// Whether `text` is one of the files of a blade.
 pub(super) fn recognize(text: &str) -> bool {
-    text.lines().any(|line| is_head(line.trim())) || named(text, &BLADE_FILE).is_some()
+    table::is_table(text)
+        || geometry::is_table(text)
+        || named(text, &STRUCTURE).is_some()
+        || named(text, &GEOMETRY).is_some()
 }
 
-fn is_head(line: &str) -> bool {
-    line.get(..HEAD.len())
-        .is_some_and(|begin| begin.eq_ignore_ascii_case(HEAD))
-}
-
-/// Reads a blade file, or the one that a main file names, as a straight blade of the
-/// length of `options`.
+/// Reads a structural file with the geometry next to it, or both files from the file that leads
+/// to them. Without a geometry, matrices belong to a straight blade of the length of
+/// `options`.
 ///
 /// # Errors
-/// All errors of the file; a missing length; a table without matrices.
+/// All errors of both files; a missing file; a missing length or chord.
 pub(super) fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
-    let mut problems = Problems::new(&file.display().to_string());
-    if !text.lines().any(|line| is_head(line.trim())) {
-        let path = companion(text, &BLADE_FILE, file, &mut problems);
-        let path = problems.finish(path)?;
-        let inner = read_text(&path)?;
-        let problems = Problems::new(&path.display().to_string());
-        return read_blade(&inner, &path, options, problems);
+    let (structure, geometry) = sources(text, file)?;
+    let mut all = Diagnostics::new();
+    let line = geometry
+        .as_ref()
+        .and_then(|source| all.keep(geometry::read(&source.text, &source.path)));
+    let mut problems = Problems::new(&structure.path.display().to_string());
+    let content = table::read(&structure.text, &mut problems);
+    let is_engineering = content
+        .as_ref()
+        .is_some_and(|content| content.is_engineering);
+    match (&geometry, options.length) {
+        (None, _) if is_engineering => problems.push(0, &pair::without_chord(&structure.path)),
+        (None, None) => problems.push(0, &pair::without_line(&structure.path)),
+        _ => {}
     }
-    read_blade(text, file, options, problems)
+    let content = all.keep(problems.finish(content));
+    let (Some(content), true) = (content, all.is_empty()) else {
+        return Err(all);
+    };
+    let texts: Vec<_> = [Some(&structure), geometry.as_ref()]
+        .into_iter()
+        .flatten()
+        .map(|source| source.text.as_str())
+        .collect();
+    let length = options.length.unwrap_or_default();
+    Ok(assemble(content, line, length, &structure.path, &texts))
 }
 
-fn read_blade(
-    text: &str,
-    file: &Path,
-    options: &Options,
-    mut problems: Problems,
-) -> Result<Reading, Diagnostics> {
-    let all = lines(text);
-    let head = all.iter().position(|line| is_head(line.text));
-    let rows = head.and_then(|head| rows(&all, head, &mut problems));
-    if head.is_none() {
-        let what = "the table of the blade".to_owned();
-        let help = format!("its first line begins with {HEAD}; is the file cut short?");
-        problems.push(0, &ExchangeProblem::Missing { what, help });
-    }
-    let mut tuner = |name: &str| optional(text, &[name], 1.0, &mut problems);
-    let tuners = tuner("STIFFTUNER").zip(tuner("MASSTUNER"));
-    let mut remarks = Vec::new();
-    let damping = damping(text, &mut remarks, &mut problems);
-    if options.length.is_none() {
-        problems.push(0, &without_line());
-    }
-    let found = rows.zip(tuners).zip(damping).zip(options.length);
-    let (((rows, (stiff, heavy)), damping), length) = problems.finish(found)?;
-    remarks.extend(unread(text));
-    remarks.push(format!(
-        "the line is straight, {length} m long, without twist: both are in the .bld file, which \
-         is not read"
-    ));
-    let convention = Convention::BeamDyn;
-    let station = |(_, row): &(usize, Vec<f64>)| Station {
-        arc_length: row[0] * length,
-        stiffness: convention.to_ours(&(from_upper(&row[4..25]) * stiff)),
-        mass: convention.to_ours(&(from_upper(&row[25..]) * heavy)),
+/// The structural file of a blade, and its geometry if there is one.
+fn sources(text: &str, file: &Path) -> Result<(Source, Option<Source>), Diagnostics> {
+    let own = || Source {
+        path: file.to_owned(),
+        text: text.to_owned(),
     };
+    let mut problems = Problems::new(&file.display().to_string());
+    if table::is_table(text) {
+        let geometry = pair::beside(file, "bld", geometry::is_table);
+        return Ok((own(), geometry));
+    }
+    if geometry::is_table(text) {
+        let structure = pair::beside(file, "str", table::is_blade);
+        if structure.is_none() {
+            problems.push(0, &pair::without_structure(file));
+        }
+        return Ok((problems.finish(structure)?, Some(own())));
+    }
+    if named(text, &GEOMETRY).is_none() {
+        let structure = follow(text, file, &STRUCTURE)?;
+        let geometry = pair::beside(&structure.path, "bld", geometry::is_table);
+        return Ok((structure, geometry));
+    }
+    if let Some(found) = named(text, &["ROTATIONALDIR"]).filter(|found| found.value != "0") {
+        problems.push(found.line, &pair::reversed(found.value));
+        return Err(problems.into_diagnostics());
+    }
+    let mut all = Diagnostics::new();
+    let geometry = all.keep(follow(text, file, &GEOMETRY));
+    let main = all.keep(follow(text, file, &MAIN));
+    let structure = main.and_then(|main| all.keep(follow(&main.text, &main.path, &STRUCTURE)));
+    match structure {
+        Some(structure) if all.is_empty() => Ok((structure, geometry)),
+        _ => Err(all),
+    }
+}
+
+/// The file that the line with one of `names` leads to.
+fn follow(text: &str, file: &Path, names: &[&str]) -> Result<Source, Diagnostics> {
+    let mut problems = Problems::new(&file.display().to_string());
+    let path = companion(text, names, file, &mut problems);
+    let path = problems.finish(path)?;
+    let text = read_text(&path)?;
+    Ok(Source { path, text })
+}
+
+/// The blade of a table on the line of a geometry, or on a straight one of `length` [m].
+fn assemble(
+    mut content: Content,
+    geometry: Option<Geometry>,
+    length: f64,
+    file: &Path,
+    texts: &[&str],
+) -> Reading {
+    let mut remarks = std::mem::take(&mut content.remarks);
+    let (line, chord) = match geometry {
+        Some(geometry) => {
+            remarks.extend(geometry.remarks);
+            (geometry.line, geometry.chord)
+        }
+        None => {
+            remarks.push(format!(
+                "the line is straight, {length} m long, without twist: both are in a .bld file"
+            ));
+            (ReferenceLine::straight(length), Vec::new())
+        }
+    };
+    let of_line = Sections {
+        length: line.length(),
+        arcs: line.arc_lengths(),
+        chord,
+    };
+    let (stations, small) = of_line.stations(&content);
+    remarks.extend(engineering::small_radii(small, stations.len()));
     let blade = Blade {
         name: name_of(file),
-        line: ReferenceLine::straight(length),
+        line,
         reference_point: Vector2::zeros(),
-        stations: rows.iter().map(station).collect(),
+        damping: damping(content.damping, content.times, &stations),
+        stations,
         interpolation: Interpolation::Linear,
-        damping,
-        provenance: provenance("QBlade", &[text]),
+        provenance: provenance("QBlade", texts),
     };
     let shown = file.display().to_string();
-    Ok(Reading {
-        locations: rows
-            .iter()
-            .map(|(line, _)| SourceLocation::line(&shown, *line))
-            .collect(),
+    let at = |row: &Row| SourceLocation::line(&shown, row.line);
+    Reading {
+        locations: content.rows.iter().map(at).collect(),
         ..Reading::new(blade, remarks)
-    })
-}
-
-/// The rows of the table with their lines; `None` if the table has no matrices.
-fn rows(all: &[Line<'_>], head: usize, problems: &mut Problems) -> Option<Vec<(usize, Vec<f64>)>> {
-    let names = &all[head];
-    let has_matrices = names
-        .words()
-        .any(|name| name.to_uppercase().starts_with("K11"));
-    if !has_matrices {
-        problems.push(names.number, &without_matrices());
-        return None;
-    }
-    let body = all[head + 1..].iter();
-    let body = body.take_while(|line| number(line.first()).is_some());
-    let mut rows: Vec<(usize, Vec<f64>)> = Vec::new();
-    for (count, line) in body.enumerate() {
-        let what = format!("station {}", count + 1);
-        let Some(row) = line.list(&what, Some(COLUMNS), problems) else {
-            continue;
-        };
-        check_position(&what, line, &row, rows.last(), problems);
-        rows.push((line.number, row));
-    }
-    if rows.is_empty() && problems.is_empty() {
-        problems.push(
-            names.number,
-            &ExchangeProblem::CutShort {
-                what: "the table of the blade".to_owned(),
-                expected: format!("rows of {COLUMNS} numbers"),
-            },
-        );
-    }
-    Some(rows)
-}
-
-/// Notes a position before the previous one, and matrices about another point or in other
-/// axes.
-fn check_position(
-    what: &str,
-    line: &Line<'_>,
-    row: &[f64],
-    before: Option<&(usize, Vec<f64>)>,
-    problems: &mut Problems,
-) {
-    if let Some((_, before)) = before.filter(|(_, before)| before[0] > row[0]) {
-        let (what, found, before) = (format!("position of {what}"), row[0], before[0]);
-        let problem = ExchangeProblem::Order {
-            what,
-            found,
-            before,
-        };
-        problems.push(line.number, &problem);
-    }
-    if row[1..4].iter().any(|number| *number != 0.0) {
-        problems.push(
-            line.number,
-            &ExchangeProblem::Other {
-                what: format!("XCB, YCB and PITCH of {what}"),
-                found: format!("{}, {}, {}", row[1], row[2], row[3]),
-                expected: "zeros: matrices about the line, in its axes".to_owned(),
-                help: "offsets are parts of the chord, which is in the .bld file: transform the \
-                       matrices to the line first"
-                    .to_owned(),
-            },
-        );
     }
 }
 
-fn without_line() -> ExchangeProblem {
-    ExchangeProblem::Missing {
-        what: "the length of the blade (a structural file of QBlade has parts of it only)"
-            .to_owned(),
-        help: "give --length METERS for a straight blade without twist".to_owned(),
-    }
-}
-
-fn without_matrices() -> ExchangeProblem {
-    ExchangeProblem::Other {
-        what: "the table of the blade".to_owned(),
-        found: "engineering properties (BEAMTYPE 0 or 1)".to_owned(),
-        expected: "matrices (BEAMTYPE 2): columns K11 to K66 and M11 to M66".to_owned(),
-        help: "their centers and radii are parts of the chord, which is in the .bld file: write \
-               the properties into a NAME.blade.toml"
-            .to_owned(),
-    }
-}
-
-/// Damping by times; `None` if a number is wrong.
+/// The damping of a table: of its rows if they have their own.
 fn damping(
-    text: &str,
-    remarks: &mut Vec<String>,
-    problems: &mut Problems,
-) -> Option<Option<BladeDamping>> {
-    let keyword = "RAYLEIGHDMP_ANISO";
-    let all = lines(text);
-    let line = all.iter().find(|line| {
-        let mut words = line.words();
-        number(line.first()).is_some() && words.any(|word| word.eq_ignore_ascii_case(keyword))
-    });
-    let Some(line) = line else {
-        let time = optional(text, &["RAYLEIGHDMP"], 0.0, problems)?;
-        return Some((time != 0.0).then_some(BladeDamping::Proportional(time)));
+    of_all: Option<BladeDamping>,
+    times: Option<Vec<f64>>,
+    stations: &[Station],
+) -> Option<BladeDamping> {
+    let Some(times) = times else {
+        return of_all;
     };
-    let values: Vec<_> = line.words().map_while(number).collect();
-    let (&[flap, edge, torsion, axial], rest) = values.split_first_chunk().or_else(|| {
-        let problem = ExchangeProblem::Count {
-            what: keyword.to_owned(),
-            expected: 4,
-            found: values.len(),
-            separator: "blanks",
+    let viscous = |(station, time): (&Station, f64)| station.stiffness * time;
+    Some(BladeDamping::Viscous(
+        stations.iter().zip(times).map(viscous).collect(),
+    ))
+}
+
+/// The line of a blade, with its chords.
+struct Sections {
+    /// Length of the line [m].
+    length: f64,
+    /// Arc lengths of the points [m].
+    arcs: Vec<f64>,
+    /// Chord at the points [m].
+    chord: Vec<f64>,
+}
+
+impl Sections {
+    /// The stations of a table, and the number of those whose radius of gyration is too small.
+    fn stations(&self, content: &Content) -> (Vec<Station>, usize) {
+        let [stiff, heavy] = content.factors;
+        let mut small = 0;
+        let station = |row: &Row| {
+            let (stiffness, mass, is_small) = self.matrices(row);
+            small += usize::from(is_small);
+            Station {
+                arc_length: row.part() * self.length,
+                stiffness: stiffness * stiff,
+                mass: mass * heavy,
+            }
         };
-        problems.push(line.number, &problem);
-        None
-    })?;
-    if let Some(factor) = rest.first().filter(|factor| **factor != 0.0) {
-        remarks.push(format!(
-            "the factor of the mass in {keyword} ({factor} 1/s) is not read"
-        ));
+        let stations = content.rows.iter().map(station).collect();
+        (stations, small)
     }
-    let times = [axial, edge, flap, torsion, flap, edge];
-    let has_some = times.iter().any(|time| *time != 0.0);
-    Some(has_some.then_some(BladeDamping::Times(times)))
+
+    /// Stiffness and mass of a row in Helicoid's axes, about the line, without the factors of
+    /// the file; and whether a radius of gyration is too small for its mass center.
+    fn matrices(&self, row: &Row) -> (Matrix6<f64>, Matrix6<f64>, bool) {
+        if let Some(values) = row.properties {
+            let chord = self.chord_at(row.part() * self.length);
+            return engineering::matrices(&values, chord, self.length);
+        }
+        let ours = |upper: &[f64]| Convention::BeamDyn.to_ours(&from_upper(upper));
+        let (stiffness, mass) = row.numbers.get(4..).unwrap_or_default().split_at(21);
+        (ours(stiffness), ours(mass), false)
+    }
+
+    /// Chord at an arc length [m], linear between the points.
+    fn chord_at(&self, at: f64) -> f64 {
+        let next = self.arcs.iter().position(|arc| *arc >= at);
+        let next = next.unwrap_or(self.arcs.len().saturating_sub(1));
+        let before = next.saturating_sub(1);
+        let (from, to) = (self.arcs[before], self.arcs[next]);
+        let (a, b) = (self.chord[before], self.chord[next]);
+        match to > from {
+            true => a + (b - a) * ((at - from) / (to - from)).clamp(0.0, 1.0),
+            false => b,
+        }
+    }
 }
 
-/// Remark on data that are not read.
-fn unread(text: &str) -> Option<String> {
-    let mass = |line: &str| {
-        let mut words = line.split_whitespace();
-        let is_mass = words.next().is_some_and(|word| word.starts_with("ADDMASS"));
-        is_mass && words.map_while(number).any(|mass| mass != 0.0)
-    };
-    let count = text.lines().filter(|line| mass(line.trim())).count();
-    (count > 0)
-        .then(|| format!("{count} point masses (ADDMASS) are not read: add them to the model"))
-}
-
+#[cfg(test)]
+mod pair_tests;
 #[cfg(test)]
 mod tests;

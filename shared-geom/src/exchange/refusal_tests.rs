@@ -318,6 +318,7 @@ fn a_length_that_is_not_used_is_remarked() {
     let remarks = |length: f64| {
         let options = Options {
             length: Some(length),
+            ..Options::default()
         };
         read_with(&first, &options).unwrap().1.remarks
     };

@@ -281,7 +281,10 @@ fn sections_without_a_line_need_a_length() {
     let folder = tempfile::tempdir().unwrap();
     written(&blade, Format::Vabs, folder.path());
     written(&blade, Format::BeamDyn, folder.path());
-    let options = Options { length: Some(7.0) };
+    let options = Options {
+        length: Some(7.0),
+        ..Options::default()
+    };
     for (name, stations) in [("sample.002.K", 2), ("sample_blade.dat", 5)] {
         let path = folder.path().join(name);
         let refused = read_with(&path, &Options::default())

@@ -90,6 +90,8 @@ pub enum Mark {
     Diamond,
     /// Two crossing lines.
     Cross,
+    /// A horizontal line.
+    Dash,
     /// A circle.
     Ring,
     /// The outline of a square on a corner.
@@ -116,6 +118,10 @@ impl Mark {
                 for arm in [[[-1.0, -1.0], [1.0, 1.0]], [[-1.0, 1.0], [1.0, -1.0]]] {
                     drawing.line(&arm.map(at(1.0)), 0.6 * size, color);
                 }
+            }
+            Self::Dash => {
+                let line = [[-1.2, 0.0], [1.2, 0.0]];
+                drawing.line(&line.map(at(1.0)), 0.6 * size, color);
             }
             Self::Ring => drawing.ring([x, y], size, open, color),
             Self::OpenDiamond => drawing.outline(&diamond.map(at(1.0)), open, color),

@@ -14,7 +14,10 @@ const MUTATIONS: usize = 400;
 /// Reads `bytes` as the file `name` of `folder`.
 fn read(folder: &Path, name: &str, bytes: &[u8]) -> bool {
     let text = String::from_utf8_lossy(bytes);
-    let options = Options { length: Some(3.0) };
+    let options = Options {
+        length: Some(3.0),
+        ..Options::default()
+    };
     match parse(&text, &folder.join(name), &options) {
         Ok(_) => true,
         Err(problems) => {
@@ -37,7 +40,10 @@ fn assert_explained(problems: &Diagnostics, name: &str) {
 /// formats and read again from Helicoid's.
 fn use_it(folder: &Path, name: &str, bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
-    let options = Options { length: Some(3.0) };
+    let options = Options {
+        length: Some(3.0),
+        ..Options::default()
+    };
     let blade = match parse(&text, &folder.join(name), &options) {
         Ok((_, reading)) => reading.blade,
         Err(problems) => return assert_explained(&problems, name),

@@ -86,11 +86,11 @@ pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<Stat
     let written = table.text("file")?;
     let document = table.document();
     let path = table.existing("file", &written)?;
-    let options = Options { length: length? };
+    let options = Options {
+        length: length?,
+        rigid_shear: rigid_shear?,
+    };
     let (_, mut reading) = document.keep(exchange::read_with(&path, &options))?;
-    if rigid_shear? {
-        reading.make_shear_rigid();
-    }
     // The damping of the card replaces the damping of the file.
     if let Some(damping) = damping? {
         reading.blade.damping = Some(everywhere(damping, reading.blade.stations.len()));

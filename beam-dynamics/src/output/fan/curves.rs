@@ -93,6 +93,7 @@ pub(super) fn mark(kind: ModeKind) -> Mark {
         ModeKind::Torsion => Mark::Up,
         ModeKind::Axial => Mark::Diamond,
         ModeKind::Lateral => Mark::Down,
+        ModeKind::Rigid => Mark::Dash,
         ModeKind::Coupled => Mark::Cross,
     }
 }

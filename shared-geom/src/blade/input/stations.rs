@@ -53,6 +53,12 @@ pub(super) fn read(
     }
 }
 
+/// Whether there are tables `[[station]]`, and all of them name property files.
+pub(super) fn are_files(root: &Table<'_>) -> bool {
+    let is_file = |table: Table<'_>| table.has("file");
+    !root.has("stations") && root.has("station") && root.tables("station").into_iter().all(is_file)
+}
+
 /// A `[[station]]`.
 fn in_place(table: &Table<'_>, settings: &Settings<'_>, sources: &Sources) -> Option<Placed> {
     let arc_length = match either(table, |key| table.has(key), "arc_length", "eta") {

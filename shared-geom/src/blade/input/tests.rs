@@ -364,6 +364,19 @@ fn stations_are_made_of_property_files() {
     // BeamDyn's angles are nose down, and a quarter turn exchanges the bendings.
     assert!((blade.stations[1].stiffness[(4, 4)] - 900.0).abs() < 1e-10);
     assert!(blade.stations[1].mass[(4, 0)].abs() > 0.19);
+    // Property files have an origin: the point need not be declared.
+    let open = text.replace("reference_point = \"line\"\n", "");
+    std::fs::write(&file, &open).unwrap();
+    let reading = read(&file).unwrap_or_else(|p| panic!("{p}"));
+    assert_eq!(reading.blade.stations, blade.stations);
+    let remark = "reference_point is not declared";
+    assert!(
+        reading
+            .remarks
+            .iter()
+            .any(|found| found.starts_with(remark))
+    );
+    std::fs::write(&file, text).unwrap();
     let Some(BladeDamping::Viscous(damping)) = &blade.damping else {
         panic!("{:?}", blade.damping);
     };

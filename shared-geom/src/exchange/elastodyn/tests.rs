@@ -14,7 +14,13 @@ fn read(text: &str, length: Option<f64>) -> Result<Reading, Diagnostics> {
     fs::write(folder.path().join("plain_ElastoDyn_blade.dat"), BLADE).unwrap();
     let path = folder.path().join("a.dat");
     fs::write(&path, text).unwrap();
-    let (format, reading) = read_with(&path, &Options { length })?;
+    let (format, reading) = read_with(
+        &path,
+        &Options {
+            length,
+            ..Options::default()
+        },
+    )?;
     assert_eq!(format, Format::ElastoDyn);
     Ok(reading)
 }

@@ -39,7 +39,7 @@ const ROUND: f64 = 1e-6;
 
 /// Reference point and axes of the properties of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct PrincipalAxes {
+pub(in crate::exchange) struct PrincipalAxes {
     /// Elastic center [m].
     pub elastic: Vector2<f64>,
     /// Angle of the principal axes [rad].
@@ -48,7 +48,7 @@ pub(super) struct PrincipalAxes {
 
 /// Mass properties of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Inertia {
+pub(in crate::exchange) struct Inertia {
     /// Mass per length [kg/m].
     pub mass: f64,
     /// Mass center [m].
@@ -59,7 +59,7 @@ pub(super) struct Inertia {
 
 /// The stiffnesses of a classic row.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Classic {
+pub(in crate::exchange) struct Classic {
     /// Axial stiffness [N].
     pub axial: f64,
     /// Bending stiffness about the principal axes [N m^2].

@@ -13,7 +13,13 @@ fn read(name: &str, text: &str, length: Option<f64>) -> Result<Reading, Diagnost
     fs::write(folder.path().join("plain_blade.str"), BLADE).unwrap();
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
-    let (format, reading) = read_with(&path, &Options { length })?;
+    let (format, reading) = read_with(
+        &path,
+        &Options {
+            length,
+            ..Options::default()
+        },
+    )?;
     assert_eq!(format, Format::QBlade);
     Ok(reading)
 }
@@ -72,7 +78,7 @@ fn wrong_files_are_refused() {
             "K11",
             "EIx",
             Some(8.0),
-            "engineering properties (BEAMTYPE 0 or 1)",
+            "BEAMTYPE: found \"2\", expected 0 or 1",
         ),
         (
             "5.0000e-01 0 0 0",

@@ -1,5 +1,6 @@
 //! Writes a blade into a copy of a windIO file: its reference axis, its twist and its
-//! elastic properties. All other lines stay as they are, so that a complete file stays complete.
+//! elastic properties. All other lines stay as they are, so that a complete file stays complete:
+//! the validator of windIO 2.1.1 accepts copies of its examples with other blades.
 
 use std::path::{Path, PathBuf};
 
@@ -84,6 +85,10 @@ fn version_2(editor: &mut Editor, blade: &Blade, plain: &Plain, lost: &mut Vec<S
     for (key, lines) in write::elastic_tables(blade, plain, lost) {
         let keys = [&ELASTIC[..], &[key]].concat();
         editor.replace_or_add(&keys, |margin| write::indented(&lines, margin));
+    }
+    let masses = [&ELASTIC[..], &["point_mass"]].concat();
+    if block::find(&editor.lines, &masses).is_ok() {
+        lost.push("point_mass of the existing file: it stays as it is".to_owned());
     }
 }
 

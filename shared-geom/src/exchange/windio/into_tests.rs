@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
+use super::{fields, yaml};
 use crate::blade::Blade;
+use crate::exchange::problem::Problems;
 use crate::exchange::samples::{blade, difference};
 use crate::exchange::{Options, parse, write_into};
 
@@ -56,6 +58,74 @@ fn a_blade_returns_into_its_own_file() {
     let error = difference(&old, &read(&written.files[0].1));
     // Parts of the length are divided by it and multiplied again.
     assert!(error < 1e-12, "{error:e}");
+}
+
+// Rules of the schema of windIO 2.1.1 for the parts that are written: required keys, no other
+// keys, positions from 0 to 1, one number for each position, six damping times.
+#[test]
+fn written_tables_keep_the_rules_of_the_schema() {
+    let at = TWO.find("            elastic_properties:").unwrap();
+    let bare = TWO[..at].to_owned() + "            webs: []\n";
+    let mut undamped = blade();
+    undamped.damping = None;
+    let written = |blade: &Blade, text: &str| {
+        let writing = write_into(blade, text, Path::new("a.yaml")).unwrap();
+        writing.files[0].1.clone()
+    };
+    let plain = super::write_version_2(&blade(), "a").files[0].1.clone();
+    for text in [into(TWO), written(&undamped, &bare), plain] {
+        let root = yaml::parse(&text).unwrap();
+        let blade = root.path(&["components", "blade"]).unwrap();
+        for axis in ["x", "y", "z"] {
+            let columns = blade.path(&["reference_axis", axis]).unwrap();
+            assert_eq!(columns.keys(), ["grid", "values"]);
+            of_schema(columns);
+        }
+        of_schema(blade.path(&["outer_shape", "twist"]).unwrap());
+        let elastic = blade.path(&["structure", "elastic_properties"]).unwrap();
+        let mut keys = elastic.keys();
+        keys.sort_unstable();
+        let required = ["inertia_matrix", "stiffness_matrix", "structural_damping"];
+        assert_eq!(keys, required);
+        of_schema(elastic.entry("stiffness_matrix").unwrap());
+        of_schema(elastic.entry("inertia_matrix").unwrap());
+        let stiffness = elastic.entry("stiffness_matrix").unwrap().keys();
+        assert_eq!(stiffness.len(), 22, "grid and K11 to K66");
+        let inertia = elastic.entry("inertia_matrix").unwrap().keys();
+        let seven = ["mass", "cm_x", "cm_y", "i_edge", "i_flap", "i_plr", "i_cp"];
+        assert_eq!(inertia[1..], seven);
+        let times = elastic.path(&["structural_damping", "mu"]).unwrap();
+        assert_eq!(list(times).len(), 6);
+    }
+}
+
+fn list(node: &yaml::Node) -> Vec<f64> {
+    let mut problems = Problems::new("a.yaml");
+    fields::numbers(node, "list", &mut problems).unwrap()
+}
+
+/// A table whose lists have the length of its grid, from 0 to 1.
+fn of_schema(table: &yaml::Node) {
+    let grid = list(table.entry("grid").unwrap());
+    assert!(grid.len() >= 2 && grid.iter().all(|part| (0.0..=1.0).contains(part)));
+    for key in table.keys() {
+        assert_eq!(list(table.entry(key).unwrap()).len(), grid.len(), "{key}");
+    }
+}
+
+#[test]
+fn point_masses_of_the_existing_file_are_reported() {
+    let masses = "                point_mass: {grid: [0, 1], mass: [1, 1]}\n";
+    let at = "            elastic_properties:\n";
+    let text = TWO.replace(at, &format!("{at}{masses}"));
+    let writing = write_into(&blade(), &text, Path::new("a.yaml")).unwrap();
+    let reported = "point_mass of the existing file: it stays as it is";
+    assert!(
+        writing.lost.iter().any(|lost| lost == reported),
+        "{:?}",
+        writing.lost
+    );
+    assert!(writing.files[0].1.contains(masses));
 }
 
 #[test]
