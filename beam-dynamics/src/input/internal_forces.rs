@@ -128,7 +128,7 @@ fn in_axes(
 ) -> Option<Between> {
     let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
     let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
-    if !table.holds(&FORCE) && !table.holds(&MOMENT) {
+    if !table.has(&FORCE) && !table.holds(&MOMENT) {
         table.note("", &LawProblem::NoForce);
         return None;
     }

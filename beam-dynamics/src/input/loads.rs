@@ -188,7 +188,7 @@ fn nodal(table: &Table<'_>) -> Option<(NodalForce, bool)> {
     let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
     let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
     let kind = kind(table);
-    if !table.holds(&FORCE) && !table.holds(&MOMENT) {
+    if !table.has(&FORCE) && !table.holds(&MOMENT) {
         table.note("", &LoadProblem::NoLoad);
         return None;
     }
@@ -208,7 +208,7 @@ fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
     let follower = table.get(&FOLLOWER);
     let release = table.get(&RELEASE);
     let factor = factor(table);
-    if release == Some(true) && table.holds(&CONSTANT) {
+    if release == Some(true) && table.has(&CONSTANT) {
         table.note("release", &LoadProblem::ReleasedAndConstant);
         return None;
     }

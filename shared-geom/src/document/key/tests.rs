@@ -92,7 +92,7 @@ fn absent_keys_have_their_defaults_or_are_reported() {
         assert_eq!(table.get(&FRICTION), Some(None));
         assert_eq!(table.get(&AXES), Some(0));
         assert_eq!(table.get(&COPIES), Some(1));
-        assert!(table.holds(&SHAPE));
+        assert!(table.has(&SHAPE));
     });
     // The message names the opening of the meaning, or the quantity.
     for expected in [
