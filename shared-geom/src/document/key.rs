@@ -3,8 +3,8 @@
 
 use nalgebra::Vector3;
 
-use super::Table;
-use super::schema::{KeySchema, Need, ValueKind};
+use super::schema::{KeySchema, Need, TableSchema, ValueKind};
+use super::{Item, Table};
 
 /// A key whose value is a `T`: its description, and its default.
 #[derive(Debug)]
@@ -25,11 +25,15 @@ impl<T: Declared> Key<T> {
     /// A key by its description.
     ///
     /// # Panics
-    /// In constants, so that the program does not compile: a type that does not fit the
-    /// first kind of value or the need.
+    /// In constants, so that the program does not compile: a type that does not fit a kind of
+    /// value or the need.
     pub const fn new(schema: KeySchema, default: Option<fn() -> T>) -> Self {
         if !matches!(T::FORM, Form::Any | Form::ByHand) {
-            let is_of_type = form_of(&schema.kinds[0]).number() == T::FORM.number();
+            let (mut index, mut is_of_type) = (0, false);
+            while index < schema.kinds.len() {
+                is_of_type |= form_of(&schema.kinds[index]).number() == T::FORM.number();
+                index += 1;
+            }
             assert!(is_of_type, "the type is not the type of the values");
         }
         if !matches!(T::FORM, Form::ByHand) {
@@ -78,6 +82,8 @@ pub enum Form {
     Vector(usize),
     /// A list of three numbers each.
     Vectors,
+    /// These numbers of rows and columns.
+    Rows(usize, usize),
     /// Any form, of a type with a reader of its own.
     Any,
     /// Any form, of a key that is not read by its description.
@@ -98,6 +104,7 @@ impl Form {
             Self::Any => 7,
             Self::ByHand => 8,
             Self::Vector(count) => 9 + count,
+            Self::Rows(rows, columns) => 1000 + 100 * rows + columns,
         }
     }
 }
@@ -113,6 +120,7 @@ const fn form_of(kind: &ValueKind) -> Form {
         ValueKind::Quantities(_) | ValueKind::Numbers(_) => Form::Numbers,
         ValueKind::Vector(count, _) => Form::Vector(*count),
         ValueKind::Vectors(3, _) => Form::Vectors,
+        ValueKind::Rows(rows, columns) => Form::Rows(*rows, *columns),
         _ => Form::Any,
     }
 }
@@ -159,6 +167,10 @@ impl Declared for Vector3<f64> {
 
 impl<const N: usize> Declared for [f64; N] {
     const FORM: Form = Form::Vector(N);
+}
+
+impl<const M: usize, const N: usize> Declared for [[f64; N]; M] {
+    const FORM: Form = Form::Rows(M, N);
 }
 
 impl Declared for Vec<Vector3<f64>> {
@@ -244,7 +256,7 @@ impl Value for f64 {
         if is_right(found) {
             return Some(found);
         }
-        table.wrong(key.name, &format!("{dimension}{range}"));
+        table.wrong(key.name, &key.expected_or(|| format!("{dimension}{range}")));
         None
     }
 }
@@ -283,6 +295,14 @@ impl<const N: usize> Value for [f64; N] {
     }
 }
 
+/// Rows of plain numbers; no unit is applied.
+impl<const M: usize, const N: usize> Value for [[f64; N]; M] {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let rows = table.rows(key.name, M, N)?;
+        Some(std::array::from_fn(|i| std::array::from_fn(|j| rows[i][j])))
+    }
+}
+
 /// Vectors in SI units; one vector is a list of one.
 impl Value for Vec<Vector3<f64>> {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
@@ -311,6 +331,20 @@ impl Table<'_> {
     /// The value of a key that the table has; `None` if it is absent or wrong.
     pub fn given<T: Value>(&self, key: &Key<T>) -> Option<T> {
         self.has(key).then(|| self.get(key)).flatten()
+    }
+
+    /// The word under a required key that distinguishes the families of `schema`.
+    pub fn choice(&self, schema: &TableSchema, key: &str) -> Option<&'static str> {
+        let words = schema.words(key);
+        self.require(key, &format!("one of {}", words.join(", ")))?;
+        self.word(key, &words).map(|index| words[index])
+    }
+
+    /// Whether a table has a known word under such a key; nothing is noted.
+    pub fn has_choice(&self, schema: &TableSchema, key: &str) -> bool {
+        let item = self.item(key);
+        let word = item.as_ref().and_then(Item::text);
+        word.is_some_and(|word| schema.words(key).contains(&word))
     }
 
     /// As [`Table::get`], if the value is right; otherwise it is noted that `expected` is.

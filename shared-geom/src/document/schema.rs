@@ -38,6 +38,18 @@ impl TableSchema {
         let own = self.families.iter().flat_map(|family| family.keys);
         self.keys.iter().chain(own)
     }
+
+    /// The words of a key that distinguishes the families, in their order.
+    pub fn words(&self, key: &str) -> Vec<&'static str> {
+        let mut words = Vec::new();
+        let of_key = self.all_keys().filter(|own| own.name == key);
+        for kind in of_key.flat_map(|own| own.kinds) {
+            let ValueKind::Word(own) = kind else { continue };
+            let new: Vec<_> = own.iter().filter(|word| !words.contains(*word)).collect();
+            words.extend(new);
+        }
+        words
+    }
 }
 
 /// Keys that belong together and exclude the keys of other families.
@@ -84,6 +96,7 @@ impl KeySchema {
                 format!("{} or \"{last}\"", quoted(others))
             }
             ValueKind::Count(_) => "a whole number of at least 1".to_owned(),
+            ValueKind::Vector(_, Dimension::NUMBER) => opening(self.meaning),
             ValueKind::Quantity(dimension)
             | ValueKind::Positive(dimension)
             | ValueKind::NotNegative(dimension)
@@ -103,7 +116,10 @@ impl KeySchema {
             | ValueKind::NotNegative(dimension)
             | ValueKind::Quantities(dimension)
             | ValueKind::Vector(_, dimension)
-            | ValueKind::Vectors(_, dimension) => dimension,
+            | ValueKind::Vectors(_, dimension)
+            | ValueKind::Drive(dimension)
+            | ValueKind::Drives(dimension)
+            | ValueKind::NamedDrives(dimension) => dimension,
             _ => Dimension::NUMBER,
         }
     }
