@@ -18,7 +18,8 @@ keys! {
     /// Time of a sample.
     pub(super) OFFSET: f64 = "offset", [Quantity(Dimension::TIME)], or "0" = 0.0, "0.005";
     /// Number of samples between an input and the output computed from it.
-    pub(super) DELAY: f64 = "delay", [NotNegative(Dimension::NUMBER)], or "0" = 0.0, "1";
+    pub(super) DELAY: f64 = "delay", [NotNegative(Dimension::NUMBER)]
+        as "a whole number of samples, 0 to 100000", or "0" = 0.0, "1";
     /// Smallest and largest value of all outputs, or a pair for each.
     pub(super) LIMITS: ByHand = "limits", [Vector(2, Dimension::NUMBER), Lines(2)], or "none",
         "[-10, 10]";
@@ -115,7 +116,6 @@ fn limits(table: &Table<'_>, outputs: usize) -> Option<Vec<Limits>> {
 /// A whole number of samples.
 fn delay(table: &Table<'_>) -> Option<usize> {
     let is_right = |number: &f64| number.fract() == 0.0 && *number <= MOST_DELAY;
-    let expected = format!("a whole number of samples, 0 to {MOST_DELAY}");
-    let number = table.get_if(&DELAY, is_right, &expected)?;
+    let number = table.get_if(&DELAY, is_right, DELAY.schema.expected)?;
     Some(number as usize)
 }
