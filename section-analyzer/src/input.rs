@@ -47,6 +47,7 @@ mod names;
 mod plausible;
 mod problem;
 mod regions;
+mod requests;
 pub mod schema;
 mod source;
 mod stiffness;
@@ -59,7 +60,7 @@ pub use electric::{ElectricDataProblem, ElectricWarning};
 pub use electrodes::{ElectrodeProblem, circuit_word};
 pub use external::MatrixProblem;
 pub use imposed::ImposedProblem;
-pub use loads::{LOAD_KEYS, LoadProblem, checked_load};
+pub use loads::{LoadProblem, checked_load};
 pub use names::is_load_name;
 pub use plausible::UnlikelyInput;
 pub use problem::InputProblem;
@@ -78,6 +79,7 @@ use material_warnings::warnings_of;
 use materials::WrittenMaterial;
 use meshed::Meshed;
 use regions::{Written, WrittenAngle, WrittenRegion};
+use requests::{END_EFFECTS, PRESTRESS};
 
 /// A section ready for analysis, and its origin.
 #[derive(Debug, Clone)]
@@ -186,18 +188,19 @@ impl WrittenSection {
         let root = document.root_of(&schema::SECTION_FILE);
         document.declare_units(&root);
         let name = name(&root).unwrap_or_else(|| name_of(Path::new(document.file())));
-        let mesh = root.require_text("mesh", "the path of a gmsh file, from this file's folder");
-        let mesh = mesh.map(|text| Written {
-            text,
-            line: root.line_of("mesh"),
-        });
+        let mesh = root.get(&schema::MESH);
         let states = imposed::read(&root);
         let electrodes = electrodes::read(&root);
+        let prestress = root.get(&PRESTRESS);
         let written = Self {
             name,
             mesh,
             length_unit: length_unit(&root),
-            doubled_nodes: doubled_nodes(&root),
+            // An unknown word has been reported; then slits are assumed to be intended.
+            doubled_nodes: match root.get(&schema::DOUBLED_NODES) {
+                Some(0) => DoubledNodes::Error,
+                _ => DoubledNodes::Allow,
+            },
             materials: materials::read(&root),
             regions: regions::read(&root),
             laminae: laminae::read(&root),
@@ -205,11 +208,9 @@ impl WrittenSection {
             loads: loads::read(&root, &states, &electrodes),
             electrodes,
             states,
-            end_effects: end_effects(&root),
-            prestress: root
-                .word("prestress", &StrainMeasure::NAMES)
-                .map(|word| StrainMeasure::ALL[word]),
-            prestress_line: root.line_of("prestress"),
+            end_effects: root.get(&END_EFFECTS).flatten(),
+            prestress: prestress.flatten().map(|word| StrainMeasure::ALL[word]),
+            prestress_line: root.line_of(&PRESTRESS),
         };
         root.finish();
         written
@@ -421,50 +422,21 @@ fn centroids(mesh: &SectionMesh) -> Vec<[f64; 2]> {
 
 /// The name of the section, which appears in lines of reports.
 fn name(root: &Table<'_>) -> Option<String> {
-    let name = root.text("name")?;
-    if name.trim().is_empty() || name.contains(char::is_control) {
-        root.wrong("name", "a text of one line, without control characters");
-    }
-    Some(name)
+    let is_right = |name: &Option<Written>| name.as_ref().is_none_or(Written::is_line);
+    let expected = "a text of one line, without control characters";
+    let name = root.get_if(&schema::NAME, is_right, expected)?;
+    name.map(|name| name.text)
 }
 
 /// The name of the declared unit of length.
 fn length_unit(root: &Table<'_>) -> String {
-    let units = root
-        .is_table("units")
-        .then(|| root.table("units"))
-        .flatten();
+    let has_table = root.is_table(&schema::UNITS_KEY);
+    let units = has_table.then(|| root.table(&schema::UNITS_KEY)).flatten();
     // A value that is not a text was reported when the units were read.
     let declared = units.filter(|units| units.is_text("length"));
     declared
         .and_then(|units| units.text("length"))
         .unwrap_or_else(|| "m".to_owned())
-}
-
-/// Whether nodes may be doubled along the border of two regions. An unknown word has been
-/// reported; then slits are assumed to be intended.
-fn doubled_nodes(root: &Table<'_>) -> DoubledNodes {
-    match root.word("doubled_nodes", &["error", "allow"]) {
-        Some(0) => DoubledNodes::Error,
-        None if !root.has("doubled_nodes") => DoubledNodes::Error,
-        _ => DoubledNodes::Allow,
-    }
-}
-
-/// Largest number of end effects.
-pub(crate) const MOST_END_EFFECTS: usize = 20;
-
-/// Number of end effects to find.
-fn end_effects(root: &Table<'_>) -> Option<usize> {
-    if !root.has("end_effects") {
-        return None;
-    }
-    let count = root.count("end_effects")?;
-    if count > MOST_END_EFFECTS {
-        let expected = format!("a whole number from 1 to {MOST_END_EFFECTS}");
-        root.wrong("end_effects", &expected);
-    }
-    Some(count)
 }
 
 fn text_of(written: &Option<Written>) -> String {

@@ -1,13 +1,12 @@
 //! The requested equilibria under loads and critical loads.
 
 use nalgebra::Vector3;
+use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{Boolean, Count, NotNegative, Quantity};
-use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::loads::LoadProblem;
-use super::problem::InputProblem;
 use super::rotor_speed::RPM;
 use super::speeds;
 use super::transient;
@@ -40,7 +39,7 @@ keys! {
 
 keys! {
     /// Rotor speed.
-    SPEED: ByHand = "speed", [NotNegative(Dimension::ROTATION_SPEED)], or "0", "300";
+    SPEED: f64 = "speed", [NotNegative(Dimension::ROTATION_SPEED)], or "0" = 0.0, "300";
 }
 
 /// Default of the largest number of steps along a path.
@@ -86,7 +85,7 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticSettings>> {
         return Some(None);
     }
     let table = root.table("static")?;
-    let speed = speed(&table);
+    let speed = table.get(&SPEED);
     let (to, steps) = (table.get(&TO), table.get(&STEPS));
     let (arc_length, most_steps) = (table.get(&ARC_LENGTH), table.get(&MOST));
     table.finish();
@@ -107,26 +106,13 @@ fn buckling(root: &Table<'_>) -> Option<Option<BucklingSettings>> {
         return Some(None);
     }
     let table = root.table("buckling")?;
-    let speed = speed(&table);
+    let speed = table.get(&SPEED);
     let count = table.get(&COUNT);
     table.finish();
     Some(Some(BucklingSettings {
         speed: speed?,
         count: count?,
     }))
-}
-
-fn speed(table: &Table<'_>) -> Option<f64> {
-    if !table.has("speed") {
-        return Some(0.0);
-    }
-    let speed = table.quantity("speed", Dimension::ROTATION_SPEED)?;
-    if speed < 0.0 {
-        let (key, rpm) = ("speed", speed / RPM);
-        table.note(key, &InputProblem::NegativeSpeed { key, rpm });
-        return None;
-    }
-    Some(speed)
 }
 
 impl Analyses {

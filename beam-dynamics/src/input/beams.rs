@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::schema::ValueKind::{Rows, Table as OneTable, Tables, Text, Texts};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{ByHand, Key, Table};
 use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
@@ -13,6 +13,7 @@ use super::beam_properties::BeamProperties;
 use super::beam_section::Properties;
 use super::builder::ModelBuilder;
 use super::curved_fit;
+use super::ends;
 use super::formulation;
 use super::heat;
 use super::laws::{self, LawProblem};
@@ -23,19 +24,19 @@ keys! {
     /// A beam of three nodes.
     pub(super) CARD = "[[beam]]";
     /// Its name, for messages and output.
-    NAME: ByHand = "name", [Text], or "`beam` and its number", "\"arm\"";
+    NAME: Option<String> = "name", [Text], or "`beam` and its number", "\"arm\"";
     /// The names of three nodes along the beam, the middle one within 5 % of the middle.
-    NODES: ByHand = "nodes", [Texts], required, "[\"root\", \"mid\", \"tip\"]";
+    NODES: Vec<String> = "nodes", [Texts] as "the names of three nodes", required, "[\"root\", \"mid\", \"tip\"]";
     /// The name of properties; needed unless the beam has a `law`.
-    PROPERTIES: ByHand = "properties", [Text], optional, "\"strip\"";
+    PROPERTIES: Option<String> = "properties", [Text], optional, "\"strip\"";
     /// Law of the section in place of stiffness and damping of the properties, which then give
     /// only the mass.
     LAW: ByHand = "law", [OneTable(&laws::SECTION), Tables(&laws::SECTION)], optional, "";
     /// Offsets of the beam from its three nodes, in the axes of the nodes.
-    OFFSETS: ByHand = "offsets", [Rows(3, 3)], or "zero", "[[0, 0, 0], [0, 0.1, 0], [0, 0.1, 0]]";
+    OFFSETS: [[f64; 3]; 3] = "offsets", [Rows(3, 3)], or "zero" = [[0.0; 3]; 3], "[[0, 0, 0], [0, 0.1, 0], [0, 0.1, 0]]";
     /// Rotation vectors from the axes of the three nodes to the axes of the section, x along the
     /// beam.
-    SECTION_AXES: ByHand = "section_axes", [Rows(3, 3)], or "zero",
+    SECTION_AXES: [[f64; 3]; 3] = "section_axes", [Rows(3, 3)], or "zero" = [[0.0; 3]; 3],
         "[[0, 0, 90], [0, 0, 90], [0, 0, 90]]";
     with formulation::FORMULATION.schema, formulation::INTERPOLATION.schema,
         formulation::INERTIA.schema, heat::HEAT[0], heat::HEAT[1];
@@ -44,15 +45,13 @@ keys! {
 /// Adds every `[[beam]]` to the model.
 pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("beam").iter().enumerate() {
-        let label = table
-            .text("name")
-            .unwrap_or_else(|| format!("beam {}", number + 1));
+        let label = ends::label(table, &NAME, "beam", number);
         let is_new = builder.take_label("beam", &label, table);
         let beam = beam(table, builder, label);
         table.finish();
         let sound = |beam: &Beam| {
             let words = format!("beam \"{}\"", beam.label);
-            BeamCheck::new(&words, beam, builder.nodes()).note_on(table, "nodes")
+            BeamCheck::new(&words, beam, builder.nodes()).note_on(table, NODES.name())
         };
         let beam = beam.filter(sound);
         match beam.filter(|beam| curved_fit::suits_beam(beam, table, builder)) {
@@ -84,11 +83,11 @@ fn properties(
     builder: &mut ModelBuilder,
     words: &str,
 ) -> Option<BeamProperties> {
-    let properties = match table.has("properties") {
-        true => Some(builder.find_properties(table, words)),
+    let properties = match table.has(&PROPERTIES) {
+        true => Some(builder.find_properties(table, &PROPERTIES, words)),
         false => None,
     };
-    if table.has("law") {
+    if table.has(&LAW) {
         let is_named = properties.is_some();
         let known = properties.flatten();
         if known
@@ -98,7 +97,7 @@ fn properties(
             let problem = LawProblem::LawAndPrestress {
                 beam: words.to_owned(),
             };
-            table.note("law", &problem);
+            table.note(&LAW, &problem);
             return None;
         }
         let law = laws::of_section(table, builder.drives(), words, known.as_ref())?;
@@ -114,34 +113,25 @@ fn properties(
         return (!is_named).then(|| BeamProperties::of_law(law, None));
     }
     if properties.is_none() {
-        let _ = table.require_text("properties", "the name of properties");
+        let _ = table.require_item(&PROPERTIES, "the name of properties");
     }
     let heated = heat::read(table, properties?, builder.drives(), words)?;
     Some(BeamProperties::constant(&heated))
 }
 
 fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, words: &str) -> Option<[usize; 3]> {
-    if !table.has("nodes") {
-        let _ = table.require_text("nodes", "the names of three nodes");
-    }
-    let Some(names) = table.texts("nodes") else {
+    let Some(names) = table.get(&NODES) else {
         builder.note_loose_end();
         return None;
     };
     let found: Vec<_> = names
         .iter()
-        .map(|name| builder.find_node(name, table, "nodes", words))
+        .map(|name| builder.find_node(name, table, NODES.name(), words))
         .collect();
     let [first, middle, last] = found[..] else {
-        let (key, found, expected) = ("nodes", names.len(), "three: first, middle and last");
-        table.note(
-            "nodes",
-            &InputProblem::Count {
-                key,
-                found,
-                expected,
-            },
-        );
+        let expected = "three: first, middle and last";
+        let problem = ends::count(NODES.name(), names.len(), expected);
+        table.note(&NODES, &problem);
         builder.note_loose_end();
         return None;
     };
@@ -149,13 +139,8 @@ fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, words: &str) -> Option<[
     let twice = (1..3).find(|&k| nodes[..k].contains(&nodes[k]));
     if let Some(k) = twice {
         let node = builder.nodes()[nodes[k]].label.clone();
-        table.note(
-            "nodes",
-            &InputProblem::NodeTwice {
-                beam: words.to_owned(),
-                node,
-            },
-        );
+        let beam = words.to_owned();
+        table.note(&NODES, &InputProblem::NodeTwice { beam, node });
         builder.note_loose_end();
         return None;
     }
@@ -164,8 +149,8 @@ fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, words: &str) -> Option<[
 
 /// Offsets and section axes, both in the axes of the nodes.
 fn geometry(table: &Table<'_>) -> Option<BeamGeometry> {
-    let offsets = vectors(table, "offsets", Dimension::LENGTH);
-    let turns = vectors(table, "section_axes", Dimension::ANGLE);
+    let offsets = vectors(table, &OFFSETS, Dimension::LENGTH);
+    let turns = vectors(table, &SECTION_AXES, Dimension::ANGLE);
     let (offsets, turns) = (offsets?, turns?);
     Some(BeamGeometry::new(std::array::from_fn(|k| BeamNode {
         offset: offsets[k],
@@ -177,13 +162,12 @@ fn geometry(table: &Table<'_>) -> Option<BeamGeometry> {
 }
 
 /// One vector for each node, in SI units; zeros when absent.
-fn vectors(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<[Vector3<f64>; 3]> {
-    if !table.has(key) {
-        return Some([Vector3::zeros(); 3]);
-    }
+fn vectors(
+    table: &Table<'_>,
+    key: &Key<[[f64; 3]; 3]>,
+    dimension: Dimension,
+) -> Option<[Vector3<f64>; 3]> {
     let factor = table.document().factor(dimension);
-    let rows = table.rows(key, 3, 3)?;
-    Some(std::array::from_fn(|k| {
-        Vector3::from_column_slice(&rows[k]) * factor
-    }))
+    let rows = table.get(key)?;
+    Some(rows.map(|row| Vector3::from(row) * factor))
 }

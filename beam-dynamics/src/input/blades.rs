@@ -70,7 +70,7 @@ pub(super) const CARD: TableSchema = TableSchema {
 
 keys! {
     /// Whether the root is clamped to the frame, or to the hub if it has a support.
-    CLAMP_ROOT: ByHand = "clamp_root", [Boolean], or "true without `hinges`", "false";
+    CLAMP_ROOT: Option<bool> = "clamp_root", [Boolean], or "true without `hinges`", "false";
     /// Hinges between hub and root, from the hub outward.
     HINGES: ByHand = "hinges", [Tables(&hinges::CARD)], optional, "";
     /// Point masses on every blade of the card.
@@ -190,20 +190,19 @@ fn lay(
 }
 
 fn root(table: &Table<'_>, name: &str, builder: &ModelBuilder) -> Option<Root> {
-    let hinges = match table.has("hinges") {
+    let hinges = match table.has(&HINGES) {
         true => Some(hinges::read(table, builder.drives())?),
         false => None,
     };
-    if !table.has("clamp_root") {
+    let Some(clamped) = table.get(&CLAMP_ROOT)? else {
         return Some(match hinges {
             Some(hinges) if !hinges.is_empty() => Root::Hinged(hinges),
             _ => Root::Clamped,
         });
-    }
-    let clamped = table.boolean("clamp_root")?;
+    };
     if hinges.is_some_and(|hinges| !hinges.is_empty()) {
         let blade = name.to_owned();
-        table.note("clamp_root", &BladeProblem::HingesAndClamp { blade });
+        table.note(&CLAMP_ROOT, &BladeProblem::HingesAndClamp { blade });
         return None;
     }
     Some(match clamped {
@@ -228,7 +227,7 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
         builder.add_body(label, nodes[*node], *inertia);
     }
     match &card.root {
-        Root::Clamped => builder.hold_root(nodes[0], table, "clamp_root"),
+        Root::Clamped => builder.hold_root(nodes[0], table, CLAMP_ROOT.name()),
         Root::Free => {}
         Root::Hinged(hinges) => match hinges::offsets(table, hinges, mount.radius) {
             Some(offsets) => hinges::add((hinges, &offsets), mount, nodes[0], table, builder),

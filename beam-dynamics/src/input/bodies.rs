@@ -1,12 +1,13 @@
 //! Bodies: concentrated masses.
 
 use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{Positive, Text, Vector};
-use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::builder::ModelBuilder;
+use super::ends::label;
 use super::moments::{INERTIA, moments};
 use crate::elements::bodies::RigidInertia;
 
@@ -14,7 +15,7 @@ keys! {
     /// A concentrated mass on a node.
     pub(super) CARD = "[[body]]";
     /// Its name, for messages.
-    NAME: ByHand = "name", [Text], or "`body` and its number", "\"counterweight\"";
+    NAME: Option<String> = "name", [Text], or "`body` and its number", "\"counterweight\"";
     /// The name of a node.
     NODE: String = "node", [Text], required, "\"tip\"";
     with MASS.schema, OFFSET.schema, INERTIA.schema;
@@ -32,13 +33,11 @@ keys! {
 /// Adds every `[[body]]` to the model.
 pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("body").iter().enumerate() {
-        let label = table
-            .text("name")
-            .unwrap_or_else(|| format!("body {}", number + 1));
+        let label = label(table, &NAME, "body", number);
         let is_new = builder.take_label("body", &label, table);
         let words = format!("body \"{label}\"");
         let name = table.get(&NODE);
-        let node = name.and_then(|name| builder.find_node(&name, table, "node", &words));
+        let node = name.and_then(|name| builder.find_node(&name, table, NODE.name(), &words));
         let lump = lump(table, &label);
         table.finish();
         match (node, lump) {

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::{Key, Table};
 use shared_geom::error::nearest_name;
 
 use super::beam_card::Beam;
@@ -35,6 +35,7 @@ mod remarks;
 mod watch;
 
 pub(super) use electrodes::{ElectrodeCard, names as electrode_names};
+pub(super) use lookup::LookUp;
 
 /// The node with a name.
 #[derive(Debug, Clone, Copy)]
@@ -262,10 +263,14 @@ impl ModelBuilder {
     }
 
     /// The properties named under `properties` of a card described by `user`.
-    pub fn find_properties(&mut self, table: &Table<'_>, user: &str) -> Option<Properties> {
-        let found = self
-            .properties
-            .find(&table.text("properties")?, table, user);
+    pub fn find_properties(
+        &mut self,
+        table: &Table<'_>,
+        key: &Key<Option<String>>,
+        user: &str,
+    ) -> Option<Properties> {
+        let name = table.get(key)??;
+        let found = self.properties.find(&name, (table, key.name()), user);
         self.broken |= found.is_none();
         found
     }

@@ -1,7 +1,8 @@
 //! `[output]`: output of a run in time, and the columns of its tables.
 
+use shared_geom::document::schema::KeySchema;
 use shared_geom::document::schema::ValueKind::{Boolean, Count, Positive, Tables};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{ByHand, Declared, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -23,7 +24,8 @@ keys! {
     pub(super) CARD = "[output]";
     /// Interval of the rows: a number of steps, or a time with its unit. The last state is always
     /// written.
-    EVERY: ByHand = "every", [Count(usize::MAX), Positive(Dimension::TIME)], or "1", "10";
+    EVERY: Every = "every", [Count(usize::MAX), Positive(Dimension::TIME)]
+        as "a time above zero, or a number of steps", or "1" = Every::Steps(1), "10";
     /// Whether to write the CSV table.
     CSV: bool = "csv", [Boolean], or "true" = true, "false";
     /// Whether to write the NetCDF table.
@@ -31,7 +33,8 @@ keys! {
     /// A field file every this number of rows.
     VTU: Option<usize> = "vtu", [Count(usize::MAX)], optional, "5";
     /// Interval of the saved states: a number of steps, or a time with its unit.
-    RESTART_EVERY: ByHand = "restart_every", [Count(usize::MAX), Positive(Dimension::TIME)],
+    RESTART_EVERY: Option<Every> = "restart_every", [Count(usize::MAX), Positive(Dimension::TIME)]
+        as "a time above zero, or a number of steps",
         or "only the last state", "\"0.5 s\"";
     /// Columns of the tables.
     COLUMN: ByHand = "column", [Tables(&column::CARD)],
@@ -85,15 +88,7 @@ pub(super) fn check(root: &Table<'_>, output: &OutputSettings, run: Option<&Tran
 }
 
 fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
-    let default = OutputSettings::default();
-    let rows = match table.has("every") {
-        true => every(table, "every"),
-        false => Some(default.every),
-    };
-    let restart = match table.has("restart_every") {
-        true => every(table, "restart_every").map(Some),
-        false => Some(None),
-    };
+    let (rows, restart) = (table.get(&EVERY), table.get(&RESTART_EVERY));
     let (csv, netcdf, vtu) = (table.get(&CSV), table.get(&NETCDF), table.get(&VTU));
     let columns = column::read(table, builder);
     table.finish();
@@ -107,15 +102,19 @@ fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
     })
 }
 
+impl Declared for Every {}
+
 /// Steps as a whole number, or a time with its unit.
-fn every(table: &Table<'_>, key: &str) -> Option<Every> {
-    if !table.is_text(key) {
-        return table.count(key).map(Every::Steps);
+impl Value for Every {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        if !table.is_text(key) {
+            return table.count(key.name).map(Self::Steps);
+        }
+        let time = table.quantity(key.name, Dimension::TIME)?;
+        if time > 0.0 {
+            return Some(Self::Time(time));
+        }
+        table.wrong(key, &key.expected());
+        None
     }
-    let time = table.quantity(key, Dimension::TIME)?;
-    if time > 0.0 {
-        return Some(Every::Time(time));
-    }
-    table.wrong(key, "a time above zero, or a number of steps");
-    None
 }

@@ -34,7 +34,7 @@ keys! {
     /// `time` w / 2.
     TIME: f64 = "time", [NotNegative(Dimension::TIME)], required, "1e-3";
     /// Symmetric matrix of six rows, in the units of the file.
-    MATRIX: ByHand = "matrix", [Rows(6, 6)], required,
+    MATRIX: [[f64; 6]; 6] = "matrix", [Rows(6, 6)], required,
         "[[9, 0, 0, 0, 0, 0], [0, 9, 0, 0, 0, 0], [0, 0, 9, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]";
     /// Internal damping; of a file it replaces the damping in the file.
     pub(super) KEY: ByHand = "damping", [OneTable(&DAMPING)], optional, "";
@@ -43,17 +43,15 @@ keys! {
 /// The damping of a table of properties: `None` if it is wrong, `Some(None)` if there is
 /// none.
 pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
-    const KEYS: [&str; 2] = ["time", "matrix"];
-    if !table.has("damping") {
+    if !table.has(&KEY) {
         return Some(None);
     }
-    let inner = table.table("damping")?;
-    let given = KEYS.map(|key| inner.has(key));
-    let damping = match given {
+    let inner = table.table(&KEY)?;
+    let damping = match [inner.has(&TIME), inner.has(&MATRIX)] {
         [true, false] => inner.get(&TIME).map(Damping::StiffnessProportional),
         [false, true] => matrix(&inner).map(Damping::Viscous),
         _ => {
-            table.note("damping", &InputProblem::OneDamping);
+            table.note(&KEY, &InputProblem::OneDamping);
             None
         }
     };
@@ -64,7 +62,7 @@ pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
 /// The 6x6 matrix in SI units: N s for forces and shears, N m^2 s for moments and
 /// curvatures, N m s between them.
 fn matrix(table: &Table<'_>) -> Option<Matrix6<f64>> {
-    let rows = table.rows("matrix", 6, 6)?;
+    let rows = table.get(&MATRIX)?;
     let factors = [
         Dimension::FORCE_TIME,
         Dimension::TURNING_DAMPER,

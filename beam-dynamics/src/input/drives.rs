@@ -7,6 +7,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use shared_geom::document::schema::KeySchema;
 use shared_geom::document::{Document, Item, Table};
 use shared_geom::expression::{Names, written};
 use shared_geom::units::Dimension;
@@ -76,16 +77,11 @@ pub(super) struct Catalog {
     readable: Readable,
 }
 
-/// Reads the drive under `key` of a card, in SI units of `dimension`: a number or a
+/// Reads the drive under a declared key of a card, in SI units: a number or a
 /// quantity, an expression of time `"= ..."`, the name of a `[drives.NAME]`, or a table.
 /// `None` if it is absent or wrong; problems have been noted.
-pub(super) fn read(
-    table: &Table<'_>,
-    key: &str,
-    dimension: Dimension,
-    catalog: &Catalog,
-) -> Option<Drive> {
-    read_value(&table.item(key)?, dimension, catalog)
+pub(super) fn read(table: &Table<'_>, key: &KeySchema, catalog: &Catalog) -> Option<Drive> {
+    read_value(&table.item(key)?, key.dimension(), catalog)
 }
 
 /// Like [`read`], for a value in any position.
@@ -225,7 +221,7 @@ impl Reader<'_, '_> {
         }
         let table = &self.tables.iter().find(|own| own.0 == name)?.1;
         self.open.borrow_mut().push(name.to_owned());
-        let measure = Measure::of_table(table);
+        let measure = table.get(&keys::UNIT);
         let drive = measure.and_then(|measure| {
             let find = |other: &str| self.other(other, table);
             let drive = kinds::read(table, measure, &find)?;

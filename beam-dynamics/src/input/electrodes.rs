@@ -16,6 +16,7 @@ use shared_geom::units::Dimension;
 
 use super::builder::{ElectrodeCard, ModelBuilder, electrode_names};
 use super::drives;
+use super::ends::label;
 use super::loads::{BEAMS, BLADE, beams};
 use crate::elements::circuits::Circuit;
 use crate::model::Drive;
@@ -43,9 +44,9 @@ pub(super) const CARD: TableSchema = TableSchema {
 
 keys! {
     /// The name of the electrode, used by columns and reports.
-    NAME: ByHand = "name", [Text], or "`electrode` and its number", "\"afc\"";
+    NAME: Option<String> = "name", [Text], or "`electrode` and its number", "\"afc\"";
     /// Its name in the property file.
-    ELECTRODE: ByHand = "electrode", [Text], or "`name`", "\"sensor\"";
+    ELECTRODE: Option<String> = "electrode", [Text], or "`name`", "\"sensor\"";
     /// Held charge; zero is the charge of the undeformed beams without voltage.
     CHARGE: f64 = "charge", [Quantity(Dimension::CHARGE)], required, "0";
     /// Voltage of the source relative to ground.
@@ -59,7 +60,7 @@ keys! {
 }
 
 /// Keys of a circuit without a prescribed charge.
-const OF_SOURCE: [&str; 3] = ["voltage", "resistance", "inductance"];
+const OF_SOURCE: [&str; 3] = [VOLTAGE.name(), RESISTANCE.name(), INDUCTANCE.name()];
 
 /// A problem of an electrode.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -199,8 +200,7 @@ impl Explain for ElectrodeProblem {
 pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     let tables = root.tables("electrode");
     for (number, table) in tables.iter().enumerate() {
-        let label = table.text("name");
-        let label = label.unwrap_or_else(|| format!("electrode {}", number + 1));
+        let label = label(table, &NAME, "electrode", number);
         let is_new = builder.take_label("electrode", &label, table);
         let card = card(table, builder, label);
         table.finish();
@@ -214,10 +214,8 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
 
 fn card(table: &Table<'_>, builder: &ModelBuilder, label: String) -> Option<ElectrodeCard> {
     // The name in the property file; by default the name of the card.
-    let name = match table.has("electrode") {
-        true => table.text("electrode"),
-        false => Some(label.clone()),
-    };
+    let name = table.get(&ELECTRODE);
+    let name = name.map(|name| name.unwrap_or_else(|| label.clone()));
     let circuit = circuit(table, builder, &label);
     let beams = beams(table, builder, &label)?;
     let on = on(table, builder, (&name?, &label), &beams)?;
@@ -225,7 +223,7 @@ fn card(table: &Table<'_>, builder: &ModelBuilder, label: String) -> Option<Elec
         label,
         on,
         circuit: circuit?,
-        line: table.line_of("name"),
+        line: table.line_of(&NAME),
     })
 }
 
@@ -240,7 +238,7 @@ fn on(
     let column = |beam: usize| names(beam).iter().position(|own| own == name);
     let found = beams.iter().map(|&beam| (beam, column(beam)));
     let (mut on, mut is_sound) = (Vec::new(), true);
-    let of_blade = table.has("blade");
+    let of_blade = table.has(&BLADE);
     for (beam, column) in found {
         match column {
             Some(column) => on.push((beam, column)),
@@ -259,7 +257,7 @@ fn on(
                         known: known.to_vec(),
                     },
                 };
-                table.note("beams", &problem);
+                table.note(&BEAMS, &problem);
                 is_sound = false;
             }
         }
@@ -272,13 +270,13 @@ fn on(
             .collect();
         known.sort();
         known.dedup();
-        let (electrode, blade) = (name.to_owned(), table.text("blade")?);
+        let (electrode, blade) = (name.to_owned(), table.get(&BLADE)??);
         let problem = ElectrodeProblem::NotOnBlade {
             electrode,
             blade,
             known,
         };
-        table.note("blade", &problem);
+        table.note(&BLADE, &problem);
         return None;
     }
     (is_sound && is_first(table, builder, name, &on)).then_some(on)
@@ -300,14 +298,14 @@ fn is_first(table: &Table<'_>, builder: &ModelBuilder, name: &str, on: &[(usize,
         first: card.label.clone(),
         line: table.document().line_words(card.line),
     };
-    table.note("electrode", &problem);
+    table.note(&ELECTRODE, &problem);
     false
 }
 
 fn circuit(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Circuit> {
     let electrode = label.to_owned();
     let given = OF_SOURCE.map(|key| table.has(key));
-    if table.has("charge") {
+    if table.has(&CHARGE) {
         let charge = table.get(&CHARGE);
         if let Some(other) = given.iter().position(|given| *given) {
             let key = OF_SOURCE[other];
@@ -317,11 +315,11 @@ fn circuit(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Cir
         return charge.map(|charge| Circuit::Open { charge });
     }
     if given == [false; 3] {
-        table.note("name", &ElectrodeProblem::NoCircuit { electrode });
+        table.note(&NAME, &ElectrodeProblem::NoCircuit { electrode });
         return None;
     }
     let source = match given[0] {
-        true => drives::read_signal(table, "voltage", Dimension::VOLTAGE, builder.drives()),
+        true => drives::read_signal(table, &VOLTAGE.schema, builder.drives()),
         false => Some(Drive::Constant(0.0).into()),
     };
     let (resistance, inductance) = (table.get(&RESISTANCE), table.get(&INDUCTANCE));
@@ -351,7 +349,7 @@ fn check_capacitances(tables: &[Table<'_>], builder: &mut ModelBuilder) {
     }
     let table = |card: &ElectrodeCard| {
         let mut tables = tables.iter();
-        tables.find(|table| table.line_of("name") == card.line)
+        tables.find(|table| table.line_of(&NAME) == card.line)
     };
     let mut is_sound = true;
     for card in &free {
@@ -362,7 +360,7 @@ fn check_capacitances(tables: &[Table<'_>], builder: &mut ModelBuilder) {
         is_sound = false;
         let electrode = card.label.clone();
         if let Some(table) = table(card) {
-            table.note("name", &ElectrodeProblem::Capacitance { electrode, found });
+            table.note(&NAME, &ElectrodeProblem::Capacitance { electrode, found });
         }
     }
     let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| {
@@ -373,7 +371,7 @@ fn check_capacitances(tables: &[Table<'_>], builder: &mut ModelBuilder) {
         let names = free.iter().map(|card| format!("\"{}\"", card.label));
         let electrodes = names.collect::<Vec<_>>().join(", ");
         if let Some(table) = free.first().and_then(|card| table(card)) {
-            table.note("name", &ElectrodeProblem::Indefinite { electrodes });
+            table.note(&NAME, &ElectrodeProblem::Indefinite { electrodes });
         }
         is_sound = false;
     }

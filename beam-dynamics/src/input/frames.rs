@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::{ByHand, Document, Table};
+use shared_geom::document::{Document, Table};
 use shared_geom::error::{Explain, nearest_name};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
@@ -29,20 +29,21 @@ keys! {
     ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
         or "[0, 0, 0]" = Vector3::zeros(), "[0, -5, 0]";
     /// Rotation about an axis, in place of `orientation`.
-    TURN: ByHand = "turn", [Quantity(Dimension::ANGLE)], optional, "30";
+    TURN: Option<f64> = "turn", [Quantity(Dimension::ANGLE)], optional, "30";
     with AXIS.schema, CENTER.schema, IN.schema;
 }
 
 keys! {
     /// The name of the frame in which the card is written.
-    pub(super) IN: ByHand = "in", [Text], or "the frame of the model", "\"rotor\"";
+    pub(super) IN: Option<String> = "in", [Text], or "the frame of the model", "\"rotor\"";
     /// Axis of the rotation, of any length.
-    pub(super) AXIS: ByHand = "axis", [Vector(3, Dimension::NUMBER)], or "[0, 0, 1]", "[1, 0, 0]";
+    pub(super) AXIS: Vector3<f64> = "axis", [Vector(3, Dimension::NUMBER)],
+        or "[0, 0, 1]" = Vector3::z(), "[1, 0, 0]";
     /// A point on the axis.
     pub(super) CENTER: Vector3<f64> = "center", [Vector(3, Dimension::LENGTH)],
         or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 80]";
     /// The name of the copies' frames.
-    pub(super) REPEAT_NAME: ByHand = "name", [Text], or "`repeat` and its number", "\"arm\"";
+    pub(super) REPEAT_NAME: Option<String> = "name", [Text], or "`repeat` and its number", "\"arm\"";
     /// Number of copies, evenly spaced over a turn.
     pub(super) COPIES: usize = "count", [Count(usize::MAX)], required, "3";
 }
@@ -146,13 +147,12 @@ pub(super) struct Frames(BTreeMap<String, Option<Frame>>);
 impl Frames {
     /// The frame of a card: the frame under `in`, else the model's. `None` if it is wrong.
     pub fn of(&self, table: &Table<'_>) -> Option<Frame> {
-        if !table.has("in") {
+        let Some(name) = table.get(&IN)? else {
             return Some(Frame::default());
-        }
-        let name = table.text("in")?;
+        };
         let Some(found) = self.0.get(&name) else {
             let known = self.0.keys().cloned().collect();
-            table.note("in", &FrameProblem::Unknown { name, known });
+            table.note(&IN, &FrameProblem::Unknown { name, known });
             return None;
         };
         *found
@@ -179,8 +179,8 @@ pub(super) fn repeat(document: &mut Document) -> bool {
 /// Reads every `[[frame]]`, and the remaining keys of each `[[repeat]]`.
 pub(super) fn read(root: &Table<'_>) -> Frames {
     for table in root.tables("repeat") {
-        let _ = table.has("in");
-        let _ = table.text("name");
+        let _ = table.has(&IN);
+        let _ = table.get(&REPEAT_NAME);
         let _ = table.get(&COPIES);
         let _ = axis(&table);
         let _ = table.get(&CENTER);
@@ -207,8 +207,8 @@ fn named<'a, 'd>(tables: &'a [Table<'d>]) -> BTreeMap<String, &'a Table<'d>> {
         };
         if let Some(first) = named.get(&name) {
             let kind = "frame";
-            let line = table.document().line_words(first.line_of("name"));
-            table.note("name", &InputProblem::DoubledName { kind, name, line });
+            let line = table.document().line_words(first.line_of(&NAME));
+            table.note(&NAME, &InputProblem::DoubledName { kind, name, line });
             continue;
         }
         named.insert(name, table);
@@ -242,19 +242,18 @@ impl Reader<'_, '_> {
 
     /// The frame that contains a frame.
     fn outer(&self, table: &Table<'_>) -> Option<Frame> {
-        if !table.has("in") {
+        let Some(name) = table.get(&IN)? else {
             return Some(Frame::default());
-        }
-        let name = table.text("in")?;
+        };
         let open = self.open.borrow().clone();
         if let Some(first) = open.iter().position(|own| *own == name) {
             let chain = open[first..].iter().cloned().chain([name]).collect();
-            table.note("in", &FrameProblem::Cycle { chain });
+            table.note(&IN, &FrameProblem::Cycle { chain });
             return None;
         }
         if !self.tables.contains_key(&name) {
             let known = self.tables.keys().cloned().collect();
-            table.note("in", &FrameProblem::Unknown { name, known });
+            table.note(&IN, &FrameProblem::Unknown { name, known });
             return None;
         }
         self.find(&name)
@@ -265,19 +264,18 @@ impl Reader<'_, '_> {
 /// or turned by `turn` about an `axis` through a `center`.
 fn frame(table: &Table<'_>) -> Option<Frame> {
     let (position, orientation) = (table.get(&POSITION), table.get(&ORIENTATION));
-    if !table.has("turn") {
+    if !table.has(&TURN) {
         return Some(Frame {
             position: position?,
             rotation: vector::to_rotation(&orientation?),
         });
     }
-    if table.has("orientation") {
-        table.note("turn", &FrameProblem::TwoTurns);
+    if table.has(&ORIENTATION) {
+        table.note(&TURN, &FrameProblem::TwoTurns);
         return None;
     }
-    let turn = table.quantity("turn", Dimension::ANGLE);
-    let (axis, center) = (axis(table), table.get(&CENTER));
-    let (turn, center) = (turn?, center?);
+    let (turn, axis, center) = (table.get(&TURN), axis(table), table.get(&CENTER));
+    let (turn, center) = (turn??, center?);
     let rotation = match turn == 0.0 {
         true => Matrix3::identity(),
         false => vector::to_rotation(&(turn * axis?)),
@@ -289,13 +287,9 @@ fn frame(table: &Table<'_>) -> Option<Frame> {
 
 /// The axis of the turn, of unit length: z by default.
 fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
-    if !table.has("axis") {
-        return Some(Vector3::z());
-    }
-    let axis = table.vector("axis", Dimension::NUMBER)?;
-    let unit = axis.try_normalize(0.0);
+    let unit = table.get(&AXIS)?.try_normalize(0.0);
     if unit.is_none() {
-        table.note("axis", &InputProblem::NoAxis);
+        table.note(&AXIS, &InputProblem::NoAxis);
     }
     unit
 }

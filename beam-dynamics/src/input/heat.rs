@@ -34,7 +34,7 @@ keys! {
 pub(super) const HEAT: [KeySchema; 2] = [TEMPERATURE_RISE.schema, IMPOSED.schema];
 
 /// The keys, as cards have them.
-const KEYS: [&str; 2] = ["temperature", "imposed"];
+const KEYS: [&str; 2] = [TEMPERATURE_RISE.name(), IMPOSED.name()];
 
 /// Number of cards that are named.
 const MOST_CARDS: usize = 3;
@@ -198,8 +198,8 @@ pub(super) fn read(
 
 fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Option<Vec<Acting>> {
     let mut found = Vec::new();
-    if table.has("temperature") {
-        let signal = drives::read_signal(table, "temperature", Dimension::TEMPERATURE, drives);
+    if table.has(&TEMPERATURE_RISE) {
+        let signal = drives::read_signal(table, &TEMPERATURE_RISE.schema, drives);
         match heat.thermal_force {
             Some(vector) => found.push(signal.map(|signal| Acting {
                 card: user.to_owned(),
@@ -209,13 +209,13 @@ fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Optio
             })),
             None => {
                 let user = user.to_owned();
-                table.note("temperature", &HeatProblem::NoThermalForce { user });
+                table.note(&TEMPERATURE_RISE, &HeatProblem::NoThermalForce { user });
                 found.push(None);
             }
         }
     }
-    if table.has("imposed") {
-        match table.table("imposed") {
+    if table.has(&IMPOSED) {
+        match table.table(&IMPOSED) {
             Some(inner) => found.extend(states(&inner, heat, drives, user)),
             None => found.push(None),
         }
@@ -228,7 +228,8 @@ fn acting(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Optio
 fn states(table: &Table<'_>, heat: &Heat, drives: &Catalog, user: &str) -> Vec<Option<Acting>> {
     let names = table.keys();
     let state = |name: &String| {
-        let signal = drives::read_signal(table, name, Dimension::NUMBER, drives);
+        let item = table.item(name)?;
+        let signal = drives::signal_of(&item, IMPOSED.schema.dimension(), drives);
         let known = heat.imposed.iter().find(|state| state.name == *name);
         let Some(state) = known else {
             let problem = HeatProblem::UnknownState {

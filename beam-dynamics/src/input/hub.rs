@@ -2,13 +2,12 @@
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::schema::ValueKind::{NotNegative, Table as OneTable, Vector};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{ByHand, Key, Table};
 use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::moments::{INERTIA, moments};
-use super::number::not_negative;
 use super::problem::InputProblem;
 use crate::case::FrameRotation;
 use crate::elements::bodies::RigidInertia;
@@ -17,9 +16,11 @@ keys! {
     /// Rotation of the model, and the support of the hub.
     pub(super) CARD = "[hub]";
     /// Axis of rotation, of any length.
-    AXIS: ByHand = "axis", [Vector(3, Dimension::NUMBER)], or "[0, 0, 1]", "[0, 0, -1]";
+    AXIS: Vector3<f64> = "axis", [Vector(3, Dimension::NUMBER)], or "[0, 0, 1]" = Vector3::z(),
+        "[0, 0, -1]";
     /// A point on the axis, the center of the hub.
-    CENTER: ByHand = "center", [Vector(3, Dimension::LENGTH)], or "[0, 0, 0]", "[0, 0, 80]";
+    CENTER: Vector3<f64> = "center", [Vector(3, Dimension::LENGTH)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 80]";
     /// Stiffnesses of the support; the hub is then the node `hub`. Directions that are not named
     /// are fixed.
     SUPPORT: ByHand = "support", [OneTable(&SUPPORT_TABLE)], optional, "";
@@ -34,32 +35,30 @@ keys! {
     /// Stiffness in each direction.
     SUPPORT_TABLE = "support = { ... }";
     /// Across the axis.
-    IN_PLANE: ByHand = "in_plane", [NotNegative(Dimension::SPRING_STIFFNESS)], or "fixed", "4e6";
+    IN_PLANE: Option<f64> = "in_plane", [NotNegative(Dimension::SPRING_STIFFNESS)], or "fixed", "4e6";
     /// Along the axis.
-    AXIAL: ByHand = "axial", [NotNegative(Dimension::SPRING_STIFFNESS)], or "fixed", "9e6";
+    AXIAL: Option<f64> = "axial", [NotNegative(Dimension::SPRING_STIFFNESS)], or "fixed", "9e6";
     /// About the diameters, moment per radian.
-    TILT: ByHand = "tilt", [NotNegative(Dimension::MOMENT)], or "fixed", "2e7";
+    TILT: Option<f64> = "tilt", [NotNegative(Dimension::MOMENT)], or "fixed", "2e7";
     /// About the axis, moment per radian.
-    TORSION: ByHand = "torsion", [NotNegative(Dimension::MOMENT)], or "fixed", "2e7";
+    TORSION: Option<f64> = "torsion", [NotNegative(Dimension::MOMENT)], or "fixed", "2e7";
 }
 
 keys! {
     /// Damping in each direction that the support has.
     DAMPING_TABLE = "support_damping = { ... }";
     /// Across the axis.
-    IN_PLANE_DAMPER: ByHand = "in_plane", [NotNegative(Dimension::DAMPER)], or "0", "3e4";
+    IN_PLANE_DAMPER: Option<f64> = "in_plane", [NotNegative(Dimension::DAMPER)], or "0", "3e4";
     /// Along the axis.
-    AXIAL_DAMPER: ByHand = "axial", [NotNegative(Dimension::DAMPER)], or "0", "3e4";
+    AXIAL_DAMPER: Option<f64> = "axial", [NotNegative(Dimension::DAMPER)], or "0", "3e4";
     /// About the diameters.
-    TILT_DAMPER: ByHand = "tilt", [NotNegative(Dimension::TURNING_DAMPER)], or "0", "1e4";
+    TILT_DAMPER: Option<f64> = "tilt", [NotNegative(Dimension::TURNING_DAMPER)], or "0", "1e4";
     /// About the axis.
-    TORSION_DAMPER: ByHand = "torsion", [NotNegative(Dimension::TURNING_DAMPER)], or "0", "1e4";
+    TORSION_DAMPER: Option<f64> = "torsion", [NotNegative(Dimension::TURNING_DAMPER)], or "0", "1e4";
 }
 
 /// Name of the node of a hub that moves.
 pub(super) const HUB: &str = "hub";
-/// Directions of a support: across the axis, along it, about the diameters, about it.
-const DIRECTIONS: [&str; 4] = ["in_plane", "axial", "tilt", "torsion"];
 /// Smallest sine of the angle between the axis and x for which the direction of azimuth
 /// zero is defined: a twentieth of a degree.
 const SMALLEST_SINE: f64 = 1e-3;
@@ -96,15 +95,8 @@ pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
         return Some(hub);
     }
     let table = root.table("hub")?;
-    let (mut axis, mut center) = (Some(hub.axis), Some(hub.center));
-    if table.has("axis") {
-        axis = table
-            .vector("axis", Dimension::NUMBER)
-            .and_then(|axis| unit(&table, axis));
-    }
-    if table.has("center") {
-        center = table.vector("center", Dimension::LENGTH);
-    }
+    let axis = table.get(&AXIS).and_then(|axis| unit(&table, axis));
+    let center = table.get(&CENTER);
     let moving = MovingHub::read(&table);
     table.finish();
     (hub.axis, hub.center, hub.moving) = (axis?, center?, moving?);
@@ -115,7 +107,7 @@ fn unit(table: &Table<'_>, axis: Vector3<f64>) -> Option<Vector3<f64>> {
     // Scaled first, so that very small and very large components keep their digits.
     let largest = axis.amax();
     if largest == 0.0 {
-        table.note("axis", &InputProblem::NoAxis);
+        table.note(&AXIS, &InputProblem::NoAxis);
         return None;
     }
     Some((axis / largest).normalize())
@@ -196,8 +188,8 @@ impl MovingHub {
     /// Reads the support in `[hub]`: `None` if it is wrong, `Some(None)` if the frame holds
     /// the hub.
     fn read(table: &Table<'_>) -> Option<Option<Self>> {
-        if !table.has("support") {
-            let useless = ["mass", "inertia", "support_damping"];
+        if !table.has(&SUPPORT) {
+            let useless = [MASS.name(), INERTIA.name(), SUPPORT_DAMPING.name()];
             let useless: Vec<_> = useless.into_iter().filter(|key| table.has(key)).collect();
             for key in &useless {
                 table.note(key, &InputProblem::HeldHub { key });
@@ -206,15 +198,20 @@ impl MovingHub {
         }
         let mass = table.get(&MASS);
         let moments = moments(table, HUB);
-        let stiffness = [Dimension::SPRING_STIFFNESS, Dimension::MOMENT];
-        let stiffness = directions(table, "support", stiffness);
-        let damping = [Dimension::DAMPER, Dimension::TURNING_DAMPER];
-        let damping = directions(table, "support_damping", damping);
+        let stiffness = [&IN_PLANE, &AXIAL, &TILT, &TORSION];
+        let stiffness = directions(table, &SUPPORT, stiffness);
+        let damping = [
+            &IN_PLANE_DAMPER,
+            &AXIAL_DAMPER,
+            &TILT_DAMPER,
+            &TORSION_DAMPER,
+        ];
+        let damping = directions(table, &SUPPORT_DAMPING, damping);
         let (stiffness, damping) = (stiffness?, damping?);
         let held = (0..4).find(|&i| damping[i].is_some() && stiffness[i].is_none());
         if let Some(i) = held {
-            let direction = DIRECTIONS[i];
-            table.note("support_damping", &InputProblem::DampedClamp { direction });
+            let direction = [&IN_PLANE, &AXIAL, &TILT, &TORSION][i].name();
+            table.note(&SUPPORT_DAMPING, &InputProblem::DampedClamp { direction });
             return None;
         }
         let central = Matrix3::from_diagonal(&moments?);
@@ -226,21 +223,20 @@ impl MovingHub {
     }
 }
 
-/// A number for each direction in the table under `key`.
-fn directions(table: &Table<'_>, key: &str, of: [Dimension; 2]) -> Option<[Option<f64>; 4]> {
+/// A number for each direction in the table under `key`: across the axis, along it, about the
+/// diameters, about it.
+fn directions(
+    table: &Table<'_>,
+    key: &Key<ByHand>,
+    of: [&Key<Option<f64>>; 4],
+) -> Option<[Option<f64>; 4]> {
     if !table.has(key) {
         return Some([None; 4]);
     }
     let table = table.table(key)?;
-    let read: Vec<_> = (0..4)
-        .map(|i| match table.has(DIRECTIONS[i]) {
-            true => not_negative(&table, DIRECTIONS[i], of[i / 2]).map(Some),
-            false => Some(None),
-        })
-        .collect();
+    let [a, b, c, d] = of.map(|key| table.get(key));
     table.finish();
-    let read: Option<Vec<_>> = read.into_iter().collect();
-    read?.try_into().ok()
+    Some([a?, b?, c?, d?])
 }
 
 #[cfg(test)]

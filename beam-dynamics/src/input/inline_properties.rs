@@ -1,16 +1,15 @@
 //! Properties given in the card, by stiffnesses and inertias about their centers.
 
 use nalgebra::{Vector2, Vector6};
+use shared_geom::document::Table;
 use shared_geom::document::schema::Family;
 use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Vector};
-use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::section::{Centers, Engineering, Provenance, SectionProperties};
 use shared_geom::units::Dimension;
 
 use super::beam_section::{Properties, usable};
 use super::damping;
-use super::problem::InputProblem;
 
 /// Properties given by numbers.
 pub(super) const NUMBERS: Family = Family {
@@ -53,17 +52,21 @@ keys! {
     /// Moment of inertia per length about z through the mass center; the polar one is the sum.
     IZ: f64 = "iz", [NotNegative(Dimension::INERTIA_PER_LENGTH)], required, "5.9e-6";
     /// Tension center, y and z from the reference point.
-    TENSION_CENTER: ByHand = "tension_center", [Vector(2, Dimension::LENGTH)], or "[0, 0]",
+    TENSION_CENTER: [f64; 2] = "tension_center", [Vector(2, Dimension::LENGTH)]
+        as "an array of 2, y and z, each a length", or "[0, 0]" = [0.0; 2],
         "[0.3, -0.1]";
     /// Shear center, y and z from the reference point.
-    SHEAR_CENTER: ByHand = "shear_center", [Vector(2, Dimension::LENGTH)], or "[0, 0]",
+    SHEAR_CENTER: [f64; 2] = "shear_center", [Vector(2, Dimension::LENGTH)]
+        as "an array of 2, y and z, each a length", or "[0, 0]" = [0.0; 2],
         "[-0.2, 0.05]";
     /// Mass center, y and z from the reference point.
-    MASS_CENTER: ByHand = "mass_center", [Vector(2, Dimension::LENGTH)], or "[0, 0]",
+    MASS_CENTER: [f64; 2] = "mass_center", [Vector(2, Dimension::LENGTH)]
+        as "an array of 2, y and z, each a length", or "[0, 0]" = [0.0; 2],
         "[0.1, 0.02]";
     /// Internal force of the restrained beam per declared unit of temperature, forces and moments
     /// in declared units.
-    THERMAL_FORCE: ByHand = "thermal_force", [Vector(6, Dimension::NUMBER)], optional,
+    THERMAL_FORCE: Option<[f64; 6]> = "thermal_force", [Vector(6, Dimension::NUMBER)]
+        as "an array of 6 numbers, forces and moments per declared unit of temperature", optional,
         "[-80, 0, 0, 0, 0.4, 0]";
 }
 
@@ -73,7 +76,7 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
     let stiffness = [&EA, &GAY, &GAZ, &GJ, &EIY, &EIZ].map(|key| table.get(key));
     let mass = [&M, &IY, &IZ].map(|key| table.get(key));
     let centers = [&TENSION_CENTER, &SHEAR_CENTER, &MASS_CENTER];
-    let centers = centers.map(|key| center(table, key.name()));
+    let centers = centers.map(|key| table.get(key).map(Vector2::from));
     let damping = damping::read(table);
     let thermal_force = thermal_force(table);
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;
@@ -101,42 +104,12 @@ pub(super) fn read(name: &str, table: &Table<'_>) -> Option<Properties> {
 /// Internal force per kelvin of the restrained beam, about the reference point;
 /// `Some(None)` if absent.
 fn thermal_force(table: &Table<'_>) -> Option<Option<Vector6<f64>>> {
-    const KEY: &str = THERMAL_FORCE.name();
-    if !table.has(KEY) {
+    let Some(numbers) = table.get(&THERMAL_FORCE)? else {
         return Some(None);
-    }
-    let numbers = table.quantities(KEY, Dimension::NUMBER)?;
-    if numbers.len() != 6 {
-        let expected = "an array of 6 numbers, forces and moments per declared unit of temperature";
-        table.wrong(KEY, expected);
-        return None;
-    }
+    };
     let units = [Dimension::THERMAL_FORCE, Dimension::THERMAL_MOMENT];
     let units = units.map(|dimension| table.document().factor(dimension));
     Some(Some(Vector6::from_fn(|i, _| numbers[i] * units[i / 3])))
-}
-
-/// A point (y, z) of the section; the reference point if absent.
-fn center(table: &Table<'_>, key: &'static str) -> Option<Vector2<f64>> {
-    if !table.has(key) {
-        return Some(Vector2::zeros());
-    }
-    let numbers = table.quantities(key, Dimension::LENGTH)?;
-    match numbers[..] {
-        [y, z] => Some(Vector2::new(y, z)),
-        _ => {
-            let (found, expected) = (numbers.len(), "two lengths, y and z");
-            table.note(
-                key,
-                &InputProblem::Count {
-                    key,
-                    found,
-                    expected,
-                },
-            );
-            None
-        }
-    }
 }
 
 /// Provenance of properties made by this program.
@@ -222,7 +195,7 @@ mod tests {
             "a.toml:1: the file has no \"ea\", expected a force",
             "a.toml:4: \"gj\" is 0, expected a bending or torsional stiffness greater than zero",
             "a.toml:7: \"m\" is -2, expected a mass per length, zero or more",
-            "a.toml:12: \"mass_center\" lists 3, expected two lengths, y and z",
+            "a.toml:12: \"mass_center\" is an array of 3, expected an array of 2, y and z, each a length",
             "a.toml:1: unknown key \"eaa\"",
         ] {
             assert!(shown.contains(expected), "{expected} is not in\n{shown}");

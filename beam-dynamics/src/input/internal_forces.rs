@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::schema::ValueKind::{Quantity, Text, Texts, Vector, Vectors, Word};
 use shared_geom::document::schema::{Family, TableSchema};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{Key, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -42,13 +42,13 @@ pub(super) const CARD: TableSchema = TableSchema {
 
 keys! {
     /// Its name, for messages.
-    NAME: ByHand = "name", [Text], or "`internal force` and its number", "\"jack\"";
+    NAME: Option<String> = "name", [Text], or "`internal force` and its number", "\"jack\"";
     /// The names of two nodes.
-    NODES: ByHand = "nodes", [Texts], required, "[\"foot\", \"hook\"]";
+    NODES: Vec<String> = "nodes", [Texts], required, "[\"foot\", \"hook\"]";
     /// Tension along the line between the nodes.
     TENSION: f64 = "tension", [Quantity(Dimension::FORCE)], required, "\"2 kN\"";
     /// Offsets of the points from the two nodes, in their axes.
-    OFFSETS: ByHand = "offsets", [Vectors(3, Dimension::LENGTH)], or "zero",
+    OFFSETS: Option<Vec<Vector3<f64>>> = "offsets", [Vectors(3, Dimension::LENGTH)], or "zero",
         "[[0, 0, 0], [0.1, 0, 0]]";
     /// Force on the second node.
     FORCE: Vector3<f64> = "force", [Vector(3, Dimension::FORCE)],
@@ -66,7 +66,7 @@ keys! {
 /// Adds every `[[internal_force]]` to the model.
 pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("internal_force").iter().enumerate() {
-        let label = ends::label(table, "internal force", number);
+        let label = ends::label(table, &NAME, "internal force", number);
         let is_new = builder.take_label("load", &label, table);
         let force = force(table, builder, &label);
         table.finish();
@@ -79,11 +79,11 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
 
 fn force(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<InternalForce> {
     let words = format!("internal force \"{label}\"");
-    let nodes = ends::nodes(table, builder, &words, false);
-    let signal = drives::read_factor(table, "drive", builder.drives());
+    let nodes = ends::nodes((table, &NODES), builder, &words, false);
+    let signal = drives::read_factor(table, &DRIVE.schema, builder.drives());
     let factor = table.get(&CONSTANT);
     let frame = builder.frames().of(table);
-    let between = match table.has("tension") {
+    let between = match table.has(&TENSION) {
         true => along_line(table, nodes.as_deref()),
         false => in_axes(table, nodes.as_deref(), (builder, frame)),
     };
@@ -102,20 +102,21 @@ fn force(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<I
 
 fn along_line(table: &Table<'_>, nodes: Option<&[usize]>) -> Option<Between> {
     let tension = table.get(&TENSION);
-    if let Some(second) = ["force", "moment"].into_iter().find(|key| table.has(key)) {
-        let first = "tension";
+    let others = [&FORCE, &MOMENT].into_iter();
+    if let Some(second) = others.map(Key::name).find(|key| table.has(key)) {
+        let first = TENSION.name();
         table.note(second, &LawProblem::Twice { first, second });
-        for key in ["force", "moment", "offset", "offsets", "axes"] {
+        for key in CARD.all_keys() {
             let _ = table.has(key);
         }
         return None;
     }
     let Some(&[a, b]) = nodes else {
-        let _ = table.has("offsets");
+        let _ = table.has(&OFFSETS);
         return None;
     };
     Some(Between::Line {
-        ends: ends::points(table, [a, b])?,
+        ends: ends::points(table, &OFFSETS, [a, b])?,
         tension: tension?,
     })
 }
@@ -128,7 +129,7 @@ fn in_axes(
 ) -> Option<Between> {
     let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
     let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
-    if !table.holds(&FORCE) && !table.holds(&MOMENT) {
+    if !table.has(&FORCE) && !table.has(&MOMENT) {
         table.note("", &LawProblem::NoForce);
         return None;
     }

@@ -33,11 +33,11 @@ keys! {
     /// A revolute joint with a spring and a damper.
     pub(super) HINGE = "[[hinge]]";
     /// Its name, for messages and output.
-    NAME: ByHand = "name", [Text], or "`hinge` and its number", "\"flap\"";
+    NAME: Option<String> = "name", [Text], or "`hinge` and its number", "\"flap\"";
     /// The names of two nodes; the second turns relative to the first.
-    NODES: ByHand = "nodes", [Texts], required, "[\"hub\", \"root\"]";
+    NODES: Vec<String> = "nodes", [Texts], required, "[\"hub\", \"root\"]";
     /// The direction of the axis, of any length.
-    AXIS: ByHand = "axis", [Vector(3, Dimension::NUMBER)], required, "[0, 1, 0]";
+    AXIS: Vector3<f64> = "axis", [Vector(3, Dimension::NUMBER)], required, "[0, 1, 0]";
     /// Axes of `axis`: the model, or the last node.
     AXIS_IN: usize = "axis_in", [Word(&["model", "node"])], or "\"model\"" = 0, "\"node\"";
     /// Position of the hinge relative to the second node, in its axes.
@@ -61,9 +61,9 @@ keys! {
     /// Two nodes that move as one body.
     pub(super) RIGID = "[[rigid]]";
     /// Its name, for messages and output.
-    RIGID_NAME: ByHand = "name", [Text], or "`rigid connection` and its number", "\"bracket\"";
+    RIGID_NAME: Option<String> = "name", [Text], or "`rigid connection` and its number", "\"bracket\"";
     /// The names of two nodes, at any distance.
-    RIGID_NODES: ByHand = "nodes", [Texts], required, "[\"mast\", \"hub\"]";
+    RIGID_NODES: Vec<String> = "nodes", [Texts], required, "[\"mast\", \"hub\"]";
 }
 /// Largest constant relaxed angle of a hinge \[deg\]: 15 degrees remain beyond the undeformed and
 /// the relaxed state before the angle is ambiguous.
@@ -72,9 +72,9 @@ const MOST_RELAXED: f64 = 330.0;
 /// Adds every `[[hinge]]` to the model.
 pub(super) fn read_hinges(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("hinge").iter().enumerate() {
-        let label = label(table, "hinge", number);
+        let label = label(table, &NAME, "hinge", number);
         let is_new = builder.take_label("joint", &label, table);
-        let nodes = pair(table, builder, &format!("hinge \"{label}\""));
+        let nodes = pair((table, &NODES), builder, &format!("hinge \"{label}\""));
         let axis = axis(table);
         let frame = builder.frames().of(table);
         let offset = table.get(&OFFSET);
@@ -101,9 +101,13 @@ pub(super) fn read_hinges(root: &Table<'_>, builder: &mut ModelBuilder) {
 /// Adds every `[[rigid]]` to the model.
 pub(super) fn read_rigid(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("rigid").iter().enumerate() {
-        let label = label(table, "rigid connection", number);
+        let label = label(table, &RIGID_NAME, "rigid connection", number);
         let is_new = builder.take_label("joint", &label, table);
-        let nodes = pair(table, builder, &format!("rigid connection \"{label}\""));
+        let nodes = pair(
+            (table, &RIGID_NODES),
+            builder,
+            &format!("rigid connection \"{label}\""),
+        );
         table.finish();
         match nodes {
             Some(nodes) if is_new => builder.add_rigid(&label, nodes),
@@ -114,14 +118,10 @@ pub(super) fn read_rigid(root: &Table<'_>, builder: &mut ModelBuilder) {
 
 /// The axis of a hinge, in the model's frame.
 fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
-    if !table.has("axis") {
-        let _ = table.require_text("axis", "the direction of the axis");
-        return None;
-    }
-    let axis = table.vector("axis", Dimension::NUMBER)?;
+    let axis = table.get(&AXIS)?;
     let largest = axis.amax();
     if largest == 0.0 {
-        table.note("axis", &InputProblem::NoAxis);
+        table.note(&AXIS, &InputProblem::NoAxis);
         return None;
     }
     Some(axis / largest)
@@ -130,19 +130,19 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
 /// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.
 pub(super) fn spring(table: &Table<'_>, drives: &Catalog) -> Option<HingeCard> {
     let (stiffness, damping) = (table.get(&STIFFNESS), table.get(&DAMPING));
-    let angle = match table.has("angle") {
-        true => drives::read_signal(table, "angle", Dimension::ANGLE, drives),
+    let angle = match table.has(&ANGLE) {
+        true => drives::read_signal(table, &ANGLE.schema, drives),
         false => Some(Drive::Constant(0.0).into()),
     };
     let constant = angle.as_ref().and_then(Signal::constant);
     if let Some(found) = constant.map(f64::to_degrees)
         && found.abs() > MOST_RELAXED
     {
-        table.note("angle", &InputProblem::FullTurn { found });
+        table.note(&ANGLE, &InputProblem::FullTurn { found });
         return None;
     }
-    if table.has("angle") && stiffness == Some(0.0) {
-        table.note("angle", &InputProblem::NoSpring);
+    if table.has(&ANGLE) && stiffness == Some(0.0) {
+        table.note(&ANGLE, &InputProblem::NoSpring);
         return None;
     }
     let angle = angle?;

@@ -2,7 +2,7 @@
 //! whose forces add up.
 
 use nalgebra::{SMatrix, SVector};
-use shared_geom::document::Table;
+use shared_geom::document::{ByHand, Key, Table};
 use shared_geom::section::least_eigenvalue;
 use shared_geom::units::Dimension;
 
@@ -20,6 +20,7 @@ mod problem;
 mod tests;
 
 pub(super) use keys::{BOTH, DISPLACEMENT, ROD, SECTION};
+use keys::{PRESTRAIN, PRESTRAIN_DRIVE, PRESTRESS, PRESTRESS_DRIVE};
 pub use problem::LawProblem;
 
 /// Least eigenvalue of the stiffness of a law, scaled to a unit diagonal, that is treated
@@ -136,13 +137,13 @@ fn term<const N: usize>(
     drives: &Catalog,
 ) -> Option<Term<N>> {
     let kind = kinds::read(table, of);
-    let prestrain = driven(table, ["prestrain", "prestrain_drive"], &of.strain, drives);
-    let prestress = driven(table, ["prestress", "prestress_drive"], &of.force, drives);
+    let prestrain = driven(table, [&PRESTRAIN, &PRESTRAIN_DRIVE], &of.strain, drives);
+    let prestress = driven(table, [&PRESTRESS, &PRESTRESS_DRIVE], &of.force, drives);
     if kinds::is_known(table) {
         table.finish();
     }
     let (kind, prestrain) = (kind?, prestrain?);
-    if let (Some(driven), Some(item)) = (&prestrain, table.item("prestrain_drive"))
+    if let (Some(driven), Some(item)) = (&prestrain, table.item(&PRESTRAIN_DRIVE))
         && kind.is_viscous()
         && !drives::is_smooth(&item, &driven.signal, Smoothness::Rate)
     {
@@ -160,7 +161,7 @@ fn term<const N: usize>(
             .iter()
             .any(|own| own.1.is_nan());
         if !has_reported {
-            table.note("kind", &LawProblem::NotFinite { found });
+            table.note(keys::KIND[0], &LawProblem::NotFinite { found });
         }
         return None;
     }
@@ -187,20 +188,21 @@ fn not_finite_at_rest<const N: usize>(term: &Term<N>) -> Option<f64> {
 /// the second.
 fn driven<const N: usize>(
     table: &Table<'_>,
-    [key, drive_key]: [&'static str; 2],
+    [key, drive_key]: [&Key<ByHand>; 2],
     dimensions: &[Dimension; N],
     drives: &Catalog,
 ) -> Option<Option<Driven<N>>> {
     if !table.has(key) {
         if table.has(drive_key) {
+            let (key, drive_key) = (key.name(), drive_key.name());
             table.note(drive_key, &LawProblem::NothingDriven { key, drive_key });
             return None;
         }
         return Some(None);
     }
-    let vector = numbers::vector(table, key, dimensions);
+    let vector = numbers::vector(table, key.name(), dimensions);
     let signal = match table.has(drive_key) {
-        true => drives::read_signal(table, drive_key, Dimension::NUMBER, drives),
+        true => drives::read_signal(table, &drive_key.schema, drives),
         false => Some(Signal::default()),
     };
     let vector: SVector<f64, N> = vector?;

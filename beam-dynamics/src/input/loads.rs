@@ -7,12 +7,14 @@ use shared_geom::keys;
 use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::schema::KeySchema;
+use shared_geom::document::{ByHand, Declared, Key, Table, Value};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::builder::ModelBuilder;
 use super::drives;
+use super::ends::label;
 use super::frames::IN;
 use crate::elements::loads::{self, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 use crate::model::Drive;
@@ -27,7 +29,7 @@ keys! {
     /// A force and a moment on a node.
     pub(super) LOAD = "[[load]]";
     /// Its name, for messages.
-    NAME: ByHand = "name", [Text], or "`load` and its number", "\"thrust\"";
+    NAME: Option<String> = "name", [Text], or "`load` and its number", "\"thrust\"";
     /// The name of a node.
     NODE: String = "node", [Text], required, "\"tip\"";
     /// Force; one of force and moment is needed.
@@ -59,14 +61,15 @@ keys! {
     /// A prescribed motion of a node.
     pub(super) IMPOSED = "[[imposed]]";
     /// Its name, for messages.
-    IMPOSED_NAME: ByHand = "name", [Text], or "`imposed` and its number", "\"pin\"";
+    IMPOSED_NAME: Option<String> = "name", [Text], or "`imposed` and its number", "\"pin\"";
     /// The name of a node that is not clamped.
-    IMPOSED_NODE: ByHand = "node", [Text], required, "\"end\"";
+    IMPOSED_NODE: String = "node", [Text], required, "\"end\"";
     /// Prescribed displacements at load factor one; the others are free.
-    DISPLACEMENT: ByHand = "displacement",
+    DISPLACEMENT: Option<Components> = "displacement",
         [OneTable(&DISPLACEMENTS), Vector(3, Dimension::LENGTH)], optional, "{ y = 0, z = 0 }";
     /// Prescribed components of the rotation vector; the others are free.
-    ROTATION: ByHand = "rotation", [OneTable(&ROTATIONS), Vector(3, Dimension::ANGLE)], optional,
+    ROTATION: Option<Components> = "rotation",
+        [OneTable(&ROTATIONS), Vector(3, Dimension::ANGLE)], optional,
         "{ x = 5 }";
     /// Rotation vector of the axes of these components.
     ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
@@ -80,22 +83,22 @@ keys! {
     /// Prescribed displacements.
     DISPLACEMENTS = "displacement = { ... } of [[imposed]]";
     /// Along x.
-    X: ByHand = "x", [Quantity(Dimension::LENGTH)], or "free", "0";
+    X: Option<f64> = "x", [Quantity(Dimension::LENGTH)], or "free", "0";
     /// Along y.
-    Y: ByHand = "y", [Quantity(Dimension::LENGTH)], or "free", "0";
+    Y: Option<f64> = "y", [Quantity(Dimension::LENGTH)], or "free", "0";
     /// Along z.
-    Z: ByHand = "z", [Quantity(Dimension::LENGTH)], or "free", "0.1";
+    Z: Option<f64> = "z", [Quantity(Dimension::LENGTH)], or "free", "0.1";
 }
 
 keys! {
     /// Prescribed components of the rotation vector.
     ROTATIONS = "rotation = { ... } of [[imposed]]";
     /// About x.
-    ABOUT_X: ByHand = "x", [Quantity(Dimension::ANGLE)], or "free", "5";
+    ABOUT_X: Option<f64> = "x", [Quantity(Dimension::ANGLE)], or "free", "5";
     /// About y.
-    ABOUT_Y: ByHand = "y", [Quantity(Dimension::ANGLE)], or "free", "0";
+    ABOUT_Y: Option<f64> = "y", [Quantity(Dimension::ANGLE)], or "free", "0";
     /// About z.
-    ABOUT_Z: ByHand = "z", [Quantity(Dimension::ANGLE)], or "free", "0";
+    ABOUT_Z: Option<f64> = "z", [Quantity(Dimension::ANGLE)], or "free", "0";
 }
 
 keys! {
@@ -115,8 +118,8 @@ pub(super) fn gravity(root: &Table<'_>, builder: &ModelBuilder) -> Option<(Vecto
     }
     let table = root.table("gravity")?;
     let found = table.get(&ACCELERATION);
-    let drive = match table.has("drive") {
-        true => drives::read(&table, "drive", Dimension::NUMBER, builder.drives()),
+    let drive = match table.has(&GRAVITY_DRIVE) {
+        true => drives::read(&table, &GRAVITY_DRIVE.schema, builder.drives()),
         false => Some(Drive::Constant(1.0)),
     };
     table.finish();
@@ -126,12 +129,12 @@ pub(super) fn gravity(root: &Table<'_>, builder: &ModelBuilder) -> Option<(Vecto
 /// Adds every `[[load]]`, `[[distributed_load]]` and `[[imposed]]` to the model.
 pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("load").iter().enumerate() {
-        let label = label(table, "load", number);
+        let label = label(table, &NAME, "load", number);
         let is_new = builder.take_label("load", &label, table);
         let nodes = nodes(table, builder, &label);
         let load = nodal(table);
         let frame = builder.frames().of(table);
-        let signal = drives::read_factor(table, "drive", builder.drives());
+        let signal = drives::read_factor(table, &DRIVE.schema, builder.drives());
         table.finish();
         match (nodes, load, frame, signal) {
             (Some(nodes), Some((load, in_node)), Some(frame), Some(signal)) if is_new => {
@@ -161,24 +164,19 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     read_imposed(root, builder);
 }
 
-fn label(table: &Table<'_>, kind: &str, number: usize) -> String {
-    let own = table.text("name");
-    own.unwrap_or_else(|| format!("{kind} {}", number + 1))
-}
-
 fn node(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<usize> {
-    let name = table.get(&NODE)?;
-    builder.find_node(&name, table, "node", &format!("\"{label}\""))
+    let name = table.get(&IMPOSED_NODE)?;
+    builder.find_node(&name, table, IMPOSED_NODE.name(), &format!("\"{label}\""))
 }
 
 /// The node of a load, or one node of each blade of a card.
 fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Vec<usize>> {
-    let name = table.require_text("node", "the name of a node")?;
+    let name = table.get(&NODE)?;
     let user = format!("\"{label}\"");
     let names = builder.node_names(&name);
     let found = names
         .iter()
-        .map(|name| builder.find_node(name, table, "node", &user));
+        .map(|name| builder.find_node(name, table, NODE.name(), &user));
     // The first unknown name ends the search: the others differ only in the blade.
     found.collect()
 }
@@ -188,7 +186,7 @@ fn nodal(table: &Table<'_>) -> Option<(NodalForce, bool)> {
     let (force, moment) = (table.get(&FORCE), table.get(&MOMENT));
     let (offset, in_node) = (table.get(&OFFSET), table.get(&AXES));
     let kind = kind(table);
-    if !table.holds(&FORCE) && !table.holds(&MOMENT) {
+    if !table.has(&FORCE) && !table.has(&MOMENT) {
         table.note("", &LoadProblem::NoLoad);
         return None;
     }
@@ -208,8 +206,8 @@ fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
     let follower = table.get(&FOLLOWER);
     let release = table.get(&RELEASE);
     let factor = factor(table);
-    if release == Some(true) && table.holds(&CONSTANT) {
-        table.note("release", &LoadProblem::ReleasedAndConstant);
+    if release == Some(true) && table.has(&CONSTANT) {
+        table.note(&RELEASE, &LoadProblem::ReleasedAndConstant);
         return None;
     }
     let factor = match release? {
@@ -234,15 +232,13 @@ fn read_imposed(root: &Table<'_>, builder: &mut ModelBuilder) {
     // Line of the card that holds each component of each node.
     let mut held = BTreeMap::new();
     for (number, table) in root.tables("imposed").iter().enumerate() {
-        let label = label(table, "imposed", number);
+        let label = label(table, &IMPOSED_NAME, "imposed", number);
         let is_new = builder.take_label("imposed", &label, table);
         let node = node(table, builder, &label);
         let motion = imposed(table);
         let frame = builder.frames().of(table);
-        let drive = match table.has("drive") {
-            true => {
-                drives::read_position(table, "drive", Dimension::NUMBER, builder.drives()).map(Some)
-            }
+        let drive = match table.has(&FACTOR) {
+            true => drives::read_position(table, &FACTOR.schema, builder.drives()).map(Some),
             false => Some(None),
         };
         table.finish();
@@ -254,14 +250,14 @@ fn read_imposed(root: &Table<'_>, builder: &mut ModelBuilder) {
         };
         if builder.clamped().any(|clamped| clamped == node) {
             let node = builder.nodes()[node].label.clone();
-            table.note("node", &LoadProblem::Clamped { node });
+            table.note(&IMPOSED_NODE, &LoadProblem::Clamped { node });
             builder.note_broken();
             continue;
         }
         if let Some(line) = held.insert(node, table.line()) {
             let line = table.document().line_words(line);
             let node = builder.nodes()[node].label.clone();
-            table.note("node", &LoadProblem::ImposedTwice { node, line });
+            table.note(&IMPOSED_NODE, &LoadProblem::ImposedTwice { node, line });
             builder.note_broken();
             continue;
         }
@@ -276,11 +272,12 @@ fn read_imposed(root: &Table<'_>, builder: &mut ModelBuilder) {
 }
 
 fn imposed(table: &Table<'_>) -> Option<ImposedMotion> {
-    let displacement = components(table, "displacement", Dimension::LENGTH);
-    let rotation = components(table, "rotation", Dimension::ANGLE);
+    let (displacement, rotation) = (table.get(&DISPLACEMENT), table.get(&ROTATION));
     let axes = table.get(&ORIENTATION).map(|phi| vector::to_rotation(&phi));
     let factor = factor(table);
     let (displacement, rotation) = (displacement?, rotation?);
+    let [displacement, rotation] =
+        [displacement, rotation].map(|found| found.map_or([None; 3], |found| found.0));
     if displacement.iter().chain(&rotation).all(Option::is_none) {
         table.note("", &LoadProblem::NothingImposed);
         return None;
@@ -294,22 +291,22 @@ fn imposed(table: &Table<'_>) -> Option<ImposedMotion> {
 }
 
 /// The held components: `{ x = 0, z = 0.1 }`, or all three as a list.
-fn components(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<[Option<f64>; 3]> {
-    if !table.has(key) {
-        return Some([None; 3]);
+#[derive(Debug)]
+struct Components([Option<f64>; 3]);
+
+impl Declared for Components {}
+
+impl Value for Components {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let axes = key.kinds[0].table()?.keys;
+        if !table.is_table(key) {
+            let vector = table.vector(key.name, axes[0].dimension())?;
+            return Some(Self([0, 1, 2].map(|i| Some(vector[i]))));
+        }
+        let inner = table.table(key)?;
+        let found = [0, 1, 2].map(|i| inner.get(&Key::<Option<f64>>::new(axes[i], None)));
+        inner.finish();
+        let [x, y, z] = found;
+        Some(Self([x?, y?, z?]))
     }
-    if !table.is_table(key) {
-        return table
-            .vector(key, dimension)
-            .map(|vector| [0, 1, 2].map(|i| Some(vector[i])));
-    }
-    let inner = table.table(key)?;
-    let component = |axis: &str| match inner.has(axis) {
-        true => inner.quantity(axis, dimension).map(Some),
-        false => Some(None),
-    };
-    let found = ["x", "y", "z"].map(component);
-    inner.finish();
-    let [x, y, z] = found;
-    Some([x?, y?, z?])
 }

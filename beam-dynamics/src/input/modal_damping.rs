@@ -17,7 +17,7 @@ keys! {
         "{ \"flap 1\" = 0.01, \"lag 1\" = 0.004 }";
 }
 
-const KEY: &str = "damping_ratio";
+const KEY: &str = RATIO.name();
 
 /// Reads the key; `None` if it is wrong.
 pub(super) fn read(modes: &Table<'_>) -> Option<ModalDamping> {

@@ -1,8 +1,8 @@
 //! The keys of `[modes]` for names and figures: words, unit of frequency, multiples of the rotor
 //! speed, speed of names.
 
+use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{Quantities, Quantity, Word};
-use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -20,10 +20,10 @@ keys! {
     pub(super) FREQUENCY_UNIT: usize = "frequency_unit", [Word(&FrequencyUnit::NAMES)],
         or "\"Hz\"" = 0, "\"1/rev\"";
     /// Multiples of the rotor speed in figures and among the critical speeds.
-    pub(super) HARMONICS: ByHand = "harmonics", [Quantities(Dimension::NUMBER)],
+    pub(super) HARMONICS: Option<Vec<f64>> = "harmonics", [Quantities(Dimension::NUMBER)],
         or "1 and multiples of the number of blades", "[1, 3, 6]";
     /// Speed, among `speeds`, at which modes are named.
-    pub(super) NAME_AT: ByHand = "name_at", [Quantity(Dimension::ROTATION_SPEED)],
+    pub(super) NAME_AT: Option<f64> = "name_at", [Quantity(Dimension::ROTATION_SPEED)],
         or "the first speed", "\"300 rpm\"";
 }
 
@@ -31,11 +31,11 @@ keys! {
 pub(super) fn read(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<ModeStyle> {
     let words = table.get(&WORDS).map(|k| Words::ALL[k]);
     let unit = table.get(&FREQUENCY_UNIT).map(|k| FrequencyUnit::ALL[k]);
-    let harmonics = match table.holds(&HARMONICS) {
+    let harmonics = match table.has(&HARMONICS) {
         true => harmonics(table),
         false => Some(Vec::new()),
     };
-    let name_at = match table.holds(&NAME_AT) {
+    let name_at = match table.has(&NAME_AT) {
         true => name_at(table, speeds).map(Some),
         false => Some(None),
     };
@@ -50,7 +50,7 @@ pub(super) fn read(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<ModeStyl
 /// The multiples, ascending and without doubles.
 fn harmonics(table: &Table<'_>) -> Option<Vec<u32>> {
     const KEY: &str = HARMONICS.name();
-    let found = table.quantities(KEY, Dimension::NUMBER)?;
+    let found = table.get(&HARMONICS)??;
     let is_multiple = |x: &f64| x.fract() == 0.0 && (1.0..=HIGHEST).contains(x);
     let wrong = found.iter().find(|number| !is_multiple(number));
     if let Some(&found) = wrong {
@@ -70,7 +70,7 @@ fn harmonics(table: &Table<'_>) -> Option<Vec<u32>> {
 /// The speed of names, among `speeds`.
 fn name_at(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<f64> {
     const KEY: &str = NAME_AT.name();
-    let wanted = table.quantity(KEY, Dimension::ROTATION_SPEED)?;
+    let wanted = table.get(&NAME_AT)??;
     let (found, nearest) = analyzed(speeds?, wanted)?;
     if found {
         return Some(nearest);

@@ -25,7 +25,7 @@ pub(super) fn moments(table: &Table<'_>, label: &str) -> Option<Vector3<f64>> {
         let possible = is_possible(moments);
         if !possible {
             let (body, found) = (label.to_owned(), (*moments).into());
-            table.note("inertia", &InputProblem::ImpossibleInertia { body, found });
+            table.note(&INERTIA, &InputProblem::ImpossibleInertia { body, found });
         }
         possible
     })

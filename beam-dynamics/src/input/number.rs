@@ -1,17 +1,4 @@
-//! Numbers of cards, and in messages and tables.
-
-use shared_geom::document::Table;
-use shared_geom::units::Dimension;
-
-/// A required quantity that is zero or more.
-pub(super) fn not_negative(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-    let number = table.require_quantity(key, dimension)?;
-    if number >= 0.0 {
-        return Some(number);
-    }
-    table.wrong(key, &format!("{dimension}, zero or more"));
-    None
-}
+//! Numbers in messages and tables.
 
 /// The value with at most `digits` significant digits and no trailing zeros; very
 /// small and very large ones with a power of ten.

@@ -41,7 +41,7 @@ pub(super) const CARD: TableSchema = TableSchema {
 
 keys! {
     /// The property file, relative to this file.
-    FILE: ByHand = "file", [Text], required, "\"strip.properties.json\"";
+    FILE: String = "file", [Text], required, "\"strip.properties.json\"";
     /// Whether the internal forces change the stiffness, by the table of the file.
     PRESTRESS: bool = "prestress", [Boolean], or "false" = false, "true";
     /// Law of the section in place of stiffness and damping.
@@ -72,7 +72,7 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
     let tables = root.named_tables("properties");
     let mut catalog = Catalog::default();
     for (name, table) in tables {
-        let is_file = table.has("file");
+        let is_file = table.has(&FILE);
         let properties = match is_file {
             true => from_file(&name, &table),
             false => {
@@ -133,9 +133,14 @@ impl Catalog {
         named.filter_map(remark).collect()
     }
 
-    /// The properties `name`, as named under `properties` of `table`, described by `user`;
+    /// The properties `name`, as named under a key of a table, described by `user`;
     /// `None` if they are wrong, or unknown, which is noted.
-    pub fn find(&self, name: &str, table: &Table<'_>, user: &str) -> Option<Properties> {
+    pub fn find(
+        &self,
+        name: &str,
+        (table, key): (&Table<'_>, &str),
+        user: &str,
+    ) -> Option<Properties> {
         let found = self.named.iter().find(|named| named.0 == name);
         if found.is_none() {
             let problem = InputProblem::UnknownName {
@@ -144,7 +149,7 @@ impl Catalog {
                 user: user.to_owned(),
                 known: self.named.iter().map(|named| named.0.clone()).collect(),
             };
-            table.note("properties", &problem);
+            table.note(key, &problem);
         }
         found?.1.clone()
     }
@@ -157,11 +162,11 @@ fn with_law(
     table: &Table<'_>,
     drives: &drives::Catalog,
 ) -> Option<Properties> {
-    if !table.has("law") {
+    if !table.has(&LAW) {
         return properties;
     }
-    if table.has("damping") {
-        let (first, second) = ("law", "damping");
+    if table.has(&damping::KEY) {
+        let (first, second) = (LAW.name(), damping::KEY.name());
         table.note(second, &LawProblem::Twice { first, second });
         return None;
     }
@@ -170,7 +175,7 @@ fn with_law(
         prestress: Some(_), ..
     }) = properties
     {
-        table.note("prestress", &LawProblem::LawAndPrestress { beam: words });
+        table.note(&PRESTRESS, &LawProblem::LawAndPrestress { beam: words });
         return None;
     }
     let properties = properties?;
@@ -198,15 +203,15 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
         }
         return None;
     }
-    let written = table.text("file")?;
-    let path = table.path("file", &written);
+    let written = table.get(&FILE)?;
+    let path = table.path(&FILE, &written);
     if !path.is_file() {
         let problem = InputProblem::NoPropertyFile {
             name: name.to_owned(),
             file: path.display().to_string(),
             known: property_files_beside(&path),
         };
-        table.note("file", &problem);
+        table.note(&FILE, &problem);
         return None;
     }
     let damping = damping::read(table);
@@ -221,7 +226,7 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
         true => Some(third_of(name, table, &properties, &path)?),
         false => None,
     };
-    let usable = usable(name, table, "file", &properties)?;
+    let usable = usable(name, table, FILE.name(), &properties)?;
     Some(Properties {
         torsional_buckling: match (&prestress, &properties.prestress) {
             (Some(_), _) => None,

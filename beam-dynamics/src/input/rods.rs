@@ -1,5 +1,6 @@
 //! Rods: `[[rod]]`.
 
+use nalgebra::Vector3;
 use shared_geom::document::schema::ValueKind::{
     Drive, Table as OneTable, Tables, Text, Texts, Vector, Vectors, Word,
 };
@@ -18,13 +19,13 @@ keys! {
     /// A straight rod between two nodes, or between a point of the frame and a node.
     pub(super) CARD = "[[rod]]";
     /// Its name, for messages and output.
-    NAME: ByHand = "name", [Text], or "`rod` and its number", "\"stay\"";
+    NAME: Option<String> = "name", [Text], or "`rod` and its number", "\"stay\"";
     /// The names of two nodes, or of one with `at`.
-    NODES: ByHand = "nodes", [Texts], required, "[\"foot\", \"hook\"]";
+    NODES: Vec<String> = "nodes", [Texts], required, "[\"foot\", \"hook\"]";
     /// With one node: the first end of the rod, a point of the frame.
-    AT: ByHand = "at", [Vector(3, Dimension::LENGTH)], optional, "[0, 0, 3]";
+    AT: Option<Vector3<f64>> = "at", [Vector(3, Dimension::LENGTH)], optional, "[0, 0, 3]";
     /// Offset of each end from its node, in the node's axes.
-    OFFSETS: ByHand = "offsets", [Vectors(3, Dimension::LENGTH), Vector(3, Dimension::LENGTH)],
+    OFFSETS: Option<Vec<Vector3<f64>>> = "offsets", [Vectors(3, Dimension::LENGTH), Vector(3, Dimension::LENGTH)],
         or "zero", "[[0, 0, 0], [0.1, 0, 0]]";
     /// Relaxed length, above zero at all times.
     LENGTH: ByHand = "length", [Drive(Dimension::LENGTH)], or "the undeformed length", "2.5";
@@ -42,7 +43,7 @@ const NO_LENGTH: f64 = 1e-9;
 /// Adds every `[[rod]]` to the model.
 pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("rod").iter().enumerate() {
-        let label = ends::label(table, "rod", number);
+        let label = ends::label(table, &NAME, "rod", number);
         let is_new = builder.take_label("spring", &label, table);
         let rod = rod(table, builder, &label);
         table.finish();
@@ -55,25 +56,25 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
 
 fn rod(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Rod> {
     let words = format!("rod \"{label}\"");
-    let nodes = ends::nodes(table, builder, &words, true);
+    let nodes = ends::nodes((table, &NODES), builder, &words, true);
     let ends = match nodes.as_deref() {
-        Some(&[a, b]) => ends::points(table, [a, b]),
-        Some(&[node]) => ends::frame_and_point(table, node, &words),
+        Some(&[a, b]) => ends::points(table, &OFFSETS, [a, b]),
+        Some(&[node]) => ends::frame_and_point((table, &AT), &OFFSETS, node, &words),
         _ => None,
     };
     let measure = table.get(&MEASURE);
-    let relaxed = match table.has("length") {
-        true => drives::read_length(table, "length", builder.drives()).map(Some),
+    let relaxed = match table.has(&LENGTH) {
+        true => drives::read_length(table, &LENGTH.schema, builder.drives()).map(Some),
         false => Some(None),
     };
     let of = match measure {
         Some(1) => Components::ELONGATION,
         _ => Components::STRAIN,
     };
-    let law = laws::read(table, "law", &of, builder.drives());
+    let law = laws::read(table, LAW.name(), &of, builder.drives());
     let measure = [Measure::Strain, Measure::Elongation][measure?];
     let (ends, relaxed, law) = (ends?, relaxed?, law?);
-    if let (Some(item), Some(relaxed)) = (table.item("length"), &relaxed)
+    if let (Some(item), Some(relaxed)) = (table.item(&LENGTH), &relaxed)
         && law.is_viscous()
         && !drives::is_smooth(&item, relaxed, Smoothness::Rate)
     {
@@ -83,7 +84,7 @@ fn rod(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Rod
     let rest: Vec<_> = builder.nodes().iter().map(NodeMotion::at_rest).collect();
     let of_rod: Vec<_> = rod.nodes().iter().map(|&node| rest[node]).collect();
     if rod.length(&of_rod) <= NO_LENGTH * size(&ends, builder) {
-        table.note("nodes", &LawProblem::NoLength { rod: words });
+        table.note(&NODES, &LawProblem::NoLength { rod: words });
         return None;
     }
     Some(rod)

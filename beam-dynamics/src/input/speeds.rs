@@ -1,9 +1,9 @@
 //! The requested modes: rotor speeds, the number of modes, and animated shapes.
 
+use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{
     Boolean, Count, Quantities, Quantity, Table as OneTable,
 };
-use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -17,14 +17,15 @@ keys! {
     /// Frequencies and modes of small motions about the equilibrium at each rotor speed.
     pub(super) CARD = "[modes]";
     /// Rotor speeds: one, a list, or a range.
-    SPEEDS: ByHand = "speeds", [Quantities(Dimension::ROTATION_SPEED), OneTable(&RANGE)],
+    SPEEDS: Vec<f64> = "speeds", [Quantities(Dimension::ROTATION_SPEED), OneTable(&RANGE)]
+        as "a list of rotation speeds, or { from, to, steps }",
         required, "[0, 300]";
     /// Number of modes to report.
     COUNT: usize = "count", [Count(MOST_MODES)], or "10" = DEFAULT_COUNT, "8";
     /// Whether to write animated mode shapes for ParaView.
     SHAPES: bool = "shapes", [Boolean], or "false" = false, "true";
     /// Speeds, among `speeds`, at which shapes are drawn and animated.
-    SHAPE_SPEEDS: ByHand = "shape_speeds", [Quantities(Dimension::ROTATION_SPEED)],
+    SHAPE_SPEEDS: Option<Vec<f64>> = "shape_speeds", [Quantities(Dimension::ROTATION_SPEED)],
         or "the first and the last", "[0, 300]";
     /// Whether parts that nothing holds may move, at rest: rigid-body modes of frequency zero.
     FREE: bool = "free", [Boolean], or "false" = false, "true";
@@ -72,14 +73,9 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
 }
 
 fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
-    const EXPECTED: &str = "a list of rotation speeds, or { from, to, steps }";
-    if !table.has("speeds") {
-        let _ = table.require_text("speeds", EXPECTED);
-        return None;
-    }
-    let speeds = match table.is_table("speeds") {
-        true => range(&table.table("speeds")?),
-        false => table.quantities("speeds", Dimension::ROTATION_SPEED),
+    let speeds = match table.is_table(&SPEEDS) {
+        true => range(&table.table(&SPEEDS)?),
+        false => table.get(&SPEEDS),
     };
     ascending(table, speeds?)
 }
@@ -91,7 +87,7 @@ fn range(table: &Table<'_>) -> Option<Vec<f64>> {
     let (from, to, steps) = (from?, to?, steps?);
     if to <= from {
         let (from, to) = (from / RPM, to / RPM);
-        table.note("to", &InputProblem::FallingRange { from, to });
+        table.note(&TO, &InputProblem::FallingRange { from, to });
         return None;
     }
     let last = (steps - 1).max(1) as f64;
@@ -103,7 +99,7 @@ fn range(table: &Table<'_>) -> Option<Vec<f64>> {
 }
 
 fn ascending(table: &Table<'_>, mut speeds: Vec<f64>) -> Option<Vec<f64>> {
-    let key = "speeds";
+    let key = SPEEDS.name();
     let note = |problem: InputProblem| table.note(key, &problem);
     if speeds.is_empty() {
         note(InputProblem::NoSpeeds);
@@ -131,10 +127,7 @@ fn ascending(table: &Table<'_>, mut speeds: Vec<f64>) -> Option<Vec<f64>> {
 /// speeds chosen for shapes, of `speeds`; empty if none are chosen.
 fn shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<(bool, Vec<f64>)> {
     let animate = table.get(&SHAPES);
-    let chosen = match table.has("shape_speeds") {
-        true => chosen_shapes(table, speeds),
-        false => Some(Vec::new()),
-    };
+    let chosen = chosen_shapes(table, speeds);
     Some((animate?, chosen?))
 }
 
@@ -153,8 +146,9 @@ fn free(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<bool> {
 /// The speeds of the analysis that `shape_speeds` names; each one that is not analyzed is
 /// noted.
 fn chosen_shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<Vec<f64>> {
-    const KEY: &str = "shape_speeds";
-    let wanted = table.quantities(KEY, Dimension::ROTATION_SPEED)?;
+    let Some(wanted) = table.get(&SHAPE_SPEEDS)? else {
+        return Some(Vec::new());
+    };
     let speeds = speeds?;
     let mut found = Vec::with_capacity(wanted.len());
     for &wanted in &wanted {
@@ -164,8 +158,8 @@ fn chosen_shapes(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<Vec<f64>> 
             continue;
         }
         let [rpm, nearest] = [wanted, nearest].map(|speed| speed / RPM);
-        let key = KEY;
-        table.note(KEY, &InputProblem::ShapeSpeed { key, rpm, nearest });
+        let key = SHAPE_SPEEDS.name();
+        table.note(key, &InputProblem::ShapeSpeed { key, rpm, nearest });
     }
     (found.len() == wanted.len()).then_some(found)
 }

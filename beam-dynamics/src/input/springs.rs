@@ -3,12 +3,13 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::schema::ValueKind::{Text, Vector, Word};
 use shared_geom::document::schema::{Family, TableSchema};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{Key, Table};
 use shared_geom::keys;
 use shared_geom::rotation::{skew, vector};
 use shared_geom::units::Dimension;
 
 use super::builder::ModelBuilder;
+use super::ends::label;
 use super::frames::IN;
 use super::laws::LawProblem;
 use super::problem::InputProblem;
@@ -45,26 +46,33 @@ pub(super) const CARD: TableSchema = TableSchema {
 
 keys! {
     /// Its name, for messages and output.
-    NAME: ByHand = "name", [Text], or "`spring` and its number", "\"mount\"";
+    NAME: Option<String> = "name", [Text], or "`spring` and its number", "\"mount\"";
     /// The name of a node; the spring is between it and the frame.
     NODE: String = "node", [Text], required, "\"engine\"";
     /// Rotation vector of the axes of the spring, in the undeformed model.
     ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],
         or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 30]";
     /// Stiffnesses along the axes, zero or more.
-    STIFFNESS: ByHand = "stiffness", [Vector(3, Dimension::SPRING_STIFFNESS)], or "[0, 0, 0]",
+    STIFFNESS: Vector3<f64> = "stiffness", [Vector(3, Dimension::SPRING_STIFFNESS)],
+        or "[0, 0, 0]" = Vector3::zeros(),
         "[4e6, 4e6, 9e6]";
     /// Stiffnesses about the axes, moment per radian, zero or more.
-    ROTATIONAL_STIFFNESS: ByHand = "rotational_stiffness", [Vector(3, Dimension::MOMENT)],
-        or "[0, 0, 0]", "[2e4, 2e4, 0]";
+    ROTATIONAL_STIFFNESS: Vector3<f64> = "rotational_stiffness", [Vector(3, Dimension::MOMENT)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[2e4, 2e4, 0]";
     /// Dampers along the axes, zero or more.
-    DAMPING: ByHand = "damping", [Vector(3, Dimension::DAMPER)], or "[0, 0, 0]", "[300, 300, 0]";
+    DAMPING: Vector3<f64> = "damping", [Vector(3, Dimension::DAMPER)],
+        or "[0, 0, 0]" = Vector3::zeros(), "[300, 300, 0]";
     /// Dampers about the axes, moment per angular velocity in radians per time, zero or more.
-    ROTATIONAL_DAMPING: ByHand = "rotational_damping", [Vector(3, Dimension::TURNING_DAMPER)],
-        or "[0, 0, 0]", "[5, 5, 0]";
+    ROTATIONAL_DAMPING: Vector3<f64> = "rotational_damping",
+        [Vector(3, Dimension::TURNING_DAMPER)], or "[0, 0, 0]" = Vector3::zeros(), "[5, 5, 0]";
     /// Fixed end: the frame of the model, which turns with the hub, or the ground.
     STANDS_IN: usize = "stands_in", [Word(&STANDS)], or "\"frame\"" = 0, "\"world\"";
 }
+
+/// Keys of stiffnesses along and about the axes.
+const STIFFNESSES: [&Key<Vector3<f64>>; 2] = [&STIFFNESS, &ROTATIONAL_STIFFNESS];
+/// Keys of dampers along and about the axes.
+const DAMPERS: [&Key<Vector3<f64>>; 2] = [&DAMPING, &ROTATIONAL_DAMPING];
 
 /// Part of the largest entry below which a matrix, and part of the largest coordinate below
 /// which a distance from the axis, is treated as zero: digits lost in the input.
@@ -83,9 +91,7 @@ struct Spring {
 /// Adds every `[[spring]]` to the model.
 pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("spring").iter().enumerate() {
-        let label = table
-            .text("name")
-            .unwrap_or_else(|| format!("spring {}", number + 1));
+        let label = label(table, &NAME, "spring", number);
         let is_new = builder.take_label("spring", &label, table);
         if between::is_one(table) {
             let spring = between::read(table, builder, &label);
@@ -98,7 +104,7 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
         }
         let words = format!("spring \"{label}\"");
         let name = table.get(&NODE);
-        let node = name.and_then(|name| builder.find_node(&name, table, "node", &words));
+        let node = name.and_then(|name| builder.find_node(&name, table, NODE.name(), &words));
         let spring = spring(table).zip(builder.frames().of(table));
         let spring = spring.map(|(spring, frame)| Spring {
             axes: frame.axes(&spring.axes),
@@ -114,16 +120,8 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
 
 fn spring(table: &Table<'_>) -> Option<Spring> {
     let axes = table.get(&ORIENTATION);
-    let stiffness = six(
-        table,
-        ["stiffness", "rotational_stiffness"],
-        [Dimension::SPRING_STIFFNESS, Dimension::MOMENT],
-    );
-    let damping = six(
-        table,
-        ["damping", "rotational_damping"],
-        [Dimension::DAMPER, Dimension::TURNING_DAMPER],
-    );
+    let stiffness = six(table, STIFFNESSES);
+    let damping = six(table, DAMPERS);
     let support_frame = table.get(&STANDS_IN);
     Some(Spring {
         axes: vector::to_rotation(&axes?),
@@ -134,24 +132,17 @@ fn spring(table: &Table<'_>) -> Option<Spring> {
 }
 
 /// Three numbers under each key, zero or more; zeros if absent.
-fn six(table: &Table<'_>, keys: [&'static str; 2], dimensions: [Dimension; 2]) -> Option<[f64; 6]> {
-    let three = |i: usize| -> Option<Vector3<f64>> {
-        if !table.has(keys[i]) {
-            return Some(Vector3::zeros());
-        }
-        if !table.is_list(keys[i]) {
-            table.note(keys[i], &LawProblem::OneNumber { key: keys[i] });
+fn six(table: &Table<'_>, keys: [&Key<Vector3<f64>>; 2]) -> Option<[f64; 6]> {
+    let three = |key: &Key<Vector3<f64>>| {
+        if table.has(key) && !table.is_list(key) {
+            table.note(key, &LawProblem::OneNumber { key: key.name() });
             return None;
         }
-        let numbers = table.vector(keys[i], dimensions[i])?;
-        if numbers.min() < 0.0 {
-            let expected = format!("an array of 3, each {}, zero or more", dimensions[i]);
-            table.wrong(keys[i], &expected);
-            return None;
-        }
-        Some(numbers)
+        let dimension = key.schema.dimension();
+        let expected = format!("an array of 3, each {dimension}, zero or more");
+        table.get_if(key, |numbers| numbers.min() >= 0.0, &expected)
     };
-    let (along, about) = (three(0), three(1));
+    let [along, about] = keys.map(three);
     let (along, about) = (along?, about?);
     Some([along.x, along.y, along.z, about.x, about.y, about.z])
 }
@@ -171,11 +162,11 @@ fn add(
         let size = node.position.amax().max(frame_rotation.center.amax());
         if across.amax() > ROUNDING * size {
             let (spring, node) = (label, node.label);
-            table.note("stands_in", &InputProblem::OffAxis { spring, node });
+            table.note(&STANDS_IN, &InputProblem::OffAxis { spring, node });
             return builder.note_broken();
         }
         if !is_isotropic(&law, &frame_rotation.axis) {
-            table.note("stands_in", &InputProblem::Anisotropic { spring: label });
+            table.note(&STANDS_IN, &InputProblem::Anisotropic { spring: label });
             return builder.note_broken();
         }
     }

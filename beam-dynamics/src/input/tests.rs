@@ -365,7 +365,7 @@ fn impossible_blades_are_explained() {
         &cards,
         "twist = [5, 25]",
         "twist = [1, 2, 3]",
-        "\"twist\" lists 3, expected one angle",
+        "\"twist\" is an array of 3, expected one angle",
     );
     expect(
         &cards,

@@ -1,8 +1,7 @@
 //! The requested motion in time: `[transient]`.
 
-use shared_geom::document::Table;
+use shared_geom::document::{Key, Table};
 use shared_geom::error::Explain;
-use shared_geom::units::Dimension;
 
 use super::misplaced_keys::OF_TRANSIENT;
 use super::number::short_number;
@@ -16,8 +15,8 @@ mod tests;
 
 pub(super) use keys::TRANSIENT;
 use keys::{
-    DISPLACEMENT, FIRST, FROM, ITERATIONS, JACOBIAN, LEAST, METHOD, MODE, MOST, REDUNDANT, SCHEME,
-    SHAPE, SPEED, START, START_ACCELERATIONS, TO, TOLERANCE,
+    CORRECTION, DISPLACEMENT, FIRST, FROM, ITERATIONS, JACOBIAN, LEAST, METHOD, MODE, MOST, NEWTON,
+    RADIUS, REDUNDANT, SCHEME, SHAPE, SPEED, START, START_ACCELERATIONS, STEP, TO, TOLERANCE, ZETA,
 };
 pub(super) use node::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, check, initial_motion,
@@ -200,7 +199,7 @@ fn times(table: &Table<'_>) -> Option<[f64; 2]> {
     let (from, to) = (table.get(&FROM), table.get(&TO));
     let (from, to) = (from?, to?);
     if to <= from {
-        table.note("to", &TransientProblem::EndsBefore { from, to });
+        table.note(&TO, &TransientProblem::EndsBefore { from, to });
         return None;
     }
     Some([from, to])
@@ -208,11 +207,11 @@ fn times(table: &Table<'_>) -> Option<[f64; 2]> {
 
 /// Reads `step`: a length, or limits; `length` is the length of the run, if it is known.
 fn stepping(table: &Table<'_>, length: Option<f64>) -> Option<Stepping> {
-    if table.is_table("step") {
-        return variable(&table.table("step")?, length).map(Stepping::Variable);
+    if table.is_table(&STEP) {
+        return variable(&table.table(&STEP)?, length).map(Stepping::Variable);
     }
-    let step = table.require_positive("step", Dimension::TIME)?;
-    is_possible(table, "step", step, length).then_some(Stepping::Constant { step })
+    let step = table.get(&STEP)?;
+    is_possible(table, STEP.name(), step, length).then_some(Stepping::Constant { step })
 }
 
 /// Whether a step fits into a run; otherwise notes the problem.
@@ -236,15 +235,15 @@ fn variable(table: &Table<'_>, length: Option<f64>) -> Option<StepControl> {
     let tolerance = table.get(&TOLERANCE);
     table.finish();
     let first = first?;
-    if !is_possible(table, "first", first, length) {
+    if !is_possible(table, FIRST.name(), first, length) {
         return None;
     }
     let least = least?.unwrap_or(LEAST_STEP * first);
     let by_run = length.map_or(f64::INFINITY, |length| MOST_STEP * length);
     let most = most?.unwrap_or(by_run.max(first));
     for (lower, low, upper, high) in [
-        ("least", least, "first", first),
-        ("first", first, "most", most),
+        (LEAST.name(), least, FIRST.name(), first),
+        (FIRST.name(), first, MOST.name(), most),
     ] {
         if low > high {
             let key = if table.has(lower) { lower } else { upper };
@@ -280,14 +279,14 @@ const SCHEMES: [&str; 8] = [
 
 fn scheme(table: &Table<'_>) -> Option<Scheme> {
     let number = table.get(&SCHEME);
-    let radius = number_in(table, "radius", (0.0, 1.0), "a number from 0 to 1");
-    let zeta = number_in(table, "zeta", (-1.0, 0.0), "a number above -1 and below 0");
+    let radius = within(table, &RADIUS, |radius| radius <= 1.0);
+    let zeta = within(table, &ZETA, |zeta| -1.0 < zeta && zeta < 0.0);
     let (number, radius, zeta) = (number?, radius?, zeta?);
     let name = SCHEMES[number];
     let has_radius = matches!(name, "two-step" | "cubic");
     for (key, is_given, is_used) in [
-        ("radius", radius.is_some(), has_radius),
-        ("zeta", zeta.is_some(), name == "parabolic"),
+        (RADIUS.name(), radius.is_some(), has_radius),
+        (ZETA.name(), zeta.is_some(), name == "parabolic"),
     ] {
         if is_given && !is_used {
             let problem = TransientProblem::NotOfScheme { key, scheme: name };
@@ -298,7 +297,7 @@ fn scheme(table: &Table<'_>) -> Option<Scheme> {
     let radius = radius.unwrap_or(0.6);
     if name == "two-step" && radius > MOST_RADIUS && radius < 1.0 {
         let problem = TransientProblem::UndampedRadius { found: radius };
-        table.note("radius", &problem);
+        table.note(&RADIUS, &problem);
         return None;
     }
     Some(match name {
@@ -314,47 +313,25 @@ fn scheme(table: &Table<'_>) -> Option<Scheme> {
     })
 }
 
-fn number_in(
+/// An optional number within a range, which the declaration of its key describes.
+fn within(
     table: &Table<'_>,
-    key: &'static str,
-    (low, high): (f64, f64),
-    expected: &'static str,
+    key: &Key<Option<f64>>,
+    is_right: impl Fn(f64) -> bool,
 ) -> Option<Option<f64>> {
-    if !table.has(key) {
-        return Some(None);
-    }
-    let found = table.quantity(key, Dimension::NUMBER)?;
-    // The ends of the range of zeta make the weights of the scheme infinite.
-    let is_end = key == "zeta" && (found == low || found == high);
-    if !(low..=high).contains(&found) || is_end {
-        let problem = TransientProblem::Range {
-            key,
-            found,
-            expected,
-        };
-        table.note(key, &problem);
-        return None;
-    }
-    Some(Some(found))
+    table.get_if(key, |found| found.is_none_or(is_right), key.schema.expected)
 }
 
 fn newton(table: &Table<'_>) -> Option<StepLimits> {
     let standard = StepLimits::default();
-    if !table.has("newton") {
+    if !table.has(&NEWTON) {
         return Some(standard);
     }
-    let table = table.table("newton")?;
+    let table = table.table(&NEWTON)?;
     let method = table.get(&METHOD);
     let iterations = table.get(&ITERATIONS);
-    let tolerance = match table.has("tolerance") {
-        true => number_in(
-            &table,
-            "tolerance",
-            (LEAST_TOLERANCE, 1e-2),
-            "a number from 1e-13 to 0.01",
-        ),
-        false => Some(None),
-    };
+    let is_right = |tolerance: f64| (LEAST_TOLERANCE..=1e-2).contains(&tolerance);
+    let tolerance = within(&table, &CORRECTION, is_right);
     table.finish();
     Some(StepLimits {
         jacobians: [Jacobians::Full, Jacobians::Modified][method?],
@@ -369,11 +346,12 @@ fn start(table: &Table<'_>) -> Option<Start> {
     match (number?, speed?) {
         (2, Some(speed)) => Some(Start::Rotating { speed }),
         (2, None) => {
-            let _ = table.require_quantity("speed", Dimension::ROTATION_SPEED);
+            let expected = SPEED.schema.expected();
+            let _ = table.require_item(&SPEED, &expected);
             None
         }
         (_, Some(_)) => {
-            table.note("speed", &TransientProblem::IdleSpeed);
+            table.note(&SPEED, &TransientProblem::IdleSpeed);
             None
         }
         (0, None) => Some(Start::Given),
@@ -383,14 +361,14 @@ fn start(table: &Table<'_>) -> Option<Start> {
 
 /// Reads `shape`; `Some(None)` without it.
 fn shape(table: &Table<'_>, start: Option<Start>) -> Option<Option<StartShape>> {
-    if !table.has(SHAPE.name()) {
+    if !table.has(&SHAPE) {
         return Some(None);
     }
-    let inner = table.table(SHAPE.name())?;
+    let inner = table.table(&SHAPE)?;
     let (mode, displacement) = (inner.get(&MODE), inner.get(&DISPLACEMENT));
     inner.finish();
     if start == Some(Start::Given) {
-        table.note("shape", &TransientProblem::IdleShape);
+        table.note(&SHAPE, &TransientProblem::IdleShape);
         return None;
     }
     Some(Some(StartShape {

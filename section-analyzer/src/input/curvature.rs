@@ -9,13 +9,36 @@
 //! and a section that reaches the center of curvature, J = 0, would overlap itself.
 
 use nalgebra::Vector3;
-use shared_geom::document::{Document, Table};
+use shared_geom::document::schema::ValueKind::{Table as OneTable, Vector};
+use shared_geom::document::{ByHand, Document, Table};
+use shared_geom::keys;
 use shared_geom::section::InitialCurvature;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
 use super::summary::InputWarning;
 use crate::mesh::SectionMesh;
+
+keys! {
+    /// Curvature and twist of the undeformed beam.
+    pub(super) BEAM: ByHand = "initial_curvature", [OneTable(&INITIAL_CURVATURE)], optional, "";
+}
+
+keys! {
+    /// Twist and curvature of the undeformed beam at this section, constant along it, in the axes
+    /// of the section: all matrices are then for this beam, per length of its reference line,
+    /// which goes through the origin of the mesh.
+    INITIAL_CURVATURE = "[initial_curvature]";
+    /// Twist about x and curvature about y and z, k1, k2, k3: rotation of the section per length
+    /// of the reference line. Twist is positive from y toward z; k2 > 0 bends the beam toward -z,
+    /// k3 > 0 toward +y.
+    CURVATURE: Vector3<f64> = "curvature", [Vector(3, Dimension::CURVATURE)], required,
+        "[\"5 deg/m\", 0, 0]";
+    /// Direction of the reference line, of any length, the first number greater than zero;
+    /// [1, 0, 0] if the line is normal to the section.
+    SLOPE: Vector3<f64> = "slope", [Vector(3, Dimension::NUMBER)], or "[1, 0, 0]" = Vector3::x(),
+        "[0.99, 0.1, 0]";
+}
 
 /// Curvature times the size of the section above which a mistake is likely: the direction
 /// of the fibers at the edge of the section then differs by 27 degrees from the line, or
@@ -35,25 +58,16 @@ pub(super) struct WrittenCurvature {
 
 /// Reads `[initial_curvature]`; a straight beam if it is absent.
 pub(super) fn read(root: &Table<'_>) -> Option<WrittenCurvature> {
-    let straight = InitialCurvature::STRAIGHT;
-    if !root.has("initial_curvature") {
-        let initial = straight;
+    let Some(table) = root.has(&BEAM).then(|| root.table(&BEAM)) else {
+        let initial = InitialCurvature::STRAIGHT;
         return Some(WrittenCurvature { initial, line: 0 });
-    }
-    let table = root.table("initial_curvature")?;
-    let _ = table.require_item(
-        "curvature",
-        "an array of 3: twist about x, curvature about y and z",
-    );
-    let curvature = match table.has("curvature") {
-        true => table.vector("curvature", Dimension::CURVATURE),
-        false => None,
     };
-    let slope = match table.has("slope") {
-        true => slope(&table),
-        false => Some(straight.slope),
-    };
-    let line = table.line_of("curvature");
+    let table = table?;
+    let expected = "an array of 3: twist about x, curvature about y and z";
+    let curvature = table.require_item(&CURVATURE, expected);
+    let curvature = curvature.and_then(|_| table.get(&CURVATURE));
+    let slope = slope(&table);
+    let line = table.line_of(&CURVATURE);
     table.finish();
     let initial = InitialCurvature {
         curvature: curvature?,
@@ -64,18 +78,15 @@ pub(super) fn read(root: &Table<'_>) -> Option<WrittenCurvature> {
 
 /// A direction out of the section, as a unit vector.
 fn slope(table: &Table<'_>) -> Option<Vector3<f64>> {
-    let slope = table.vector("slope", Dimension::NUMBER)?;
     // Safe for huge and for tiny numbers.
-    let scaled = slope / slope.amax();
-    if scaled.x > 0.0 {
-        return Some(scaled.normalize());
-    }
-    table.wrong(
-        "slope",
+    let scaled = |slope: &Vector3<f64>| slope / slope.amax();
+    let slope = table.get_if(
+        &SLOPE,
+        |slope| scaled(slope).x > 0.0,
         "a direction [x, y, z] whose first number is greater than zero: [1, 0, 0] if the line is \
          normal to the section",
-    );
-    None
+    )?;
+    Some(scaled(&slope).normalize())
 }
 
 /// The beam of the section, if the section does not reach its center of curvature; adds

@@ -2,13 +2,16 @@
 //! `[[load.NAME.volume]]` in its regions.
 
 use nalgebra::Vector3;
-use shared_geom::document::{Document, Table};
+use shared_geom::document::schema::ValueKind::{Name, Numbers, Quantity, Tables, Vector};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::document::{ByHand, Document, Key, Table};
+use shared_geom::keys;
 use shared_geom::mesh::Mesh;
 use shared_geom::units::Dimension;
 
 use super::groups;
 use super::laminae::{self, Faces, WrittenLamina};
-use super::regions::{Written, name};
+use super::regions::Written;
 use crate::mesh::{Bank, CurveSide, SectionMesh};
 use crate::section::{Action, DistributedForce, DistributedLoad, Traction, VolumeForce};
 
@@ -17,8 +20,80 @@ mod words;
 
 pub use problem::DistributedProblem;
 
+keys! {
+    /// Forces on surfaces of the beam, which act along it.
+    pub(super) TRACTIONS: ByHand = "traction", [Tables(&TRACTION)], optional, "";
+    /// Forces in the volume of the beam, which act along it.
+    pub(super) VOLUMES: ByHand = "volume", [Tables(&VOLUME)], optional, "";
+    /// The name of a physical curve, or its tag, along sides of cells; a face of a lamina is
+    /// "NAME/outer", or "NAME/left" and "NAME/right" if it is centered.
+    CURVE: Written = "curve", [Name], required, "\"top\"";
+    /// Coefficients c0, c1, c2, ... of the polynomial c0 + c1 x + c2 x^2 + ... that multiplies the
+    /// force, x along the beam from this section in the declared unit of length.
+    ALONG: Vec<f64> = "along", [Numbers(MOST_COEFFICIENTS)]
+        as "an array of 1 to 9 numbers, not all zero", or "[1]" = vec![1.0], "[1, 0.5]";
+    /// Pressure on the surface; suction is negative.
+    PRESSURE: f64 = "pressure", [Quantity(Dimension::STRESS)], required, "\"2 kPa\"";
+    /// Force per area in the direction of the lines of the curve.
+    TANGENTIAL: f64 = "tangential", [Quantity(Dimension::STRESS)], required, "\"300 Pa\"";
+    /// Force per area along x, y and z.
+    FORCE: Vector3<f64> = "force", [Vector(3, Dimension::STRESS)], required, "[0, 0, \"-2 kPa\"]";
+    /// The name of the loaded physical surface, or its tag, or the name of a lamina, for all its
+    /// plies.
+    REGION: Option<Written> = "region", [Name] as "the name of a physical surface",
+        or "the whole section", "\"skin\"";
+    /// Force per volume along x, y and z.
+    FORCE_PER_VOLUME: Vector3<f64> = "force", [Vector(3, Dimension::FORCE_PER_VOLUME)], required,
+        "[0, 0, \"-12 kN/m^3\"]";
+    /// Acceleration along x, y and z.
+    ACCELERATION: Vector3<f64> = "acceleration", [Vector(3, Dimension::ACCELERATION)], required,
+        "[0, 0, -9.81]";
+}
+
+const TRACTION: TableSchema = TableSchema {
+    title: "[[load.NAME.traction]]",
+    meaning: "A force per area on the surface that a curve of the mesh makes along the beam, \
+              constant along the curve.",
+    keys: &[CURVE.schema, ALONG.schema],
+    families: &[
+        Family {
+            name: "pressure",
+            meaning: "Normal to the surface; not on a curve with cells on both sides.",
+            keys: &[PRESSURE.schema],
+        },
+        Family {
+            name: "tangential",
+            meaning: "Along the curve, in the plane of the section.",
+            keys: &[TANGENTIAL.schema],
+        },
+        Family {
+            name: "force",
+            meaning: "In section axes.",
+            keys: &[FORCE.schema],
+        },
+    ],
+};
+
+const VOLUME: TableSchema = TableSchema {
+    title: "[[load.NAME.volume]]",
+    meaning: "A force per volume, constant in its regions or proportional to the density.",
+    keys: &[REGION.schema, ALONG.schema],
+    families: &[
+        Family {
+            name: "force",
+            meaning: "Given as it is.",
+            keys: &[FORCE_PER_VOLUME.schema],
+        },
+        Family {
+            name: "acceleration",
+            meaning: "Density times acceleration: weight, or the centrifugal force outward.",
+            keys: &[ACCELERATION.schema],
+        },
+    ],
+};
+
 /// Largest number of coefficients of a polynomial: a degree of eight.
-pub(super) const MOST_COEFFICIENTS: usize = 9;
+const MOST_COEFFICIENTS: usize = 9;
 
 /// Largest component \[Pa, N/m^3, m/s^2\] and coefficient: far beyond all structures; the
 /// squares of the stresses are still finite.
@@ -63,29 +138,26 @@ pub(super) struct Lookup<'a> {
 /// Reads the distributed parts of the load in `table`; notes problems.
 pub(super) fn read(table: &Table<'_>) -> WrittenDistribution {
     let mut parts = Vec::new();
-    for part in table.tables("traction") {
+    for part in table.tables(&TRACTIONS) {
         parts.push(traction(&part));
         part.finish();
     }
-    for part in table.tables("volume") {
+    for part in table.tables(&VOLUMES) {
         parts.push(volume(&part));
         part.finish_beside(&[("group", "\"region\"")]);
     }
-    let is_written = |key: &str| table.has(key) && table.row_count(key) != Some(0);
-    let is_written = ["traction", "volume"].into_iter().any(is_written);
+    let is_written = |key| table.has(key) && table.row_count(key) != Some(0);
+    let is_written = [&TRACTIONS, &VOLUMES].into_iter().any(is_written);
     WrittenDistribution { parts, is_written }
 }
 
 fn traction(table: &Table<'_>) -> WrittenPart {
-    let curve = name(table, "curve", "the name of a physical curve");
+    let curve = table.get(&CURVE);
     let along = along(table);
-    let pressure = number(table, "pressure").map(Traction::Pressure);
-    let tangential = number(table, "tangential").map(Traction::Tangential);
-    let force = vector(table, "force", Dimension::STRESS).map(Traction::Force);
     let found = [
-        ("pressure", pressure),
-        ("tangential", tangential),
-        ("force", force),
+        number(table, &PRESSURE, Traction::Pressure),
+        number(table, &TANGENTIAL, Traction::Tangential),
+        vector(table, &FORCE, Traction::Force),
     ];
     let expected = "\"pressure\", \"tangential\" or \"force\"";
     let traction = only(table, "traction", expected, found);
@@ -103,15 +175,12 @@ fn note_zero(table: &Table<'_>, part: &'static str) {
 }
 
 fn volume(table: &Table<'_>) -> WrittenPart {
-    let region = match table.has("region") {
-        true => name(table, "region", "the name of a physical surface").map(Some),
-        false => Some(None),
-    };
+    let region = table.get(&REGION);
     let along = along(table);
-    let force = vector(table, "force", Dimension::FORCE_PER_VOLUME).map(VolumeForce::Force);
-    let acceleration = vector(table, "acceleration", Dimension::ACCELERATION);
-    let acceleration = acceleration.map(VolumeForce::Acceleration);
-    let found = [("force", force), ("acceleration", acceleration)];
+    let found = [
+        vector(table, &FORCE_PER_VOLUME, VolumeForce::Force),
+        vector(table, &ACCELERATION, VolumeForce::Acceleration),
+    ];
     let force = only(
         table,
         "volume force",
@@ -156,43 +225,37 @@ fn only<T, const N: usize>(
     given.into_iter().next().and_then(|(_, force)| force)
 }
 
-/// A stress under `key`, if present.
-fn number(table: &Table<'_>, key: &str) -> Option<f64> {
-    if !table.has(key) {
-        return None;
-    }
-    let value = table.quantity(key, Dimension::STRESS)?;
-    checked(table, key, &[value]).then_some(value)
+/// A key and the force under it, if present.
+fn number<T>(
+    table: &Table<'_>,
+    key: &Key<f64>,
+    force: impl Fn(f64) -> T,
+) -> (&'static str, Option<T>) {
+    let value = table.given(key);
+    let value = value.filter(|value| checked(table, key.name(), &[*value]));
+    (key.name(), value.map(force))
 }
 
-fn vector(table: &Table<'_>, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
-    if !table.has(key) {
-        return None;
-    }
-    let value = table.vector(key, dimension)?;
-    checked(table, key, value.as_slice()).then_some(value)
+/// As [`number`], for a vector.
+fn vector<T>(
+    table: &Table<'_>,
+    key: &Key<Vector3<f64>>,
+    force: impl Fn(Vector3<f64>) -> T,
+) -> (&'static str, Option<T>) {
+    let value = table.given(key);
+    let value = value.filter(|value| checked(table, key.name(), value.as_slice()));
+    (key.name(), value.map(force))
 }
 
-/// Coefficients of the polynomial along the beam, per power of a meter; 1 if not given.
+/// Coefficients of the polynomial along the beam, per power of a meter.
 fn along(table: &Table<'_>) -> Option<Vec<f64>> {
-    if !table.has("along") {
-        return Some(vec![1.0]);
-    }
-    let expected = format!("an array of 1 to {MOST_COEFFICIENTS} numbers, not all zero");
-    let coefficients = match table.is_list("along") {
-        true => table.quantities("along", Dimension::NUMBER)?,
-        false => Vec::new(),
-    };
-    let count = coefficients.len();
-    if !(1..=MOST_COEFFICIENTS).contains(&count) || coefficients.iter().all(|c| *c == 0.0) {
-        table.wrong("along", &expected);
-        return None;
-    }
+    let is_right = |coefficients: &Vec<f64>| coefficients.iter().any(|c| *c != 0.0);
+    let coefficients = table.get_if(&ALONG, is_right, ALONG.schema.expected)?;
     let unit = table.document().factor(Dimension::LENGTH);
     let powers = (0..).map(|power| unit.powi(power));
     let in_si = coefficients.iter().zip(powers).map(|(c, unit)| c / unit);
     let in_si: Vec<f64> = in_si.collect();
-    checked(table, "along", &in_si).then_some(in_si)
+    checked(table, ALONG.name(), &in_si).then_some(in_si)
 }
 
 /// Checks that no number is beyond all structures.

@@ -5,7 +5,10 @@
 //! material, which regions rotate.
 
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Quantity, Rows, Table as OneTable, Vector, Word};
+use shared_geom::document::schema::{Family, KeySchema, TableSchema};
+use shared_geom::document::{ByHand, Declared, Key, Table, Value};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use crate::material::{
@@ -13,24 +16,107 @@ use crate::material::{
     VACUUM_PERMITTIVITY, data_axes,
 };
 
+mod constants;
 mod problem;
 mod warning;
 
 pub use problem::ElectricDataProblem;
 pub use warning::ElectricWarning;
 
+use constants::{Constants, D, E};
 use problem::ElectricDataProblem as Problem;
 
-/// Names of the constants of a coupling: `d` or `e` before the components of field and
-/// strain or stress.
-const COMPONENTS: [[&str; 6]; 3] = [
-    ["11", "12", "13", "14", "15", "16"],
-    ["21", "22", "23", "24", "25", "26"],
-    ["31", "32", "33", "34", "35", "36"],
-];
+keys! {
+    /// The electric law of a dielectric; without it the material is not part of the electric
+    /// problem.
+    pub(super) ELECTRIC: ByHand = "electric", [OneTable(&LAW)], optional, "";
+    /// The electric law, without coupling.
+    pub(super) DIELECTRIC: ByHand = "electric", [OneTable(&PLAIN)], required, "";
+    /// Direction of axis 3 of all constants of the material, elastic ones and expansion too, in
+    /// the axes of the material: one of them (1 along the fiber, 2 across it in the ply, 3 through
+    /// the thickness; with a minus for the opposite direction), or its components.
+    POLING: Direction = "poling", [Quantity(Dimension::NUMBER), Vector(3, Dimension::NUMBER)],
+        or "3" = Direction(Vector3::z()), "3";
+    /// Direction of axis 1 of the constants in the axes of the material, at a right angle to the
+    /// poling; required if the poling is along none of them.
+    ACROSS: Option<Direction> = "across",
+        [Quantity(Dimension::NUMBER), Vector(3, Dimension::NUMBER)],
+        or "the axis after the poling, of 1, 2, 3, 1", "1";
+    /// Permittivity: one number, three along the axes of the constants, or a symmetric matrix;
+    /// plain numbers in the declared force per square of the voltage (F/m in SI).
+    PERMITTIVITY: Permittivity = "permittivity",
+        [Quantity(Dimension::PERMITTIVITY), Vector(3, Dimension::PERMITTIVITY), Rows(3, 3)],
+        required, "[\"2.77e-8 F/m\", \"2.77e-8 F/m\", \"3.01e-8 F/m\"]";
+    /// Permittivity in units of the vacuum permittivity, 8.8541878128e-12 F/m: one number, three,
+    /// or a symmetric matrix.
+    RELATIVE: Permittivity = "relative_permittivity",
+        [Quantity(Dimension::NUMBER), Vector(3, Dimension::NUMBER), Rows(3, 3)], required,
+        "[3130, 3130, 3400]";
+    /// Quantity that was constant when the permittivity was measured.
+    AT_OF_D: usize = "at", [Word(&["stress", "strain"])], or "\"stress\"" = 0, "\"stress\"";
+    /// Quantity that was constant when the permittivity was measured.
+    AT_OF_E: usize = "at", [Word(&["stress", "strain"])], or "\"strain\"" = 1, "\"strain\"";
+}
 
-/// Constants that are equal if all directions normal to the poling are equivalent.
-const PARTNERS: [[(usize, usize); 2]; 2] = [[(2, 0), (2, 1)], [(0, 4), (1, 3)]];
+/// The states at which a permittivity is measured, parallel to the words of `at`.
+const MEASURED_AT: [MeasuredAt; 2] = [MeasuredAt::Stress, MeasuredAt::Strain];
+
+const LAW: TableSchema = TableSchema {
+    title: "[material.NAME.electric]",
+    meaning: "Electric law of a material. The stiffness of the material is the stiffness at \
+              constant electric field (short circuit).",
+    keys: &[POLING.schema, ACROSS.schema],
+    families: &[
+        Family {
+            name: "dielectric",
+            meaning: "Not piezoelectric.",
+            keys: &[PERMITTIVITY.schema],
+        },
+        Family {
+            name: "dielectric, relative",
+            meaning: "The same in units of the permittivity of vacuum.",
+            keys: &[RELATIVE.schema],
+        },
+        Family {
+            name: "d",
+            meaning: "Piezoelectric, by strains per field.",
+            keys: &[D.schema, PERMITTIVITY.schema, AT_OF_D.schema],
+        },
+        Family {
+            name: "d, relative",
+            meaning: "The same in units of the permittivity of vacuum.",
+            keys: &[D.schema, RELATIVE.schema, AT_OF_D.schema],
+        },
+        Family {
+            name: "e",
+            meaning: "Piezoelectric, by stresses per field.",
+            keys: &[E.schema, PERMITTIVITY.schema, AT_OF_E.schema],
+        },
+        Family {
+            name: "e, relative",
+            meaning: "The same in units of the permittivity of vacuum.",
+            keys: &[E.schema, RELATIVE.schema, AT_OF_E.schema],
+        },
+    ],
+};
+
+const PLAIN: TableSchema = TableSchema {
+    title: "[material.NAME.electric], no stiffness",
+    meaning: "The permittivity of a material without stiffness.",
+    keys: &[POLING.schema, ACROSS.schema],
+    families: &[
+        Family {
+            name: "dielectric",
+            meaning: "In F/m.",
+            keys: &[PERMITTIVITY.schema],
+        },
+        Family {
+            name: "dielectric, relative",
+            meaning: "In units of the permittivity of vacuum.",
+            keys: &[RELATIVE.schema],
+        },
+    ],
+};
 
 /// The electric part of a material as far as it could be read.
 #[derive(Debug, Clone)]
@@ -52,7 +138,7 @@ pub(super) fn read(
     table: &Table<'_>,
     law: Option<&ElasticLaw>,
 ) -> Option<WrittenElectric> {
-    if !table.has("electric") {
+    if !table.has(&ELECTRIC) {
         if law == Some(&ElasticLaw::Absent) {
             table.note(
                 "stiffness",
@@ -63,14 +149,14 @@ pub(super) fn read(
         }
         return None;
     }
-    let line = table.line_of("electric");
+    let line = table.line_of(&ELECTRIC);
     let mut written = WrittenElectric {
         line,
         law: open_law(),
         axes: Matrix3::identity(),
         alone: Vec::new(),
     };
-    if let Some(table) = table.table("electric") {
+    if let Some(table) = table.table(&ELECTRIC) {
         let data = Data {
             material,
             table: &table,
@@ -138,12 +224,15 @@ impl Data<'_> {
         // All keys are read before the first wrong one ends the reading.
         let coupling = self.coupling(alone);
         let permittivity = self.permittivity();
-        let at = self.at();
+        let at = self.table.get(match self.table.has(&D) {
+            true => &AT_OF_D,
+            false => &AT_OF_E,
+        });
         let (coupling, permittivity, at) = (coupling?, permittivity?, at?);
         let key = coupling.as_ref().map(key_of);
-        match (key, at, law) {
-            (None, Some(_), _) => {
-                self.note("at", |material| Problem::AtAlone { material });
+        match (key, self.table.has(&AT_OF_E), law) {
+            (None, true, _) => {
+                self.note(AT_OF_E.name(), |material| Problem::AtAlone { material });
                 return None;
             }
             (Some(key), _, Some(ElasticLaw::Absent)) => {
@@ -152,12 +241,8 @@ impl Data<'_> {
             }
             _ => {}
         }
-        let by_form = match coupling {
-            Some(Coupling::Strains(_)) => MeasuredAt::Stress,
-            _ => MeasuredAt::Strain,
-        };
         let law = law.filter(|law| law.check().is_empty())?;
-        let measured = (&permittivity, at.unwrap_or(by_form));
+        let measured = (&permittivity, MEASURED_AT[at]);
         match ElectricLaw::checked(coupling.as_ref(), measured, &law.stiffness()) {
             Ok(law) => Some(law),
             Err(problems) => {
@@ -171,67 +256,50 @@ impl Data<'_> {
     }
 
     fn permittivity_key(&self) -> &'static str {
-        match self.table.has("permittivity") {
-            true => "permittivity",
-            false => "relative_permittivity",
+        match self.table.has(&PERMITTIVITY) {
+            true => PERMITTIVITY.name(),
+            false => RELATIVE.name(),
         }
     }
 
     /// The coupling, if given; `None` if it is wrong.
     fn coupling(&self, alone: &mut Vec<[String; 2]>) -> Option<Option<Coupling>> {
-        let (has_d, has_e) = (self.table.has("d"), self.table.has("e"));
-        match (has_d, has_e) {
+        match (self.table.has(&D), self.table.has(&E)) {
             (false, false) => Some(None),
             (true, true) => {
-                self.note("e", |material| Problem::TwoCouplings { material });
+                self.note(E.name(), |material| Problem::TwoCouplings { material });
                 None
             }
-            (true, false) => {
-                let d = self.components("d", Dimension::STRAIN_PER_FIELD, alone)?;
-                Some(Some(Coupling::Strains(d)))
-            }
-            (false, true) => {
-                let e = self.components("e", Dimension::CHARGE_PER_AREA, alone)?;
-                Some(Some(Coupling::Stresses(e)))
-            }
+            (true, false) => Some(Some(Coupling::Strains(self.components(&D, alone)?))),
+            (false, true) => Some(Some(Coupling::Stresses(self.components(&E, alone)?))),
         }
     }
 
-    /// The components under `key`: three rows, or a table with some of them by name.
+    /// The components under a key: three rows, or a table with some of them by name.
     fn components(
         &self,
-        key: &'static str,
-        dimension: Dimension,
+        key: &Key<Constants>,
         alone: &mut Vec<[String; 2]>,
     ) -> Option<Matrix3x6<f64>> {
-        let found = match self.table.is_table(key) {
-            true => constants(&self.table.table(key)?, key, dimension, alone)?,
-            false => {
-                let rows = self.table.rows_of(key, [3, 6], dimension)?;
-                Matrix3x6::from_fn(|i, j| rows[i][j])
-            }
-        };
-        if found == Matrix3x6::zeros() {
+        let found = self.table.get(key)?;
+        alone.extend(found.alone);
+        if found.values == Matrix3x6::zeros() {
+            let key = key.name();
             self.note(key, |material| Problem::ZeroCoupling { material, key });
             return None;
         }
-        Some(found)
+        Some(found.values)
     }
 
-    /// Permittivity \[F/m\]: one number, three, or three rows.
+    /// Permittivity \[F/m\], under one of both keys.
     fn permittivity(&self) -> Option<Matrix3<f64>> {
-        // Both keys are read, so that neither is reported as unknown.
-        let has = ["permittivity", "relative_permittivity"].map(|key| self.table.has(key));
-        let (key, dimension, unit) = match has {
-            [true, false] => ("permittivity", Dimension::PERMITTIVITY, 1.0),
-            [false, true] => (
-                "relative_permittivity",
-                Dimension::NUMBER,
-                VACUUM_PERMITTIVITY,
-            ),
+        let has = [&PERMITTIVITY, &RELATIVE].map(|key| self.table.has(key));
+        let key = match has {
+            [true, false] => &PERMITTIVITY,
+            [false, true] => &RELATIVE,
             [true, true] => {
                 let problem = |material| Problem::TwoPermittivities { material };
-                self.note("relative_permittivity", problem);
+                self.note(RELATIVE.name(), problem);
                 return None;
             }
             [false, false] => {
@@ -239,44 +307,17 @@ impl Data<'_> {
                 return None;
             }
         };
-        if self.table.is_nested(key) {
-            let rows = self.table.rows_of(key, [3, 3], dimension)?;
-            return Some(Matrix3::from_fn(|i, j| unit * rows[i][j]));
-        }
-        let found = self.table.quantities(key, dimension)?;
-        match found[..] {
-            [all] if !self.table.is_list(key) => Some(Matrix3::identity() * all * unit),
-            [a, b, c] => Some(Matrix3::from_diagonal(&Vector3::new(a, b, c)) * unit),
-            _ => {
-                let expected =
-                    format!("{dimension}, an array of 3, one for each axis, or 3 rows of 3");
-                self.table.wrong(key, &expected);
-                None
-            }
-        }
-    }
-
-    /// The state at which the permittivity was measured, if given.
-    fn at(&self) -> Option<Option<MeasuredAt>> {
-        if !self.table.has("at") {
-            return Some(None);
-        }
-        let word = self.table.word("at", &["stress", "strain"])?;
-        Some(Some([MeasuredAt::Stress, MeasuredAt::Strain][word]))
+        self.table.get(key).map(|found| found.0)
     }
 
     /// The axes of the data in the axes of the material.
     fn axes(&self) -> Option<Matrix3<f64>> {
-        let [poling, across] = ["poling", "across"].map(|key| match self.table.has(key) {
-            true => direction(self.table, key).map(Some),
-            false => Some(None),
-        });
-        let poling = poling?.unwrap_or_else(Vector3::z);
-        let found = data_axes(&poling, across?.as_ref());
-        let key = if self.table.has("across") {
-            "across"
-        } else {
-            "poling"
+        let (poling, across) = (self.table.get(&POLING), self.table.get(&ACROSS));
+        let across = across?.map(|direction| direction.0);
+        let found = data_axes(&poling?.0, across.as_ref());
+        let key = match across {
+            Some(_) => ACROSS.name(),
+            None => POLING.name(),
         };
         let note = |problem| self.note(key, |material| Problem::Axes { material, problem });
         found.map_err(note).ok()
@@ -290,68 +331,65 @@ fn key_of(coupling: &Coupling) -> &'static str {
     }
 }
 
-/// Constants by name, zero where not given.
-fn constants(
-    table: &Table<'_>,
-    letter: &str,
-    dimension: Dimension,
-    alone: &mut Vec<[String; 2]>,
-) -> Option<Matrix3x6<f64>> {
-    let name = |row: usize, column: usize| format!("{letter}{}", COMPONENTS[row][column]);
-    let mut found = Matrix3x6::zeros();
-    let mut is_sound = true;
-    for row in 0..3 {
-        for column in 0..6 {
-            let key = name(row, column);
-            if table.has(&key) {
-                let value = table.quantity(&key, dimension);
-                is_sound &= value.is_some();
-                found[(row, column)] = value.unwrap_or(0.0);
+/// Permittivity \[F/m\]: one number, three, or three rows; pure numbers are in units of the
+/// vacuum permittivity.
+#[derive(Debug)]
+struct Permittivity(Matrix3<f64>);
+
+impl Declared for Permittivity {}
+
+impl Value for Permittivity {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let dimension = key.dimension();
+        let unit = match dimension {
+            Dimension::NUMBER => VACUUM_PERMITTIVITY,
+            _ => 1.0,
+        };
+        if table.is_nested(key) {
+            let rows = table.rows_of(key.name, [3, 3], dimension)?;
+            return Some(Self(Matrix3::from_fn(|i, j| unit * rows[i][j])));
+        }
+        let found = table.quantities(key.name, dimension)?;
+        match found[..] {
+            [all] if !table.is_list(key) => Some(Self(Matrix3::identity() * all * unit)),
+            [a, b, c] => {
+                let diagonal = Vector3::new(a, b, c);
+                Some(Self(Matrix3::from_diagonal(&diagonal) * unit))
+            }
+            _ => {
+                let expected =
+                    format!("{dimension}, an array of 3, one for each axis, or 3 rows of 3");
+                table.wrong(key, &expected);
+                None
             }
         }
     }
-    for pair in PARTNERS {
-        let [first, second] = pair.map(|(row, column)| name(row, column));
-        match (table.has(&first), table.has(&second)) {
-            (true, false) => alone.push([first, second]),
-            (false, true) => alone.push([second, first]),
-            _ => {}
-        }
-    }
-    table.finish();
-    is_sound.then_some(found)
 }
+
+/// A direction in the axes of the material, of any length.
+#[derive(Debug)]
+struct Direction(Vector3<f64>);
+
+impl Declared for Direction {}
 
 /// A material axis by its number, with a minus for the opposite direction, or three components.
-fn direction(table: &Table<'_>, key: &str) -> Option<Vector3<f64>> {
-    if table.is_list(key) {
-        return table.vector(key, Dimension::NUMBER);
-    }
-    let number = table.quantity(key, Dimension::NUMBER)?;
-    let axis = [1.0, 2.0, 3.0]
-        .iter()
-        .position(|axis| *axis == number.abs());
-    let Some(axis) = axis else {
-        let expected = "1, 2 or 3 for a material axis, with a minus for the opposite direction, \
-                        or an array of 3, its components along them";
-        table.wrong(key, expected);
-        return None;
-    };
-    let mut direction = Vector3::zeros();
-    direction[axis] = number.signum();
-    Some(direction)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn components_are_in_their_order() {
-        for (row, names) in COMPONENTS.iter().enumerate() {
-            for (column, name) in names.iter().enumerate() {
-                assert_eq!(*name, format!("{}{}", row + 1, column + 1));
-            }
+impl Value for Direction {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        if table.is_list(key) {
+            return table.vector(key.name, Dimension::NUMBER).map(Self);
         }
+        let number = table.quantity(key.name, Dimension::NUMBER)?;
+        let axis = [1.0, 2.0, 3.0]
+            .iter()
+            .position(|axis| *axis == number.abs());
+        let Some(axis) = axis else {
+            let expected = "1, 2 or 3 for a material axis, with a minus for the opposite \
+                            direction, or an array of 3, its components along them";
+            table.wrong(key, expected);
+            return None;
+        };
+        let mut direction = Vector3::zeros();
+        direction[axis] = number.signum();
+        Some(Self(direction))
     }
 }

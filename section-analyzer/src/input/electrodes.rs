@@ -1,9 +1,15 @@
 //! Electrodes as written: `[[electrode]]`.
 
-use shared_geom::document::{Document, Item, Table};
+use shared_geom::document::schema::ValueKind::{
+    Count, Names, Positive, Table as OneTable, Tables, Text, Word,
+};
+use shared_geom::document::schema::{Family, KeySchema, TableSchema};
+use shared_geom::document::{ByHand, Declared, Document, Item, Key, Table, Value};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::regions::Written;
+use super::requests::{END_EFFECTS, PRESTRESS};
 use crate::section::{Circuit, Electrode};
 
 mod checks;
@@ -14,8 +20,73 @@ pub use problem::ElectrodeProblem;
 
 pub(super) use on_mesh::Found;
 
+keys! {
+    /// Electrodes on piezoelectric materials and other dielectrics.
+    pub(super) ELECTRODES: ByHand = "electrode", [Tables(&ELECTRODE)], optional, "";
+    /// Its name in loads and results.
+    NAME: Written = "name", [Text] as "a name of its own", required, "\"top\"";
+    /// Its connection: a prescribed voltage, the ground (0 V), or none, so that its charge stays
+    /// zero.
+    CIRCUIT: usize = "circuit", [Word(&CIRCUIT_WORDS)], or "\"driven\"" = 0, "\"driven\"";
+    /// The name of a physical curve, or its tag, or several; NAME/outer is the face of a lamina.
+    CURVE: WrittenNames = "curve", [Names], required, "\"upper\"";
+    /// The name of a physical surface, or its tag, or several, or a lamina by its name, for all
+    /// its plies.
+    REGION: WrittenNames = "region", [Names], required, "\"shim\"";
+    /// The name of a physical point, or its tag, or several.
+    POINT: WrittenNames = "point", [Names], required, "\"wire\"";
+    /// Regions of the fingers, and their spacing.
+    INTERDIGITATED: ByHand = "interdigitated", [OneTable(&FINGERS)], required, "";
+}
+
+/// An electrode.
+const ELECTRODE: TableSchema = TableSchema {
+    title: "[[electrode]]",
+    meaning: "A part with one voltage: a conductor on curves, in regions or at points of the \
+              mesh, or fingers across the beam.",
+    keys: &[NAME.schema, CIRCUIT.schema],
+    families: &[
+        Family {
+            name: "curve",
+            meaning: "A conductor along curves.",
+            keys: &[CURVE.schema],
+        },
+        Family {
+            name: "region",
+            meaning: "A conductor that fills regions, such as a metal sheet.",
+            keys: &[REGION.schema],
+        },
+        Family {
+            name: "point",
+            meaning: "A conductor at points.",
+            keys: &[POINT.schema],
+        },
+        Family {
+            name: "interdigitated",
+            meaning: "Fingers of alternate sign across the beam, whose field is along the fibers.",
+            keys: &[INTERDIGITATED.schema],
+        },
+    ],
+};
+
+keys! {
+    /// Cells between fingers: their field is the voltage over an effective spacing, equal in all
+    /// cells, and they have no unknown potential.
+    FINGERS = "interdigitated = { ... }";
+    /// The regions, or a lamina by its name, for all its plies.
+    REGIONS: WrittenNames = "regions", [Names] as "the name of a region, or a list of such names",
+        required, "[\"skin/2\", \"skin/4\"]";
+    /// Effective spacing of the fingers: voltage over mean field.
+    SPACING: f64 = "spacing", [Positive(Dimension::LENGTH)], required, "\"0.31 mm\"";
+    /// Those regions whose field has the opposite direction.
+    REVERSED: Option<WrittenNames> = "reversed", [Names]
+        as "the name of a region, or a list of such names", optional, "\"skin/4\"";
+    /// Material axis of the field.
+    AXIS: usize = "axis", [Count(3)] as "1, 2 or 3, an axis of the material", or "1" = 1, "1";
+}
+
 /// Words of the circuits, parallel to [`CIRCUITS`].
-pub(super) const CIRCUIT_WORDS: [&str; 3] = ["driven", "ground", "floating"];
+const CIRCUIT_WORDS: [&str; 3] = ["driven", "ground", "floating"];
 const CIRCUITS: [Circuit; 3] = [Circuit::Driven, Circuit::Ground, Circuit::Floating];
 
 /// Largest voltage \[V\], far beyond the strength of any dielectric.
@@ -81,7 +152,7 @@ pub(super) struct Placed {
 
 /// Reads every `[[electrode]]`.
 pub(super) fn read(root: &Table<'_>) -> WrittenElectrodes {
-    let tables = root.tables("electrode");
+    let tables = root.tables(&ELECTRODES);
     let mut electrodes: Vec<WrittenElectrode> = Vec::with_capacity(tables.len());
     for table in &tables {
         let electrode = read_one(table);
@@ -97,11 +168,11 @@ pub(super) fn read(root: &Table<'_>) -> WrittenElectrodes {
                 .as_ref()
                 .map_or_else(String::new, |n| n.text.clone());
             let line = other.line;
-            table.note("name", &ElectrodeProblem::NameTwice { name, line });
+            table.note(&NAME, &ElectrodeProblem::NameTwice { name, line });
         }
         electrodes.push(electrode);
     }
-    let unknown = ["prestress", "end_effects"].into_iter();
+    let unknown = [PRESTRESS.name(), END_EFFECTS.name()].into_iter();
     let unknown = unknown.filter(|key| root.has(key));
     WrittenElectrodes {
         all: electrodes,
@@ -113,12 +184,7 @@ fn read_one(table: &Table<'_>) -> WrittenElectrode {
     // All keys are read before the first wrong one ends the reading.
     let name = name(table);
     let location = location(table);
-    let circuit = match table.has("circuit") {
-        true => table
-            .word("circuit", &CIRCUIT_WORDS)
-            .map(|word| CIRCUITS[word]),
-        false => Some(Circuit::Driven),
-    };
+    let circuit = table.get(&CIRCUIT).map(|word| CIRCUITS[word]);
     table.finish();
     WrittenElectrode {
         line: table.line(),
@@ -129,70 +195,49 @@ fn read_one(table: &Table<'_>) -> WrittenElectrode {
 }
 
 fn name(table: &Table<'_>) -> Option<Written> {
-    let text = table.require_text("name", "a name of its own")?;
-    let is_sound = !text.trim().is_empty() && !text.contains(char::is_control);
-    if !is_sound || text.chars().count() > LONGEST_NAME {
-        let expected = "a text of one line, without control characters, of 100 letters at most";
-        table.wrong("name", expected);
-        return None;
-    }
-    let line = table.line_of("name");
-    Some(Written { text, line })
+    table.get_if(
+        &NAME,
+        |name| name.is_line() && name.text.chars().count() <= LONGEST_NAME,
+        "a text of one line, without control characters, of 100 letters at most",
+    )
 }
 
 /// Largest number of letters of a name: names are parts of file names.
 const LONGEST_NAME: usize = 100;
 
-const LOCATION_KEYS: [&str; 4] = ["curve", "region", "point", "interdigitated"];
-
 fn location(table: &Table<'_>) -> Option<WrittenLocation> {
-    let found = LOCATION_KEYS.map(|key| (key, table.has(key)));
-    let mut found = found.iter().filter(|(_, has)| *has).map(|(key, _)| *key);
-    match (found.next(), found.next()) {
-        (None, _) => {
+    let keys = ELECTRODE.families.iter().flat_map(|family| family.keys);
+    let found: Vec<_> = keys
+        .filter(|key| table.has(key))
+        .map(|key| key.name)
+        .collect();
+    match found[..] {
+        [] => {
             table.note("", &ElectrodeProblem::NoLocation);
-            None
+            return None;
         }
-        (Some(first), Some(second)) => {
+        [first, second, ..] => {
             table.note(second, &ElectrodeProblem::TwoLocations { first, second });
-            None
+            return None;
         }
-        (Some("curve"), None) => {
-            let expected = "the name of a physical curve, or a list of such names";
-            names(table, "curve", expected).map(WrittenLocation::Curves)
-        }
-        (Some("region"), None) => {
-            let expected = "the name of a physical surface, or a list of such names";
-            names(table, "region", expected).map(WrittenLocation::Regions)
-        }
-        (Some("point"), None) => {
-            let expected = "the name of a physical point, or a list of such names";
-            names(table, "point", expected).map(WrittenLocation::Points)
-        }
-        (Some(key), None) => fingers(&table.table(key)?).map(WrittenLocation::Fingers),
+        [_] => {}
     }
+    let names = |key: &Key<WrittenNames>, location: fn(Vec<Written>) -> WrittenLocation| {
+        table.given(key).map(|names| location(names.0))
+    };
+    names(&CURVE, WrittenLocation::Curves)
+        .or_else(|| names(&REGION, WrittenLocation::Regions))
+        .or_else(|| names(&POINT, WrittenLocation::Points))
+        .or_else(|| fingers(&table.table(&INTERDIGITATED)?).map(WrittenLocation::Fingers))
 }
 
 fn fingers(table: &Table<'_>) -> Option<WrittenFingers> {
-    let expected = "the name of a region, or a list of such names";
-    table.require_item("regions", expected);
-    let axis = match table.has("axis") {
-        true => table.count("axis").and_then(|axis| {
-            if axis > 3 {
-                table.wrong("axis", "1, 2 or 3, an axis of the material");
-            }
-            (axis <= 3).then(|| axis - 1)
-        }),
-        false => Some(0),
-    };
+    let reversed = table.get(&REVERSED);
     let fingers = WrittenFingers {
-        regions: names(table, "regions", expected),
-        reversed: match table.has("reversed") {
-            true => names(table, "reversed", expected),
-            false => Some(Vec::new()),
-        },
+        regions: table.get(&REGIONS).map(|names| names.0),
+        reversed: reversed.map(|names| names.map_or_else(Vec::new, |names| names.0)),
         spacing: spacing(table),
-        axis,
+        axis: table.get(&AXIS).map(|axis| axis - 1),
     };
     table.finish();
     Some(fingers)
@@ -200,38 +245,37 @@ fn fingers(table: &Table<'_>) -> Option<WrittenFingers> {
 
 /// The effective spacing of fingers \[m\].
 fn spacing(table: &Table<'_>) -> Option<f64> {
-    let spacing = table.require_positive("spacing", Dimension::LENGTH)?;
-    let is_known = SPACINGS.contains(&spacing);
-    if !is_known {
-        table.wrong("spacing", "a length between 1 nm and 1 m");
-    }
-    is_known.then_some(spacing)
+    let is_known = |spacing: &f64| SPACINGS.contains(spacing);
+    table.get_if(&SPACING, is_known, "a length between 1 nm and 1 m")
 }
 
 /// One name or a list of names; each may be a number that represents a name.
-fn names(table: &Table<'_>, key: &str, expected: &str) -> Option<Vec<Written>> {
-    let item = table.item(key)?;
-    let items = item.list().unwrap_or_else(|| vec![item]);
-    if items.is_empty() {
-        table.wrong(key, expected);
-        return None;
+#[derive(Debug)]
+struct WrittenNames(Vec<Written>);
+
+impl Declared for WrittenNames {}
+
+impl Value for WrittenNames {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let item = table.item(key)?;
+        let items = item.list().unwrap_or_else(|| vec![item]);
+        let expected = key.expected();
+        if items.is_empty() {
+            table.wrong(key, &expected);
+            return None;
+        }
+        // All items are checked, so that each wrong one is noted.
+        let read: Vec<_> = items.iter().map(|item| one_name(item, &expected)).collect();
+        read.into_iter().collect::<Option<_>>().map(Self)
     }
-    // All items are checked, so that each wrong one is noted.
-    let read: Vec<_> = items.iter().map(|item| one_name(item, expected)).collect();
-    read.into_iter().collect()
 }
 
 fn one_name(item: &Item<'_>, expected: &str) -> Option<Written> {
     let line = item.line();
-    if let Some(text) = item.text() {
-        let text = text.to_owned();
-        return Some(Written { text, line });
-    }
-    match item.whole_number() {
-        Some(number) => Some(Written {
-            text: number.to_string(),
-            line,
-        }),
+    let text = item.text().map(str::to_owned);
+    let text = text.or_else(|| item.whole_number().map(|number| number.to_string()));
+    match text {
+        Some(text) => Some(Written { text, line }),
         None => item.wrong(expected),
     }
 }
@@ -249,9 +293,14 @@ impl WrittenElectrodes {
         }
     }
 
-    /// The voltages under `key` of a load, by the names of the electrodes; `None` if one
+    /// The voltages under a key of a load, by the names of the electrodes; `None` if one
     /// is wrong, which is noted.
-    pub fn voltages(&self, load: &str, table: &Table<'_>, key: &str) -> Option<Vec<(String, f64)>> {
+    pub fn voltages(
+        &self,
+        load: &str,
+        table: &Table<'_>,
+        key: &Key<ByHand>,
+    ) -> Option<Vec<(String, f64)>> {
         if !table.has(key) {
             return Some(Vec::new());
         }

@@ -16,6 +16,7 @@ use sprs::CsMat;
 use super::curvature;
 use super::files::Files;
 use super::regions::Written;
+use super::requests::END_EFFECTS;
 use crate::section::{Blocks, ExternalSection, Reduced, Slice, Through};
 
 mod matrix_market;
@@ -89,12 +90,12 @@ impl Reading<'_> {
         let nodes = self.nodes(root);
         let count = nodes.as_ref().map(|nodes| nodes.tags.len());
         let initial_curvature = curvature::read(root).map(|written| written.initial);
-        let end_effects = super::end_effects(root);
+        let end_effects = root.get(&END_EFFECTS).flatten();
         let given_mass = mass(root);
         let matrices = root.has("matrices").then(|| root.table("matrices"));
         let slice = root.has("slice").then(|| root.table("slice"));
-        if slice.is_some() && root.has("initial_curvature") {
-            root.note("initial_curvature", &MatrixProblem::CurvedSlice);
+        if slice.is_some() && root.has(&curvature::BEAM) {
+            root.note(&curvature::BEAM, &MatrixProblem::CurvedSlice);
         }
         let found = match (matrices, slice) {
             (Some(table), None) => self.matrices(&table?, count),

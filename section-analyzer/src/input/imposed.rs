@@ -3,7 +3,10 @@
 use std::collections::BTreeSet;
 
 use nalgebra::Vector6;
-use shared_geom::document::{Document, Table};
+use shared_geom::document::schema::ValueKind::{Name, NamedTables, Quantity, Tables, Text, Vector};
+use shared_geom::document::schema::{Family, TableSchema};
+use shared_geom::document::{ByHand, Document, Key, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::cell_table::{CellTable, LARGEST_RISE, RISE};
@@ -11,12 +14,74 @@ use super::files::Files;
 use super::laminae::{self, WrittenLamina};
 use super::names::is_load_name;
 use super::problem::InputProblem;
-use super::regions::{Written, WrittenRegion, name};
+use super::regions::{Written, WrittenRegion};
 use crate::section::{CellMaterial, FreeStrain, ImposedStrain, Section, TemperatureField};
 
 mod problem;
 
 pub use problem::ImposedProblem;
+
+keys! {
+    /// Rises of temperature, by name.
+    pub(super) TEMPERATURES: ByHand = "temperature", [NamedTables(&TEMPERATURE)], optional, "";
+    /// Initial strains, by name.
+    pub(super) STRAINS: ByHand = "initial_strain", [NamedTables(&INITIAL_STRAIN)], optional, "";
+    /// Rise of temperature.
+    UNIFORM: f64 = "rise", [Quantity(Dimension::TEMPERATURE)], required, "50";
+    /// Change of the rise per length along y and along z.
+    GRADIENT: [f64; 2] = "gradient", [Vector(2, Dimension::TEMPERATURE_GRADIENT)]
+        as "an array of 2, the gradients along y and z", required, "[0, \"3 K/mm\"]";
+    /// Rise at the origin of the mesh.
+    AT_ORIGIN: f64 = "rise", [Quantity(Dimension::TEMPERATURE)], or "0" = 0.0, "20";
+    /// CSV file with the header cell,rise and a row for each cell of the mesh, by its tag, and
+    /// for each line with plies; rises in the declared unit.
+    TABLE: Written = "table", [Text], required, "\"rises.csv\"";
+}
+
+/// A temperature.
+const TEMPERATURE: TableSchema = TableSchema {
+    title: "[temperature.NAME]",
+    meaning: "A rise of temperature above the state without stress. NAME is made of letters, \
+              digits, - and _.",
+    keys: &[],
+    families: &[
+        Family {
+            name: "uniform",
+            meaning: "Constant in the section.",
+            keys: &[UNIFORM.schema],
+        },
+        Family {
+            name: "gradient",
+            meaning: "Linear in the section.",
+            keys: &[GRADIENT.schema, AT_ORIGIN.schema],
+        },
+        Family {
+            name: "table",
+            meaning: "Cell by cell.",
+            keys: &[TABLE.schema],
+        },
+    ],
+};
+
+keys! {
+    /// Strain that the material would have without any stress, as from cure or swelling. NAME is
+    /// made of letters, digits, - and _, and differs from the names of temperatures.
+    INITIAL_STRAIN = "[initial_strain.NAME]";
+    /// The strained regions; the others have no initial strain.
+    REGIONS: ByHand = "region", [Tables(&REGION)], required, "";
+}
+
+keys! {
+    /// A region and its initial strain.
+    REGION = "[[initial_strain.NAME.region]]";
+    /// The name of a physical surface of a region, or its tag, or the name of a lamina, for all
+    /// its plies.
+    GROUP: Written = "group", [Name], required, "\"skin\"";
+    /// Strain in material axes, order 11, 22, 33, 23, 13, 12 with engineering shear strains.
+    STRAIN: [f64; 6] = "strain", [Vector(6, Dimension::NUMBER)]
+        as "an array of 6 strains in material axes, order 11 22 33 23 13 12", required,
+        "[-2e-4, -4e-3, -4e-3, 0, 0, 0]";
+}
 
 /// Largest initial strain \[-\]: beyond it linear theory does not apply.
 const LARGEST_STRAIN: f64 = 1.0;
@@ -56,8 +121,8 @@ struct RegionStrain {
 
 /// Reads every `[temperature.NAME]` and `[initial_strain.NAME]`.
 pub(super) fn read(root: &Table<'_>) -> WrittenStates {
-    let temperatures = states(root, "temperature", temperature);
-    let initial_strains = states(root, "initial_strain", region_strains);
+    let temperatures = states(root, &TEMPERATURES, temperature);
+    let initial_strains = states(root, &STRAINS, region_strains);
     for strain in &initial_strains {
         let same = temperatures.iter().find(|state| state.name == strain.name);
         if let Some(state) = same {
@@ -74,10 +139,10 @@ pub(super) fn read(root: &Table<'_>) -> WrittenStates {
 
 fn states<T>(
     root: &Table<'_>,
-    kind: &'static str,
+    key: &Key<ByHand>,
     read: impl Fn(&str, &Table<'_>) -> Option<T>,
 ) -> Vec<WrittenState<T>> {
-    let tables = root.named_tables(kind);
+    let (tables, kind) = (root.named_tables(key), key.name());
     let state = |(name, table): (String, Table<'_>)| {
         if !is_load_name(&name) {
             let name = name.clone();
@@ -96,17 +161,13 @@ fn states<T>(
 
 fn temperature(name: &str, table: &Table<'_>) -> Option<Temperature> {
     // All keys are read, so that none of them is reported as unknown.
-    let has = ["rise", "gradient", "table"].map(|key| table.has(key));
+    let has = [table.has(&UNIFORM), table.has(&GRADIENT), table.has(&TABLE)];
     let found = match has {
         [_, false, false] if !has[0] => "none of them",
         [_, false, false] | [_, true, false] => {
             return linear(name, table).map(Temperature::Linear);
         }
-        [false, false, true] => {
-            let text = table.require_text("table", "the path of a CSV file")?;
-            let line = table.line_of("table");
-            return Some(Temperature::Table(Written { text, line }));
-        }
+        [false, false, true] => return table.get(&TABLE).map(Temperature::Table),
         [true, false, true] => "\"rise\" and \"table\"",
         [_, true, true] => "\"gradient\" and \"table\"",
     };
@@ -116,16 +177,15 @@ fn temperature(name: &str, table: &Table<'_>) -> Option<Temperature> {
 }
 
 fn linear(name: &str, table: &Table<'_>) -> Option<TemperatureField> {
-    let rise = match table.has("rise") {
-        true => table.quantity("rise", Dimension::TEMPERATURE),
-        false => Some(0.0),
-    };
-    if rise.is_some_and(|rise| rise.abs() > LARGEST_RISE) {
-        table.wrong("rise", "a rise of temperature of at most 100000 K");
-        return None;
-    }
-    let gradient = match table.has("gradient") {
-        true => gradient(table),
+    let is_right = |rise: &f64| rise.abs() <= LARGEST_RISE;
+    let expected = "a rise of temperature of at most 100000 K";
+    let rise = table.get_if(&AT_ORIGIN, is_right, expected);
+    let gradient = match table.has(&GRADIENT) {
+        true => {
+            let is_right =
+                |slopes: &[f64; 2]| slopes.iter().all(|k| k.abs() <= LARGEST_RISE / 1e-3);
+            table.get_if(&GRADIENT, is_right, "gradients of at most 1e8 K/m")
+        }
         false => Some([0.0; 2]),
     };
     let field = TemperatureField {
@@ -133,26 +193,10 @@ fn linear(name: &str, table: &Table<'_>) -> Option<TemperatureField> {
         gradient: gradient?,
     };
     if field == TemperatureField::default() {
-        note_zero(name, "temperature", table);
+        note_zero(name, TEMPERATURES.name(), table);
         return None;
     }
     Some(field)
-}
-
-fn gradient(table: &Table<'_>) -> Option<[f64; 2]> {
-    let found = table.quantities("gradient", Dimension::TEMPERATURE_GRADIENT)?;
-    match found[..] {
-        [y, z] if found.iter().all(|slope| slope.abs() <= LARGEST_RISE / 1e-3) => Some([y, z]),
-        [_, _] => {
-            table.wrong("gradient", "gradients of at most 1e8 K/m");
-            None
-        }
-        _ => {
-            let expected = "an array of 2, the gradients along y and z";
-            table.wrong("gradient", expected);
-            None
-        }
-    }
 }
 
 fn note_zero(name: &str, kind: &'static str, table: &Table<'_>) {
@@ -161,7 +205,7 @@ fn note_zero(name: &str, kind: &'static str, table: &Table<'_>) {
 }
 
 fn region_strains(state: &str, table: &Table<'_>) -> Option<Vec<RegionStrain>> {
-    let tables = table.tables("region");
+    let tables = table.tables(&REGIONS);
     if tables.is_empty() {
         let name = state.to_owned();
         table.note("", &ImposedProblem::NoRegion { name });
@@ -170,32 +214,20 @@ fn region_strains(state: &str, table: &Table<'_>) -> Option<Vec<RegionStrain>> {
     let strains: Vec<_> = tables.iter().map(region_strain).collect();
     let is_zero = |region: &RegionStrain| region.strain == Some(Vector6::zeros());
     if strains.iter().all(is_zero) {
-        note_zero(state, "initial_strain", table);
+        note_zero(state, STRAINS.name(), table);
     }
     Some(strains)
 }
 
 fn region_strain(table: &Table<'_>) -> RegionStrain {
-    let group = name(table, "group", "the name of a physical surface of a region");
+    let group = table.get(&GROUP);
     let strain = strain(table);
     table.finish_beside(&[("region", "\"group\"")]);
     RegionStrain { group, strain }
 }
 
 fn strain(table: &Table<'_>) -> Option<Vector6<f64>> {
-    const EXPECTED: &str = "an array of 6 strains in material axes, order 11 22 33 23 13 12";
-    let strain = match table.has("strain") {
-        true => table.quantities("strain", Dimension::NUMBER),
-        false => {
-            let _ = table.require_text("strain", EXPECTED);
-            None
-        }
-    };
-    let strain = strain?;
-    if strain.len() != 6 {
-        table.wrong("strain", EXPECTED);
-        return None;
-    }
+    let strain = table.get(&STRAIN)?;
     let large = strain.iter().position(|part| part.abs() > LARGEST_STRAIN);
     if let Some(entry) = large {
         let problem = ImposedProblem::Large {
@@ -203,10 +235,10 @@ fn strain(table: &Table<'_>) -> Option<Vector6<f64>> {
             value: strain[entry],
             limit: LARGEST_STRAIN,
         };
-        table.note("strain", &problem);
+        table.note(&STRAIN, &problem);
         return None;
     }
-    Some(Vector6::from_vec(strain))
+    Some(Vector6::from(strain))
 }
 
 /// Tags that the rows of a table may use.
@@ -236,7 +268,7 @@ impl WrittenStates {
     /// Names of the states of a kind, `temperature` or `initial_strain`.
     pub fn names(&self, kind: &str) -> Vec<String> {
         match kind {
-            "temperature" => names(&self.temperatures),
+            kind if kind == TEMPERATURES.name() => names(&self.temperatures),
             _ => names(&self.initial_strains),
         }
     }

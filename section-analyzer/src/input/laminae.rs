@@ -1,13 +1,16 @@
 //! Laminates along curves as written, and their cells in the mesh.
 
-use shared_geom::document::{Document, Table};
+use shared_geom::document::schema::ValueKind::{Name, Positive, Quantity, Tables, Text, Word};
+use shared_geom::document::schema::{Family, KeySchema, TableSchema};
+use shared_geom::document::{ByHand, Document, Table};
 use shared_geom::error::{Diagnostics, SourceLocation};
+use shared_geom::keys;
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 use shared_geom::units::Dimension;
 
 use super::groups;
 use super::problem::InputProblem;
-use super::regions::{Written, WrittenAngle, WrittenRegion, constant_angle, name};
+use super::regions::{Angle, MATERIAL, Written, WrittenAngle, WrittenRegion};
 use crate::mesh::{
     DoubledNodes, Lamina, LaminaProblem, LaminaSide, Laminated, MeshReport, SectionMesh, of_laminae,
 };
@@ -17,9 +20,55 @@ mod faces;
 
 pub(super) use faces::{Faces, add_with_faces};
 
+keys! {
+    /// Laminates along physical curves of the mesh, next to cells or without.
+    pub(super) LAMINAE: ByHand = "lamina", [Tables(&LAMINA)], optional, "";
+    /// The name of a physical curve, or its tag.
+    CURVE: Written = "curve", [Name], required, "\"outer\"";
+    /// Name in reports and tables; several plies are NAME/1, NAME/2 and so on.
+    NAME: Option<Written> = "name", [Text], or "name of the curve", "\"skin\"";
+    /// Side of the line on which the plies lie, seen along it.
+    SIDE: Option<usize> = "side", [Word(&["left", "right", "center"])],
+        or "the side without cells; \"center\" if no cells are adjacent", "\"left\"";
+    /// The plies from the line outward; with side = "center" from right to left.
+    PLIES: ByHand = "plies", [Tables(&PLY)], required, "";
+    /// Thickness of the ply.
+    THICKNESS: f64 = "thickness", [Positive(Dimension::LENGTH)], required, "\"0.2 mm\"";
+    /// Angle of the fiber from x toward the direction of the line.
+    FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)], or "0" = Angle(0.0), "45";
+}
+
+/// The keys of a ply, which exclude a list of plies.
+const ONE_PLY: &[KeySchema] = &[MATERIAL.schema, THICKNESS.schema, FIBER_ANGLE.schema];
+
+const LAMINA: TableSchema = TableSchema {
+    title: "[[lamina]]",
+    meaning: "Plies along a physical curve of the mesh: each line becomes cells with the \
+              thickness of a ply.",
+    keys: &[CURVE.schema, NAME.schema, SIDE.schema],
+    families: &[
+        Family {
+            name: "plies",
+            meaning: "A list of plies.",
+            keys: &[PLIES.schema],
+        },
+        Family {
+            name: "one ply",
+            meaning: "A single ply.",
+            keys: ONE_PLY,
+        },
+    ],
+};
+
+const PLY: TableSchema = TableSchema {
+    title: "plies = [{ ... }]",
+    meaning: "A ply of a laminate.",
+    keys: ONE_PLY,
+    families: &[],
+};
+
+/// The sides, parallel to the words of [`SIDE`].
 const SIDES: [LaminaSide; 3] = [LaminaSide::Left, LaminaSide::Right, LaminaSide::Center];
-/// Keys of a laminate of one ply, which exclude a list of plies.
-const ONE_PLY: [&str; 3] = ["material", "thickness", "fiber_angle"];
 
 /// `[[lamina]]` as far as it could be read.
 #[derive(Debug, Clone)]
@@ -45,16 +94,14 @@ struct WrittenPly {
 
 /// Reads every `[[lamina]]`.
 pub(super) fn read(root: &Table<'_>) -> Vec<WrittenLamina> {
-    let tables = root.tables("lamina");
+    let tables = root.tables(&LAMINAE);
     tables
         .iter()
         .map(|table| {
             let lamina = WrittenLamina {
-                curve: name(table, "curve", "the name of a physical curve"),
+                curve: table.get(&CURVE),
                 name: own_name(table),
-                side: table
-                    .word("side", &SIDES.map(LaminaSide::name))
-                    .map(|side| SIDES[side]),
+                side: table.get(&SIDE).flatten().map(|side| SIDES[side]),
                 plies: plies(table),
             };
             table.finish();
@@ -64,31 +111,27 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenLamina> {
 }
 
 fn own_name(table: &Table<'_>) -> Option<Written> {
-    let text = table.text("name")?;
-    if text.trim().is_empty() || text.contains(char::is_control) {
-        table.wrong("name", "a text of one line, without control characters");
-        return None;
-    }
-    let line = table.line_of("name");
-    Some(Written { text, line })
+    let is_right = |name: &Option<Written>| name.as_ref().is_none_or(Written::is_line);
+    let expected = "a text of one line, without control characters";
+    table.get_if(&NAME, is_right, expected).flatten()
 }
 
 /// The plies: a list of them, or the table itself as the only ply.
 fn plies(table: &Table<'_>) -> Option<Vec<WrittenPly>> {
     // All keys are read, so that none of them is reported as unknown.
-    let own = ONE_PLY.map(|key| (key, table.has(key)));
-    let own = own.iter().find(|(_, has)| *has).map(|(key, _)| *key);
-    match (table.has("plies"), own) {
+    let own: Vec<_> = ONE_PLY.iter().filter(|key| table.has(key)).collect();
+    match (table.has(&PLIES), own.first()) {
         (true, Some(key)) => {
+            let key = key.name;
             table.note(key, &InputProblem::PliesAndPly { key });
             None
         }
         (true, None) => {
-            let tables = table.tables("plies");
+            let tables = table.tables(&PLIES);
             let plies: Vec<_> = tables.iter().map(ply).collect();
             tables.iter().for_each(Table::finish);
-            if table.is_list("plies") && table.row_count("plies") == Some(0) {
-                table.wrong("plies", "at least one ply");
+            if table.row_count(&PLIES) == Some(0) {
+                table.wrong(&PLIES, "at least one ply");
             }
             (!plies.is_empty()).then_some(plies)
         }
@@ -101,15 +144,11 @@ fn plies(table: &Table<'_>) -> Option<Vec<WrittenPly>> {
 }
 
 fn ply(table: &Table<'_>) -> WrittenPly {
-    let fiber_angle = match table.has("fiber_angle") {
-        true => constant_angle(table, "fiber_angle"),
-        false => Some(0.0),
-    };
     WrittenPly {
         line: table.line(),
-        material: name(table, "material", "the name of a material"),
-        thickness: table.require_positive("thickness", Dimension::LENGTH),
-        fiber_angle,
+        material: table.get(&MATERIAL),
+        thickness: table.get(&THICKNESS),
+        fiber_angle: table.get(&FIBER_ANGLE).map(|angle| angle.0),
     }
 }
 

@@ -1,7 +1,9 @@
 //! Load cases as written: `[load.NAME]`.
 
 use nalgebra::Vector6;
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Name, Named, NamedTables, Quantity, Vector};
+use shared_geom::document::{ByHand, Key, Table};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::distributed::{self, WrittenDistribution};
@@ -9,21 +11,48 @@ use super::electrodes::WrittenElectrodes;
 use super::imposed::{ImposedProblem, WrittenStates};
 use super::names::is_load_name;
 use super::problem::InputProblem;
+use super::regions::Written;
 use crate::recovery::LoadCase;
 
 mod problem;
 
 pub use problem::LoadProblem;
 
-/// Keys of the six components, in their order, with their dimensions.
-pub const LOAD_KEYS: [(&str, Dimension); 6] = [
-    ("axial", Dimension::FORCE),
-    ("shear_y", Dimension::FORCE),
-    ("shear_z", Dimension::FORCE),
-    ("torsion", Dimension::MOMENT),
-    ("bending_y", Dimension::MOMENT),
-    ("bending_z", Dimension::MOMENT),
-];
+keys! {
+    /// Internal forces, imposed states and distributed loads for which stresses are recovered, by
+    /// name.
+    pub(super) LOADS: ByHand = "load", [NamedTables(&LOAD)], optional, "";
+}
+
+keys! {
+    /// An internal force with at least one nonzero component, imposed states, a distributed load,
+    /// voltages, or several of these. NAME is made of letters, digits, - and _.
+    LOAD = "[load.NAME]";
+    /// Axial force.
+    AXIAL: f64 = "axial", [Quantity(Dimension::FORCE)], or "0" = 0.0, "\"10 kN\"";
+    /// Shear force along y.
+    SHEAR_Y: f64 = "shear_y", [Quantity(Dimension::FORCE)], or "0" = 0.0, "\"1 kN\"";
+    /// Shear force along z.
+    SHEAR_Z: f64 = "shear_z", [Quantity(Dimension::FORCE)], or "0" = 0.0, "\"2 kN\"";
+    /// Torque about x.
+    TORSION: f64 = "torsion", [Quantity(Dimension::MOMENT)], or "0" = 0.0, "\"120 N m\"";
+    /// Bending moment about y.
+    BENDING_Y: f64 = "bending_y", [Quantity(Dimension::MOMENT)], or "0" = 0.0, "\"-3 kN m\"";
+    /// Bending moment about z.
+    BENDING_Z: f64 = "bending_z", [Quantity(Dimension::MOMENT)], or "0" = 0.0, "\"500 N m\"";
+    /// Point of application of the force, y and z.
+    POINT: [f64; 2] = "point", [Vector(2, Dimension::LENGTH)]
+        as "an array of 2, y and z, each a length", or "the origin of the mesh" = [0.0; 2],
+        "[12.5, 0]";
+    /// The temperature that acts with it, by its name.
+    TEMPERATURE: Option<Written> = "temperature", [Name], optional, "\"hot\"";
+    /// The initial strain that acts with it, by its name.
+    INITIAL_STRAIN: Option<Written> = "initial_strain", [Name], optional, "\"cure\"";
+    /// Voltages of driven electrodes by their names; all others are zero.
+    VOLTAGES: ByHand = "voltages", [Named(Dimension::VOLTAGE)], optional,
+        "{ top = \"100 V\" }";
+    with distributed::TRACTIONS.schema, distributed::VOLUMES.schema;
+}
 
 /// Largest component \[N, N m\]: far beyond all structures; the squares of its stresses
 /// are still finite.
@@ -54,13 +83,13 @@ pub(super) fn read(
     states: &WrittenStates,
     electrodes: &WrittenElectrodes,
 ) -> Vec<(Option<LoadCase>, WrittenDistribution)> {
-    let tables = root.named_tables("load");
+    let tables = root.named_tables(&LOADS);
     note_same_files(&tables);
     tables
         .into_iter()
         .map(|(name, table)| {
             let distributed = distributed::read(&table);
-            let voltages = electrodes.voltages(&name, &table, "voltages");
+            let voltages = electrodes.voltages(&name, &table, &VOLTAGES);
             let load = read_one(&name, &table, (states, &distributed), voltages);
             table.finish();
             (load, distributed)
@@ -96,12 +125,10 @@ fn read_one(
         table.note("", &InputProblem::LoadName { load: load.clone() });
     }
     // All keys are read before the first wrong one ends the reading.
-    let read = LOAD_KEYS.map(|(key, dimension)| match table.has(key) {
-        true => table.quantity(key, dimension),
-        false => Some(0.0),
-    });
-    let point = point(table);
-    let imposed = ["temperature", "initial_strain"].map(|kind| state(name, kind, table, states));
+    let read = [&AXIAL, &SHEAR_Y, &SHEAR_Z, &TORSION, &BENDING_Y, &BENDING_Z];
+    let read = read.map(|key| table.get(key));
+    let point = table.get(&POINT);
+    let imposed = [&TEMPERATURE, &INITIAL_STRAIN].map(|kind| state(name, kind, table, states));
     let components: Option<Vec<f64>> = read.into_iter().collect();
     let force = Vector6::from_vec(components?);
     let [temperature, initial_strain] = imposed;
@@ -113,8 +140,8 @@ fn read_one(
         table.note("", &InputProblem::ZeroLoad { load });
         return None;
     }
-    if force == Vector6::zeros() && table.has("point") {
-        table.note("point", &LoadProblem::PointAlone { load: load.clone() });
+    if force == Vector6::zeros() && table.has(&POINT) {
+        table.note(&POINT, &LoadProblem::PointAlone { load: load.clone() });
     }
     let load = LoadCase {
         imposed,
@@ -129,14 +156,14 @@ fn read_one(
 /// unknown name, which is noted.
 fn state(
     load: &str,
-    kind: &'static str,
+    key: &Key<Option<Written>>,
     table: &Table<'_>,
     states: &WrittenStates,
 ) -> Option<Option<String>> {
-    if !table.has(kind) {
+    let Some(name) = table.get(key)?.map(|written| written.text) else {
         return Some(None);
-    }
-    let name = table.text(kind)?;
+    };
+    let kind = key.name();
     let known = states.names(kind);
     if !known.contains(&name) {
         let load = load.to_owned();
@@ -146,23 +173,8 @@ fn state(
             load,
             known,
         };
-        table.note(kind, &problem);
+        table.note(key, &problem);
         return None;
     }
     Some(Some(name))
-}
-
-/// Point of application of the force (y, z) \[m\]; the reference point if not given.
-fn point(table: &Table<'_>) -> Option<[f64; 2]> {
-    if !table.has("point") {
-        return Some([0.0; 2]);
-    }
-    let numbers = table.quantities("point", Dimension::LENGTH)?;
-    match numbers[..] {
-        [y, z] => Some([y, z]),
-        _ => {
-            table.wrong("point", "an array of 2, y and z, each a length");
-            None
-        }
-    }
 }

@@ -1,23 +1,165 @@
 //! Materials as written: the keys determine the law.
 
 use nalgebra::Matrix6;
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{NamedTables, Quantity, Rows, Vector, Word};
+use shared_geom::document::schema::{Family, KeySchema, TableSchema};
+use shared_geom::document::{ByHand, Declared, Table, Value};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::electric::{self, ElectricDataProblem, WrittenElectric};
+use super::electric::{self, DIELECTRIC, ELECTRIC, ElectricDataProblem, WrittenElectric};
 use super::problem::InputProblem;
-use super::strengths;
+use super::strengths::{self, PLY_STRAIN, PLY_STRENGTH, UNIFORM_STRAIN, UNIFORM_STRENGTH};
 use crate::material::{
     ElasticLaw, EngineeringConstants, Material, MaterialLimits, MaterialProblem,
 };
 
-const ISOTROPIC: [&str; 2] = ["young", "poisson"];
-const ORTHOTROPIC: [&str; 9] = [
-    "e1", "e2", "e3", "g12", "g13", "g23", "nu12", "nu13", "nu23",
-];
-/// Constants that a transversely isotropic material does not have: those along 3.
-const ALONG_THICKNESS: [&str; 3] = ["e3", "g13", "nu13"];
-const FULL: [&str; 1] = ["stiffness"];
+keys! {
+    /// The materials, by name.
+    pub(super) MATERIALS: ByHand = "material", [NamedTables(&MATERIAL)], required, "";
+    /// Mass per volume; 0 for a material without mass.
+    DENSITY: f64 = "density", [Quantity(Dimension::DENSITY)], required, "\"1600 kg/m^3\"";
+    /// Mass per volume; 0 for a material without mass.
+    DENSITY_OR_ZERO: f64 = "density", [Quantity(Dimension::DENSITY)], or "0" = 0.0,
+        "\"1600 kg/m^3\"";
+    /// Strain per rise of temperature, plain numbers per declared unit of it: one for all
+    /// directions, or along the material axes 1, 2, 3; without it the material does not expand.
+    EXPANSION: Option<Expansion> = "expansion",
+        [Quantity(Dimension::EXPANSION), Vector(3, Dimension::EXPANSION)]
+        as "an expansion coefficient, or an array of 3, one for each material axis", optional,
+        "[1e-7, 2.8e-5, 2.8e-5]";
+    /// Young's modulus.
+    YOUNG: f64 = "young", [Quantity(Dimension::STRESS)], required, "\"73.1 GPa\"";
+    /// Poisson's ratio, between -1 and 0.5.
+    POISSON: f64 = "poisson", [Quantity(Dimension::NUMBER)], required, "0.325";
+    /// Modulus along the fiber.
+    E1: f64 = "e1", [Quantity(Dimension::STRESS)], required, "\"142 GPa\"";
+    /// Modulus across the fiber in the ply.
+    E2: f64 = "e2", [Quantity(Dimension::STRESS)], required, "\"9.8 GPa\"";
+    /// Modulus through the thickness.
+    E3: f64 = "e3", [Quantity(Dimension::STRESS)], required, "\"9.8 GPa\"";
+    /// Shear modulus in the ply.
+    G12: f64 = "g12", [Quantity(Dimension::STRESS)], required, "\"6 GPa\"";
+    /// Shear modulus of fiber and thickness.
+    G13: f64 = "g13", [Quantity(Dimension::STRESS)], required, "\"6 GPa\"";
+    /// Shear modulus across the fiber.
+    G23: f64 = "g23", [Quantity(Dimension::STRESS)], required, "\"4.8 GPa\"";
+    /// Contraction along 2 under tension along 1.
+    NU12: f64 = "nu12", [Quantity(Dimension::NUMBER)], required, "0.3";
+    /// Contraction along 3 under tension along 1.
+    NU13: f64 = "nu13", [Quantity(Dimension::NUMBER)], required, "0.34";
+    /// Contraction along 3 under tension along 2.
+    NU23: f64 = "nu23", [Quantity(Dimension::NUMBER)], required, "0.42";
+    /// Modulus across the fiber.
+    E2_ACROSS: f64 = "e2", [Quantity(Dimension::STRESS)], required, "\"9.8 GPa\"";
+    /// Shear modulus along the fiber.
+    G12_ALONG: f64 = "g12", [Quantity(Dimension::STRESS)], required, "\"6 GPa\"";
+    /// Contraction across the fiber under tension along it.
+    NU12_ALONG: f64 = "nu12", [Quantity(Dimension::NUMBER)], required, "0.3";
+    /// Contraction across the fiber under tension across it.
+    NU23_ACROSS: f64 = "nu23", [Quantity(Dimension::NUMBER)], required, "0.42";
+    /// Shear modulus across the fiber.
+    G23_ACROSS: f64 = "g23", [Quantity(Dimension::STRESS)], required, "\"3.45 GPa\"";
+    /// Stiffness in the declared unit of stress, symmetric and positive definite, order 11, 22,
+    /// 33, 23, 13, 12 with engineering shear strains.
+    STIFFNESS: Stiffness = "stiffness", [Rows(6, 6)], required,
+        "[[4, 2, 2, 0, 0, 0], [2, 4, 2, 0, 0, 0], [2, 2, 4, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]";
+    /// The word none.
+    NO_STIFFNESS: usize = "stiffness", [Word(&["none"])], required, "\"none\"";
+}
+
+/// A material.
+const MATERIAL: TableSchema = TableSchema {
+    title: "[material.NAME]",
+    meaning: "A material: its elastic law, which follows from the keys, and its density.",
+    keys: &[],
+    families: &[
+        Family {
+            name: "isotropic",
+            meaning: "Equal properties in all directions.",
+            keys: &[
+                YOUNG.schema,
+                POISSON.schema,
+                UNIFORM_STRENGTH.schema,
+                UNIFORM_STRAIN.schema,
+                DENSITY.schema,
+                EXPANSION.schema,
+                ELECTRIC.schema,
+            ],
+        },
+        Family {
+            name: "orthotropic",
+            meaning: "Three planes of symmetry: axis 1 along the fiber, 2 across it in the ply, \
+                      3 through the thickness.",
+            keys: &[
+                E1.schema,
+                E2.schema,
+                E3.schema,
+                G12.schema,
+                G13.schema,
+                G23.schema,
+                NU12.schema,
+                NU13.schema,
+                NU23.schema,
+                PLY_STRENGTH.schema,
+                PLY_STRAIN.schema,
+                DENSITY.schema,
+                EXPANSION.schema,
+                ELECTRIC.schema,
+            ],
+        },
+        Family {
+            name: "transversely isotropic by nu23",
+            meaning: "Equal properties in all directions across the fiber, axis 1: e3 = e2, \
+                      g13 = g12, nu13 = nu12, and g23 = e2 / (2 (1 + nu23)).",
+            keys: &across_fiber(NU23_ACROSS.schema),
+        },
+        Family {
+            name: "transversely isotropic by g23",
+            meaning: "Equal properties in all directions across the fiber, axis 1: e3 = e2, \
+                      g13 = g12, nu13 = nu12, and nu23 = e2 / (2 g23) - 1.",
+            keys: &across_fiber(G23_ACROSS.schema),
+        },
+        Family {
+            name: "full",
+            meaning: "Any anisotropic law.",
+            keys: &[
+                STIFFNESS.schema,
+                PLY_STRENGTH.schema,
+                PLY_STRAIN.schema,
+                DENSITY.schema,
+                EXPANSION.schema,
+                ELECTRIC.schema,
+            ],
+        },
+        Family {
+            name: "no stiffness",
+            meaning: "A dielectric with an electric field and a weight, but no stiffness: air, \
+                      soft potting.",
+            keys: &[
+                NO_STIFFNESS.schema,
+                DENSITY_OR_ZERO.schema,
+                DIELECTRIC.schema,
+            ],
+        },
+    ],
+};
+
+/// The keys of a transversely isotropic material; `last` is the constant across the fiber.
+const fn across_fiber(last: KeySchema) -> [KeySchema; 10] {
+    [
+        E1.schema,
+        E2_ACROSS.schema,
+        G12_ALONG.schema,
+        NU12_ALONG.schema,
+        last,
+        PLY_STRENGTH.schema,
+        PLY_STRAIN.schema,
+        DENSITY.schema,
+        EXPANSION.schema,
+        ELECTRIC.schema,
+    ]
+}
 
 /// Largest expansion coefficient \[1/K\]: thirty times the coefficient of rubber.
 const LARGEST_EXPANSION: f64 = 0.01;
@@ -36,7 +178,7 @@ pub(super) struct WrittenMaterial {
 
 /// Reads `[material.NAME]` for every name, and checks that each can exist.
 pub(super) fn read(root: &Table<'_>) -> Vec<WrittenMaterial> {
-    let tables = root.named_tables("material");
+    let tables = root.named_tables(&MATERIALS);
     tables
         .into_iter()
         .map(|(name, table)| {
@@ -66,20 +208,16 @@ fn read_one(
     law: Option<ElasticLaw>,
     electric: Option<&WrittenElectric>,
 ) -> Option<Material> {
-    let needs_none = law == Some(ElasticLaw::Absent) && !table.has("density");
-    let density = match needs_none {
-        true => Some(0.0),
-        false => table.require_quantity("density", Dimension::DENSITY),
-    };
-    let expansion = match table.has("expansion") {
-        true => expansion(table).map(Some),
-        false => Some(None),
-    };
+    let density = table.get(match law {
+        Some(ElasticLaw::Absent) => &DENSITY_OR_ZERO,
+        _ => &DENSITY,
+    });
+    let expansion = table.get(&EXPANSION);
     let material = Material {
         name: name.to_owned(),
         law: law?,
         density: density?,
-        expansion: expansion?,
+        expansion: expansion?.map(|expansion| expansion.0),
         electric: electric.map(|electric| electric.law),
     };
     for problem in material.check() {
@@ -96,40 +234,51 @@ fn read_one(
     let turned = material.turned(&electric.axes);
     let note = |problem| {
         let material = name.to_owned();
-        table.note(
-            "expansion",
-            &ElectricDataProblem::Axes { material, problem },
-        );
+        table.note(&EXPANSION, &ElectricDataProblem::Axes { material, problem });
     };
     turned.map_err(note).ok()
 }
 
-/// One coefficient for all directions, or one for each material axis \[1/K\].
-fn expansion(table: &Table<'_>) -> Option<[f64; 3]> {
-    let found = table.quantities("expansion", Dimension::EXPANSION)?;
-    let coefficients = match found[..] {
-        [all] if !table.is_list("expansion") => [all; 3],
-        [a1, a2, a3] => [a1, a2, a3],
-        _ => {
-            let expected = "an expansion coefficient, or an array of 3, one for each material axis";
-            table.wrong("expansion", expected);
+/// Expansion along the material axes \[1/K\].
+#[derive(Debug)]
+struct Expansion([f64; 3]);
+
+impl Declared for Expansion {}
+
+/// One coefficient for all directions, or one for each material axis.
+impl Value for Expansion {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let found = table.quantities(key.name, key.dimension())?;
+        let coefficients = match found[..] {
+            [all] if !table.is_list(key) => [all; 3],
+            [a1, a2, a3] => [a1, a2, a3],
+            _ => {
+                table.wrong(key, &key.expected());
+                return None;
+            }
+        };
+        if coefficients.iter().any(|a| a.abs() > LARGEST_EXPANSION) {
+            table.wrong(key, "coefficients of at most 0.01 1/K");
             return None;
         }
-    };
-    if coefficients.iter().any(|a| a.abs() > LARGEST_EXPANSION) {
-        table.wrong("expansion", "coefficients of at most 0.01 1/K");
-        return None;
+        Some(Self(coefficients))
     }
-    Some(coefficients)
 }
 
 /// The law that the keys of the table determine.
 fn law(name: &str, table: &Table<'_>) -> Option<ElasticLaw> {
+    let isotropic_ones = [&YOUNG, &POISSON].map(|key| key.name());
+    let orthotropic_ones = [&E1, &E2, &E3, &G12, &G13, &G23, &NU12, &NU13, &NU23];
+    let orthotropic_ones = orthotropic_ones.map(|key| key.name());
     // All keys are read, so that none of them is reported as unknown.
     let present = |keys: &[&'static str]| -> Vec<&'static str> {
         keys.iter().copied().filter(|key| table.has(key)).collect()
     };
-    let families = [present(&ISOTROPIC), present(&ORTHOTROPIC), present(&FULL)];
+    let families = [
+        present(&isotropic_ones),
+        present(&orthotropic_ones),
+        present(&[STIFFNESS.name()]),
+    ];
     let mut found = families.iter().filter_map(|keys| keys.first().copied());
     let material = name.to_owned();
     match (found.next(), found.next()) {
@@ -146,24 +295,24 @@ fn law(name: &str, table: &Table<'_>) -> Option<ElasticLaw> {
             table.note(second, &problem);
             None
         }
-        (Some(first), None) if ISOTROPIC.contains(&first) => isotropic(table),
-        (Some(first), None) if ORTHOTROPIC.contains(&first) => {
-            match ALONG_THICKNESS.iter().any(|key| table.has(key)) {
+        (Some(first), None) if isotropic_ones.contains(&first) => isotropic(table),
+        (Some(first), None) if orthotropic_ones.contains(&first) => {
+            match [&E3, &G13, &NU13].iter().any(|key| table.has(key)) {
                 true => orthotropic(table),
                 false => transversely_isotropic(material, table),
             }
         }
-        (Some(_), None) if table.is_text("stiffness") => {
-            let word = table.word("stiffness", &["none"])?;
-            (word == 0).then_some(ElasticLaw::Absent)
+        (Some(_), None) if table.is_text(&STIFFNESS) => {
+            table.get(&NO_STIFFNESS).map(|_| ElasticLaw::Absent)
         }
-        (Some(_), None) => full(table),
+        (Some(_), None) => table
+            .get(&STIFFNESS)
+            .map(|stiffness| ElasticLaw::Full(stiffness.0)),
     }
 }
 
 fn isotropic(table: &Table<'_>) -> Option<ElasticLaw> {
-    let young = table.require_quantity("young", Dimension::STRESS);
-    let poisson = table.require_quantity("poisson", Dimension::NUMBER);
+    let (young, poisson) = (table.get(&YOUNG), table.get(&POISSON));
     Some(ElasticLaw::Isotropic {
         young: young?,
         poisson: poisson?,
@@ -172,13 +321,8 @@ fn isotropic(table: &Table<'_>) -> Option<ElasticLaw> {
 
 fn orthotropic(table: &Table<'_>) -> Option<ElasticLaw> {
     // All constants are read before the first missing one ends the reading.
-    let read = ORTHOTROPIC.map(|key| {
-        let dimension = match key.starts_with("nu") {
-            true => Dimension::NUMBER,
-            false => Dimension::STRESS,
-        };
-        table.require_quantity(key, dimension)
-    });
+    let read = [&E1, &E2, &E3, &G12, &G13, &G23, &NU12, &NU13, &NU23];
+    let read = read.map(|key| table.get(key));
     let [e1, e2, e3, g12, g13, g23, nu12, nu13, nu23] = read;
     Some(ElasticLaw::Orthotropic(EngineeringConstants {
         e1: e1?,
@@ -197,20 +341,19 @@ fn orthotropic(table: &Table<'_>) -> Option<ElasticLaw> {
 /// `G23 = E2 / (2 (1 + nu23))`.
 fn transversely_isotropic(material: String, table: &Table<'_>) -> Option<ElasticLaw> {
     // All constants are read before the first missing one ends the reading.
-    let stress = |key| table.require_quantity(key, Dimension::STRESS);
-    let [e1, e2, g12] = ["e1", "e2", "g12"].map(stress);
-    let nu12 = table.require_quantity("nu12", Dimension::NUMBER);
-    let (nu23, g23) = match (table.has("nu23"), table.has("g23")) {
+    let read = [&E1, &E2_ACROSS, &G12_ALONG, &NU12_ALONG];
+    let [e1, e2, g12, nu12] = read.map(|key| table.get(key));
+    let (nu23, g23) = match (table.has(&NU23_ACROSS), table.has(&G23_ACROSS)) {
         (true, false) => {
-            let nu23 = table.require_quantity("nu23", Dimension::NUMBER)?;
+            let nu23 = table.get(&NU23_ACROSS)?;
             (nu23, e2? / (2.0 * (1.0 + nu23)))
         }
         (false, true) => {
-            let g23 = stress("g23")?;
+            let g23 = table.get(&G23_ACROSS)?;
             (e2? / (2.0 * g23) - 1.0, g23)
         }
         (has_both, _) => {
-            let key = if has_both { "g23" } else { "" };
+            let key = if has_both { G23.name() } else { "" };
             table.note(key, &InputProblem::AcrossFiber { material, has_both });
             return None;
         }
@@ -229,9 +372,17 @@ fn transversely_isotropic(material: String, table: &Table<'_>) -> Option<Elastic
     }))
 }
 
-fn full(table: &Table<'_>) -> Option<ElasticLaw> {
-    let rows = table.rows_of("stiffness", [6, 6], Dimension::STRESS)?;
-    Some(ElasticLaw::Full(Matrix6::from_fn(|i, j| rows[i][j])))
+/// Any stiffness \[Pa\].
+#[derive(Debug)]
+struct Stiffness(Matrix6<f64>);
+
+impl Declared for Stiffness {}
+
+impl Value for Stiffness {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let rows = table.rows_of(key.name, [6, 6], Dimension::STRESS)?;
+        Some(Self(Matrix6::from_fn(|i, j| rows[i][j])))
+    }
 }
 
 /// The key of the table from which the constant `key` follows; `None` for constants of

@@ -1,30 +1,38 @@
-//! The single description of the section file: every key with its table, kind of value,
-//! meaning and example.
+//! The description of the section file: the list of its keys.
 //!
-//! The JSON schema for editors ([`json_schema`]) and the reference of the book
-//! ([`reference`]) are made from [`SECTION_FILE`]. A test compares the description with
-//! the reader, key by key: both must have the same keys.
-//!
-//! A new key needs one line in a list: `schema/keys.rs`, `schema/materials.rs`,
-//! `schema/limits.rs` for the limits of materials, `schema/electric.rs` for electric laws
-//! and electrodes, or `schema/laminae.rs` for laminates along curves.
+//! Each table declares its keys next to its reader; the unknown keys of a file, the JSON
+//! schema for editors ([`json_schema`]) and the reference of the book ([`reference`]) follow
+//! from these declarations. A new table needs one line here.
 
 use serde_json::Value;
-use shared_geom::document::schema;
+use shared_geom::document::ByHand;
+use shared_geom::document::schema::ValueKind::{Table, Text, Word};
+use shared_geom::document::schema::{self, UNITS};
+use shared_geom::keys;
 
-mod distributed;
-mod electric;
-mod imposed;
-mod keys;
-mod laminae;
-mod limits;
-mod loads;
-mod materials;
+pub use shared_geom::document::schema::{Family, KeySchema, Need, TableSchema, ValueKind};
 
-pub use keys::SECTION_FILE;
-pub use shared_geom::document::schema::{
-    Family, KeySchema, Need, TableSchema, UNITS, ValueKind, key,
-};
+use super::regions::{self, Written};
+use super::{curvature, electrodes, imposed, laminae, loads, materials, requests};
+
+keys! {
+    /// A section: its mesh, its materials, and the material of each region of the mesh.
+    pub SECTION_FILE = "NAME.section.toml";
+    /// Name of the section in reports and property files.
+    pub(super) NAME: Option<Written> = "name", [Text], or "NAME of the file", "\"spar\"";
+    /// Mesh file of gmsh; a relative path is relative to the folder of this file.
+    pub(super) MESH: Written = "mesh", [Text]
+        as "the path of a gmsh file, from this file's folder", required, "\"spar.msh\"";
+    /// Doubled nodes along the border of two regions: an error, or allowed if slits are intended.
+    pub(super) DOUBLED_NODES: usize = "doubled_nodes", [Word(&["error", "allow"])],
+        or "\"error\"" = 0, "\"allow\"";
+    /// Units of numbers without a unit: SI, or the units of the table.
+    pub(super) UNITS_KEY: ByHand = "units", [Word(&["SI"]), Table(&UNITS)], required, "\"SI\"";
+    with materials::MATERIALS.schema, regions::REGIONS.schema, laminae::LAMINAE.schema,
+        electrodes::ELECTRODES.schema, curvature::BEAM.schema, imposed::TEMPERATURES.schema,
+        imposed::STRAINS.schema, loads::LOADS.schema, requests::END_EFFECTS.schema,
+        requests::PRESTRESS.schema;
+}
 
 /// The opening of the reference page.
 const OPENING: &str = "\

@@ -1,6 +1,9 @@
 //! Strengths as written: `[material.NAME.strength]` and `[material.NAME.strain_limit]`.
 
-use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Quantity, Table as OneTable};
+use shared_geom::document::schema::{KeySchema, TableSchema};
+use shared_geom::document::{ByHand, Key, Table, schema};
+use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
@@ -9,10 +12,106 @@ use crate::material::{
     StrengthProblem, UniformLimits,
 };
 
-const PLY: [&str; 9] = ["xt", "xc", "yt", "yc", "zt", "zc", "s12", "s13", "s23"];
-const INTERACTION: [&str; 3] = ["f23", "f13", "f12"];
-const UNIFORM: [&str; 3] = ["tension", "compression", "shear"];
-const YIELD: [&str; 1] = ["yield"];
+keys! {
+    /// Limits for the failure indices.
+    pub(super) UNIFORM_STRENGTH: ByHand = "strength", [OneTable(&UNIFORM_STRENGTHS)], optional, "";
+    /// Limits for the failure indices.
+    pub(super) UNIFORM_STRAIN: ByHand = "strain_limit", [OneTable(&UNIFORM_STRAINS)], optional, "";
+    /// Limits for the failure indices.
+    pub(super) PLY_STRENGTH: ByHand = "strength", [OneTable(&PLY_STRENGTHS)], optional, "";
+    /// Limits for the failure indices.
+    pub(super) PLY_STRAIN: ByHand = "strain_limit", [OneTable(&PLY_STRAINS)], optional, "";
+    /// Yield stress.
+    YIELD: f64 = "yield", [Quantity(Dimension::STRESS)], required, "\"350 MPa\"";
+    /// In tension.
+    TENSION: f64 = "tension", [Quantity(Dimension::STRESS)], required, "\"400 MPa\"";
+    /// In compression.
+    COMPRESSION: f64 = "compression", [Quantity(Dimension::STRESS)], required, "\"380 MPa\"";
+    /// In shear.
+    SHEAR: f64 = "shear", [Quantity(Dimension::STRESS)], required, "\"220 MPa\"";
+}
+
+const UNIFORM_STRENGTHS: TableSchema = TableSchema {
+    title: "[material.NAME.strength], isotropic",
+    meaning: "Largest stresses of an isotropic material, all positive.",
+    keys: &[],
+    families: &[
+        schema::Family {
+            name: "yield",
+            meaning: "For the index of von Mises.",
+            keys: &[YIELD.schema],
+        },
+        schema::Family {
+            name: "principal",
+            meaning: "For the principal stresses.",
+            keys: &[TENSION.schema, COMPRESSION.schema, SHEAR.schema],
+        },
+    ],
+};
+
+keys! {
+    /// Largest principal strains of an isotropic material, all positive.
+    UNIFORM_STRAINS = "[material.NAME.strain_limit], isotropic";
+    /// In tension.
+    TENSION_STRAIN: f64 = "tension", [Quantity(Dimension::NUMBER)], required, "0.012";
+    /// In compression.
+    COMPRESSION_STRAIN: f64 = "compression", [Quantity(Dimension::NUMBER)], required, "0.012";
+    /// In shear, an engineering strain.
+    SHEAR_STRAIN: f64 = "shear", [Quantity(Dimension::NUMBER)], required, "0.018";
+}
+
+keys! {
+    /// Largest stresses in the axes of the material, all positive, also in compression.
+    PLY_STRENGTHS = "[material.NAME.strength]";
+    /// Tension along 1.
+    XT: f64 = "xt", [Quantity(Dimension::STRESS)], required, "\"1100 MPa\"";
+    /// Compression along 1.
+    XC: f64 = "xc", [Quantity(Dimension::STRESS)], required, "\"700 MPa\"";
+    /// Tension along 2.
+    YT: f64 = "yt", [Quantity(Dimension::STRESS)], required, "\"40 MPa\"";
+    /// Compression along 2.
+    YC: f64 = "yc", [Quantity(Dimension::STRESS)], required, "\"140 MPa\"";
+    /// Shear in the plane of 1 and 2.
+    S12: f64 = "s12", [Quantity(Dimension::STRESS)], required, "\"70 MPa\"";
+    /// Tension along 3.
+    ZT: Option<f64> = "zt", [Quantity(Dimension::STRESS)], or "yt", "\"40 MPa\"";
+    /// Compression along 3.
+    ZC: Option<f64> = "zc", [Quantity(Dimension::STRESS)], or "yc", "\"140 MPa\"";
+    /// Shear in the plane of 1 and 3.
+    S13: Option<f64> = "s13", [Quantity(Dimension::STRESS)], or "s12", "\"70 MPa\"";
+    /// Shear in the plane of 2 and 3.
+    S23: Option<f64> = "s23", [Quantity(Dimension::STRESS)], or "half of yc", "\"70 MPa\"";
+    /// Interaction of 1 and 2 in Tsai-Wu, F12 / sqrt(F11 F22).
+    F12: f64 = "f12", [Quantity(Dimension::NUMBER)], or "-0.5" = DEFAULT_INTERACTION, "-0.4";
+    /// Interaction of 1 and 3 in Tsai-Wu.
+    F13: Option<f64> = "f13", [Quantity(Dimension::NUMBER)], or "f12", "-0.4";
+    /// Interaction of 2 and 3 in Tsai-Wu.
+    F23: Option<f64> = "f23", [Quantity(Dimension::NUMBER)], or "f12", "-0.4";
+}
+
+keys! {
+    /// Largest strains in the axes of the material, all positive, also in compression; shear
+    /// strains are engineering strains.
+    PLY_STRAINS = "[material.NAME.strain_limit]";
+    /// Tension along 1.
+    XT_STRAIN: f64 = "xt", [Quantity(Dimension::NUMBER)], required, "0.018";
+    /// Compression along 1.
+    XC_STRAIN: f64 = "xc", [Quantity(Dimension::NUMBER)], required, "0.012";
+    /// Tension along 2.
+    YT_STRAIN: f64 = "yt", [Quantity(Dimension::NUMBER)], required, "0.005";
+    /// Compression along 2.
+    YC_STRAIN: f64 = "yc", [Quantity(Dimension::NUMBER)], required, "0.02";
+    /// Shear in the plane of 1 and 2.
+    S12_STRAIN: f64 = "s12", [Quantity(Dimension::NUMBER)], required, "0.02";
+    /// Tension along 3.
+    ZT_STRAIN: Option<f64> = "zt", [Quantity(Dimension::NUMBER)], or "yt", "0.005";
+    /// Compression along 3.
+    ZC_STRAIN: Option<f64> = "zc", [Quantity(Dimension::NUMBER)], or "yc", "0.02";
+    /// Shear in the plane of 1 and 3.
+    S13_STRAIN: Option<f64> = "s13", [Quantity(Dimension::NUMBER)], or "s12", "0.02";
+    /// Shear in the plane of 2 and 3.
+    S23_STRAIN: Option<f64> = "s23", [Quantity(Dimension::NUMBER)], or "yc", "0.02";
+}
 
 /// The keys of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,48 +127,56 @@ impl Family {
     }
 }
 
-/// Quantity of the limits in a table.
-#[derive(Debug, Clone, Copy)]
+/// The declarations of the limits in a table.
 struct Measure {
-    /// Key of the table in the material's table.
-    key: &'static str,
-    dimension: Dimension,
+    /// The table in the material's table.
+    table: &'static Key<ByHand>,
+    /// The limits `xt`, `xc`, `yt`, `yc` and `s12`.
+    ply: [&'static Key<f64>; 5],
+    /// The limits that follow from others: `zt`, `zc`, `s13` and `s23`.
+    rest: [&'static Key<Option<f64>>; 4],
     /// Default of the shear limit in the plane 23, as a fraction of `yc`.
     shear_23: f64,
-    families: &'static [(Family, &'static [&'static str])],
+    /// The limits in tension, compression and shear.
+    uniform: [&'static Key<f64>; 3],
+    families: &'static [(Family, &'static [KeySchema])],
 }
 
 /// The shear stress in the plane of 2 and 3 under transverse compression at its limit is
 /// half of this limit.
 const STRENGTH: Measure = Measure {
-    key: "strength",
-    dimension: Dimension::STRESS,
+    table: &PLY_STRENGTH,
+    ply: [&XT, &XC, &YT, &YC, &S12],
+    rest: [&ZT, &ZC, &S13, &S23],
     shear_23: 0.5,
+    uniform: [&TENSION, &COMPRESSION, &SHEAR],
     families: &[
-        (Family::Ply, &PLY),
-        (Family::Ply, &INTERACTION),
-        (Family::Uniform, &UNIFORM),
-        (Family::Yield, &YIELD),
+        (Family::Ply, PLY_STRENGTHS.keys),
+        (Family::Uniform, UNIFORM_STRENGTHS.families[1].keys),
+        (Family::Yield, UNIFORM_STRENGTHS.families[0].keys),
     ],
 };
 
 /// The engineering shear strain in this state is the compression plus the Poisson
 /// contribution, which is neglected.
 const STRAIN_LIMIT: Measure = Measure {
-    key: "strain_limit",
-    dimension: Dimension::NUMBER,
+    table: &PLY_STRAIN,
+    ply: [&XT_STRAIN, &XC_STRAIN, &YT_STRAIN, &YC_STRAIN, &S12_STRAIN],
+    rest: [&ZT_STRAIN, &ZC_STRAIN, &S13_STRAIN, &S23_STRAIN],
     shear_23: 1.0,
-    families: &[(Family::Ply, &PLY), (Family::Uniform, &UNIFORM)],
+    uniform: [&TENSION_STRAIN, &COMPRESSION_STRAIN, &SHEAR_STRAIN],
+    families: &[
+        (Family::Ply, PLY_STRAINS.keys),
+        (Family::Uniform, UNIFORM_STRAINS.keys),
+    ],
 };
 
 /// The limits in the table of a material whose law is `law`; problems are noted, and the
 /// limits omitted.
 pub(super) fn read(name: &str, table: &Table<'_>, law: Option<&ElasticLaw>) -> MaterialLimits {
     let read = |measure: Measure| {
-        let table = table
-            .has(measure.key)
-            .then(|| table.table(measure.key))
-            .flatten()?;
+        let has_table = table.has(measure.table);
+        let table = has_table.then(|| table.table(measure.table)).flatten()?;
         let limits = Limits {
             material: name,
             table: &table,
@@ -105,7 +212,7 @@ impl Limits<'_> {
         for (family, keys) in self.measure.families {
             let present: Vec<_> = keys.iter().filter(|key| self.table.has(key)).collect();
             if let Some(key) = present.first() {
-                found.push((*family, key));
+                found.push((*family, key.name));
             }
         }
         let Some(&(family, first)) = found.first() else {
@@ -138,27 +245,27 @@ impl Limits<'_> {
     }
 
     fn note(&self, key: &str, problem: impl FnOnce(String, &'static str) -> InputProblem) {
-        let problem = problem(self.material.to_owned(), self.measure.key);
+        let problem = problem(self.material.to_owned(), self.measure.table.name());
         self.table.note(key, &problem);
     }
 
     /// The values, if all required ones are present and admissible.
     fn read(&self, family: Family) -> Option<Strength> {
-        let require = |key| self.table.require_quantity(key, self.measure.dimension);
         let strength = match family {
             Family::Ply => Strength::Ply {
                 limits: self.directional()?,
                 interaction: self.interaction()?,
             },
             Family::Uniform => {
-                let [tension, compression, shear] = UNIFORM.map(require);
+                let found = self.measure.uniform.map(|key| self.table.get(key));
+                let [tension, compression, shear] = found;
                 Strength::Uniform(UniformLimits {
                     tension: tension?,
                     compression: compression?,
                     shear: shear?,
                 })
             }
-            Family::Yield => Strength::Yield(require("yield")?),
+            Family::Yield => Strength::Yield(self.table.get(&YIELD)?),
         };
         let mut is_sound = true;
         for problem in strength.check() {
@@ -167,7 +274,7 @@ impl Limits<'_> {
                 StrengthProblem::NotPositive { key, .. }
                 | StrengthProblem::Extreme { key, .. }
                 | StrengthProblem::InteractionOutOfRange { key, .. } => key,
-                StrengthProblem::OpenSurface { .. } => "f12",
+                StrengthProblem::OpenSurface { .. } => F12.name(),
             };
             // A default that is another value has been reported with that value.
             let is_written = self.table.has(key);
@@ -181,30 +288,29 @@ impl Limits<'_> {
     }
 
     fn directional(&self) -> Option<DirectionalLimits> {
-        let dimension = self.measure.dimension;
         // All keys are read before the first missing one ends the reading.
-        let [xt, xc, yt, yc, s12] =
-            ["xt", "xc", "yt", "yc", "s12"].map(|key| self.table.require_quantity(key, dimension));
+        let [xt, xc, yt, yc, s12] = self.measure.ply.map(|key| self.table.get(key));
         // absent or wrong, which has been noted
-        let optional = |key, default| self.table.quantity(key, dimension).unwrap_or(default);
-        let zt = optional("zt", yt.unwrap_or(1.0));
-        let zc = optional("zc", yc.unwrap_or(1.0));
-        let s13 = optional("s13", s12.unwrap_or(1.0));
-        let s23 = optional("s23", self.measure.shear_23 * yc.unwrap_or(1.0));
+        let [zt, zc, s13, s23] = self.measure.rest.map(|key| self.table.get(key).flatten());
         Some(DirectionalLimits {
-            tension: [xt?, yt?, zt],
-            compression: [xc?, yc?, zc],
-            shear: [s23, s13, s12?],
+            tension: [xt?, yt?, zt.unwrap_or(yt?)],
+            compression: [xc?, yc?, zc.unwrap_or(yc?)],
+            shear: [
+                s23.unwrap_or(self.measure.shear_23 * yc?),
+                s13.unwrap_or(s12?),
+                s12?,
+            ],
         })
     }
 
-    /// Interactions 23, 13, 12; the default for strains.
+    /// Interactions 23, 13, 12; the default for strains, which do not have their keys.
     fn interaction(&self) -> Option<[f64; 3]> {
-        if self.measure.key != STRENGTH.key {
+        if self.measure.table.name() != STRENGTH.table.name() {
             return Some([DEFAULT_INTERACTION; 3]);
         }
-        let number = |key| self.table.quantity(key, Dimension::NUMBER);
-        let f12 = number("f12").unwrap_or(DEFAULT_INTERACTION);
-        Some(["f23", "f13", "f12"].map(|key| number(key).unwrap_or(f12)))
+        let [f23, f13] = [&F23, &F13].map(|key| self.table.get(key).flatten());
+        // a wrong one has been noted
+        let f12 = self.table.get(&F12).unwrap_or(DEFAULT_INTERACTION);
+        Some([f23.unwrap_or(f12), f13.unwrap_or(f12), f12])
     }
 }

@@ -8,8 +8,10 @@ pub const fn meaning(doc: &'static str) -> &'static str {
 /// Declares keys as constants, and a table that has them.
 ///
 /// The documentation of a key is its meaning. A key is `required`, `optional`, or has a
-/// default, as text `or "TEXT"`, and with a value, `or "TEXT" = VALUE`, if it is read by
-/// [`Table::get`]. After `with`, further keys of the table that are declared elsewhere.
+/// default, as text and value, `or "TEXT" = VALUE`; without the value, the text is a rule,
+/// and the type of the key is an option. After the kinds of values, `as "TEXT"` describes
+/// the expected content in messages, if it does not follow from them. After `with`, further
+/// keys of the table that are declared elsewhere.
 ///
 /// ```
 /// use shared_geom::document::Document;
@@ -41,7 +43,8 @@ macro_rules! keys {
         $table_vis:vis $TABLE:ident = $title:literal;
         $(
             $(#[doc = $doc:literal])+
-            $vis:vis $NAME:ident: $T:ty = $key:literal, [$($kind:expr),+ $(,)?],
+            $vis:vis $NAME:ident: $T:ty = $key:literal, [$($kind:expr),+ $(,)?]
+            $(as $expected:literal)?,
             $need:ident $($text:literal)? $(= $default:expr)?, $example:literal;
         )+
         $(with $($other:expr),+ $(,)?;)?
@@ -49,7 +52,8 @@ macro_rules! keys {
         $crate::keys! {
             $(
                 $(#[doc = $doc])+
-                $vis $NAME: $T = $key, [$($kind),+], $need $($text)? $(= $default)?, $example;
+                $vis $NAME: $T = $key, [$($kind),+] $(as $expected)?,
+                $need $($text)? $(= $default)?, $example;
             )+
         }
 
@@ -65,7 +69,8 @@ macro_rules! keys {
     (
         $(
             $(#[doc = $doc:literal])+
-            $vis:vis $NAME:ident: $T:ty = $key:literal, [$($kind:expr),+ $(,)?],
+            $vis:vis $NAME:ident: $T:ty = $key:literal, [$($kind:expr),+ $(,)?]
+            $(as $expected:literal)?,
             $need:ident $($text:literal)? $(= $default:expr)?, $example:literal;
         )+
     ) => {
@@ -78,10 +83,36 @@ macro_rules! keys {
                     need: $crate::need!($need $($text)?),
                     meaning: $crate::document::meaning(concat!($($doc),+)),
                     example: $example,
+                    expected: concat!($($expected)?),
                 },
                 $crate::default!($($default)?),
             );
         )+
+    };
+}
+
+/// A required key whose value is one of some words, as in the families of a table: an array
+/// of its name and its meaning, then the words, the first of which is its example.
+///
+/// ```
+/// use shared_geom::choice;
+/// use shared_geom::document::schema::{Need, ValueKind};
+///
+/// const KIND: [&str; 2] = ["kind", "Kind of the drive."];
+/// let key = choice!(KIND, "ramp", "step");
+/// assert_eq!((key.name, key.need, key.example), ("kind", Need::Required, "\"ramp\""));
+/// assert!(matches!(key.kinds, [ValueKind::Word(["ramp", "step"])]));
+/// ```
+#[macro_export]
+macro_rules! choice {
+    ($key:expr, $first:literal $(, $word:literal)* $(,)?) => {
+        $crate::document::schema::key(
+            $key[0],
+            &[$crate::document::schema::ValueKind::Word(&[$first $(, $word)*])],
+            $crate::document::schema::Need::Required,
+            concat!("\"", $first, "\""),
+            $key[1],
+        )
     };
 }
 

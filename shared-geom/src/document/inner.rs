@@ -6,9 +6,9 @@ use super::{DocumentProblem, Table};
 
 impl<'a> Table<'a> {
     /// Whether `key` holds a table.
-    pub fn is_table(&self, key: &str) -> bool {
+    pub fn is_table(&self, key: impl AsRef<str>) -> bool {
         matches!(
-            self.look_up(key),
+            self.look_up(key.as_ref()),
             Some(Value {
                 kind: Kind::Table(_),
                 ..
@@ -17,7 +17,8 @@ impl<'a> Table<'a> {
     }
 
     /// The table under `key`.
-    pub fn table(&self, key: &str) -> Option<Table<'a>> {
+    pub fn table(&self, key: impl AsRef<str>) -> Option<Table<'a>> {
+        let key = key.as_ref();
         let entry = self.look_up_entry(key)?;
         match &entry.value.kind {
             Kind::Table(entries) => {
@@ -30,13 +31,15 @@ impl<'a> Table<'a> {
     }
 
     /// As [`Table::table`], and required.
-    pub fn require_table(&self, key: &str, expected: &str) -> Option<Table<'a>> {
+    pub fn require_table(&self, key: impl AsRef<str>, expected: &str) -> Option<Table<'a>> {
+        let key = key.as_ref();
         self.require(key, expected)?;
         self.table(key)
     }
 
     /// The tables of an array of tables, `[[key]]`; empty when absent.
-    pub fn tables(&self, key: &str) -> Vec<Table<'a>> {
+    pub fn tables(&self, key: impl AsRef<str>) -> Vec<Table<'a>> {
+        let key = key.as_ref();
         let Some(value) = self.look_up(key) else {
             return Vec::new();
         };
@@ -57,7 +60,8 @@ impl<'a> Table<'a> {
     }
 
     /// The tables `[key.name]` with their names; empty when absent.
-    pub fn named_tables(&self, key: &str) -> Vec<(String, Table<'a>)> {
+    pub fn named_tables(&self, key: impl AsRef<str>) -> Vec<(String, Table<'a>)> {
+        let key = key.as_ref();
         let Some(outer) = self.table(key) else {
             return Vec::new();
         };

@@ -3,10 +3,8 @@
 
 use nalgebra::Vector3;
 
-use super::Table;
-use super::schema::{KeySchema, Need, ValueKind};
-use crate::error::quoted;
-use crate::units::Dimension;
+use super::schema::{KeySchema, Need, TableSchema, ValueKind};
+use super::{Item, Table};
 
 /// A key whose value is a `T`: its description, and its default.
 #[derive(Debug)]
@@ -18,7 +16,8 @@ pub struct Key<T: 'static> {
     default: Option<fn() -> T>,
 }
 
-/// The type of a key with a reader of its own, which [`Table::get`] does not read.
+/// The type of a key that [`Table::get`] does not read: its value is a table, or more than
+/// the file is needed to read it.
 #[derive(Debug)]
 pub enum ByHand {}
 
@@ -26,21 +25,26 @@ impl<T: Declared> Key<T> {
     /// A key by its description.
     ///
     /// # Panics
-    /// In constants, so that the program does not compile: a type that does not fit the
-    /// first kind of value or the need.
+    /// In constants, so that the program does not compile: a type that does not fit a kind of
+    /// value or the need.
     pub const fn new(schema: KeySchema, default: Option<fn() -> T>) -> Self {
-        if !matches!(T::FORM, Form::Any) {
-            let is_of_type = form_of(&schema.kinds[0]) as u8 == T::FORM as u8;
+        if !matches!(T::FORM, Form::Any | Form::ByHand) {
+            let (mut index, mut is_of_type) = (0, false);
+            while index < schema.kinds.len() {
+                is_of_type |= form_of(&schema.kinds[index]).number() == T::FORM.number();
+                index += 1;
+            }
             assert!(is_of_type, "the type is not the type of the values");
-            let has_default = matches!(schema.need, Need::Default(_));
+        }
+        if !matches!(T::FORM, Form::ByHand) {
+            let is_right = match schema.need {
+                Need::Required => default.is_none() && !T::IS_OPTIONAL,
+                Need::Optional => default.is_none() && T::IS_OPTIONAL,
+                Need::Default(_) => default.is_some() != T::IS_OPTIONAL,
+            };
             assert!(
-                has_default == default.is_some(),
-                "a default is a text and a value"
-            );
-            let is_optional = matches!(schema.need, Need::Optional);
-            assert!(
-                is_optional == T::IS_OPTIONAL,
-                "the type of an optional key is an option"
+                is_right,
+                "a default has a value, or the type of the key is an option"
             );
         }
         Self { schema, default }
@@ -48,6 +52,13 @@ impl<T: Declared> Key<T> {
 
     /// The name of the key.
     pub const fn name(&self) -> &'static str {
+        self.schema.name
+    }
+}
+
+impl<T: 'static> AsRef<str> for Key<T> {
+    /// The name of the key.
+    fn as_ref(&self) -> &str {
         self.schema.name
     }
 }
@@ -67,10 +78,35 @@ pub enum Form {
     Number,
     /// A list of numbers.
     Numbers,
-    /// Three numbers.
-    Vector,
-    /// Any form, of a key with a reader of its own.
+    /// This number of numbers.
+    Vector(usize),
+    /// A list of three numbers each.
+    Vectors,
+    /// These numbers of rows and columns.
+    Rows(usize, usize),
+    /// Any form, of a type with a reader of its own.
     Any,
+    /// Any form, of a key that is not read by its description.
+    ByHand,
+}
+
+impl Form {
+    /// A number that is different for each form.
+    const fn number(self) -> usize {
+        match self {
+            Self::Text => 0,
+            Self::Texts => 1,
+            Self::Index => 2,
+            Self::Boolean => 3,
+            Self::Number => 4,
+            Self::Numbers => 5,
+            Self::Vectors => 6,
+            Self::Any => 7,
+            Self::ByHand => 8,
+            Self::Vector(count) => 9 + count,
+            Self::Rows(rows, columns) => 1000 + 100 * rows + columns,
+        }
+    }
 }
 
 /// The form of the values of a kind.
@@ -81,22 +117,24 @@ const fn form_of(kind: &ValueKind) -> Form {
         ValueKind::Word(_) | ValueKind::Count(_) => Form::Index,
         ValueKind::Boolean => Form::Boolean,
         ValueKind::Quantity(_) | ValueKind::Positive(_) | ValueKind::NotNegative(_) => Form::Number,
-        ValueKind::Quantities(_) => Form::Numbers,
-        ValueKind::Vector(3, _) => Form::Vector,
+        ValueKind::Quantities(_) | ValueKind::Numbers(_) => Form::Numbers,
+        ValueKind::Vector(count, _) => Form::Vector(*count),
+        ValueKind::Vectors(3, _) => Form::Vectors,
+        ValueKind::Rows(rows, columns) => Form::Rows(*rows, *columns),
         _ => Form::Any,
     }
 }
 
 /// The type of a key.
 pub trait Declared: Sized + 'static {
-    /// The form of its values.
-    const FORM: Form;
+    /// The form of its values; any for a type with a reader of its own.
+    const FORM: Form = Form::Any;
     /// Whether the key may be absent without having a default.
     const IS_OPTIONAL: bool = false;
 }
 
 impl Declared for ByHand {
-    const FORM: Form = Form::Any;
+    const FORM: Form = Form::ByHand;
 }
 
 impl Declared for String {
@@ -124,7 +162,19 @@ impl Declared for Vec<f64> {
 }
 
 impl Declared for Vector3<f64> {
-    const FORM: Form = Form::Vector;
+    const FORM: Form = Form::Vector(3);
+}
+
+impl<const N: usize> Declared for [f64; N] {
+    const FORM: Form = Form::Vector(N);
+}
+
+impl<const M: usize, const N: usize> Declared for [[f64; N]; M] {
+    const FORM: Form = Form::Rows(M, N);
+}
+
+impl Declared for Vec<Vector3<f64>> {
+    const FORM: Form = Form::Vectors;
 }
 
 /// A value that is read by the description of its key.
@@ -180,7 +230,7 @@ impl Value for usize {
             ValueKind::Count(limit) => {
                 let found = table.count(key.name)?;
                 if found > limit {
-                    table.wrong(key.name, &format!("at most {limit}"));
+                    table.wrong(key.name, &key.expected_or(|| format!("at most {limit}")));
                     return None;
                 }
                 Some(found)
@@ -200,13 +250,13 @@ impl Value for f64 {
             ValueKind::NotNegative(dimension) => {
                 (dimension, |found| found >= 0.0, ", zero or more")
             }
-            _ => (dimension_of(key), |_| true, ""),
+            _ => (key.dimension(), |_| true, ""),
         };
         let found = table.quantity(key.name, dimension)?;
         if is_right(found) {
             return Some(found);
         }
-        table.wrong(key.name, &format!("{dimension}{range}"));
+        table.wrong(key.name, &key.expected_or(|| format!("{dimension}{range}")));
         None
     }
 }
@@ -214,77 +264,102 @@ impl Value for f64 {
 /// Quantities in SI units.
 impl Value for Vec<f64> {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
-        table.quantities(key.name, dimension_of(key))
+        let found = match (&key.kinds[0], table.is_list(key)) {
+            (ValueKind::Numbers(_), false) => Self::new(),
+            _ => table.quantities(key.name, key.dimension())?,
+        };
+        match key.kinds[0] {
+            ValueKind::Numbers(most) if !(1..=most).contains(&found.len()) => {
+                let expected = || format!("an array of 1 to {most} numbers");
+                table.wrong(key, &key.expected_or(expected));
+                None
+            }
+            _ => Some(found),
+        }
     }
 }
 
 /// Three quantities in SI units.
 impl Value for Vector3<f64> {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
-        table.vector(key.name, dimension_of(key))
+        <[f64; 3]>::read(table, key).map(Self::from)
     }
 }
 
-/// The dimension of the numbers of a key.
-fn dimension_of(key: &KeySchema) -> Dimension {
-    match key.kinds[0] {
-        ValueKind::Quantity(dimension)
-        | ValueKind::Positive(dimension)
-        | ValueKind::NotNegative(dimension)
-        | ValueKind::Quantities(dimension)
-        | ValueKind::Vector(_, dimension) => dimension,
-        _ => Dimension::NUMBER,
+/// Quantities in SI units.
+impl<const N: usize> Value for [f64; N] {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let dimension = key.dimension();
+        let expected = key.expected_or(|| format!("an array of {N}, each {dimension}"));
+        table.array(key.name, dimension, &expected)
     }
 }
 
-/// Expected content of a key, for the message about its absence.
-fn expected(key: &KeySchema) -> String {
-    match key.kinds[0] {
-        ValueKind::Word([others @ .., last]) if !others.is_empty() => {
-            format!("{} or \"{last}\"", quoted(others))
-        }
-        ValueKind::Count(_) => "a whole number of at least 1".to_owned(),
-        ValueKind::Quantity(dimension)
-        | ValueKind::Positive(dimension)
-        | ValueKind::NotNegative(dimension)
-        | ValueKind::Vector(_, dimension) => dimension.to_string(),
-        _ => opening(key.meaning),
+/// Rows of plain numbers; no unit is applied.
+impl<const M: usize, const N: usize> Value for [[f64; N]; M] {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let rows = table.rows(key.name, M, N)?;
+        Some(std::array::from_fn(|i| std::array::from_fn(|j| rows[i][j])))
     }
 }
 
-/// The opening of a sentence, up to the first of `,`, `;`, `:` and `.`, without a capital.
-fn opening(meaning: &str) -> String {
-    let opening = meaning
-        .split([',', ';', ':', '.'])
-        .next()
-        .unwrap_or(meaning);
-    let mut letters = opening.chars();
-    let first = letters.next().map(|first| first.to_ascii_lowercase());
-    first.into_iter().chain(letters).collect()
+/// Vectors in SI units; one vector is a list of one.
+impl Value for Vec<Vector3<f64>> {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        table.vectors(key.name, key.dimension())
+    }
 }
 
 impl Table<'_> {
     /// The value of a key: its default if it is absent and has one. `None` if it is wrong,
     /// or absent and required; the problem has been noted.
     pub fn get<T: Value>(&self, key: &Key<T>) -> Option<T> {
-        let schema = &key.schema;
-        if self.has(schema.name) {
-            return T::read(self, schema);
+        if self.has(key) {
+            return T::read(self, &key.schema);
         }
         match key.default {
             Some(default) => Some(default()),
             None if T::IS_OPTIONAL => T::absent(),
             None => {
                 // Notes that it is absent.
-                self.require(schema.name, &expected(schema))?;
+                self.require(key.name(), &key.schema.expected())?;
                 None
             }
         }
     }
 
-    /// Whether the table has a declared key.
-    pub fn holds<T: Declared>(&self, key: &Key<T>) -> bool {
-        self.has(key.name())
+    /// The value of a key that the table has; `None` if it is absent or wrong.
+    pub fn given<T: Value>(&self, key: &Key<T>) -> Option<T> {
+        self.has(key).then(|| self.get(key)).flatten()
+    }
+
+    /// The word under a required key that distinguishes the families of `schema`.
+    pub fn choice(&self, schema: &TableSchema, key: &str) -> Option<&'static str> {
+        let words = schema.words(key);
+        self.require(key, &format!("one of {}", words.join(", ")))?;
+        self.word(key, &words).map(|index| words[index])
+    }
+
+    /// Whether a table has a known word under such a key; nothing is noted.
+    pub fn has_choice(&self, schema: &TableSchema, key: &str) -> bool {
+        let item = self.item(key);
+        let word = item.as_ref().and_then(Item::text);
+        word.is_some_and(|word| schema.words(key).contains(&word))
+    }
+
+    /// As [`Table::get`], if the value is right; otherwise it is noted that `expected` is.
+    pub fn get_if<T: Value>(
+        &self,
+        key: &Key<T>,
+        is_right: impl FnOnce(&T) -> bool,
+        expected: &str,
+    ) -> Option<T> {
+        let found = self.get(key)?;
+        if is_right(&found) {
+            return Some(found);
+        }
+        self.wrong(key, expected);
+        None
     }
 }
 

@@ -6,6 +6,7 @@
 //! [`Table`](super::Table) that is read by it refuses every key that it does not have, and
 //! every key of a family that its reader did not request.
 
+use crate::error::quoted;
 use crate::units::Dimension;
 
 mod json;
@@ -37,6 +38,18 @@ impl TableSchema {
         let own = self.families.iter().flat_map(|family| family.keys);
         self.keys.iter().chain(own)
     }
+
+    /// The words of a key that distinguishes the families, in their order.
+    pub fn words(&self, key: &str) -> Vec<&'static str> {
+        let mut words = Vec::new();
+        let of_key = self.all_keys().filter(|own| own.name == key);
+        for kind in of_key.flat_map(|own| own.kinds) {
+            let ValueKind::Word(own) = kind else { continue };
+            let new: Vec<_> = own.iter().filter(|word| !words.contains(*word)).collect();
+            words.extend(new);
+        }
+        words
+    }
 }
 
 /// Keys that belong together and exclude the keys of other families.
@@ -63,6 +76,71 @@ pub struct KeySchema {
     pub meaning: &'static str,
     /// A value in TOML; empty if the value is a table.
     pub example: &'static str,
+    /// Expected content in messages, as text; empty if it follows from kind and meaning.
+    pub expected: &'static str,
+}
+
+impl KeySchema {
+    /// Expected content, for messages: as declared, or `other`.
+    pub fn expected_or(&self, other: impl FnOnce() -> String) -> String {
+        match self.expected {
+            "" => other(),
+            own => own.to_owned(),
+        }
+    }
+
+    /// Expected content, for messages: as declared, or from kind and meaning.
+    pub fn expected(&self) -> String {
+        self.expected_or(|| match self.kinds[0] {
+            ValueKind::Word([others @ .., last]) if !others.is_empty() => {
+                format!("{} or \"{last}\"", quoted(others))
+            }
+            ValueKind::Count(_) => "a whole number of at least 1".to_owned(),
+            ValueKind::Vector(_, Dimension::NUMBER) => opening(self.meaning),
+            ValueKind::Quantity(dimension)
+            | ValueKind::Positive(dimension)
+            | ValueKind::NotNegative(dimension)
+            | ValueKind::Vector(_, dimension) => dimension.to_string(),
+            ValueKind::Names => {
+                format!("{}, or a list of such names", opening(self.meaning))
+            }
+            _ => opening(self.meaning),
+        })
+    }
+
+    /// Dimension of the numbers of its first kind of value.
+    pub fn dimension(&self) -> Dimension {
+        match self.kinds[0] {
+            ValueKind::Quantity(dimension)
+            | ValueKind::Positive(dimension)
+            | ValueKind::NotNegative(dimension)
+            | ValueKind::Quantities(dimension)
+            | ValueKind::Vector(_, dimension)
+            | ValueKind::Vectors(_, dimension)
+            | ValueKind::Drive(dimension)
+            | ValueKind::Drives(dimension)
+            | ValueKind::NamedDrives(dimension) => dimension,
+            _ => Dimension::NUMBER,
+        }
+    }
+}
+
+impl AsRef<str> for KeySchema {
+    /// Its name.
+    fn as_ref(&self) -> &str {
+        self.name
+    }
+}
+
+/// The opening of a sentence, up to the first of `,`, `;`, `:` and `.`, without a capital.
+fn opening(meaning: &str) -> String {
+    let opening = meaning
+        .split([',', ';', ':', '.'])
+        .next()
+        .unwrap_or(meaning);
+    let mut letters = opening.chars();
+    let first = letters.next().map(|first| first.to_ascii_lowercase());
+    first.into_iter().chain(letters).collect()
 }
 
 /// A key; a value that is a table has no example.
@@ -79,6 +157,7 @@ pub const fn key(
         need,
         meaning,
         example,
+        expected: "",
     }
 }
 

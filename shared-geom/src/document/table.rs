@@ -72,49 +72,53 @@ impl<'a> Table<'a> {
     }
 
     /// The line of `key`, or of the table if it does not have the key.
-    pub fn line_of(&self, key: &str) -> usize {
-        self.entry(key).map_or(self.line, |entry| entry.line)
+    pub fn line_of(&self, key: impl AsRef<str>) -> usize {
+        self.entry(key.as_ref())
+            .map_or(self.line, |entry| entry.line)
     }
 
     /// Notes a problem at the line of `key`.
-    pub fn note(&self, key: &str, problem: &impl Explain) {
+    pub fn note(&self, key: impl AsRef<str>, problem: &impl Explain) {
         self.document.note(self.line_of(key), problem);
     }
 
     /// Notes that the value of `key` differs from the expected one.
-    pub fn wrong(&self, key: &str, expected: &str) {
+    pub fn wrong(&self, key: impl AsRef<str>, expected: &str) {
+        let key = key.as_ref();
         if let Some(entry) = self.entry(key) {
             let _: Option<()> = self.wrong_value(key, &entry.value, expected);
         }
     }
 
     /// Whether the table has `key`. The key is then known.
-    pub fn has(&self, key: &str) -> bool {
-        self.look_up(key).is_some()
+    pub fn has(&self, key: impl AsRef<str>) -> bool {
+        self.look_up(key.as_ref()).is_some()
     }
 
     /// Whether `key` holds a text that is not an expression of a number.
-    pub fn is_text(&self, key: &str) -> bool {
+    pub fn is_text(&self, key: impl AsRef<str>) -> bool {
         let item = self.item(key);
         let text = item.as_ref().and_then(Item::text);
         text.is_some_and(|text| written(text).is_none())
     }
 
     /// The value under `key`, of any type.
-    pub fn item(&self, key: &str) -> Option<Item<'a>> {
+    pub fn item(&self, key: impl AsRef<str>) -> Option<Item<'a>> {
+        let key = key.as_ref();
         let value = self.look_up(key)?;
         Some(Item::new(self.document, key, value))
     }
 
     /// As [`Table::item`], and required.
-    pub fn require_item(&self, key: &str, expected: &str) -> Option<Item<'a>> {
+    pub fn require_item(&self, key: impl AsRef<str>, expected: &str) -> Option<Item<'a>> {
+        let key = key.as_ref();
         self.require(key, expected)?;
         self.item(key)
     }
 
     /// Whether `key` holds a list of lists.
-    pub fn is_nested(&self, key: &str) -> bool {
-        match self.look_up(key).map(|value| &value.kind) {
+    pub fn is_nested(&self, key: impl AsRef<str>) -> bool {
+        match self.look_up(key.as_ref()).map(|value| &value.kind) {
             Some(Kind::Array(items)) => {
                 let is_list = |item: &Value| matches!(item.kind, Kind::Array(_));
                 items.first().is_some_and(is_list)
@@ -124,9 +128,9 @@ impl<'a> Table<'a> {
     }
 
     /// Whether `key` holds a list.
-    pub fn is_list(&self, key: &str) -> bool {
+    pub fn is_list(&self, key: impl AsRef<str>) -> bool {
         matches!(
-            self.look_up(key),
+            self.look_up(key.as_ref()),
             Some(Value {
                 kind: Kind::Array(_),
                 ..
@@ -156,12 +160,13 @@ impl<'a> Table<'a> {
 
     /// The path that `key` names as `written`: relative ones are relative to the folder
     /// of the file that holds it.
-    pub fn path(&self, key: &str, written: &str) -> PathBuf {
+    pub fn path(&self, key: impl AsRef<str>, written: &str) -> PathBuf {
         self.document.path_from(self.line_of(key), written)
     }
 
     /// The path of the file that `key` names as `written`; notes a missing file.
-    pub fn existing(&self, key: &str, written: &str) -> Option<PathBuf> {
+    pub fn existing(&self, key: impl AsRef<str>, written: &str) -> Option<PathBuf> {
+        let key = key.as_ref();
         let path = self.path(key, written);
         if path.exists() {
             return Some(path);
@@ -287,18 +292,25 @@ impl<'a> Table<'a> {
 
     /// Three quantities under `key`, in SI units.
     pub fn vector(&self, key: &str, dimension: Dimension) -> Option<Vector3<f64>> {
-        if !self.is_list(key) {
-            self.wrong(key, &format!("an array of 3, each {dimension}"));
-            return None;
+        let expected = format!("an array of 3, each {dimension}");
+        self.array(key, dimension, &expected).map(Vector3::from)
+    }
+
+    /// `N` quantities under `key`, in SI units; `expected` describes them.
+    pub fn array<const N: usize>(
+        &self,
+        key: &str,
+        dimension: Dimension,
+        expected: &str,
+    ) -> Option<[f64; N]> {
+        let found = match self.is_list(key) {
+            true => self.quantities(key, dimension)?.try_into().ok(),
+            false => None,
+        };
+        if found.is_none() {
+            self.wrong(key, expected);
         }
-        let numbers = self.quantities(key, dimension)?;
-        match numbers[..] {
-            [x, y, z] => Some(Vector3::new(x, y, z)),
-            _ => {
-                self.wrong(key, &format!("an array of 3, each {dimension}"));
-                None
-            }
-        }
+        found
     }
 
     /// Vectors of three quantities under `key`, in SI units; one vector is a list of one.
@@ -330,8 +342,8 @@ impl<'a> Table<'a> {
     }
 
     /// Length of the list under `key`.
-    pub fn row_count(&self, key: &str) -> Option<usize> {
-        match self.look_up(key).map(|value| &value.kind) {
+    pub fn row_count(&self, key: impl AsRef<str>) -> Option<usize> {
+        match self.look_up(key.as_ref()).map(|value| &value.kind) {
             Some(Kind::Array(items)) => Some(items.len()),
             _ => None,
         }

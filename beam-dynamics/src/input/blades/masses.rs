@@ -1,7 +1,8 @@
 //! Point masses on a blade.
 
+use shared_geom::document::schema::KeySchema;
 use shared_geom::document::schema::ValueKind::{Quantity, Word};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{Declared, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -17,7 +18,7 @@ keys! {
     /// A point mass on every blade of the card.
     pub(super) CARD = "[[blade.mass]]";
     /// Arc length from the root along the line, or the tip.
-    AT: ByHand = "at", [Quantity(Dimension::LENGTH), Word(&["tip"])], required, "\"tip\"";
+    AT: At = "at", [Quantity(Dimension::LENGTH), Word(&["tip"])], required, "\"tip\"";
     with bodies::MASS.schema, bodies::OFFSET.schema, INERTIA.schema;
 }
 
@@ -49,30 +50,36 @@ pub(super) fn read(blade: &Table<'_>) -> Option<Vec<PointMass>> {
 }
 
 fn mass((number, table): (usize, &Table<'_>)) -> Option<PointMass> {
-    let at = at(table);
+    let at = table.get(&AT);
     let lump = bodies::lump(table, &format!("mass {}", number + 1));
     table.finish();
     Some(PointMass {
         at: at?,
         lump: lump?,
-        line: table.line_of("at"),
+        line: table.line_of(&AT),
     })
 }
 
-fn at(table: &Table<'_>) -> Option<At> {
-    if table.is_text("at") {
-        let found = table.text("at")?;
-        if found == "tip" {
-            return Some(At::Tip);
+impl Declared for At {}
+
+impl Value for At {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        if table.is_text(key) {
+            let found = table.text(key.name)?;
+            if found == "tip" {
+                return Some(Self::Tip);
+            }
+            // A text that does not begin like a number is not a length with a unit.
+            if !found.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter))
+            {
+                table.wrong(key, "a length from the root along the line, or \"tip\"");
+                return None;
+            }
         }
-        // A text that does not begin like a number is not a length with a unit.
-        if !found.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter)) {
-            table.wrong("at", "a length from the root along the line, or \"tip\"");
-            return None;
-        }
+        table
+            .quantity(key.name, key.dimension())
+            .map(Self::Position)
     }
-    let position = table.require_quantity("at", Dimension::LENGTH)?;
-    Some(At::Position(position))
 }
 
 impl PointMass {

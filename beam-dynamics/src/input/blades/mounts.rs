@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::schema::ValueKind::{
     Count, NotNegative, Quantities, Quantity, Text, Texts, Vector,
 };
-use shared_geom::document::{ByHand, Key, Table};
+use shared_geom::document::{Key, Table};
 use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
@@ -26,15 +26,15 @@ keys! {
     /// The name of the blade; its nodes are called `NAME/root`, `NAME/1`, ..., `NAME/tip`.
     pub(super) NAME: String = "name", [Text], required, "\"blade\"";
     /// Distance of the root from the center of the hub, along the blade with its precone.
-    pub(super) HUB_RADIUS: ByHand = "hub_radius", [NotNegative(Dimension::LENGTH)], or "0", "1.5";
+    pub(super) HUB_RADIUS: f64 = "hub_radius", [NotNegative(Dimension::LENGTH)], or "0" = 0.0, "1.5";
     /// Position of the root at azimuth zero, in place of `hub_radius`.
-    pub(super) ROOT: ByHand = "root", [Vector(3, Dimension::LENGTH)], optional, "[2.5, 0, 0]";
+    pub(super) ROOT: Option<Vector3<f64>> = "root", [Vector(3, Dimension::LENGTH)], optional, "[2.5, 0, 0]";
     /// Azimuth of the first blade about the axis of the hub; zero is along +x for an axis along z.
     pub(super) AZIMUTH: f64 = "azimuth", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "90";
     /// Number of equal blades, evenly spaced about the axis; they are called `NAME 1` and so on.
     pub(super) COUNT: Option<usize> = "count", [Count(MOST_BLADES)], optional, "3";
     /// Azimuth of each blade, in place of `count` and `azimuth`.
-    pub(super) AZIMUTHS: ByHand = "azimuths", [Quantities(Dimension::ANGLE)], optional,
+    pub(super) AZIMUTHS: Option<Vec<f64>> = "azimuths", [Quantities(Dimension::ANGLE)], optional,
         "[0, 90, 180, 270]";
     /// Names of the blades of `count` or `azimuths`.
     pub(super) NAMES: Option<Vec<String>> = "names", [Texts], optional, "[\"a\", \"b\", \"c\"]";
@@ -100,7 +100,7 @@ pub(super) fn named_azimuths(table: &Table<'_>) -> Option<NamedAzimuths> {
     let azimuths = azimuths(table, name.as_deref().unwrap_or_default());
     let names = table.get(&NAMES)?;
     let (name, azimuths) = (name?, azimuths?);
-    let is_several = table.has("count") || table.has("azimuths");
+    let is_several = table.has(&COUNT) || table.has(&AZIMUTHS);
     let names = match names {
         Some(names) => names,
         None if is_several => (1..=azimuths.len())
@@ -110,7 +110,7 @@ pub(super) fn named_azimuths(table: &Table<'_>) -> Option<NamedAzimuths> {
     };
     if names.len() != azimuths.len() {
         let (found, expected) = (names.len(), azimuths.len());
-        table.note("names", &BladeProblem::Names { found, expected });
+        table.note(&NAMES, &BladeProblem::Names { found, expected });
         return None;
     }
     Some(names.into_iter().zip(azimuths).collect())
@@ -119,26 +119,25 @@ pub(super) fn named_azimuths(table: &Table<'_>) -> Option<NamedAzimuths> {
 fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
     let first = table.get(&AZIMUTH);
     let count = table.get(&COUNT)?;
-    if !table.has("azimuths") {
+    let Some(angles) = table.get(&AZIMUTHS)? else {
         let (first, count) = (first?, count.unwrap_or(1));
         return Some(
             (0..count)
                 .map(|k| first + TAU * k as f64 / count as f64)
                 .collect(),
         );
-    }
-    for key in ["count", "azimuth"] {
+    };
+    for key in [COUNT.name(), AZIMUTH.name()] {
         if table.has(key) {
             let problem = BladeProblem::Both {
                 blade: format!("blade \"{name}\""),
-                first: "azimuths",
+                first: AZIMUTHS.name(),
                 second: key,
             };
             table.note(key, &problem);
             return None;
         }
     }
-    let angles = table.quantities("azimuths", Dimension::ANGLE)?;
     for (k, angle) in angles.iter().enumerate() {
         let apart = |other: &f64| (angle - other + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
         if angles[..k]
@@ -146,7 +145,7 @@ fn azimuths(table: &Table<'_>, name: &str) -> Option<Vec<f64>> {
             .any(|other| apart(other).abs() < SAME_AZIMUTH)
         {
             let degrees = angle.to_degrees();
-            table.note("azimuths", &BladeProblem::AzimuthTwice { degrees });
+            table.note(&AZIMUTHS, &BladeProblem::AzimuthTwice { degrees });
             return None;
         }
     }
@@ -159,7 +158,7 @@ pub(super) fn read(
     builder: &ModelBuilder,
     named: Option<&NamedAzimuths>,
 ) -> Option<Vec<BladeMount>> {
-    let name = table.text("name").unwrap_or_default();
+    let name = table.given(&NAME).unwrap_or_default();
     let root = root_position(table, &name);
     let precone = shallow(table, &PRECONE);
     let pitch = table.get(&PITCH);
@@ -168,7 +167,7 @@ pub(super) fn read(
     let mut mounts = Vec::with_capacity(named.len());
     for (name, azimuth) in named {
         let Some(axes) = hub.blade_axes(*azimuth) else {
-            table.note("azimuth", &InputProblem::AxisAlongSpan);
+            table.note(&AZIMUTH, &InputProblem::AxisAlongSpan);
             return None;
         };
         let axes = axes * cone;
@@ -194,27 +193,18 @@ pub(super) fn read(
 }
 
 fn root_position(table: &Table<'_>, name: &str) -> Option<RootPosition> {
-    match (table.has("root"), table.has("hub_radius")) {
+    match (table.has(&ROOT), table.has(&HUB_RADIUS)) {
         (true, true) => {
             let problem = BladeProblem::Both {
                 blade: format!("blade \"{name}\""),
-                first: "root",
-                second: "hub_radius",
+                first: ROOT.name(),
+                second: HUB_RADIUS.name(),
             };
-            table.note("hub_radius", &problem);
+            table.note(&HUB_RADIUS, &problem);
             None
         }
-        (true, false) => table
-            .vector("root", Dimension::LENGTH)
-            .map(RootPosition::At),
-        (false, true) => {
-            let radius = table.quantity("hub_radius", Dimension::LENGTH)?;
-            if radius >= 0.0 {
-                return Some(RootPosition::Radius(radius));
-            }
-            table.wrong("hub_radius", "a length, zero or more");
-            None
-        }
+        (true, false) => table.get(&ROOT)?.map(RootPosition::At),
+        (false, true) => table.get(&HUB_RADIUS).map(RootPosition::Radius),
         (false, false) => Some(RootPosition::At(Vector3::zeros())),
     }
 }

@@ -1,13 +1,13 @@
 //! Blades of straight pieces.
 
-use shared_geom::document::schema::Family;
 use shared_geom::document::schema::ValueKind::{Count, Positive, Quantity, Tables, Text, Vector};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::schema::{Family, KeySchema};
+use shared_geom::document::{ByHand, Declared, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::layout::BladeLayout;
-use super::mounts::shallow;
+use super::mounts::{NAME, shallow};
 use super::piece_line::{Piece, PieceLine};
 use crate::input::beam_properties::BeamProperties;
 use crate::input::beam_section::Properties;
@@ -30,7 +30,7 @@ pub(super) const PIECES: Family = Family {
 
 keys! {
     /// The name of properties of the pieces that name none.
-    DEFAULT_PROPERTIES: ByHand = "properties", [Text], optional, "\"strip\"";
+    DEFAULT_PROPERTIES: Option<String> = "properties", [Text], optional, "\"strip\"";
     /// The pieces, from the root outward.
     PIECE: ByHand = "piece", [Tables(&CARD)], required, "";
 }
@@ -48,10 +48,11 @@ keys! {
     /// Direction out of the rotor plane, positive up, less than a quarter turn.
     DIHEDRAL: f64 = "dihedral", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "5";
     /// Nose-up angle of the sections: one, or at the inner and the outer end.
-    TWIST: ByHand = "twist", [Quantity(Dimension::ANGLE), Vector(2, Dimension::ANGLE)], or "0",
+    TWIST: Twist = "twist", [Quantity(Dimension::ANGLE), Vector(2, Dimension::ANGLE)]
+        as "one angle, or the angles at both ends", or "0" = Twist([0.0; 2]),
         "[10, 2]";
     /// The name of the properties; needed unless the blade has some.
-    PROPERTIES: ByHand = "properties", [Text], optional, "\"strip\"";
+    PROPERTIES: Option<String> = "properties", [Text], optional, "\"strip\"";
     with heat::HEAT[0], heat::HEAT[1];
 }
 
@@ -79,11 +80,11 @@ impl Pieces {
 /// Reads every `[[blade.piece]]` of the blade `name`.
 pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder, name: &str) -> Option<Pieces> {
     let words = format!("blade \"{name}\"");
-    let is_named = table.has("properties");
+    let is_named = table.has(&DEFAULT_PROPERTIES);
     let default = Fallback {
         is_named,
         properties: is_named
-            .then(|| builder.find_properties(table, &words))
+            .then(|| builder.find_properties(table, &DEFAULT_PROPERTIES, &words))
             .flatten(),
     };
     let (pieces, properties) = pieces(table, builder, &words, &default);
@@ -108,10 +109,10 @@ fn pieces(
     words: &str,
     default: &Fallback,
 ) -> (Option<Vec<Piece>>, Option<Vec<Properties>>) {
-    let tables = blade.tables("piece");
+    let tables = blade.tables(&PIECE);
     if tables.is_empty() {
-        let name = blade.text("name").unwrap_or_default();
-        blade.note("piece", &InputProblem::NoPieces { blade: name });
+        let name = blade.given(&NAME).unwrap_or_default();
+        blade.note(&PIECE, &InputProblem::NoPieces { blade: name });
         return (None, None);
     }
     let read: Vec<_> = tables
@@ -148,12 +149,12 @@ fn piece_properties(
     words: &str,
     default: &Fallback,
 ) -> Option<Properties> {
-    if table.has("properties") {
-        return builder.find_properties(table, words);
+    if table.has(&PROPERTIES) {
+        return builder.find_properties(table, &PROPERTIES, words);
     }
     if !default.is_named {
         let piece = words.to_owned();
-        table.note("properties", &InputProblem::NoProperties { piece });
+        table.note(&PROPERTIES, &InputProblem::NoProperties { piece });
     }
     default.properties.clone()
 }
@@ -162,7 +163,7 @@ fn piece(table: &Table<'_>) -> Option<Piece> {
     let (length, elements) = (table.get(&LENGTH), table.get(&ELEMENTS));
     let sweep = shallow(table, &SWEEP);
     let dihedral = shallow(table, &DIHEDRAL);
-    let twist = twist(table);
+    let twist = table.get(&TWIST).map(|twist| twist.0);
     Some(Piece {
         length: length?,
         elements: elements?,
@@ -172,27 +173,23 @@ fn piece(table: &Table<'_>) -> Option<Piece> {
     })
 }
 
-/// Twist at both ends; one number applies to both.
-fn twist(table: &Table<'_>) -> Option<[f64; 2]> {
-    if !table.has("twist") {
-        return Some([0.0; 2]);
-    }
-    let numbers = table.quantities("twist", Dimension::ANGLE)?;
-    match numbers[..] {
-        [both] => Some([both; 2]),
-        [inner, outer] => Some([inner, outer]),
-        _ => {
-            let (key, found) = ("twist", numbers.len());
-            let expected = "one angle, or the angles at both ends";
-            table.note(
-                key,
-                &InputProblem::Count {
-                    key,
-                    found,
-                    expected,
-                },
-            );
-            None
+/// Twist at both ends \[rad\].
+#[derive(Debug)]
+struct Twist([f64; 2]);
+
+impl Declared for Twist {}
+
+/// One number applies to both ends.
+impl Value for Twist {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let numbers = table.quantities(key.name, key.dimension())?;
+        match numbers[..] {
+            [both] => Some(Self([both; 2])),
+            [inner, outer] => Some(Self([inner, outer])),
+            _ => {
+                table.wrong(key, &key.expected());
+                None
+            }
         }
     }
 }

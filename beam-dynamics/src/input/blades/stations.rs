@@ -13,9 +13,9 @@
 
 use nalgebra::{Matrix6, Vector3};
 use shared_geom::blade::{self, Blade, BladeDamping, Side};
+use shared_geom::document::Table;
 use shared_geom::document::schema::Family;
 use shared_geom::document::schema::ValueKind::{Boolean, Count, Positive, Text};
-use shared_geom::document::{ByHand, Table};
 use shared_geom::exchange::{self, Options};
 use shared_geom::keys;
 use shared_geom::line::{Course, Curve};
@@ -47,7 +47,7 @@ pub(super) const STATIONS: Family = Family {
 keys! {
     /// The blade file, with line, twist and stations, of any known format; a relative path is
     /// relative to the folder of this file.
-    FILE: ByHand = "file", [Text], required, "\"nrel5mw.blade.json\"";
+    FILE: String = "file", [Text], required, "\"nrel5mw.blade.json\"";
     /// Number of elements.
     ELEMENTS: Option<usize> = "elements", [Count(MOST_ELEMENTS)], optional, "30";
     /// Length of a straight blade, for files of sections without a line.
@@ -83,9 +83,9 @@ pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<Stat
     let damping = damping::read(table);
     let words = "blade from a file".to_owned();
     heat::refuse_without_properties(table, &words);
-    let written = table.text("file")?;
+    let written = table.get(&FILE)?;
     let document = table.document();
-    let path = table.existing("file", &written)?;
+    let path = table.existing(&FILE, &written)?;
     let options = Options {
         length: length?,
         rigid_shear: rigid_shear?,
@@ -176,7 +176,7 @@ impl StationLine {
         };
         let problems = self.blade.problems_at(&evaluated).into_iter();
         if let Some(worst) = problems.min_by(|a, b| value(a).total_cmp(&value(b))) {
-            table.note("file", &worst);
+            table.note(&FILE, &worst);
             return None;
         }
         Some(layout)
@@ -214,7 +214,7 @@ impl StationLine {
             return Some(ends.at_stations());
         };
         let number = ends.of_number(found);
-        let too_few = |needed| table.note("elements", &BladeProblem::TooFew { found, needed });
+        let too_few = |needed| table.note(&ELEMENTS, &BladeProblem::TooFew { found, needed });
         number.map_err(too_few).ok()
     }
 

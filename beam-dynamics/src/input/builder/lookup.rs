@@ -8,79 +8,116 @@ use crate::elements::{Adapted, Axes, Element, Queries, Reading};
 use crate::input::problem::InputProblem;
 use crate::model::NodeMotion;
 
-impl ModelBuilder {
-    /// The node called `name` under `key` of a card described by `user`; the node is not
-    /// treated as used.
-    pub fn look_up_node(
-        &self,
-        name: &str,
-        table: &Table<'_>,
-        key: &str,
-        user: &str,
-    ) -> Option<usize> {
-        if let Some(named) = self.names.get(name) {
+/// A name in output under a key of a card; the object is not treated as used. Each method
+/// notes an unknown name.
+pub struct LookUp<'a> {
+    pub builder: &'a ModelBuilder,
+    pub table: &'a Table<'a>,
+    pub key: &'a str,
+    pub name: &'a str,
+    /// The card, as text.
+    pub user: &'a str,
+}
+
+impl LookUp<'_> {
+    /// The node.
+    pub fn node(&self) -> Option<usize> {
+        let names = &self.builder.names;
+        if let Some(named) = names.get(self.name) {
             return named.node;
         }
-        if !self.is_of_broken_blade(name) {
-            let known = self.names.keys().cloned().collect();
-            note_unknown("node", name, user, known, (table, key));
+        if !self.builder.is_of_broken_blade(self.name) {
+            self.note_unknown("node", names.keys().cloned().collect());
         }
         None
     }
 
-    /// The axes of the node or, if no node has the name, of the `[[frame]]` called `name`.
-    pub fn look_up_axes(
-        &self,
-        name: &str,
-        table: &Table<'_>,
-        key: &str,
-        user: &str,
-    ) -> Option<Axes> {
-        if let Some(named) = self.names.get(name) {
+    /// The axes of the node or, if no node has the name, of the `[[frame]]`.
+    pub fn axes(&self) -> Option<Axes> {
+        let (names, frames) = (&self.builder.names, &self.builder.frames);
+        if let Some(named) = names.get(self.name) {
             return named.node.map(Axes::Node);
         }
-        if let Some(axes) = self.frames.axes_of(name) {
+        if let Some(axes) = frames.axes_of(self.name) {
             return axes.map(Axes::Fixed);
         }
-        if !self.is_of_broken_blade(name) {
-            let nodes = self.names.keys().cloned();
-            let known = nodes.chain(self.frames.names().cloned()).collect();
-            note_unknown("node or frame", name, user, known, (table, key));
+        if !self.builder.is_of_broken_blade(self.name) {
+            let known = names.keys().chain(frames.names()).cloned();
+            self.note_unknown("node or frame", known.collect());
         }
         None
     }
 
-    /// Whether there is a beam called `name`; notes an unknown name.
-    pub fn look_up_beam(&self, name: &str, table: &Table<'_>, key: &str, user: &str) -> bool {
-        let labels = || self.beams.iter().map(|beam| &beam.label);
-        let is_known = labels().any(|label| label == name);
-        if !is_known && !self.is_of_broken_blade(name) && !self.is_taken("beam", name) {
-            let known = labels().cloned().collect();
-            note_unknown("beam", name, user, known, (table, key));
+    /// Whether there is a beam of this name.
+    pub fn beam(&self) -> bool {
+        let labels = || self.builder.beams.iter().map(|beam| &beam.label);
+        let is_known = labels().any(|label| label == self.name);
+        let is_broken = || self.builder.is_of_broken_blade(self.name) || self.is_taken("beam");
+        if !is_known && !is_broken() {
+            self.note_unknown("beam", labels().cloned().collect());
         }
         is_known
     }
 
-    /// Index of the electrode called `name`; notes an unknown name.
-    pub fn look_up_electrode(
-        &self,
-        name: &str,
-        table: &Table<'_>,
-        key: &str,
-        user: &str,
-    ) -> Option<usize> {
-        let mut cards = self.electrodes.iter();
-        let found = cards.position(|card| card.label == name);
-        if found.is_none() && !self.is_taken("electrode", name) {
+    /// Index of the electrode.
+    pub fn electrode(&self) -> Option<usize> {
+        let mut cards = self.builder.electrodes.iter();
+        let found = cards.position(|card| card.label == self.name);
+        if found.is_none() && !self.is_taken("electrode") {
             // Including wrong electrodes.
-            let labels = self.labels.keys();
+            let labels = self.builder.labels.keys();
             let known = labels.filter(|(kind, _)| *kind == "electrode");
-            let known = known.map(|(_, name)| name.clone()).collect();
-            note_unknown("electrode", name, user, known, (table, key));
+            self.note_unknown("electrode", known.map(|(_, name)| name.clone()).collect());
         }
         found
     }
 
+    /// The nodes of the joint, clamp, support or imposed motion.
+    pub fn joint(&self) -> Option<Vec<usize>> {
+        let builder = self.builder;
+        let clamp = |node: &usize| (builder.name_of_clamp(*node), vec![*node]);
+        let moving = builder.loads.iter().filter(|load| load.multipliers() > 0);
+        let of_element = |element: &dyn Element| {
+            let label = element.label().to_owned();
+            (label, element.nodes().to_vec())
+        };
+        let elements = builder.joints.iter().chain(moving);
+        let elements = elements.map(|element| of_element(element.as_ref()));
+        let mut all = builder.clamps.keys().map(clamp).chain(elements);
+        let mut known = Vec::new();
+        let found = all.find_map(|(label, nodes)| match label == self.name {
+            true => Some(nodes),
+            false => {
+                known.push(label);
+                None
+            }
+        });
+        let mut kinds = ["joint", "spring", "rod", "imposed"].into_iter();
+        if found.is_none() && !kinds.any(|kind| self.is_taken(kind)) {
+            self.note_unknown("joint or spring", known);
+        }
+        found
+    }
+
+    /// Whether a card of the kind has the name, though it may be wrong.
+    fn is_taken(&self, kind: &'static str) -> bool {
+        let label = (kind, self.name.to_owned());
+        self.builder.labels.contains_key(&label)
+    }
+
+    fn note_unknown(&self, kind: &'static str, known: Vec<String>) {
+        let (name, user) = (self.name.to_owned(), self.user.to_owned());
+        let problem = InputProblem::UnknownName {
+            kind,
+            name,
+            user,
+            known,
+        };
+        self.table.note(self.key, &problem);
+    }
+}
+
+impl ModelBuilder {
     /// Nodes of the joint, clamp, support or imposed motion called `name`; empty if it does
     /// not exist.
     pub fn nodes_of_joint(&self, name: &str) -> Vec<usize> {
@@ -116,41 +153,6 @@ impl ModelBuilder {
         format!("clamp of {}", self.nodes[node].label)
     }
 
-    /// The nodes of the joint, clamp, support or imposed motion called `name`; notes an
-    /// unknown name.
-    pub fn look_up_joint(
-        &self,
-        name: &str,
-        table: &Table<'_>,
-        key: &str,
-        user: &str,
-    ) -> Option<Vec<usize>> {
-        let clamp = |node: &usize| (self.name_of_clamp(*node), vec![*node]);
-        let moving = self.loads.iter().filter(|load| load.multipliers() > 0);
-        let of_element = |element: &dyn Element| {
-            let label = element.label().to_owned();
-            (label, element.nodes().to_vec())
-        };
-        let elements = self.joints.iter().chain(moving);
-        let elements = elements.map(|element| of_element(element.as_ref()));
-        let mut all = self.clamps.keys().map(clamp).chain(elements);
-        let mut known = Vec::new();
-        let found = all.find_map(|(label, nodes)| match label == name {
-            true => Some(nodes),
-            false => {
-                known.push(label);
-                None
-            }
-        });
-        let is_broken = ["joint", "spring", "rod", "imposed"]
-            .iter()
-            .any(|kind| self.is_taken(kind, name));
-        if found.is_none() && !is_broken {
-            note_unknown("joint or spring", name, user, known, (table, key));
-        }
-        found
-    }
-
     /// The nodes of most interest in a run in time: all that move if they are few, else the
     /// ends of lines of beams and the nodes of bodies, up to `most`.
     pub fn main_nodes(&self, most: usize) -> Vec<usize> {
@@ -180,29 +182,8 @@ impl ModelBuilder {
         found
     }
 
-    fn is_taken(&self, kind: &'static str, name: &str) -> bool {
-        self.labels.contains_key(&(kind, name.to_owned()))
-    }
-
     fn is_of_broken_blade(&self, name: &str) -> bool {
         let blade = name.split_once('/').map(|parts| parts.0);
         blade.is_some_and(|blade| self.broken_blades.contains(blade))
     }
-}
-
-fn note_unknown(
-    kind: &'static str,
-    name: &str,
-    user: &str,
-    known: Vec<String>,
-    (table, key): (&Table<'_>, &str),
-) {
-    let (name, user) = (name.to_owned(), user.to_owned());
-    let problem = InputProblem::UnknownName {
-        kind,
-        name,
-        user,
-        known,
-    };
-    table.note(key, &problem);
 }

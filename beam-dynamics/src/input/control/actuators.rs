@@ -28,11 +28,13 @@ keys! {
     DAMPING_RATIO: f64 = "damping_ratio", [NotNegative(Dimension::NUMBER)], or "0.7" = DAMPING,
         "1";
     /// Smallest and largest command.
-    LIMITS: ByHand = "limits", [Vector(2, Dimension::NUMBER)], optional, "[-10, 20]";
+    LIMITS: Option<[f64; 2]> = "limits", [Vector(2, Dimension::NUMBER)]
+        as "the least and the largest command, two increasing numbers", optional, "[-10, 20]";
     /// Largest rate of the position, per second.
     RATE_LIMIT: Option<f64> = "rate_limit", [Positive(Dimension::NUMBER)], optional, "60";
     /// Unit of command, limits and position.
-    UNIT: ByHand = "unit", [Text], or "the unit of the key that uses it", "\"deg\"";
+    UNIT: Measure = "unit", [Text], or "the unit of the key that uses it" = Measure::Plain,
+        "\"deg\"";
     /// Initial position, at rest; `"settled"` is at the command.
     START: ByHand = "start", [Quantity(Dimension::NUMBER), Word(&["settled"])], or "\"settled\"",
         "5";
@@ -52,8 +54,8 @@ pub(super) struct Named<'a> {
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'a>> {
     let declare = |table: Table<'a>| {
         let name = table.get(&NAME);
-        let (start, measure) = (start(&table), Measure::of_table(&table));
-        let name = name.filter(|name| drives.is_free(name, &table, "name"));
+        let (start, measure) = (start(&table), table.get(&UNIT));
+        let name = name.filter(|name| drives.is_free(name, &table, NAME.name()));
         let position = name.clone().zip(start);
         let position = position.map(|(name, start)| {
             let scalar = Actuator::position(&name, start);
@@ -80,7 +82,7 @@ pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'
 
 /// Initial position: a number, or the command, at which the actuator rests.
 fn start(table: &Table<'_>) -> Option<ScalarStart> {
-    const KEY: &str = "start";
+    const KEY: &str = START.name();
     if !table.has(KEY) {
         return Some(ScalarStart::Settled);
     }
@@ -99,7 +101,7 @@ fn start(table: &Table<'_>) -> Option<ScalarStart> {
 pub(super) fn read(named: Vec<Named<'_>>, builder: &mut ModelBuilder) {
     for card in named {
         let table = &card.table;
-        let command = match table.require_item("command", "a number, a drive or an expression") {
+        let command = match table.require_item(&COMMAND, "a number, a drive or an expression") {
             Some(item) => drives::signal_of(&item, Dimension::NUMBER, builder.drives()),
             None => None,
         };
@@ -116,10 +118,8 @@ pub(super) fn read(named: Vec<Named<'_>>, builder: &mut ModelBuilder) {
 
 fn servo(table: &Table<'_>) -> Option<Servo> {
     let (frequency, damping) = (table.get(&FREQUENCY), table.get(&DAMPING_RATIO));
-    let limits = match table.has("limits") {
-        true => limits(table).map(Some),
-        false => Some(None),
-    };
+    let is_right = |limits: &Option<[f64; 2]>| limits.is_none_or(|[least, most]| least < most);
+    let limits = table.get_if(&LIMITS, is_right, LIMITS.schema.expected);
     let rate_limit = table.get(&RATE_LIMIT);
     Some(Servo {
         frequency: std::f64::consts::TAU * frequency?,
@@ -127,19 +127,4 @@ fn servo(table: &Table<'_>) -> Option<Servo> {
         limits: limits?,
         rate_limit: rate_limit?,
     })
-}
-
-fn limits(table: &Table<'_>) -> Option<[f64; 2]> {
-    const EXPECTED: &str = "the least and the largest command, two increasing numbers";
-    let found = match table.is_list("limits") {
-        true => table.quantities("limits", Dimension::NUMBER)?,
-        false => Vec::new(),
-    };
-    match found[..] {
-        [least, most] if least < most => Some([least, most]),
-        _ => {
-            table.wrong("limits", EXPECTED);
-            None
-        }
-    }
 }

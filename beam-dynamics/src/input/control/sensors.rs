@@ -2,9 +2,9 @@
 //!
 //! A sensor reads one of the quantities of columns, by the same keys.
 
+use shared_geom::document::Table;
 use shared_geom::document::schema::TableSchema;
 use shared_geom::document::schema::ValueKind::Text;
-use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 
 use crate::case::{ElectrodeQuantity, Quantity};
@@ -37,7 +37,7 @@ pub(in crate::input) const CARD: TableSchema = TableSchema {
 
 keys! {
     /// Unit of its value in expressions.
-    UNIT: ByHand = "unit", [Text], or "the declared unit", "\"rad\"";
+    UNIT: Option<String> = "unit", [Text], or "the declared unit", "\"rad\"";
 }
 
 /// A sensor whose name expressions may read.
@@ -100,10 +100,10 @@ fn measure(kind: &Kind, table: &Table<'_>) -> Option<Measure> {
     let component = table.item("component");
     let component = component.as_ref().and_then(|item| item.text());
     let dimension = readings::dimension_of(kind, component);
-    if !table.has("unit") {
+    let Some(unit) = table.get(&UNIT)? else {
         return Some(Measure::Declared(dimension));
-    }
-    let unit = readings::unit(table, &table.text("unit")?, dimension)?;
+    };
+    let unit = readings::unit(table, &unit, dimension)?;
     Some(Measure::Unit(unit))
 }
 

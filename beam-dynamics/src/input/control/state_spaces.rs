@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use nalgebra::DMatrix;
-use shared_geom::document::{Document, Table};
+use shared_geom::document::{ByHand, Document, Key, Table};
 use shared_geom::units::Dimension;
 
 use crate::elements::control::{Matrices, Sampled, StateSpace};
@@ -21,12 +21,15 @@ mod problem;
 mod sampled;
 
 pub(in crate::input) use keys::STATE_SPACE;
+use keys::{
+    A, B, C, D, DENOMINATOR, FILE, INPUT, INPUTS, NAME, NUMERATOR, OUTPUT, OUTPUTS, START, TRANSFER,
+};
 pub use problem::StateSpaceProblem;
 
 /// Largest number of samples of a run.
 const MOST_SAMPLES: f64 = 1e8;
 /// Keys of the matrices.
-const MATRICES: [&str; 4] = ["a", "b", "c", "d"];
+const MATRICES: [&Key<ByHand>; 4] = [&A, &B, &C, &D];
 
 /// A card whose outputs have names.
 pub(super) struct Named<'a> {
@@ -42,8 +45,8 @@ pub(super) struct Named<'a> {
 pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut Catalog) -> Vec<Named<'a>> {
     let tables = root.tables("state_space").into_iter().enumerate();
     let named = tables.map(|(number, table)| {
-        let label = ends::label(&table, "state space", number);
-        let names = names(&table);
+        let label = ends::label(&table, &NAME, "state space", number);
+        let names = table.get(&OUTPUTS);
         Named {
             outputs: (names.as_deref()).and_then(|names| outputs(&table, &label, names, drives)),
             names: names.unwrap_or_default(),
@@ -65,7 +68,7 @@ pub(super) fn read(named: Vec<Named<'_>>, builder: &mut ModelBuilder) {
             continue;
         };
         if let Some(period) = period {
-            builder.add_sampling(card.table.line_of("sample_time"), period);
+            builder.add_sampling(card.table.line_of(&sampled::SAMPLE_TIME), period);
         }
         match is_new {
             true => builder.add_control(element),
@@ -84,12 +87,6 @@ pub(super) fn check_run(document: &Document, builder: &ModelBuilder, [from, to]:
     }
 }
 
-/// Names of the outputs.
-fn names(table: &Table<'_>) -> Option<Vec<String>> {
-    table.require_item("outputs", "names of the outputs")?;
-    table.texts("outputs")
-}
-
 /// The outputs, by names that expressions may read from now on.
 fn outputs(
     table: &Table<'_>,
@@ -101,7 +98,7 @@ fn outputs(
     let mut outputs = Vec::new();
     for name in names {
         let scalar = StateSpace::output(label, name);
-        if !drives.is_free(name, table, "outputs") {
+        if !drives.is_free(name, table, OUTPUTS.name()) {
             complete = false;
             continue;
         }
@@ -124,7 +121,7 @@ fn outputs(
 /// The element of a card, and its sample time if it samples \[s\].
 fn element(card: &Named<'_>, builder: &ModelBuilder) -> Option<(Box<dyn Element>, Option<f64>)> {
     let table = &card.table;
-    let inputs = table.require_item("inputs", "a list of numbers, drives or expressions");
+    let inputs = table.require_item(&INPUTS, "a list of numbers, drives or expressions");
     let inputs = inputs.map(|item| {
         let items = item.list().unwrap_or_else(|| vec![item]);
         let number = Dimension::NUMBER;
@@ -172,13 +169,13 @@ fn list(table: &Table<'_>, key: &str, expected: &str) -> Option<Vec<f64>> {
 
 /// Initial states: zero unless they are given, or taken from equilibrium.
 fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
-    const KEY: &str = "start";
+    const KEY: &str = START.name();
     if !table.has(KEY) {
         return Some(vec![ScalarStart::Value(0.0); states?]);
     }
     if table.is_text(KEY) {
         table.word(KEY, &["settled"])?;
-        if table.has("sample_time") {
+        if table.has(&sampled::SAMPLE_TIME) {
             table.note(KEY, &StateSpaceProblem::Sampled);
             return None;
         }
@@ -197,13 +194,13 @@ fn start(table: &Table<'_>, states: Option<usize>) -> Option<Vec<ScalarStart>> {
 /// The matrices, which a card must give in exactly one way.
 fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matrices> {
     let has_matrices = MATRICES.iter().any(|key| table.has(key));
-    let transfer_keys = ["numerator", "denominator"].map(|key| table.has(key));
+    let transfer_keys = [&NUMERATOR, &DENOMINATOR].map(|key| table.has(key));
     let has_transfer = transfer_keys.contains(&true);
     let ways = [
         ("\"a\" to \"d\"", has_matrices),
-        ("\"file\"", table.has("file")),
+        ("\"file\"", table.has(&FILE)),
         ("\"numerator\" and \"denominator\"", has_transfer),
-        ("\"transfer\"", table.has("transfer")),
+        ("\"transfer\"", table.has(&TRANSFER)),
     ];
     let given = ways.iter().filter(|way| way.1).map(|way| way.0);
     let given: Vec<_> = given.collect();
@@ -214,9 +211,9 @@ fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matr
     if has_matrices {
         return from_keys(table, sizes);
     }
-    if table.has("file") {
-        let written = table.text("file")?;
-        let path = table.existing("file", &written)?;
+    if table.has(&FILE) {
+        let written = table.get(&FILE)?;
+        let path = table.existing(&FILE, &written)?;
         let document = Document::read(&path);
         let document = table.document().keep(document)?;
         let root = document.root();
@@ -231,7 +228,7 @@ fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matr
     if has_transfer {
         if [inputs, outputs.len()] != [1, 1] {
             let found = [inputs, outputs.len()];
-            table.note("numerator", &StateSpaceProblem::NotSingle { found });
+            table.note(&NUMERATOR, &StateSpaceProblem::NotSingle { found });
             return None;
         }
         return transfer(table);
@@ -241,19 +238,19 @@ fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matr
 
 /// Matrices under "a" to "d": omitted ones are zero.
 fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> Option<Matrices> {
-    let states = table.row_count("a").unwrap_or(0);
+    let states = table.row_count(&A).unwrap_or(0);
     let (inputs, outputs) = (inputs?, names.len());
-    let read = |key: &str, rows: usize, columns: usize| match table.has(key) {
+    let read = |key: &Key<ByHand>, rows: usize, columns: usize| match table.has(key) {
         false => Some(DMatrix::zeros(rows, columns)),
         true => {
-            let found = table.rows(key, rows, columns)?;
+            let found = table.rows(key.name(), rows, columns)?;
             let numbers = found.into_iter().flatten();
             Some(DMatrix::from_row_iterator(rows, columns, numbers))
         }
     };
     // All are read, so that all problems are noted.
-    let (a, b) = (read("a", states, states), read("b", states, inputs));
-    let (c, d) = (read("c", outputs, states), read("d", outputs, inputs));
+    let (a, b) = (read(&A, states, states), read(&B, states, inputs));
+    let (c, d) = (read(&C, outputs, states), read(&D, outputs, inputs));
     Some(Matrices {
         a: a?,
         b: b?,
@@ -264,17 +261,16 @@ fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> 
 
 /// "numerator" over "denominator".
 fn transfer(table: &Table<'_>) -> Option<Matrices> {
-    let coefficients = |key: &str| {
-        const EXPECTED: &str = "a list of coefficients of decreasing powers of s";
-        table.require_item(key, EXPECTED)?;
-        list(table, key, EXPECTED)
+    let coefficients = |key: &Key<Vec<f64>>| {
+        let is_list = !table.has(key) || table.is_list(key);
+        table.get_if(key, |_| is_list, key.schema.expected)
     };
-    let (numerator, denominator) = (coefficients("numerator"), coefficients("denominator"));
+    let (numerator, denominator) = (coefficients(&NUMERATOR), coefficients(&DENOMINATOR));
     let (numerator, denominator) = (numerator?, denominator?);
     let found = Matrices::transfer(&numerator, &denominator);
     if found.is_none() {
         let degrees = [numerator, denominator].map(|of| of.len());
-        table.note("numerator", &StateSpaceProblem::Improper { degrees });
+        table.note(&NUMERATOR, &StateSpaceProblem::Improper { degrees });
     }
     found
 }
@@ -284,22 +280,18 @@ fn from_transfers(table: &Table<'_>, inputs: usize, outputs: &[String]) -> Optio
     let mut entries: Vec<Vec<_>> = vec![vec![None; inputs]; outputs.len()];
     let mut lines = BTreeMap::new();
     let mut complete = true;
-    let cards = table.tables("transfer");
+    let cards = table.tables(&TRANSFER);
     if cards.is_empty() {
-        table.note("transfer", &StateSpaceProblem::Ways { given: Vec::new() });
+        table.note(&TRANSFER, &StateSpaceProblem::Ways { given: Vec::new() });
         return None;
     }
     for card in cards {
         let known: Vec<_> = outputs.iter().map(String::as_str).collect();
-        let output = card.require_text("output", "the name of an output");
-        let output = output.and_then(|_| card.word("output", &known));
-        let input = card.require_count("input").filter(|&input| {
-            let is_one = (1..=inputs).contains(&input);
-            if !is_one {
-                card.wrong("input", &format!("the index of an input, 1 to {inputs}"));
-            }
-            is_one
-        });
+        let output = card
+            .get(&OUTPUT)
+            .and_then(|_| card.word(OUTPUT.name(), &known));
+        let expected = format!("the index of an input, 1 to {inputs}");
+        let input = card.get_if(&INPUT, |input| *input <= inputs, &expected);
         let found = transfer(&card);
         card.finish();
         let (Some(i), Some(j), Some(found)) = (output, input, found) else {
@@ -308,7 +300,7 @@ fn from_transfers(table: &Table<'_>, inputs: usize, outputs: &[String]) -> Optio
         };
         if let Some(line) = lines.insert((i, j), card.line()) {
             let line = table.document().line_words(line);
-            card.note("output", &StateSpaceProblem::Doubled { line });
+            card.note(&OUTPUT, &StateSpaceProblem::Doubled { line });
             complete = false;
         }
         entries[i][j - 1] = Some(found);

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use shared_geom::document::{DocumentProblem, Item, Table, read_text};
+use shared_geom::document::{DocumentProblem, Item, Key, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::units::Dimension;
 
 use super::DriveProblem;
-use super::keys::{INTERPOLATION, OUTSIDE};
+use super::keys::{COLUMNS, FILE, INTERPOLATION, OUTSIDE, ROWS};
 use super::measure::Measure;
 use crate::input::csv_rows;
 use crate::model::{Drive, DriveTable, Extrapolation, Interpolation, TableProblem};
@@ -20,16 +20,17 @@ pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     let (interpolation, extrapolation) = (table.get(&INTERPOLATION), table.get(&OUTSIDE));
     let second = table.document().factor(Dimension::TIME);
     let factor = measure.factor(table.document());
-    let (file, rows) = match (table.has("file"), table.has("rows")) {
+    let (file, rows) = match (table.has(&FILE), table.has(&ROWS)) {
         (true, false) => {
-            let (file, rows) = from_file(table, ["times", "values"])?;
+            let file = (FILE.name(), table.get(&FILE)??);
+            let (file, rows) = from_file(table, file, &COLUMNS, ["times", "values"])?;
             (Some(file), rows)
         }
         (false, true) => (None, in_place(table)?),
         (both, _) => {
-            let _ = table.has("columns");
+            let _ = table.has(&COLUMNS);
             let found = if both { "both" } else { "none" };
-            let keys = ["file", "rows"];
+            let keys = [FILE.name(), ROWS.name()];
             let drive = table.title().to_owned();
             table.note("", &DriveProblem::OneOf { drive, keys, found });
             return None;
@@ -63,7 +64,7 @@ pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 
 fn in_place(table: &Table<'_>) -> Option<Vec<Row>> {
     const EXPECTED: &str = "rows of a time and a value, as in [[0, 1], [2, 3]]";
-    let item = table.item("rows")?;
+    let item = table.item(&ROWS)?;
     let Some(items) = item.list() else {
         return item.wrong(EXPECTED);
     };
@@ -81,23 +82,21 @@ fn in_place(table: &Table<'_>) -> Option<Vec<Row>> {
     rows.into_iter().collect()
 }
 
-/// The name of the file given in the table, and the rows of two of its columns, described
-/// by `of`: the columns under `columns`, or the first two.
-pub(in crate::input) fn from_file(table: &Table<'_>, of: [&str; 2]) -> Option<(String, Vec<Row>)> {
-    let written = table.text("file")?;
-    let columns = match table.has("columns") {
-        true => Some(table.texts("columns")?),
-        false => None,
-    };
-    if columns.as_ref().is_some_and(|columns| columns.len() != 2) {
-        let expected = format!(
-            "two names: of the column of {} and of the column of {}",
-            of[0], of[1]
-        );
-        table.wrong("columns", &expected);
-        return None;
-    }
-    let path = table.existing("file", &written)?;
+/// The name of the file `written` under a key of the table, and the rows of two of its columns,
+/// described by `of`: the columns under `columns`, or the first two.
+pub(in crate::input) fn from_file(
+    table: &Table<'_>,
+    (key, written): (&str, String),
+    columns: &Key<Option<Vec<String>>>,
+    of: [&str; 2],
+) -> Option<(String, Vec<Row>)> {
+    let expected = format!(
+        "two names: of the column of {} and of the column of {}",
+        of[0], of[1]
+    );
+    let are_two = |names: &Option<Vec<String>>| names.as_ref().is_none_or(|names| names.len() == 2);
+    let columns = table.get_if(columns, are_two, &expected)?;
+    let path = table.existing(key, &written)?;
     let file = path.display().to_string();
     let text = table.document().keep(read_text(&path))?;
     let rows = rows(&text, &file, columns.as_deref(), of);

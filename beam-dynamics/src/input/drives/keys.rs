@@ -5,26 +5,18 @@ use shared_geom::document::schema::ValueKind::{
     Count, Drives, Free, Lines, Positive, Quantity, Text, Texts, Vector, Word,
 };
 use shared_geom::document::schema::{Family, KeySchema, Need, TableSchema, key};
-use shared_geom::keys;
 use shared_geom::units::Dimension;
+
+use super::measure::Measure;
+use shared_geom::{choice, keys};
 
 /// Default number of sines of a random drive.
 const DEFAULT_TERMS: usize = 64;
 /// Largest number of sines of a random drive.
 const MOST_TERMS: usize = 10_000;
 
-/// The kind of a drive.
-macro_rules! kind {
-    ($word:literal) => {
-        key(
-            "kind",
-            &[Word(&[$word])],
-            Need::Required,
-            concat!("\"", $word, "\""),
-            "Kind of the drive.",
-        )
-    };
-}
+/// The key that distinguishes the families, and its meaning.
+pub(super) const KIND: [&str; 2] = ["kind", "Kind of the drive."];
 
 /// A drive: a number that changes with time.
 pub(in crate::input) const DRIVE: TableSchema = TableSchema {
@@ -36,13 +28,13 @@ pub(in crate::input) const DRIVE: TableSchema = TableSchema {
         Family {
             name: "constant",
             meaning: "A constant.",
-            keys: &[kind!("constant"), VALUE.schema],
+            keys: &[choice!(KIND, "constant"), VALUE.schema],
         },
         Family {
             name: "ramp",
             meaning: "From one value to another, constant before and after.",
             keys: &[
-                kind!("ramp"),
+                choice!(KIND, "ramp"),
                 FROM.schema,
                 TO.schema,
                 START.schema,
@@ -54,13 +46,13 @@ pub(in crate::input) const DRIVE: TableSchema = TableSchema {
         Family {
             name: "step",
             meaning: "A jump.",
-            keys: &[kind!("step"), FROM.schema, TO.schema, TIME.schema],
+            keys: &[choice!(KIND, "step"), FROM.schema, TO.schema, TIME.schema],
         },
         Family {
             name: "harmonic",
             meaning: "A sine; constant before the start and after the last cycle.",
             keys: &[
-                kind!("harmonic"),
+                choice!(KIND, "harmonic"),
                 MEAN.schema,
                 AMPLITUDE.schema,
                 FREQUENCY.schema,
@@ -73,7 +65,7 @@ pub(in crate::input) const DRIVE: TableSchema = TableSchema {
             name: "doublet",
             meaning: "Up for half of the duration, down for the other half.",
             keys: &[
-                kind!("doublet"),
+                choice!(KIND, "doublet"),
                 AMPLITUDE.schema,
                 START.schema,
                 DURATION.schema,
@@ -83,7 +75,7 @@ pub(in crate::input) const DRIVE: TableSchema = TableSchema {
             name: "table",
             meaning: "Values at times, of a CSV file or of rows.",
             keys: &[
-                kind!("table"),
+                choice!(KIND, "table"),
                 FILE.schema,
                 COLUMNS.schema,
                 ROWS.schema,
@@ -99,18 +91,18 @@ pub(in crate::input) const DRIVE: TableSchema = TableSchema {
         Family {
             name: "sum",
             meaning: "A sum of drives.",
-            keys: &[kind!("sum"), SUMMANDS.schema],
+            keys: &[choice!(KIND, "sum"), SUMMANDS.schema],
         },
         Family {
             name: "product",
             meaning: "A product of drives.",
-            keys: &[kind!("product"), FACTORS.schema],
+            keys: &[choice!(KIND, "product"), FACTORS.schema],
         },
         Family {
             name: "random in a band",
             meaning: "A sum of sines of random frequencies and phases.",
             keys: &[
-                kind!("random"),
+                choice!(KIND, "random"),
                 MEAN.schema,
                 DEVIATION.schema,
                 SEED.schema,
@@ -122,7 +114,7 @@ pub(in crate::input) const DRIVE: TableSchema = TableSchema {
             name: "random at intervals",
             meaning: "Independent random values, with straight pieces between them.",
             keys: &[
-                kind!("random"),
+                choice!(KIND, "random"),
                 MEAN.schema,
                 DEVIATION.schema,
                 SEED.schema,
@@ -143,27 +135,27 @@ const KIND_OF_EXPRESSION: KeySchema = key(
 
 keys! {
     /// Unit of its numbers, only of named drives: the keys that use it must have its dimension.
-    UNIT: ByHand = "unit", [Text], or "the unit of the key", "\"kN\"";
+    pub(super) UNIT: Measure = "unit", [Text], or "the unit of the key" = Measure::Plain, "\"kN\"";
     /// The value.
-    VALUE: ByHand = "value", [Free], required, "3";
+    pub(super) VALUE: ByHand = "value", [Free], required, "3";
     /// Value before.
-    FROM: ByHand = "from", [Free], or "0", "0";
+    pub(super) FROM: ByHand = "from", [Free], or "0", "0";
     /// Value after.
-    TO: ByHand = "to", [Free], required, "3";
+    pub(super) TO: ByHand = "to", [Free], required, "3";
     /// Time of the beginning.
     pub(super) START: f64 = "start", [Quantity(Dimension::TIME)], or "0" = 0.0, "1";
     /// Time of the end of a ramp; either this or `duration`.
-    END: ByHand = "end", [Quantity(Dimension::TIME)], optional, "2";
+    pub(super) END: Option<f64> = "end", [Quantity(Dimension::TIME)], optional, "2";
     /// Time from start to end; either this or `end`.
-    RAMP_DURATION: ByHand = "duration", [Quantity(Dimension::TIME)], optional, "1";
+    pub(super) RAMP_DURATION: Option<f64> = "duration", [Quantity(Dimension::TIME)], optional, "1";
     /// Shape of a ramp: the first and second derivatives of the smooth one vanish at both ends.
     pub(super) SHAPE: usize = "shape", [Word(&["linear", "smooth"])], or "\"linear\"" = 0, "\"smooth\"";
     /// Time of the jump.
     pub(super) TIME: f64 = "time", [Quantity(Dimension::TIME)], required, "1";
     /// Mean value.
-    MEAN: ByHand = "mean", [Free], or "0", "1";
+    pub(super) MEAN: ByHand = "mean", [Free], or "0", "1";
     /// Amplitude.
-    AMPLITUDE: ByHand = "amplitude", [Free], required, "5";
+    pub(super) AMPLITUDE: ByHand = "amplitude", [Free], required, "5";
     /// Frequency.
     pub(super) FREQUENCY: f64 = "frequency", [Positive(Dimension::FREQUENCY)], required, "0.5";
     /// Phase at the start.
@@ -173,28 +165,28 @@ keys! {
     /// Length in time.
     pub(super) DURATION: f64 = "duration", [Positive(Dimension::TIME)], required, "2";
     /// A CSV file with a heading, in place of `rows`.
-    FILE: ByHand = "file", [Text], optional, "\"gust.csv\"";
+    pub(super) FILE: Option<String> = "file", [Text], optional, "\"gust.csv\"";
     /// Columns of the file, of the times and of the values.
-    COLUMNS: ByHand = "columns", [Texts], or "the first two", "[\"time\", \"thrust\"]";
+    pub(super) COLUMNS: Option<Vec<String>> = "columns", [Texts], or "the first two", "[\"time\", \"thrust\"]";
     /// Rows of a time and a value, in place of `file`.
-    ROWS: ByHand = "rows", [Lines(2)], optional, "[[0, 0], [1, 50]]";
+    pub(super) ROWS: ByHand = "rows", [Lines(2)], optional, "[[0, 0], [1, 50]]";
     /// Interpolation between the rows.
     pub(super) INTERPOLATION: usize = "interpolation", [Word(&["linear", "spline"])], or "\"linear\"" = 0,
         "\"spline\"";
     /// Beyond the rows: an error, or the first and the last value.
     pub(super) OUTSIDE: usize = "outside", [Word(&["error", "hold"])], or "\"error\"" = 0, "\"hold\"";
     /// Expression of `t` in the declared unit of time, and of parameters.
-    EXPRESSION: ByHand = "expression", [Text], required, "\"3*sin(2*pi*t)\"";
+    pub(super) EXPRESSION: ByHand = "expression", [Text], required, "\"3*sin(2*pi*t)\"";
     /// The summands.
-    SUMMANDS: ByHand = "terms", [Drives(Dimension::NUMBER)], required, "[\"swing\", 2]";
+    pub(super) SUMMANDS: ByHand = "terms", [Drives(Dimension::NUMBER)], required, "[\"swing\", 2]";
     /// The factors, the first in the unit of the key, the others pure numbers.
-    FACTORS: ByHand = "factors", [Drives(Dimension::NUMBER)], required, "[\"swing\", \"= exp(-t)\"]";
+    pub(super) FACTORS: ByHand = "factors", [Drives(Dimension::NUMBER)], required, "[\"swing\", \"= exp(-t)\"]";
     /// Standard deviation, zero or more.
-    DEVIATION: ByHand = "deviation", [Free], required, "2";
+    pub(super) DEVIATION: ByHand = "deviation", [Free], required, "2";
     /// Seed of the random numbers: equal seeds give equal values.
     pub(super) SEED: usize = "seed", [Count(usize::MAX)], required, "7";
     /// Lowest and highest frequency.
-    BAND: ByHand = "band", [Vector(2, Dimension::FREQUENCY)], required, "[0.1, 2]";
+    pub(super) BAND: [f64; 2] = "band", [Vector(2, Dimension::FREQUENCY)], required, "[0.1, 2]";
     /// Number of sines.
     pub(super) TERMS: usize = "terms", [Count(MOST_TERMS)], or "64" = DEFAULT_TERMS, "128";
     /// Time between independent values.

@@ -2,59 +2,46 @@
 
 use std::sync::Arc;
 
-use shared_geom::document::{Item, Table};
+use shared_geom::document::{ByHand, Item, Key, Table};
 use shared_geom::expression::written;
 use shared_geom::units::Dimension;
 
-use super::keys::{CYCLES, DURATION, FREQUENCY, INTERVAL, PHASE, SEED, SHAPE, START, TERMS, TIME};
+use super::keys::{
+    AMPLITUDE, BAND, CYCLES, DEVIATION, DRIVE, DURATION, END, EXPRESSION, FACTORS, FREQUENCY, FROM,
+    INTERVAL, KIND, MEAN, PHASE, RAMP_DURATION, SEED, SHAPE, START, SUMMANDS, TERMS, TIME, TO,
+    UNIT, VALUE,
+};
 use super::measure::Measure;
 use super::{DriveProblem, Find, columns, drive, formula};
 use crate::model::{BandNoise, Doublet, Drive, Harmonic, Ramp, Step, SteppedNoise};
 
-const KINDS: [&str; 10] = [
-    "constant",
-    "ramp",
-    "step",
-    "harmonic",
-    "doublet",
-    "table",
-    "expression",
-    "sum",
-    "product",
-    "random",
-];
-
 /// Whether the kind of a table is known; otherwise its keys are not checked.
 pub(super) fn is_known(table: &Table<'_>) -> bool {
-    let is_one = |kind: String| KINDS.contains(&&*kind);
-    match table.has("kind") {
-        true => table.is_text("kind") && table.text("kind").is_some_and(is_one),
-        false => table.has("expression"),
+    match table.has(KIND[0]) {
+        true => table.has_choice(&DRIVE, KIND[0]),
+        false => table.has(&EXPRESSION),
     }
 }
 
 /// Reads a table with the key `kind`.
 pub(super) fn read(table: &Table<'_>, measure: Measure, find: &Find<'_>) -> Option<Drive> {
-    if matches!(measure, Measure::Declared(_)) && table.has("unit") {
-        table.note("unit", &DriveProblem::InlineUnit);
+    if matches!(measure, Measure::Declared(_)) && table.has(&UNIT) {
+        table.note(&UNIT, &DriveProblem::InlineUnit);
     }
     // The key `expression` implies the kind.
-    let kind = match !table.has("kind") && table.has("expression") {
-        true => "expression",
-        false => {
-            table.require_text("kind", "the kind of the drive")?;
-            KINDS[table.word("kind", &KINDS)?]
-        }
+    let kind = match !table.has(KIND[0]) && table.has(&EXPRESSION) {
+        true => EXPRESSION.name(),
+        false => table.choice(&DRIVE, KIND[0])?,
     };
     match kind {
-        "constant" => value(table, "value", measure).map(Drive::Constant),
+        "constant" => value(table, &VALUE, measure).map(Drive::Constant),
         "ramp" => ramp(table, measure),
         "step" => step(table, measure),
         "harmonic" => harmonic(table, measure),
         "doublet" => doublet(table, measure),
         "table" => columns::read(table, measure),
         "expression" => {
-            let item = table.require_item("expression", "an expression of t")?;
+            let item = table.require_item(&EXPRESSION, "an expression of t")?;
             match item.text() {
                 Some(text) => formula(&item, written(text).unwrap_or(text), measure),
                 None => item.wrong("an expression of t, as in \"2*sin(t)\""),
@@ -66,11 +53,11 @@ pub(super) fn read(table: &Table<'_>, measure: Measure, find: &Find<'_>) -> Opti
 }
 
 /// A required number in the measure of the drive.
-fn value(table: &Table<'_>, key: &str, measure: Measure) -> Option<f64> {
+fn value(table: &Table<'_>, key: &Key<ByHand>, measure: Measure) -> Option<f64> {
     measure.number(&table.require_item(key, &measure.words())?)
 }
 
-fn value_or_zero(table: &Table<'_>, key: &str, measure: Measure) -> Option<f64> {
+fn value_or_zero(table: &Table<'_>, key: &Key<ByHand>, measure: Measure) -> Option<f64> {
     match table.item(key) {
         Some(item) => measure.number(&item),
         None => Some(0.0),
@@ -78,21 +65,20 @@ fn value_or_zero(table: &Table<'_>, key: &str, measure: Measure) -> Option<f64> 
 }
 
 fn ramp(table: &Table<'_>, measure: Measure) -> Option<Drive> {
-    let from = value_or_zero(table, "from", measure);
-    let to = value(table, "to", measure);
+    let from = value_or_zero(table, &FROM, measure);
+    let to = value(table, &TO, measure);
     let start = table.get(&START);
-    let has = ["end", "duration"].map(|key| table.has(key));
-    let end = match has {
-        [true, false] => table.quantity("end", Dimension::TIME),
+    let keys = [END.name(), RAMP_DURATION.name()];
+    let end = match keys.map(|key| table.has(key)) {
+        [true, false] => table.get(&END).flatten(),
         [false, true] => {
-            let duration = table.quantity("duration", Dimension::TIME);
+            let duration = table.get(&RAMP_DURATION).flatten();
             duration
                 .zip(start)
                 .map(|(duration, start)| start + duration)
         }
         [both, _] => {
             let found = if both { "both" } else { "none" };
-            let keys = ["end", "duration"];
             let drive = table.title().to_owned();
             table.note("", &DriveProblem::OneOf { drive, keys, found });
             None
@@ -114,8 +100,8 @@ fn ramp(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 }
 
 fn step(table: &Table<'_>, measure: Measure) -> Option<Drive> {
-    let from = value_or_zero(table, "from", measure);
-    let to = value(table, "to", measure);
+    let from = value_or_zero(table, &FROM, measure);
+    let to = value(table, &TO, measure);
     let time = table.get(&TIME);
     Some(Drive::Step(Step {
         from: from?,
@@ -125,8 +111,8 @@ fn step(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 }
 
 fn harmonic(table: &Table<'_>, measure: Measure) -> Option<Drive> {
-    let mean = value_or_zero(table, "mean", measure);
-    let amplitude = value(table, "amplitude", measure);
+    let mean = value_or_zero(table, &MEAN, measure);
+    let amplitude = value(table, &AMPLITUDE, measure);
     let frequency = table.get(&FREQUENCY);
     let phase = table.get(&PHASE);
     let start = table.get(&START);
@@ -142,7 +128,7 @@ fn harmonic(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 }
 
 fn doublet(table: &Table<'_>, measure: Measure) -> Option<Drive> {
-    let amplitude = value(table, "amplitude", measure);
+    let amplitude = value(table, &AMPLITUDE, measure);
     let start = table.get(&START);
     let duration = table.get(&DURATION);
     Some(Drive::Doublet(Doublet {
@@ -154,16 +140,16 @@ fn doublet(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 
 fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
     // All keys are read before the function returns, so that each problem is noted.
-    let mean = value_or_zero(table, "mean", measure);
-    let deviation = value(table, "deviation", measure).filter(|deviation| {
+    let mean = value_or_zero(table, &MEAN, measure);
+    let deviation = value(table, &DEVIATION, measure).filter(|deviation| {
         let is_right = *deviation >= 0.0;
         if !is_right {
-            table.wrong("deviation", "a number that is zero or more");
+            table.wrong(&DEVIATION, "a number that is zero or more");
         }
         is_right
     });
     let seed = table.get(&SEED).map(|seed| seed as u64);
-    let keys = ["band", "interval"];
+    let keys = [BAND.name(), INTERVAL.name()];
     match keys.map(|key| table.has(key)) {
         [false, true] => {
             let interval = table.get(&INTERVAL);
@@ -183,7 +169,7 @@ fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
         [both, _] => {
             let found = if both { "both" } else { "none" };
             // Terms may belong to a missing band.
-            table.item("terms");
+            table.item(&TERMS);
             let drive = table.title().to_owned();
             table.note("", &DriveProblem::OneOf { drive, keys, found });
             None
@@ -193,13 +179,10 @@ fn random(table: &Table<'_>, measure: Measure) -> Option<Drive> {
 
 /// The least and the largest frequency of a random drive \[Hz\].
 fn band(table: &Table<'_>) -> Option<[f64; 2]> {
-    let [low, high] = table.quantities("band", Dimension::FREQUENCY)?[..] else {
-        table.wrong("band", "an array of 2, each a frequency");
-        return None;
-    };
-    let band = [low, high];
+    let band = table.get(&BAND)?;
+    let [low, high] = band;
     if low < 0.0 || high <= low {
-        table.note("band", &DriveProblem::Band { band });
+        table.note(&BAND, &DriveProblem::Band { band });
         return None;
     }
     Some(band)
@@ -207,7 +190,10 @@ fn band(table: &Table<'_>) -> Option<[f64; 2]> {
 
 /// A sum of drives, or a product of a drive and pure numbers.
 fn combined(table: &Table<'_>, is_sum: bool, measure: Measure, find: &Find<'_>) -> Option<Drive> {
-    let key = if is_sum { "terms" } else { "factors" };
+    let key = match is_sum {
+        true => SUMMANDS.name(),
+        false => FACTORS.name(),
+    };
     let items = table.require_item(key, "a list of drives")?;
     let Some(items) = items.list() else {
         return items.wrong("a list of drives");

@@ -1,6 +1,7 @@
 //! Units of the numbers of a drive.
 
-use shared_geom::document::{Document, DocumentProblem, Item, Table};
+use shared_geom::document::schema::KeySchema;
+use shared_geom::document::{Declared, Document, DocumentProblem, Item, Table, Value};
 use shared_geom::units::{self, Dimension, Unit};
 
 /// Unit of the numbers of a drive.
@@ -14,23 +15,23 @@ pub(in crate::input) enum Measure {
     Unit(Unit),
 }
 
-impl Measure {
-    /// The measure of a named drive: its `unit`, or plain numbers.
-    pub fn of_table(table: &Table<'_>) -> Option<Self> {
-        if !table.has("unit") {
-            return Some(Self::Plain);
-        }
-        let text = table.text("unit")?;
-        match units::parse(&text) {
+impl Declared for Measure {}
+
+/// A unit.
+impl Value for Measure {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        match units::parse(&table.text(key.name)?) {
             Ok(unit) => Some(Self::Unit(unit)),
             Err(problem) => {
-                let key = "unit".to_owned();
-                table.note("unit", &DocumentProblem::Unit { key, problem });
+                let name = key.name.to_owned();
+                table.note(key, &DocumentProblem::Unit { key: name, problem });
                 None
             }
         }
     }
+}
 
+impl Measure {
     /// SI units, or plain numbers, per plain number \[unit of the drive\].
     pub fn factor(self, document: &Document) -> f64 {
         match self {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use shared_geom::document::schema::KeySchema;
 use shared_geom::document::{Item, Table};
 use shared_geom::expression::{Names, is_name, written};
 use shared_geom::units::Dimension;
@@ -25,26 +26,25 @@ pub(in crate::input) struct Read {
     pub measure: Measure,
 }
 
-/// Reads the signal under `key` of a card, in SI units of `dimension`: any drive (see
+/// Reads the signal under a declared key of a card, in SI units: any drive (see
 /// [`super::read`]), an expression of time and of names that expressions may read, or one
 /// of these names. `None` if it is absent or wrong; problems have been noted.
 pub(in crate::input) fn read_signal(
     table: &Table<'_>,
-    key: &str,
-    dimension: Dimension,
+    key: &KeySchema,
     catalog: &Catalog,
 ) -> Option<Signal> {
-    signal_of(&table.item(key)?, dimension, catalog)
+    signal_of(&table.item(key)?, key.dimension(), catalog)
 }
 
 /// Like [`read_signal`], for a pure number that is one without the key.
 pub(in crate::input) fn read_factor(
     table: &Table<'_>,
-    key: &str,
+    key: &KeySchema,
     catalog: &Catalog,
 ) -> Option<Signal> {
     match table.has(key) {
-        true => read_signal(table, key, Dimension::NUMBER, catalog),
+        true => read_signal(table, key, catalog),
         false => Some(Signal::default()),
     }
 }
@@ -53,24 +53,22 @@ pub(in crate::input) fn read_factor(
 /// opposes a rate: the rate of the signal must be known.
 pub(in crate::input) fn read_speed(
     table: &Table<'_>,
-    key: &str,
-    dimension: Dimension,
+    key: &KeySchema,
     catalog: &Catalog,
 ) -> Option<Signal> {
     let counts = (Counts::Slope, Smoothness::Rate);
-    read_smooth(&table.item(key)?, dimension, catalog, counts)
+    read_smooth(&table.item(key)?, key.dimension(), catalog, counts)
 }
 
 /// Like [`read_signal`], for a prescribed position or angle: the second derivative of the
 /// signal must be known.
 pub(in crate::input) fn read_position(
     table: &Table<'_>,
-    key: &str,
-    dimension: Dimension,
+    key: &KeySchema,
     catalog: &Catalog,
 ) -> Option<Signal> {
     let counts = (Counts::Slope, Smoothness::Acceleration);
-    read_smooth(&table.item(key)?, dimension, catalog, counts)
+    read_smooth(&table.item(key)?, key.dimension(), catalog, counts)
 }
 
 fn read_smooth(
@@ -86,7 +84,7 @@ fn read_smooth(
 /// Like [`read_position`], for a length above zero at all times.
 pub(in crate::input) fn read_distance(
     table: &Table<'_>,
-    key: &str,
+    key: &KeySchema,
     catalog: &Catalog,
 ) -> Option<Signal> {
     let signal = read_length(table, key, catalog)?;
@@ -96,11 +94,11 @@ pub(in crate::input) fn read_distance(
 /// Like [`read_signal`], for a length above zero at all times.
 pub(in crate::input) fn read_length(
     table: &Table<'_>,
-    key: &str,
+    key: &KeySchema,
     catalog: &Catalog,
 ) -> Option<Signal> {
     let item = table.item(key)?;
-    let signal = find(&item, Dimension::LENGTH, catalog, Counts::Positive)?;
+    let signal = find(&item, key.dimension(), catalog, Counts::Positive)?;
     if signal
         .drive()
         .is_some_and(|drive| drive.at(0.0).value <= 0.0)

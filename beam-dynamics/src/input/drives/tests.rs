@@ -6,7 +6,7 @@ use approx::assert_relative_eq;
 use shared_geom::document::Document;
 use shared_geom::units::Dimension;
 
-use super::{read, read_named};
+use super::{read_named, read_value};
 use crate::model::Drive;
 
 /// Reads the drive under `drive` of a file with the given text, with a table `a.csv` in its
@@ -26,7 +26,8 @@ fn found(text: &str, dimension: Dimension) -> Result<Drive, String> {
     document.declare_units(&root);
     document.declare_parameters(&root);
     let catalog = read_named(&root);
-    let drive = read(&root, "drive", dimension, &catalog);
+    let item = root.item("drive");
+    let drive = item.and_then(|item| read_value(&item, dimension, &catalog));
     catalog.check(&document, [0.0, 5.0]);
     root.finish();
     let drive = document.finish(drive);

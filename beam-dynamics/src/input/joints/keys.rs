@@ -2,12 +2,10 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::ByHand;
-use shared_geom::document::schema::ValueKind::{
-    Drive, Table, Text, Texts, Vector, Vectors, Word, Words,
-};
+use shared_geom::document::schema::ValueKind::{Drive, Table, Text, Texts, Vector, Vectors, Words};
 use shared_geom::document::schema::{Family, KeySchema, Need, TableSchema, key};
-use shared_geom::keys;
 use shared_geom::units::Dimension;
+use shared_geom::{choice, keys};
 
 use super::{AXIS, AXIS_IN};
 use crate::input::frames::IN;
@@ -15,18 +13,8 @@ use crate::input::frames::IN;
 /// Degrees of freedom of a total joint.
 pub(super) const FREEDOMS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
 
-/// The kind of a joint, one of the words.
-macro_rules! kind {
-    ($first:literal $(, $word:literal)*) => {
-        key(
-            "kind",
-            &[Word(&[$first $(, $word)*])],
-            Need::Required,
-            concat!("\"", $first, "\""),
-            "Kind of the joint.",
-        )
-    };
-}
+/// The key that distinguishes the families, and its meaning.
+pub(super) const KIND: [&str; 2] = ["kind", "Kind of the joint."];
 
 /// A joint.
 pub(in crate::input) const JOINT: TableSchema = TableSchema {
@@ -38,13 +26,13 @@ pub(in crate::input) const JOINT: TableSchema = TableSchema {
         Family {
             name: "fixed",
             meaning: "No relative motion, or rotation about a point only.",
-            keys: &[kind!("clamp", "spherical")],
+            keys: &[choice!(KIND, "clamp", "spherical")],
         },
         Family {
             name: "rotation about an axis",
             meaning: "Free or driven rotation about an axis.",
             keys: &[
-                kind!("revolute", "plane-rotation", "spin"),
+                choice!(KIND, "revolute", "plane-rotation", "spin"),
                 AXIS.schema,
                 AXIS_IN.schema,
                 ANGLE.schema,
@@ -55,7 +43,7 @@ pub(in crate::input) const JOINT: TableSchema = TableSchema {
             name: "cylindrical",
             meaning: "Free or driven rotation about an axis and displacement along it.",
             keys: &[
-                kind!("cylindrical"),
+                choice!(KIND, "cylindrical"),
                 FROM.schema,
                 AXIS.schema,
                 AXIS_IN.schema,
@@ -68,7 +56,7 @@ pub(in crate::input) const JOINT: TableSchema = TableSchema {
             name: "displacement along an axis",
             meaning: "Free or driven along the axis, or held along it for `in-plane`.",
             keys: &[
-                kind!("prismatic", "in-plane"),
+                choice!(KIND, "prismatic", "in-plane"),
                 FROM.schema,
                 AXIS.schema,
                 AXIS_IN.schema,
@@ -78,23 +66,28 @@ pub(in crate::input) const JOINT: TableSchema = TableSchema {
         Family {
             name: "in-line",
             meaning: "A point that moves along a line.",
-            keys: &[kind!("in-line"), FROM.schema, AXIS.schema, AXIS_IN.schema],
+            keys: &[
+                choice!(KIND, "in-line"),
+                FROM.schema,
+                AXIS.schema,
+                AXIS_IN.schema,
+            ],
         },
         Family {
             name: "universal",
             meaning: "Rotation about two axes.",
-            keys: &[kind!("universal"), AXES.schema, AXIS_IN.schema],
+            keys: &[choice!(KIND, "universal"), AXES.schema, AXIS_IN.schema],
         },
         Family {
             name: "distance",
             meaning: "A given distance of two points.",
-            keys: &[kind!("distance"), FROM.schema, LENGTH.schema],
+            keys: &[choice!(KIND, "distance"), FROM.schema, LENGTH.schema],
         },
         Family {
             name: "position",
             meaning: "Driven components of the position.",
             keys: &[
-                kind!("position"),
+                choice!(KIND, "position"),
                 FROM.schema,
                 ORIENTATION.schema,
                 DISPLACEMENTS.schema,
@@ -103,13 +96,17 @@ pub(in crate::input) const JOINT: TableSchema = TableSchema {
         Family {
             name: "rotation",
             meaning: "Driven components of the rotation.",
-            keys: &[kind!("rotation"), ORIENTATION.schema, ROTATION.schema],
+            keys: &[
+                choice!(KIND, "rotation"),
+                ORIENTATION.schema,
+                ROTATION.schema,
+            ],
         },
         Family {
             name: "velocity",
             meaning: "Driven components of the velocities.",
             keys: &[
-                kind!("velocity"),
+                choice!(KIND, "velocity"),
                 FROM.schema,
                 ORIENTATION.schema,
                 VELOCITY.schema,
@@ -120,7 +117,7 @@ pub(in crate::input) const JOINT: TableSchema = TableSchema {
             name: "total",
             meaning: "Any degrees of freedom locked or driven, the others free.",
             keys: &[
-                kind!("total"),
+                choice!(KIND, "total"),
                 FROM.schema,
                 ORIENTATION.schema,
                 LOCKED.schema,
@@ -133,9 +130,9 @@ pub(in crate::input) const JOINT: TableSchema = TableSchema {
 
 keys! {
     /// Its name, for messages and output.
-    NAME: ByHand = "name", [Text], or "`joint` and its number", "\"crank\"";
+    pub(super) NAME: Option<String> = "name", [Text], or "`joint` and its number", "\"crank\"";
     /// The names of two nodes, or of one, which is joined to the frame.
-    NODES: ByHand = "nodes", [Texts], required, "[\"hub\", \"root\"]";
+    pub(super) NODES: Vec<String> = "nodes", [Texts], required, "[\"hub\", \"root\"]";
     /// The point of the joint in the undeformed model; without it the last node. For the distance of one node from a fixed
     /// point it is the point of the frame.
     pub(super) AT: Option<Vector3<f64>> = "at", [Vector(3, Dimension::LENGTH)], optional,
@@ -144,7 +141,8 @@ keys! {
     pub(super) FROM: Option<Vector3<f64>> = "from", [Vector(3, Dimension::LENGTH)], optional,
         "[0, 0, 0]";
     /// The axis on the first end, and the axis on the second.
-    pub(super) AXES: ByHand = "axes", [Vectors(3, Dimension::NUMBER)], required,
+    pub(super) AXES: Vec<Vector3<f64>> = "axes", [Vectors(3, Dimension::NUMBER)]
+        as "the axis on the first end and on the second", required,
         "[[0, 1, 0], [0, 0, 1]]";
     /// Rotation vector of the axes of the components; they turn with the first end.
     pub(super) ORIENTATION: Vector3<f64> = "orientation", [Vector(3, Dimension::ANGLE)],

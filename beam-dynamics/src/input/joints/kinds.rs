@@ -1,12 +1,16 @@
 //! `[[joint]]`: joints of every kind between two nodes, or between the frame and a node.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::Table;
+use shared_geom::document::schema::KeySchema;
+use shared_geom::document::{ByHand, Key, Table};
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
 use super::AXIS_IN;
-use super::keys::{AT, FREEDOMS, FROM, ORIENTATION};
+use super::keys::{
+    ANGLE, ANGULAR_VELOCITY, AT, AXES, DISPLACEMENT, DISPLACEMENTS, FREEDOMS, FROM, JOINT, KIND,
+    LENGTH, LOCKED, NAME, NODES, ORIENTATION, ROTATION, SPEED, VELOCITY,
+};
 use super::problem::JointProblem;
 use crate::elements::Signal;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
@@ -14,26 +18,8 @@ use crate::input::builder::ModelBuilder;
 use crate::input::drives;
 use crate::input::ends;
 use crate::input::frames::Frame;
-use crate::input::problem::InputProblem;
 use crate::model::{Drive, Node};
 
-const KINDS: [&str; 15] = [
-    "clamp",
-    "spherical",
-    "revolute",
-    "cylindrical",
-    "universal",
-    "prismatic",
-    "in-line",
-    "in-plane",
-    "plane-rotation",
-    "distance",
-    "position",
-    "rotation",
-    "velocity",
-    "spin",
-    "total",
-];
 /// Sine below which axes are treated as parallel, and part of the size of the model below which
 /// points coincide: digits lost in the input.
 const ROUNDING: f64 = 1e-9;
@@ -93,18 +79,11 @@ impl Axes {
 /// Adds every `[[joint]]` to the model.
 pub(in crate::input) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("joint").iter().enumerate() {
-        let label = ends::label(table, "joint", number);
+        let label = ends::label(table, &NAME, "joint", number);
         let is_new = builder.take_label("joint", &label, table);
         let nodes = nodes(table, builder, &format!("joint \"{label}\""));
-        let kind = match table.has("kind") {
-            true => table.word("kind", &KINDS),
-            false => {
-                let _ = table.require_text("kind", &format!("one of {}", KINDS.join(", ")));
-                None
-            }
-        };
         // The keys of an unknown kind are not checked.
-        let Some(kind) = kind.map(|kind| KINDS[kind]) else {
+        let Some(kind) = table.choice(&JOINT, KIND[0]) else {
             builder.note_broken();
             continue;
         };
@@ -134,15 +113,15 @@ pub(in crate::input) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
 
 /// One node, which is joined to the frame, or two.
 fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, words: &str) -> Option<Vec<usize>> {
-    ends::one_or_two(table, builder, words, |found| {
-        ends::count(found, "one or two")
+    ends::one_or_two((table, &NODES), builder, words, |found| {
+        ends::count(NODES.name(), found, "one or two")
     })
 }
 
 /// The constraint of a joint of a kind.
 fn holds(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<Holds> {
     let slide = || {
-        let drive = drive(table, "displacement", Dimension::LENGTH, builder)?;
+        let drive = drive(table, &DISPLACEMENT.schema, builder)?;
         Some(drive.map_or(Freedom::Free, Freedom::Driven))
     };
     Some(match kind {
@@ -156,7 +135,7 @@ fn holds(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<Holds>
         "universal" => Holds::Universal,
         "prismatic" => Holds::Prismatic(slide()?),
         "in-line" => Holds::InLine,
-        "in-plane" => Holds::InPlane(drive(table, "displacement", Dimension::LENGTH, builder)?),
+        "in-plane" => Holds::InPlane(drive(table, &DISPLACEMENT.schema, builder)?),
         "plane-rotation" => Holds::PlaneRotation(turning(table, builder)?),
         "distance" => Holds::Distance(length(table, builder)?),
         "velocity" => Holds::Velocity(velocities(table, builder)?),
@@ -172,31 +151,25 @@ fn holds(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<Holds>
 }
 
 /// The signal under a key; `Some(None)` if it is absent.
-fn drive(
-    table: &Table<'_>,
-    key: &str,
-    dimension: Dimension,
-    builder: &ModelBuilder,
-) -> Option<Option<Signal>> {
+fn drive(table: &Table<'_>, key: &KeySchema, builder: &ModelBuilder) -> Option<Option<Signal>> {
+    let is_speed = [Dimension::VELOCITY, Dimension::ROTATION_SPEED].contains(&key.dimension());
     match table.has(key) {
-        true if [Dimension::VELOCITY, Dimension::ROTATION_SPEED].contains(&dimension) => {
-            drives::read_speed(table, key, dimension, builder.drives()).map(Some)
-        }
-        true => drives::read_position(table, key, dimension, builder.drives()).map(Some),
+        true if is_speed => drives::read_speed(table, key, builder.drives()).map(Some),
+        true => drives::read_position(table, key, builder.drives()).map(Some),
         false => Some(None),
     }
 }
 
 /// The prescribed rotation about the axis: `angle` or `speed`.
 fn turning(table: &Table<'_>, builder: &ModelBuilder) -> Option<Option<Turning>> {
-    let angle = drive(table, "angle", Dimension::ANGLE, builder);
-    let speed = drive(table, "speed", Dimension::ROTATION_SPEED, builder);
+    let angle = drive(table, &ANGLE.schema, builder);
+    let speed = drive(table, &SPEED.schema, builder);
     match (angle?, speed?) {
         (None, None) => Some(None),
         (Some(angle), None) => Some(Some(Turning::Angle(angle))),
         (None, Some(speed)) => Some(Some(Turning::Speed(speed))),
         _ => {
-            table.note("speed", &JointProblem::AngleAndSpeed);
+            table.note(&SPEED, &JointProblem::AngleAndSpeed);
             None
         }
     }
@@ -204,8 +177,8 @@ fn turning(table: &Table<'_>, builder: &ModelBuilder) -> Option<Option<Turning>>
 
 /// The length of a distance joint.
 fn length(table: &Table<'_>, builder: &ModelBuilder) -> Option<Option<Signal>> {
-    match table.has("length") {
-        true => drives::read_distance(table, "length", builder.drives()).map(Some),
+    match table.has(&LENGTH) {
+        true => drives::read_distance(table, &LENGTH.schema, builder.drives()).map(Some),
         false => Some(None),
     }
 }
@@ -213,32 +186,27 @@ fn length(table: &Table<'_>, builder: &ModelBuilder) -> Option<Option<Signal>> {
 /// Driven components: `{ x = 0, z = "= sin(t)" }`, or three numbers.
 fn components(
     table: &Table<'_>,
-    key: &str,
-    dimension: Dimension,
+    key: &Key<ByHand>,
     builder: &ModelBuilder,
 ) -> Option<[Option<Signal>; 3]> {
+    let axes = key.schema.kinds[0].table()?.keys;
     if !table.has(key) {
         return Some([None, None, None]);
     }
     if !table.is_table(key) {
-        let numbers = table.vector(key, dimension)?;
+        let numbers = table.vector(key.name(), axes[0].dimension())?;
         return Some([0, 1, 2].map(|i| Some(Drive::Constant(numbers[i]).into())));
     }
     let inner = table.table(key)?;
-    let found = ["x", "y", "z"].map(|axis| drive(&inner, axis, dimension, builder));
+    let found = [0, 1, 2].map(|i| drive(&inner, &axes[i], builder));
     inner.finish();
     let [x, y, z] = found;
     Some([x?, y?, z?])
 }
 
 fn velocities(table: &Table<'_>, builder: &ModelBuilder) -> Option<[Option<Signal>; 6]> {
-    let along = components(table, "velocity", Dimension::VELOCITY, builder);
-    let about = components(
-        table,
-        "angular_velocity",
-        Dimension::ROTATION_SPEED,
-        builder,
-    );
+    let along = components(table, &VELOCITY, builder);
+    let about = components(table, &ANGULAR_VELOCITY, builder);
     let ([a, b, c], [d, e, f]) = (along?, about?);
     let all = [a, b, c, d, e, f];
     if all.iter().all(Option::is_none) {
@@ -251,12 +219,12 @@ fn velocities(table: &Table<'_>, builder: &ModelBuilder) -> Option<[Option<Signa
 
 /// The freedoms of a position, a rotation or a total joint.
 fn freedoms(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<[Freedom; 6]> {
-    let driven = |of: &str, key: &str, dimension| match kind == of || kind == "total" {
-        true => components(table, key, dimension, builder),
+    let driven = |of: &str, key| match kind == of || kind == "total" {
+        true => components(table, key, builder),
         false => Some([None, None, None]),
     };
-    let along = driven("position", "displacement", Dimension::LENGTH);
-    let about = driven("rotation", "rotation", Dimension::ANGLE);
+    let along = driven("position", &DISPLACEMENTS);
+    let about = driven("rotation", &ROTATION);
     let locked = match kind == "total" {
         true => locked(table),
         false => Some([false; 6]),
@@ -265,7 +233,7 @@ fn freedoms(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<[Fr
     let all = [a, b, c, d, e, f];
     if let Some(i) = (0..6).find(|&i| all[i].is_some() && locked[i]) {
         let freedom = FREEDOMS[i];
-        table.note("locked", &JointProblem::LockedAndDriven { freedom });
+        table.note(&LOCKED, &JointProblem::LockedAndDriven { freedom });
         return None;
     }
     if all.iter().all(Option::is_none) && locked == [false; 6] {
@@ -288,17 +256,17 @@ fn freedoms(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<[Fr
 /// The freedoms listed in `locked`.
 fn locked(table: &Table<'_>) -> Option<[bool; 6]> {
     let mut found = [false; 6];
-    if !table.has("locked") {
+    if !table.has(&LOCKED) {
         return Some(found);
     }
     let mut is_known = true;
-    for word in table.texts("locked")? {
+    for word in table.texts(LOCKED.name())? {
         match FREEDOMS.iter().position(|freedom| *freedom == word) {
             Some(i) => found[i] = true,
             None => {
                 let known = FREEDOMS.map(str::to_owned).to_vec();
                 let problem = JointProblem::UnknownFreedom { word, known };
-                table.note("locked", &problem);
+                table.note(&LOCKED, &problem);
                 is_known = false;
             }
         }
@@ -360,28 +328,18 @@ fn axes(kind: &str, table: &Table<'_>) -> Option<Axes> {
 
 /// The axes of a universal joint: one on each end.
 fn two_axes(table: &Table<'_>) -> Option<[Matrix3<f64>; 2]> {
-    if !table.has("axes") {
-        let _ = table.require_text("axes", "the axis on the first end and on the second");
-        return None;
-    }
-    let found = table.vectors("axes", Dimension::NUMBER)?;
+    let found = table.get(&AXES)?;
     let [first, second] = found[..] else {
-        let (key, found, expected) = ("axes", found.len(), "two");
-        let problem = InputProblem::Count {
-            key,
-            found,
-            expected,
-        };
-        table.note("axes", &problem);
+        table.note(&AXES, &ends::count(AXES.name(), found.len(), "two"));
         return None;
     };
     if first.amax() == 0.0 || second.amax() == 0.0 {
-        table.note("axes", &JointProblem::NoDirection);
+        table.note(&AXES, &JointProblem::NoDirection);
         return None;
     }
     let [first, second] = [first, second].map(|axis| axis / axis.amax());
     if first.cross(&second).norm() <= ROUNDING * first.norm() * second.norm() {
-        table.note("axes", &JointProblem::ParallelAxes);
+        table.note(&AXES, &JointProblem::ParallelAxes);
         return None;
     }
     Some([axes_along(&first), axes_along(&second)])
@@ -448,7 +406,7 @@ fn joint(
             let (now, size) = ((second - first).norm(), first.amax().max(second.amax()));
             if now <= ROUNDING * size {
                 let joint = label.to_owned();
-                table.note("nodes", &JointProblem::NoDistance { joint });
+                table.note(&NODES, &JointProblem::NoDistance { joint });
                 return None;
             }
             let length = length.unwrap_or(Drive::Constant(now).into());
@@ -470,7 +428,7 @@ fn from_the_frame(
         (Some(from), at) => Some([from, at.unwrap_or(*node)]),
         (None, Some(at)) => Some([at, *node]),
         (None, None) => {
-            let _ = table.require_text("at", "the point of the frame from which it is measured");
+            let _ = table.require_item(&AT, "the point of the frame from which it is measured");
             None
         }
     }

@@ -5,21 +5,11 @@ use shared_geom::document::schema::ValueKind::{
     Drive, FreeMatrix, Lines, NotNegative, Table, Text, Texts, Word,
 };
 use shared_geom::document::schema::{Family, KeySchema, Need, TableSchema, key};
-use shared_geom::keys;
 use shared_geom::units::Dimension;
+use shared_geom::{choice, keys};
 
-/// The kind of a term.
-macro_rules! kind {
-    ($word:literal) => {
-        key(
-            "kind",
-            &[Word(&[$word])],
-            Need::Required,
-            concat!("\"", $word, "\""),
-            "Kind of the law.",
-        )
-    };
-}
+/// The key that distinguishes the families, and its meaning.
+pub(super) const KIND: [&str; 2] = ["kind", "Kind of the law."];
 
 /// A law for some components: its title and their meaning, its keys of points and of
 /// expressions, and kinds that only it has.
@@ -44,13 +34,13 @@ macro_rules! law {
                 Family {
                     name: "table",
                     meaning: "A force for each strain.",
-                    keys: &[kind!("table"), $points, INTERPOLATION.schema, OUTSIDE.schema],
+                    keys: &[choice!(KIND, "table"), $points, INTERPOLATION.schema, OUTSIDE.schema],
                 },
                 Family {
                     name: "expression",
                     meaning: "Expressions of the strains, their rates `..._rate`, the time `t` \
                               and parameters.",
-                    keys: &[kind!("expression"), $force],
+                    keys: &[choice!(KIND, "expression"), $force],
                 },
                 $($more)?
             ],
@@ -91,25 +81,25 @@ law!(
     Family {
         name: "section",
         meaning: "The stiffness of the properties.",
-        keys: &[kind!("section")],
+        keys: &[choice!(KIND, "section")],
     }
 );
 
 const LINEAR: Family = Family {
     name: "linear",
     meaning: "A stiffness.",
-    keys: &[kind!("linear"), STIFFNESS.schema],
+    keys: &[choice!(KIND, "linear"), STIFFNESS.schema],
 };
 const VISCOUS: Family = Family {
     name: "viscous",
     meaning: "A viscosity.",
-    keys: &[kind!("viscous"), VISCOSITY.schema],
+    keys: &[choice!(KIND, "viscous"), VISCOSITY.schema],
 };
 const VISCOELASTIC: Family = Family {
     name: "viscoelastic",
     meaning: "A stiffness, and either a viscosity or a time.",
     keys: &[
-        kind!("viscoelastic"),
+        choice!(KIND, "viscoelastic"),
         STIFFNESS.schema,
         VISCOSITY_OR_TIME.schema,
         TIME.schema,
@@ -119,7 +109,7 @@ const CUBIC_TERM: Family = Family {
     name: "cubic",
     meaning: "A cubic of each strain, with at least one coefficient; negative ones soften.",
     keys: &[
-        kind!("cubic"),
+        choice!(KIND, "cubic"),
         COEFFICIENT.schema,
         QUADRATIC.schema,
         CUBIC.schema,
@@ -129,7 +119,7 @@ const BILINEAR: Family = Family {
     name: "bilinear",
     meaning: "Two stiffnesses of each strain.",
     keys: &[
-        kind!("bilinear"),
+        choice!(KIND, "bilinear"),
         FIRST_STIFFNESS.schema,
         SECOND_STIFFNESS.schema,
         LIMIT.schema,
@@ -138,36 +128,36 @@ const BILINEAR: Family = Family {
 
 keys! {
     /// Constant force added to the law.
-    PRESTRESS: ByHand = "prestress", [FreeMatrix], or "zero", "100";
+    pub(super) PRESTRESS: ByHand = "prestress", [FreeMatrix], or "zero", "100";
     /// Factor of the prestress.
-    PRESTRESS_DRIVE: ByHand = "prestress_drive", [Drive(Dimension::NUMBER)], or "1",
+    pub(super) PRESTRESS_DRIVE: ByHand = "prestress_drive", [Drive(Dimension::NUMBER)], or "1",
         "\"= 1 - exp(-t)\"";
     /// Strain without force.
-    PRESTRAIN: ByHand = "prestrain", [FreeMatrix], or "zero", "0.001";
+    pub(super) PRESTRAIN: ByHand = "prestrain", [FreeMatrix], or "zero", "0.001";
     /// Factor of the prestrain.
-    PRESTRAIN_DRIVE: ByHand = "prestrain_drive", [Drive(Dimension::NUMBER)], or "1",
+    pub(super) PRESTRAIN_DRIVE: ByHand = "prestrain_drive", [Drive(Dimension::NUMBER)], or "1",
         "\"= 1 - exp(-t)\"";
     /// Symmetric stiffness without negative eigenvalue: one number for all components, a list, or
     /// rows.
-    STIFFNESS: ByHand = "stiffness", [FreeMatrix], required, "4e6";
+    pub(super) STIFFNESS: ByHand = "stiffness", [FreeMatrix], required, "4e6";
     /// Symmetric viscosity without negative eigenvalue, in the same form.
-    VISCOSITY: ByHand = "viscosity", [FreeMatrix], required, "300";
+    pub(super) VISCOSITY: ByHand = "viscosity", [FreeMatrix], required, "300";
     /// Viscosity, in the same form; either this or `time`.
     VISCOSITY_OR_TIME: ByHand = "viscosity", [FreeMatrix], optional, "300";
     /// Ratio of viscosity to stiffness.
-    TIME: ByHand = "time", [NotNegative(Dimension::TIME)], optional, "1e-3";
+    pub(super) TIME: Option<f64> = "time", [NotNegative(Dimension::TIME)], optional, "1e-3";
     /// Coefficients of the strains.
-    COEFFICIENT: ByHand = "stiffness", [FreeMatrix], or "0", "4e6";
+    pub(super) COEFFICIENT: ByHand = "stiffness", [FreeMatrix], or "0", "4e6";
     /// Coefficients of the strains times their absolute values.
-    QUADRATIC: ByHand = "quadratic", [FreeMatrix], or "0", "-1e5";
+    pub(super) QUADRATIC: ByHand = "quadratic", [FreeMatrix], or "0", "-1e5";
     /// Coefficients of the third powers of the strains.
-    CUBIC: ByHand = "cubic", [FreeMatrix], or "0", "1e7";
+    pub(super) CUBIC: ByHand = "cubic", [FreeMatrix], or "0", "1e7";
     /// Stiffness up to the limit.
-    FIRST_STIFFNESS: ByHand = "stiffness", [FreeMatrix], required, "4e6";
+    pub(super) FIRST_STIFFNESS: ByHand = "stiffness", [FreeMatrix], required, "4e6";
     /// Stiffness beyond the limit.
-    SECOND_STIFFNESS: ByHand = "second_stiffness", [FreeMatrix], required, "1e6";
+    pub(super) SECOND_STIFFNESS: ByHand = "second_stiffness", [FreeMatrix], required, "1e6";
     /// Strain at which the stiffness changes, greater than zero.
-    LIMIT: ByHand = "limit", [FreeMatrix], required, "0.01";
+    pub(super) LIMIT: ByHand = "limit", [FreeMatrix], required, "0.01";
     /// Rows of a strain and a force by increasing strain, or two columns of a CSV file.
     POINTS: ByHand = "points", [Lines(2), Table(&POINTS_FILE)], required, "[[0, 0], [0.1, 50]]";
     /// Expression of `e`, `e_rate`, `t` and parameters.
@@ -184,9 +174,9 @@ keys! {
     /// Two columns of a CSV file with a heading.
     POINTS_FILE = "points = { ... }";
     /// The CSV file.
-    FILE: ByHand = "file", [Text], required, "\"curve.csv\"";
+    pub(super) FILE: String = "file", [Text] as "the name of a CSV file", required, "\"curve.csv\"";
     /// Columns of the strains and of the forces.
-    COLUMNS: ByHand = "columns", [Texts], or "the first two", "[\"strain\", \"force\"]";
+    pub(super) COLUMNS: Option<Vec<String>> = "columns", [Texts], or "the first two", "[\"strain\", \"force\"]";
 }
 
 /// The points of several components.

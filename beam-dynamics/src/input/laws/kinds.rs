@@ -8,47 +8,30 @@ use shared_geom::expression::{Names, written};
 use shared_geom::units::Dimension;
 
 use super::Components;
-use super::keys::{INTERPOLATION, OUTSIDE};
+use super::keys::{
+    COEFFICIENT, COLUMNS, CUBIC, FILE, FIRST_STIFFNESS, INTERPOLATION, KIND, LIMIT, OUTSIDE,
+    QUADRATIC, SECOND_STIFFNESS, SECTION, STIFFNESS, TIME, VISCOSITY,
+};
 use super::numbers::{each, each_positive, matrix, slope};
 use super::problem::LawProblem;
 use crate::elements::laws::{
     Between, Bilinear, Cubic, Curve, ExpressionLaw, Extrapolation, LawKind,
 };
 use crate::input::drives::from_file;
-use crate::input::number::not_negative;
-
-/// The kinds of laws by name.
-const KINDS: [&str; 8] = [
-    "linear",
-    "viscous",
-    "viscoelastic",
-    "cubic",
-    "bilinear",
-    "table",
-    "expression",
-    "section",
-];
 
 /// Whether the kind of a term is known; otherwise its keys are not checked.
 pub(super) fn is_known(table: &Table<'_>) -> bool {
-    table.is_text("kind")
-        && table
-            .text("kind")
-            .is_some_and(|kind| KINDS.contains(&&*kind))
+    table.has_choice(&SECTION, KIND[0])
 }
 
 /// The function of a term.
 pub(super) fn read<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
-    if !table.has("kind") {
-        let _ = table.require_text("kind", &format!("one of {}", KINDS.join(", ")));
-        return None;
-    }
-    match KINDS[table.word("kind", &KINDS)?] {
+    match table.choice(&SECTION, KIND[0])? {
         "linear" => Some(LawKind::Linear {
-            stiffness: matrix(table, "stiffness", of, 0)?,
+            stiffness: matrix(table, STIFFNESS.name(), of, 0)?,
         }),
         "viscous" => Some(LawKind::Viscous {
-            viscosity: matrix(table, "viscosity", of, 1)?,
+            viscosity: matrix(table, VISCOSITY.name(), of, 1)?,
         }),
         "viscoelastic" => viscoelastic(table, of),
         "cubic" => cubic(table, of),
@@ -60,15 +43,15 @@ pub(super) fn read<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Opt
 }
 
 fn viscoelastic<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
-    let stiffness = matrix(table, "stiffness", of, 0);
-    let viscosity = match [table.has("viscosity"), table.has("time")] {
-        [true, false] => matrix(table, "viscosity", of, 1),
+    let stiffness = matrix(table, STIFFNESS.name(), of, 0);
+    let viscosity = match [table.has(&VISCOSITY), table.has(&TIME)] {
+        [true, false] => matrix(table, VISCOSITY.name(), of, 1),
         [false, true] => {
-            let time = not_negative(table, "time", Dimension::TIME);
+            let time = table.get(&TIME).flatten();
             time.and_then(|time| Some(time * stiffness?))
         }
         _ => {
-            table.note("kind", &LawProblem::OneViscosity);
+            table.note(KIND[0], &LawProblem::OneViscosity);
             None
         }
     };
@@ -84,14 +67,12 @@ fn slopes<const N: usize>(of: &Components<N>, power: i8) -> [Dimension; N] {
 }
 
 fn cubic<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
-    let first = each(table, "stiffness", &slopes(of, 1));
-    let second = each(table, "quadratic", &slopes(of, 2));
-    let third = each(table, "cubic", &slopes(of, 3));
-    if !["stiffness", "quadratic", "cubic"]
-        .iter()
-        .any(|key| table.has(key))
-    {
-        table.note("kind", &LawProblem::NoCoefficient);
+    let first = each(table, COEFFICIENT.name(), &slopes(of, 1));
+    let second = each(table, QUADRATIC.name(), &slopes(of, 2));
+    let third = each(table, CUBIC.name(), &slopes(of, 3));
+    let mut keys = [&COEFFICIENT, &QUADRATIC, &CUBIC].into_iter();
+    if !keys.any(|key| table.has(key)) {
+        table.note(KIND[0], &LawProblem::NoCoefficient);
         return None;
     }
     let (first, second, third) = (first?, second?, third?);
@@ -103,7 +84,11 @@ fn cubic<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKin
 }
 
 fn bilinear<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
-    const KEYS: [&str; 3] = ["stiffness", "second_stiffness", "limit"];
+    const KEYS: [&str; 3] = [
+        FIRST_STIFFNESS.name(),
+        SECOND_STIFFNESS.name(),
+        LIMIT.name(),
+    ];
     let first = each(table, KEYS[0], &slopes(of, 1));
     let second = each(table, KEYS[1], &slopes(of, 1));
     let limit = each_positive(table, KEYS[2], &of.strain);
@@ -171,7 +156,7 @@ fn curves<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKi
     };
     let points = points?;
     if extrapolation == Extrapolation::Error && !points.iter().flatten().all(has_rest) {
-        table.note("outside", &LawProblem::NoRest);
+        table.note(&OUTSIDE, &LawProblem::NoRest);
         return None;
     }
     let curve =
@@ -221,11 +206,9 @@ fn in_units<R: std::ops::Index<usize, Output = f64>>(
 }
 
 fn points_of_file(table: &Table<'_>, dimensions: [Dimension; 2]) -> Option<[Vec<f64>; 2]> {
-    if !table.has("file") {
-        let _ = table.require_text("file", "the name of a CSV file");
-        return None;
-    }
-    let found = from_file(table, ["strains", "forces"]);
+    let written = table.get(&FILE)?;
+    let of = ["strains", "forces"];
+    let found = from_file(table, (FILE.name(), written), &COLUMNS, of);
     table.finish();
     let (file, rows) = found?;
     let reported = |line: usize, problem: &LawProblem| {
@@ -279,7 +262,7 @@ fn expressions<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<
 
 fn section<const N: usize>(table: &Table<'_>, of: &Components<N>) -> Option<LawKind<N>> {
     let Some(stiffness) = of.section else {
-        table.note("kind", &LawProblem::NoSection);
+        table.note(KIND[0], &LawProblem::NoSection);
         return None;
     };
     Some(LawKind::Linear { stiffness })

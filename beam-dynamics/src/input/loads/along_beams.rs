@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::schema::ValueKind::{Quantities, Text, Texts, Vector, Vectors, Word};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{Key, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -21,18 +21,18 @@ keys! {
     /// A load along a blade or along beams.
     pub(in crate::input) CARD = "[[distributed_load]]";
     /// Its name, for messages.
-    NAME: ByHand = "name", [Text], or "`distributed load` and its number", "\"lift\"";
+    NAME: Option<String> = "name", [Text], or "`distributed load` and its number", "\"lift\"";
     /// Force per undeformed length: a vector, or at most six coefficients of the powers of the arc
     /// length over the length of the line, or with `at` a row for each position.
-    FORCE: ByHand = "force",
+    FORCE: Option<Vec<Vector3<f64>>> = "force",
         [Vector(3, Dimension::FORCE_PER_LENGTH), Vectors(3, Dimension::FORCE_PER_LENGTH)],
         optional, "[[0, 0, 0], [0, 0, 10]]";
     /// Moment per undeformed length, in the same form; one of force and moment is needed.
-    MOMENT: ByHand = "moment", [Vector(3, Dimension::FORCE), Vectors(3, Dimension::FORCE)],
+    MOMENT: Option<Vec<Vector3<f64>>> = "moment", [Vector(3, Dimension::FORCE), Vectors(3, Dimension::FORCE)],
         optional, "[0, 2, 0]";
     /// Ascending arc lengths of a table, linear between them and zero beyond; a repeated one is a
     /// jump.
-    AT: ByHand = "at", [Quantities(Dimension::LENGTH)], optional, "[0, 10]";
+    AT: Option<Vec<f64>> = "at", [Quantities(Dimension::LENGTH)], optional, "[0, 10]";
     /// Axes of the components: the model, or the undeformed section.
     AXES: usize = "axes", [Word(&["model", "section"])], or "\"model\"" = 0, "\"section\"";
     with BLADE.schema, BEAMS.schema, FOLLOWER.schema, CONSTANT.schema, RELEASE.schema,
@@ -41,9 +41,10 @@ keys! {
 
 keys! {
     /// The name of a blade; either this or `beams`.
-    pub(in crate::input) BLADE: ByHand = "blade", [Text], optional, "\"blade\"";
+    pub(in crate::input) BLADE: Option<String> = "blade", [Text], optional, "\"blade\"";
     /// The names of beams, in the order of the line.
-    pub(in crate::input) BEAMS: ByHand = "beams", [Texts], optional, "[\"arm\", \"blade/beam 3\"]";
+    pub(in crate::input) BEAMS: Option<Vec<String>> = "beams", [Texts], optional,
+        "[\"arm\", \"blade/beam 3\"]";
 }
 
 /// Coefficients of a polynomial: the fifth degree is integrated exactly.
@@ -76,7 +77,7 @@ struct Card {
 /// Adds every `[[distributed_load]]` to the model.
 pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
     for (number, table) in root.tables("distributed_load").iter().enumerate() {
-        let label = label(table, "distributed load", number);
+        let label = label(table, &NAME, "distributed load", number);
         let is_new = builder.take_label("distributed load", &label, table);
         let card = card(table, builder, &label);
         table.finish();
@@ -98,11 +99,11 @@ fn card(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Card> 
     let in_section = table.get(&AXES);
     let kind = kind(table);
     let frame = builder.frames().of(table);
-    let signal = drives::read_factor(table, "drive", builder.drives());
+    let signal = drives::read_factor(table, &DRIVE.schema, builder.drives());
     let positions = positions(table);
-    let force = course(table, "force", Dimension::FORCE_PER_LENGTH, &positions);
-    let moment = course(table, "moment", Dimension::FORCE, &positions);
-    if !table.has("force") && !table.has("moment") {
+    let force = course(table, &FORCE, &positions);
+    let moment = course(table, &MOMENT, &positions);
+    if !table.has(&FORCE) && !table.has(&MOMENT) {
         table.note("", &LoadProblem::NoLoad);
         return None;
     }
@@ -122,7 +123,7 @@ fn card(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Card> 
         .into_iter()
         .find(|position| *position < 0.0 || *position > length * (1.0 + ROUNDING));
     if let Some(found) = beyond {
-        table.note("at", &LoadProblem::Beyond { found, length });
+        table.note(&AT, &LoadProblem::Beyond { found, length });
         return None;
     }
     Some(card)
@@ -130,23 +131,22 @@ fn card(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Card> 
 
 /// Arc lengths of a table; `None` if they are wrong, `Some(None)` without a table.
 fn positions(table: &Table<'_>) -> Option<Option<Vec<f64>>> {
-    if !table.has("at") {
+    let Some(positions) = table.get(&AT)? else {
         return Some(None);
-    }
-    let positions = table.quantities("at", Dimension::LENGTH)?;
+    };
     if positions.len() < 2 {
         let found = positions.len();
-        table.note("at", &LoadProblem::FewPositions { found });
+        table.note(&AT, &LoadProblem::FewPositions { found });
         return None;
     }
     if let Some(pair) = positions.windows(2).find(|pair| pair[1] < pair[0]) {
         let (before, after) = (pair[0], pair[1]);
-        table.note("at", &LoadProblem::Falling { before, after });
+        table.note(&AT, &LoadProblem::Falling { before, after });
         return None;
     }
     if positions.first() == positions.last() {
         table.note(
-            "at",
+            &AT,
             &LoadProblem::OnePosition {
                 position: positions[0],
             },
@@ -158,14 +158,13 @@ fn positions(table: &Table<'_>) -> Option<Option<Vec<f64>>> {
 
 fn course(
     table: &Table<'_>,
-    key: &'static str,
-    dimension: Dimension,
+    key: &Key<Option<Vec<Vector3<f64>>>>,
     positions: &Option<Option<Vec<f64>>>,
 ) -> Option<Course> {
-    if !table.has(key) {
+    let Some(rows) = table.get(key)? else {
         return Some(Course::Polynomial(Vec::new()));
-    }
-    let rows = table.vectors(key, dimension)?;
+    };
+    let key = key.name();
     let found = rows.len();
     let Some(positions) = positions.as_ref()? else {
         if found > COEFFICIENTS {
@@ -194,7 +193,7 @@ pub(in crate::input) fn beams(
     builder: &ModelBuilder,
     label: &str,
 ) -> Option<Vec<usize>> {
-    let name = table.has("blade").then(|| table.text("blade")).flatten();
+    let name = table.get(&BLADE).flatten();
     let is_of_card = |name: &String| builder.blades_called(name).len() > 1;
     if let Some(name) = name.filter(is_of_card) {
         note_unknown_blade(table, builder, label, name);
@@ -206,11 +205,11 @@ pub(in crate::input) fn beams(
 /// The beams of each line of a card, in order along it: of a blade, of all blades of a `[[blade]]`,
 /// or of a list of beams.
 fn lines(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Vec<Vec<usize>>> {
-    match (table.has("blade"), table.has("beams")) {
+    match (table.has(&BLADE), table.has(&BEAMS)) {
         (false, false) => table.note("", &LoadProblem::NoLine),
-        (true, true) => table.note("beams", &LoadProblem::BladeAndBeams),
+        (true, true) => table.note(&BEAMS, &LoadProblem::BladeAndBeams),
         (true, false) => {
-            let name = table.text("blade")?;
+            let name = table.get(&BLADE)??;
             if builder.is_broken_blade(&name) {
                 return None;
             }
@@ -235,7 +234,7 @@ fn note_unknown_blade(table: &Table<'_>, builder: &ModelBuilder, label: &str, na
         user: label.to_owned(),
         known: known.collect(),
     };
-    table.note("blade", &problem);
+    table.note(&BLADE, &problem);
 }
 
 /// The beams of a blade, from the root to the tip.
@@ -249,7 +248,7 @@ fn beams_of(blade: &BladeNodes, builder: &ModelBuilder) -> Vec<usize> {
 
 fn named_beams(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Vec<usize>> {
     let mut found: Vec<usize> = Vec::new();
-    for name in table.texts("beams")? {
+    for name in table.get(&BEAMS)?? {
         let index = builder.beams().iter().position(|beam| beam.label == name);
         let Some(index) = index else {
             let known = builder.beams().iter().map(|beam| beam.label.clone());
@@ -259,17 +258,17 @@ fn named_beams(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option
                 user: label.to_owned(),
                 known: known.collect(),
             };
-            table.note("beams", &problem);
+            table.note(&BEAMS, &problem);
             return None;
         };
         if found.contains(&index) {
-            table.note("beams", &LoadProblem::BeamTwice { name });
+            table.note(&BEAMS, &LoadProblem::BeamTwice { name });
             return None;
         }
         found.push(index);
     }
     if found.is_empty() {
-        table.note("beams", &LoadProblem::NoBeams);
+        table.note(&BEAMS, &LoadProblem::NoBeams);
         return None;
     }
     Some(found)

@@ -1,11 +1,10 @@
 //! The keys of quantities, for columns and sensors.
 
 use nalgebra::Vector3;
-use shared_geom::document::ByHand;
-use shared_geom::document::schema::ValueKind::{Count, Text, Vector, Word, Words};
+use shared_geom::document::schema::ValueKind::{Count, Text, Vector, Words};
 use shared_geom::document::schema::{Family, KeySchema, Need, key};
-use shared_geom::keys;
 use shared_geom::units::Dimension;
+use shared_geom::{choice, keys};
 
 use super::kind::SIX;
 
@@ -14,22 +13,15 @@ const PARTS: [&str; 4] = ["x", "y", "z", "magnitude"];
 /// Angles about three axes.
 const TURNS: [&str; 3] = ["first", "second", "third"];
 
-/// The quantity, one of the words.
-macro_rules! quantity {
-    ($first:literal $(, $word:literal)*) => {
-        key(
-            "quantity",
-            &[Word(&[$first $(, $word)*])],
-            Need::Required,
-            concat!("\"", $first, "\""),
-            "The quantity.",
-        )
-    };
-}
+/// The key that distinguishes the families, and its meaning.
+const QUANTITY: [&str; 2] = ["quantity", "The quantity."];
+
+/// The key of the object of a quantity.
+pub(super) const OF: &str = "of";
 
 /// Object of a quantity.
 const fn of(example: &'static str, meaning: &'static str) -> KeySchema {
-    key("of", &[Text], Need::Required, example, meaning)
+    key(OF, &[Text], Need::Required, example, meaning)
 }
 
 /// Components of a quantity.
@@ -48,7 +40,8 @@ pub(in crate::input) const NODES: Family = Family {
     name: "motion of a node",
     meaning: "A vector of a node.",
     keys: &[
-        quantity!(
+        choice!(
+            QUANTITY,
             "position",
             "displacement",
             "velocity",
@@ -69,7 +62,7 @@ pub(in crate::input) const MOMENTA: Family = Family {
     name: "momentum of a node",
     meaning: "The momentum of the bodies on a node, the angular one about the node.",
     keys: &[
-        quantity!("momentum", "angular_momentum"),
+        choice!(QUANTITY, "momentum", "angular_momentum"),
         of("\"tip\"", "The name of a node."),
         AGAINST.schema,
         PART,
@@ -81,7 +74,7 @@ pub(in crate::input) const SECTIONS: Family = Family {
     name: "section of a beam",
     meaning: "Internal force and moment, or strain and curvature, in section axes.",
     keys: &[
-        quantity!("internal_force", "strain"),
+        choice!(QUANTITY, "internal_force", "strain"),
         of("\"blade/beam 1\"", "The name of a beam."),
         POINT.schema,
         component(&[Words(&SIX)], "\"bending_y\""),
@@ -92,7 +85,7 @@ pub(in crate::input) const REACTIONS: Family = Family {
     name: "reaction",
     meaning: "The load of a joint on a node, about the node.",
     keys: &[
-        quantity!("reaction_force", "reaction_moment"),
+        choice!(QUANTITY, "reaction_force", "reaction_moment"),
         of(
             "\"pin\"",
             "The name of a joint, a support or an imposed motion; a clamp is called \
@@ -109,7 +102,8 @@ pub(in crate::input) const JOINTS: Family = Family {
     meaning: "The motion of the second end relative to the first, in the axes of the joint that \
               turn with the first.",
     keys: &[
-        quantity!(
+        choice!(
+            QUANTITY,
             "joint_displacement",
             "joint_rotation",
             "joint_velocity",
@@ -124,7 +118,7 @@ pub(in crate::input) const ANGLES: Family = Family {
     name: "angle of a joint",
     meaning: "The angle about the axis of a joint.",
     keys: &[
-        quantity!("joint_angle"),
+        choice!(QUANTITY, "joint_angle"),
         of("\"pin\"", "The name of a joint with an axis."),
     ],
 };
@@ -133,7 +127,8 @@ pub(in crate::input) const SPRINGS: Family = Family {
     name: "rod or spring",
     meaning: "Deformation and force of a rod or a spring between two nodes.",
     keys: &[
-        quantity!(
+        choice!(
+            QUANTITY,
             "spring_displacement",
             "spring_rotation",
             "spring_force",
@@ -148,7 +143,7 @@ pub(in crate::input) const ELECTRODES: Family = Family {
     name: "electrode",
     meaning: "Voltage relative to ground, free charge, or current into an electrode.",
     keys: &[
-        quantity!("voltage", "charge", "current"),
+        choice!(QUANTITY, "voltage", "charge", "current"),
         of("\"afc\"", "The name of an electrode."),
     ],
 };
@@ -156,7 +151,8 @@ pub(in crate::input) const ELECTRODES: Family = Family {
 pub(in crate::input) const ENERGIES: Family = Family {
     name: "energy",
     meaning: "An energy of the whole model; `energy` is the sum.",
-    keys: &[quantity!(
+    keys: &[choice!(
+        QUANTITY,
         "kinetic_energy",
         "elastic_energy",
         "gravity_energy",
@@ -172,7 +168,7 @@ pub(in crate::input) const OF_COLUMNS: [Family; 15] = [
         meaning: "The attitude as rotations about the axes of the node, each moved by the \
                   previous ones.",
         keys: &[
-            quantity!("euler_angles"),
+            choice!(QUANTITY, "euler_angles"),
             of("\"tip\"", "The name of a node."),
             AGAINST.schema,
             SEQUENCE.schema,
@@ -183,12 +179,12 @@ pub(in crate::input) const OF_COLUMNS: [Family; 15] = [
     Family {
         name: "momentum of the model",
         meaning: "The momentum of the whole model.",
-        keys: &[quantity!("momentum"), PART],
+        keys: &[choice!(QUANTITY, "momentum"), PART],
     },
     Family {
         name: "angular momentum of the model",
         meaning: "The angular momentum of the whole model about a point.",
-        keys: &[quantity!("angular_momentum"), PART, ABOUT.schema],
+        keys: &[choice!(QUANTITY, "angular_momentum"), PART, ABOUT.schema],
     },
     SECTIONS,
     REACTIONS,
@@ -200,7 +196,7 @@ pub(in crate::input) const OF_COLUMNS: [Family; 15] = [
         name: "drive",
         meaning: "The value of a drive, in the `unit` of the column.",
         keys: &[
-            quantity!("drive"),
+            choice!(QUANTITY, "drive"),
             of(
                 "\"swing\"",
                 "The name of a drive, or an expression of time.",
@@ -211,7 +207,7 @@ pub(in crate::input) const OF_COLUMNS: [Family; 15] = [
         name: "signal",
         meaning: "The value of a sensor, an output, or an expression of them and of time.",
         keys: &[
-            quantity!("signal"),
+            choice!(QUANTITY, "signal"),
             of("\"torque\"", "The name of a signal, or an expression."),
         ],
     },
@@ -219,25 +215,31 @@ pub(in crate::input) const OF_COLUMNS: [Family; 15] = [
     Family {
         name: "model and step",
         meaning: "The electric energy, and length and iterations of the step.",
-        keys: &[quantity!("electric_energy", "step_length", "iterations")],
+        keys: &[choice!(
+            QUANTITY,
+            "electric_energy",
+            "step_length",
+            "iterations"
+        )],
     },
 ];
 
 keys! {
     /// Another node to which the quantity is relative: vectors are subtracted, rotations are seen
     /// by it.
-    AGAINST: ByHand = "against", [Text], optional, "\"mast\"";
+    pub(super) AGAINST: Option<String> = "against", [Text], optional, "\"mast\"";
     /// Axes of the components: `"model"`, the name of a node for its current axes, or of a frame.
-    IN: ByHand = "in", [Text], or "\"model\"", "\"mast\"";
+    pub(super) IN: Option<String> = "in", [Text], or "\"model\"", "\"mast\"";
     /// The same, or `"first"` or `"second"` for the axes of the joint that turn with that end.
-    IN_JOINT: ByHand = "in", [Text], or "\"model\"", "\"first\"";
+    IN_JOINT: Option<String> = "in", [Text], or "\"model\"", "\"first\"";
     /// Order of the three axes: `"zyx"` are yaw, pitch and roll.
     pub(super) SEQUENCE: String = "sequence", [Text], or "\"zyx\"" = "zyx".to_owned(), "\"zxz\"";
     /// The point about which the angular momentum is taken.
     pub(super) ABOUT: Vector3<f64> = "about", [Vector(3, Dimension::LENGTH)],
         or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 1]";
     /// Evaluation point: 1 is near the first node.
-    POINT: ByHand = "point", [Count(2)], or "1", "2";
+    pub(super) POINT: usize = "point", [Count(2)] as "1 or 2: beams have two evaluation points, 1 near the first node",
+        or "1" = 1, "2";
     /// The node on which the reaction acts.
-    NODE: ByHand = "node", [Text], or "the last node of the joint", "\"root\"";
+    pub(super) NODE: Option<String> = "node", [Text], or "the last node of the joint", "\"root\"";
 }

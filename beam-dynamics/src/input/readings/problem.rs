@@ -11,12 +11,6 @@ pub enum ReadingProblem {
         /// The text.
         found: String,
     },
-    /// A nonexistent point of a beam.
-    #[error("\"point\" is {found}, expected 1 or 2: beams have two evaluation points")]
-    Point {
-        /// The number.
-        found: usize,
-    },
     /// A node on which a joint does not act.
     #[error("\"{joint}\" does not act on node \"{node}\", expected one of its nodes")]
     NotOfJoint {
@@ -64,7 +58,6 @@ impl Explain for ReadingProblem {
             Self::Sequence { .. } => {
                 Some("\"zyx\" is yaw, pitch, roll; \"zxz\" precession, nutation, spin".to_owned())
             }
-            Self::Point { .. } => Some("1 is the point near the first node".to_owned()),
             Self::NotOfJoint { known, .. } => {
                 let quoted: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
                 Some(format!("its nodes: {}", quoted.join(", ")))

@@ -5,14 +5,14 @@ use shared_geom::document::{DocumentProblem, Table};
 use shared_geom::units::{Dimension, parse};
 use shared_geom::wrench::COMPONENTS;
 
-use super::keys::{ABOUT, SEQUENCE};
+use super::keys::{ABOUT, AGAINST, IN, NODE, OF, POINT, SEQUENCE};
 use super::kind::{CURVATURE, Kind, SIX, Source};
 use super::problem::ReadingProblem;
 use crate::case::{ElectrodeQuantity, Quantity};
 use crate::elements::{
     Axes, JointMotion, NodeQuantity, NodeVector, Part, Reading as ElementReading, SpringVector,
 };
-use crate::input::builder::ModelBuilder;
+use crate::input::builder::{LookUp, ModelBuilder};
 use crate::input::drives;
 
 /// Words for the parts of a vector.
@@ -67,7 +67,7 @@ impl Reading<'_> {
         };
         match source {
             Source::Node(vector) => self.of_node(kind, vector),
-            Source::Momentum { is_angular } if self.table.has("of") => {
+            Source::Momentum { is_angular } if self.table.has(OF) => {
                 let vector = match is_angular {
                     true => NodeVector::AngularMomentum,
                     false => NodeVector::Momentum,
@@ -89,14 +89,21 @@ impl Reading<'_> {
     }
 
     /// The object named under `of`, found by `find`.
-    fn of<T>(&self, expected: &str, find: impl Fn(&str) -> Option<T>) -> Option<(String, T)> {
-        let name = self.table.require_text("of", expected)?;
-        let found = find(&name)?;
+    fn of<T>(&self, expected: &str, find: impl Fn(LookUp<'_>) -> Option<T>) -> Option<(String, T)> {
+        let name = self.table.require_text(OF, expected)?;
+        let found = find(self.look_up(OF, &name))?;
         Some((name, found))
     }
 
-    fn node(&self, key: &str, name: &str) -> Option<usize> {
-        self.builder.look_up_node(name, self.table, key, self.user)
+    /// A name under a key of the card.
+    fn look_up<'b>(&'b self, key: &'b str, name: &'b str) -> LookUp<'b> {
+        LookUp {
+            builder: self.builder,
+            table: self.table,
+            key,
+            name,
+            user: self.user,
+        }
     }
 
     /// The words under `component`; without the key, all of `known` except the magnitude.
@@ -130,19 +137,17 @@ impl Reading<'_> {
     /// Axes under `in`: of the model, of a node, of a frame of the model, or with `ends` of
     /// an end of a joint.
     fn axes(&self, ends: bool) -> Option<(Axes, String)> {
-        if !self.table.has("in") {
+        let Some(name) = self.table.get(&IN)? else {
             return Some((Axes::Model, String::new()));
-        }
-        match self.table.text("in")?.as_str() {
+        };
+        match name.as_str() {
             "model" => Some((Axes::Model, String::new())),
             name if ends && ENDS.contains(&name) => {
                 let end = usize::from(name == ENDS[1]);
                 Some((Axes::End(end), format!(" in the axes of its {name} end")))
             }
             name => {
-                let axes = self
-                    .builder
-                    .look_up_axes(name, self.table, "in", self.user)?;
+                let axes = self.look_up(IN.name(), name).axes()?;
                 Some((axes, format!(" in the axes of {name}")))
             }
         }
@@ -151,15 +156,11 @@ impl Reading<'_> {
     fn of_node(&self, kind: &Kind, vector: NodeVector) -> Option<Vec<Found>> {
         let (_, _, dimension, unit) = *kind;
         let plain = kind.0.replace('_', " ");
-        let node = self.of("the name of a node", |name| self.node("of", name));
-        let against = match self.table.has("against") {
-            true => self
-                .table
-                .text("against")
-                .and_then(|name| Some((self.node("against", &name)?, name)))
-                .map(Some),
-            false => Some(None),
-        };
+        let node = self.of("the name of a node", |name| name.node());
+        let against = self.table.get(&AGAINST).and_then(|against| match against {
+            Some(name) => Some(Some((self.look_up(AGAINST.name(), &name).node()?, name))),
+            None => Some(None),
+        });
         if let NodeVector::Euler(_) = vector {
             return self.turns(kind, (node, against));
         }
@@ -199,7 +200,7 @@ impl Reading<'_> {
             _ => {
                 let found = sequence;
                 let problem = ReadingProblem::Sequence { found };
-                self.table.note("sequence", &problem);
+                self.table.note(&SEQUENCE, &problem);
                 return None;
             }
         };
@@ -240,19 +241,10 @@ impl Reading<'_> {
     }
 
     fn of_beam(&self, kind: &Kind, strain: bool) -> Option<Vec<Found>> {
-        let beam = self.of("the name of a beam", |name| {
-            let is_known = self.builder.look_up_beam(name, self.table, "of", self.user);
-            is_known.then_some(())
-        });
-        let point = match self.table.has("point") {
-            true => self.table.count("point"),
-            false => Some(1),
-        };
-        if let Some(found) = point.filter(|point| *point > 2) {
-            self.table.note("point", &ReadingProblem::Point { found });
-        }
+        let beam = self.of("the name of a beam", |name| name.beam().then_some(()));
+        let point = self.table.get(&POINT);
         let components = self.components(&SIX);
-        let (beam, point) = (beam?.0, point.filter(|point| *point <= 2)? - 1);
+        let (beam, point) = (beam?.0, point? - 1);
         let about = match strain {
             true => (CURVATURE, "1/m"),
             false => (Dimension::MOMENT, "N*m"),
@@ -286,14 +278,8 @@ impl Reading<'_> {
     }
 
     fn of_joint(&self, kind: &Kind, moment: bool) -> Option<Vec<Found>> {
-        let joint = self.of("the name of a joint", |name| {
-            self.builder
-                .look_up_joint(name, self.table, "of", self.user)
-        });
-        let on = match self.table.has("node") {
-            true => self.table.text("node").map(Some),
-            false => Some(None),
-        };
+        let joint = self.of("the name of a joint", |name| name.joint());
+        let on = self.table.get(&NODE);
         let (parts, axes) = (self.vector_parts(), self.axes(true));
         let (joint, nodes) = joint?;
         let node = match on? {
@@ -321,10 +307,7 @@ impl Reading<'_> {
     }
 
     fn of_motion(&self, kind: &Kind, motion: JointMotion) -> Option<Vec<Found>> {
-        let joint = self.of("the name of a joint", |name| {
-            self.builder
-                .look_up_joint(name, self.table, "of", self.user)
-        });
+        let joint = self.of("the name of a joint", |name| name.joint());
         let parts = match motion {
             JointMotion::Angle => Some(vec![("", Part::Component(0))]),
             _ => self.vector_parts(),
@@ -347,10 +330,7 @@ impl Reading<'_> {
     }
 
     fn of_spring(&self, kind: &Kind, vector: SpringVector) -> Option<Vec<Found>> {
-        let spring = self.of("the name of a rod or spring", |name| {
-            self.builder
-                .look_up_joint(name, self.table, "of", self.user)
-        });
+        let spring = self.of("the name of a rod or spring", |name| name.joint());
         let (parts, plain) = (self.vector_parts(), kind.0.replace('_', " "));
         let spring = spring?.0;
         let found = parts?.into_iter().map(|(word, part)| Found {
@@ -367,9 +347,7 @@ impl Reading<'_> {
     }
 
     fn of_electrode(&self, kind: &Kind, quantity: ElectrodeQuantity) -> Option<Vec<Found>> {
-        let (name, electrode) = self.of("the name of an [[electrode]]", |name| {
-            (self.builder).look_up_electrode(name, self.table, "of", self.user)
-        })?;
+        let (name, electrode) = self.of("the name of an [[electrode]]", |name| name.electrode())?;
         Some(vec![Found {
             word: "",
             words: format!("{} of electrode {name}", kind.0),
@@ -386,7 +364,7 @@ impl Reading<'_> {
     fn of_drive(&self) -> Option<Vec<Found>> {
         let name = self
             .table
-            .require_text("of", "the name of a drive, or \"= ...\"")?;
+            .require_text(OF, "the name of a drive, or \"= ...\"")?;
         let unit = match self.table.has("unit") {
             true => self.table.text("unit")?,
             false => "1".to_owned(),
@@ -400,7 +378,7 @@ impl Reading<'_> {
                 return None;
             }
         };
-        let drive = drives::read_item(&self.table.item("of")?, dimension, self.builder.drives())?;
+        let drive = drives::read_item(&self.table.item(OF)?, dimension, self.builder.drives())?;
         Some(vec![Found {
             word: "",
             words: format!("drive {name}"),
@@ -411,8 +389,8 @@ impl Reading<'_> {
     }
 
     fn of_signal(&self) -> Option<Vec<Found>> {
-        let name = (self.table).require_text("of", "the name of a signal, or \"= ...\"")?;
-        let of = self.table.item("of")?;
+        let name = (self.table).require_text(OF, "the name of a signal, or \"= ...\"")?;
+        let of = self.table.item(OF)?;
         let signal = drives::signal_of(&of, Dimension::NUMBER, self.builder.drives())?;
         Some(vec![Found {
             word: "",
@@ -424,7 +402,7 @@ impl Reading<'_> {
     }
 
     fn node_of_joint(&self, joint: &str, nodes: &[usize], name: String) -> Option<usize> {
-        let node = self.node("node", &name)?;
+        let node = self.look_up(NODE.name(), &name).node()?;
         if nodes.contains(&node) {
             return Some(node);
         }
@@ -434,7 +412,7 @@ impl Reading<'_> {
             node: name,
             known: labels.cloned().collect(),
         };
-        self.table.note("node", &problem);
+        self.table.note(&NODE, &problem);
         None
     }
 }

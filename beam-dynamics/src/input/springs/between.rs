@@ -8,7 +8,7 @@ use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::{ORIENTATION, six};
+use super::{DAMPERS, ORIENTATION, STANDS_IN, STIFFNESSES, six};
 use crate::elements::laws::{Law, LawKind};
 use crate::elements::springs::{Spring, SpringLaw};
 use crate::input::builder::ModelBuilder;
@@ -44,9 +44,9 @@ pub(super) const OF_ONE_NODE: Family = Family {
 
 keys! {
     /// The names of two nodes.
-    NODES: ByHand = "nodes", [Texts], required, "[\"hub\", \"gearbox\"]";
+    NODES: Vec<String> = "nodes", [Texts], required, "[\"hub\", \"gearbox\"]";
     /// The name of a node.
-    NODE: ByHand = "node", [Text], required, "\"engine\"";
+    NODE: String = "node", [Text], required, "\"engine\"";
     /// Position of the spring in the undeformed model; without it the last node.
     AT: Option<Vector3<f64>> = "at", [Vector(3, Dimension::LENGTH)], optional, "[0, 0, 1]";
     /// Law of the displacement, in place of `stiffness` and `damping`.
@@ -60,19 +60,19 @@ keys! {
 }
 
 /// Keys of laws: for the displacement, for the rotation, and for both.
-const LAWS: [&str; 3] = ["law", "rotational_law", "coupled_law"];
+const LAWS: [&str; 3] = [LAW.name(), ROTATIONAL_LAW.name(), COUPLED_LAW.name()];
 
 /// Whether a `[[spring]]` has two nodes or a law.
 pub(super) fn is_one(table: &Table<'_>) -> bool {
-    table.has("nodes") || LAWS.iter().any(|key| table.has(key))
+    table.has(&NODES) || LAWS.iter().any(|key| table.has(key))
 }
 
 /// The spring of a card.
 pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Spring> {
     let words = format!("spring \"{label}\"");
     let nodes = nodes(table, builder, &words);
-    if table.has("stands_in") {
-        table.note("stands_in", &LawProblem::SupportFrame);
+    if table.has(&STANDS_IN) {
+        table.note(&STANDS_IN, &LawProblem::SupportFrame);
     }
     let (turn, position) = (table.get(&ORIENTATION), table.get(&AT));
     let frame = builder.frames().of(table);
@@ -87,26 +87,26 @@ pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -
 
 /// The nodes under `nodes`, or the node under `node`.
 fn nodes(table: &Table<'_>, builder: &mut ModelBuilder, words: &str) -> Option<Vec<usize>> {
-    if !table.has("node") {
-        return ends::nodes(table, builder, words, true);
+    if !table.has(&NODE) {
+        return ends::nodes((table, &NODES), builder, words, true);
     }
-    if table.has("nodes") {
-        let (first, second) = ("node", "nodes");
+    if table.has(&NODES) {
+        let (first, second) = (NODE.name(), NODES.name());
         table.note(second, &LawProblem::Twice { first, second });
     }
-    let Some(name) = table.text("node") else {
+    let Some(name) = table.get(&NODE) else {
         builder.note_loose_end();
         return None;
     };
-    let node = builder.find_node(&name, table, "node", words);
+    let node = builder.find_node(&name, table, NODE.name(), words);
     Some(vec![node?])
 }
 
 /// The laws of a card: each as a law, or as `stiffness` and `damping` along the axes.
 fn spring_law(table: &Table<'_>, builder: &ModelBuilder, words: &str) -> Option<SpringLaw> {
     const SHORT: [[&str; 2]; 2] = [
-        ["stiffness", "damping"],
-        ["rotational_stiffness", "rotational_damping"],
+        [STIFFNESSES[0].name(), DAMPERS[0].name()],
+        [STIFFNESSES[1].name(), DAMPERS[1].name()],
     ];
     if table.has(LAWS[2]) {
         let law = laws::read(table, LAWS[2], &Components::BOTH, builder.drives());
@@ -125,17 +125,7 @@ fn spring_law(table: &Table<'_>, builder: &ModelBuilder, words: &str) -> Option<
             table.note(second, &LawProblem::Twice { first, second });
         }
     }
-    let [stiffness, damping] = [
-        (
-            ["stiffness", "rotational_stiffness"],
-            [Dimension::SPRING_STIFFNESS, Dimension::MOMENT],
-        ),
-        (
-            ["damping", "rotational_damping"],
-            [Dimension::DAMPER, Dimension::TURNING_DAMPER],
-        ),
-    ]
-    .map(|(keys, dimensions)| six(table, keys, dimensions));
+    let (stiffness, damping) = (six(table, STIFFNESSES), six(table, DAMPERS));
     let (stiffness, damping) = (stiffness?, damping?);
     let of = |i: usize, components: &Components<3>| -> Option<Option<Law<3>>> {
         if table.has(LAWS[i]) {

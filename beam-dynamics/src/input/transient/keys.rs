@@ -17,15 +17,17 @@ keys! {
     /// Last instant.
     pub(super) TO: f64 = "to", [Quantity(Dimension::TIME)], required, "2";
     /// Length of the steps, shortened if the iteration fails; or steps by the local error.
-    pub(super) STEP: ByHand = "step", [Positive(Dimension::TIME), Table(&VARIABLE_STEP)], required,
+    pub(super) STEP: f64 = "step", [Positive(Dimension::TIME), Table(&VARIABLE_STEP)], required,
         "1e-3";
     /// Integration scheme.
     pub(super) SCHEME: usize = "scheme", [Word(&SCHEMES)], or "\"two-step\"" = 0, "\"bdf2\"";
     /// Asymptotic spectral radius of the schemes `two-step` and `cubic`, from 0 to 1: the part of
     /// the fastest motions that remains after a step.
-    pub(super) RADIUS: ByHand = "radius", [NotNegative(Dimension::NUMBER)], or "0.6", "0.8";
+    pub(super) RADIUS: Option<f64> = "radius", [NotNegative(Dimension::NUMBER)]
+        as "a number from 0 to 1", or "0.6", "0.8";
     /// Position of the inner stage of the scheme `parabolic`, between -1 and 0.
-    pub(super) ZETA: ByHand = "zeta", [Quantity(Dimension::NUMBER)], or "-2/3", "-0.5";
+    pub(super) ZETA: Option<f64> = "zeta", [Quantity(Dimension::NUMBER)]
+        as "a number above -1 and below 0", or "-2/3", "-0.5";
     /// Jacobian: exact, or rotations linearized as at their prediction.
     pub(super) JACOBIAN: usize = "jacobian", [Word(&["exact", "simplified"])],
         or "\"exact\"" = 0, "\"simplified\"";
@@ -81,5 +83,6 @@ keys! {
     pub(super) ITERATIONS: Option<usize> = "iterations", [Count(MOST_ITERATIONS)], optional, "30";
     /// Remaining error after the last correction, in sizes of the model and radians, from 1e-13
     /// to 0.01.
-    pub(super) CORRECTION: ByHand = "tolerance", [Positive(Dimension::NUMBER)], optional, "1e-9";
+    pub(super) CORRECTION: Option<f64> = "tolerance", [Positive(Dimension::NUMBER)]
+        as "a number from 1e-13 to 0.01", optional, "1e-9";
 }

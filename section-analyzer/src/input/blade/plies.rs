@@ -1,10 +1,18 @@
 //! Plies of skin and spar as written.
 
+use shared_geom::document::schema::ValueKind::Quantity;
 use shared_geom::document::{Item, Table};
+use shared_geom::keys;
+use shared_geom::units::Dimension;
 
-use super::super::regions::constant_angle;
+use super::super::regions::Angle;
 use super::{BladeFileProblem, BladeRegion, Lines, Reading};
 use crate::mesh::generate::blade::{Ply, Spar, SparPly};
+
+keys! {
+    /// Angle of the fiber from x toward the wall.
+    FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)], or "0" = Angle(0.0), "45";
+}
 
 /// Largest number of cells through a ply.
 const MOST_CELLS: usize = 50;
@@ -72,9 +80,9 @@ pub(super) fn material_of(
         true => word(table, "material"),
         false => name.clone(),
     };
-    let fiber_angle = match follow.is_some() && table.has("fiber_angle") {
-        true => constant_angle(table, "fiber_angle"),
-        false => Some(0.0),
+    let fiber_angle = match follow {
+        Some(_) => table.get(&FIBER_ANGLE).map(|angle| angle.0),
+        None => Some(0.0),
     };
     let name = name?;
     uses.add(

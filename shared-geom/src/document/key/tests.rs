@@ -1,13 +1,13 @@
 use nalgebra::Vector3;
 
 use crate::document::schema::ValueKind::{
-    Boolean, Count, NamedTables, NotNegative, Positive, Quantity, Table as OneTable, Text, Texts,
-    Vector, Word,
+    Boolean, Count, NamedTables, NotNegative, Numbers, Positive, Quantity, Rows, Table as OneTable,
+    Text, Texts, Vector, Vectors, Word,
 };
-use crate::document::schema::{Need, TableSchema};
+use crate::document::schema::{Family, Need, TableSchema};
 use crate::document::{ByHand, Document};
-use crate::keys;
 use crate::units::Dimension;
+use crate::{choice, keys};
 
 keys! {
     /// A part.
@@ -92,7 +92,7 @@ fn absent_keys_have_their_defaults_or_are_reported() {
         assert_eq!(table.get(&FRICTION), Some(None));
         assert_eq!(table.get(&AXES), Some(0));
         assert_eq!(table.get(&COPIES), Some(1));
-        assert!(table.holds(&SHAPE));
+        assert!(table.has(&SHAPE));
     });
     // The message names the opening of the meaning, or the quantity.
     for expected in [
@@ -170,4 +170,110 @@ fn only_declared_keys_are_keys() {
         shown.contains("unknown key \"zqj\" in [part.p.shape]\n  help: known keys: friction"),
         "{shown}"
     );
+}
+
+keys! {
+    /// Its point, y and z.
+    POINT: [f64; 2] = "point", [Vector(2, Dimension::LENGTH)] as "an array of 2, y and z",
+        required, "[1, 2]";
+    /// Weights.
+    WEIGHTS: Vec<f64> = "weights", [Numbers(3)], or "[1]" = vec![1.0], "[1, 2]";
+    /// Points on it.
+    POINTS: Option<Vec<Vector3<f64>>> = "points", [Vectors(3, Dimension::LENGTH)],
+        or "the corners", "[[0, 0, 0]]";
+    /// Its matrix.
+    MATRIX: [[f64; 2]; 2] = "matrix", [Rows(2, 2)], required, "[[1, 0], [0, 1]]";
+    /// Direction of the part, of any length.
+    DIRECTION: Vector3<f64> = "direction", [Vector(3, Dimension::NUMBER)], required, "[1, 0, 0]";
+}
+
+// A text of the declaration replaces the one that follows from kind and meaning; a default
+// that is a rule is none.
+#[test]
+fn lists_have_the_sizes_of_their_declaration() {
+    let text = "point = [1, \"2 mm\"]\npoints = [1, 2, 3]\nmatrix = [[1, 2], [3, 4]]\n";
+    let found = Document::parse(text, "a.toml").unwrap();
+    let table = found.root();
+    assert_eq!(table.get(&POINT), Some([1.0, 0.002]));
+    assert_eq!(table.get(&WEIGHTS), Some(vec![1.0]));
+    assert_eq!(
+        table.get(&POINTS),
+        Some(Some(vec![Vector3::new(1.0, 2.0, 3.0)]))
+    );
+    assert_eq!(table.get(&MATRIX), Some([[1.0, 2.0], [3.0, 4.0]]));
+    assert_eq!(
+        Document::parse("", "a.toml").unwrap().root().get(&POINTS),
+        Some(None)
+    );
+
+    let text = "point = [1]\nweights = [1, 2, 3, 4]\nmatrix = [[1, 2]]\n";
+    let document = Document::parse(text, "a.toml").unwrap();
+    let table = document.root();
+    assert_eq!(table.get(&POINT), None);
+    assert_eq!(table.get(&WEIGHTS), None);
+    assert_eq!(table.get(&MATRIX), None);
+    assert_eq!(table.get(&DIRECTION), None);
+    assert_eq!(table.given(&DIRECTION), None);
+    let shown = document.finish(Some(())).unwrap_err().to_string();
+    let expected = "\
+error: a.toml:1: \"point\" is an array of 1, expected an array of 2, y and z
+error: a.toml:1: the file has no \"direction\", expected direction of the part
+error: a.toml:2: \"weights\" is an array of 4, expected an array of 1 to 3 numbers
+error: a.toml:3: \"matrix\" is an array of 1, expected 2 rows of 2 numbers";
+    assert_eq!(shown, expected);
+}
+
+#[test]
+fn conditions_of_values_are_reported() {
+    let shown = problems("mass = 2\nfriction = 3\n", |table| {
+        assert_eq!(table.get_if(&MASS, |mass| *mass > 1.0, "more"), Some(2.0));
+        let small = |friction: &Option<f64>| friction.is_none_or(|friction| friction < 1.0);
+        assert_eq!(table.get_if(&FRICTION, small, "less than 1"), None);
+        assert_eq!(table.get_if(&COPIES, |copies| *copies == 2, "two"), None);
+    });
+    assert_eq!(
+        shown,
+        "error: a.toml:3: \"friction\" is 3, expected less than 1"
+    );
+}
+
+#[test]
+fn families_are_distinguished_by_a_word() {
+    const KIND: [&str; 2] = ["kind", "Its kind."];
+    const FORMS: TableSchema = TableSchema {
+        title: "[form]",
+        meaning: "A form.",
+        keys: &[],
+        families: &[
+            Family {
+                name: "round",
+                meaning: "Round.",
+                keys: &[choice!(KIND, "circle", "ring")],
+            },
+            Family {
+                name: "other",
+                meaning: "Other.",
+                keys: &[choice!(KIND, "square", "ring")],
+            },
+        ],
+    };
+    assert_eq!(FORMS.words("kind"), ["circle", "ring", "square"]);
+    for (text, word, reported) in [
+        ("kind = \"ring\"", Some("ring"), ""),
+        (
+            "",
+            None,
+            "has no \"kind\", expected one of circle, ring, square",
+        ),
+        ("kind = \"rink\"", None, "did you mean \"ring\"?"),
+    ] {
+        let document = Document::parse(text, "a.toml").unwrap();
+        let root = document.root();
+        assert_eq!(root.has_choice(&FORMS, "kind"), word.is_some());
+        assert_eq!(root.choice(&FORMS, "kind"), word);
+        let shown = document
+            .finish(Some(()))
+            .map_or_else(|p| p.to_string(), |()| String::new());
+        assert!(shown.contains(reported), "{shown}");
+    }
 }

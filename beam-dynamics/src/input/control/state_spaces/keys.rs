@@ -52,42 +52,44 @@ pub(in crate::input) const STATE_SPACE: TableSchema = TableSchema {
 
 keys! {
     /// Its name, for messages.
-    NAME: ByHand = "name", [Text], or "`state space` and its number", "\"controller\"";
+    pub(super) NAME: Option<String> = "name", [Text], or "`state space` and its number", "\"controller\"";
     /// Inputs: numbers, drives, names of sensors or outputs, and expressions.
-    INPUTS: ByHand = "inputs", [Drives(Dimension::NUMBER), Drive(Dimension::NUMBER)], required,
+    pub(super) INPUTS: ByHand = "inputs", [Drives(Dimension::NUMBER), Drive(Dimension::NUMBER)], required,
         "[\"tilt\"]";
     /// Names of the outputs, which expressions read, also in this card.
-    OUTPUTS: ByHand = "outputs", [Texts], required, "[\"torque\"]";
+    pub(super) OUTPUTS: Vec<String> = "outputs", [Texts], required, "[\"torque\"]";
     /// A number for each state, or the steady states.
-    START: ByHand = "start", [Quantities(Dimension::NUMBER), Word(&["settled"])], or "zeros",
+    pub(super) START: ByHand = "start", [Quantities(Dimension::NUMBER), Word(&["settled"])], or "zeros",
         "[0.1]";
     /// Matrix A; without it there are no states.
-    A: ByHand = "a", [Lines(0)], optional, "[[-1]]";
+    pub(super) A: ByHand = "a", [Lines(0)], optional, "[[-1]]";
     /// Matrix B.
-    B: ByHand = "b", [Lines(0)], or "zero", "[[1]]";
+    pub(super) B: ByHand = "b", [Lines(0)], or "zero", "[[1]]";
     /// Matrix C.
-    C: ByHand = "c", [Lines(0)], or "zero", "[[2]]";
+    pub(super) C: ByHand = "c", [Lines(0)], or "zero", "[[2]]";
     /// Matrix D.
-    D: ByHand = "d", [Lines(0)], or "zero", "[[0.5]]";
+    pub(super) D: ByHand = "d", [Lines(0)], or "zero", "[[0.5]]";
     /// A TOML file with `a` to `d`; a relative path is relative to the folder of this file.
-    FILE: ByHand = "file", [Text], required, "\"law.toml\"";
+    pub(super) FILE: String = "file", [Text], required, "\"law.toml\"";
     /// The transfer functions.
-    TRANSFER: ByHand = "transfer", [Tables(&TRANSFER_FUNCTION)], required, "";
+    pub(super) TRANSFER: ByHand = "transfer", [Tables(&TRANSFER_FUNCTION)], required, "";
 }
 
 keys! {
     /// A transfer function of a coupled pair.
     TRANSFER_FUNCTION = "[[state_space.transfer]]";
     /// The number of the input, from 1.
-    INPUT: ByHand = "input", [Count(usize::MAX)], required, "1";
+    pub(super) INPUT: usize = "input", [Count(usize::MAX)], required, "1";
     /// The name of an output.
-    OUTPUT: ByHand = "output", [Text], required, "\"torque\"";
+    pub(super) OUTPUT: String = "output", [Text], required, "\"torque\"";
     with NUMERATOR.schema, DENOMINATOR.schema;
 }
 
 keys! {
     /// Coefficients of descending powers of s, or of z if the system samples.
-    NUMERATOR: ByHand = "numerator", [Quantities(Dimension::NUMBER)], required, "[8.08, 37.31]";
+    pub(super) NUMERATOR: Vec<f64> = "numerator", [Quantities(Dimension::NUMBER)]
+        as "a list of coefficients of decreasing powers of s", required, "[8.08, 37.31]";
     /// The same; not of a lower degree.
-    DENOMINATOR: ByHand = "denominator", [Quantities(Dimension::NUMBER)], required, "[0.01, 1]";
+    pub(super) DENOMINATOR: Vec<f64> = "denominator", [Quantities(Dimension::NUMBER)]
+        as "a list of coefficients of decreasing powers of s", required, "[0.01, 1]";
 }

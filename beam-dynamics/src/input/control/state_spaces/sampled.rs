@@ -13,22 +13,28 @@ use crate::elements::control::{Limits, Sampling};
 keys! {
     /// Interval between samples: the matrices map the states of one sample to the next, and
     /// transfer functions are in z.
-    pub(super) SAMPLE_TIME: ByHand = "sample_time", [Positive(Dimension::TIME)], or "continuous",
+    pub(super) SAMPLE_TIME: Option<f64> = "sample_time", [Positive(Dimension::TIME)], or "continuous",
         "0.01";
     /// Time of a sample.
     pub(super) OFFSET: f64 = "offset", [Quantity(Dimension::TIME)], or "0" = 0.0, "0.005";
     /// Number of samples between an input and the output computed from it.
-    pub(super) DELAY: ByHand = "delay", [NotNegative(Dimension::NUMBER)], or "0", "1";
+    pub(super) DELAY: f64 = "delay", [NotNegative(Dimension::NUMBER)]
+        as "a whole number of samples, 0 to 100000", or "0" = 0.0, "1";
     /// Smallest and largest value of all outputs, or a pair for each.
     pub(super) LIMITS: ByHand = "limits", [Vector(2, Dimension::NUMBER), Lines(2)], or "none",
         "[-10, 10]";
     /// Largest rate of each output, per second.
-    pub(super) RATE_LIMITS: ByHand = "rate_limits", [Quantities(Dimension::NUMBER)], or "none",
+    pub(super) RATE_LIMITS: Option<Vec<f64>> = "rate_limits", [Quantities(Dimension::NUMBER)], or "none",
         "[60]";
 }
 
 /// Keys only for systems that sample.
-const KEYS: [&str; 4] = ["offset", "delay", "limits", "rate_limits"];
+const KEYS: [&str; 4] = [
+    OFFSET.name(),
+    DELAY.name(),
+    LIMITS.name(),
+    RATE_LIMITS.name(),
+];
 
 /// Sample times below this part of an instant are lost in round-off.
 const DISTINCT: f64 = 1e-9;
@@ -39,7 +45,7 @@ const MOST_DELAY: f64 = 1e5;
 /// sample, and `None` if something is wrong.
 #[expect(clippy::option_option, reason = "wrong, or absent, or there")]
 pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling, Vec<Limits>)>> {
-    if !table.has("sample_time") {
+    if !table.has(&SAMPLE_TIME) {
         let mut without = KEYS.into_iter().filter(|key| table.has(key));
         return match without.next() {
             None => Some(None),
@@ -49,12 +55,9 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
             }
         };
     }
-    let period = table.require_positive("sample_time", Dimension::TIME);
+    let period = table.get(&SAMPLE_TIME).flatten();
     let offset = table.get(&OFFSET);
-    let delay = match table.has("delay") {
-        true => delay(table),
-        false => Some(0),
-    };
+    let delay = delay(table);
     let limits = limits(table, outputs);
     let (period, offset) = (period?, offset?);
     let sampling = Sampling {
@@ -64,7 +67,7 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
     };
     if period < DISTINCT * offset.abs() {
         table.wrong(
-            "offset",
+            &OFFSET,
             "less than 1e9 sample times, the resolution of instants",
         );
         return None;
@@ -74,15 +77,21 @@ pub(super) fn read(table: &Table<'_>, outputs: usize) -> Option<Option<(Sampling
 
 /// Limits of `outputs` outputs; `None` if something is wrong.
 fn limits(table: &Table<'_>, outputs: usize) -> Option<Vec<Limits>> {
-    let ranges = match table.has("limits") {
+    let ranges = match table.has(&LIMITS) {
         false => Some(Vec::new()),
-        true if table.is_nested("limits") => table.rows("limits", outputs, 2),
-        true => numbers(table, "limits", 2).map(|range| vec![range; outputs]),
+        true if table.is_nested(&LIMITS) => table.rows(LIMITS.name(), outputs, 2),
+        true => {
+            let range = table.array(LIMITS.name(), Dimension::NUMBER, "a list of 2 numbers");
+            range.map(|range: [f64; 2]| vec![range.to_vec(); outputs])
+        }
     };
-    let rates = match table.has("rate_limits") {
-        false => Some(Vec::new()),
-        true => numbers(table, "rate_limits", outputs),
-    };
+    let is_right = |rates: &Option<Vec<f64>>| rates.as_ref().is_none_or(|r| r.len() == outputs);
+    let rates = table.get_if(
+        &RATE_LIMITS,
+        is_right,
+        &format!("a list of {outputs} numbers"),
+    );
+    let rates = rates.map(Option::unwrap_or_default);
     let (ranges, rates) = (ranges?, rates?);
     let mut limits = vec![Limits::default(); outputs];
     for (i, limits) in limits.iter_mut().enumerate() {
@@ -95,34 +104,18 @@ fn limits(table: &Table<'_>, outputs: usize) -> Option<Vec<Limits>> {
     }
     let has_range = limits.iter().all(|own| own.range[0] <= own.range[1]);
     if !has_range {
-        table.wrong("limits", "the least value before the largest");
+        table.wrong(&LIMITS, "the least value before the largest");
     }
     let has_rate = limits.iter().all(|own| own.rate > 0.0);
     if !has_rate {
-        table.wrong("rate_limits", "rates greater than zero");
+        table.wrong(&RATE_LIMITS, "rates greater than zero");
     }
     (has_range && has_rate).then_some(limits)
 }
 
 /// A whole number of samples.
 fn delay(table: &Table<'_>) -> Option<usize> {
-    let number = table.quantity("delay", Dimension::NUMBER)?;
-    if number.fract() != 0.0 || !(0.0..=MOST_DELAY).contains(&number) {
-        table.wrong(
-            "delay",
-            &format!("a whole number of samples, 0 to {MOST_DELAY}"),
-        );
-        return None;
-    }
+    let is_right = |number: &f64| number.fract() == 0.0 && *number <= MOST_DELAY;
+    let number = table.get_if(&DELAY, is_right, DELAY.schema.expected)?;
     Some(number as usize)
-}
-
-/// A list of `count` numbers.
-fn numbers(table: &Table<'_>, key: &str, count: usize) -> Option<Vec<f64>> {
-    let numbers = table.quantities(key, Dimension::NUMBER)?;
-    if numbers.len() != count {
-        table.wrong(key, &format!("a list of {count} numbers"));
-        return None;
-    }
-    Some(numbers)
 }
