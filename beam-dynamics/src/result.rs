@@ -228,7 +228,7 @@ pub struct ModeBranch {
 }
 
 impl ModeBranch {
-    /// Kind at the speed of `point`: another one than that of the name only if it is distinct.
+    /// Kind at the speed of `point`: another kind than in the name only if it is distinct.
     pub fn kind_at(&self, point: &ModePoint) -> ModeKind {
         match point.kind() {
             ModeKind::Coupled => self.kind,

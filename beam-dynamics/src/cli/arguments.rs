@@ -68,8 +68,8 @@ folder DIR:
   NAME.modes/            with --vtu: a series .pvd of field files for each mode
 where FILE is NAME.dynamics.toml.
 
-A FILE can also be a blade file, in any of the known formats: its modes are \
-those of the blade clamped at its root and at rest, unless the options state otherwise.";
+A FILE can also be a blade file, in any of the known formats: the blade is clamped at its \
+root and at rest, unless the options state otherwise.";
 
 const MODES_EXAMPLE: &str = "\
 Examples:
