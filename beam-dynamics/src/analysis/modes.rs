@@ -49,7 +49,7 @@ pub enum Failure {
     },
 }
 
-/// What was reached, and why it ended early if it did.
+/// The modes of all speeds reached, and the reason for an early end.
 #[derive(Debug)]
 pub struct ModesOutcome {
     /// Frequencies at the speeds that were reached.
@@ -99,7 +99,7 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// What a mode does, from its motion.
+    /// Adds the shares of the energy and the kind of motion of a mode.
     fn describe(&self, mode: &mut Mode) {
         let naming = &self.model.naming;
         mode.point.shares = mode.motion.shares(naming);
@@ -234,7 +234,7 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
     }
 }
 
-/// What a reader must know of the modes at one speed.
+/// Remarks on the modes at one speed.
 fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
     let at = format!("at {}", rpm(modes.speed));
     let mut found = Vec::new();

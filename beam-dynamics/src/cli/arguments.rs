@@ -60,7 +60,7 @@ folder DIR:
   NAME.frequencies.csv   a row for each speed and mode
   NAME.frequencies.txt   the tables as printed
   NAME.comparison.csv    measured and computed frequencies, where there are measurements
-  NAME.modes.csv         what each mode is: damping, growth, shares of the energy, whirl
+  NAME.modes.csv         damping, growth, shares of the energy and whirl of each mode
   NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed; damping
   NAME.campbell.csv, .png, .svg   the same in the fixed system, for rotors and shafts
   NAME.critical_speeds.csv   speeds at which a frequency is a multiple of the rotor speed
