@@ -247,7 +247,7 @@ fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
     if is_first && modes.found.len() < case.settings.count {
         let why = &modes.why_no_more;
         found.push(format!(
-            "{} modes were found of {}: {why}",
+            "{} of {} modes were found: {why}",
             modes.found.len(),
             case.settings.count
         ));
