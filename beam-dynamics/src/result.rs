@@ -236,7 +236,7 @@ pub struct ModeBranch {
 }
 
 impl ModeBranch {
-    /// Kind at the speed of `point`: another one than that of the name only if it is distinct.
+    /// Kind at the speed of `point`: another kind than in the name only if it is distinct.
     pub fn kind_at(&self, point: &ModePoint) -> ModeKind {
         match (self.kind, point.kind()) {
             (ModeKind::Coupled | ModeKind::Rigid, _) | (_, ModeKind::Coupled) => self.kind,

@@ -154,7 +154,7 @@ impl Document {
     /// plain number requested afterwards: the word `"SI"`, or a table with some of the
     /// keys of [`DECLARABLE`].
     pub fn declare_units(&self, root: &Table<'_>) {
-        const EXPECTED: &str = "\"SI\", or a table of units";
+        const EXPECTED: &str = "\"SI\", or a table as in { length = \"mm\", force = \"N\" }";
         if root.has("units") && !root.is_table("units") {
             if !root.is_text("units") || root.text("units").as_deref() != Some("SI") {
                 root.wrong("units", EXPECTED);
@@ -198,7 +198,7 @@ pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
             std::io::ErrorKind::NotFound => "no such file".to_owned(),
             std::io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
             std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
-            std::io::ErrorKind::InvalidData => "not a text file".to_owned(),
+            std::io::ErrorKind::InvalidData => "not a text file in UTF-8".to_owned(),
             _ => error.to_string(),
         };
         let location = SourceLocation::file(path.display().to_string());

@@ -42,7 +42,7 @@ fn lowest(table: &FrequencyTable, speed: usize) -> Vec<f64> {
 }
 
 fn is_alarm(remark: &str) -> bool {
-    ["unstable", "were found of", "digits"]
+    ["unstable", "modes were found", "digits"]
         .iter()
         .any(|word| remark.contains(word))
 }

@@ -11,7 +11,7 @@ pub(super) fn why_no_more(lowest: &Lowest) -> String {
         (0, 0) => {
             "the other frequencies are too high to be distinguished from infinite ones".to_owned()
         }
-        (0, n) => format!("{n} motions are so damped that they do not oscillate"),
+        (0, n) => format!("motions too damped to oscillate: {n}"),
         (n, _) => format!(
             "{n} more frequencies were seen, but no vector confirmed them, as where \
              stiffnesses, masses or lengths of very different size meet in the model"

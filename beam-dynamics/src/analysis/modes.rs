@@ -51,7 +51,7 @@ pub enum Failure {
     },
 }
 
-/// What was reached, and why it ended early if it did.
+/// The modes of all speeds reached, and the reason for an early end.
 #[derive(Debug)]
 pub struct ModesOutcome {
     /// Frequencies at the speeds that were reached.
@@ -113,7 +113,7 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// What a mode does, from its motion.
+    /// Adds the shares of the energy and the kind of motion of a mode.
     fn describe(&self, mode: &mut Mode) {
         let naming = &self.model.naming;
         mode.point.shares = mode.motion.shares(naming);
@@ -249,7 +249,7 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
     }
 }
 
-/// What a reader must know of the modes at one speed.
+/// Remarks on the modes at one speed.
 fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
     let at = format!("at {}", rpm(modes.speed));
     let mut found = Vec::new();
@@ -262,7 +262,7 @@ fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
     if is_first && modes.found.len() < case.settings.count {
         let why = &modes.why_no_more;
         found.push(format!(
-            "{} modes were found of {}: {why}",
+            "{} of {} modes were found: {why}",
             modes.found.len(),
             case.settings.count
         ));

@@ -60,7 +60,7 @@ folder DIR:
   NAME.frequencies.csv   a row for each speed and mode
   NAME.frequencies.txt   the tables as printed
   NAME.comparison.csv    measured and computed frequencies, where there are measurements
-  NAME.modes.csv         what each mode is: damping, growth, shares of the energy, whirl
+  NAME.modes.csv         damping, growth, shares of the energy and whirl of each mode
   NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed; damping
   NAME.campbell.csv, .png, .svg   the same in the fixed system, for rotors and shafts
   NAME.critical_speeds.csv   speeds at which a frequency is a multiple of the rotor speed
@@ -68,8 +68,8 @@ folder DIR:
   NAME.modes/            with --vtu: a series .pvd of field files for each mode
 where FILE is NAME.dynamics.toml.
 
-A FILE can also be a blade file, in any of the known formats: its modes are \
-those of the blade clamped at its root and at rest, unless the options state otherwise.";
+A FILE can also be a blade file, in any of the known formats: the blade is clamped at its \
+root and at rest, unless the options state otherwise.";
 
 const MODES_EXAMPLE: &str = "\
 Examples:

@@ -44,6 +44,9 @@ impl Explain for ConvertProblem {
             Self::Toml { remedy, .. } => Some(format!(
                 "convert to \"{remedy}\", which is read wherever one in TOML is"
             )),
+            Self::Exchange(ExchangeProblem::NotWritten { .. }) => {
+                Some(format!("formats that are written: {}", names().join(", ")))
+            }
             Self::Exchange(problem) => problem.help(),
         }
     }

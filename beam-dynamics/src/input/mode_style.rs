@@ -27,7 +27,7 @@ keys! {
         or "the first speed", "\"300 rpm\"";
 }
 
-/// Reads the keys; `speeds` \[rad/s\] are those of the analysis. `None` if one is wrong.
+/// Reads the keys; `speeds` \[rad/s\] are the speeds of the analysis. `None` if one is wrong.
 pub(super) fn read(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<ModeStyle> {
     let words = table.get(&WORDS).map(|k| Words::ALL[k]);
     let unit = table.get(&FREQUENCY_UNIT).map(|k| FrequencyUnit::ALL[k]);

@@ -1,4 +1,4 @@
-//! What a mode does: its motion and the kinetic energy of each direction.
+//! Motion of a mode, and the kinetic energy of each direction.
 //!
 //! The mass matrix is read off the linearized definitions of the momenta, `M = -dr/dq'`
 //! with r the rows of momentum and angular momentum and q' velocities and angular

@@ -34,7 +34,7 @@ const NEXT: f64 = 30.0;
 /// Looks at most.
 pub(super) const LOOKS: usize = 8;
 
-/// What is known of the values near zero.
+/// Bounds of the eigenvalues near zero, and the next shift.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Search {
     /// Where to look from [1/s].
@@ -51,7 +51,7 @@ pub(super) struct Search {
     doubted: Option<(f64, f64)>,
 }
 
-/// What a look is good for.
+/// Use of the eigenvalues found from one shift.
 pub(super) struct Look {
     /// Whether the shift it was taken from serves.
     pub is_near: bool,

@@ -85,7 +85,7 @@ fn motion(
 /// A mode with a shape at some speed.
 #[derive(Debug, Clone)]
 struct Shaped<'a> {
-    /// Name of the mode, which is that of its files.
+    /// Name of the mode, and of its files.
     name: &'a str,
     /// Name with the kind at this speed, if it is another one.
     shown: String,

@@ -210,7 +210,7 @@ pub(super) enum Command {
         /// Draw no figures; figures of an earlier run are removed
         #[arg(long)]
         no_figures: bool,
-        /// Draw each figure as SVG too, beside its PNG
+        /// Draw each figure as SVG too, next to its PNG
         #[arg(long, conflicts_with = "no_figures")]
         svg: bool,
         /// Print no report; problems are still reported on the error stream

@@ -68,7 +68,7 @@ impl<'a> Files<'a> {
     ) -> Option<String> {
         let text = String::from_utf8(self.read(what, path, written)?.to_vec());
         if text.is_err() {
-            let reason = "not a text file".to_owned();
+            let reason = "not a text file in UTF-8".to_owned();
             self.unreadable((what, path), written, reason, Vec::new());
         }
         text.ok()

@@ -63,7 +63,7 @@ pub enum UnlikelyInput {
         /// The likely mistake, as text.
         likely: Option<String>,
     },
-    /// A section larger than those of blades and towers.
+    /// A section larger than any section of a blade or a tower.
     Large {
         /// Its largest extent along an axis \[m\].
         size: f64,
@@ -183,7 +183,7 @@ fn largest_modulus(law: &ElasticLaw) -> Option<f64> {
     }
 }
 
-/// Whether a modulus and a density (zero if unknown) are those of a usual material.
+/// Whether a usual material has this modulus and density (zero if unknown).
 fn is_usual(modulus: f64, density: f64) -> bool {
     let (low, high) = USUAL_MODULI;
     let (slow, fast) = USUAL_SPEEDS;
@@ -315,7 +315,7 @@ mod tests {
             " kg/m^3 would be usual; is a number in kg/m^3 read as g/cm^3?",
         );
         reported(210e9, 7.85e-9, "t/mm^3 would be usual");
-        // both in the units of mm, N, t: the modulus is 1e-6 of that of steel
+        // both in the units of mm, N, t: the modulus is 1e-6 times the modulus of steel
         reported(2.1e5, 7.85e-9, "density");
     }
 

@@ -303,7 +303,7 @@ fn write_poor_cells(f: &mut fmt::Formatter<'_>, count: usize, worst: &[NamedCell
     let cells = counted(count, "cell");
     write!(
         f,
-        "{cells} {have} a poor shape: results near by are less accurate"
+        "{cells} {have} a poor shape: results nearby are less accurate"
     )?;
     for cell in worst {
         let [y, z] = cell.position.map(|x| tick_label(x, 0.0));

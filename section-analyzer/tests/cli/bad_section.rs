@@ -39,7 +39,8 @@ fn wrong_units_are_reported_with_those_that_fit() {
     ]);
     let none = ("[units]\nlength = \"mm\"\nstress = \"GPa\"", "\n\n");
     Workplace::with(&[none], &[]).is_refused(&[
-        "error: a.section.toml:1: the file has no \"units\", expected \"SI\", or a table of units",
+        "error: a.section.toml:1: the file has no \"units\", expected \"SI\", or a table as in \
+         { length = \"mm\", force = \"N\" }",
     ]);
 }
 

@@ -141,7 +141,7 @@ impl Blade {
         (before || behind).then(|| {
             format!(
                 "stations from {} m to {} m on a line of {length} m: beyond them the properties \
-                 are those of the nearest",
+                 of the nearest station are used",
                 first.arc_length, last.arc_length
             )
         })
@@ -199,15 +199,15 @@ fn section_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<f64> 
 /// Whether a section whose square of the speed of sound is `square` [m^2/s^2] can be a solid
 /// one of plastic, which is no slower than a heavier material whose mass is a weight.
 ///
-/// The area of a section with given radii of gyration is at most that of a solid ellipse,
+/// The area of a section with given radii of gyration is at most the area of a solid ellipse,
 ///
 /// ```text
 /// A <= 4 pi ry rz,    (ry rz)^2 = det(K_bending about the tension center) / EA^2
 /// ```
 ///
 /// and an airfoil has 0.75 to 0.9 of it. So mass and stiffness have lower bounds of density
-/// and modulus, which are near to those of a solid section, and far below those of a thin
-/// wall.
+/// and modulus, which are near to the values of a solid section, and far below the values of a
+/// thin wall.
 fn is_solid_plastic(square: f64, stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> bool {
     let ea = stiffness[(0, 0)];
     let about_center =

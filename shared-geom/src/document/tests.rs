@@ -102,7 +102,7 @@ fn numbers_and_units_that_cannot_be_read_are_shown_short() {
         assert_eq!(root.quantity("joined", Dimension::STRESS), None);
     });
     let expected = "\
-error: a.toml:1: \"units\" is the text \"imperial\", expected \"SI\", or a table of units
+error: a.toml:1: \"units\" is the text \"imperial\", expected \"SI\", or a table as in { length = \"mm\", force = \"N\" }
 error: a.toml:2: \"huge\" is 1e308, expected a text in quotes
 error: a.toml:3: \"joined\": \"70,5GPa\" cannot be read, expected a number and a unit, as in \"73.1 GPa\"";
     assert_eq!(shown, expected);

@@ -260,7 +260,7 @@ fn stretch(end: f64, length: f64, remarks: &mut Vec<String>) -> f64 {
     if off.abs() <= DIGITS || !off.is_finite() {
         return 1.0;
     }
-    let what = format!("the rows end at r = {end} m, the line c2_def at {length} m");
+    let what = format!("the rows end at r = {end:.4} m, the line c2_def at {length:.4} m");
     if off.abs() <= STRETCH {
         remarks.push(format!(
             "{what}: the distances of the rows are stretched onto the line"

@@ -70,7 +70,7 @@ fn labels(mesh: &Mesh) -> Vec<Vec<String>> {
         .collect()
 }
 
-/// Nodes, cells and lines of both files are those of gmsh's, and so are the groups of
+/// Nodes, cells and lines of both files equal those in gmsh's file, and so do the groups of
 /// Abaqus; its set "first" is a further group of the lines. Middle nodes of its lines are
 /// listed second.
 #[test]

@@ -166,6 +166,11 @@ pub enum PropertyProblem {
 impl Explain for PropertyProblem {
     fn help(&self) -> Option<String> {
         match self {
+            Self::Malformed { .. } => Some(
+                "property files are JSON, as section-analyzer writes them; blade files belong to \
+                 beam-dynamics"
+                    .to_owned(),
+            ),
             Self::Newer { .. } => Some("use a newer version of this program".to_owned()),
             Self::Units { .. } => Some("property files are always SI".to_owned()),
             Self::Slope { .. } => Some(

@@ -276,7 +276,7 @@ impl Structure for Beam {
         let largest = LARGEST.to_degrees();
         (turn > LARGEST).then(|| {
             format!(
-                "its ends turn by {:.0} deg against its middle, more than the {largest:.0} deg that \
+                "its ends turn by {:.1} deg against its middle, more than the {largest:.1} deg that \
                  one element can follow",
                 turn.to_degrees()
             )

@@ -62,7 +62,7 @@ impl ModelBuilder {
     }
 
     /// Names of the nodes meant by `name`: if there is no node `CARD/END`, but a card called
-    /// `CARD`, those of all its blades.
+    /// `CARD`, the nodes `END` of all its blades.
     pub fn node_names(&self, name: &str) -> Vec<String> {
         let one = || vec![name.to_owned()];
         if self.names.contains_key(name) {

@@ -126,8 +126,14 @@ fn column_indices(
     let indices = [index(0), index(1)];
     let [Some(time), Some(value)] = indices else {
         if problems.is_empty() {
-            let expected = format!("a heading and two columns, of {} and {}", of[0], of[1]);
-            let (key, found) = ("file".to_owned(), "a table of fewer columns".to_owned());
+            let expected = format!(
+                "a heading and two columns, of {} and {}, separated by commas",
+                of[0], of[1]
+            );
+            let (key, found) = (
+                "file".to_owned(),
+                "a table of fewer than two columns".to_owned(),
+            );
             let problem = DocumentProblem::WrongValue {
                 key,
                 found,

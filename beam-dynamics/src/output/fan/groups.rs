@@ -15,8 +15,8 @@ pub(super) struct Group<'a> {
     others: Vec<&'a ModeBranch>,
 }
 
-/// The branches of `table` that have points, those of one kind and of different patterns of the
-/// blades together if they coincide.
+/// The branches of `table` that have points; branches of one kind and of different patterns of
+/// the blades are together if they coincide.
 pub(super) fn groups(table: &FrequencyTable) -> Vec<Group<'_>> {
     let points = table
         .branches

@@ -77,7 +77,7 @@ pub(in crate::cli) struct AnalyzeArguments {
     /// Draw no figures; figures of an earlier run are removed
     #[arg(long)]
     pub no_figures: bool,
-    /// Draw each figure as SVG too, beside its PNG
+    /// Draw each figure as SVG too, next to its PNG
     #[arg(long, conflicts_with = "no_figures")]
     pub svg: bool,
     /// Print no report; problems are still reported on the error stream
