@@ -47,6 +47,10 @@ pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
     if !table.has("damping") {
         return Some(None);
     }
+    if !table.is_table("damping") {
+        table.wrong("damping", "{ time = ... } or { matrix = ... }");
+        return None;
+    }
     let inner = table.table("damping")?;
     let given = KEYS.map(|key| inner.has(key));
     let damping = match given {

@@ -7,6 +7,7 @@ use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
+use super::misplaced_keys;
 use super::moments::{INERTIA, moments};
 use super::number::not_negative;
 use super::problem::InputProblem;
@@ -106,7 +107,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
         center = table.vector("center", Dimension::LENGTH);
     }
     let moving = MovingHub::read(&table);
-    table.finish();
+    table.finish_beside(&misplaced_keys::OF_HUB);
     (hub.axis, hub.center, hub.moving) = (axis?, center?, moving?);
     Some(hub)
 }

@@ -40,7 +40,7 @@ impl<'a> Files<'a> {
             }
             Err(error) => {
                 let known = match error.kind() {
-                    ErrorKind::NotFound => of_its_kind(path),
+                    ErrorKind::NotFound => names_beside(path),
                     _ => Vec::new(),
                 };
                 let reason = match error.kind() {
@@ -91,12 +91,4 @@ impl<'a> Files<'a> {
         let parts: Vec<_> = self.contents.iter().map(Vec::as_slice).collect();
         sha256_of(&parts)
     }
-}
-
-/// The files beside a missing one that have its ending.
-fn of_its_kind(path: &Path) -> Vec<String> {
-    let ending = path.extension();
-    let mut names = names_beside(path);
-    names.retain(|name| Path::new(name).extension() == ending);
-    names
 }

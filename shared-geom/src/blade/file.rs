@@ -120,7 +120,7 @@ pub fn parse(text: &str, file: &str) -> Result<Reading, Diagnostics> {
     }
     let malformed = |error: serde_json::Error| {
         let location = SourceLocation::line(file, error.line().max(1));
-        let reason = error.to_string();
+        let reason = json::reason(&error);
         Diagnostics::one(location, &BladeProblem::Malformed { reason })
     };
     let head: Head = serde_json::from_str(text).map_err(malformed)?;

@@ -63,6 +63,10 @@ impl<'a> Table<'a> {
 
     /// The tables `[key.name]` with their names; empty when absent.
     pub fn named_tables(&self, key: &str) -> Vec<(String, Table<'a>)> {
+        if self.is_list(key) {
+            self.wrong(key, &format!("tables [{key}.NAME]"));
+            return Vec::new();
+        }
         let Some(outer) = self.table(key) else {
             return Vec::new();
         };

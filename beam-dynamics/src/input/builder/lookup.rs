@@ -9,6 +9,12 @@ use crate::input::problem::InputProblem;
 use crate::model::NodeMotion;
 
 impl ModelBuilder {
+    /// Number of cards with a name of a kind: `joint`, `spring`.
+    pub fn count_of(&self, kind: &str) -> usize {
+        let kinds = self.labels.keys().map(|label| label.0);
+        kinds.filter(|own| *own == kind).count()
+    }
+
     /// The node called `name` under `key` of a card described by `user`; the node is not
     /// treated as used.
     pub fn look_up_node(

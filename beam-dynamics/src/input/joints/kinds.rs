@@ -34,6 +34,21 @@ const KINDS: [&str; 15] = [
     "spin",
     "total",
 ];
+/// Other words for kinds of joints.
+const OTHER_WORDS: [(&str, &str); 12] = [
+    ("hinge", "revolute"),
+    ("pin", "revolute"),
+    ("pinned", "revolute"),
+    ("ball", "spherical"),
+    ("fixed", "clamp"),
+    ("rigid", "clamp"),
+    ("weld", "clamp"),
+    ("slider", "prismatic"),
+    ("cardan", "universal"),
+    ("hooke", "universal"),
+    ("rod", "distance"),
+    ("motor", "spin"),
+];
 /// Sine below which axes are treated as parallel, and part of the size of the model below which
 /// points coincide: digits lost in the input.
 const ROUNDING: f64 = 1e-9;
@@ -97,7 +112,7 @@ pub(in crate::input) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
         let is_new = builder.take_label("joint", &label, table);
         let nodes = nodes(table, builder, &format!("joint \"{label}\""));
         let kind = match table.has("kind") {
-            true => table.word("kind", &KINDS),
+            true => table.word_or_meant("kind", &KINDS, &OTHER_WORDS),
             false => {
                 let _ = table.require_text("kind", &format!("one of {}", KINDS.join(", ")));
                 None
