@@ -9,6 +9,7 @@ use std::path::Path;
 
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
+use shared_geom::file_kind::FileKind;
 use shared_geom::files::name_without;
 
 use crate::assembly::{massless, mechanism};
@@ -139,8 +140,9 @@ pub struct Input {
 /// values, impossible geometry; and if there are none of these, the ways in which the model
 /// can move freely.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
-    let file = path.display().to_string();
-    checked(&read_text(path)?, &file, &name_of(path))
+    let text = read_text(path)?;
+    FileKind::Dynamics.require(path, &text)?;
+    checked(&text, &path.display().to_string(), &name_of(path))
 }
 
 /// Reads and checks the text of a dynamics input, as if it were at `path`: the paths of its files

@@ -11,7 +11,8 @@
 use std::path::Path;
 
 use shared_geom::document::{Document, Table, read_text};
-use shared_geom::error::{Diagnostics, SourceLocation};
+use shared_geom::error::Diagnostics;
+use shared_geom::file_kind::FileKind;
 use shared_geom::files::name_without;
 use shared_geom::mesh::CellKind;
 use shared_geom::section::StrainMeasure;
@@ -75,7 +76,7 @@ use electrodes::WrittenElectrodes;
 use files::Files;
 use imposed::WrittenStates;
 use laminae::WrittenLamina;
-use material_warnings::warnings_of;
+use material_warnings::{idle_angles, warnings_of};
 use materials::WrittenMaterial;
 use meshed::Meshed;
 use regions::{Written, WrittenAngle, WrittenRegion};
@@ -108,41 +109,15 @@ pub struct Input {
 
 /// The ending of the name of a section file.
 const ENDING: &str = ".section.toml";
-/// The ending of the name of a file of the other program.
-const DYNAMICS: &str = ".dynamics.toml";
 
 /// Reads and checks the section file at `path`, its mesh and its tables.
 ///
 /// # Errors
 /// All problems of these files, with file and line.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
-    let problem = MatrixProblem::Kind {
-        found: external::ENDING,
-        expected: ENDING,
-        command: "matrices",
-    };
-    require_kind(path, problem)?;
-    let name = path.display().to_string();
-    if name.ends_with(DYNAMICS) {
-        return Err(Diagnostics::one(
-            SourceLocation::file(name),
-            &InputProblem::Dynamics,
-        ));
-    }
-    parse(&read_text(path)?, path)
-}
-
-/// Checks that `path` does not have the ending of the other kind of file, given in
-/// `problem`.
-fn require_kind(path: &Path, problem: MatrixProblem) -> Result<(), Diagnostics> {
-    let MatrixProblem::Kind { found, .. } = problem else {
-        return Ok(());
-    };
-    let name = path.display().to_string();
-    match name.ends_with(found) {
-        true => Err(Diagnostics::one(SourceLocation::file(name), &problem)),
-        false => Ok(()),
-    }
+    let text = read_text(path)?;
+    FileKind::Section.require(path, &text)?;
+    parse(&text, path)
 }
 
 /// Reads and checks the text of a section file, as if it were at `path`: the paths of its
@@ -394,6 +369,12 @@ impl WrittenSection {
                 fiber_angle: source_of(&region.fiber_angle),
                 plane_angle: source_of(&region.plane_angle),
             });
+        let summaries: Vec<_> = summaries.collect();
+        let mut warnings = warnings_of(&self.materials, of_region, &self.electrodes);
+        // Initial strains have the axes of the material.
+        if self.states.names("initial_strain").is_empty() {
+            warnings.extend(idle_angles(&summaries, &self.materials, of_region));
+        }
         let cells = &section.mesh.cells;
         let count = |kind: CellKind| cells.iter().filter(|cell| cell.kind == kind).count();
         let kinds = CellKind::ALL.map(|kind| (kind, count(kind)));
@@ -407,10 +388,10 @@ impl WrittenSection {
             length_factor: document.factor(Dimension::LENGTH),
             kinds: kinds.into_iter().filter(|(_, count)| *count > 0).collect(),
             areas: AreaTable::by_region(section, &names, region_of_cell),
-            regions: summaries.collect(),
+            warnings,
+            regions: summaries,
             electrodes: Vec::new(),
             quality: MeshQuality::default(),
-            warnings: warnings_of(&self.materials, of_region, &self.electrodes),
         }
     }
 }

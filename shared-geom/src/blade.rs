@@ -63,6 +63,7 @@ pub use problem::BladeProblem;
 pub use reading::Reading;
 pub use remark::{section_remark, written_section_remark};
 pub(crate) use rigid::{rigid_force, rigid_torsion};
+pub(crate) use shared::PlacedProblem;
 
 /// A blade: its line and the properties of its sections.
 #[derive(Debug, Clone, PartialEq)]

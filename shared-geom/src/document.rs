@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 use crate::error::{Diagnostics, Explain, SourceLocation};
-use crate::files::read_bytes;
+use crate::files::{names_beside, read_bytes};
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
 mod declare;
@@ -194,15 +194,25 @@ pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
         String::from_utf8(bytes).map_err(|_| std::io::ErrorKind::InvalidData.into())
     });
     text.map_err(|error| {
+        let name = path.display().to_string();
         let reason = match error.kind() {
-            std::io::ErrorKind::NotFound => "no such file".to_owned(),
+            std::io::ErrorKind::NotFound => {
+                let known = names_beside(path);
+                let problem = DocumentProblem::Absent {
+                    name: name.clone(),
+                    known,
+                };
+                return Diagnostics::one(SourceLocation::file(name), &problem);
+            }
             std::io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
             std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
             std::io::ErrorKind::InvalidData => "not a text file in UTF-8".to_owned(),
             _ => error.to_string(),
         };
-        let location = SourceLocation::file(path.display().to_string());
-        Diagnostics::one(location, &DocumentProblem::Unreadable { reason })
+        Diagnostics::one(
+            SourceLocation::file(name),
+            &DocumentProblem::Unreadable { reason },
+        )
     })
 }
 

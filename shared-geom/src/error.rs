@@ -173,15 +173,20 @@ impl Diagnostics {
         self.items = files.iter().filter_map(next).collect();
     }
 
-    /// The same problems, with `location` as the location of problems of the file `from`:
-    /// for a text that a program wrote and no user has seen.
-    pub fn relocated(mut self, from: &str, location: &SourceLocation) -> Self {
-        for item in self
-            .items
-            .iter_mut()
+    /// The same problems, of which the ones of the file `from` are rewritten: for a text that
+    /// a program wrote and no user has seen.
+    pub fn rewritten(mut self, from: &str, rewrite: impl FnMut(&mut Diagnostic)) -> Self {
+        let items = self.items.iter_mut();
+        items
             .filter(|item| item.location.file == from)
-        {
-            item.location = location.clone();
+            .for_each(rewrite);
+        self
+    }
+
+    /// The same problems, of a file that `by` names: a key and its location, as text.
+    pub fn named(mut self, by: &str) -> Self {
+        if let Some(first) = self.items.first_mut() {
+            first.message += &format!(" (the file of {by})");
         }
         self
     }
@@ -257,6 +262,16 @@ pub fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -
             *distance < letters && distance * 3 <= letters.max(3)
         })
         .map(|(_, name)| name)
+}
+
+/// A count and the name of the counted things in the singular: `1 cell`, `2 cells`,
+/// `2 bodies`.
+pub fn counted(count: usize, name: &str) -> String {
+    match (count, name.strip_suffix('y')) {
+        (1, _) => format!("1 {name}"),
+        (_, Some(stem)) => format!("{count} {stem}ies"),
+        (_, None) => format!("{count} {name}s"),
+    }
 }
 
 /// Names in quotes, joined by commas; "none" for none.

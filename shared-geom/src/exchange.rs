@@ -21,11 +21,11 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::blade::Blade;
+use crate::blade::{Blade, PlacedProblem};
 use crate::document::read_text;
 use crate::error::{Diagnostics, SourceLocation};
+use crate::file_kind::FileKind;
 use crate::line::LineProblem;
-use crate::section::unusable;
 
 mod beamdyn;
 mod csv;
@@ -57,15 +57,7 @@ const PROBLEMS_SHOWN: usize = 4;
 impl Reading {
     /// Refuses numbers that can neither be used nor described.
     fn check_numbers(&self, file: &Path) -> Result<(), Diagnostics> {
-        let mut problems = Diagnostics::new();
-        for (number, station) in self.blade.stations.iter().enumerate() {
-            if let Some(problem) = unusable(&station.stiffness, &station.mass) {
-                let whole = || SourceLocation::file(file.display().to_string());
-                let location = self.locations.get(number).cloned().unwrap_or_else(whole);
-                problems.push(location, &problem);
-            }
-        }
-        problems.into_result(())
+        self.report(&self.blade.shared_unusable(), file)
     }
 
     /// Checks the blade that was read from `file`.
@@ -74,8 +66,12 @@ impl Reading {
     /// The problems of the blade (see [`Blade::problems`]), with the location of their
     /// station, and those that many stations share as one; of many, the first.
     pub fn check(&self, file: &Path) -> Result<(), Diagnostics> {
+        self.report(&self.blade.shared_problems(), file)
+    }
+
+    /// Reports problems with the location of their station; of many, the first.
+    fn report(&self, found: &[PlacedProblem], file: &Path) -> Result<(), Diagnostics> {
         let whole = || SourceLocation::file(file.display().to_string());
-        let found = self.blade.shared_problems();
         let mut problems = Diagnostics::new();
         for (station, problem) in found.iter().take(PROBLEMS_SHOWN) {
             let location = station.and_then(|station| self.locations.get(station));
@@ -400,7 +396,9 @@ pub fn read(path: &Path) -> Result<Reading, Diagnostics> {
 /// # Errors
 /// A file that cannot be read, an unknown format, and all errors of the content.
 pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Diagnostics> {
-    let (format, reading) = parse(&read_text(path)?, path, options)?;
+    let text = read_text(path)?;
+    FileKind::Blade.require(path, &text)?;
+    let (format, reading) = parse(&text, path, options)?;
     // An invalid line cannot be described either.
     let found = reading.blade.length();
     if !found.is_finite() {

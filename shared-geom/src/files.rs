@@ -130,18 +130,36 @@ pub fn names_beside(path: &Path) -> Vec<String> {
     names
 }
 
-/// The remedy for a missing file: the nearest name in its folder.
+/// The remedy for a missing file: the nearest name among the files of its folder with its
+/// extension, or among all of them if none has it.
 pub fn nearest_file(written: &str, known: &[String]) -> String {
     const SHOWN: usize = 8;
     let name = written.rsplit(['/', '\\']).next().unwrap_or(written);
-    if let Some(near) = nearest_name(name, known.iter().map(String::as_str)) {
+    let extension = Path::new(name).extension();
+    let is_alike = |known: &&String| Path::new(known).extension() == extension;
+    let mut names: Vec<_> = known.iter().filter(is_alike).map(String::as_str).collect();
+    let is_alone = names.is_empty() && extension.is_some() && !known.is_empty();
+    if names.is_empty() {
+        names.extend(known.iter().map(String::as_str));
+    }
+    if let Some(near) = nearest_name(name, names.iter().copied()) {
         return format!("did you mean \"{near}\"?");
     }
-    let shown: Vec<_> = known.iter().take(SHOWN).map(String::as_str).collect();
-    match known.len() {
-        0 => "names are relative to the folder of the naming file; there is no file".to_owned(),
-        all if all > SHOWN => format!("files there: {}, and more", shown.join(", ")),
-        _ => format!("files there: {}", shown.join(", ")),
+    let shown = names[..names.len().min(SHOWN)].join(", ");
+    let more = if names.len() > SHOWN {
+        ", and more"
+    } else {
+        ""
+    };
+    match (is_alone, names.is_empty()) {
+        (_, true) => {
+            "names are relative to the folder of the naming file; there is no file".to_owned()
+        }
+        (true, _) => {
+            let extension = extension.unwrap_or_default().to_string_lossy();
+            format!("no file there ends in .{extension}; files there: {shown}{more}")
+        }
+        _ => format!("files there: {shown}{more}"),
     }
 }
 
@@ -202,6 +220,26 @@ mod tests {
             shown.ends_with("written: its folder does not exist"),
             "{shown}"
         );
+    }
+
+    /// Files of the same extension are proposed before the others.
+    #[test]
+    fn near_files_are_proposed() {
+        let help = |written: &str, known: &[&str]| {
+            let known: Vec<_> = known.iter().map(|&name| name.to_owned()).collect();
+            nearest_file(written, &known)
+        };
+        let both = ["points.png", "other.csv"];
+        assert_eq!(help("a/points.csv", &both), "files there: other.csv");
+        assert_eq!(help("othr.csv", &both), "did you mean \"other.csv\"?");
+        assert_eq!(help("other.cvs", &both), "did you mean \"other.csv\"?");
+        assert_eq!(
+            help("x.csv", &["blade.toml", "hub.toml"]),
+            "no file there ends in .csv; files there: blade.toml, hub.toml"
+        );
+        assert!(help("x.csv", &[]).ends_with("there is no file"));
+        let many: Vec<_> = (0..9).map(|k| format!("blade{k}.csv")).collect();
+        assert!(nearest_file("x.csv", &many).ends_with("blade7.csv, and more"));
     }
 
     #[test]

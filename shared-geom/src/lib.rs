@@ -12,6 +12,7 @@ pub mod error;
 pub mod exchange;
 pub mod expression;
 pub mod figure;
+pub mod file_kind;
 pub mod files;
 pub mod frame;
 pub mod gmsh;

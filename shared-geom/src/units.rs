@@ -111,6 +111,7 @@ const NAMES: &[(&str, Dimension, f64)] = &[
 /// same unit follow the first.
 const COMPOUND: &[(Dimension, &[&str])] = &[
     (Dimension::CURVATURE, &["deg/m", "rad/m"]),
+    (Dimension::ROTATION_SPEED, &["rpm", "rad/s", "deg/s"]),
     (Dimension::MOMENT, &["N m", "kN m", "lbf in", "lbf ft"]),
     (
         Dimension::DENSITY,
@@ -215,7 +216,8 @@ fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
     }
     let fitting = NAMES.iter().filter(|unit| Some(unit.1) == expected);
     let mut names: Vec<_> = fitting.map(|unit| unit.0).collect();
-    names.extend(expected.and_then(compound).unwrap_or_default());
+    let compound = expected.and_then(compound).unwrap_or_default().iter();
+    names.extend(compound.filter(|name| NAMES.iter().all(|unit| unit.0 != **name)));
     let what = match names.is_empty() {
         true => "known units",
         false => "units of it",

@@ -27,7 +27,7 @@ pub(super) struct BladeOptions {
     #[arg(long, value_parser = speed, value_name = "RPM", value_delimiter = ',')]
     speeds: Option<Vec<f64>>,
     /// Number of modes to report at each speed
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_parser = whole, value_name = "N")]
     count: Option<usize>,
     /// Length in m of a straight blade, for files of sections without a line
     #[arg(long, value_parser = finite, value_name = "M", allow_negative_numbers = true)]
@@ -45,10 +45,10 @@ pub(super) struct BladeOptions {
     #[arg(long, value_parser = finite, value_name = "DEG", allow_negative_numbers = true)]
     pitch: Option<f64>,
     /// Number of equal blades around the axis; one if not given
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_parser = whole, value_name = "N")]
     blades: Option<usize>,
     /// Number of elements; ends of elements at the stations if not given
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_parser = whole, value_name = "N")]
     elements: Option<usize>,
     /// Make sections without shear stiffness rigid in shear
     #[arg(long)]
@@ -85,6 +85,12 @@ fn speed(text: &str) -> Result<f64, String> {
     found.filter(|speed| speed.is_finite()).ok_or_else(|| {
         "expected rotation speeds with commas between, as in 0,4,8 or 0,\"0.8 rad/s\"".to_owned()
     })
+}
+
+/// A whole number of at least one.
+fn whole(text: &str) -> Result<usize, String> {
+    let number = text.trim().parse().ok().filter(|number| *number > 0);
+    number.ok_or_else(|| "expected a whole number, 1 or more".to_owned())
 }
 
 /// A finite number.

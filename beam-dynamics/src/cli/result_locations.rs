@@ -11,16 +11,27 @@ use crate::output::ResultLocation;
 
 /// Two files whose results would have the same names.
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
-#[error("results of \"{first}\" and \"{second}\" would both be \"{target}\"")]
-pub(super) struct SameResults {
-    first: String,
-    second: String,
-    target: String,
+pub(super) enum SameResults {
+    /// One file.
+    #[error("\"{0}\" is given twice, expected it once")]
+    SameFile(String),
+    /// Two files.
+    #[error("results of \"{first}\" and \"{second}\" would both be \"{target}\"")]
+    SameName {
+        first: String,
+        second: String,
+        target: String,
+    },
 }
 
 impl Explain for SameResults {
     fn help(&self) -> Option<String> {
-        Some("give the files different names, or run them one by one".to_owned())
+        match self {
+            Self::SameFile(_) => None,
+            Self::SameName { .. } => {
+                Some("give the files different names, or run them one by one".to_owned())
+            }
+        }
     }
 }
 
@@ -41,9 +52,13 @@ pub(super) fn result_locations(
     for (second, key) in keys.iter().enumerate() {
         if let Some(first) = keys[..second].iter().position(|other| other == key) {
             let ResultLocation { folder, name, .. } = &locations[second];
-            return Err(SameResults {
-                first: files[first].display().to_string(),
-                second: files[second].display().to_string(),
+            let [first, second] = [&files[first], &files[second]];
+            if true_path(first) == true_path(second) {
+                return Err(SameResults::SameFile(second.display().to_string()));
+            }
+            return Err(SameResults::SameName {
+                first: first.display().to_string(),
+                second: second.display().to_string(),
                 target: folder.join(format!("{name}.*")).display().to_string(),
             });
         }
@@ -72,9 +87,12 @@ mod tests {
             let reported = result_locations(&files.map(PathBuf::from), &results);
             reported.err().map(|problem| problem.to_string())
         };
-        let expected = "results of \"x.dynamics.toml\" and \"./x.dynamics.toml\" would both be \
-                        \"./results/x.*\"";
+        let expected = "\"./x.dynamics.toml\" is given twice, expected it once";
         let files = ["x.dynamics.toml", "./x.dynamics.toml"];
+        assert_eq!(same(files, None).as_deref(), Some(expected));
+        let expected = "results of \"x.dynamics.toml\" and \"./x.toml\" would both be \
+                        \"./results/x.*\"";
+        let files = ["x.dynamics.toml", "./x.toml"];
         assert_eq!(same(files, None).as_deref(), Some(expected));
         let files = ["a/x.dynamics.toml", "b/x.dynamics.toml"];
         assert_eq!(same(files, None), None);

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, counted};
 
 use super::arguments::Results;
 use super::blade_options::BladeOptions;
@@ -270,12 +270,12 @@ fn heading(input: &Input, settings: &TransientSettings, resumed: Option<&Snapsho
         ),
     };
     format!(
-        "{}: {start} to {}\n{}; {steps}\n{} nodes, {} unknowns, {} of them multipliers\n",
+        "{}: {start} to {}\n{}; {steps}\n{}, {}, {} of them multipliers\n",
         input.model.name,
         seconds(settings.to),
         scheme_words(settings.scheme),
-        system.nodes().len(),
-        system.numbering().unknowns(),
+        counted(system.nodes().len(), "node"),
+        counted(system.numbering().unknowns(), "unknown"),
         system.numbering().multipliers()
     )
 }

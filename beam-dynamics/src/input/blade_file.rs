@@ -158,8 +158,37 @@ pub fn read_blade(path: &Path, settings: &BladeSettings) -> Result<Input, Diagno
     // A missing file is reported with the name that the user gave.
     read_text(path)?;
     let file = path.display().to_string();
-    let input = super::checked(&settings.text(&file), MADE, &name_of(path));
-    input.map_err(|problems| problems.relocated(MADE, &SourceLocation::file(file)))
+    let text = settings.text(&file);
+    let input = super::checked(&text, MADE, &name_of(path));
+    input.map_err(|problems| {
+        problems.rewritten(MADE, |problem| {
+            let line = problem.location.line.unwrap_or_default();
+            if let Some((key, option)) = option_at(&text, line) {
+                let key = format!("\"{key}\"");
+                problem.message = problem.message.replace(&key, option);
+            }
+            problem.location = SourceLocation::file(file.clone());
+        })
+    })
+}
+
+/// The key on a line of the text made from the settings, and the option that it is made of.
+fn option_at(text: &str, line: usize) -> Option<(&str, &'static str)> {
+    let written = text.lines().nth(line.checked_sub(1)?)?;
+    let (key, _) = written.split_once(" = ")?;
+    let is_of_modes = text.lines().take(line).any(|line| line == "[modes]");
+    let option = match (key, is_of_modes) {
+        ("count", true) => "--count",
+        ("count", false) => "--blades",
+        ("speeds", _) => "--speeds",
+        ("hub_radius", _) => "--hub-radius",
+        ("precone", _) => "--precone",
+        ("pitch", _) => "--pitch",
+        ("elements", _) => "--elements",
+        ("length", _) => "--length",
+        _ => return None,
+    };
+    Some((key, option))
 }
 
 #[cfg(test)]
@@ -201,6 +230,29 @@ mod tests {
                 "{line} is not in {text}"
             );
         }
+    }
+
+    #[test]
+    fn lines_of_the_text_lead_to_options() {
+        let settings = BladeSettings {
+            count: Some(8),
+            blades: Some(3),
+            length: Some(2.0),
+            ..BladeSettings::default()
+        };
+        let text = settings.text("a.dat");
+        let lines = 1..=text.lines().count() + 1;
+        let options: Vec<_> = lines.filter_map(|line| option_at(&text, line)).collect();
+        let expected = [
+            ("hub_radius", "--hub-radius"),
+            ("precone", "--precone"),
+            ("pitch", "--pitch"),
+            ("count", "--blades"),
+            ("length", "--length"),
+            ("speeds", "--speeds"),
+            ("count", "--count"),
+        ];
+        assert_eq!(options, expected);
     }
 
     #[test]

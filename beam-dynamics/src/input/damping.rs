@@ -46,6 +46,10 @@ pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
     if !table.has(&KEY) {
         return Some(None);
     }
+    if !table.is_table(&KEY) {
+        table.wrong(&KEY, "{ time = ... } or { matrix = ... }");
+        return None;
+    }
     let inner = table.table(&KEY)?;
     let damping = match [inner.has(&TIME), inner.has(&MATRIX)] {
         [true, false] => inner.get(&TIME).map(Damping::StiffnessProportional),

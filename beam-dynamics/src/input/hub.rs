@@ -7,6 +7,7 @@ use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
+use super::misplaced_keys;
 use super::moments::{INERTIA, moments};
 use super::problem::InputProblem;
 use crate::case::FrameRotation;
@@ -98,7 +99,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
     let axis = table.get(&AXIS).and_then(|axis| unit(&table, axis));
     let center = table.get(&CENTER);
     let moving = MovingHub::read(&table);
-    table.finish();
+    table.finish_beside(&misplaced_keys::OF_HUB);
     (hub.axis, hub.center, hub.moving) = (axis?, center?, moving?);
     Some(hub)
 }

@@ -62,7 +62,14 @@ fn kinds(table: &Table<'_>) -> Option<Vec<ModeKind>> {
         if kind.is_none() {
             let known = ModeKind::PURE.map(|kind| kind.word().to_owned()).to_vec();
             let key = KEY.to_owned();
-            table.note(KEY, &DocumentProblem::WrongWord { key, found, known });
+            let meant = None;
+            let problem = DocumentProblem::WrongWord {
+                key,
+                found,
+                known,
+                meant,
+            };
+            table.note(KEY, &problem);
         }
         kind
     };

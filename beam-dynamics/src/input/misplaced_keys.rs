@@ -29,6 +29,16 @@ pub(super) const OF_FILE: [(&str, &str); 25] = [
     ("mass", "\"mass\" in [[body]], or [[blade.mass]]"),
 ];
 
+/// Keys of other cards that are written in `[hub]` by mistake.
+pub(super) const OF_HUB: [(&str, &str); 4] = [
+    ("speed", SPEEDS),
+    ("speeds", SPEEDS),
+    ("rpm", SPEEDS),
+    ("omega", SPEEDS),
+];
+/// The keys of rotor speeds.
+const SPEEDS: &str = "\"speeds\" in [modes], or \"speed\" in [static] or [transient]";
+
 /// Keys of other cards that are written in `[transient]` by mistake.
 pub(super) const OF_TRANSIENT: [(&str, &str); 11] = [
     ("every", "\"every\" in [output]"),

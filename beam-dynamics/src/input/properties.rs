@@ -216,7 +216,7 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
     }
     let damping = damping::read(table);
     let is_prestressed = table.get(&PRESTRESS);
-    let found = table.document().keep(section::read(&path))?;
+    let found = table.keep_file("file", section::read(&path))?;
     let mut properties = found.per_arc_length();
     // The damping of the card replaces the damping of the file.
     if let Some(damping) = damping? {

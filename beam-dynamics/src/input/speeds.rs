@@ -90,7 +90,11 @@ fn range(table: &Table<'_>) -> Option<Vec<f64>> {
         table.note(&TO, &InputProblem::FallingRange { from, to });
         return None;
     }
-    let last = (steps - 1).max(1) as f64;
+    if steps < 2 {
+        table.wrong("steps", "at least 2: \"from\" and \"to\" are both speeds");
+        return None;
+    }
+    let last = (steps - 1) as f64;
     Some(
         (0..steps)
             .map(|k| from + (to - from) * k as f64 / last)
@@ -195,7 +199,10 @@ mod tests {
             rpm("speeds = { from = 100, to = 400, steps = 4 }"),
             [100.0, 200.0, 300.0, 400.0]
         );
-        assert_eq!(rpm("speeds = { from = 100, to = 400, steps = 1 }"), [100.0]);
+        assert_eq!(
+            rpm("speeds = { from = 100, to = 400, steps = 2 }"),
+            [100.0, 400.0]
+        );
         // Far apart, but close relative to the largest.
         assert_eq!(rpm("speeds = [0, 1, 1e12]"), [0.0, 1.0, 1e12]);
         assert_eq!(settings("speeds = [1]").unwrap().count, 10);
@@ -255,6 +262,10 @@ mod tests {
             (
                 "speeds = { from = 5, to = 5, steps = 2 }",
                 "runs from 5 to 5 rpm",
+            ),
+            (
+                "speeds = { from = 5, to = 9, steps = 1 }",
+                "\"steps\" is 1, expected at least 2",
             ),
             (
                 "speeds = { from = 5, to = 9, steps = 100000 }",

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use shared_geom::error::counted;
+
 use super::builder::ModelBuilder;
 use super::number::short_number;
 use super::rotor_speed::RPM;
@@ -19,6 +21,10 @@ pub struct Summary {
     pub bodies: usize,
     /// Number of clamped nodes.
     pub clamps: usize,
+    /// Number of hinges, rigid connections and joints.
+    pub joints: usize,
+    /// Number of springs and rods.
+    pub springs: usize,
     /// Mass of beams and bodies \[kg\].
     pub mass: f64,
     /// Number of requested modes.
@@ -41,6 +47,8 @@ impl ModelBuilder {
             beams: self.beams().len(),
             bodies: self.body_count(),
             clamps: self.clamped().len(),
+            joints: self.count_of("joint"),
+            springs: self.count_of("spring"),
             mass: self.mass(),
             modes: modes.map_or(0, |modes| modes.count),
             speed_range: ends.map(|speed| speed.copied().unwrap_or(0.0)),
@@ -59,7 +67,12 @@ impl fmt::Display for Summary {
             counted(self.nodes, "node"),
             counted(self.beams, "beam")
         )?;
-        for (count, what) in [(self.bodies, "body"), (self.clamps, "clamp")] {
+        for (count, what) in [
+            (self.bodies, "body"),
+            (self.clamps, "clamp"),
+            (self.joints, "joint"),
+            (self.springs, "spring"),
+        ] {
             if count > 0 {
                 write!(f, ", {}", counted(count, what))?;
             }
@@ -88,13 +101,5 @@ impl Summary {
             1 => write!(f, "{low} rpm"),
             _ => write!(f, "{low} to {high} rpm"),
         }
-    }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    match (count, what.strip_suffix('y')) {
-        (1, _) => format!("1 {what}"),
-        (_, Some(stem)) => format!("{count} {stem}ies"),
-        (_, None) => format!("{count} {what}s"),
     }
 }

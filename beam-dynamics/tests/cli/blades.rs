@@ -91,11 +91,11 @@ fn wrong_blade_files_and_options_are_explained() {
         ),
         (
             &["a.blade.json", "--elements", "0"],
-            "error: a.blade.json: \"elements\" is 0, expected a whole number",
+            "'0' for '--elements <N>': expected a whole number, 1 or more",
         ),
         (
             &["a.blade.json", "--speeds=-3"],
-            "error: a.blade.json: \"speeds\" has the speed -3 rpm, expected zero or more",
+            "error: a.blade.json: --speeds has the speed -3 rpm, expected zero or more",
         ),
         (
             &["a.blade.json", "--hub-radius", "nan"],
@@ -104,11 +104,11 @@ fn wrong_blade_files_and_options_are_explained() {
         (&["a.blade.json", "--root", "clamp"], "clamped"),
         (
             &["a.blade.json", "--hub-radius", "-1"],
-            "error: a.blade.json: \"hub_radius\" is -1, expected a length, zero or more",
+            "error: a.blade.json: --hub-radius is -1, expected a length, zero or more",
         ),
         (
             &["a.blade.json", "--length", "-3"],
-            "error: a.blade.json: \"length\" is -3, expected a length greater than zero",
+            "error: a.blade.json: --length is -3, expected a length greater than zero",
         ),
         (
             &["b.blade.json"],

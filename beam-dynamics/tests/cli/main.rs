@@ -318,7 +318,8 @@ error: a.dynamics.toml:3: properties \"strip\": no property file at \"stripe.pro
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
-        "error: b.dynamics.toml: cannot be read: no such file\n"
+        "error: b.dynamics.toml: cannot be read: no such file\n  help: did you mean \
+         \"a.dynamics.toml\"?\n"
     );
 }
 

@@ -450,3 +450,170 @@ fn a_scheme_without_joints_is_named_as_the_cause() {
     let expected = "the scheme: stages at Gauss' points cannot enforce constraints";
     assert!(run.err.contains(expected), "{}", run.err);
 }
+
+/// Each file of another kind names the program that reads it, or the name that it needs.
+#[test]
+fn files_of_another_kind_name_their_program() {
+    let folder = Folder::new();
+    folder.write("e.section.toml", "units = \"SI\"\nmesh = \"r.msh\"\n");
+    folder.write("r.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+    let blade = "units = \"SI\"\nframe = \"helicoid\"\n[line]\nlength = 1\n";
+    folder.write("blade.toml", blade);
+    for (file, found, help) in [
+        (
+            "e.section.toml",
+            "a section file",
+            "use \"section-analyzer analyze\"",
+        ),
+        (
+            "r.msh",
+            "a mesh",
+            "name the mesh in a section file, NAME.section.toml",
+        ),
+        ("blade.toml", "a blade file", "call it NAME.blade.toml"),
+    ] {
+        let run = folder.run(&["modes", file]);
+        assert_eq!(run.code, 2, "{}", run.err);
+        let start = format!("error: {file}: this is {found}, expected a ");
+        assert!(run.err.starts_with(&start), "{}", run.err);
+        assert!(
+            run.err.contains(&format!("\n  help: {help}")),
+            "{}",
+            run.err
+        );
+        assert_eq!(run.err.lines().count(), 2, "{}", run.err);
+    }
+}
+
+/// Wrong values of options are reported with the names of the options.
+#[test]
+fn options_of_blade_files_are_named() {
+    let folder = Folder::new();
+    let file = "strip.properties.json";
+    for (options, expected) in [
+        (
+            ["--count", "all"],
+            "invalid value 'all' for '--count <N>': expected a whole number, 1 or more",
+        ),
+        (
+            ["--blades", "0"],
+            "invalid value '0' for '--blades <N>': expected a whole number, 1 or more",
+        ),
+        (
+            ["--hub-radius", "-3"],
+            "strip.properties.json: --hub-radius is -3, expected",
+        ),
+        (
+            ["--count", "20000"],
+            "strip.properties.json: --count is 20000, expected at most",
+        ),
+        (
+            ["--speeds", "5,5"],
+            "strip.properties.json: --speeds has the speed 5 rpm twice",
+        ),
+    ] {
+        let all = [&["modes", file, "--length", "1"][..], &options].concat();
+        let run = folder.run(&all);
+        assert_eq!(run.code, 2, "{}", run.err);
+        assert!(
+            run.err.contains(expected),
+            "{expected} is not in\n{}",
+            run.err
+        );
+    }
+    folder.write("a.dynamics.toml", SWEPT);
+    let run = folder.run(&["transient", "a.dynamics.toml", "./a.dynamics.toml"]);
+    let expected = "\"./a.dynamics.toml\" is given twice, expected it once";
+    assert!(run.err.contains(expected), "{}", run.err);
+}
+
+/// Mistakes with a known meaning, each with its remedy.
+#[test]
+fn meanings_of_mistakes_are_reported() {
+    let folder = Folder::new();
+    for (old, new, expected) in [
+        (
+            "damping = { time = 5e-3 }",
+            "damping = 0.01",
+            "\"damping\" is 0.01, expected { time = ... } or { matrix = ... }",
+        ),
+        (
+            "[gravity]",
+            "[hub]\nspeed = 100\n[gravity]",
+            "unknown key \"speed\" in [hub]\n  help: did you mean \"speeds\" in [modes], or \
+             \"speed\" in [static] or [transient]?",
+        ),
+        (
+            "force = [5, 10, 20]",
+            "force = [5, 10, 1e300]",
+            "expected a force, at most 1e100 in magnitude",
+        ),
+        (
+            "[gravity]",
+            "[[joint]]\nnodes = [\"b/tip\"]\nkind = \"hinge\"\n[gravity]",
+            "  help: did you mean \"revolute\"?",
+        ),
+        ("ea = ", "file = \"r.json\"\n# ", "has both \"file\" and"),
+    ] {
+        let changed = SWEPT.replacen(old, new, 1);
+        assert_ne!(changed, SWEPT);
+        folder.write("a.dynamics.toml", &changed);
+        let run = folder.run(&["check", "a.dynamics.toml"]);
+        assert_eq!(run.code, 2, "{}", run.err);
+        assert!(
+            run.err.contains(expected),
+            "{expected} is not in\n{}",
+            run.err
+        );
+    }
+}
+
+/// A property file that is something else names the card.
+#[test]
+fn the_card_of_a_wrong_property_file_is_named() {
+    let folder = Folder::new();
+    folder.write("r.json", "$MeshFormat\n");
+    let text = "units = \"SI\"\n[properties.q]\nfile = \"r.json\"\n";
+    folder.write("a.dynamics.toml", text);
+    let run = folder.run(&["check", "a.dynamics.toml"]);
+    let expected = "error: r.json:1: not a property file: it is not JSON (the file of \"file\" of \
+                    properties \"q\", a.dynamics.toml:3)\n";
+    assert!(run.err.contains(expected), "{}", run.err);
+}
+
+/// A table without time, and missing files with near names.
+#[test]
+fn tables_and_files_are_recognized() {
+    let folder = Folder::new();
+    folder.write("fan.csv", "speed_rpm,frequency_hz\n0,1\n100,2\n");
+    let run = folder.run(&["plot", "fan.csv"]);
+    let expected = "error: \"fan.csv\" is not a table of a run: it has no column \"time\"\n  help: \
+                    name a table that \"beam-dynamics transient\" wrote";
+    assert!(run.err.starts_with(expected), "{}", run.err);
+    folder.write("blade.dynamics.toml", SWEPT);
+    let run = folder.run(&["check", "blad.dynamics.toml"]);
+    let expected = "blad.dynamics.toml: cannot be read: no such file\n  help: did you mean \
+                    \"blade.dynamics.toml\"?\n";
+    assert!(run.err.ends_with(expected), "{}", run.err);
+}
+
+/// A pendulum: one node in a summary, its joint and its spring.
+#[test]
+fn summaries_count_joints_and_springs() {
+    let folder = Folder::new();
+    let text = "units = \"SI\"\n[[node]]\nname = \"m\"\nposition = [1, 0, 0]\n[[body]]\n\
+                node = \"m\"\nmass = 2\n[[joint]]\nnodes = [\"m\"]\nkind = \"spherical\"\n\
+                at = [0, 0, 0]\n[transient]\nto = 0.01\nstep = 1e-3\n[gravity]\n\
+                acceleration = [0, 0, -9.81]\n";
+    folder.write("a.dynamics.toml", text);
+    let run = folder.run(&["check", "a.dynamics.toml"]);
+    let expected = "a.dynamics.toml: 1 node, 0 beams, 1 body, 1 joint, mass 2 kg\n";
+    assert!(run.out.starts_with(expected), "{}{}", run.out, run.err);
+    let run = folder.run(&["transient", "a.dynamics.toml", "--no-figures"]);
+    assert!(
+        run.out.contains("\n1 node, 15 unknowns, 3 of them"),
+        "{}{}",
+        run.out,
+        run.err
+    );
+}

@@ -8,6 +8,7 @@ use std::path::Path;
 use nalgebra::{DMatrix, Matrix6, Vector6};
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::Diagnostics;
+use shared_geom::file_kind::FileKind;
 use shared_geom::files::name_without;
 use shared_geom::section;
 use shared_geom::units::Dimension;
@@ -28,7 +29,7 @@ pub use problem::MatrixProblem;
 use nodes::NodeTable;
 
 /// The ending of the name of a matrices file.
-pub(super) const ENDING: &str = ".matrices.toml";
+const ENDING: &str = ".matrices.toml";
 
 /// A section given by its matrices, and the fingerprint of its files.
 #[derive(Debug, Clone)]
@@ -44,13 +45,9 @@ pub struct ExternalInput {
 /// # Errors
 /// All problems of these files, with file and line.
 pub fn read(path: &Path) -> Result<ExternalInput, Diagnostics> {
-    let problem = MatrixProblem::Kind {
-        found: super::ENDING,
-        expected: ENDING,
-        command: "analyze",
-    };
-    super::require_kind(path, problem)?;
-    parse(&read_text(path)?, path)
+    let text = read_text(path)?;
+    FileKind::Matrices.require(path, &text)?;
+    parse(&text, path)
 }
 
 /// Reads and checks the text of a matrices file, as if it were at `path`.

@@ -4,7 +4,7 @@ use super::electric::ElectricWarning;
 use super::electrodes::WrittenElectrodes;
 use super::materials::WrittenMaterial;
 use super::plausible;
-use super::summary::InputWarning;
+use super::summary::{AngleSource, InputWarning, RegionSummary};
 use crate::material::{ElasticLaw, Material, VACUUM_PERMITTIVITY};
 
 /// Warnings about `materials`; `of_region` has the material of each region.
@@ -43,6 +43,32 @@ pub(super) fn warnings_of(
         }
     }
     warnings
+}
+
+/// Warnings about fiber angles of isotropic materials that expand equally along all axes;
+/// `of_region` has the material of each of `regions`.
+pub(super) fn idle_angles(
+    regions: &[RegionSummary],
+    materials: &[WrittenMaterial],
+    of_region: &[usize],
+) -> Vec<InputWarning> {
+    let is_isotropic = |&index: &usize| {
+        let material = materials[index].material.as_ref();
+        material.is_some_and(|known| {
+            let is_uniform = |[a, b, c]: [f64; 3]| a == b && b == c;
+            matches!(known.law, ElasticLaw::Isotropic { .. })
+                && known.electric.is_none()
+                && known.expansion.is_none_or(is_uniform)
+        })
+    };
+    let has_angle = |region: &RegionSummary| region.fiber_angle != AngleSource::Constant(0.0);
+    let regions = regions.iter().zip(of_region);
+    let idle = regions.filter(|(region, index)| has_angle(region) && is_isotropic(index));
+    let warning = |region: &RegionSummary| InputWarning::IdleAngle {
+        region: region.group.clone(),
+        material: region.material.clone(),
+    };
+    idle.map(|(region, _)| warning(region)).collect()
 }
 
 /// Warnings about electric laws.

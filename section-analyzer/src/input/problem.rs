@@ -17,9 +17,6 @@ use words::{across_fiber, grouping, known_groups, listed, strength_keys};
 /// A problem of a section input, of its tables, or of its references to the mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum InputProblem {
-    /// A file of the program for blades and rotors.
-    #[error("this is a .dynamics.toml file, expected a .section.toml file")]
-    Dynamics,
     /// A file named in the input cannot be read.
     #[error("{what} \"{file}\" cannot be read: {reason}")]
     Unreadable {
@@ -373,7 +370,6 @@ pub enum InputProblem {
 impl Explain for InputProblem {
     fn help(&self) -> Option<String> {
         match self {
-            Self::Dynamics => Some("use \"beam-dynamics\"".to_owned()),
             Self::Unreadable { file, known, .. } if !known.is_empty() => {
                 Some(nearest_file(file, known))
             }

@@ -131,6 +131,13 @@ pub enum InputWarning {
         /// Its name.
         material: String,
     },
+    /// A fiber angle of an isotropic material.
+    IdleAngle {
+        /// The region.
+        region: String,
+        /// Its material.
+        material: String,
+    },
     /// A warning about electric laws and electrodes.
     Electric(ElectricWarning),
     /// A number that is likely in another unit.
@@ -253,6 +260,11 @@ impl fmt::Display for InputWarning {
             Self::NoExpansion { material } => write!(
                 f,
                 "material \"{material}\" has no \"expansion\", and others have: it does not expand"
+            ),
+            Self::IdleAngle { region, material } => write!(
+                f,
+                "region \"{region}\" has a fiber angle, but its material \"{material}\" is \
+                 isotropic: the angle does not change its stiffness"
             ),
             Self::Electric(warning) => warning.fmt(f),
             Self::Unlikely(input) => input.fmt(f),

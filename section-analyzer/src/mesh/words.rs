@@ -1,9 +1,6 @@
 //! Counts, numbers and positions as text.
 
-/// `1 cell`, `2 cells`.
-pub(crate) fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
-}
+pub(crate) use shared_geom::error::counted;
 
 /// A number with at most six digits.
 pub(crate) fn short(value: f64) -> String {

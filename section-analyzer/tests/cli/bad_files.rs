@@ -182,9 +182,22 @@ fn a_file_of_the_other_program_is_recognized() {
         let run = workplace.run(&[command, "a.dynamics.toml"]);
         assert_eq!(
             run.err,
-            "error: a.dynamics.toml: this is a .dynamics.toml file, expected a .section.toml \
-             file\n  help: use \"beam-dynamics\"\n"
+            "error: a.dynamics.toml: this is a dynamics file, expected a section file\n  help: \
+             use \"beam-dynamics\"\n"
         );
         assert_eq!(run.code, 2);
     }
+}
+
+#[test]
+fn a_blade_file_is_recognized() {
+    let workplace = Workplace::new();
+    workplace.write("nrel.blade.toml", "units = \"SI\"\n[[station]]\n");
+    let run = workplace.run(&["check", "nrel.blade.toml"]);
+    assert_eq!(
+        run.err,
+        "error: nrel.blade.toml: this is a blade file, expected a section file\n  help: use \
+         \"beam-dynamics\", or \"section-analyzer mesh blade\" for the shape of a section\n"
+    );
+    assert_eq!(run.code, 2);
 }

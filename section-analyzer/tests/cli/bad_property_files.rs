@@ -31,9 +31,12 @@ fn files_that_are_no_property_files_are_refused_by_all_commands() {
         ),
         (
             "mesh = \"a.msh\"",
-            "error: b.json:1: not a property file: expected value",
+            "error: b.json:1: not a property file: it is not JSON",
         ),
-        ("", "error: b.json:1: not a property file: EOF"),
+        (
+            "",
+            "error: b.json:1: not a property file: the file is empty",
+        ),
         (
             &good.replace("\"version\": 1", "\"version\": 4"),
             "error: b.json:3: written in version 4 of the property-file format, expected at most 3",
@@ -44,7 +47,7 @@ fn files_that_are_no_property_files_are_refused_by_all_commands() {
         ),
         (
             &good.replace(&number, &number.replacen("[", "[NaN, ", 1)),
-            "error: b.json:9: not a property file: expected value",
+            "error: b.json:9: not a property file: not JSON at column 6: expected value",
         ),
         (
             &good.replace(&number, &number.replacen('[', "[1e400, ", 1)),
@@ -91,7 +94,7 @@ fn the_input_is_never_overwritten() {
     let before = workplace.read("a.json");
     std::fs::create_dir(workplace.path("deep")).unwrap();
     for out in ["a.json", "./a.json", "deep/../a.json"] {
-        let run = workplace.run(&["shift", "a.json", "--to", "1,1", "--out", out]);
+        let run = workplace.run(&["shift", "a.json", "--to", "1 m, 1 m", "--out", out]);
         assert_eq!(
             (run.code, run.err.as_str()),
             (
@@ -119,7 +122,10 @@ fn points_and_angles_must_be_reported_with_sense() {
             "expected Y,Z as in \"25 mm, 0\", or tension-center",
         ),
         (["shift", "--to", "1"], "expected Y,Z"),
-        (["shift", "--to", "nan,0"], "expected finite numbers"),
+        (
+            ["shift", "--to", "nan,0"],
+            "expected a length with its unit",
+        ),
         (
             ["shift", "--to", "1 kg, 0"],
             "\"kg\" measures a mass, expected a length",

@@ -186,6 +186,7 @@ fn several_problems_come_together() {
         "error: a.section.toml:19: unknown key \"fiber_angel\" in [[region]] number 2",
         "  help: did you mean \"fiber_angle\"?",
         "error: a.section.toml:20: angle table \"none.csv\" cannot be read: no such file",
+        "  help: no file there ends in .csv; files there: a.section.toml, two.msh",
     ]);
 }
 
@@ -266,4 +267,23 @@ fn a_section_beyond_all_structures_is_refused() {
     let reported = "error: a.section.toml:1: the section is 2.2";
     assert!(run.err.starts_with(reported), "{}", run.err);
     assert_eq!(run.code, 2);
+}
+
+#[test]
+fn fiber_angles_of_isotropic_materials_are_a_warning() {
+    let workplace = Workplace::with(&[("fiber_angle = 0", "fiber_angle = 45")], &[]);
+    let run = workplace.run(&["check", "a.section.toml"]);
+    let warning = "warning: region \"web\" has a fiber angle, but its material \"steel\" is \
+                   isotropic: the angle does not change its stiffness";
+    assert!(run.out.contains(warning), "{}", run.out);
+    assert_eq!(run.code, 0);
+    let run = Workplace::with(&[], &[]).run(&["check", "a.section.toml"]);
+    assert!(!run.out.contains("fiber angle, but"), "{}", run.out);
+}
+
+#[test]
+fn materials_without_a_name_are_reported() {
+    Workplace::with(&[("[material.steel]", "[[material]]")], &[]).is_refused(&[
+        "error: a.section.toml:7: \"material\" is an array of 1, expected tables [material.NAME]",
+    ]);
 }

@@ -133,7 +133,7 @@ pub(crate) fn parse_with(
     }
     let malformed = |error: serde_json::Error| {
         let location = SourceLocation::line(file, error.line().max(1));
-        let reason = error.to_string();
+        let reason = json::reason(&error);
         Diagnostics::one(location, &BladeProblem::Malformed { reason })
     };
     let head: Head = serde_json::from_str(text).map_err(malformed)?;

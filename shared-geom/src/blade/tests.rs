@@ -233,7 +233,7 @@ fn what_is_wrong_with_a_file_is_reported_with_its_line() {
         ),
         (
             text[..text.len() / 2].to_owned(),
-            "not a blade file: EOF while parsing",
+            "not a blade file: the file ends early",
         ),
     ];
     for (text, expected) in cases {

@@ -62,6 +62,10 @@ impl<'a> Table<'a> {
     /// The tables `[key.name]` with their names; empty when absent.
     pub fn named_tables(&self, key: impl AsRef<str>) -> Vec<(String, Table<'a>)> {
         let key = key.as_ref();
+        if self.is_list(key) {
+            self.wrong(key, &format!("tables [{key}.NAME]"));
+            return Vec::new();
+        }
         let Some(outer) = self.table(key) else {
             return Vec::new();
         };

@@ -6,6 +6,10 @@ use crate::error::Explain;
 use crate::expression::written;
 use crate::units::{Dimension, parse_quantity};
 
+/// Largest magnitude of a number: squares and products with other numbers do not overflow
+/// [SI unit of the dimension].
+const LARGEST: f64 = 1e100;
+
 /// A value of a [`Document`] under a key, or in a list under it. Each reading method
 /// notes its own problems.
 #[derive(Debug, Clone)]
@@ -107,7 +111,10 @@ impl<'a> Item<'a> {
             _ => return self.wrong(&dimension.to_string()),
         };
         match number.is_finite() {
-            true => Some(number),
+            true if number.abs() <= LARGEST => Some(number),
+            true => self.wrong(&format!(
+                "{dimension}, at most 1e100 in magnitude in SI units"
+            )),
             false => self.wrong(&format!("{dimension}, finite")),
         }
     }

@@ -335,9 +335,20 @@ impl Table<'_> {
 
     /// The word under a required key that distinguishes the families of `schema`.
     pub fn choice(&self, schema: &TableSchema, key: &str) -> Option<&'static str> {
+        self.choice_or_meant(schema, key, &[])
+    }
+
+    /// As [`Table::choice`]; for a word that is the first of a pair, its second is proposed.
+    pub fn choice_or_meant(
+        &self,
+        schema: &TableSchema,
+        key: &str,
+        meant: &[(&str, &'static str)],
+    ) -> Option<&'static str> {
         let words = schema.words(key);
         self.require(key, &format!("one of {}", words.join(", ")))?;
-        self.word(key, &words).map(|index| words[index])
+        let index = self.word_or_meant(key, &words, meant)?;
+        Some(words[index])
     }
 
     /// Whether a table has a known word under such a key; nothing is noted.

@@ -14,6 +14,14 @@ pub enum DocumentProblem {
         /// The reason as text.
         reason: String,
     },
+    /// The file does not exist.
+    #[error("cannot be read: no such file")]
+    Absent {
+        /// Its name as written.
+        name: String,
+        /// The files of the folder that was searched.
+        known: Vec<String>,
+    },
     /// A file that is named and does not exist.
     #[error("\"{key}\": no file \"{name}\"")]
     NoFile {
@@ -85,6 +93,8 @@ pub enum DocumentProblem {
         found: String,
         /// The permitted words.
         known: Vec<String>,
+        /// The permitted word of the same meaning, if one is known.
+        meant: Option<&'static str>,
     },
     /// A unit that is unknown or measures something else.
     #[error("\"{key}\": {problem}")]
@@ -165,14 +175,21 @@ impl Explain for DocumentProblem {
                     (None, None) => format!("known keys: {}", known.join(", ")),
                 })
             }
-            Self::WrongWord { found, known, .. } => {
-                nearest_name(found, known.iter().map(String::as_str))
-                    .map(|near| format!("did you mean \"{near}\"?"))
-            }
+            Self::WrongWord {
+                found,
+                known,
+                meant,
+                ..
+            } => meant
+                .or_else(|| nearest_name(found, known.iter().map(String::as_str)))
+                .map(|near| format!("did you mean \"{near}\"?")),
             Self::Syntax { help, .. } => help.clone(),
             Self::Unit { problem, .. } => problem.help(),
             Self::Expression { problem, .. } => problem.help(),
-            Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),
+            Self::Absent { known, .. } if known.is_empty() => None,
+            Self::NoFile { name, known, .. } | Self::Absent { name, known } => {
+                Some(nearest_file(name, known))
+            }
             Self::UnitsOfIncluded => {
                 Some("its numbers count in the units of the file that includes it".to_owned())
             }

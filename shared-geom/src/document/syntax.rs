@@ -5,6 +5,7 @@ use toml::de::{DeTable, DeValue};
 use super::DocumentProblem;
 use super::tree::Lines;
 use crate::error::{Diagnostics, SourceLocation};
+use crate::units::parse_any;
 
 /// Errors of syntax that are reported one by one: one mistake causes a few of them, and a
 /// file of another kind has one on every line.
@@ -44,7 +45,7 @@ pub(super) fn syntax_problems(
         };
         let one = (line, reason);
         if !reported.contains(&one) {
-            let (reason, help) = (one.1.clone(), number(text, at));
+            let (reason, help) = (one.1.clone(), number(text, at).or_else(|| unit(text, at)));
             let problem = DocumentProblem::Syntax { reason, help };
             problems.push(SourceLocation::line(file, line), &problem);
             reported.push(one);
@@ -134,6 +135,16 @@ fn number(text: &str, at: usize) -> Option<String> {
     let meant = format!("{sign}{}.{}{power}", or_zero(whole), or_zero(part));
     (meant != word && meant.parse::<f64>().is_ok())
         .then(|| format!("TOML wants a digit on both sides of the point: {meant}"))
+}
+
+/// The correct form of a number with a unit and without quotes, at an offset.
+fn unit(text: &str, at: usize) -> Option<String> {
+    let begin = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let line = text[begin..].lines().next()?;
+    let values = line.split(['=', ',', '[', ']', '{', '}', '#']);
+    let mut values = values.map(str::trim).filter(|value| !value.is_empty());
+    let value = values.find(|value| parse_any(value).is_ok())?;
+    Some(format!("a number with a unit is a text: \"{value}\""))
 }
 
 /// The format of a text without TOML, from its first character that is no space.

@@ -1,14 +1,14 @@
 //! One table of an input file, and the values in it.
 
 use std::cell::RefCell;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use nalgebra::Vector3;
 
 use super::schema::TableSchema;
 use super::tree::{Entry, Kind, Value};
 use super::{Document, DocumentProblem, Item};
-use crate::error::Explain;
+use crate::error::{Diagnostics, Explain};
 use crate::expression::written;
 use crate::files::names_beside;
 use crate::units::Dimension;
@@ -174,10 +174,18 @@ impl<'a> Table<'a> {
         let problem = DocumentProblem::NoFile {
             key: key.to_owned(),
             name: written.to_owned(),
-            known: of_its_kind(names_beside(&path), &path),
+            known: names_beside(&path),
         };
         self.note(key, &problem);
         None
+    }
+
+    /// The content of the file that `key` names; notes its problems, with the key.
+    pub fn keep_file<T>(&self, key: &str, content: Result<T, Diagnostics>) -> Option<T> {
+        let location = self.document.location(self.line_of(key));
+        let by = format!("\"{key}\" of {}, {location}", self.title);
+        self.document
+            .keep(content.map_err(|problems| problems.named(&by)))
     }
 
     /// A list of texts under `key`; one text is a list of one.
@@ -207,13 +215,26 @@ impl<'a> Table<'a> {
 
     /// One of a set of words under `key`.
     pub fn word(&self, key: &str, known: &[&str]) -> Option<usize> {
+        self.word_or_meant(key, known, &[])
+    }
+
+    /// As [`Table::word`]; `meant` has other words of the field with the word to use, for the
+    /// message.
+    pub fn word_or_meant(
+        &self,
+        key: &str,
+        known: &[&str],
+        meant: &[(&str, &'static str)],
+    ) -> Option<usize> {
         let found = self.text(key)?;
         let index = known.iter().position(|word| *word == found);
         if index.is_none() {
+            let meant = meant.iter().find(|word| word.0 == found).copied();
             let problem = DocumentProblem::WrongWord {
                 key: key.to_owned(),
                 found,
                 known: known.iter().map(|&word| word.to_owned()).collect(),
+                meant: meant.map(|word| word.1),
             };
             self.note(key, &problem);
         }
@@ -416,12 +437,4 @@ impl<'a> Table<'a> {
     pub(super) fn wrong_value<T>(&self, key: &str, value: &Value, expected: &str) -> Option<T> {
         Item::new(self.document, key, value).wrong(expected)
     }
-}
-
-/// The `names` with the extension of `path`: no figures if a table is searched. All names
-/// if none has it.
-fn of_its_kind(names: Vec<String>, path: &Path) -> Vec<String> {
-    let is_one = |name: &&String| Path::new(name).extension() == path.extension();
-    let found: Vec<_> = names.iter().filter(is_one).cloned().collect();
-    if found.is_empty() { names } else { found }
 }

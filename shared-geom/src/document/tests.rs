@@ -324,6 +324,77 @@ fn a_missing_file_is_named() {
     );
 }
 
+/// The folder is made by the test, with one file.
+#[test]
+fn the_nearest_name_of_a_missing_file_is_proposed() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("blade.dynamics.toml"), "").unwrap();
+    let written = folder.path().join("blad.dynamics.toml");
+    let shown = Document::read(&written).unwrap_err().to_string();
+    let expected = "cannot be read: no such file\n  help: did you mean \"blade.dynamics.toml\"?";
+    assert!(shown.ends_with(expected), "{shown}");
+}
+
+#[test]
+fn numbers_that_overflow_are_refused() {
+    let read = |text: &str| {
+        let document = Document::parse(text, "a.toml").unwrap();
+        let number = document.root().quantity("a", Dimension::FORCE);
+        document.finish(number)
+    };
+    assert_eq!(read("a = -1e100").unwrap(), -1e100);
+    for text in [
+        "a = 1e101",
+        "a = -1e300",
+        "a = \"1e99 MN\"",
+        "a = \"= 10^200\"",
+    ] {
+        let shown = read(text).unwrap_err().to_string();
+        let expected = "expected a force, at most 1e100 in magnitude in SI units";
+        assert!(shown.contains(expected), "{text}: {shown}");
+    }
+    let shown = read("a = inf").unwrap_err().to_string();
+    assert!(shown.contains("expected a force, finite"), "{shown}");
+}
+
+#[test]
+fn a_number_with_a_unit_is_a_text() {
+    for (text, value) in [
+        ("young = 7e10 Pa\nb = 1\n", "7e10 Pa"),
+        ("[a]\nsize = [1, 2 mm, 3]\n", "2 mm"),
+        ("size = { first = 0.1 s } # 3 m\n", "0.1 s"),
+    ] {
+        let shown = Document::parse(text, "a.toml").unwrap_err().to_string();
+        let expected = format!("help: a number with a unit is a text: \"{value}\"");
+        assert!(shown.contains(&expected), "{text}: {shown}");
+    }
+    let shown = Document::parse("a = b c\n", "a.toml").unwrap_err();
+    assert!(!shown.to_string().contains("help"), "{shown}");
+}
+
+#[test]
+fn an_array_of_tables_without_names_is_reported() {
+    let shown = problems("[[material]]\nyoung = 1\n", |root| {
+        assert!(root.named_tables("material").is_empty());
+    });
+    assert_eq!(
+        shown,
+        "error: a.toml:1: \"material\" is an array of 1, expected tables [material.NAME]"
+    );
+}
+
+#[test]
+fn other_words_of_the_field_are_known() {
+    let shown = problems("kind = \"hinge\"\n", |root| {
+        let index = root.word_or_meant("kind", &["revolute", "pin"], &[("hinge", "revolute")]);
+        assert_eq!(index, None);
+    });
+    assert!(
+        shown.ends_with("help: did you mean \"revolute\"?"),
+        "{shown}"
+    );
+}
+
 /// A long text of another kind must not bury its first error.
 #[test]
 fn errors_of_syntax_are_counted_after_the_first() {

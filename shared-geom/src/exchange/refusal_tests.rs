@@ -115,7 +115,7 @@ fn a_beamdyn_primary_with_points_out_of_order_or_without_blade_file_is_refused()
     });
     assert_says(
         &messages,
-        "BldFile: no file \"nowhere.dat\"\n  help: files there: sample.inp, sample_blade.dat",
+        "BldFile: no file \"nowhere.dat\"\n  help: files there: sample_blade.dat",
     );
     let messages = refused(Format::BeamDyn, 0, |text| {
         text.replace("sample_blade.dat", "sampel_blade.dat")
@@ -396,4 +396,62 @@ fn refused_station(entry: f64) -> String {
     read_with(&first, &Options::default())
         .unwrap_err()
         .to_string()
+}
+
+/// Numbers of all stations that are too large are one problem, with its stations.
+#[test]
+fn numbers_that_many_stations_share_are_one_problem() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = written(&blade(), Format::BeamDyn, folder.path());
+    let path = folder.path().join("sample_blade.dat");
+    let text = std::fs::read_to_string(&path).unwrap();
+    // The first row of each stiffness, after the line of its station.
+    let mut of_station = None;
+    let lines = text.lines().enumerate().map(|(i, line)| {
+        let numbers: Vec<_> = line.split_whitespace().collect();
+        if i >= 13 && numbers.len() == 1 {
+            of_station = Some(i);
+        }
+        match of_station == Some(i.wrapping_sub(1)) && numbers.len() == 6 {
+            true => line.replacen(numbers[0], "1e150", 1),
+            false => line.to_owned(),
+        }
+    });
+    let changed: Vec<_> = lines.collect();
+    std::fs::write(&path, changed.join("\n")).unwrap();
+    let messages = read_with(&first, &Options::default()).unwrap_err();
+    assert_eq!(messages.iter().count(), 1, "{messages}");
+    assert_says(
+        &messages.to_string(),
+        "all 5 stations: stiffness holds 1e150, expected numbers of at most 1e100 in magnitude",
+    );
+}
+
+/// Files of the other program and other kinds are recognized.
+#[test]
+fn files_of_another_kind_are_recognized() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text, expected) in [
+        (
+            "r.msh",
+            "$MeshFormat\n",
+            "this is a mesh, expected a blade file",
+        ),
+        (
+            "e.section.toml",
+            "",
+            "this is a section file, expected a blade file",
+        ),
+        (
+            "m.dynamics.toml",
+            "",
+            "this is a dynamics file, expected a blade file",
+        ),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        let messages = read_with(&path, &Options::default()).unwrap_err();
+        assert_eq!(messages.iter().count(), 1, "{messages}");
+        assert_says(&messages.to_string(), expected);
+    }
 }

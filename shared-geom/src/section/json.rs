@@ -3,6 +3,24 @@
 use std::fmt::Write;
 
 use serde_json::Value;
+use serde_json::error::Category;
+
+/// The reason for which a text could not be read as JSON, for messages that state the line.
+pub(crate) fn reason(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let message = text
+        .rsplit_once(" at line ")
+        .map_or(&*text, |parts| parts.0);
+    match (error.classify(), error.line(), error.column()) {
+        (Category::Eof, 0 | 1, 0) => "the file is empty".to_owned(),
+        (Category::Eof, ..) => "the file ends early".to_owned(),
+        (Category::Syntax, ..) if message.starts_with("number out of range") => message.to_owned(),
+        // Letters, which begin no value: a text of another kind.
+        (Category::Syntax, 1, 1 | 2) => "it is not JSON".to_owned(),
+        (Category::Syntax, _, column) => format!("not JSON at column {column}: {message}"),
+        _ => text,
+    }
+}
 
 /// The text of `value`, with rows of numbers and texts on one line each.
 pub(crate) fn layout(value: &Value) -> String {

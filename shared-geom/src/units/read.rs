@@ -369,6 +369,11 @@ mod tests {
             "unknown unit \"Nms\"; separate the factors: \"N ms\" or \"N m s\""
         );
         assert_eq!(
+            help("2 furlong", Dimension::ROTATION_SPEED),
+            "unknown unit \"furlong\"; units of it: rpm, rad/s, deg/s"
+        );
+        assert!(help("2 Hz", Dimension::ROTATION_SPEED).ends_with("rpm, rad/s, deg/s"));
+        assert_eq!(
             help("2 NM", Dimension::MOMENT),
             "unknown unit \"NM\"; did you mean \"N m\"?"
         );

@@ -19,6 +19,14 @@ pub struct LookUp<'a> {
     pub user: &'a str,
 }
 
+impl ModelBuilder {
+    /// Number of cards with a name of a kind: `joint`, `spring`.
+    pub fn count_of(&self, kind: &str) -> usize {
+        let kinds = self.labels.keys().map(|label| label.0);
+        kinds.filter(|own| *own == kind).count()
+    }
+}
+
 impl LookUp<'_> {
     /// The node.
     pub fn node(&self) -> Option<usize> {

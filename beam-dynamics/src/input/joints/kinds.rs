@@ -20,6 +20,21 @@ use crate::input::ends;
 use crate::input::frames::Frame;
 use crate::model::{Drive, Node};
 
+/// Other words for kinds of joints.
+const OTHER_WORDS: [(&str, &str); 12] = [
+    ("hinge", "revolute"),
+    ("pin", "revolute"),
+    ("pinned", "revolute"),
+    ("ball", "spherical"),
+    ("fixed", "clamp"),
+    ("rigid", "clamp"),
+    ("weld", "clamp"),
+    ("slider", "prismatic"),
+    ("cardan", "universal"),
+    ("hooke", "universal"),
+    ("rod", "distance"),
+    ("motor", "spin"),
+];
 /// Sine below which axes are treated as parallel, and part of the size of the model below which
 /// points coincide: digits lost in the input.
 const ROUNDING: f64 = 1e-9;
@@ -83,7 +98,7 @@ pub(in crate::input) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
         let is_new = builder.take_label("joint", &label, table);
         let nodes = nodes(table, builder, &format!("joint \"{label}\""));
         // The keys of an unknown kind are not checked.
-        let Some(kind) = table.choice(&JOINT, KIND[0]) else {
+        let Some(kind) = table.choice_or_meant(&JOINT, KIND[0], &OTHER_WORDS) else {
             builder.note_broken();
             continue;
         };

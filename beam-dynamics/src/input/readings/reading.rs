@@ -120,6 +120,7 @@ impl Reading<'_> {
                     key: "component".to_owned(),
                     found,
                     known: known.iter().map(|&word| word.to_owned()).collect(),
+                    meant: None,
                 };
                 self.table.note("component", &problem);
             }

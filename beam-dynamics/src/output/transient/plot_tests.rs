@@ -160,7 +160,7 @@ fn wrong_columns_units_and_times_are_reported() {
     assert!(
         wrong
             .to_string()
-            .contains("has 1 rows, expected at least two")
+            .contains("has 1 row, expected at least two")
     );
     let mut other = table("b.csv", 10);
     other.headings[1].unit = "m".to_owned();

@@ -1,6 +1,6 @@
 //! Problems of the files of a run in time.
 
-use shared_geom::error::{Explain, nearest_name};
+use shared_geom::error::{Explain, counted, nearest_name};
 use shared_geom::files::OutputProblem;
 
 /// A problem of the files of a run in time.
@@ -43,8 +43,14 @@ pub enum RunFileProblem {
         /// The names of its columns.
         known: Vec<String>,
     },
+    /// A table without time.
+    #[error("\"{file}\" is not a table of a run: it has no column \"time\"")]
+    NoTime {
+        /// The file.
+        file: String,
+    },
     /// A table without rows to draw.
-    #[error("\"{file}\" has {rows} rows, expected at least two to draw a line")]
+    #[error("\"{file}\" has {}, expected at least two to draw a line", counted(*.rows, "row"))]
     NoRows {
         /// The file.
         file: String,
@@ -88,6 +94,11 @@ impl Explain for RunFileProblem {
                     .to_owned(),
             ),
             Self::NoColumn { name, known, .. } => Some(nearest_column(name, known)),
+            Self::NoTime { .. } => Some(
+                "name a table that \"beam-dynamics transient\" wrote, NAME.transient.csv or \
+                 NAME.transient.nc"
+                    .to_owned(),
+            ),
             Self::NoRows { .. } => Some(
                 "rows are written each \"every\" of [output], here between --from and --to"
                     .to_owned(),

@@ -89,9 +89,13 @@ impl TimeTable {
         if !found.is_empty() {
             return Ok(found);
         }
+        let file = self.file.clone();
+        if name == "time" {
+            return Err(RunFileProblem::NoTime { file });
+        }
         Err(RunFileProblem::NoColumn {
             name: name.to_owned(),
-            file: self.file.clone(),
+            file,
             known: self.headings.iter().map(|h| h.name.clone()).collect(),
         })
     }

@@ -90,8 +90,8 @@ pub(in crate::cli) struct CompareArguments {
 pub(in crate::cli) struct ShiftArguments {
     /// Property file, NAME.properties.json
     pub file: PathBuf,
-    /// New reference point: Y,Z relative to the present point in its axes, in meters or
-    /// with a unit ("25 mm, 0"); or tension-center, shear-center, mass-center
+    /// New reference point: Y,Z relative to the present point in its axes, with their units
+    /// ("25 mm, 0"); or tension-center, shear-center, mass-center
     #[arg(long, value_name = "POINT", value_parser = point, allow_hyphen_values = true)]
     pub to: Point,
     /// Property file to write, different from FILE
@@ -165,18 +165,16 @@ fn point(text: &str) -> Result<Point, String> {
     })
 }
 
-/// A length in meters: a plain number, or a number with a unit.
+/// A length with its unit, or zero, in meters.
 fn length(text: &str) -> Result<f64, String> {
-    let trimmed = text.trim();
-    let length = match trimmed.parse::<f64>() {
-        Ok(meters) => meters,
-        Err(_) => quantity(
-            trimmed,
-            Dimension::LENGTH,
-            "a length such as \"25 mm\" or 0.025",
-        )?,
-    };
-    finite(length)
+    const EXPECTED: &str = "a length with its unit, such as \"25 mm\" or \"0.025 m\"";
+    match text.trim().parse::<f64>() {
+        Ok(0.0) => Ok(0.0),
+        Ok(number) if number.is_finite() => {
+            Err(format!("{number} has no unit, expected {EXPECTED}"))
+        }
+        _ => finite(quantity(text.trim(), Dimension::LENGTH, EXPECTED)?),
+    }
 }
 
 /// An angle with its unit, in radians.
@@ -223,22 +221,26 @@ mod tests {
     #[test]
     fn points_are_lengths_or_centers() {
         let at = |y: f64, z: f64| Ok(Point::At(Vector2::new(y, z)));
-        assert_eq!(point("25 mm, -0.5"), at(25.0 * 1e-3, -0.5));
+        assert_eq!(point("25 mm, -0.5 m"), at(25.0 * 1e-3, -0.5));
         assert_eq!(point("25mm, 0"), at(25.0 * 1e-3, 0.0));
-        assert_eq!(point(" -1 in,2e-3 "), at(-0.0254, 2e-3));
+        assert_eq!(point(" -1 in,2e-3 m "), at(-0.0254, 2e-3));
         assert_eq!(point("shear-center"), Ok(Point::ShearCenter));
         for (text, expected) in [
             ("sheer-center", "did you mean \"shear-center\"?"),
             ("nose", "expected Y,Z as in \"25 mm, 0\""),
             ("1,2,3", "expected Y,Z"),
-            ("1, nan", "expected finite numbers"),
-            ("1, inf mm", "expected a length such as \"25 mm\""),
+            (
+                "25, 0",
+                "25 has no unit, expected a length with its unit, such as \"25 mm\"",
+            ),
+            ("1 m, nan", "expected a length with its unit"),
+            ("1 m, inf mm", "expected a length with its unit"),
             (
                 "2 deg, 0",
                 "\"deg\" measures an angle, expected a length; units of it: m, mm",
             ),
             ("2 mn, 0", "unknown unit \"mn\"; did you mean"),
-            (",", "expected a length such as"),
+            (",", "expected a length with its unit"),
             ("", "expected Y,Z"),
         ] {
             let shown = point(text).unwrap_err();

@@ -124,16 +124,6 @@ pub enum MatrixProblem {
         /// Its mirror image, in SI \[N/m, kg\].
         lower: f64,
     },
-    /// A section file instead of a matrices file, or vice versa.
-    #[error("this is a {found} file, expected a {expected} file")]
-    Kind {
-        /// Ending of its name.
-        found: &'static str,
-        /// Ending of the files that the command reads.
-        expected: &'static str,
-        /// The command that reads it.
-        command: &'static str,
-    },
     /// A slice of a curved beam.
     #[error("[initial_curvature] with [slice]: a slice is from a straight beam")]
     CurvedSlice,
@@ -148,9 +138,6 @@ pub enum MatrixProblem {
 impl Explain for MatrixProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
-            Self::Kind { command, .. } => {
-                return Some(format!("use \"section-analyzer {command}\""));
-            }
             Self::Size { .. } => {
                 "three unknowns per node, ux, uy, uz, in the order of the node table; for a slice first the nodes of the face at x = 0, then the nodes of the other face"
             }

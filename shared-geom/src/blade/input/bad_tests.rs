@@ -422,8 +422,7 @@ fn files_that_are_not_there_are_reported_with_who_names_them() {
     let station = "[[station]]\narc_length = 0\nfile = \"nix.json\"\n";
     std::fs::write(&file, format!("{head}{station}")).unwrap();
     let shown = read_reported(&file);
-    let expected =
-        "a.blade.toml:10: \"file\": no file \"nix.json\"\n  help: files there: a.blade.toml";
+    let expected = "a.blade.toml:10: \"file\": no file \"nix.json\"\n  help: no file there ends in .json; files there: a.blade.toml";
     assert!(shown.contains(expected), "{shown}");
 }
 

@@ -45,8 +45,11 @@ impl Frame {
     /// Reads `frame`, `order` and `twist_positive` of the file.
     pub fn read(root: &Table<'_>) -> Option<Self> {
         // All of them are known keys, even if others are wrong.
-        let [has_frame, ..] = ["frame", "order", "twist_positive"].map(|key| root.has(key));
-        if !has_frame {
+        let given = ["frame", "order", "twist_positive"].map(|key| root.has(key));
+        if given == [false; 3] && has_only_property_files(root) {
+            return Some(Self::ours());
+        }
+        if !given[0] {
             root.note("frame", &InputProblem::FrameUndeclared);
             return None;
         }
@@ -218,9 +221,23 @@ fn order(root: &Table<'_>, named: bool) -> Option<[usize; 6]> {
     indices
 }
 
-/// Reads the required `reference_point`: the word `"line"`, or two lengths.
+/// Whether all stations are property files, which state their axes and their point.
+fn has_only_property_files(root: &Table<'_>) -> bool {
+    // Other forms of the key are reported by the reader of the stations.
+    let stations = match root.is_list("station") {
+        true => root.tables("station"),
+        false => Vec::new(),
+    };
+    !stations.is_empty() && stations.iter().all(|station| station.has("file"))
+}
+
+/// Reads `reference_point`: the word `"line"`, or two lengths; required, unless all stations
+/// are property files.
 pub(super) fn reference_point(root: &Table<'_>, frame: Option<&Frame>) -> Option<Vector2<f64>> {
     const KEY: &str = "reference_point";
+    if !root.has(KEY) && has_only_property_files(root) {
+        return Some(Vector2::zeros());
+    }
     if !root.has(KEY) {
         root.note(KEY, &InputProblem::PointUndeclared);
         return None;

@@ -134,7 +134,7 @@ fn of_section(table: &Table<'_>, sources: &Sources) -> Option<(String, Box<Secti
     let written = table.require_text("file", "the name of a property file")?;
     let path = table.existing("file", &written)?;
     let text = document.keep(sources.read(&path))?;
-    let section = document.keep(section::parse(&text, &path.display().to_string()))?;
+    let section = table.keep_file("file", section::parse(&text, &path.display().to_string()))?;
     for (is_there, what) in [
         (section.piezo.is_some(), "piezoelectric coupling"),
         (section.thermal_force.is_some(), "thermal force"),

@@ -391,6 +391,49 @@ fn stations_are_made_of_property_files() {
     assert!(shown.contains("has damping of its own"), "{shown}");
 }
 
+// Property files state their axes and their point: both keys are then optional. Zero stiffness of
+// a broken one names the station's key.
+#[test]
+fn property_files_need_no_frame() {
+    let folder = tempfile::tempdir().unwrap();
+    let engineering = section::Engineering {
+        stiffness: [7e6, 2e6, 1e6, 30.0, 40.0, 900.0],
+        mass: [2.0, 0.01, 0.04],
+        centers: section::Centers {
+            tension: Vector2::zeros(),
+            shear: Vector2::zeros(),
+            mass: Vector2::new(0.1, 0.0),
+        },
+        stiffness_angle: 0.0,
+        inertia_angle: 0.0,
+    };
+    let section = engineering.section("a", good(ENGINEERING).provenance);
+    std::fs::write(folder.path().join("a.json"), section::write(&section)).unwrap();
+    let file = folder.path().join("c.blade.toml");
+    let declared = "frame = \"helicoid\"\nreference_point = \"line\"\n";
+    let stations = "[line]\nlength = 10\ntwist = [0, 5]\n[[station]]\neta = 0\nfile = \"a.json\"\n\
+                    [[station]]\neta = 1\nfile = \"a.json\"\nangle = 30\n";
+    let blade = |head: &str, stations: &str| {
+        std::fs::write(&file, format!("units = \"SI\"\n{head}{stations}")).unwrap();
+        read(&file).map(|reading| (reading.blade.line, reading.blade.stations))
+    };
+    assert_eq!(
+        blade("", stations).unwrap(),
+        blade(declared, stations).unwrap()
+    );
+    let written = stations.replacen("file = \"a.json\"", "ea = 1", 1);
+    let shown = blade("", &written).unwrap_err().to_string();
+    assert!(shown.contains("declares no \"frame\""), "{shown}");
+    assert!(shown.contains("declares no \"reference_point\""), "{shown}");
+    std::fs::write(folder.path().join("b.json"), "$MeshFormat\n").unwrap();
+    let broken = stations.replacen("a.json", "b.json", 1);
+    let shown = blade("", &broken).unwrap_err().to_string();
+    let expected = "b.json:1: not a property file: it is not JSON (the file of \"file\" of \
+                    [[station]] number 1, ";
+    assert!(shown.contains(expected), "{shown}");
+    assert!(shown.contains("c.blade.toml:7)"), "{shown}");
+}
+
 #[test]
 fn damping_is_in_the_order_of_the_frame() {
     let (eye, none) = (rows(&Matrix6::identity()), rows(&Matrix6::zeros()));

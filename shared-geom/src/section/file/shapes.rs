@@ -10,6 +10,7 @@ use super::fields::{ENTRY, FILE, Field, Shape, expected};
 use super::locations::{FieldLocations, OUTERMOST};
 use super::{FORMAT, PropertyProblem};
 use crate::error::{Diagnostics, Explain, SourceLocation, nearest_name};
+use crate::section::json;
 
 /// A problem of a field, whose name is a text.
 #[derive(Debug, thiserror::Error)]
@@ -53,7 +54,7 @@ pub(super) fn malformed(error: &serde_json::Error, text: &str, file: &str) -> Di
     };
     let value = match serde_json::from_str::<Value>(text) {
         Ok(value) => value,
-        Err(_) => return words(error.to_string()),
+        Err(_) => return words(json::reason(error)),
     };
     let Some(fields) = value.as_object().filter(|fields| is_ours(fields)) else {
         let reason = match value.get("format") {
@@ -78,7 +79,7 @@ pub(super) fn malformed(error: &serde_json::Error, text: &str, file: &str) -> Di
     };
     check.table(fields, FILE, &whole);
     match check.problems.is_empty() {
-        true => words(error.to_string()),
+        true => words(json::reason(error)),
         false => {
             check.problems.sort_by_line();
             check.problems

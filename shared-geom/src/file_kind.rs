@@ -1,0 +1,212 @@
+//! Kinds of input files by name or content, and the program that reads each kind.
+
+use std::path::Path;
+
+use crate::error::{Diagnostics, Explain, SourceLocation};
+
+/// A kind of input file of the two programs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileKind {
+    /// A cross-section: mesh and materials.
+    Section,
+    /// A cross-section by matrices of another program.
+    Matrices,
+    /// A mesh.
+    Mesh,
+    /// A model of the dynamics.
+    Dynamics,
+    /// A blade: sections along a line.
+    Blade,
+}
+
+/// Kinds by the ending of the file name.
+const ENDINGS: [(&str, FileKind); 7] = [
+    (".section.toml", FileKind::Section),
+    (".matrices.toml", FileKind::Matrices),
+    (".dynamics.toml", FileKind::Dynamics),
+    (".blade.toml", FileKind::Blade),
+    (".blade.json", FileKind::Blade),
+    (".msh", FileKind::Mesh),
+    (".vtk", FileKind::Mesh),
+];
+/// Kinds by the first line of the text.
+const HEADS: [(&str, FileKind); 2] = [
+    ("$MeshFormat", FileKind::Mesh),
+    ("# vtk DataFile", FileKind::Mesh),
+];
+/// Kinds of a TOML file with another name by the start of a line; a key without a table is at
+/// the top of the file.
+const LINES: [(&str, FileKind); 5] = [
+    ("frame =", FileKind::Blade),
+    ("reference_point =", FileKind::Blade),
+    ("[[station]]", FileKind::Blade),
+    ("[stations]", FileKind::Blade),
+    ("[[region]]", FileKind::Section),
+];
+
+impl FileKind {
+    /// The kind of the file at `path` with the content `text`; `None` if neither its name nor
+    /// its content shows it.
+    pub fn of(path: &Path, text: &str) -> Option<Self> {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let by_name = || first(&ENDINGS, |ending| name.ends_with(ending));
+        let by_line = || match name.ends_with(".toml") {
+            true => first(&LINES, |mark| has_line(text, mark)),
+            false => None,
+        };
+        first(&HEADS, |head| text.starts_with(head))
+            .or_else(by_name)
+            .or_else(by_line)
+    }
+
+    /// Checks that the file at `path` with the content `text` is not of another kind than
+    /// `self`.
+    ///
+    /// # Errors
+    /// A file of another kind, with the program that reads it.
+    pub fn require(self, path: &Path, text: &str) -> Result<(), Diagnostics> {
+        match Self::of(path, text) {
+            Some(found) if found != self => {
+                let location = SourceLocation::file(path.display().to_string());
+                let problem = OtherKind {
+                    found,
+                    expected: self,
+                };
+                Err(Diagnostics::one(location, &problem))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The kind with its article.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Section => "a section file",
+            Self::Matrices => "a matrices file",
+            Self::Mesh => "a mesh",
+            Self::Dynamics => "a dynamics file",
+            Self::Blade => "a blade file",
+        }
+    }
+}
+
+/// The kind of the first mark that a file has.
+fn first(kinds: &[(&str, FileKind)], has: impl Fn(&str) -> bool) -> Option<FileKind> {
+    let found = kinds.iter().find(|(mark, _)| has(mark));
+    found.map(|found| found.1)
+}
+
+/// Whether a line of a TOML file starts with `mark`: anywhere if it is the head of a table,
+/// else before the first table.
+fn has_line(text: &str, mark: &str) -> bool {
+    let lines = text.lines().map(str::trim_start);
+    let is_head = |line: &&str| line.starts_with('[');
+    match is_head(&mark) {
+        true => lines.filter(is_head).any(|line| line.starts_with(mark)),
+        false => {
+            let squeezed = |line: &str| line.replace(' ', "");
+            let mut top = lines.take_while(|line| !is_head(line));
+            top.any(|line| squeezed(line).starts_with(&squeezed(mark)))
+        }
+    }
+}
+
+/// A file of another kind.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("this is {}, expected {}", .found.words(), .expected.words())]
+struct OtherKind {
+    found: FileKind,
+    expected: FileKind,
+}
+
+impl Explain for OtherKind {
+    fn help(&self) -> Option<String> {
+        let text = match (self.found, self.expected) {
+            (FileKind::Section, _) => "use \"section-analyzer analyze\"",
+            (FileKind::Matrices, _) => "use \"section-analyzer matrices\"",
+            (FileKind::Mesh, _) => {
+                "name the mesh in a section file, NAME.section.toml, for section-analyzer"
+            }
+            (FileKind::Dynamics, FileKind::Blade) => {
+                "use \"beam-dynamics check\", \"modes\", \"static\" or \"transient\""
+            }
+            (FileKind::Dynamics, _) => "use \"beam-dynamics\"",
+            (FileKind::Blade, FileKind::Dynamics) => {
+                "call it NAME.blade.toml: \"beam-dynamics modes\" then reads it, and so does \
+                 [[blade]] of a dynamics file"
+            }
+            (FileKind::Blade, _) => {
+                "use \"beam-dynamics\", or \"section-analyzer mesh blade\" for the shape of a \
+                 section"
+            }
+        };
+        Some(text.to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_are_found_by_name_and_content() {
+        for (name, text, kind) in [
+            ("a/x.section.toml", "", Some(FileKind::Section)),
+            ("x.matrices.toml", "", Some(FileKind::Matrices)),
+            ("x.blade.json", "{", Some(FileKind::Blade)),
+            ("x.dat", "$MeshFormat\n4.1 0 8\n", Some(FileKind::Mesh)),
+            (
+                "x.toml",
+                "units = \"SI\"\nframe=\"helicoid\"\n",
+                Some(FileKind::Blade),
+            ),
+            (
+                "x.toml",
+                "units = \"SI\"\n[[station]]\n",
+                Some(FileKind::Blade),
+            ),
+            (
+                "x.toml",
+                "[[region]]\ngroup = \"a\"\n",
+                Some(FileKind::Section),
+            ),
+            // a key of another table, and a comment
+            ("x.toml", "[[node]]\nframe = \"hub\"\n", None),
+            ("x.toml", "# [[station]]\n[[blade]]\n", None),
+            ("x.dat", "[[station]]\n", None),
+        ] {
+            assert_eq!(FileKind::of(Path::new(name), text), kind, "{name}: {text}");
+        }
+    }
+
+    #[test]
+    fn the_right_program_is_named() {
+        let shown = |expected: FileKind, name: &str, text: &str| {
+            let result = expected.require(Path::new(name), text);
+            result.unwrap_err().to_string()
+        };
+        assert_eq!(
+            shown(FileKind::Dynamics, "r.section.toml", ""),
+            "error: r.section.toml: this is a section file, expected a dynamics file\n  \
+             help: use \"section-analyzer analyze\""
+        );
+        assert_eq!(
+            shown(FileKind::Section, "b.blade.toml", ""),
+            "error: b.blade.toml: this is a blade file, expected a section file\n  \
+             help: use \"beam-dynamics\", or \"section-analyzer mesh blade\" for the shape of a \
+             section"
+        );
+        let kinds = [
+            FileKind::Section,
+            FileKind::Matrices,
+            FileKind::Dynamics,
+            FileKind::Blade,
+        ];
+        for (ending, own) in ENDINGS {
+            for kind in kinds {
+                let accepted = kind.require(Path::new(&format!("x{ending}")), "");
+                assert_eq!(accepted.is_ok(), own == kind, "{ending}: {kind:?}");
+            }
+        }
+    }
+}
