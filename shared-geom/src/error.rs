@@ -186,7 +186,7 @@ impl Diagnostics {
     /// The same problems, of a file that `by` names: a key and its location, as text.
     pub fn named(mut self, by: &str) -> Self {
         if let Some(first) = self.items.first_mut() {
-            first.message += &format!(" (the file of {by})");
+            first.message += &format!(" (named by {by})");
         }
         self
     }

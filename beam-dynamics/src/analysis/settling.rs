@@ -10,6 +10,10 @@
 //! is one such step of length `1 / sigma`. Masses resist motions without stiffness. While the steps
 //! succeed sigma falls; at zero this is Newton's method.
 //!
+//! The first step is short: the momenta of a turning model, zero at the start, jump to
+//! `m omega x r`, which moves a free mass by `omega r / sigma` within it. The multipliers are then
+//! those of the turning model, and the tension in its parts makes the tangent regular.
+//!
 //! References: [KelleyKeyes1998], pseudo-transient continuation.
 
 use super::balance::Balance;
@@ -23,6 +27,8 @@ const NEAR: f64 = 0.1;
 /// Factor by which sigma falls after a step that succeeds, and rises after one that
 /// does not.
 const FALL: f64 = 3.0;
+/// First sigma, relative to the speed of rotation.
+const SHORT: f64 = 1e3;
 /// Largest number of steps.
 const STEPS: usize = 300;
 
@@ -30,7 +36,8 @@ const STEPS: usize = 300;
 /// its history, or `None` if none was found.
 pub(super) fn settle(balance: &mut Balance<'_>) -> Option<NewtonReport> {
     let start = balance.state.clone();
-    let mut sigma = 1.0;
+    let speed = balance.conditions.frame.angular_velocity.norm();
+    let mut sigma = f64::max(1.0, SHORT * speed);
     let mut steps = Vec::new();
     while steps.len() < STEPS {
         let (residual, worst) = balance.residual();

@@ -329,7 +329,8 @@ fn a_newer_property_file_is_reported() {
     let text = section::write(&strip()).replace("\"version\": 1,", "\"version\": 7,");
     folder.write("strip.properties.json", &text);
     let message = "\
-error: strip.properties.json:3: written in version 7 of the property-file format, expected at most 3
+error: strip.properties.json:3: written in version 7 of the property-file format, expected at most 3 \
+(named by \"file\" of properties \"strip\", a.dynamics.toml:3)
   help: use a newer version of this program";
     folder.refuses(BLADE, message);
 }

@@ -400,7 +400,7 @@ fn near_mistakes_are_reported_with_their_remedy() {
     assert!(ramp.contains(expected), "{ramp}");
     let run = folder.run(&["modes", "a.json", "--speeds", "0-8"]);
     assert_eq!(run.code, 2);
-    let expected = "expected numbers with commas between, as in 0,4,8";
+    let expected = "expected rotation speeds with commas between, as in 0,4,8";
     assert!(run.err.contains(expected), "{}", run.err);
 }
 
@@ -553,7 +553,11 @@ fn meanings_of_mistakes_are_reported() {
             "[[joint]]\nnodes = [\"b/tip\"]\nkind = \"hinge\"\n[gravity]",
             "  help: did you mean \"revolute\"?",
         ),
-        ("ea = ", "file = \"r.json\"\n# ", "has both \"file\" and"),
+        (
+            "ea = ",
+            "file = \"r.json\"\n# ",
+            "properties \"p\" has \"file\" and \"gay\", expected a file or numbers in the card",
+        ),
     ] {
         let changed = SWEPT.replacen(old, new, 1);
         assert_ne!(changed, SWEPT);
@@ -576,7 +580,7 @@ fn the_card_of_a_wrong_property_file_is_named() {
     let text = "units = \"SI\"\n[properties.q]\nfile = \"r.json\"\n";
     folder.write("a.dynamics.toml", text);
     let run = folder.run(&["check", "a.dynamics.toml"]);
-    let expected = "error: r.json:1: not a property file: it is not JSON (the file of \"file\" of \
+    let expected = "error: r.json:1: not a property file: it is not JSON (named by \"file\" of \
                     properties \"q\", a.dynamics.toml:3)\n";
     assert!(run.err.contains(expected), "{}", run.err);
 }
@@ -602,7 +606,7 @@ fn tables_and_files_are_recognized() {
 fn summaries_count_joints_and_springs() {
     let folder = Folder::new();
     let text = "units = \"SI\"\n[[node]]\nname = \"m\"\nposition = [1, 0, 0]\n[[body]]\n\
-                node = \"m\"\nmass = 2\n[[joint]]\nnodes = [\"m\"]\nkind = \"spherical\"\n\
+                node = \"m\"\nmass = 2\ninertia = [1, 1, 1]\n[[joint]]\nnodes = [\"m\"]\nkind = \"spherical\"\n\
                 at = [0, 0, 0]\n[transient]\nto = 0.01\nstep = 1e-3\n[gravity]\n\
                 acceleration = [0, 0, -9.81]\n";
     folder.write("a.dynamics.toml", text);

@@ -189,7 +189,7 @@ fn one_file_in_two_ways_is_refused() {
     folder.write(FILES[0], &beam(0.1));
     let run = folder.run(&["transient", FILES[0], "./a.dynamics.toml"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
-    let reported = "error: results of \"a.dynamics.toml\" and \"./a.dynamics.toml\" would both be ";
+    let reported = "error: \"./a.dynamics.toml\" is given twice, expected it once\n";
     assert!(run.err.starts_with(reported), "{}", run.err);
     assert!(!folder.path("results").exists());
 }

@@ -3,7 +3,7 @@
 use shared_geom::mesh_file::{self, BECAS_FILES, read_becas};
 
 use crate::mutation::{Random, mutated};
-use crate::{alone, seeds, within_memory};
+use crate::{SLACK, ZLIB, alone, seeds, within};
 
 const MUTATIONS: usize = 500;
 
@@ -47,11 +47,12 @@ fn check(target: &str, is_read: impl Fn(&str, &[u8]) -> bool) {
     for (number, (name, bytes)) in seeds(target).into_iter().enumerate() {
         assert!(is_read(&name, &bytes), "{name}");
         let mut random = Random::new(number as u64);
-        let mut check = |what: String, bytes: &[u8]| match within_memory(&what, bytes, |bytes| {
-            is_read(&name, bytes)
-        }) {
-            true => good += 1,
-            false => bad += 1,
+        let mut check = |what: String, bytes: &[u8]| {
+            let read = |bytes: &[u8]| is_read(&name, bytes);
+            match within(&what, bytes, SLACK + ZLIB, read) {
+                true => good += 1,
+                false => bad += 1,
+            }
         };
         for end in (0..bytes.len()).step_by(7) {
             check(format!("{name} cut at byte {end}"), &bytes[..end]);

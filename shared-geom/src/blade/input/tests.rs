@@ -428,7 +428,7 @@ fn property_files_need_no_frame() {
     std::fs::write(folder.path().join("b.json"), "$MeshFormat\n").unwrap();
     let broken = stations.replacen("a.json", "b.json", 1);
     let shown = blade("", &broken).unwrap_err().to_string();
-    let expected = "b.json:1: not a property file: it is not JSON (the file of \"file\" of \
+    let expected = "b.json:1: not a property file: it is not JSON (named by \"file\" of \
                     [[station]] number 1, ";
     assert!(shown.contains(expected), "{shown}");
     assert!(shown.contains("c.blade.toml:7)"), "{shown}");
