@@ -11,8 +11,8 @@
 //! succeed sigma falls; at zero this is Newton's method.
 //!
 //! The first step is short: the momenta of a turning model, zero at the start, jump to
-//! `m omega x r`, which moves a free mass by `omega r / sigma` within it. The multipliers are then
-//! those of the turning model, and the tension in its parts makes the tangent regular.
+//! `m omega x r`, which moves a free mass by `omega r / sigma` within it. The multipliers then
+//! hold the turning model, and the tension in its parts makes the tangent regular.
 //!
 //! References: [KelleyKeyes1998], pseudo-transient continuation.
 

@@ -44,7 +44,7 @@ impl<'a> Files<'a> {
             }
             Err(error) => {
                 let known = match error.kind() {
-                    ErrorKind::NotFound => of_its_kind(what, path),
+                    ErrorKind::NotFound => beside(what, path),
                     _ => Vec::new(),
                 };
                 let reason = match error.kind() {
@@ -97,22 +97,13 @@ impl<'a> Files<'a> {
     }
 }
 
-/// The files beside a missing one that have its ending; without any, for a mesh, the meshes
-/// of all formats.
-fn of_its_kind(what: &str, path: &Path) -> Vec<String> {
-    let names = names_beside(path);
-    let with = |is_good: &dyn Fn(Option<&OsStr>) -> bool| {
-        let names = names
-            .iter()
-            .filter(|name| is_good(Path::new(name).extension()));
-        names.cloned().collect::<Vec<_>>()
+/// The files beside a missing one; for a mesh only meshes, in any format.
+fn beside(what: &str, path: &Path) -> Vec<String> {
+    let mut names = names_beside(path);
+    let is_mesh = |name: &String| {
+        let ending = Path::new(name).extension().and_then(OsStr::to_str);
+        ending.is_some_and(|ending| MESH_ENDINGS.contains(&ending.to_lowercase().as_str()))
     };
-    let same = with(&|ending| ending == path.extension());
-    if what != "mesh" || !same.is_empty() {
-        return same;
-    }
-    with(&|ending| {
-        let ending = ending.and_then(OsStr::to_str).unwrap_or_default();
-        MESH_ENDINGS.contains(&ending.to_lowercase().as_str())
-    })
+    names.retain(|name| what != "mesh" || is_mesh(name));
+    names
 }

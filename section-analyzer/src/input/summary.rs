@@ -292,21 +292,29 @@ impl fmt::Display for InputWarning {
             }
             Self::Gap(gap) => write!(f, "narrow gap: {gap}"),
             Self::PoorCells { count, worst } => write_poor_cells(f, *count, worst),
-            Self::StrongCurvature { strength } => write!(
-                f,
-                "curvature times size is {}: more than blades and springs usually have; check the \
-                 unit (plain numbers are angles per length)",
-                tick_label(*strength, 0.0)
-            ),
-            Self::Oblique { angle } => write!(
-                f,
-                "the reference line is {} deg off the normal of the section; check \"slope\", \
-                 whose first number is along the normal",
-                tick_label(*angle, 0.0)
-            ),
+            Self::StrongCurvature { strength } => write_curvature(f, *strength),
+            Self::Oblique { angle } => write_oblique(f, *angle),
             Self::More { count, what } => write!(f, "and {count} more {what}"),
         }
     }
+}
+
+fn write_curvature(f: &mut fmt::Formatter<'_>, strength: f64) -> fmt::Result {
+    write!(
+        f,
+        "curvature times size is {}: more than blades and springs usually have; check the \
+         unit (plain numbers are angles per length)",
+        tick_label(strength, 0.0)
+    )
+}
+
+fn write_oblique(f: &mut fmt::Formatter<'_>, angle: f64) -> fmt::Result {
+    write!(
+        f,
+        "the reference line is {} deg off the normal of the section; check \"slope\", \
+         whose first number is along the normal",
+        tick_label(angle, 0.0)
+    )
 }
 
 /// A line for each of the worst cells.

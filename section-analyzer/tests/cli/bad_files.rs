@@ -11,7 +11,7 @@ fn missing_files_are_reported_where_they_are_named() {
     // without a file of this ending, the meshes of other formats
     Workplace::with(&[("two.msh", "two.inp")], &[]).is_refused(&[
         "error: a.section.toml:1: mesh \"two.inp\" cannot be read: no such file",
-        "  help: files there: two.msh",
+        "  help: no file there ends in .inp; files there: two.msh",
     ]);
     Workplace::with(&[("\"two.msh\"", "\".\"")], &[])
         .is_refused(&["error: a.section.toml:1: mesh \".\" cannot be read: it is a folder"]);

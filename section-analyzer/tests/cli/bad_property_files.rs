@@ -79,8 +79,8 @@ fn files_that_are_no_property_files_are_refused_by_all_commands() {
 fn all_files_that_are_missing_are_reported() {
     let workplace = steel();
     let run = workplace.run(&["compare", "none.json", "neither.json"]);
-    let expected = "error: none.json: cannot be read: no such file\n\
-                    error: neither.json: cannot be read: no such file\n";
+    let expected = "error: none.json: cannot be read: no such file\n  help: files there: a.json\n\
+                    error: neither.json: cannot be read: no such file\n  help: files there: a.json\n";
     assert_eq!((run.code, run.err.as_str()), (2, expected));
     let run = workplace.run(&["report", "none.json", "a.json", "neither.json"]);
     assert_eq!((run.code, run.err.as_str()), (2, expected));
@@ -148,6 +148,12 @@ fn points_and_angles_must_be_reported_with_sense() {
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{value}");
         assert!(run.err.contains(expected), "{}", run.err);
     }
+    assert!(!workplace.path("b.json").exists());
+}
+
+#[test]
+fn options_must_be_complete_and_exclude_each_other() {
+    let workplace = steel();
     for arguments in [
         &["shift", "a.json", "--out", "b.json"][..],
         &["shift", "a.json", "--to", "0,0"],
@@ -202,7 +208,7 @@ fn centers_of_mass_need_mass() {
 #[test]
 fn a_point_out_of_reach_is_refused() {
     let workplace = steel();
-    for to in ["1e9, 0", "0, 1e200"] {
+    for to in ["1e9 m, 0", "0, 1e20 m"] {
         let run = workplace.run(&["shift", "a.json", "--to", to, "--out", "b.json"]);
         assert_eq!((run.code, run.out.as_str()), (2, ""));
         assert!(
@@ -218,7 +224,7 @@ fn a_point_out_of_reach_is_refused() {
         );
     }
     assert!(!workplace.path("b.json").exists());
-    let run = workplace.run(&["shift", "a.json", "--to", "1,1", "--out", "no/b.json"]);
+    let run = workplace.run(&["shift", "a.json", "--to", "1 m,1 m", "--out", "no/b.json"]);
     assert_eq!(
         run.err,
         "error: file \"no/b.json\" cannot be written: its folder does not exist\n"

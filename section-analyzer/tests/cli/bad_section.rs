@@ -285,5 +285,9 @@ fn fiber_angles_of_isotropic_materials_are_a_warning() {
 fn materials_without_a_name_are_reported() {
     Workplace::with(&[("[material.steel]", "[[material]]")], &[]).is_refused(&[
         "error: a.section.toml:7: \"material\" is an array of 1, expected tables [material.NAME]",
+        "error: a.section.toml:14: unknown material \"steel\" in region \"skin\"",
+        "  help: materials of the file: none",
+        "error: a.section.toml:18: unknown material \"steel\" in region \"web\"",
+        "  help: materials of the file: none",
     ]);
 }

@@ -84,7 +84,7 @@ fn same(workplace: &Workplace, a: &str, b: &str, tolerance: f64) {
 #[test]
 fn shift_and_back_is_where_it_began() {
     let workplace = coupled();
-    shift(&workplace, ["a.json", "b.json"], "0.7 mm, -4e-4");
+    shift(&workplace, ["a.json", "b.json"], "0.7 mm, -4e-4 m");
     shift(&workplace, ["b.json", "c.json"], "-0.7 mm,0.4 mm");
     same(&workplace, "a.json", "c.json", 1e-14);
     let (a, b) = (
