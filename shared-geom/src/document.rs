@@ -172,7 +172,7 @@ impl Document {
                 Ok(unit) => self.units.borrow_mut().declare(dimension, unit),
                 Err(problem) => {
                     let key = key.to_owned();
-                    table.note(&key.clone(), &DocumentProblem::Unit { key, problem });
+                    table.note(key.clone(), &DocumentProblem::Unit { key, problem });
                 }
             }
         }

@@ -49,7 +49,7 @@ fn by_name(table: &Table<'_>) -> Option<ModalDamping> {
         match ratio {
             Some(found) if !is_ratio(found) => {
                 let name = name.clone();
-                table.note(&name.clone(), &InputProblem::NoRatio { name, found });
+                table.note(name.clone(), &InputProblem::NoRatio { name, found });
                 sound = false;
             }
             Some(ratio) => ratios.push((name.clone(), ratio)),

@@ -119,7 +119,7 @@ fn write_material(text: &mut String, material: &ModelMaterial) -> std::fmt::Resu
         }
         ModelLaw::Full(rows) => {
             writeln!(text, "stiffness = [")?;
-            for row in rows {
+            for row in rows.iter() {
                 writeln!(text, "  {row:?},")?;
             }
             writeln!(text, "]")?;

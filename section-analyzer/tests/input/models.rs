@@ -358,7 +358,8 @@ fn squares_of_the_guide_of_becas() {
         (5, 5, 8.5081e-4, 5e-9),
     ];
     let s3 = |angle: u32| move |_: usize| format!("1 {angle} 0");
-    let layups: [(&str, Box<dyn Fn(usize) -> String>, Values); 3] = [
+    type Layup = Box<dyn Fn(usize) -> String>;
+    let layups: [(&str, Layup, Values); 3] = [
         (isotropic, Box::new(s2), s2_values),
         (ply, Box::new(s3(0)), along),
         (ply, Box::new(s3(90)), across),

@@ -53,7 +53,7 @@ pub enum ModelLaw {
     /// E1, E2, E3, G12, G13, G23 \[stress\], nu12, nu13, nu23 \[-\].
     Orthotropic([f64; 9]),
     /// Stiffness \[stress\], order 11, 22, 33, 23, 13, 12, engineering shear strains.
-    Full([[f64; 6]; 6]),
+    Full(Box<[[f64; 6]; 6]>),
 }
 
 /// Cells of one material.

@@ -457,7 +457,7 @@ fn the_same_section_in_three_formats() {
         [1.3, 3.4, 3.6, 3.5, 33.0, 2.3],
         [1.2, 2.4, 2.6, 2.5, 2.3, 22.0],
     ];
-    assert_eq!(rows, &expected);
+    assert_eq!(**rows, expected);
 }
 
 #[test]

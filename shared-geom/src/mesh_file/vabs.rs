@@ -305,7 +305,8 @@ impl Reader<'_> {
                         stiffness[column][row] = *value;
                     }
                 }
-                ModelLaw::Full(ORDER.map(|row| ORDER.map(|column| stiffness[row][column])))
+                let full = ORDER.map(|row| ORDER.map(|column| stiffness[row][column]));
+                ModelLaw::Full(Box::new(full))
             }
             other => return Err(flag("kind of a material", other, "0, 1 or 2")),
         };
