@@ -5,7 +5,7 @@ use std::path::Path;
 
 use beam_dynamics::input::{self, Input};
 use beam_dynamics::model::State;
-use cpu_time::ProcessTime;
+use cpu_time::ThreadTime;
 use nalgebra::Vector3;
 
 /// Length of a body [m].
@@ -40,7 +40,7 @@ pub fn text(bodies: usize) -> String {
 
 /// Reads a file, and returns its processor time [s].
 pub fn read(path: &Path) -> Option<(Input, f64)> {
-    let begin = ProcessTime::now();
+    let begin = ThreadTime::now();
     match input::read(path) {
         Ok(input) => Some((input, begin.elapsed().as_secs_f64())),
         Err(problems) => {

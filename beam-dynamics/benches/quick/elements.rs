@@ -6,7 +6,7 @@ use std::sync::Arc;
 use beam_dynamics::assembly::{Combination, Residual, Sparse, Variation};
 use beam_dynamics::case::Model;
 use beam_dynamics::model::{Conditions, State};
-use cpu_time::ProcessTime;
+use cpu_time::ThreadTime;
 use nalgebra::Matrix3;
 
 use crate::factors::Scattered;
@@ -43,7 +43,7 @@ impl<'a> Elements<'a> {
         let system = &self.model.system;
         let mut matrix = Sparse::zero(Arc::clone(system.pattern()));
         let (mut residual, mut work) = (Residual::default(), system.workspace());
-        let begin = ProcessTime::now();
+        let begin = ThreadTime::now();
         for _ in 0..repeats {
             let mut sums = [Combination {
                 by_unknowns: weights[0],

@@ -7,7 +7,7 @@ use beam_dynamics::case::{Model, ModesSettings, StaticSettings};
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamNode};
 use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
-use cpu_time::ProcessTime;
+use cpu_time::ThreadTime;
 use nalgebra::{Matrix6, Rotation3, Vector3, Vector6};
 
 use crate::line::{Inertia, Parts, Section};
@@ -65,7 +65,7 @@ fn iteration(yardstick: &mut Yardstick) -> Option<Row> {
     let exact = Vector3::new(47.150_438, 15.684_801, 53.474_859);
     let (mut off, mut iterations) = (f64::INFINITY, 0);
     let time = yardstick.beside(SPAN, || {
-        let begin = ProcessTime::now();
+        let begin = ThreadTime::now();
         let outcome = statics(&model, &settings);
         let time = begin.elapsed().as_secs_f64();
         let steps = &outcome.result.steps;
@@ -103,7 +103,7 @@ fn frequencies(yardstick: &mut Yardstick) -> Option<Row> {
     let slender = 3.516_015_269 / 0.6_f64.sqrt() / std::f64::consts::TAU;
     let mut off = f64::INFINITY;
     let time = yardstick.beside(SPAN, || {
-        let begin = ProcessTime::now();
+        let begin = ThreadTime::now();
         let outcome = modes(&model, &settings);
         let time = begin.elapsed().as_secs_f64();
         let first = outcome.table.branches.first()?.points.first()?.as_ref()?;

@@ -287,7 +287,7 @@ fn chain_of(folder: &Path, bodies: usize) -> Option<(Model, f64)> {
 
 /// Reading of chains of bodies, and the start of their runs.
 pub fn starting(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
-    const BODIES: [usize; 2] = [100, 1000];
+    const BODIES: [usize; 2] = [1000, 4000];
     let folder = tempfile::tempdir().ok()?;
     let mut times = [[0.0; 2]; 2];
     let mut gap = 0.0;
@@ -305,8 +305,8 @@ pub fn starting(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     let row = |at: usize, what: &str, accuracy: String| Row {
         name: format!("start-up, {what} a chain"),
         ratio: times[1][at] / times[0][at],
-        limit: 15.0,
-        meaning: "1000 bodies / 100 bodies",
+        limit: 8.0,
+        meaning: "4000 bodies / 1000 bodies",
         time: format!("{:.1} ms, {:.1} ms", times[0][at] / MS, times[1][at] / MS),
         accuracy,
     };

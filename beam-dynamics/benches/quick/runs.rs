@@ -4,12 +4,12 @@ use beam_dynamics::analysis::transient::transient;
 use beam_dynamics::case::{Model, TransientSettings};
 use beam_dynamics::model::State;
 use beam_dynamics::result::{AcceptedStep, Effort, Recorder};
-use cpu_time::ProcessTime;
+use cpu_time::ThreadTime;
 
 /// Results of a run: its last state, and the start of its first step.
 #[derive(Default)]
 struct Last {
-    began: Option<ProcessTime>,
+    began: Option<ThreadTime>,
     /// Number of steps between two kept states.
     every: usize,
     states: Vec<(f64, State)>,
@@ -18,7 +18,7 @@ struct Last {
 impl Recorder for Last {
     fn record(&mut self, accepted: &AcceptedStep<'_>) -> bool {
         if accepted.step == 0 {
-            self.began = Some(ProcessTime::now());
+            self.began = Some(ThreadTime::now());
         }
         if accepted.step.is_multiple_of(self.every) {
             self.states.push((accepted.time, accepted.state.clone()));
@@ -43,7 +43,7 @@ pub fn run(model: &Model, settings: &TransientSettings, every: usize) -> Option<
         every,
         ..Last::default()
     };
-    let begin = ProcessTime::now();
+    let begin = ThreadTime::now();
     let outcome = transient(model, settings, None, &mut last, &|| 0.0);
     let all = begin.elapsed().as_secs_f64();
     if let Some(failure) = &outcome.failure {

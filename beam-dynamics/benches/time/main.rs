@@ -18,7 +18,7 @@ mod rotor;
 use beam_dynamics::analysis::transient::transient;
 use beam_dynamics::case::{Model, TransientSettings};
 use beam_dynamics::result::{AcceptedStep, Effort, Recorder};
-use cpu_time::ProcessTime;
+use cpu_time::ThreadTime;
 
 use cantilever::cantilever;
 use line::Inertia;
@@ -65,7 +65,7 @@ impl Candidate {
     }
 
     fn run(&mut self) {
-        let begin = ProcessTime::now();
+        let begin = ThreadTime::now();
         let clock = || begin.elapsed().as_secs_f64();
         let outcome = transient(&self.model, &self.settings, None, &mut Silent, &clock);
         if let Some(failure) = &outcome.failure {
