@@ -139,13 +139,7 @@ impl Inverse {
         found
     }
 
-    /// The product of T with a vector, in all unknowns of the system: what has no rates is in
-    /// it too.
-    pub fn complete(&self, vector: &Mat<f64>) -> Mat<f64> {
-        self.product(vector)
-    }
-
-    /// Error of a rough value s with its vector and their product by [`Self::complete`],
+    /// Error of a rough value s with its vector and their product by [`Self::product`],
     /// relative.
     pub fn error(&self, s: c64, vector: MatRef<'_, f64>, product: MatRef<'_, f64>) -> f64 {
         let pairs = self.indices.iter().zip(&self.scale).enumerate();
@@ -263,8 +257,8 @@ impl Inverse {
         eigenvalues(self.whole().as_ref())
     }
 
-    /// `T x` column by column, in all unknowns of the system.
-    fn product(&self, x: &Mat<f64>) -> Mat<f64> {
+    /// `T x` column by column, in all unknowns of the system: what has no rates is in it too.
+    pub fn product(&self, x: &Mat<f64>) -> Mat<f64> {
         let mut product = Mat::zeros(self.factorization.size(), x.ncols());
         for j in 0..x.ncols() {
             let (from, mut to) = (x.col(j), product.col_mut(j));

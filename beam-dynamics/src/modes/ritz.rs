@@ -37,7 +37,7 @@ impl Ready {
         };
         let wanted: Vec<_> = space.ritz.iter().filter(is_wanted).collect();
         let vectors = space.vectors(&wanted);
-        let products = inverse.complete(&vectors);
+        let products = inverse.product(&vectors);
         let pair = |(k, ritz): (usize, &&Ritz)| {
             let s = inverse.value(ritz.value);
             let (vector, product) = (vectors.subcols(2 * k, 2), products.subcols(2 * k, 2));

@@ -85,7 +85,7 @@ impl Search {
         for (s, vector) in inverse.coarse() {
             let size = s.norm();
             if size > self.zero.max(INVERTED * from) {
-                let product = inverse.complete(&vector);
+                let product = inverse.product(&vector);
                 let own = LOST * round_off.frequency(&product);
                 if !(size.is_finite() && own.is_finite()) {
                     continue;

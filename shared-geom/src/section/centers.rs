@@ -199,11 +199,9 @@ mod tests {
         assert_eq!(Centers::of(&Matrix6::zeros(), &Matrix6::zeros()), None);
     }
 
-    // Centers and axes of the matrices agree, however the axes are named; others are reported
-    // one by one, and centers of mass only with mass.
-    #[test]
-    fn numbers_that_do_not_follow_from_the_matrices_are_found() {
-        let engineering = Engineering {
+    /// A section whose centers and axes are all different.
+    fn turned() -> Engineering {
+        Engineering {
             stiffness: [1e6, 2e5, 1e5, 3e2, 5e2, 7e3],
             mass: [2.0, 0.01, 0.2],
             centers: Centers {
@@ -213,8 +211,14 @@ mod tests {
             },
             stiffness_angle: 0.3,
             inertia_angle: -0.2,
-        };
-        let right = engineering.section("a", Provenance::default());
+        }
+    }
+
+    // Centers and axes of the matrices agree, however the axes are named; others are reported
+    // one by one, and centers of mass only with mass.
+    #[test]
+    fn numbers_that_do_not_follow_from_the_matrices_are_found() {
+        let right = turned().section("a", Provenance::default());
         assert_eq!(right.disagreements(), [""; 0]);
         let mut named = right.clone();
         let axes = &mut named.principal_axes;
@@ -240,18 +244,7 @@ mod tests {
     // same content as one with them; entries up to 1e6 and back through an inverse.
     #[test]
     fn a_file_needs_no_numbers_that_follow_from_the_matrices() {
-        let engineering = Engineering {
-            stiffness: [1e6, 2e5, 1e5, 3e2, 5e2, 7e3],
-            mass: [2.0, 0.01, 0.2],
-            centers: Centers {
-                tension: Vector2::new(0.03, -0.01),
-                shear: Vector2::new(-0.05, 0.02),
-                mass: Vector2::new(0.07, 0.04),
-            },
-            stiffness_angle: 0.3,
-            inertia_angle: -0.2,
-        };
-        let whole = engineering.section("a", Provenance::default());
+        let whole = turned().section("a", Provenance::default());
         let mut file: serde_json::Value = serde_json::from_str(&write(&whole)).unwrap();
         let fields = file.as_object_mut().unwrap();
         for field in ["centers", "principal_axes", "provenance"] {
