@@ -37,11 +37,13 @@ pub struct Integrator {
     progress: Progress,
     corrector: Corrector,
     past: Past,
-    /// Predicted changes and rates of one stage, and the rates of all.
+    /// Predicted changes of one stage.
     predicted: Vec<f64>,
+    /// Predicted rates of all stages; empty for stages not used so far.
     rates: [Vec<f64>; STAGES],
     /// Predicted change at the last stage.
     end: Vec<f64>,
+    /// Difference to a polynomial, of which errors are estimated.
     difference: Vec<f64>,
 }
 
@@ -144,9 +146,9 @@ impl Integrator {
             corrector: Corrector::new(dae, scheme.formula(1.0).stages, &limits),
             past: Past::new(n),
             predicted: zero(),
-            rates: std::array::from_fn(|_| zero()),
+            rates: Default::default(),
             end: zero(),
-            difference: zero(),
+            difference: Vec::new(),
         }
     }
 
@@ -220,7 +222,11 @@ impl Integrator {
         let Some(corner) = self.progress.corner.take() else {
             return;
         };
+        let n = self.predicted.len();
         let [now, before, after] = &mut self.rates;
+        for rates in [&mut *now, before, after] {
+            rates.resize(n, 0.0);
+        }
         dae.past(0, &mut self.predicted, now);
         self.progress.known = match dae.renew(&corner, self.progress.lengths.wish) {
             Renewal::Smooth => return,
@@ -286,7 +292,9 @@ impl Integrator {
         }
         let ratio = length / self.progress.length;
         let has_cubic = self.progress.known > 1 && ratio <= REACH;
-        for (rates, position) in self.rates.iter_mut().zip(formula.positions) {
+        let positions = &formula.positions[..formula.stages];
+        for (rates, position) in self.rates.iter_mut().zip(positions) {
+            rates.resize(past.latest_rates.len(), 0.0);
             match has_cubic {
                 true => past.rates((1.0 + position) * ratio, self.progress.length, rates),
                 false => rates.copy_from_slice(&past.latest_rates),
@@ -320,7 +328,7 @@ impl Integrator {
             if self.progress.known > 1 {
                 sum += formula.before * past.before[i] + before * past.rates_before[i];
             }
-            for (rates, weight) in self.rates.iter().zip(weights) {
+            for (rates, weight) in self.rates.iter().zip(&weights[..formula.stages]) {
                 sum += h * weight * rates[i];
             }
             self.predicted[i] = sum;

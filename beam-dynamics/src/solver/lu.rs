@@ -13,6 +13,7 @@ mod dissection;
 mod elimination;
 mod fill;
 mod lines;
+mod lists;
 mod number;
 mod numbers;
 mod order;
@@ -25,7 +26,6 @@ use std::sync::Arc;
 use elimination::Scaled;
 pub(super) use number::{LANES, Number, Row};
 use numbers::Numbers;
-use pivots::Pivots;
 use structure::Structure;
 
 use super::scales::scales;
@@ -43,7 +43,6 @@ const SHRUNK: f64 = 0.1;
 /// All choices and patterns found once, for one matrix, and reused for others.
 #[derive(Debug)]
 pub(super) struct Plan {
-    pivots: Pivots,
     /// Scales of rows and of columns, in the order of elimination.
     scales: [Vec<f64>; 2],
     structure: Structure,
@@ -63,7 +62,7 @@ pub(super) struct Lu<T: Number> {
 
 impl Plan {
     /// Chooses pivots for the matrix of the given values; `None` if it is singular.
-    fn new<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Self> {
+    fn new<T: Number>(pattern: &Arc<Pattern>, values: &[T]) -> Option<Self> {
         let scales = scales(pattern, values)?;
         let pivots = pivots::choose(pattern, values, (&scales.0, &scales.1))?;
         let (pivots, branches) = order::ordered(pattern, &pivots);
@@ -72,19 +71,18 @@ impl Plan {
             lines.map(|&line| scale[line as usize]).collect()
         };
         Some(Self {
-            structure: Structure::new(pattern, &pivots, &branches),
             scales: [
                 taken(&scales.0, &pivots.rows),
                 taken(&scales.1, &pivots.columns),
             ],
-            pivots,
+            structure: Structure::new(pattern, pivots, &branches),
             least_pivot: 0.0,
         })
     }
 
     /// Equations and their scales.
     pub fn row_scales(&self) -> impl Iterator<Item = (usize, f64)> + Clone + '_ {
-        let rows = self.pivots.rows.iter().map(|&row| row as usize);
+        let rows = self.structure.pivots.rows.iter().map(|&row| row as usize);
         rows.zip(self.scales[0].iter().copied())
     }
 
@@ -97,7 +95,7 @@ impl Plan {
 impl<T: Number> Lu<T> {
     /// Chooses pivots for the matrix of the given values, and factorizes it; `None` if it is
     /// singular.
-    pub fn choose(pattern: &Pattern, values: &[T]) -> Option<Self> {
+    pub fn choose(pattern: &Arc<Pattern>, values: &[T]) -> Option<Self> {
         let mut plan = Plan::new(pattern, values)?;
         let mut numbers = Numbers::new(&plan.structure);
         let (growth, least) = compute(&plan, &mut numbers, values)?;
@@ -146,11 +144,11 @@ impl<T: Number> Lu<T> {
     /// Replaces b by x; `ordered` is a buffer of [`Plan::buffer_len`] numbers.
     pub fn solve<R: Row<T>>(&self, b: &mut [R], ordered: &mut [R]) {
         let Plan {
-            pivots,
             scales: [row_scales, column_scales],
             structure,
             ..
         } = &*self.plan;
+        let pivots = &structure.pivots;
         let rows = pivots.rows.iter().zip(row_scales);
         for (value, (&row, scale)) in ordered.iter_mut().zip(rows) {
             *value = b[row as usize].scaled(*scale);

@@ -47,8 +47,9 @@ pub struct StepSolver {
     /// Whether a solution with these factors had a negligible residual.
     is_vouched: bool,
     right_side: Vec<f64>,
+    /// Residual of the last solution, empty until one is checked.
     residual: Vec<f64>,
-    /// Sum of the absolute values of the terms of each equation.
+    /// Sum of the absolute values of the terms of each equation, for that residual.
     sizes: Vec<f64>,
     /// Largest of the least pivots of all choices since the last reset, each relative to its
     /// matrix.
@@ -90,9 +91,9 @@ impl StepSolver {
             factors: Factors::None,
             is_vouched: false,
             right_side: zeros.clone(),
-            residual: zeros.clone(),
-            ordered: zeros.clone(),
-            sizes: zeros,
+            residual: Vec::new(),
+            ordered: zeros,
+            sizes: Vec::new(),
             usual_least: 0.0,
             counts: LinearCounts::default(),
             fallback: GeneralSolver::new(pattern),
@@ -255,9 +256,9 @@ impl StepSolver {
     /// Largest residual `b - A x` relative to the terms of its equation,
     /// `|r_i| / (|A| |x| + |b|)_i` (D-135).
     fn error(&mut self, x: &[f64]) -> f64 {
-        self.residual.copy_from_slice(&self.right_side);
-        let sizes = self.sizes.iter_mut().zip(&self.right_side);
-        sizes.for_each(|(size, b)| *size = b.abs());
+        self.residual.clone_from(&self.right_side);
+        self.sizes.clear();
+        self.sizes.extend(self.right_side.iter().map(|b| b.abs()));
         for (row, column, value) in self.matrix.triplets() {
             let term = value * x[column];
             self.residual[row] -= term;

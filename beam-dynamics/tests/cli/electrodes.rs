@@ -63,7 +63,7 @@ fn statics_reports_electrodes() {
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let charge = 50.0 * (1e-6 + 1e-8 / 0.634);
     for reported in [
-        "Electrodes at factor 0",
+        "Electrodes under the constant loads",
         "electrode \"top\": voltage 50 V",
         "no [[electrode]] names electrode \"bottom\" of \"blade/beam 1\", \"blade/beam 2\": its \
          voltage is zero",

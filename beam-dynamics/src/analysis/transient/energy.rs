@@ -112,7 +112,7 @@ pub(super) struct EnergyWatch {
     gravity: Option<Sum>,
     work: Workspace,
     /// Energy of each element at the start, at the latest check and at the check of the largest
-    /// gain.
+    /// gain, the last empty if there is none.
     start: Vec<Energy>,
     now: Vec<Energy>,
     then: Vec<Energy>,
@@ -190,7 +190,7 @@ impl EnergyWatch {
             gravity: changes.then(|| Sum::at(power_of_gravity(state, conditions))),
             work,
             now: start.clone(),
-            then: start.clone(),
+            then: Vec::new(),
             start,
             falls: [0.0; 3],
             left: left_over(system, at, settings.newton.correction.max(LEFT)),
@@ -272,7 +272,7 @@ impl EnergyWatch {
         let is_second = self.since.is_some();
         if !is_second || look.gain > self.largest.gain {
             self.largest = look;
-            self.then.copy_from_slice(&self.now);
+            self.then.clone_from(&self.now);
         }
         self.since.get_or_insert(time);
         self.is_found |= is_second || is_above(SURELY);

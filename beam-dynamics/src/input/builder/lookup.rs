@@ -169,22 +169,18 @@ impl ModelBuilder {
         if all.len() <= most {
             return all;
         }
-        let uses = |node: usize| {
-            let of_beams = self.beams.iter().flat_map(|beam| beam.nodes);
-            of_beams.filter(|other| *other == node).count()
-        };
-        let is_end = |node: usize| {
-            let ends = self
-                .beams
-                .iter()
-                .flat_map(|beam| [beam.nodes[0], beam.nodes[2]]);
-            uses(node) == 1 && ends.into_iter().any(|end| end == node)
-        };
-        let has_body = |node: usize| self.bodies.iter().any(|body| body.1 == node);
+        let (mut uses, mut is_outer) = (vec![0; self.nodes.len()], vec![false; self.nodes.len()]);
+        for beam in &self.beams {
+            beam.nodes.iter().for_each(|&node| uses[node] += 1);
+            is_outer[beam.nodes[0]] = true;
+            is_outer[beam.nodes[2]] = true;
+        }
+        let is_end = |node: usize| uses[node] == 1 && is_outer[node];
+        let mut carries = vec![false; self.nodes.len()];
+        let bodies = self.bodies.iter();
+        bodies.for_each(|body| carries[body.1] = true);
         let mut found: Vec<_> = all.iter().copied().filter(|node| is_end(*node)).collect();
-        let bodies = all
-            .iter()
-            .filter(|node| has_body(**node) && !is_end(**node));
+        let bodies = all.iter().filter(|node| carries[**node] && !is_end(**node));
         found.extend(bodies);
         found.truncate(most);
         found

@@ -63,15 +63,18 @@ impl Integrator {
         let constant = formula.counted_constant();
         let factor = constant / (error_of_value(order, ratio) - constant);
         let moved = self.corrector.moved().iter().zip(&self.end);
-        for (i, (moved, predicted)) in moved.enumerate() {
-            self.difference[i] = match dae.algebraic()[i] {
-                true => 0.0,
-                false => {
-                    let polynomial = self.past.value(order, plan.length, ratio, i);
-                    factor * (moved + predicted - polynomial)
-                }
-            };
-        }
+        self.difference.clear();
+        let difference =
+            moved
+                .enumerate()
+                .map(|(i, (moved, predicted))| match dae.algebraic()[i] {
+                    true => 0.0,
+                    false => {
+                        let polynomial = self.past.value(order, plan.length, ratio, i);
+                        factor * (moved + predicted - polynomial)
+                    }
+                });
+        self.difference.extend(difference);
         let of_speeds = (self.progress.speeds).error(dae, formula, plan.end, plan.length);
         let speeds = match of_speeds {
             Some(error) => error,

@@ -68,7 +68,10 @@ impl DeformedPlot {
                 .zip(&step.positions)
                 .map(|(from, to)| from + times * (to - from))
                 .collect();
-            let name = format!("factor {}", short_number(step.factor, 4));
+            let name = match step.factor {
+                0.0 => "constant loads".to_owned(),
+                factor => format!("factor {}", short_number(factor, 4)),
+            };
             plot.add(&structure, &moved, (&name, width, color));
         }
         let marks: Vec<_> = plot.marks.iter().map(|mark| mark.0).collect();

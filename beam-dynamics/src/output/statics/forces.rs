@@ -3,7 +3,7 @@
 use shared_geom::figure::{Axes, CATEGORIES, Color, Drawing, Figure, Legend, Stroke, WIDTH, range};
 
 use super::floors::{Floors, clean};
-use crate::input::short_number;
+use super::text::loads_of;
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
 
@@ -67,11 +67,7 @@ impl ForcePlot {
         let curves: Vec<_> = structure.members.iter().enumerate().map(curve).collect();
         let lengths = structure.members.iter().map(|member| member.length);
         Some(Self {
-            title: format!(
-                "{}: internal forces at factor {}",
-                result.name,
-                short_number(last.factor, 4)
-            ),
+            title: format!("{}: internal forces {}", result.name, loads_of(last, 4)),
             length: lengths.fold(0.0, f64::max),
             floors: Floors::new(last, structure.size(), ROUND_OFF),
             curves,

@@ -45,7 +45,7 @@ pub fn static_text(result: &StaticResult) -> String {
     let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
     text.push_str(&step_table(result, &structure));
     if let Some(last) = result.last() {
-        let at = format!("at factor {}", short_number(last.factor, DIGITS));
+        let at = loads_of(last, DIGITS);
         let floors = Floors::new(last, structure.size(), ROUND_OFF);
         let (title, table) = displacement_table(result, &structure, (last, &floors));
         text.push_str(&format!("\n{title} {at}\n\n{table}"));
@@ -88,6 +88,14 @@ pub(super) fn most_displaced(result: &StaticResult, step: &StaticStep) -> (usize
         .rev()
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .unwrap_or((0, 0.0))
+}
+
+/// The loads of a step as the end of a title, with a number of digits.
+pub(super) fn loads_of(step: &StaticStep, digits: usize) -> String {
+    match step.factor {
+        0.0 => "under the constant loads".to_owned(),
+        factor => format!("at factor {}", short_number(factor, digits)),
+    }
 }
 
 fn step_table(result: &StaticResult, structure: &Structure) -> String {

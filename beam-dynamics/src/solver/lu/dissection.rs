@@ -1,9 +1,10 @@
 //! Division of a long chain by a cut, so that its halves can be eliminated in parallel: from
-//! both ends to the cut, without more fill than from one end to the other.
+//! both ends to the cut, without more fill than from one end to the other. Each half is divided
+//! into stages of some thousand unknowns: the choice of pivots needs memory for one of them.
 //!
 //! Levels of unknowns, by their distance from an end of the chain, are found twice: the last
 //! unknown of the first search is an end. The unknowns of the middle level that have neighbors
-//! in the next level form the cut.
+//! in the next level form the cut, which is the last stage.
 //!
 //! References: [GeorgeLiu1981].
 
@@ -17,14 +18,15 @@ const CUT: f64 = 0.02;
 
 const NONE: u32 = u32::MAX;
 
-/// For each unknown of a large chain whether it belongs to the cut; `None` for small matrices,
+/// Stage of each unknown of a large chain, the cut in the last one; `None` for small matrices,
 /// and for matrices that are no chains: trees already have branches.
-pub(super) fn cut(pattern: &Pattern) -> Option<Vec<bool>> {
-    (pattern.size() >= LARGE).then(|| found(pattern)).flatten()
+pub(super) fn stages(pattern: &Pattern) -> Option<Vec<u16>> {
+    let count = (pattern.size() / LARGE).min(u16::MAX.into());
+    (count > 0).then(|| found(pattern, count as u16)).flatten()
 }
 
-/// The same for matrices of any size.
-fn found(pattern: &Pattern) -> Option<Vec<bool>> {
+/// The same for matrices of any size, with `count` stages before the cut.
+fn found(pattern: &Pattern, count: u16) -> Option<Vec<u16>> {
     let n = pattern.size();
     let graph = symmetric(pattern);
     let nothing = vec![false; n];
@@ -43,7 +45,16 @@ fn found(pattern: &Pattern) -> Option<Vec<bool>> {
     let part = |from: u32| search(&graph, from, &cut).0.len() as f64 / n as f64;
     let ends = [order[0], *order.last()?];
     let is_chain = size as f64 <= CUT * n as f64 && ends.into_iter().all(|end| part(end) >= HALF);
-    is_chain.then_some(cut)
+    let length = levels[ends[1] as usize];
+    let half = f64::from(length / 2 + 1);
+    let stage = |i: usize| {
+        let from_end = levels[i].min(length - levels[i]);
+        match cut[i] {
+            true => count,
+            false => (f64::from(from_end) / half * f64::from(count)) as u16,
+        }
+    };
+    is_chain.then(|| (0..n).map(stage).collect())
 }
 
 /// The pattern and its transpose.
@@ -90,17 +101,20 @@ mod tests {
 
     #[test]
     fn a_chain_is_cut_in_the_middle_and_a_star_is_not() {
-        let cut = found(&pattern(101, |i| i.saturating_sub(1))).unwrap();
-        let indices: Vec<_> = (0..101).filter(|&i| cut[i]).collect();
-        assert_eq!(indices, [50]);
-        assert!(found(&pattern(100, |i| i.saturating_sub(4))).is_none());
+        let stages = found(&pattern(101, |i| i.saturating_sub(1)), 2).unwrap();
+        let expected = |i: usize| match i.abs_diff(50) {
+            0 => 2,
+            1..=24 => 1,
+            _ => 0,
+        };
+        assert!((0..101).all(|i| stages[i] == expected(i)), "{stages:?}");
+        assert!(found(&pattern(100, |i| i.saturating_sub(4)), 1).is_none());
         // Two separate chains.
         assert!(
-            found(&pattern(100, |i| if i == 50 {
-                i
-            } else {
-                i.saturating_sub(1)
-            }))
+            found(
+                &pattern(100, |i| if i == 50 { i } else { i.saturating_sub(1) }),
+                1
+            )
             .is_none()
         );
     }

@@ -61,7 +61,9 @@ pub(super) struct Area<'a, T: Number> {
     pub upper: &'a mut [T::Lanes],
     pub inverse_pivots: &'a mut [T],
     pub sizes: &'a mut [[Sizes; 2]],
-    /// Index of the first value of each in the whole.
+    /// Rows of the strip being computed, zero between strips.
+    pub columns: &'a mut [T::Lanes],
+    /// Index of the first value of each in the whole; columns begin where the pivots do.
     pub first: [usize; 4],
 }
 
@@ -73,6 +75,7 @@ impl<'a, T: Number> Area<'a, T> {
             upper: self.upper,
             inverse_pivots: self.inverse_pivots,
             sizes: self.sizes,
+            columns: self.columns,
             first: self.first,
         }
     }
@@ -85,11 +88,13 @@ impl<'a, T: Number> Area<'a, T> {
         let upper = self.upper.split_at_mut(count(1));
         let inverse_pivots = self.inverse_pivots.split_at_mut(count(2));
         let sizes = self.sizes.split_at_mut(count(3));
+        let columns = self.columns.split_at_mut(count(2));
         let before = Self {
             lower: lower.0,
             upper: upper.0,
             inverse_pivots: inverse_pivots.0,
             sizes: sizes.0,
+            columns: columns.0,
             first: self.first,
         };
         let after = Self {
@@ -97,28 +102,65 @@ impl<'a, T: Number> Area<'a, T> {
             upper: upper.1,
             inverse_pivots: inverse_pivots.1,
             sizes: sizes.1,
+            columns: columns.1,
             first: starts,
         };
         (before, after)
     }
 }
 
-/// Computes the values of a part in the columns `columns`, which are zero before and after;
-/// `None` if a pivot is zero, or a value not finite.
+/// Computes the values of a part; `None` if a pivot is zero, or a value not finite. The rows of
+/// the trunk in the columns of a branch are written to `beyond`, which is empty for the trunk
+/// itself.
 pub(super) fn eliminate<T: Number>(
     (structure, matrix): (&Structure, Scaled<'_, T>),
     part: &Part,
     area: Area<'_, T>,
-    columns: &mut [T::Lanes],
+    beyond: &mut [T::Lanes],
 ) -> Option<Extremes> {
     Arch::new().dispatch(Elimination {
         structure,
         matrix,
         part,
-        area,
-        columns,
+        columns: Rows {
+            own: area.columns,
+            first: area.first[2],
+            end: structure.columns().len() - beyond.len(),
+            beyond,
+        },
+        area: Area {
+            columns: &mut [],
+            ..area
+        },
         least_pivot: f64::INFINITY,
     })
+}
+
+/// Rows of the strip being computed, zero before and after.
+struct Rows<'a, L> {
+    own: &'a mut [L],
+    /// First own row.
+    first: usize,
+    /// First row of the trunk, if this is a branch.
+    end: usize,
+    /// Rows of the trunk.
+    beyond: &'a mut [L],
+}
+
+impl<L: Copy> Rows<'_, L> {
+    #[inline(always)]
+    fn at(&mut self, row: usize) -> &mut L {
+        match row < self.end {
+            true => &mut self.own[row - self.first],
+            false => &mut self.beyond[row - self.end],
+        }
+    }
+
+    /// Consecutive own rows.
+    #[inline(always)]
+    fn own(&mut self, (from, to): (usize, usize)) -> &mut [L] {
+        &mut self.own[from - self.first..to - self.first]
+    }
 }
 
 /// All strips of a part in turn, compiled for each width of registers.
@@ -127,7 +169,7 @@ struct Elimination<'a, T: Number> {
     matrix: Scaled<'a, T>,
     part: &'a Part,
     area: Area<'a, T>,
-    columns: &'a mut [T::Lanes],
+    columns: Rows<'a, T::Lanes>,
     least_pivot: f64,
 }
 
@@ -147,20 +189,20 @@ impl<T: Number> WithSimd for Elimination<'_, T> {
 /// `x_r <- x_r - sum_j l_rj u_j` for several rows at once, which share the loads of u.
 #[inline(always)]
 fn below_segment<T: Number, P: Product, const N: usize>(
-    columns: &mut [T::Lanes],
+    columns: &mut Rows<'_, T::Lanes>,
     rows: [usize; N],
     lower: [&[T]; N],
     upper: &[T::Lanes],
 ) {
     let lower = lower.map(|row| &row[..upper.len()]);
-    let mut sums = rows.map(|row| columns[row]);
+    let mut sums = rows.map(|row| *columns.at(row));
     for (j, u) in upper.iter().enumerate() {
         for (sum, row) in sums.iter_mut().zip(&lower) {
             T::take::<P>(sum, row[j], u);
         }
     }
     for (row, sum) in rows.into_iter().zip(sums) {
-        columns[row] = sum;
+        *columns.at(row) = sum;
     }
 }
 
@@ -207,31 +249,29 @@ impl<T: Number> Elimination<'_, T> {
             structure, matrix, ..
         } = *self;
         let (first, end) = strip.columns();
-        let scales = &matrix.column_scales[first..end];
-        let entries = structure.columns[first..=end].windows(2);
-        for (lane, (entries, scale)) in entries.zip(scales).enumerate() {
-            let [index, first, end] =
-                [entries[0].index, entries[0].first, entries[1].first].map(|it| it as usize);
-            let rows = &structure.rows[first..end];
-            let values = &matrix.values[index..index + rows.len()];
+        for (lane, k) in (first..end).enumerate() {
+            let scale = &matrix.column_scales[k];
+            let entries = structure.entries(k);
+            let rows = &structure.pattern.rows()[entries.clone()];
+            let values = &matrix.values[entries];
             let (values, last_values) = values.as_chunks::<LANES>();
             let (rows, last_rows) = rows.as_chunks::<LANES>();
             for (values, rows) in values.iter().zip(rows) {
-                let rows = rows.map(|row| row as usize);
+                let rows = rows.map(|row| structure.row_indices[row as usize] as usize);
                 let scaled: [T; LANES] =
                     std::array::from_fn(|i| values[i] * *scale * matrix.row_scales[rows[i]]);
                 enlarge(sizes, &scaled.map(T::size));
                 for i in 0..LANES {
                     sums[i] += 0.0 * values[i].size();
-                    T::set_lane(&mut self.columns[rows[i]], lane, scaled[i]);
+                    T::set_lane(self.columns.at(rows[i]), lane, scaled[i]);
                 }
             }
             for (value, row) in last_values.iter().zip(last_rows) {
-                let row = *row as usize;
+                let row = structure.row_indices[*row as usize] as usize;
                 let scaled = *value * *scale * matrix.row_scales[row];
                 sizes[0] = greater(sizes[0], scaled.size());
                 sums[0] += 0.0 * value.size();
-                T::set_lane(&mut self.columns[row], lane, scaled);
+                T::set_lane(self.columns.at(row), lane, scaled);
             }
         }
     }
@@ -254,7 +294,7 @@ impl<T: Number> Elimination<'_, T> {
             let upper = &mut self.area.upper[at..at + to - from];
             let of_panel = &mut self.area.sizes[segment.panel() - first_size][1];
             let mut size = *of_panel;
-            let own = &mut self.columns[own.0..own.1];
+            let own = self.columns.own(own);
             for (p, x) in own.iter_mut().enumerate() {
                 let mut sum = std::mem::replace(x, T::NONE);
                 let at = (from + p) * width + from;
@@ -274,11 +314,11 @@ impl<T: Number> Elimination<'_, T> {
                 let rows = std::array::from_fn(|i| rows[i] as usize);
                 let first: [_; ROWS] =
                     std::array::from_fn(|i| &values[i * width + from..i * width + to]);
-                below_segment::<T, P, ROWS>(self.columns, rows, first, upper);
+                below_segment::<T, P, ROWS>(&mut self.columns, rows, first, upper);
             }
             for (row, values) in rest.iter().zip(of_rest.chunks_exact(width)) {
                 let row = [*row as usize];
-                below_segment::<T, P, 1>(self.columns, row, [&values[from..to]], upper);
+                below_segment::<T, P, 1>(&mut self.columns, row, [&values[from..to]], upper);
             }
         }
     }
@@ -305,7 +345,7 @@ impl<T: Number> Elimination<'_, T> {
             .zip(of_diagonal.chunks_exact_mut(width))
             .enumerate()
         {
-            let mut x = std::mem::replace(&mut self.columns[*row as usize], T::NONE);
+            let mut x = std::mem::replace(self.columns.at(*row as usize), T::NONE);
             for j in 0..d {
                 divide::<T, P>(&mut x, j, &inverse, &upper, &mut lower_size);
             }
@@ -326,7 +366,7 @@ impl<T: Number> Elimination<'_, T> {
             }
         }
         for (row, values) in rows_below.iter().zip(below.chunks_exact_mut(width)) {
-            let mut x = std::mem::replace(&mut self.columns[*row as usize], T::NONE);
+            let mut x = std::mem::replace(self.columns.at(*row as usize), T::NONE);
             // If the strip has fewer columns, all values of the others are zero.
             for j in 0..LANES {
                 divide::<T, P>(&mut x, j, &inverse, &upper, &mut lower_size);

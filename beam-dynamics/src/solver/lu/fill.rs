@@ -3,15 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Entries of a column of the matrix, consecutive in its pattern.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Column {
-    /// First entry in the pattern of the matrix.
-    pub index: u32,
-    /// First entry among the rows of the structure; the next column has the one after the
-    /// last.
-    pub first: u32,
-}
+use crate::assembly::Pattern;
 
 /// Rows of many columns, one column after the other.
 #[derive(Debug)]
@@ -56,10 +48,10 @@ pub(super) struct Fill {
 
 impl Fill {
     /// Column k has the rows of its entries, and for each row j of them above the diagonal the
-    /// rows of column j of L. The matrix is given by its columns in the order of elimination,
-    /// with one more as the end of the last, and the rows of their entries.
-    pub fn new(columns: &[Column], rows: &[u32]) -> Self {
-        let n = columns.len() - 1;
+    /// rows of column j of L. The columns of the matrix are given in the order of elimination,
+    /// and the index of each row in it.
+    pub fn new(pattern: &Pattern, columns: &[u32], row_indices: &[u32]) -> Self {
+        let n = columns.len();
         let (mut lower, mut upper) = (Columns::new(n), Columns::new(n));
         let mut met = vec![u32::MAX; n];
         let mut open = BinaryHeap::new();
@@ -76,9 +68,10 @@ impl Fill {
                     }
                 }
             };
-            let entries = &columns[k as usize..k as usize + 2];
-            let rows = &rows[entries[0].first as usize..entries[1].first as usize];
-            rows.iter().for_each(|&row| add(row, &mut open, &mut below));
+            let entries = pattern.column(columns[k as usize] as usize);
+            for &row in &pattern.rows()[entries] {
+                add(row_indices[row as usize], &mut open, &mut below);
+            }
             while let Some(Reverse(j)) = open.pop() {
                 above.push(j);
                 let rows = lower.of(j as usize).iter();

@@ -21,14 +21,16 @@ pub(super) struct Lines {
     next: Vec<u32>,
     previous: Vec<u32>,
     length: Vec<u32>,
-    /// Lines that are counted but not found.
-    is_hidden: Vec<bool>,
+    /// Stage of each line: lines of later stages than the present one are counted but not
+    /// found.
+    stages: Vec<u16>,
+    stage: u16,
 }
 
 impl Lines {
-    /// Lines of the given lengths; hidden ones are not found. At first each list begins with
-    /// the first line.
-    pub fn new(lengths: impl Iterator<Item = usize>, turn: Turn, is_hidden: Vec<bool>) -> Self {
+    /// Lines of the given lengths, of which the stage zero is found. At first each list begins
+    /// with the first line.
+    pub fn new(lengths: impl Iterator<Item = usize>, turn: Turn, stages: Vec<u16>) -> Self {
         let length: Vec<_> = lengths.map(|length| length as u32).collect();
         let n = length.len();
         let mut lines = Self {
@@ -37,32 +39,36 @@ impl Lines {
             next: vec![NONE; n],
             previous: vec![NONE; n],
             length,
-            is_hidden,
+            stages,
+            stage: 0,
         };
-        for at in 0..n {
-            let line = match turn {
-                Turn::LatestFirst => n - 1 - at,
-                Turn::EachInTurn => at,
-            };
-            if !lines.is_hidden[line] {
-                lines.insert(line);
-            }
-        }
+        lines.insert_stage();
         lines
     }
 
-    /// Makes all hidden lines visible from now on.
-    pub fn show(&mut self) {
-        for line in 0..self.length.len() {
-            if std::mem::take(&mut self.is_hidden[line]) {
+    /// Makes the lines of the next stage visible from now on; `false` after the last stage.
+    pub fn show_next(&mut self) -> bool {
+        self.stage += 1;
+        self.insert_stage();
+        self.stages.iter().any(|stage| *stage >= self.stage)
+    }
+
+    /// Whether a line belongs to a later stage.
+    pub fn is_hidden(&self, line: usize) -> bool {
+        self.stages[line] > self.stage
+    }
+
+    fn insert_stage(&mut self) {
+        let n = self.length.len();
+        for at in 0..n {
+            let line = match self.turn {
+                Turn::LatestFirst => n - 1 - at,
+                Turn::EachInTurn => at,
+            };
+            if self.stages[line] == self.stage {
                 self.insert(line);
             }
         }
-    }
-
-    /// Whether a line is hidden.
-    pub fn is_hidden(&self, line: usize) -> bool {
-        self.is_hidden[line]
     }
 
     fn insert(&mut self, line: usize) {
@@ -99,7 +105,7 @@ impl Lines {
 
     /// Changes the length of a line.
     pub fn change(&mut self, line: usize, length: usize) {
-        if self.is_hidden[line] {
+        if self.is_hidden(line) {
             self.length[line] = length as u32;
         } else if self.length[line] as usize != length {
             self.remove(line);
@@ -136,11 +142,7 @@ mod tests {
 
     #[test]
     fn lines_come_by_length_and_then_by_number_or_the_latest_first() {
-        let mut lines = Lines::new(
-            [3, 1, 3, 1, 0].into_iter(),
-            Turn::LatestFirst,
-            vec![false; 5],
-        );
+        let mut lines = Lines::new([3, 1, 3, 1, 0].into_iter(), Turn::LatestFirst, vec![0; 5]);
         assert_eq!(order(&lines), [4, 1, 3, 0, 2]);
         lines.change(0, 1);
         lines.remove(4);
@@ -152,11 +154,7 @@ mod tests {
 
     #[test]
     fn lines_that_take_turns_go_to_the_end() {
-        let mut lines = Lines::new(
-            [3, 1, 3, 1, 0].into_iter(),
-            Turn::EachInTurn,
-            vec![false; 5],
-        );
+        let mut lines = Lines::new([3, 1, 3, 1, 0].into_iter(), Turn::EachInTurn, vec![0; 5]);
         assert_eq!(order(&lines), [4, 1, 3, 0, 2]);
         lines.change(0, 1);
         lines.remove(4);
@@ -171,12 +169,13 @@ mod tests {
 
     #[test]
     fn hidden_lines_are_counted_and_found_once_they_are_shown() {
-        let hidden = vec![false, true, false];
-        let mut lines = Lines::new([2, 2, 3].into_iter(), Turn::LatestFirst, hidden);
+        let stages = vec![0, 1, 0];
+        let mut lines = Lines::new([2, 2, 3].into_iter(), Turn::LatestFirst, stages);
         lines.change(1, 3);
         assert_eq!(order(&lines), [0, 2]);
         assert_eq!((lines.length(1), lines.is_hidden(1)), (3, true));
-        lines.show();
+        assert!(lines.show_next());
         assert_eq!(order(&lines), [0, 1, 2]);
+        assert!(!lines.show_next());
     }
 }

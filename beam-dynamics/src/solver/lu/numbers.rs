@@ -13,9 +13,11 @@ pub(super) struct Numbers<T: Number> {
     pub upper: Vec<T::Lanes>,
     /// `1/u_dd` [-].
     pub inverse_pivots: Vec<T>,
-    /// Columns being computed, zero between strips: the columns of the trunk, then the columns
-    /// of each branch. Of the latter only the rows of the branch and of the trunk are written.
-    columns: Vec<Vec<T::Lanes>>,
+    /// Rows of the strips being computed, zero between strips: each branch has its own ones, and
+    /// the trunk, which is computed after them, all.
+    columns: Vec<T::Lanes>,
+    /// Rows of the trunk in the strip of each branch.
+    beyond: Vec<Vec<T::Lanes>>,
     /// Largest values of each panel, by columns: of its columns of L, and of its rows of U.
     sizes: Vec<[Sizes; 2]>,
 }
@@ -47,12 +49,14 @@ impl Growth {
 impl<T: Number> Numbers<T> {
     pub fn new(structure: &Structure) -> Self {
         let n = structure.trunk.columns.end;
-        let works = 1 + structure.branches.len();
+        let of_trunk = structure.trunk.columns.len();
+        let branches = structure.branches.iter();
         Self {
             lower: vec![T::ZERO; structure.panel_values],
             upper: vec![T::NONE; structure.segment_values],
             inverse_pivots: vec![T::ZERO; n],
-            columns: (0..works).map(|_| vec![T::NONE; n]).collect(),
+            columns: vec![T::NONE; n],
+            beyond: branches.map(|_| vec![T::NONE; of_trunk]).collect(),
             sizes: vec![[[0.0; LANES]; 2]; structure.panels.len()],
         }
     }
@@ -62,9 +66,9 @@ impl<T: Number> Numbers<T> {
     pub fn factorize(&mut self, structure: &Structure, matrix: Scaled<'_, T>) -> Option<Growth> {
         let found = self.compute(structure, matrix);
         let Some(found) = found else {
-            for columns in &mut self.columns {
-                columns.fill(T::NONE);
-            }
+            self.columns.fill(T::NONE);
+            let of_branches = self.beyond.iter_mut();
+            of_branches.for_each(|rows| rows.fill(T::NONE));
             return None;
         };
         let product = |[lower, upper]: &[Sizes; 2]| largest(lower).max(1.0) * largest(upper);
@@ -77,38 +81,38 @@ impl<T: Number> Numbers<T> {
     }
 
     fn compute(&mut self, structure: &Structure, matrix: Scaled<'_, T>) -> Option<Extremes> {
-        let (of_trunk, of_branches) = self.columns.split_first_mut()?;
         let mut whole = Area {
             lower: &mut self.lower,
             upper: &mut self.upper,
             inverse_pivots: &mut self.inverse_pivots,
             sizes: &mut self.sizes,
+            columns: &mut self.columns,
             first: [0; 4],
         };
         let given = (structure, matrix);
-        let branches = side_by_side(given, &structure.branches, whole.again(), of_branches)?;
-        let trunk = eliminate(given, &structure.trunk, whole, of_trunk)?;
+        let branches = side_by_side(given, &structure.branches, whole.again(), &mut self.beyond)?;
+        let trunk = eliminate(given, &structure.trunk, whole, &mut [])?;
         Some(branches.and(trunk))
     }
 }
 
-/// Eliminates independent parts, each in its own columns.
+/// Eliminates independent parts.
 fn side_by_side<T: Number>(
     given: (&Structure, Scaled<'_, T>),
     parts: &[Part],
     area: Area<'_, T>,
-    columns: &mut [Vec<T::Lanes>],
+    beyond: &mut [Vec<T::Lanes>],
 ) -> Option<Extremes> {
-    match (parts, columns) {
-        ([part], [columns, ..]) => eliminate(given, part, area, columns),
-        ([_, _, ..], columns) => {
+    match (parts, beyond) {
+        ([part], [beyond, ..]) => eliminate(given, part, area, beyond),
+        ([_, _, ..], beyond) => {
             let half = parts.len() / 2;
             let (parts, later) = parts.split_at(half);
-            let (columns, later_columns) = columns.split_at_mut(half);
+            let (beyond, later_rows) = beyond.split_at_mut(half);
             let (area, later_area) = area.split(&later[0]);
             let (first, second) = rayon::join(
-                || side_by_side(given, parts, area, columns),
-                || side_by_side(given, later, later_area, later_columns),
+                || side_by_side(given, parts, area, beyond),
+                || side_by_side(given, later, later_area, later_rows),
             );
             Some(first?.and(second?))
         }

@@ -6,15 +6,16 @@
 //! column; with equal counts an entry of the diagonal, then the largest. Only the shortest
 //! columns and rows are searched. So the identities that define momenta are eliminated first,
 //! multipliers are paired with the forces they cause, and chains of blocks are eliminated from
-//! their ends. If a long chain is divided ([`dissection`]), the cut comes last.
+//! their ends. A long chain is divided into stages ([`dissection`]), one after the other.
 //!
 //! [`dissection`]: super::dissection
 //!
 //! References: [Markowitz1957].
 
 use super::branches::LARGE;
-use super::dissection::cut;
+use super::dissection::stages;
 use super::lines::{Lines, Turn};
+use super::lists::Lists;
 use super::number::Number;
 use crate::assembly::Pattern;
 
@@ -44,10 +45,10 @@ pub(super) fn choose<T: Number>(
     let mut active = Active::new(pattern, values, scales);
     let mut pivots = Pivots::default();
     for _ in 0..pattern.size() {
-        let best = active.best().or_else(|| {
-            active.show();
-            active.best()
-        });
+        let mut best = active.best();
+        while best.is_none() && active.show_next() {
+            best = active.best();
+        }
         let (row, column) = best?;
         active.eliminate(row, column);
         pivots.rows.push(row as u32);
@@ -64,9 +65,9 @@ struct Active<'a, T> {
     /// Whether elimination has not yet changed a column.
     is_given: Vec<bool>,
     /// Entries of each other column: row and value.
-    columns: Vec<Vec<(u32, T)>>,
+    columns: Lists<(u32, T)>,
     /// Columns of the entries of each row.
-    rows: Vec<Vec<u32>>,
+    rows: Lists<u32>,
     by_columns: Lines,
     by_rows: Lines,
     /// For each row its index among the multipliers of the pivot, counted from one.
@@ -93,15 +94,18 @@ impl Candidate {
 impl<'a, T: Number> Active<'a, T> {
     fn new(pattern: &'a Pattern, values: &'a [T], scales: Scales<'a>) -> Self {
         let n = pattern.size();
-        let mut counts = vec![0; n];
+        let mut counts = vec![0_u32; n];
         let all = pattern.rows().iter();
         all.for_each(|&row| counts[row as usize] += 1);
-        let mut rows: Vec<_> = counts.into_iter().map(Vec::with_capacity).collect();
+        let mut rows = Lists::new(n, pattern.entries() + pattern.entries() / 16);
+        for (row, count) in counts.iter().enumerate() {
+            rows.reserve(row, *count, 0);
+        }
         for j in 0..n {
             let own = pattern.rows()[pattern.column(j)].iter();
-            own.for_each(|&row| rows[row as usize].push(j as u32));
+            own.for_each(|&row| rows.push(row as usize, j as u32));
         }
-        let hidden = cut(pattern).unwrap_or_else(|| vec![false; n]);
+        let stages = stages(pattern).unwrap_or_else(|| vec![0; n]);
         let turn = match n >= LARGE {
             true => Turn::EachInTurn,
             false => Turn::LatestFirst,
@@ -111,13 +115,13 @@ impl<'a, T: Number> Active<'a, T> {
             values,
             scales,
             is_given: vec![true; n],
-            columns: vec![Vec::new(); n],
+            columns: Lists::new(n, pattern.entries() / 2),
             by_columns: Lines::new(
                 (0..n).map(|j| pattern.column(j).len()),
                 turn,
-                hidden.clone(),
+                stages.clone(),
             ),
-            by_rows: Lines::new(rows.iter().map(Vec::len), turn, hidden),
+            by_rows: Lines::new(counts.iter().map(|count| *count as usize), turn, stages),
             rows,
             slots: vec![0; n],
         }
@@ -129,31 +133,40 @@ impl<'a, T: Number> Active<'a, T> {
             true => self.pattern.column(column),
             false => 0..0,
         };
-        let given = given.map(move |at| {
-            let row = self.pattern.rows()[at];
-            let (of_rows, of_columns) = self.scales;
-            let scale = of_rows[row as usize] * of_columns[column];
-            (row, self.values[at] * scale)
-        });
-        given.chain(self.columns[column].iter().copied())
+        let given = given.map(move |at| self.given(at, column));
+        given.chain(self.columns.of(column).iter().copied())
+    }
+
+    /// Row and scaled value of an entry of the given matrix.
+    fn given(&self, at: usize, column: usize) -> (u32, T) {
+        let row = self.pattern.rows()[at];
+        let (of_rows, of_columns) = self.scales;
+        let scale = of_rows[row as usize] * of_columns[column];
+        (row, self.values[at] * scale)
     }
 
     /// Copies the entries of a column, so that they can be changed.
     fn take_over(&mut self, column: usize) {
         if self.is_given[column] {
-            self.columns[column] = self.entries(column).collect();
+            let entries = self.pattern.column(column);
+            self.columns
+                .reserve(column, entries.len() as u32, (0, T::ZERO));
+            for at in entries {
+                let entry = self.given(at, column);
+                self.columns.push(column, entry);
+            }
             self.is_given[column] = false;
         }
     }
 
-    /// Allows pivots of the cut from now on.
-    fn show(&mut self) {
-        self.by_columns.show();
-        self.by_rows.show();
+    /// Allows pivots of the next stage from now on; `false` after the last one.
+    fn show_next(&mut self) -> bool {
+        self.by_columns.show_next();
+        self.by_rows.show_next()
     }
 
     /// The best pivot in the shortest columns and rows; `None` if all remaining entries are
-    /// zero, or in the cut.
+    /// zero, or of a later stage.
     fn best(&self) -> Option<(usize, usize)> {
         let mut best: Option<Candidate> = None;
         let mut consider = |found: Option<Candidate>| {
@@ -166,7 +179,7 @@ impl<'a, T: Number> Active<'a, T> {
         let in_columns = of_columns.filter_map(|column| self.best_of_column(column));
         in_columns.take(SEARCHED).for_each(|it| consider(Some(it)));
         for row in self.by_rows.ascending().take(SEARCHED) {
-            let of_row = self.rows[row].iter();
+            let of_row = self.rows.of(row).iter();
             of_row.for_each(|&column| consider(self.candidate(row, column as usize)));
         }
         best.map(|best| best.index)
@@ -190,13 +203,14 @@ impl<'a, T: Number> Active<'a, T> {
         self.rated(row, column, entry.1, self.largest(column))
     }
 
-    /// An entry as a pivot; `None` if it is too small, or in the cut.
+    /// An entry as a pivot; `None` if it is too small, or of a later
+    /// stage.
     fn rated(&self, row: usize, column: usize, value: T, largest: f64) -> Option<Candidate> {
         let is_late = self.by_rows.is_hidden(row) || self.by_columns.is_hidden(column);
         let fits = largest > ZERO && value.size() >= THRESHOLD * largest && !is_late;
         fits.then(|| Candidate {
             index: (row, column),
-            cost: (self.rows[row].len() - 1) * (self.by_columns.length(column) - 1),
+            cost: (self.rows.of(row).len() - 1) * (self.by_columns.length(column) - 1),
             size: value.size() / largest,
         })
     }
@@ -204,8 +218,10 @@ impl<'a, T: Number> Active<'a, T> {
     /// Eliminates the pivot at (row, column) from all other rows.
     fn eliminate(&mut self, row: usize, column: usize) {
         self.take_over(column);
-        let pivot_column = std::mem::take(&mut self.columns[column]);
-        let pivot_row = std::mem::take(&mut self.rows[row]);
+        let pivot_column = self.columns.of(column).to_vec();
+        let pivot_row = self.rows.of(row).to_vec();
+        self.columns.clear(column);
+        self.rows.clear(row);
         self.by_columns.remove(column);
         self.by_rows.remove(row);
         let pivot = pivot_column.iter().find(|entry| entry.0 as usize == row);
@@ -214,7 +230,10 @@ impl<'a, T: Number> Active<'a, T> {
         let factors: Vec<_> = others.map(|&(i, value)| (i, value / pivot)).collect();
         for (slot, &(i, _)) in factors.iter().enumerate() {
             self.slots[i as usize] = slot as u32 + 1;
-            self.rows[i as usize].retain(|&j| j as usize != column);
+            let of_row = self.rows.of(i as usize).iter();
+            if let Some(at) = of_row.clone().position(|&j| j as usize == column) {
+                self.rows.remove(i as usize, at);
+            }
         }
         let mut met = vec![u32::MAX; factors.len()];
         for &j in pivot_row.iter().filter(|&&j| j as usize != column) {
@@ -223,28 +242,30 @@ impl<'a, T: Number> Active<'a, T> {
         for &(i, _) in &factors {
             let i = i as usize;
             self.slots[i] = 0;
-            self.by_rows.change(i, self.rows[i].len());
+            self.by_rows.change(i, self.rows.of(i).len());
         }
     }
 
     /// `a_ij -= l_i a_pj` in column j, p being the row of the pivot.
     fn update(&mut self, row: usize, j: u32, factors: &[(u32, T)], met: &mut [u32]) {
         self.take_over(j as usize);
-        let target = &mut self.columns[j as usize];
-        let Some(at) = target.iter().position(|entry| entry.0 as usize == row) else {
+        let column = j as usize;
+        let entries = self.columns.of(column).iter();
+        let Some(at) = entries.clone().position(|entry| entry.0 as usize == row) else {
             return;
         };
-        let (_, in_pivot_row) = target.swap_remove(at);
-        for (i, value) in target.iter_mut() {
+        let (_, in_pivot_row) = self.columns.swap_remove(column, at);
+        for (i, value) in self.columns.of_mut(column) {
             if let Some(slot) = self.slots[*i as usize].checked_sub(1) {
                 *value -= factors[slot as usize].1 * in_pivot_row;
                 met[slot as usize] = j;
             }
         }
         for (&(i, factor), _) in factors.iter().zip(&*met).filter(|it| *it.1 != j) {
-            target.push((i, -factor * in_pivot_row));
-            self.rows[i as usize].push(j);
+            self.columns.push(column, (i, -factor * in_pivot_row));
+            self.rows.push(i as usize, j);
         }
-        self.by_columns.change(j as usize, target.len());
+        self.by_columns
+            .change(column, self.columns.of(column).len());
     }
 }

@@ -12,8 +12,9 @@
 //! References: [Demmel1999], whose supernodes the panels are.
 
 use std::ops::Range;
+use std::sync::Arc;
 
-use super::fill::{Column, Fill};
+use super::fill::Fill;
 use super::number::LANES;
 use super::order::inverse;
 use super::pivots::Pivots;
@@ -111,16 +112,17 @@ pub(super) struct Part {
 }
 
 /// The pattern of the factors.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Structure {
     pub panels: Vec<Panel>,
     pub strips: Vec<Strip>,
     pub segments: Vec<Segment>,
     panel_rows: Vec<u32>,
-    /// Columns of the matrix in the order of elimination, and the end of the last.
-    pub columns: Vec<Column>,
-    /// Row of each entry of the matrix in the order of elimination, column by column.
-    pub rows: Vec<u32>,
+    pub pattern: Arc<Pattern>,
+    /// Rows and columns in the order of elimination.
+    pub pivots: Pivots,
+    /// Index of each row in that order.
+    pub row_indices: Vec<u32>,
     /// Numbers in all panels.
     pub panel_values: usize,
     /// Lanes in all segments.
@@ -133,10 +135,21 @@ pub(super) struct Structure {
 
 impl Structure {
     /// The pattern for given pivots, the pivots of independent branches first.
-    pub fn new(pattern: &Pattern, pivots: &Pivots, branches: &[Range<usize>]) -> Self {
-        let mut structure = Self::default();
-        structure.permute(pattern, pivots);
-        let fill = Fill::new(&structure.columns, &structure.rows);
+    pub fn new(pattern: &Arc<Pattern>, pivots: Pivots, branches: &[Range<usize>]) -> Self {
+        let mut structure = Self {
+            panels: Vec::new(),
+            strips: Vec::new(),
+            segments: Vec::new(),
+            panel_rows: Vec::new(),
+            pattern: Arc::clone(pattern),
+            row_indices: inverse(&pivots.rows),
+            pivots,
+            panel_values: 0,
+            segment_values: 0,
+            branches: Vec::new(),
+            trunk: Part::default(),
+        };
+        let fill = Fill::new(pattern, structure.columns(), &structure.row_indices);
         structure.find_panels(&fill, branches);
         structure.find_strips(&fill);
         structure.find_parts(branches);
@@ -151,28 +164,22 @@ impl Structure {
         &self.panel_rows[panel.rows[0] as usize..panel.rows[1] as usize]
     }
 
+    /// Columns in the order of elimination.
+    #[inline(always)]
+    pub fn columns(&self) -> &[u32] {
+        &self.pivots.columns
+    }
+
+    /// Indices of the entries of the column that is eliminated k-th.
+    #[inline(always)]
+    pub fn entries(&self, k: usize) -> Range<usize> {
+        self.pattern.column(self.columns()[k] as usize)
+    }
+
     /// Rows of U above a strip.
     #[inline(always)]
     pub fn segments_of(&self, strip: &Strip) -> &[Segment] {
         &self.segments[strip.segments[0] as usize..strip.segments[1] as usize]
-    }
-
-    /// The matrix in the order of elimination.
-    fn permute(&mut self, pattern: &Pattern, pivots: &Pivots) {
-        let indices = inverse(&pivots.rows);
-        self.rows.reserve_exact(pattern.entries());
-        self.columns.reserve_exact(pattern.size() + 1);
-        let column = |index: usize, first: usize| Column {
-            index: index as u32,
-            first: first as u32,
-        };
-        for &of in &pivots.columns {
-            let range = pattern.column(of as usize);
-            self.columns.push(column(range.start, self.rows.len()));
-            let rows = pattern.rows()[range].iter();
-            self.rows.extend(rows.map(|&row| indices[row as usize]));
-        }
-        self.columns.push(column(0, self.rows.len()));
     }
 
     /// Joins columns to panels while few zeros have to be stored; no panel crosses the end of a
@@ -261,7 +268,7 @@ impl Structure {
     }
 
     fn find_parts(&mut self, branches: &[Range<usize>]) {
-        let n = self.columns.len() - 1;
+        let n = self.columns().len();
         let mut last = Part::default();
         let mut next = |end: usize| {
             let panels = self.panels.partition_point(|it| it.columns().0 < end);

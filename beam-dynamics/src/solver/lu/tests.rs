@@ -108,7 +108,7 @@ fn a_singular_branch_is_reported_and_leaves_nothing_behind() {
     let parents: Vec<_> = (0..count)
         .map(|block: usize| block.saturating_sub(2))
         .collect();
-    let pattern = tree(&parents);
+    let pattern = Arc::new(tree(&parents));
     let sound = values(&pattern, &mut Scattered(5));
     let mut singular = sound.clone();
     singular[pattern.column(BLOCK * (count - 3))].fill(0.0);
