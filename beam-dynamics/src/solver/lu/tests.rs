@@ -85,6 +85,9 @@ fn branches_have_the_same_digits_on_any_number_of_threads() {
     let near = |block: usize, number: f64| block.saturating_sub(1 + (20.0 * number.abs()) as usize);
     let wild = (0..count).map(|block| near(block, scattered.next()));
     trees.push((wild.collect(), 0));
+    // A chain of three stages.
+    let long = (0..3 * count).map(|block: usize| block.saturating_sub(1));
+    trees.push((long.collect(), 2));
     for (parents, least) in trees {
         let pattern = Arc::new(tree(&parents));
         let of = [(); 2].map(|()| values(&pattern, &mut scattered));
