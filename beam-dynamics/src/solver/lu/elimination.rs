@@ -56,13 +56,13 @@ pub(super) struct Scaled<'a, T> {
 
 /// The values of the factors that an elimination writes and reads, or the values of some parts.
 #[derive(Debug)]
-pub(super) struct Area<'a, T: Number> {
+pub(super) struct Area<'a, T: Number, R = &'a mut [<T as Number>::Lanes]> {
     pub lower: &'a mut [T],
     pub upper: &'a mut [T::Lanes],
     pub inverse_pivots: &'a mut [T],
     pub sizes: &'a mut [[Sizes; 2]],
     /// Rows of the strip being computed, zero between strips.
-    pub columns: &'a mut [T::Lanes],
+    pub columns: R,
     /// Index of the first value of each in the whole; columns begin where the pivots do.
     pub first: [usize; 4],
 }
@@ -110,44 +110,82 @@ impl<'a, T: Number> Area<'a, T> {
 }
 
 /// Computes the values of a part; `None` if a pivot is zero, or a value not finite. The rows of
-/// the trunk in the columns of a branch are written to `beyond`, which is empty for the trunk
+/// the trunk in the columns of a branch are written to `beyond`, which is `None` for the trunk
 /// itself.
 pub(super) fn eliminate<T: Number>(
     (structure, matrix): (&Structure, Scaled<'_, T>),
     part: &Part,
     area: Area<'_, T>,
-    beyond: &mut [T::Lanes],
+    beyond: Option<&mut [T::Lanes]>,
+) -> Option<Extremes> {
+    let given = (structure, matrix, part);
+    let Some(beyond) = beyond else {
+        return computed(given, area);
+    };
+    let columns = OfBranch {
+        own: area.columns,
+        first: area.first[2],
+        end: structure.columns().len() - beyond.len(),
+        beyond,
+    };
+    let area = Area {
+        columns,
+        lower: area.lower,
+        upper: area.upper,
+        inverse_pivots: area.inverse_pivots,
+        sizes: area.sizes,
+        first: area.first,
+    };
+    computed(given, area)
+}
+
+fn computed<T: Number, R: Rows<T::Lanes>>(
+    (structure, matrix, part): (&Structure, Scaled<'_, T>, &Part),
+    area: Area<'_, T, R>,
 ) -> Option<Extremes> {
     Arch::new().dispatch(Elimination {
         structure,
         matrix,
         part,
-        columns: Rows {
-            own: area.columns,
-            first: area.first[2],
-            end: structure.columns().len() - beyond.len(),
-            beyond,
-        },
-        area: Area {
-            columns: &mut [],
-            ..area
-        },
+        area,
         least_pivot: f64::INFINITY,
     })
 }
 
 /// Rows of the strip being computed, zero before and after.
-struct Rows<'a, L> {
+trait Rows<L> {
+    /// One row.
+    fn at(&mut self, row: usize) -> &mut L;
+
+    /// Consecutive rows of the part itself.
+    fn own(&mut self, range: (usize, usize)) -> &mut [L];
+}
+
+/// All rows, for the trunk.
+impl<L> Rows<L> for &mut [L] {
+    #[inline(always)]
+    fn at(&mut self, row: usize) -> &mut L {
+        &mut self[row]
+    }
+
+    #[inline(always)]
+    fn own(&mut self, (from, to): (usize, usize)) -> &mut [L] {
+        &mut self[from..to]
+    }
+}
+
+/// Rows of a branch.
+struct OfBranch<'a, L> {
     own: &'a mut [L],
     /// First own row.
     first: usize,
-    /// First row of the trunk, if this is a branch.
+    /// First row of the trunk.
     end: usize,
     /// Rows of the trunk.
     beyond: &'a mut [L],
 }
 
-impl<L: Copy> Rows<'_, L> {
+impl<L> Rows<L> for OfBranch<'_, L> {
     #[inline(always)]
     fn at(&mut self, row: usize) -> &mut L {
         match row < self.end {
@@ -156,7 +194,6 @@ impl<L: Copy> Rows<'_, L> {
         }
     }
 
-    /// Consecutive own rows.
     #[inline(always)]
     fn own(&mut self, (from, to): (usize, usize)) -> &mut [L] {
         &mut self.own[from - self.first..to - self.first]
@@ -164,16 +201,15 @@ impl<L: Copy> Rows<'_, L> {
 }
 
 /// All strips of a part in turn, compiled for each width of registers.
-struct Elimination<'a, T: Number> {
+struct Elimination<'a, T: Number, R> {
     structure: &'a Structure,
     matrix: Scaled<'a, T>,
     part: &'a Part,
-    area: Area<'a, T>,
-    columns: Rows<'a, T::Lanes>,
+    area: Area<'a, T, R>,
     least_pivot: f64,
 }
 
-impl<T: Number> WithSimd for Elimination<'_, T> {
+impl<T: Number, R: Rows<T::Lanes>> WithSimd for Elimination<'_, T, R> {
     type Output = Option<Extremes>;
 
     #[inline(always)]
@@ -189,7 +225,7 @@ impl<T: Number> WithSimd for Elimination<'_, T> {
 /// `x_r <- x_r - sum_j l_rj u_j` for several rows at once, which share the loads of u.
 #[inline(always)]
 fn below_segment<T: Number, P: Product, const N: usize>(
-    columns: &mut Rows<'_, T::Lanes>,
+    columns: &mut impl Rows<T::Lanes>,
     rows: [usize; N],
     lower: [&[T]; N],
     upper: &[T::Lanes],
@@ -219,7 +255,7 @@ fn greater(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
-impl<T: Number> Elimination<'_, T> {
+impl<T: Number, R: Rows<T::Lanes>> Elimination<'_, T, R> {
     #[inline(always)]
     fn run<P: Product>(mut self) -> Option<Extremes> {
         let mut loaded = [[0.0; LANES]; 2];
@@ -263,7 +299,7 @@ impl<T: Number> Elimination<'_, T> {
                 enlarge(sizes, &scaled.map(T::size));
                 for i in 0..LANES {
                     sums[i] += 0.0 * values[i].size();
-                    T::set_lane(self.columns.at(rows[i]), lane, scaled[i]);
+                    T::set_lane(self.area.columns.at(rows[i]), lane, scaled[i]);
                 }
             }
             for (value, row) in last_values.iter().zip(last_rows) {
@@ -271,7 +307,7 @@ impl<T: Number> Elimination<'_, T> {
                 let scaled = *value * *scale * matrix.row_scales[row];
                 sizes[0] = greater(sizes[0], scaled.size());
                 sums[0] += 0.0 * value.size();
-                T::set_lane(self.columns.at(row), lane, scaled);
+                T::set_lane(self.area.columns.at(row), lane, scaled);
             }
         }
     }
@@ -294,7 +330,7 @@ impl<T: Number> Elimination<'_, T> {
             let upper = &mut self.area.upper[at..at + to - from];
             let of_panel = &mut self.area.sizes[segment.panel() - first_size][1];
             let mut size = *of_panel;
-            let own = self.columns.own(own);
+            let own = self.area.columns.own(own);
             for (p, x) in own.iter_mut().enumerate() {
                 let mut sum = std::mem::replace(x, T::NONE);
                 let at = (from + p) * width + from;
@@ -314,11 +350,11 @@ impl<T: Number> Elimination<'_, T> {
                 let rows = std::array::from_fn(|i| rows[i] as usize);
                 let first: [_; ROWS] =
                     std::array::from_fn(|i| &values[i * width + from..i * width + to]);
-                below_segment::<T, P, ROWS>(&mut self.columns, rows, first, upper);
+                below_segment::<T, P, ROWS>(&mut self.area.columns, rows, first, upper);
             }
             for (row, values) in rest.iter().zip(of_rest.chunks_exact(width)) {
                 let row = [*row as usize];
-                below_segment::<T, P, 1>(&mut self.columns, row, [&values[from..to]], upper);
+                below_segment::<T, P, 1>(&mut self.area.columns, row, [&values[from..to]], upper);
             }
         }
     }
@@ -345,7 +381,7 @@ impl<T: Number> Elimination<'_, T> {
             .zip(of_diagonal.chunks_exact_mut(width))
             .enumerate()
         {
-            let mut x = std::mem::replace(self.columns.at(*row as usize), T::NONE);
+            let mut x = std::mem::replace(self.area.columns.at(*row as usize), T::NONE);
             for j in 0..d {
                 divide::<T, P>(&mut x, j, &inverse, &upper, &mut lower_size);
             }
@@ -366,7 +402,7 @@ impl<T: Number> Elimination<'_, T> {
             }
         }
         for (row, values) in rows_below.iter().zip(below.chunks_exact_mut(width)) {
-            let mut x = std::mem::replace(self.columns.at(*row as usize), T::NONE);
+            let mut x = std::mem::replace(self.area.columns.at(*row as usize), T::NONE);
             // If the strip has fewer columns, all values of the others are zero.
             for j in 0..LANES {
                 divide::<T, P>(&mut x, j, &inverse, &upper, &mut lower_size);

@@ -86,12 +86,12 @@ impl<T: Number> Numbers<T> {
             upper: &mut self.upper,
             inverse_pivots: &mut self.inverse_pivots,
             sizes: &mut self.sizes,
-            columns: &mut self.columns,
+            columns: &mut self.columns[..],
             first: [0; 4],
         };
         let given = (structure, matrix);
         let branches = side_by_side(given, &structure.branches, whole.again(), &mut self.beyond)?;
-        let trunk = eliminate(given, &structure.trunk, whole, &mut [])?;
+        let trunk = eliminate(given, &structure.trunk, whole, None)?;
         Some(branches.and(trunk))
     }
 }
@@ -104,7 +104,7 @@ fn side_by_side<T: Number>(
     beyond: &mut [Vec<T::Lanes>],
 ) -> Option<Extremes> {
     match (parts, beyond) {
-        ([part], [beyond, ..]) => eliminate(given, part, area, beyond),
+        ([part], [beyond, ..]) => eliminate(given, part, area, Some(beyond)),
         ([_, _, ..], beyond) => {
             let half = parts.len() / 2;
             let (parts, later) = parts.split_at(half);
