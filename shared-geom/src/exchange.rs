@@ -39,12 +39,13 @@ mod named;
 mod openfast;
 mod own;
 mod plain;
-mod problem;
+pub mod problem;
 mod qblade;
 mod stations;
-mod text;
+pub mod text;
 mod vabs;
 mod windio;
+pub mod yaml;
 
 pub use crate::blade::Reading;
 pub use frame::Convention;

@@ -8,7 +8,12 @@ use crate::tree::{File, Tree};
 const ARCHITECTURE: &str = "ARCHITECTURE.md";
 const BIBLIOGRAPHY: &str = "docs/src/bibliography.md";
 const BOOK: &str = "docs/src/";
-const CRATES: [&str; 3] = ["shared-geom", "section-analyzer", "beam-dynamics"];
+const CRATES: [&str; 4] = [
+    "shared-geom",
+    "section-analyzer",
+    "rotor-aero",
+    "beam-dynamics",
+];
 
 /// Endings by which a name without a slash is recognized as a file.
 const FILE_ENDINGS: [&str; 8] = [

@@ -13,7 +13,7 @@ pub struct Stages {
 
 /// The order of the stages, one entry per program. A stage that the tree does not have
 /// yet is ignored; a module missing in the order is a breach.
-pub const CRATES: [Stages; 2] = [
+pub const CRATES: [Stages; 3] = [
     Stages {
         folder: "section-analyzer",
         order: &[
@@ -30,6 +30,12 @@ pub const CRATES: [Stages; 2] = [
             "recovery",
             "input",
             "output",
+        ],
+    },
+    Stages {
+        folder: "rotor-aero",
+        order: &[
+            "real", "airfoil", "unsteady", "momentum", "wake", "inflow", "wind", "rotor",
         ],
     },
     Stages {
@@ -56,10 +62,20 @@ const ABOVE: [&str; 4] = ["analysis", "cli", "main", "lib"];
 const BELOW: [&str; 1] = ["error"];
 
 /// Crates that must not name each other, nor the drawing library, which figures hide.
-const APART: [(&str, &[&str]); 3] = [
-    ("section-analyzer", &["beam-dynamics", "plotters"]),
+const APART: [(&str, &[&str]); 4] = [
+    (
+        "section-analyzer",
+        &["beam-dynamics", "rotor-aero", "plotters"],
+    ),
+    (
+        "rotor-aero",
+        &["beam-dynamics", "section-analyzer", "plotters"],
+    ),
     ("beam-dynamics", &["section-analyzer", "plotters"]),
-    ("shared-geom", &["section-analyzer", "beam-dynamics"]),
+    (
+        "shared-geom",
+        &["section-analyzer", "beam-dynamics", "rotor-aero"],
+    ),
 ];
 
 /// Breaches of the order of the stages.

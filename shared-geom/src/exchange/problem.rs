@@ -106,7 +106,7 @@ pub enum ExchangeProblem {
 
 impl ExchangeProblem {
     /// The problem that `text` is of no known format.
-    pub(super) fn unknown(text: &str, tried: Vec<&'static str>) -> Self {
+    pub fn unknown(text: &str, tried: Vec<&'static str>) -> Self {
         let first = text.lines().map(str::trim).find(|line| !line.is_empty());
         Self::Unknown {
             begin: shortened(first.unwrap_or_default()),
@@ -143,7 +143,7 @@ impl Explain for ExchangeProblem {
 
 /// The problems of one file, the first of many.
 #[derive(Debug)]
-pub(super) struct Problems {
+pub struct Problems {
     file: String,
     all: Diagnostics,
     count: usize,
@@ -151,7 +151,7 @@ pub(super) struct Problems {
 
 impl Problems {
     /// No problems, of `file`.
-    pub(super) fn new(file: &str) -> Self {
+    pub fn new(file: &str) -> Self {
         Self {
             file: file.to_owned(),
             all: Diagnostics::new(),
@@ -160,7 +160,7 @@ impl Problems {
     }
 
     /// Adds the problem of a line, counted from one; 0 for the whole file.
-    pub(super) fn push(&mut self, line: usize, problem: &ExchangeProblem) {
+    pub fn push(&mut self, line: usize, problem: &ExchangeProblem) {
         self.count += 1;
         if self.count > LIMIT {
             return;
@@ -173,19 +173,19 @@ impl Problems {
     }
 
     /// From here on, lines refer to `file`.
-    pub(super) fn turn_to(&mut self, file: &Path) {
+    pub fn turn_to(&mut self, file: &Path) {
         self.file = file.display().to_string();
     }
 
     /// The value of a good result; notes the problems of a bad one.
-    pub(super) fn keep<T>(&mut self, result: Result<T, Diagnostics>) -> Option<T> {
+    pub fn keep<T>(&mut self, result: Result<T, Diagnostics>) -> Option<T> {
         self.count += usize::from(result.is_err());
         self.all.keep(result)
     }
 
     /// Notes on a line that there is no file at `path`, which `what` names as `name`;
     /// returns whether the file exists.
-    pub(super) fn finds(&mut self, path: &Path, what: &str, name: &str, line: usize) -> bool {
+    pub fn finds(&mut self, path: &Path, what: &str, name: &str, line: usize) -> bool {
         if path.exists() {
             return true;
         }
@@ -195,12 +195,12 @@ impl Problems {
     }
 
     /// Whether there are no problems.
-    pub(super) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.count == 0
     }
 
     /// All problems, in the order of their lines.
-    pub(super) fn into_diagnostics(mut self) -> Diagnostics {
+    pub fn into_diagnostics(mut self) -> Diagnostics {
         self.all.sort_by_line();
         if self.count > LIMIT {
             let more = ExchangeProblem::More(self.count - LIMIT);
@@ -210,7 +210,7 @@ impl Problems {
     }
 
     /// The value, when there is one and no problem.
-    pub(super) fn finish<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
+    pub fn finish<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
         match value {
             Some(value) if self.is_empty() => Ok(value),
             _ => Err(self.into_diagnostics()),

@@ -7,7 +7,7 @@ use crate::error::shortened;
 
 /// A line that is not blank.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Line<'a> {
+pub struct Line<'a> {
     /// Counted from one.
     pub number: usize,
     /// Without the blanks around it.
@@ -72,7 +72,7 @@ impl<'a> Line<'a> {
 }
 
 /// The problem that `word` is not a number.
-pub(super) fn not_a_number(what: &str, word: &str) -> ExchangeProblem {
+pub fn not_a_number(what: &str, word: &str) -> ExchangeProblem {
     ExchangeProblem::NotANumber {
         what: what.to_owned(),
         found: shortened(word),
@@ -80,7 +80,7 @@ pub(super) fn not_a_number(what: &str, word: &str) -> ExchangeProblem {
 }
 
 /// The lines of `text` that are not blank.
-pub(super) fn lines(text: &str) -> Vec<Line<'_>> {
+pub fn lines(text: &str) -> Vec<Line<'_>> {
     let all = text.lines().enumerate().map(|(i, text)| Line {
         number: i + 1,
         text: text.trim(),
@@ -89,19 +89,19 @@ pub(super) fn lines(text: &str) -> Vec<Line<'_>> {
 }
 
 /// A finite number, also with the exponent letter `d` of Fortran.
-pub(super) fn number(word: &str) -> Option<f64> {
+pub fn number(word: &str) -> Option<f64> {
     let plain = word.replace(['d', 'D'], "e");
     let value: f64 = plain.parse().ok()?;
     value.is_finite().then_some(value)
 }
 
 /// A number with 17 significant digits, in a field of equal width.
-pub(super) fn digits(value: f64) -> String {
+pub fn digits(value: f64) -> String {
     format!("{value:24.16e}")
 }
 
 /// The lines of a 6x6 matrix.
-pub(super) fn matrix_lines(matrix: &Matrix6<f64>) -> String {
+pub fn matrix_lines(matrix: &Matrix6<f64>) -> String {
     let row = |i: usize| {
         let entries = (0..6).map(|j| digits(matrix[(i, j)]));
         entries.collect::<Vec<_>>().join(" ") + "\n"
@@ -110,7 +110,7 @@ pub(super) fn matrix_lines(matrix: &Matrix6<f64>) -> String {
 }
 
 /// The matrix whose upper triangle is `upper`, row by row.
-pub(super) fn from_upper(upper: &[f64]) -> Matrix6<f64> {
+pub fn from_upper(upper: &[f64]) -> Matrix6<f64> {
     let mut matrix = Matrix6::zeros();
     let pairs = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));
     for ((i, j), &value) in pairs.zip(upper) {
@@ -121,7 +121,7 @@ pub(super) fn from_upper(upper: &[f64]) -> Matrix6<f64> {
 }
 
 /// The upper triangle of `matrix`, row by row.
-pub(super) fn upper(matrix: &Matrix6<f64>) -> [f64; 21] {
+pub fn upper(matrix: &Matrix6<f64>) -> [f64; 21] {
     let mut values = [0.0; 21];
     let pairs = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));
     for (value, pair) in values.iter_mut().zip(pairs) {

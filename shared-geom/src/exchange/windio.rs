@@ -16,6 +16,7 @@
 //! | twist | `twist` there [rad] | `outer_shape.twist` [deg] |
 //! | damping | none | `structural_damping.mu` [s] |
 
+use super::yaml;
 use std::path::Path;
 
 use super::problem::Problems;
@@ -31,7 +32,6 @@ mod mass;
 mod version1;
 mod version2;
 mod write;
-mod yaml;
 
 #[cfg(test)]
 mod into_tests;

@@ -2,8 +2,8 @@
 
 use super::super::problem::{ExchangeProblem, Problems};
 use super::super::text::{not_a_number, number};
-use super::yaml::{Node, Value};
 use crate::error::nearest_name;
+use crate::exchange::yaml::{Node, Value};
 
 /// Grid positions that differ by less are one [-].
 pub(super) const SAME: f64 = 1e-12;

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use super::{fields, yaml};
+use super::fields;
 use crate::blade::Blade;
 use crate::exchange::problem::Problems;
 use crate::exchange::samples::{blade, difference};
+use crate::exchange::yaml;
 use crate::exchange::{Options, parse, write_into};
 
 const TWO: &str = include_str!("../../../../tests/reference/exchange/windio2_iea15.yaml");

@@ -6,7 +6,7 @@ use super::super::problem::{ExchangeProblem, Problems};
 use super::super::text::from_upper;
 use super::assemble::{Matrices, Tables};
 use super::fields::{self, required};
-use super::yaml::{Node, Value};
+use crate::exchange::yaml::{Node, Value};
 
 /// Numbers of an upper triangle.
 const UPPER: usize = 21;

@@ -5,8 +5,8 @@ use super::super::text::from_upper;
 use super::assemble::{Matrices, Tables};
 use super::fields::{self, Column, required};
 use super::mass;
-use super::yaml::Node;
 use crate::error::nearest_name;
+use crate::exchange::yaml::Node;
 
 /// Table of the matrices.
 const PROPERTIES: &str = "elastic_properties";

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 use saphyr_parser::{Event, Parser};
 
-use super::super::problem::ExchangeProblem;
+use super::problem::ExchangeProblem;
 use crate::error::shortened;
 
 /// Deeper than any description of a turbine.
@@ -17,17 +17,22 @@ const DEPTH: usize = 64;
 
 /// A value with the line of its beginning, counted from one.
 #[derive(Debug)]
-pub(super) struct Node {
+pub struct Node {
+    /// Line of its beginning, counted from one.
     pub line: usize,
+    /// Content.
     pub value: Value,
     depth: usize,
 }
 
 /// Content.
 #[derive(Debug)]
-pub(super) enum Value {
+pub enum Value {
+    /// A scalar, as written in the file.
     Text(String),
+    /// A sequence.
     List(Vec<Rc<Node>>),
+    /// A mapping, in the order of the file.
     Table(Vec<(String, Rc<Node>)>),
 }
 
@@ -76,7 +81,7 @@ impl Node {
 ///
 /// # Errors
 /// The line and its problem.
-pub(super) fn parse(text: &str) -> Result<Node, (usize, ExchangeProblem)> {
+pub fn parse(text: &str) -> Result<Node, (usize, ExchangeProblem)> {
     let mut builder = Builder::default();
     for event in Parser::new_from_str(text) {
         let (event, span) = event.map_err(|error| {
