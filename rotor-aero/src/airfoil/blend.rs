@@ -1,0 +1,253 @@
+//! Sections between airfoils.
+//!
+//! Coefficients are interpolated at the same angle of attack,
+//!
+//! ```text
+//! c(alpha) = sum_k w_k c_k(alpha),   sum_k w_k = 1
+//! ```
+//!
+//! with weights linear in the position along the span, or in the thickness over chord.
+
+use std::sync::Arc;
+
+use shared_geom::error::Explain;
+
+use super::data::{Coefficients, Flow};
+use super::evaluated::{Airfoil, Profile};
+use crate::real::Real;
+
+/// A reason for which airfoils cannot be blended.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BlendProblem {
+    /// No airfoil.
+    #[error("a blend of no airfoils")]
+    Empty,
+    /// A weight below zero, above one or not a number.
+    #[error("weight {weight} of airfoil \"{airfoil}\", expected 0 to 1")]
+    Weight {
+        /// Name.
+        airfoil: String,
+        /// Weight \[-\].
+        weight: f64,
+    },
+    /// The sum of the weights is not one.
+    #[error("the weights of the airfoils add up to {sum}, expected 1")]
+    Sum {
+        /// Sum \[-\].
+        sum: f64,
+    },
+    /// Positions or thicknesses do not ascend.
+    #[error("airfoil \"{airfoil}\" at {second} follows {first}, expected ascending positions")]
+    NotAscending {
+        /// Name.
+        airfoil: String,
+        /// Position before \[unit of the positions\].
+        first: f64,
+        /// Position \[unit of the positions\].
+        second: f64,
+    },
+    /// An airfoil has no thickness.
+    #[error("airfoil \"{airfoil}\" states no thickness over chord")]
+    NoThickness {
+        /// Name.
+        airfoil: String,
+    },
+    /// A position is out of range.
+    #[error("no airfoil at {at}: the airfoils are from {from} to {to}")]
+    OutOfRange {
+        /// Position asked for \[unit of the positions\].
+        at: f64,
+        /// First position \[unit of the positions\].
+        from: f64,
+        /// Last position \[unit of the positions\].
+        to: f64,
+    },
+}
+
+impl Explain for BlendProblem {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::Empty => "name at least one airfoil",
+            Self::Weight { .. } | Self::Sum { .. } => "correct the weights",
+            Self::NotAscending { .. } => "sort the airfoils, and use each position once",
+            Self::NoThickness { .. } => "state its thickness, or blend along the span",
+            Self::OutOfRange { .. } => "add an airfoil at the end of the range",
+        };
+        Some(text.to_owned())
+    }
+}
+
+/// The airfoil of one station: one, or several with weights.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    first: Arc<Airfoil>,
+    weight: f64,
+    others: Vec<(f64, Arc<Airfoil>)>,
+}
+
+impl Section {
+    /// The section of a single airfoil.
+    pub fn single(airfoil: Arc<Airfoil>) -> Self {
+        Self {
+            first: airfoil,
+            weight: 1.0,
+            others: Vec::new(),
+        }
+    }
+
+    /// The section of several airfoils with weights.
+    ///
+    /// # Errors
+    /// No airfoils, a weight that is not from 0 to 1, or a sum of weights that is not one.
+    pub fn weighted(parts: &[(f64, Arc<Airfoil>)]) -> Result<Self, BlendProblem> {
+        for (weight, airfoil) in parts {
+            if !(0.0..=1.0).contains(weight) {
+                let (airfoil, weight) = (airfoil.name().to_owned(), *weight);
+                return Err(BlendProblem::Weight { airfoil, weight });
+            }
+        }
+        let sum: f64 = parts.iter().map(|part| part.0).sum();
+        // The digits of a file.
+        if !parts.is_empty() && (sum - 1.0).abs() > 1e-4 {
+            return Err(BlendProblem::Sum { sum });
+        }
+        let mut used = parts.iter().filter(|part| part.0 > 0.0);
+        let (weight, first) = used.next().ok_or(BlendProblem::Empty)?;
+        Ok(Self {
+            first: first.clone(),
+            weight: weight / sum,
+            others: used
+                .map(|(weight, it)| (weight / sum, it.clone()))
+                .collect(),
+        })
+    }
+
+    /// The section between two sections, linear in the share of the second.
+    fn between(low: &Self, high: &Self, share: f64) -> Result<Self, BlendProblem> {
+        let mut parts: Vec<(f64, Arc<Airfoil>)> = Vec::new();
+        for (section, factor) in [(low, 1.0 - share), (high, share)] {
+            for (weight, airfoil) in section.parts() {
+                let same = |part: &&mut (f64, Arc<Airfoil>)| Arc::ptr_eq(&part.1, airfoil);
+                match parts.iter_mut().find(same) {
+                    Some(part) => part.0 += weight * factor,
+                    None => parts.push((weight * factor, airfoil.clone())),
+                }
+            }
+        }
+        // The sum of round-off.
+        parts.iter_mut().for_each(|part| part.0 = part.0.min(1.0));
+        Self::weighted(&parts)
+    }
+
+    /// Weights and airfoils.
+    pub fn parts(&self) -> impl Iterator<Item = (f64, &Arc<Airfoil>)> {
+        let others = self.others.iter().map(|(weight, it)| (*weight, it));
+        std::iter::once((self.weight, &self.first)).chain(others)
+    }
+
+    /// Coefficients in a flow.
+    pub fn at<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
+        let mut sum = self.first.at(flow);
+        if self.others.is_empty() {
+            return sum;
+        }
+        sum = scaled(&sum, self.weight);
+        for (weight, airfoil) in &self.others {
+            let part = scaled(&airfoil.at(flow), *weight);
+            sum.lift += part.lift;
+            sum.drag += part.drag;
+            sum.moment += part.moment;
+        }
+        sum
+    }
+}
+
+impl Profile for Section {
+    fn at<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
+        Section::at(self, flow)
+    }
+}
+
+fn scaled<T: Real>(at: &Coefficients<T>, weight: f64) -> Coefficients<T> {
+    Coefficients {
+        lift: at.lift * weight,
+        drag: at.drag * weight,
+        moment: at.moment * weight,
+    }
+}
+
+/// Sections at ascending positions, of which the sections between follow.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Blend {
+    positions: Vec<f64>,
+    sections: Vec<Section>,
+}
+
+impl Blend {
+    /// Sections along the span, at ascending positions of any unit.
+    ///
+    /// # Errors
+    /// No sections, or positions that do not ascend.
+    pub fn along_span(stations: Vec<(f64, Section)>) -> Result<Self, BlendProblem> {
+        if stations.is_empty() {
+            return Err(BlendProblem::Empty);
+        }
+        for pair in stations.windows(2) {
+            let ((first, _), (second, section)) = (&pair[0], &pair[1]);
+            if second <= first || !(second - first).is_finite() {
+                return Err(BlendProblem::NotAscending {
+                    airfoil: section.first.name().to_owned(),
+                    first: *first,
+                    second: *second,
+                });
+            }
+        }
+        let (positions, sections) = stations.into_iter().unzip();
+        Ok(Self {
+            positions,
+            sections,
+        })
+    }
+
+    /// Airfoils by their thickness over chord, in any order.
+    ///
+    /// # Errors
+    /// No airfoils, one without thickness, or two of the same.
+    pub fn by_thickness(airfoils: &[Arc<Airfoil>]) -> Result<Self, BlendProblem> {
+        let mut stations = Vec::new();
+        for airfoil in airfoils {
+            let thickness = airfoil
+                .thickness()
+                .ok_or_else(|| BlendProblem::NoThickness {
+                    airfoil: airfoil.name().to_owned(),
+                })?;
+            stations.push((thickness, Section::single(airfoil.clone())));
+        }
+        stations.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Self::along_span(stations)
+    }
+
+    /// The section at a position along the span, or of a thickness.
+    ///
+    /// # Errors
+    /// A position outside the range of the airfoils.
+    pub fn section(&self, at: f64) -> Result<Section, BlendProblem> {
+        let last = self.positions.len() - 1;
+        let (from, to) = (self.positions[0], self.positions[last]);
+        // The digits of a file.
+        let slack = 1e-9 * (from.abs() + to.abs());
+        if !(at >= from - slack && at <= to + slack) {
+            return Err(BlendProblem::OutOfRange { at, from, to });
+        }
+        let i = super::cubic::interval(&self.positions, at);
+        let Some(next) = self.positions.get(i + 1) else {
+            return Ok(self.sections[i].clone());
+        };
+        let share = (at - self.positions[i]) / (next - self.positions[i]);
+        Section::between(
+            &self.sections[i],
+            &self.sections[i + 1],
+            share.clamp(0.0, 1.0),
+        )
+    }
+}

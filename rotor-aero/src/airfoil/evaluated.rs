@@ -1,0 +1,134 @@
+//! The evaluated airfoil.
+
+use super::check;
+use super::cubic::Interpolation;
+use super::data::{AirfoilData, Coefficients, Flow};
+use super::formula::{FlatPlate, LinearLift};
+use super::problem::{AirfoilProblem, AirfoilRemark};
+use super::table::Table;
+use crate::real::Real;
+
+/// Static coefficients of a section in a flow.
+pub trait Profile {
+    /// Coefficients in a flow; angles of attack are periodic, and numbers outside a table take
+    /// the values of its ends.
+    fn at<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T>;
+}
+
+/// An airfoil that is checked and ready for evaluation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Airfoil {
+    name: String,
+    thickness: Option<f64>,
+    law: Law,
+    remarks: Vec<AirfoilRemark>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Law {
+    Table(Box<Tables>),
+    Plate(FlatPlate),
+    Linear(LinearLift),
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Tables {
+    lift: Table,
+    drag: Table,
+    /// Zero if absent.
+    moment: Option<Table>,
+}
+
+impl Airfoil {
+    /// Checks a table and prepares its interpolation.
+    ///
+    /// # Errors
+    /// All problems of the table, for which see [`AirfoilProblem`]. Peculiarities that are
+    /// accepted are [`Airfoil::remarks`].
+    pub fn new(
+        data: &AirfoilData,
+        interpolation: Interpolation,
+    ) -> Result<Self, Vec<AirfoilProblem>> {
+        let checked = check::checked(data)?;
+        let table = |curves| Table::new(curves, interpolation);
+        let absent = |coefficient| {
+            let airfoil = data.name.clone();
+            vec![AirfoilProblem::Absent {
+                airfoil,
+                coefficient,
+            }]
+        };
+        let tables = Tables {
+            lift: table(&checked.data.lift).ok_or_else(|| absent("lift"))?,
+            drag: table(&checked.data.drag).ok_or_else(|| absent("drag"))?,
+            moment: table(&checked.data.moment),
+        };
+        Ok(Self {
+            name: data.name.clone(),
+            thickness: data.thickness,
+            law: Law::Table(Box::new(tables)),
+            remarks: checked.remarks,
+        })
+    }
+
+    /// A flat plate.
+    pub fn flat_plate(plate: FlatPlate) -> Self {
+        Self::of_law("flat plate", Law::Plate(plate))
+    }
+
+    /// An airfoil of linear lift, without stall.
+    pub fn linear(lift: LinearLift) -> Self {
+        Self::of_law("linear lift", Law::Linear(lift))
+    }
+
+    fn of_law(name: &str, law: Law) -> Self {
+        Self {
+            name: name.to_owned(),
+            thickness: Some(0.0),
+            law,
+            remarks: Vec::new(),
+        }
+    }
+
+    /// Name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Thickness over chord, if known \[-\].
+    pub fn thickness(&self) -> Option<f64> {
+        self.thickness
+    }
+
+    /// Peculiarities of the table that are accepted.
+    pub fn remarks(&self) -> &[AirfoilRemark] {
+        &self.remarks
+    }
+
+    /// Coefficients in a flow; angles of attack are periodic, and numbers outside the table take
+    /// the values of its ends.
+    pub fn at<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
+        match &self.law {
+            Law::Table(tables) => Coefficients {
+                lift: tables.lift.at(flow),
+                drag: tables.drag.at(flow),
+                moment: match &tables.moment {
+                    Some(table) => table.at(flow),
+                    None => T::from(0.0),
+                },
+            },
+            Law::Plate(plate) => plate.at(flow),
+            Law::Linear(lift) => lift.at(flow),
+        }
+    }
+}
+
+impl Profile for Airfoil {
+    fn at<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
+        Airfoil::at(self, flow)
+    }
+}
+
+#[cfg(test)]
+#[path = "evaluated_tests.rs"]
+mod tests;
