@@ -117,6 +117,7 @@ impl Model {
                 time: 0.0,
                 turns: 1.0,
                 voltages: 1.0,
+                air: 1.0,
             },
         }
     }

@@ -14,9 +14,11 @@ pub mod joints;
 pub mod laws;
 pub mod loads;
 pub mod springs;
+pub mod strips;
 
 mod adapted;
 mod capabilities;
+mod carried;
 mod charges;
 mod constraint;
 mod energy;

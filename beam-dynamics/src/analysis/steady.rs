@@ -92,6 +92,7 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
             time: to.loading.time,
             turns: to.loading.turns,
             voltages: mix(a.voltages, b.voltages),
+            air: mix(a.air, b.air),
         },
     }
 }

@@ -144,6 +144,7 @@ impl Model {
                 time,
                 turns: 1.0,
                 voltages: 1.0,
+                air: 1.0,
             },
         }
     }

@@ -158,6 +158,7 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
                 time: random.number(),
                 turns: 1.0,
                 voltages: 1.0,
+                air: 1.0,
             },
         };
         check_at(element, &motion, &own, &conditions);

@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::schema::TableSchema;
-use shared_geom::document::schema::ValueKind::{Boolean, Tables};
+use shared_geom::document::schema::ValueKind::{Boolean, Table as OneTable, Tables};
 use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 
 use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
 use super::builder::ModelBuilder;
+use super::strips::{self, AirBlade, BladeAir};
 use super::formulation::{self, FORMULATION, INERTIA, INTERPOLATION, Inertia};
 use super::transient::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
@@ -60,6 +61,7 @@ pub(super) const CARD: TableSchema = TableSchema {
         CLAMP_ROOT.schema,
         HINGES.schema,
         MASS.schema,
+        AERODYNAMICS.schema,
         VELOCITY.schema,
         ANGULAR_VELOCITY.schema,
         INITIAL_WEIGHT.schema,
@@ -73,6 +75,8 @@ keys! {
     CLAMP_ROOT: Option<bool> = "clamp_root", [Boolean], or "true without `hinges`", "false";
     /// Hinges between hub and root, from the hub outward.
     HINGES: ByHand = "hinges", [Tables(&hinges::CARD)], optional, "";
+    /// Strips of every blade of the card in the air.
+    AERODYNAMICS: ByHand = "aerodynamics", [OneTable(&strips::CARD)], optional, "";
     /// Point masses on every blade of the card.
     MASS: ByHand = "mass", [Tables(&masses::CARD)], optional, "";
 }
@@ -98,6 +102,7 @@ struct Card {
     initial: InitialMotion,
     /// Index of the node that carries it, and the inertia about that node.
     masses: Vec<(usize, RigidInertia)>,
+    air: Option<BladeAir>,
 }
 
 /// Adds every `[[blade]]` to the model.
@@ -152,6 +157,12 @@ fn card(
     let masses = masses::read(table);
     let initial = initial_motion(table);
     let source = source::read(table, builder, &name)?;
+    let air = match table.has(&AERODYNAMICS) {
+        true => table.table(&AERODYNAMICS).and_then(|air| {
+            strips::read(&air, builder, (&name, source.length())).map(Some)
+        }),
+        false => Some(None),
+    };
     let (layout, masses) = lay(&source, &masses?, table, &name, builder)?;
     Some(Card {
         name,
@@ -161,6 +172,7 @@ fn card(
         root: root?,
         initial: initial?,
         masses,
+        air: air?,
     })
 }
 
@@ -234,11 +246,20 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
             None => builder.note_loose_end(),
         },
     }
-    builder.add_blade(BladeNodes {
+    let blade = BladeNodes {
         name: mount.name.clone(),
         azimuth: mount.azimuth,
         nodes,
-    });
+    };
+    if let Some(air) = &card.air {
+        let blade = AirBlade {
+            nodes: &blade,
+            axes: mount.blade_axes(),
+            count: card.mounts.len(),
+        };
+        strips::add(air, &blade, builder);
+    }
+    builder.add_blade(blade);
 }
 
 /// Gives the nodes of a blade the motion of a rigid body: its velocity at the center of rotation,

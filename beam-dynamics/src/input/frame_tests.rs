@@ -59,6 +59,7 @@ fn conditions(time: f64) -> Conditions {
             time,
             turns: 1.0,
             voltages: 1.0,
+            air: 1.0,
         },
     }
 }

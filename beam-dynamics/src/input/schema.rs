@@ -14,8 +14,8 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::{
-    analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes, frames, hub,
-    internal_forces, joints, loads, measured, nodes, properties, rods, speeds, springs, transient,
+    air, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes, frames, hub,
+    internal_forces, joints, loads, measured, nodes, properties, rods, speeds, springs, strips, transient,
 };
 
 keys! {
@@ -42,6 +42,12 @@ keys! {
     PROPERTIES: ByHand = "properties", [NamedTables(&properties::CARD)], optional, "";
     /// Rotation and support.
     HUB: ByHand = "hub", [Table(&hub::CARD)], optional, "";
+    /// The air.
+    AIR: ByHand = "air", [Table(&air::CARD)], optional, "";
+    /// Airfoils, by name.
+    AIRFOILS: ByHand = "airfoils", [NamedTables(&strips::AIRFOIL)], optional, "";
+    /// Velocities that rotors induce.
+    INFLOWS: ByHand = "inflow", [Tables(&strips::INFLOW)], optional, "";
     /// Polar copies of cards.
     REPEATS: ByHand = "repeat", [Tables(&REPEAT)], optional, "";
     /// Gravity.

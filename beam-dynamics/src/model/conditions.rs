@@ -23,10 +23,12 @@ pub struct Loading {
     /// Part of the given voltages that is applied: one, except on the way to an equilibrium
     /// that is not found otherwise \[-\].
     pub voltages: f64,
+    /// Part of the forces of the air that acts: one, except on the way to an equilibrium \[-\].
+    pub air: f64,
 }
 
 impl Loading {
-    /// No load, no gravity.
+    /// No load, no gravity, no air.
     pub fn none() -> Self {
         Self {
             gravity: Vector3::zeros(),
@@ -36,6 +38,7 @@ impl Loading {
             time: 0.0,
             turns: 1.0,
             voltages: 1.0,
+            air: 0.0,
         }
     }
 }

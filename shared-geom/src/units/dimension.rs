@@ -105,6 +105,9 @@ impl Dimension {
     /// Twist rate and curvature of a line, in rad/m inside.
     pub const CURVATURE: Self = Self::of(-1, 0, 0, 1);
 
+    /// Dynamic viscosity, in Pa s inside.
+    pub const VISCOSITY: Self = Self::of(-1, 1, -1, 0);
+
     const fn of(length: i8, mass: i8, time: i8, angle: i8) -> Self {
         Self {
             length,
@@ -154,6 +157,7 @@ impl fmt::Display for Dimension {
             Self::FORCE => "a force",
             Self::STRESS => "a stress",
             Self::DENSITY => "a density",
+            Self::VISCOSITY => "a dynamic viscosity",
             Self::VELOCITY => "a velocity",
             Self::ACCELERATION => "an acceleration",
             Self::FORCE_PER_VOLUME => "a force per volume",

@@ -27,6 +27,7 @@ use super::forces::LineForce;
 use super::strain::SectionPoint;
 use super::{portions, variational};
 use crate::elements::LocalJacobian;
+use crate::elements::carried::LoadShare;
 use crate::model::Equation;
 
 impl Formulation {
@@ -42,6 +43,14 @@ impl Formulation {
         match self {
             Self::Variational => variational::add_on_line(at, load, add),
             Self::FiniteVolume(_) => portions::add_on_line(portion, at, load, add),
+        }
+    }
+
+    /// The part of a force and a moment on the line that acts on each node.
+    pub(super) fn shares(self, portion: usize, at: &SectionPoint<'_>) -> [LoadShare; 3] {
+        match self {
+            Self::Variational => variational::shares(at),
+            Self::FiniteVolume(_) => portions::shares(portion, at),
         }
     }
 

@@ -88,6 +88,12 @@ impl BeamGeometry {
         xi
     }
 
+    /// Position [m] and direction \[-\] of the line at xi of the undeformed beam.
+    pub fn line_point(&self, nodes: &[&Node; 3], xi: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let point = self.reference_point(nodes, xi);
+        (point.p, (point.r * point.slope).normalize())
+    }
+
     /// Section axes at xi of the undeformed beam (columns) [-].
     pub fn section_axes(&self, nodes: &[&Node; 3], xi: f64) -> Matrix3<f64> {
         self.reference_point(nodes, xi).r

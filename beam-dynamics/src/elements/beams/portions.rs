@@ -25,6 +25,7 @@ use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
 use super::forces::{LineForce, Test};
 use super::strain::SectionPoint;
 use crate::elements::LocalJacobian;
+use crate::elements::carried::LoadShare;
 use crate::model::Equation;
 use crate::model::Equation::{Force, Moment};
 use crate::model::Variable::{Position, Rotation};
@@ -82,6 +83,17 @@ pub(super) fn add_on_line(
     add(node, Force, &load.force);
     add(node, Moment, &load.moment);
     add(node, Moment, &arm.cross(&load.force));
+}
+
+/// The part of a load on the portion of `node` that acts on each node.
+pub(super) fn shares(node: usize, at: &SectionPoint<'_>) -> [LoadShare; 3] {
+    let mut shares = [LoadShare::default(); 3];
+    shares[node] = LoadShare {
+        force: 1.0,
+        moment_by_force: skew(&(at.point.p - at.nodal.x[node])),
+        moment_by_moment: Matrix3::identity(),
+    };
+    shares
 }
 
 /// Adds the variation of a load on the portion of a node.

@@ -23,6 +23,7 @@ use shared_geom::rotation::{skew, skew_skew, skew_times};
 use super::forces::LineForce;
 use super::strain::SectionPoint;
 use crate::elements::LocalJacobian;
+use crate::elements::carried::LoadShare;
 use crate::model::Equation;
 use crate::model::Equation::{Force, Moment};
 use crate::model::Variable::Rotation;
@@ -80,6 +81,15 @@ pub(super) fn add_on_line(
         add(j, Moment, &at.nodal.f[j].cross(&force));
         add(j, Moment, &at.theta[j].tr_mul(&load.moment));
     }
+}
+
+/// The part of a load on the line that acts on each node.
+pub(super) fn shares(at: &SectionPoint<'_>) -> [LoadShare; 3] {
+    std::array::from_fn(|j| LoadShare {
+        force: at.shape.n[j],
+        moment_by_force: at.shape.n[j] * skew(&at.nodal.f[j]),
+        moment_by_moment: at.theta[j].transpose(),
+    })
 }
 
 /// Adds the variation of a load on the line.

@@ -6,6 +6,16 @@ use crate::input::drives;
 use crate::input::frames::Frames;
 
 impl ModelBuilder {
+    /// The air, the airfoils and the inflows.
+    pub fn aerodynamics(&self) -> &Aerodynamics {
+        &self.aerodynamics
+    }
+
+    /// Sets the air, the airfoils and the inflows.
+    pub fn set_aerodynamics(&mut self, aerodynamics: Aerodynamics) {
+        self.aerodynamics = aerodynamics;
+    }
+
     /// The drives by name.
     pub fn drives(&self) -> &drives::Catalog {
         &self.drives

@@ -1,0 +1,12 @@
+//! Strips: forces of the air on points of bodies and beams.
+
+mod air;
+mod carrier;
+mod kinematics;
+mod strip;
+mod tip;
+
+pub use air::Air;
+pub use kinematics::Shaft;
+pub use strip::{AirStrip, StripGeometry, StripRotor};
+pub use tip::TipRadius;

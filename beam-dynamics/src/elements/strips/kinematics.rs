@@ -1,0 +1,223 @@
+//! Flow at a strip, from the motion of its nodes, with derivatives.
+//!
+//! The quarter chord Q is at `a = R a~` from the carried point p, the airfoil axes are `R_a = R
+//! R~_a` (x toward the leading edge, y to the upper surface, z along the span). With the velocity
+//! of the air `V(Q, t)`, the shaft axis n through c, and the motion of p (see
+//! [`crate::elements::carried`]),
+//!
+//! ```text
+//! Q  = p + a           d = Q - c                 g = p' + omega x a + Omega x (Q - c_0) - V
+//! w  = R_a^T g         q = e_z . R_a^T (omega + Omega)
+//! s  = R_a^T n         r = |d - n (n . d)|
+//! ```
+//!
+//! and their variations
+//!
+//! ```text
+//! d Q = N_j (d x_j - [f_j]x theta_j) - [a]x theta
+//! d g = N_j (d x'_j - [f_j + a]x d omega_j - [omega_j]x [f_j]x theta_j) - [omega]x [a]x theta
+//!       + ([Omega]x - grad V) d Q
+//! d w = R_a^T (d g + [g]x theta)                 d q = e_z . R_a^T (N_j d omega_j + [omega + Omega]x theta)
+//! d s = R_a^T ([n]x theta - [n]x theta_h)        d r = [(d - n (n . d)) . d(Q - c) - (n . d) d . d n] / r
+//! ```
+//!
+//! References: [Masarati], 5.9.
+
+use nalgebra::{Matrix3, RowVector3, SMatrix, Vector3};
+use shared_geom::rotation::{skew, skew_skew, skew_times};
+
+use super::carrier::{Carrier, CarrierState};
+use crate::elements::Local;
+use crate::elements::carried::CarriedPoint;
+use crate::model::Variable;
+
+/// Numbers of the flow: w (3), q, s (3), r.
+pub(super) const FLOW: usize = 8;
+
+/// Derivatives of the flow by a vector variable of a node.
+pub(super) type FlowBlock = SMatrix<f64, FLOW, 3>;
+
+/// The axis of the shaft of a rotor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shaft {
+    /// A point of the axis: in the frame, or from the hub's node and in its axes [m].
+    pub center: Vector3<f64>,
+    /// Direction, a unit vector in the same axes \[-\].
+    pub axis: Vector3<f64>,
+}
+
+/// Geometry of a strip.
+#[derive(Debug, Clone)]
+pub(super) struct Mount {
+    pub carrier: Carrier,
+    /// Quarter chord from the carried point, in the carried axes [m].
+    pub offset: Vector3<f64>,
+    /// Airfoil axes (columns) in the carried axes.
+    pub axes: Matrix3<f64>,
+    /// The shaft of its rotor.
+    pub shaft: Shaft,
+    /// Index among the nodes of the element of the node that carries the shaft; the frame if none.
+    pub hub: Option<usize>,
+}
+
+/// The flow at a strip.
+pub(super) struct Flow<'a> {
+    pub state: CarrierState<'a>,
+    pub point: CarriedPoint,
+    /// Q from p, model axes [m].
+    pub arm: Vector3<f64>,
+    /// `R_a`.
+    pub axes: Matrix3<f64>,
+    /// w [m/s], q [rad/s], s \[-\] and r \[m\].
+    pub numbers: [f64; FLOW],
+    center: Vector3<f64>,
+    shaft: Vector3<f64>,
+    /// `Q - c` [m].
+    from_center: Vector3<f64>,
+    /// g [m/s].
+    relative: Vector3<f64>,
+    /// Angular velocity in space and relative to the frame [rad/s].
+    turning: [Vector3<f64>; 2],
+    /// `[Omega]x - grad V` [1/s].
+    gradient: Matrix3<f64>,
+}
+
+/// Velocity of the air at a point and a time [m/s], and its derivatives by the point [1/s].
+pub(super) type AirMotion<'a> = dyn Fn(&Vector3<f64>, f64) -> (Vector3<f64>, Matrix3<f64>) + 'a;
+
+impl Mount {
+    /// The flow at a state.
+    pub fn flow(&self, at: &Local<'_>, air: &AirMotion<'_>) -> Flow<'_> {
+        let state = self.carrier.at(at.nodes);
+        let point = state.carried();
+        let arm = point.rotation * self.offset;
+        let axes = point.rotation * self.axes;
+        let position = point.position + arm;
+        let [velocity, omega] = point.velocities(at.nodes);
+        let (wind, by_position) = air(&position, at.loading.time);
+        let relative = at
+            .frame
+            .velocity(&position, &(velocity + omega.cross(&arm)))
+            - wind;
+        let in_space = omega + at.frame.angular_velocity;
+        let (center, shaft) = match self.hub {
+            None => (self.shaft.center, self.shaft.axis),
+            Some(hub) => {
+                let node = &at.nodes[hub];
+                let center = node.position + node.rotation * self.shaft.center;
+                (center, node.rotation * self.shaft.axis)
+            }
+        };
+        let from_center = position - center;
+        let w = axes.tr_mul(&relative);
+        let s = axes.tr_mul(&shaft);
+        let across = from_center - shaft * shaft.dot(&from_center);
+        let pitch_rate = axes.column(2).dot(&in_space);
+        Flow {
+            numbers: [w.x, w.y, w.z, pitch_rate, s.x, s.y, s.z, across.norm()],
+            state,
+            point,
+            arm,
+            axes,
+            center,
+            shaft,
+            from_center,
+            relative,
+            turning: [in_space, omega],
+            gradient: at.frame.skew() - by_position,
+        }
+    }
+}
+
+impl Flow<'_> {
+    /// Derivatives by the given variables of node `j` of the carrier.
+    pub fn by_node(&self, at: &Local<'_>, j: usize) -> [(Variable, FlowBlock); 4] {
+        let share = &self.point.shares[j];
+        let (n, turn) = (share.weight, &share.turn);
+        let arm = skew(&self.arm);
+        let offset = skew(&share.offset);
+        // d Q and d g by rotation; d g by position is `gradient n`.
+        let position = -n * offset - arm * turn;
+        let omega = &at.nodes[j].angular_velocity;
+        let velocity = -n * skew_skew(omega, &share.offset)
+            - skew_skew(&self.turning[1], &self.arm) * turn
+            + self.gradient * position;
+        let identity = n * Matrix3::identity();
+        let zero = Matrix3::zeros();
+        [
+            (
+                Variable::Position,
+                self.block(&identity, &(n * self.gradient), None, &zero),
+            ),
+            (
+                Variable::Rotation,
+                self.block(&position, &velocity, Some(turn), &zero),
+            ),
+            (
+                Variable::Velocity,
+                self.block(&zero, &identity, None, &zero),
+            ),
+            (
+                Variable::AngularVelocity,
+                self.block(&zero, &(-n * (offset + arm)), None, &identity),
+            ),
+        ]
+    }
+
+    /// Derivatives from those of Q, g, theta and omega.
+    fn block(
+        &self,
+        position: &Matrix3<f64>,
+        velocity: &Matrix3<f64>,
+        turn: Option<&Matrix3<f64>>,
+        omega: &Matrix3<f64>,
+    ) -> FlowBlock {
+        let transposed = self.axes.transpose();
+        let mut g = *velocity;
+        let mut rates = *omega;
+        let mut shaft = Matrix3::zeros();
+        if let Some(turn) = turn {
+            g += skew_times(&self.relative, turn);
+            rates += skew_times(&self.turning[0], turn);
+            shaft = transposed * skew_times(&self.shaft, turn);
+        }
+        let mut out = FlowBlock::zeros();
+        out.fixed_view_mut::<3, 3>(0, 0).copy_from(&(transposed * g));
+        out.set_row(3, &(transposed.row(2) * rates));
+        out.fixed_view_mut::<3, 3>(4, 0).copy_from(&shaft);
+        out.set_row(7, &(self.radial() * position));
+        out
+    }
+
+    /// `d r / d Q`; zero on the axis.
+    fn radial(&self) -> RowVector3<f64> {
+        let across = self.from_center - self.shaft * self.shaft.dot(&self.from_center);
+        match self.numbers[7] > 0.0 {
+            true => across.transpose() / self.numbers[7],
+            false => RowVector3::zeros(),
+        }
+    }
+
+    /// Derivatives by the position and the rotation of the node of the shaft.
+    pub fn by_hub(&self, at: &Local<'_>, hub: usize) -> [(Variable, FlowBlock); 2] {
+        let mut by_position = FlowBlock::zeros();
+        by_position.set_row(7, &-self.radial());
+        let mut by_rotation = FlowBlock::zeros();
+        let n = skew(&self.shaft);
+        let offset = skew(&(self.center - at.nodes[hub].position));
+        by_rotation
+            .fixed_view_mut::<3, 3>(4, 0)
+            .copy_from(&(-self.axes.transpose() * n));
+        // d c = -[offset]x theta and d n = -[n]x theta.
+        let along = self.shaft.dot(&self.from_center);
+        let mut row = self.radial() * offset;
+        if self.numbers[7] > 0.0 {
+            row += (along / self.numbers[7]) * (self.from_center.transpose() * n);
+        }
+        by_rotation.set_row(7, &row);
+        [
+            (Variable::Position, by_position),
+            (Variable::Rotation, by_rotation),
+        ]
+    }
+}

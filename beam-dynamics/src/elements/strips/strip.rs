@@ -1,0 +1,335 @@
+//! A strip as an element: the flow from the motion of its nodes, and the forces of the air back on
+//! them.
+//!
+//! With the force f and the moment m per length in the airfoil axes (see
+//! [`rotor_aero::strip::Strip`]), the length ds of the strip and the part of the air that acts,
+//! the carried point gets
+//!
+//! ```text
+//! F   = R_a f ds                                 M   = a x F + R_a e_z m ds
+//! d F = -[F]x theta + R_a d f ds                 d M = [a]x d F + [F]x [a]x theta
+//!                                                      - [R_a e_z m ds]x theta + R_a e_z d m ds
+//! ```
+//!
+//! References: [Masarati], 5.9.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, SMatrix, Vector3};
+use rotor_aero::strip::{
+    FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian,
+};
+use shared_geom::rotation::{skew, skew_skew, skew_times};
+
+use super::air::Air;
+use super::carrier::Carrier;
+use super::kinematics::{FLOW, Flow, FlowBlock, Mount, Shaft};
+use crate::elements::beams::{BeamGeometry, LinePoint};
+use crate::elements::{
+    Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, has,
+};
+use crate::model::{Node, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
+
+/// Geometry of a strip on the section or body that carries it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StripGeometry {
+    /// Quarter chord from the carried point, in its axes \[m\].
+    pub offset: Vector3<f64>,
+    /// Airfoil axes (columns) in the axes of the carried point: x toward the leading edge, y to
+    /// the upper surface, z along the span \[-\].
+    pub axes: Matrix3<f64>,
+    /// Length along the span \[m\].
+    pub length: f64,
+}
+
+/// The rotor of a strip.
+#[derive(Debug, Clone)]
+pub struct StripRotor {
+    /// Its shaft.
+    pub shaft: Shaft,
+    /// The node that carries the shaft; the frame if none.
+    pub hub: Option<usize>,
+    /// The radius of the tip of the blade.
+    pub tip_radius: Scalar,
+}
+
+/// A strip in the air.
+#[derive(Debug, Clone)]
+pub struct AirStrip {
+    label: String,
+    nodes: Vec<usize>,
+    mount: Mount,
+    length: f64,
+    strip: Arc<Strip>,
+    air: Arc<Air>,
+    /// Its states, then the radius of the tip.
+    scalars: Vec<Scalar>,
+}
+
+/// Forces of a strip at a state: F and M at the carried point [N, N m].
+struct Loads {
+    force: Vector3<f64>,
+    moment: Vector3<f64>,
+    /// The moment about the quarter chord [N m].
+    own: Vector3<f64>,
+}
+
+impl AirStrip {
+    /// A strip on the line of a beam at xi.
+    pub fn on_beam(
+        label: impl Into<String>,
+        (nodes, geometry, undeformed): ([usize; 3], BeamGeometry, &[&Node; 3]),
+        xi: f64,
+        strip: (Arc<Strip>, StripGeometry),
+        rotor: StripRotor,
+        air: Arc<Air>,
+    ) -> Self {
+        let point = LinePoint::new(geometry, undeformed, xi);
+        let carrier = Carrier::Beam(Box::new(point));
+        Self::new(label.into(), nodes.to_vec(), carrier, strip, rotor, air)
+    }
+
+    /// A strip on a body: the carried point is at `offset` from the node, with the axes of the
+    /// node.
+    pub fn on_body(
+        label: impl Into<String>,
+        (node, offset): (usize, Vector3<f64>),
+        strip: (Arc<Strip>, StripGeometry),
+        rotor: StripRotor,
+        air: Arc<Air>,
+    ) -> Self {
+        let carrier = Carrier::Body(offset, Matrix3::identity());
+        Self::new(label.into(), vec![node], carrier, strip, rotor, air)
+    }
+
+    fn new(
+        label: String,
+        mut nodes: Vec<usize>,
+        carrier: Carrier,
+        (strip, geometry): (Arc<Strip>, StripGeometry),
+        rotor: StripRotor,
+        air: Arc<Air>,
+    ) -> Self {
+        let hub = rotor.hub.map(|hub| {
+            nodes.push(hub);
+            nodes.len() - 1
+        });
+        let states = strip.states().iter().map(|state| {
+            Scalar::new(ScalarSpec {
+                owner: label.clone(),
+                unknown: Quantity::new(state.name, state.unit, 1.0),
+                equation: Quantity::new(
+                    format!("equation of {}", state.name),
+                    state.row_unit,
+                    1.0,
+                ),
+                has_rate: state.has_rate,
+                rate: None,
+                start: ScalarStart::Settled,
+            })
+        });
+        let mut scalars: Vec<_> = states.collect();
+        scalars.push(rotor.tip_radius);
+        Self {
+            label,
+            nodes,
+            mount: Mount {
+                carrier,
+                offset: geometry.offset,
+                axes: geometry.axes,
+                shaft: rotor.shaft,
+                hub,
+            },
+            length: geometry.length,
+            strip,
+            air,
+            scalars,
+        }
+    }
+
+    /// Number of its states: the scalar after them is the radius of the tip.
+    fn states(&self) -> usize {
+        self.scalars.len() - 1
+    }
+
+    /// The flow, and its numbers as the strip takes them.
+    fn flow<'a>(&'a self, at: &Local<'_>) -> (Flow<'a>, [f64; STRIP_FLOW]) {
+        let flow = self.mount.flow(at, &|point, time| self.air.motion(point, time));
+        let mut numbers = [0.0; STRIP_FLOW];
+        numbers[..FLOW].copy_from_slice(&flow.numbers);
+        numbers[FLOW] = at.scalars.values[self.states()];
+        (flow, numbers)
+    }
+
+    /// Loads at the carried point from the numbers of the strip.
+    fn loads(&self, flow: &Flow<'_>, values: &[f64; OUTPUTS], at: &Local<'_>) -> Loads {
+        let size = self.length * at.loading.air;
+        let force = flow.axes * (size * Vector3::new(values[0], values[1], values[2]));
+        let own = flow.axes.column(2) * (size * values[3]);
+        Loads {
+            force,
+            moment: flow.arm.cross(&force) + own,
+            own,
+        }
+    }
+
+    /// Adds the derivatives by the motion of the nodes and by the scalars.
+    fn add_jacobian(
+        &self,
+        (flow, loads): (&Flow<'_>, &Loads),
+        by: &StripJacobian,
+        at: &Local<'_>,
+        out: &mut LocalJacobian,
+    ) {
+        flow.state.add_variation(&loads.force, &loads.moment, out);
+        let strip = Columns::new(self, flow, by, at);
+        for j in 0..flow.point.count {
+            let turn = flow.point.shares[j].turn;
+            for (variable, block) in flow.by_node(at, j) {
+                let mut forces = strip.loads_by(&block);
+                if variable == Variable::Rotation {
+                    forces[0] -= skew_times(&loads.force, &turn);
+                    let own = skew_times(&loads.own, &turn);
+                    forces[1] -= own;
+                }
+                forces[1] += skew(&flow.arm) * forces[0];
+                if variable == Variable::Rotation {
+                    forces[1] += skew_skew(&loads.force, &flow.arm) * turn;
+                }
+                flow.point.add_by_variable((j, variable), &forces, out);
+                strip.add_rows((j, variable), &block, out);
+            }
+        }
+        if let Some(hub) = self.mount.hub {
+            for (variable, block) in flow.by_hub(at, hub) {
+                let mut forces = strip.loads_by(&block);
+                forces[1] += skew(&flow.arm) * forces[0];
+                flow.point.add_by_variable((hub, variable), &forces, out);
+                strip.add_rows((hub, variable), &block, out);
+            }
+        }
+        strip.add_scalars(out);
+    }
+}
+
+/// Derivatives of the strip, with the axes that make forces of them.
+struct Columns<'a> {
+    strip: &'a AirStrip,
+    flow: &'a Flow<'a>,
+    by: &'a StripJacobian,
+    size: f64,
+}
+
+impl<'a> Columns<'a> {
+    fn new(strip: &'a AirStrip, flow: &'a Flow<'a>, by: &'a StripJacobian, at: &Local<'_>) -> Self {
+        Self {
+            strip,
+            flow,
+            by,
+            size: strip.length * at.loading.air,
+        }
+    }
+
+    /// `[R_a d f ds; R_a e_z d m ds]` by a variable of a node.
+    fn loads_by(&self, flow: &FlowBlock) -> [Matrix3<f64>; 2] {
+        let by = SMatrix::<f64, LOADS, FLOW>::from_fn(|i, k| self.size * self.by.by[i][k]);
+        let local = by * flow;
+        let force = self.flow.axes * local.fixed_rows::<3>(0);
+        [force, self.flow.axes.column(2) * local.row(3)]
+    }
+
+    /// Adds the derivatives of the rows of the states by a variable of a node.
+    fn add_rows(
+        &self,
+        column: (usize, Variable),
+        flow: &FlowBlock,
+        out: &mut LocalJacobian,
+    ) {
+        for row in 0..self.strip.states() {
+            let by = &self.by.by[LOADS + row];
+            let by = nalgebra::RowSVector::<f64, FLOW>::from_column_slice(&by[..FLOW]);
+            out.add_scalar_row(row, column, &(by * flow));
+        }
+    }
+
+    /// Adds the derivatives by the states, their rates and the radius of the tip.
+    fn add_scalars(&self, out: &mut LocalJacobian) {
+        let states = self.strip.strip.states();
+        for (k, state) in states.iter().enumerate() {
+            self.add_scalar((k, false), STRIP_FLOW + k, out);
+            if state.has_rate {
+                self.add_scalar((k, true), STRIP_FLOW + STATES + k, out);
+            }
+        }
+        self.add_scalar((states.len(), false), FLOW, out);
+    }
+
+    /// Adds column `input` of the strip as the derivatives by a scalar or its rate.
+    fn add_scalar(&self, column: (usize, bool), input: usize, out: &mut LocalJacobian) {
+        let of = |i: usize| self.size * self.by.by[i][input];
+        let force = self.flow.axes * Vector3::new(of(0), of(1), of(2));
+        let moment = self.flow.arm.cross(&force) + self.flow.axes.column(2) * of(3);
+        self.flow.point.add_by_scalar(column, &[force, moment], out);
+        for row in 0..self.strip.states() {
+            out.add_scalar(row, column.0, self.by.by[LOADS + row][input], column.1);
+        }
+    }
+}
+
+impl Element for AirStrip {
+    fn label(&self) -> &str {
+        &self.label
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn scalars(&self) -> &[Scalar] {
+        &self.scalars
+    }
+
+    fn evaluate(
+        &self,
+        at: &Local<'_>,
+        out: &mut LocalResidual,
+        jacobian: Option<&mut LocalJacobian>,
+    ) {
+        let (flow, numbers) = self.flow(at);
+        let states = self.states();
+        let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
+        let air = &self.air.properties;
+        let by = match jacobian.is_some() {
+            true => self.strip.linearize(air, &numbers, values, rates),
+            false => StripJacobian::of_values(self.strip.evaluate(air, &numbers, values, rates)),
+        };
+        let loads = self.loads(&flow, &by.values, at);
+        flow.state.add(&loads.force, &loads.moment, out);
+        for row in 0..states {
+            out.add_scalar(row, by.values[LOADS + row]);
+        }
+        if let Some(out) = jacobian {
+            self.add_jacobian((&flow, &loads), &by, at, out);
+        }
+    }
+
+    has!(energetic: Energetic);
+}
+
+impl Energetic for AirStrip {
+    fn stored(&self, _at: &Local<'_>) -> Energy {
+        Energy::default()
+    }
+
+    fn exchanged(&self) -> Exchange {
+        Exchange::Driven
+    }
+
+    fn is_conservative(&self) -> bool {
+        false
+    }
+
+    fn slope(&self) -> EnergySlope {
+        EnergySlope::Zero
+    }
+}

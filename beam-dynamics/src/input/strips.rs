@@ -1,0 +1,299 @@
+//! Strips in the air: `[blade.aerodynamics]`.
+//!
+//! The airfoil axes at a station of twist b, with the axes B of the blade (x along the span, y in
+//! the direction of motion, z up, pitch included) and the line of the beam along t:
+//!
+//! ```text
+//! z = t                 x = (cos b B e_y + sin b B e_z), normal to t          y = z x x
+//! ```
+//!
+//! Each beam is cut at the stations; each piece has strips at Gauss points, whose lengths are the
+//! weights times the length of the piece.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Vector3};
+use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign};
+use shared_geom::document::schema::ValueKind::{Count, Text, Word};
+use shared_geom::document::Table;
+use shared_geom::keys;
+use shared_geom::quadrature;
+
+use super::air;
+use super::beam_card::Beam;
+use super::builder::ModelBuilder;
+use crate::case::BladeNodes;
+use crate::elements::strips::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+use crate::model::Node;
+
+mod airfoil_files;
+mod airfoils;
+mod inflows;
+mod problem;
+mod stations;
+
+pub use problem::StripProblem;
+
+use airfoils::Airfoils;
+pub(super) use airfoils::CARD as AIRFOIL;
+use inflows::Inflow;
+pub(super) use inflows::CARD as INFLOW;
+use stations::{Between, STATIONS, Stations};
+
+keys! {
+    /// Strips along a blade.
+    pub(super) CARD = "[blade.aerodynamics]";
+    /// The name of an `[[inflow]]`; without it no velocity is induced.
+    INFLOW_NAME: Option<String> = "inflow", [Text], optional, "\"rotor\"";
+    /// Model of the section.
+    SECTION: usize = "section", [Word(SectionModel::WORDS)],
+        or "\"separation_lag\"" = 2, "\"quasi_steady\"";
+    /// Number of strips on each beam, or on each part of a beam between two stations.
+    POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
+    with STATIONS.schema;
+}
+
+/// The air, the airfoils and the inflows of a model.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Aerodynamics {
+    /// The air; `None` if its card is wrong.
+    air: Option<Arc<Air>>,
+    airfoils: Airfoils,
+    inflows: Vec<Inflow>,
+}
+
+/// Reads `[air]`, `[airfoils]` and `[[inflow]]`.
+pub(super) fn read_shared(root: &Table<'_>, builder: &mut ModelBuilder) {
+    let air = air::read(root);
+    if air.is_none() {
+        builder.note_broken();
+    }
+    let airfoils = airfoils::read(root);
+    builder.add_remarks(airfoils.remarks.clone());
+    let inflows = inflows::read(root, builder);
+    builder.set_aerodynamics(Aerodynamics {
+        air: air.map(Arc::new),
+        airfoils,
+        inflows,
+    });
+}
+
+/// Strips of the blades of one card.
+#[derive(Debug)]
+pub(super) struct BladeAir {
+    stations: Stations,
+    model: SectionModel,
+    points: usize,
+    inflow: Option<Inflow>,
+}
+
+/// Reads the table of a `[[blade]]` called `name`, of the given length \[m\].
+pub(super) fn read(
+    table: &Table<'_>,
+    builder: &ModelBuilder,
+    (name, length): (&str, f64),
+) -> Option<BladeAir> {
+    let user = format!("blade \"{name}\"");
+    let stations = stations::read(table, &builder.aerodynamics().airfoils, (&user, length));
+    let (section, points) = (table.get(&SECTION), table.get(&POINTS));
+    let wanted = table.get(&INFLOW_NAME);
+    table.finish();
+    let inflow = match wanted? {
+        None => None,
+        Some(wanted) => Some(find_inflow(&wanted, table, builder, user)?),
+    };
+    Some(BladeAir {
+        stations: stations?,
+        model: SectionModel::of_word(SectionModel::WORDS.get(section?)?)?,
+        points: points?,
+        inflow,
+    })
+}
+
+fn find_inflow(
+    name: &str,
+    table: &Table<'_>,
+    builder: &ModelBuilder,
+    user: String,
+) -> Option<Inflow> {
+    let found = builder.aerodynamics().inflows.iter().find(|inflow| inflow.name == name);
+    if found.is_none() {
+        let known = builder.aerodynamics().inflows.iter().map(|inflow| inflow.name.clone());
+        let problem = StripProblem::Unknown {
+            kind: "inflow",
+            name: name.to_owned(),
+            user,
+            known: known.collect(),
+        };
+        table.note(&INFLOW_NAME, &problem);
+    }
+    found.cloned()
+}
+
+/// A blade that gets strips: its nodes, its axes (columns, pitch included), and the number of blades
+/// of its card.
+pub(super) struct AirBlade<'a> {
+    pub nodes: &'a BladeNodes,
+    pub axes: Matrix3<f64>,
+    pub count: usize,
+}
+
+impl AirBlade<'_> {
+    /// The beams from the root to the tip, with the arc length at which each begins [m].
+    fn beams(&self, builder: &ModelBuilder) -> Vec<(Beam, f64)> {
+        let mut start = 0.0;
+        let beams = self.nodes.nodes.windows(3).step_by(2).filter_map(|nodes| {
+            builder.beams().iter().rev().find(|beam| beam.nodes == nodes)
+        });
+        beams
+            .map(|beam| {
+                let placed = (beam.clone(), start);
+                start += beam.geometry.length(&ends(beam, builder));
+                placed
+            })
+            .collect()
+    }
+}
+
+/// Adds the strips of a blade to the model.
+pub(super) fn add(air: &BladeAir, blade: &AirBlade<'_>, builder: &mut ModelBuilder) {
+    let Some(hub) = builder.hub() else { return };
+    let rotation = hub.frame_rotation();
+    let node = builder.hub_node();
+    // The axis in the axes of the hub's node, whose origin is the center.
+    let shaft = match node.map(|node| &builder.nodes()[node]) {
+        None => Shaft {
+            center: rotation.center,
+            axis: rotation.axis,
+        },
+        Some(node) => Shaft {
+            center: node.rotation.tr_mul(&(rotation.center - node.position)),
+            axis: node.rotation.tr_mul(&rotation.axis),
+        },
+    };
+    let tip = blade.nodes.nodes.last().copied().unwrap_or_default();
+    let tip = TipRadius::new(format!("{} tip", blade.nodes.name), tip, shaft, node);
+    let rotor = StripRotor {
+        shaft,
+        hub: node,
+        tip_radius: tip.scalar().clone(),
+    };
+    builder.add_load(Box::new(tip));
+    let beams = blade.beams(builder);
+    let inflow = air.inflow.as_ref().map(|inflow| {
+        let first = air.stations.positions().next().unwrap_or_default();
+        inflow.annular(blade.count, radius_at(&beams, first, builder))
+    });
+    let strips = strips(air, (blade, &beams), builder, inflow);
+    let Some(shared) = builder.aerodynamics().air.clone() else {
+        return;
+    };
+    for (number, strip) in strips.into_iter().enumerate() {
+        let label = format!("{}/strip {}", blade.nodes.name, number + 1);
+        let beam = &beams[strip.beam].0;
+        let ends = beam.nodes.map(|node| &builder.nodes()[node]);
+        let element = AirStrip::on_beam(
+            label,
+            (beam.nodes, beam.geometry, &ends),
+            strip.xi,
+            (strip.strip, strip.geometry),
+            rotor.clone(),
+            Arc::clone(&shared),
+        );
+        builder.add_load(Box::new(element));
+    }
+}
+
+/// A strip and its position on a beam.
+struct PlacedStrip {
+    beam: usize,
+    xi: f64,
+    strip: Arc<Strip>,
+    geometry: StripGeometry,
+}
+
+/// Distance from the axis of rotation of a position on the line \[m\].
+fn radius_at(beams: &[(Beam, f64)], position: f64, builder: &ModelBuilder) -> f64 {
+    let Some(hub) = builder.hub() else { return 0.0 };
+    let after = beams.partition_point(|(_, start)| *start <= position);
+    let Some((beam, start)) = beams.get(after.saturating_sub(1)) else {
+        return 0.0;
+    };
+    let ends = ends(beam, builder);
+    let xi = beam.geometry.position(&ends, position - start);
+    hub.distance(&beam.geometry.line_point(&ends, xi).0)
+}
+
+fn ends<'a>(beam: &Beam, builder: &'a ModelBuilder) -> [&'a Node; 3] {
+    beam.nodes.map(|node| &builder.nodes()[node])
+}
+
+/// The strips of a blade, from the root to the tip.
+fn strips(
+    air: &BladeAir,
+    (blade, beams): (&AirBlade<'_>, &[(Beam, f64)]),
+    builder: &ModelBuilder,
+    inflow: Option<AnnularInflow>,
+) -> Vec<PlacedStrip> {
+    let mut strips = Vec::new();
+    let limits: Vec<f64> = air.stations.positions().collect();
+    let (Some(first), Some(last)) = (limits.first(), limits.last()) else {
+        return strips;
+    };
+    for (index, (beam, start)) in beams.iter().enumerate() {
+        let ends = ends(beam, builder);
+        let end = start + beam.geometry.length(&ends);
+        let mut cuts = vec![start.max(*first)];
+        cuts.extend(limits.iter().filter(|at| **at > *start && **at < end));
+        cuts.push(end.min(*last));
+        cuts.dedup_by(|b, a| *b - *a <= SHORTEST * (end - start));
+        for pair in cuts.windows(2) {
+            let half = 0.5 * (pair[1] - pair[0]);
+            for (abscissa, weight) in quadrature::line(air.points) {
+                let position = pair[0] + half * (1.0 + abscissa);
+                let Some(between) = air.stations.at(position) else {
+                    continue;
+                };
+                let xi = beam.geometry.position(&ends, position - start);
+                strips.push(PlacedStrip {
+                    beam: index,
+                    xi,
+                    geometry: geometry(&between, blade, beam, &ends, (xi, weight * half)),
+                    strip: Arc::new(Strip::new(StripDesign {
+                        chord: between.chord,
+                        section: between.airfoil,
+                        model: air.model,
+                        inflow,
+                    })),
+                });
+            }
+        }
+    }
+    strips
+}
+
+/// Part of a beam below which a piece between two stations has no strip of its own.
+const SHORTEST: f64 = 1e-6;
+
+fn geometry(
+    between: &Between,
+    blade: &AirBlade<'_>,
+    beam: &Beam,
+    ends: &[&Node; 3],
+    (xi, length): (f64, f64),
+) -> StripGeometry {
+    let (_, tangent) = beam.geometry.line_point(ends, xi);
+    let section = beam.geometry.section_axes(ends, xi);
+    let (sin, cos) = between.twist.sin_cos();
+    let forward = blade.axes * Vector3::new(0.0, cos, sin);
+    let x = (forward - tangent * tangent.dot(&forward)).normalize();
+    let axes = Matrix3::from_columns(&[x, tangent.cross(&x), tangent]);
+    let into = section.transpose();
+    // The quarter chord is ahead of the line by (axis - 1/4) chords.
+    let ahead = (between.axis - 0.25) * between.chord;
+    StripGeometry {
+        offset: into * (x * ahead),
+        axes: into * axes,
+        length,
+    }
+}

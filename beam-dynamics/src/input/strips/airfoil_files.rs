@@ -1,0 +1,1 @@
+//! Airfoils from files.

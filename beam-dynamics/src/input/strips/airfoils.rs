@@ -1,0 +1,131 @@
+//! Airfoils by name: `[airfoils.NAME]`.
+
+use std::sync::Arc;
+
+use rotor_aero::airfoil::{Airfoil, BUILT_IN, LinearLift, Section, built_in};
+use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text};
+use shared_geom::document::Table;
+use shared_geom::keys;
+use shared_geom::units::Dimension;
+
+use super::airfoil_files;
+use super::problem::StripProblem;
+
+keys! {
+    /// An airfoil: a file, a built-in airfoil, or linear lift.
+    pub(in crate::input) CARD = "[airfoils.NAME]";
+    /// The file, relative to this file; its format is recognized.
+    FILE: Option<String> = "file", [Text], optional, "\"DU21_A17.dat\"";
+    /// The airfoil of the file, if it has several.
+    AIRFOIL: Option<String> = "airfoil", [Text], optional, "\"SNL-FFA-W3-500\"";
+    /// A built-in airfoil: "naca0012", "flat_plate" or "thin".
+    BUILT_IN_NAME: Option<String> = "built_in", [Text], optional, "\"naca0012\"";
+    /// Linear lift without stall: its slope per radian.
+    SLOPE: Option<f64> = "slope", [Positive(Dimension::NUMBER)], optional, "5.73";
+    /// Linear lift: angle of attack without lift.
+    ZERO_LIFT: f64 = "zero_lift", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "-3.2";
+    /// Linear lift: coefficient of drag.
+    DRAG: f64 = "drag", [NotNegative(Dimension::NUMBER)], or "0" = 0.0, "0.01";
+    /// Linear lift: coefficient of the moment about the quarter chord.
+    MOMENT: f64 = "moment", [Quantity(Dimension::NUMBER)], or "0" = 0.0, "-0.05";
+}
+
+/// Airfoils by name; wrong ones are `None`.
+#[derive(Debug, Clone, Default)]
+pub(in crate::input) struct Airfoils {
+    named: Vec<(String, Option<Arc<Airfoil>>)>,
+    /// Remarks on tables.
+    pub remarks: Vec<String>,
+}
+
+/// Reads every `[airfoils.NAME]`.
+pub(in crate::input) fn read(root: &Table<'_>) -> Airfoils {
+    let mut airfoils = Airfoils::default();
+    for (name, table) in root.named_tables("airfoils") {
+        let airfoil = airfoil(&name, &table, &mut airfoils.remarks);
+        table.finish();
+        airfoils.named.push((name, airfoil.map(Arc::new)));
+    }
+    airfoils
+}
+
+fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<Airfoil> {
+    let (file, of_file) = (table.get(&FILE), table.get(&AIRFOIL));
+    let (built_in, slope) = (table.get(&BUILT_IN_NAME), table.get(&SLOPE));
+    let linear = [&ZERO_LIFT, &DRAG, &MOMENT];
+    let has_linear = linear.iter().find(|key| table.has(**key));
+    let has_linear = has_linear.map(|key| key.name());
+    let [zero_lift, drag, moment] = linear.map(|key| table.get(key));
+    let name = name.to_owned();
+    let (file, of_file, built_in, slope) = (file?, of_file?, built_in?, slope?);
+    let given = [file.is_some(), built_in.is_some(), slope.is_some()];
+    let count = given.iter().filter(|given| **given).count();
+    if count != 1 {
+        let found = match count {
+            0 => "no source",
+            _ => "several sources",
+        };
+        table.note("", &StripProblem::AirfoilSource { name, found });
+        return None;
+    }
+    let useless = match (&file, slope) {
+        (_, None) if has_linear.is_some() => has_linear.map(|key| (key, SLOPE.name())),
+        (None, _) if of_file.is_some() => Some((AIRFOIL.name(), FILE.name())),
+        _ => None,
+    };
+    if let Some((key, needed)) = useless {
+        table.note(key, &StripProblem::Useless { name, key, needed });
+        return None;
+    }
+    if let Some(file) = file {
+        return airfoil_files::read(&name, (table, FILE.name()), &file, of_file, remarks);
+    }
+    if let Some(wanted) = built_in {
+        return named_built_in(&wanted, (table, BUILT_IN_NAME.name()), &format!("airfoil \"{name}\""));
+    }
+    Some(Airfoil::linear(LinearLift {
+        slope: slope?,
+        zero_lift: zero_lift?,
+        drag_0: drag?,
+        moment: moment?,
+        ..LinearLift::default()
+    }))
+}
+
+/// A built-in airfoil by its name; another name is noted under `key`.
+fn named_built_in(name: &str, (table, key): (&Table<'_>, &str), user: &str) -> Option<Airfoil> {
+    let found = built_in(name);
+    if found.is_none() {
+        let problem = StripProblem::Unknown {
+            kind: "built-in airfoil",
+            name: name.to_owned(),
+            user: user.to_owned(),
+            known: BUILT_IN.iter().map(|one| one.name.to_owned()).collect(),
+        };
+        table.note(key, &problem);
+    }
+    found
+}
+
+impl Airfoils {
+    /// The section of the airfoil `name`, as named under a key of a table, described by `user`;
+    /// `None` if it is wrong, or unknown, which is noted.
+    pub fn find(&self, name: &str, (table, key): (&Table<'_>, &str), user: &str) -> Option<Section> {
+        if let Some((_, found)) = self.named.iter().find(|named| named.0 == name) {
+            return found.clone().map(Section::single);
+        }
+        if let Some(found) = built_in(name) {
+            return Some(Section::single(Arc::new(found)));
+        }
+        let own = self.named.iter().map(|named| named.0.clone());
+        let built_in = BUILT_IN.iter().map(|one| one.name.to_owned());
+        let problem = StripProblem::Unknown {
+            kind: "airfoil",
+            name: name.to_owned(),
+            user: user.to_owned(),
+            known: own.chain(built_in).collect(),
+        };
+        table.note(key, &problem);
+        None
+    }
+}

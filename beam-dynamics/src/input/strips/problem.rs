@@ -1,0 +1,115 @@
+//! Problems of airfoils, strips and inflows.
+
+use shared_geom::error::{Explain, nearest_name};
+
+use crate::input::short_number;
+
+/// A problem of `[airfoils]`, `[[strip]]`, `[blade.aerodynamics]` or `[[inflow]]`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StripProblem {
+    /// An unknown airfoil or inflow.
+    #[error("unknown {kind} \"{name}\" in {user}")]
+    Unknown {
+        /// `airfoil`, `built-in airfoil` or `inflow`.
+        kind: &'static str,
+        /// The name.
+        name: String,
+        /// The user of the name, as text.
+        user: String,
+        /// The names of this kind.
+        known: Vec<String>,
+    },
+    /// Neither a file nor a formula, or both.
+    #[error("airfoil \"{name}\" has {found}, expected one of \"file\", \"built_in\" and \"slope\"")]
+    AirfoilSource {
+        /// Name of the airfoil.
+        name: String,
+        /// The keys found, as text.
+        found: &'static str,
+    },
+    /// A key that another one needs.
+    #[error("airfoil \"{name}\" has \"{key}\" without \"{needed}\", which it belongs to")]
+    Useless {
+        /// Name of the airfoil.
+        name: String,
+        /// The key found.
+        key: &'static str,
+        /// The key that it belongs to.
+        needed: &'static str,
+    },
+    /// A table that cannot be used as an airfoil.
+    #[error("airfoil \"{name}\": {reason}")]
+    Airfoil {
+        /// Name of the airfoil.
+        name: String,
+        /// The reason, as text.
+        reason: String,
+        /// The remedy, if known.
+        help: Option<String>,
+    },
+    /// Too few stations.
+    #[error("\"stations\" has {found}, expected at least two: at the root and at the tip")]
+    FewStations {
+        /// Number of stations.
+        found: usize,
+    },
+    /// Positions that do not increase.
+    #[error(
+        "station {} is at {} m, expected more than {} m, the position of the station before it",
+        .index + 1,
+        short_number(*.found, 6),
+        short_number(*.before, 6)
+    )]
+    Order {
+        /// Index of the station, from zero.
+        index: usize,
+        /// Its position [m].
+        found: f64,
+        /// The position of the one before [m].
+        before: f64,
+    },
+    /// Stations beyond the line.
+    #[error(
+        "station {} is at {} m, expected a position on the line, from 0 to {} m",
+        .index + 1,
+        short_number(*.found, 6),
+        short_number(*.length, 6)
+    )]
+    OffLine {
+        /// Index of the station, from zero.
+        index: usize,
+        /// Its position [m].
+        found: f64,
+        /// Length of the line [m].
+        length: f64,
+    },
+}
+
+impl Explain for StripProblem {
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Unknown {
+                kind, name, known, ..
+            } => Some(match nearest_name(name, known.iter().map(String::as_str)) {
+                Some(near) => format!("did you mean \"{near}\"?"),
+                None if known.is_empty() => match *kind {
+                    "airfoil" => "add a table [airfoils.NAME], or name a built-in airfoil".into(),
+                    _ => "add [[inflow]] with this name".into(),
+                },
+                None => format!("known: {}", known.join(", ")),
+            }),
+            Self::AirfoilSource { .. } => {
+                Some("file = \"NAME.c81\", or built_in = \"NACA 0012\"".to_owned())
+            }
+            Self::Airfoil { help, .. } => help.clone(),
+            Self::Order { .. } => Some("order the stations from the root to the tip".to_owned()),
+            Self::OffLine { .. } => {
+                Some("positions are arc lengths from the root of the blade".to_owned())
+            }
+            Self::Useless { needed, key, .. } => {
+                Some(format!("add \"{needed}\", or remove \"{key}\""))
+            }
+            Self::FewStations { .. } => None,
+        }
+    }
+}

@@ -1,0 +1,321 @@
+//! A strip of a blade: its section, and the inflow of its annulus.
+//!
+//! Airfoil axes: x toward the leading edge, y to the upper surface, z along the span. The section
+//! moves with w0 against the air, without the induced velocity; the shaft has the components s.
+//!
+//! ```text
+//! n = (s_x, s_y)/|(s_x, s_y)|        t = (-n_y, n_x)
+//! Vx = w0 . n      Vy = - w0 . t     w = w0 + u n + v t
+//! ```
+//!
+//! u is the induced velocity against n and v the one against t, see [`crate::momentum`].
+
+use crate::Real;
+use crate::momentum::Options;
+
+/// Motion of a section against the air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StripFlow<T> {
+    /// Velocity of the quarter chord against the air without induction, airfoil axes [m/s].
+    pub velocity: [T; 3],
+    /// Angular velocity about the span, nose up positive [rad/s].
+    pub pitch_rate: T,
+    /// Direction of the shaft, airfoil axes \[-\].
+    pub shaft: [T; 3],
+    /// Distance of the quarter chord from the axis of the shaft \[m\].
+    pub radius: T,
+    /// Radius of the tip of the blade \[m\].
+    pub tip_radius: T,
+}
+
+/// Numbers of a [`StripFlow`], in its order.
+pub const FLOW: usize = 9;
+/// Most unknowns of a strip.
+pub const STATES: usize = 11;
+/// Loads of a strip: force along x, y, z and moment.
+pub const LOADS: usize = 4;
+/// Most outputs of a strip: its loads, then a row for each of its unknowns.
+pub const OUTPUTS: usize = LOADS + STATES;
+/// Most inputs of a strip: flow, unknowns, and their rates.
+pub const INPUTS: usize = FLOW + 2 * STATES;
+
+/// An unknown of a strip, and its equation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StripState {
+    /// Name.
+    pub name: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Unit of its equation.
+    pub row_unit: &'static str,
+    /// Whether its rate appears.
+    pub has_rate: bool,
+}
+
+/// Properties of the air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AirProperties {
+    /// Density [kg/m^3].
+    pub density: f64,
+    /// Speed of sound [m/s].
+    pub speed_of_sound: f64,
+    /// Dynamic viscosity [Pa s].
+    pub viscosity: f64,
+}
+
+/// Wake of an annulus.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Wake {
+    /// In equilibrium with the loads at all times.
+    #[default]
+    Equilibrium,
+    /// With the two lags of Oye, see [`crate::wake`].
+    Dynamic,
+}
+
+/// Inflow by the momentum of an annulus.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AnnularInflow {
+    /// Number of blades.
+    pub blades: usize,
+    /// Radius at which the blades begin [m].
+    pub hub_radius: f64,
+    /// Switches.
+    pub options: Options,
+    /// Wake.
+    pub wake: Wake,
+}
+
+/// Outputs of a strip and their derivatives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StripJacobian {
+    /// Loads, then rows [N/m, N, unit of each row].
+    pub values: [f64; OUTPUTS],
+    /// Derivatives: row of an output; columns: the flow, the unknowns, and from `FLOW + STATES` on
+    /// the rates.
+    pub by: [[f64; INPUTS]; OUTPUTS],
+}
+
+impl StripJacobian {
+    /// Outputs without derivatives.
+    pub fn of_values(values: [f64; OUTPUTS]) -> Self {
+        Self {
+            values,
+            by: [[0.0; INPUTS]; OUTPUTS],
+        }
+    }
+}
+
+impl<T: Real> StripFlow<T> {
+    /// The flow from its numbers.
+    pub fn from_numbers(of: &[T; FLOW]) -> Self {
+        Self {
+            velocity: [of[0], of[1], of[2]],
+            pitch_rate: of[3],
+            shaft: [of[4], of[5], of[6]],
+            radius: of[7],
+            tip_radius: of[8],
+        }
+    }
+}
+
+/// In-plane axes of the annulus in the airfoil axes: n and t, see the module.
+pub(crate) fn plane<T: Real>(shaft: &[T; 3]) -> [[T; 2]; 2] {
+    let length = (shaft[0] * shaft[0] + shaft[1] * shaft[1]).sqrt();
+    let n = [shaft[0] / length, shaft[1] / length];
+    [n, [-n[1], n[0]]]
+}
+
+/// A strip before it is built.
+#[derive(Debug, Clone)]
+pub struct StripDesign {
+    /// Chord \[m\].
+    pub chord: f64,
+    /// Airfoil.
+    pub section: Section,
+    /// Model of the section.
+    pub model: SectionModel,
+    /// Inflow of its annulus; none without.
+    pub inflow: Option<AnnularInflow>,
+}
+
+/// A strip of a blade.
+#[derive(Debug, Clone)]
+pub struct Strip {
+    chord: f64,
+    polar: StripPolar,
+    model: SectionModel,
+    inflow: Option<AnnularInflow>,
+    states: Vec<StripState>,
+    /// Number of unknowns of the inflow, the first ones.
+    of_inflow: usize,
+}
+
+/// Unknowns of the inflow: induced velocities, and the first stage of the dynamic wake.
+const INDUCED: [&str; 4] = [
+    "induced velocity along the shaft",
+    "induced velocity around the shaft",
+    "first lag of the velocity along the shaft",
+    "first lag of the velocity around the shaft",
+];
+
+impl Strip {
+    /// The strip of a design.
+    pub fn new(design: StripDesign) -> Self {
+        let count = match design.inflow.map(|inflow| inflow.wake) {
+            None => 0,
+            Some(Wake::Equilibrium) => 2,
+            Some(Wake::Dynamic) => 4,
+        };
+        let induced = INDUCED[..count].iter().map(|name| StripState {
+            name,
+            unit: "m/s",
+            row_unit: if count == 2 { "m^2/s^2" } else { "m/s^2" },
+            has_rate: count == 4,
+        });
+        let own = design.model.states().iter().map(|state| StripState {
+            name: state.name,
+            unit: state.unit,
+            row_unit: "1/s",
+            has_rate: true,
+        });
+        Self {
+            states: induced.chain(own).collect(),
+            of_inflow: count,
+            chord: design.chord,
+            polar: StripPolar::new(design.section),
+            model: design.model,
+            inflow: design.inflow,
+        }
+    }
+
+    /// Its unknowns.
+    pub fn states(&self) -> &[StripState] {
+        &self.states
+    }
+
+    /// Loads and rows for the numbers of a flow, the unknowns and their rates.
+    pub fn evaluate(
+        &self,
+        air: &AirProperties,
+        flow: &[f64; FLOW],
+        states: &[f64],
+        rates: &[f64],
+    ) -> [f64; OUTPUTS] {
+        self.outputs(air, &StripFlow::from_numbers(flow), states, rates)
+    }
+
+    /// The same with derivatives.
+    pub fn linearize(
+        &self,
+        air: &AirProperties,
+        flow: &[f64; FLOW],
+        states: &[f64],
+        rates: &[f64],
+    ) -> StripJacobian {
+        // Dual numbers of the smallest size that holds all inputs.
+        match FLOW + 2 * states.len() {
+            0..=13 => self.dual::<13>(air, flow, states, rates),
+            14..=21 => self.dual::<21>(air, flow, states, rates),
+            _ => self.dual::<INPUTS>(air, flow, states, rates),
+        }
+    }
+
+    fn dual<const N: usize>(
+        &self,
+        air: &AirProperties,
+        flow: &[f64; FLOW],
+        states: &[f64],
+        rates: &[f64],
+    ) -> StripJacobian {
+        let count = states.len();
+        let variable = |value: f64, index: usize| DualSVec64::<N>::from_re(value).derivative(index);
+        let numbers: [_; FLOW] = std::array::from_fn(|i| variable(flow[i], i));
+        let mut unknowns = [DualSVec64::<N>::from_re(0.0); STATES];
+        let mut speeds = unknowns;
+        for k in 0..count {
+            unknowns[k] = variable(states[k], FLOW + k);
+            speeds[k] = variable(rates[k], FLOW + count + k);
+        }
+        let flow = StripFlow::from_numbers(&numbers);
+        let outputs = self.outputs(air, &flow, &unknowns[..count], &speeds[..count]);
+        let mut jacobian = StripJacobian::of_values(outputs.map(|output| output.re));
+        for (row, output) in jacobian.by.iter_mut().zip(&outputs) {
+            let Some(slopes) = &output.eps.0 else {
+                continue;
+            };
+            row[..FLOW + count].copy_from_slice(&slopes.as_slice()[..FLOW + count]);
+            row[FLOW + STATES..FLOW + STATES + count]
+                .copy_from_slice(&slopes.as_slice()[FLOW + count..FLOW + 2 * count]);
+        }
+        jacobian
+    }
+
+    /// Loads and rows.
+    fn outputs<T: Real>(
+        &self,
+        air: &AirProperties,
+        flow: &StripFlow<T>,
+        states: &[T],
+        rates: &[T],
+    ) -> [T; OUTPUTS] {
+        let mut out = [T::from_re(0.0); OUTPUTS];
+        let (induced, own) = states.split_at(self.of_inflow);
+        let (induced_rates, own_rates) = rates.split_at(self.of_inflow);
+        let axes = plane(&flow.shaft);
+        let [x, y, span] = flow.velocity;
+        let velocity = match induced {
+            [u, v, ..] => [0, 1].map(|i| flow.velocity[i] + *u * axes[0][i] + *v * axes[1][i]),
+            _ => [x, y],
+        };
+        let rows = LOADS + self.of_inflow..LOADS + states.len();
+        let force = self.section(
+            air,
+            (velocity, flow.pitch_rate),
+            (own, own_rates),
+            &mut out[rows],
+        );
+        out[0] = force.along;
+        out[1] = force.normal;
+        out[3] = force.moment;
+        let _ = span;
+        if let Some(inflow) = &self.inflow {
+            let loads = [force.along, force.normal];
+            let ring = Ring::new(inflow, flow, &axes, (air.density, &loads));
+            ring.rows(
+                (induced, induced_rates),
+                &mut out[LOADS..LOADS + self.of_inflow],
+            );
+        }
+        out
+    }
+
+    /// Forces of the section in the velocity against the air, and the rows of its states.
+    fn section<T: Real>(
+        &self,
+        air: &AirProperties,
+        (velocity, pitch_rate): ([T; 2], T),
+        (states, rates): (&[T], &[T]),
+        rows: &mut [T],
+    ) -> SectionForce<T> {
+        let [x, y] = velocity;
+        let mut flow = SectionFlow::rigid(-y, x, pitch_rate, self.chord);
+        let speed = (x * x + y * y + SLOW * SLOW).sqrt();
+        flow.mach = speed / air.speed_of_sound;
+        flow.reynolds = speed * (self.chord * air.density / air.viscosity);
+        let strip = unsteady::Strip {
+            chord: self.chord,
+            density: air.density,
+        };
+        self.model
+            .evaluate(&strip, &self.polar, &flow, states, rates, rows)
+            .unwrap_or(SectionForce {
+                along: T::from_re(0.0),
+                normal: T::from_re(0.0),
+                moment: T::from_re(0.0),
+            })
+    }
+}
+
+/// Speed by which the derivative of a speed is smooth at zero [m/s].
+const SLOW: f64 = 1e-3;
