@@ -19,7 +19,7 @@ use crate::case::{
 use crate::elements::Element;
 use crate::result::Measured;
 
-mod air;
+mod aerodynamics;
 mod analyses;
 mod beam_card;
 mod beam_check;
@@ -96,7 +96,7 @@ pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
-pub use strips::StripProblem;
+pub use aerodynamics::StripProblem;
 
 pub use summary::Summary;
 pub use transient::TransientProblem;
@@ -273,7 +273,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     builder.set_drives(drives);
     builder.set_frames(frames::read(&root));
     hub_support::add(&root, &mut builder);
-    strips::read_shared(&root, &mut builder);
+    builder.set_aerodynamics(aerodynamics::read(&root));
     nodes::read(&root, &mut builder);
     blades::read(&root, &mut builder);
     beams::read(&root, &mut builder);

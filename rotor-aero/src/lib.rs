@@ -8,5 +8,8 @@
 pub mod airfoil;
 pub mod momentum;
 pub mod real;
+pub mod strip;
+pub mod unsteady;
+pub mod wake;
 
 pub use real::Real;

@@ -32,4 +32,4 @@ pub use induction::HighInduction;
 pub use loss::{LOSS_FLOOR, hub_loss, loss, tip_loss};
 pub use skew::{skew_factor, wake_skew};
 pub use steady::{Outcome, Solution, solve};
-pub use velocity::{Ambient, balance, induced_flow, mass_flow, quasi_steady};
+pub use velocity::{Ambient, balance, induced_flow, mass_flow, mass_flow_by, quasi_steady};

@@ -10,8 +10,21 @@
 //!
 //! u is the induced velocity against n and v the one against t, see [`crate::momentum`].
 
+use num_dual::DualSVec64;
+
 use crate::Real;
+use crate::airfoil::Section;
 use crate::momentum::Options;
+use crate::unsteady::{self, Model, SectionFlow, SectionForce};
+use crate::wake::TimeScale;
+
+mod polar;
+mod ring;
+
+pub use crate::unsteady::SectionModel;
+
+use polar::StripPolar;
+use ring::Ring;
 
 /// Motion of a section against the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +44,7 @@ pub struct StripFlow<T> {
 /// Numbers of a [`StripFlow`], in its order.
 pub const FLOW: usize = 9;
 /// Most unknowns of a strip.
-pub const STATES: usize = 11;
+pub const STATES: usize = 12;
 /// Loads of a strip: force along x, y, z and moment.
 pub const LOADS: usize = 4;
 /// Most outputs of a strip: its loads, then a row for each of its unknowns.
@@ -64,13 +77,13 @@ pub struct AirProperties {
 }
 
 /// Wake of an annulus.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Wake {
     /// In equilibrium with the loads at all times.
     #[default]
     Equilibrium,
-    /// With the two lags of Oye, see [`crate::wake`].
-    Dynamic,
+    /// With the two lags of Oye and the given time constants, by the velocities of the annulus.
+    Dynamic(TimeScale),
 }
 
 /// Inflow by the momentum of an annulus.
@@ -165,7 +178,7 @@ impl Strip {
         let count = match design.inflow.map(|inflow| inflow.wake) {
             None => 0,
             Some(Wake::Equilibrium) => 2,
-            Some(Wake::Dynamic) => 4,
+            Some(Wake::Dynamic(_)) => 4,
         };
         let induced = INDUCED[..count].iter().map(|name| StripState {
             name,
@@ -259,7 +272,7 @@ impl Strip {
         states: &[T],
         rates: &[T],
     ) -> [T; OUTPUTS] {
-        let mut out = [T::from_re(0.0); OUTPUTS];
+        let mut out = [T::from(0.0); OUTPUTS];
         let (induced, own) = states.split_at(self.of_inflow);
         let (induced_rates, own_rates) = rates.split_at(self.of_inflow);
         let axes = plane(&flow.shaft);
@@ -310,9 +323,9 @@ impl Strip {
         self.model
             .evaluate(&strip, &self.polar, &flow, states, rates, rows)
             .unwrap_or(SectionForce {
-                along: T::from_re(0.0),
-                normal: T::from_re(0.0),
-                moment: T::from_re(0.0),
+                along: T::from(0.0),
+                normal: T::from(0.0),
+                moment: T::from(0.0),
             })
     }
 }

@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::{Key, Table};
 use shared_geom::error::nearest_name;
 
+use super::aerodynamics::Aerodynamics;
 use super::beam_card::Beam;
 use super::beam_section::Properties;
 use super::drives;

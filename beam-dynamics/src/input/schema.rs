@@ -14,8 +14,8 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::{
-    air, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes, frames, hub,
-    internal_forces, joints, loads, measured, nodes, properties, rods, speeds, springs, strips, transient,
+    aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes, frames, hub,
+    internal_forces, joints, loads, measured, nodes, properties, rods, speeds, springs, transient,
 };
 
 keys! {
@@ -43,11 +43,11 @@ keys! {
     /// Rotation and support.
     HUB: ByHand = "hub", [Table(&hub::CARD)], optional, "";
     /// The air.
-    AIR: ByHand = "air", [Table(&air::CARD)], optional, "";
+    AIR: ByHand = "air", [Table(&aerodynamics::AIR)], optional, "";
     /// Airfoils, by name.
-    AIRFOILS: ByHand = "airfoils", [NamedTables(&strips::AIRFOIL)], optional, "";
+    AIRFOILS: ByHand = "airfoils", [NamedTables(&aerodynamics::AIRFOIL)], optional, "";
     /// Velocities that rotors induce.
-    INFLOWS: ByHand = "inflow", [Tables(&strips::INFLOW)], optional, "";
+    INFLOWS: ByHand = "inflow", [Tables(&aerodynamics::INFLOW)], optional, "";
     /// Polar copies of cards.
     REPEATS: ByHand = "repeat", [Tables(&REPEAT)], optional, "";
     /// Gravity.

@@ -19,25 +19,15 @@ use shared_geom::document::Table;
 use shared_geom::keys;
 use shared_geom::quadrature;
 
-use super::air;
+use super::aerodynamics::{Inflow, StripProblem};
 use super::beam_card::Beam;
 use super::builder::ModelBuilder;
 use crate::case::BladeNodes;
-use crate::elements::strips::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+use crate::elements::strips::{AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
 use crate::model::Node;
 
-mod airfoil_files;
-mod airfoils;
-mod inflows;
-mod problem;
 mod stations;
 
-pub use problem::StripProblem;
-
-use airfoils::Airfoils;
-pub(super) use airfoils::CARD as AIRFOIL;
-use inflows::Inflow;
-pub(super) use inflows::CARD as INFLOW;
 use stations::{Between, STATIONS, Stations};
 
 keys! {
@@ -51,31 +41,6 @@ keys! {
     /// Number of strips on each beam, or on each part of a beam between two stations.
     POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
     with STATIONS.schema;
-}
-
-/// The air, the airfoils and the inflows of a model.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Aerodynamics {
-    /// The air; `None` if its card is wrong.
-    air: Option<Arc<Air>>,
-    airfoils: Airfoils,
-    inflows: Vec<Inflow>,
-}
-
-/// Reads `[air]`, `[airfoils]` and `[[inflow]]`.
-pub(super) fn read_shared(root: &Table<'_>, builder: &mut ModelBuilder) {
-    let air = air::read(root);
-    if air.is_none() {
-        builder.note_broken();
-    }
-    let airfoils = airfoils::read(root);
-    builder.add_remarks(airfoils.remarks.clone());
-    let inflows = inflows::read(root, builder);
-    builder.set_aerodynamics(Aerodynamics {
-        air: air.map(Arc::new),
-        airfoils,
-        inflows,
-    });
 }
 
 /// Strips of the blades of one card.
@@ -116,9 +81,11 @@ fn find_inflow(
     builder: &ModelBuilder,
     user: String,
 ) -> Option<Inflow> {
-    let found = builder.aerodynamics().inflows.iter().find(|inflow| inflow.name == name);
+    // Wrong inflows are reported already.
+    let inflows = builder.aerodynamics().inflows.as_ref()?;
+    let found = inflows.iter().find(|inflow| inflow.name == name);
     if found.is_none() {
-        let known = builder.aerodynamics().inflows.iter().map(|inflow| inflow.name.clone());
+        let known = inflows.iter().map(|inflow| inflow.name.clone());
         let problem = StripProblem::Unknown {
             kind: "inflow",
             name: name.to_owned(),

@@ -23,12 +23,12 @@ const SINE_FLOOR: f64 = 1e-6;
 const EXPONENT_CAP: f64 = 40.0;
 
 /// Factor of loss at the tip, from [`LOSS_FLOOR`] to 1.
-pub fn tip_loss<T: Real>(blades: usize, radius: f64, tip_radius: f64, sin_phi: T) -> T {
+pub fn tip_loss<T: Real>(blades: usize, radius: T, tip_radius: T, sin_phi: T) -> T {
     factor(blades, (tip_radius - radius) / radius, sin_phi)
 }
 
 /// Factor of loss at the hub, from [`LOSS_FLOOR`] to 1; without a hub there is no loss.
-pub fn hub_loss<T: Real>(blades: usize, radius: f64, hub_radius: f64, sin_phi: T) -> T {
+pub fn hub_loss<T: Real>(blades: usize, radius: T, hub_radius: f64, sin_phi: T) -> T {
     if hub_radius <= 0.0 {
         return T::from(1.0);
     }
@@ -40,16 +40,16 @@ pub fn loss<T: Real>(annulus: &Annulus, sin_phi: T) -> T {
     let Annulus { blades, radius, .. } = *annulus;
     let mut result = T::from(1.0);
     if annulus.options.tip_loss {
-        result *= tip_loss(blades, radius, annulus.tip_radius, sin_phi);
+        result *= tip_loss(blades, T::from(radius), T::from(annulus.tip_radius), sin_phi);
     }
     if annulus.options.hub_loss {
-        result *= hub_loss(blades, radius, annulus.hub_radius, sin_phi);
+        result *= hub_loss(blades, T::from(radius), annulus.hub_radius, sin_phi);
     }
     result
 }
 
 /// The factor for a distance from the end over its radius.
-fn factor<T: Real>(blades: usize, distance: f64, sin_phi: T) -> T {
+fn factor<T: Real>(blades: usize, distance: T, sin_phi: T) -> T {
     let size = if sin_phi.re() < 0.0 {
         -sin_phi
     } else {
@@ -60,7 +60,7 @@ fn factor<T: Real>(blades: usize, distance: f64, sin_phi: T) -> T {
     } else {
         size
     };
-    let exponent = size.recip() * (0.5 * blades as f64 * distance);
+    let exponent = size.recip() * distance * (0.5 * blades as f64);
     // acos(1 - x) is sqrt(2 x) at the end: this exponent has the smallest factor
     let least = 0.5 * (LOSS_FLOOR / FRAC_2_PI).powi(2);
     if exponent.re() < least {

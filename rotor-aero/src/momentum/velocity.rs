@@ -47,10 +47,15 @@ pub fn induced_flow<T: Real>(ambient: &Ambient<T>, u: T, v: T) -> SectionFlow<T>
 /// Mass-flow speed `m` of a ring with the induced velocity `u` and the factor of loss: positive,
 /// and continuous for any input.
 pub fn mass_flow<T: Real>(annulus: &Annulus, ambient: &Ambient<T>, u: T, loss: T) -> T {
+    mass_flow_by(annulus.options.high_induction, ambient, u, loss)
+}
+
+/// [`mass_flow`] by a law of high induction.
+pub fn mass_flow_by<T: Real>(law: HighInduction, ambient: &Ambient<T>, u: T, loss: T) -> T {
     let through = ambient.axial + u;
     let square = through * through + ambient.skew * ambient.skew + LEAST_SPEED * LEAST_SPEED;
     let momentum = square.sqrt();
-    let loaded = turbulent(annulus.options.high_induction, ambient.axial, u, loss);
+    let loaded = turbulent(law, ambient.axial, u, loss);
     let least = absolute(ambient.rotation) * LEAST_RATIO;
     larger(loaded.map_or(momentum, |it| larger(momentum, it)), least)
 }

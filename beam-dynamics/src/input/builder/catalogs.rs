@@ -2,6 +2,7 @@
 //! the names that expressions read, frames, and samplings.
 
 use super::ModelBuilder;
+use crate::input::aerodynamics::Aerodynamics;
 use crate::input::drives;
 use crate::input::frames::Frames;
 
@@ -13,6 +14,7 @@ impl ModelBuilder {
 
     /// Sets the air, the airfoils and the inflows.
     pub fn set_aerodynamics(&mut self, aerodynamics: Aerodynamics) {
+        self.add_remarks(aerodynamics.airfoils.remarks.clone());
         self.aerodynamics = aerodynamics;
     }
 

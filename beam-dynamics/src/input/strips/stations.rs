@@ -6,8 +6,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::airfoils::Airfoils;
-use super::problem::StripProblem;
+use crate::input::aerodynamics::{Airfoils, StripProblem};
 
 keys! {
     /// Stations from the root to the tip; linear between them.

@@ -7,8 +7,9 @@ use shared_geom::units::Dimension;
 
 use rotor_aero::momentum::{HighInduction, Options};
 use rotor_aero::strip::{AnnularInflow, Wake};
+use rotor_aero::wake::TimeScale;
 
-use crate::input::builder::ModelBuilder;
+use crate::input::problem::InputProblem;
 
 keys! {
     /// Velocity that a rotor induces at its blades.
@@ -34,10 +35,18 @@ keys! {
     HIGH_INDUCTION: usize = "high_induction",
         [Word(&["Buhl", "Buhl outside", "polynomial", "momentum"])], or "\"Buhl\"" = 0,
         "\"polynomial\"";
-    /// Wake: in equilibrium with the loads at all times, or with the lag of Oye.
-    WAKE: usize = "wake", [Word(&["equilibrium", "dynamic"])], or "\"equilibrium\"" = 0,
+    /// Wake: in equilibrium with the loads at all times, or with the two lags of Oye and his time
+    /// constants (`dynamic`), or with the time in which the air passes the radius (`hover`).
+    WAKE: usize = "wake", [Word(&["equilibrium", "dynamic", "hover"])], or "\"equilibrium\"" = 0,
         "\"dynamic\"";
 }
+
+/// Time constant of a wake in hover: at most half a second, for a flow of half a meter per second
+/// and more.
+const HOVER: TimeScale = TimeScale::Hover {
+    least_speed: 0.5,
+    cap: 0.5,
+};
 
 /// An inflow by its name.
 #[derive(Debug, Clone)]
@@ -67,22 +76,32 @@ impl Inflow {
     }
 }
 
-/// Reads every `[[inflow]]`.
-pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) -> Vec<Inflow> {
-    let mut inflows = Vec::new();
+/// Reads every `[[inflow]]`; `None` if one is wrong.
+pub(super) fn read(root: &Table<'_>) -> Option<Vec<Inflow>> {
+    let mut inflows: Vec<(Inflow, usize)> = Vec::new();
+    let mut sound = true;
     for table in root.tables("inflow") {
         let inflow = inflow(&table);
         table.finish();
-        let is_new = match &inflow {
-            Some(inflow) => builder.take_label("inflow", &inflow.name, &table),
-            None => false,
+        let Some(inflow) = inflow else {
+            sound = false;
+            continue;
         };
-        match inflow {
-            Some(inflow) if is_new => inflows.push(inflow),
-            _ => builder.note_broken(),
+        let line = table.line_of(&NAME);
+        match inflows.iter().find(|(other, _)| other.name == inflow.name) {
+            None => inflows.push((inflow, line)),
+            Some((_, first)) => {
+                let problem = InputProblem::DoubledName {
+                    kind: "inflow",
+                    name: inflow.name,
+                    line: table.document().line_words(*first),
+                };
+                table.note(&NAME, &problem);
+                sound = false;
+            }
         }
     }
-    inflows
+    sound.then(|| inflows.into_iter().map(|one| one.0).collect())
 }
 
 fn inflow(table: &Table<'_>) -> Option<Inflow> {
@@ -109,6 +128,10 @@ fn inflow(table: &Table<'_>) -> Option<Inflow> {
             ][law?],
             ..Options::default()
         },
-        wake: [Wake::Equilibrium, Wake::Dynamic][wake?],
+        wake: [
+            Wake::Equilibrium,
+            Wake::Dynamic(TimeScale::Turbine),
+            Wake::Dynamic(HOVER),
+        ][wake?],
     })
 }

@@ -11,7 +11,7 @@ use crate::elements::strips::Air;
 
 keys! {
     /// The air in which blades and bodies with `[[strip]]` move.
-    pub(super) CARD = "[air]";
+    pub(in crate::input) CARD = "[air]";
     /// Altitude, from which the standard atmosphere gives all properties that are not given.
     ALTITUDE: f64 = "altitude", [Quantity(Dimension::LENGTH)], or "0" = 0.0, "1500";
     /// Density.

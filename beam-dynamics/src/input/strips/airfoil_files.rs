@@ -1,1 +1,0 @@
-//! Airfoils from files.

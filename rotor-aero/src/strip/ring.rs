@@ -1,0 +1,132 @@
+//! The momentum of the annulus of a strip, as rows of its induced velocities.
+//!
+//! With the force f per length on each of B blades at the radius r, and the mass-flow speed m and
+//! the loss F of [`crate::momentum`]:
+//!
+//! ```text
+//! u_qs m = B f . n / (4 pi r rho F)              v_qs m = B f . t / (4 pi r rho F)
+//! equilibrium    u m - u_qs m = 0                v m - v_qs m = 0
+//! dynamic        y' - ((1 - k) u_qs - y)/tau1 = 0    u' - (y + k u_qs - u)/tau2 = 0
+//! ```
+
+use std::f64::consts::PI;
+
+use super::{AnnularInflow, StripFlow, Wake};
+use crate::Real;
+use crate::momentum::{Ambient, LOSS_FLOOR, hub_loss, mass_flow_by, tip_loss};
+use crate::wake::{SHARE, TimeScale};
+
+/// Smallest part of the tip radius at which an annulus is evaluated \[-\].
+const INNERMOST: f64 = 1e-3;
+
+/// The annulus of a strip.
+pub(super) struct Ring<'a, T> {
+    inflow: &'a AnnularInflow,
+    ambient: Ambient<T>,
+    radius: T,
+    tip_radius: T,
+    /// `B f / (4 pi r rho)` along n and t \[m^2/s^2\].
+    load: [T; 2],
+}
+
+impl<'a, T: Real> Ring<'a, T> {
+    /// The annulus of a flow, with the in-plane axes n and t, the density of the air [kg/m^3] and
+    /// the force per length in the airfoil axes [N/m].
+    pub fn new(
+        inflow: &'a AnnularInflow,
+        flow: &StripFlow<T>,
+        axes: &[[T; 2]; 2],
+        (density, force): (f64, &[T; 2]),
+    ) -> Self {
+        let along = |axis: &[T; 2], of: [T; 2]| axis[0] * of[0] + axis[1] * of[1];
+        let velocity = [flow.velocity[0], flow.velocity[1]];
+        let least = flow.tip_radius * INNERMOST;
+        let radius = match flow.radius.re() > least.re() {
+            true => flow.radius,
+            false => least,
+        };
+        let scale = radius.recip() * (inflow.blades as f64 / (4.0 * PI * density));
+        Self {
+            inflow,
+            ambient: Ambient {
+                axial: along(&axes[0], velocity),
+                rotation: -along(&axes[1], velocity),
+                skew: T::from(0.0),
+            },
+            radius,
+            tip_radius: flow.tip_radius,
+            load: [0, 1].map(|i| scale * along(&axes[i], *force)),
+        }
+    }
+
+    /// Factor of loss at the induced velocities.
+    fn loss(&self, u: T, v: T) -> T {
+        let [x, y] = [self.ambient.axial + u, self.ambient.rotation - v];
+        // Smooth where the section is at rest.
+        let speed = (x * x + y * y + 1e-12).sqrt();
+        let sine = x / speed;
+        let options = &self.inflow.options;
+        let mut loss = T::from(1.0);
+        if options.tip_loss {
+            loss *= tip_loss(self.inflow.blades, self.radius, self.tip_radius, sine);
+        }
+        if options.hub_loss {
+            loss *= hub_loss(self.inflow.blades, self.radius, self.inflow.hub_radius, sine);
+        }
+        match loss.re() < LOSS_FLOOR {
+            true => T::from(LOSS_FLOOR),
+            false => loss,
+        }
+    }
+
+    /// Writes the rows of the induced velocities.
+    pub fn rows(&self, (induced, rates): (&[T], &[T]), rows: &mut [T]) {
+        let (Some(&u), Some(&v)) = (induced.first(), induced.get(1)) else {
+            return;
+        };
+        let loss = self.loss(u, v);
+        let options = &self.inflow.options;
+        let mass = mass_flow_by(options.high_induction, &self.ambient, u, loss);
+        let axial = self.load[0] / loss;
+        let swirl = match options.swirl {
+            true => self.load[1] / loss,
+            false => T::from(0.0),
+        };
+        let scale = match self.inflow.wake {
+            Wake::Equilibrium => {
+                if let [row_u, row_v] = rows {
+                    *row_u = u * mass - axial;
+                    *row_v = v * mass - swirl;
+                }
+                return;
+            }
+            Wake::Dynamic(scale) => scale,
+        };
+        let [tau1, tau2] = self.time_constants(scale, u);
+        if let (&[_, _, y, z], &[du, dv, dy, dz], [row_u, row_v, row_y, row_z]) =
+            (induced, rates, rows)
+        {
+            let quasi = [axial / mass, swirl / mass];
+            *row_u = du - (y + quasi[0] * SHARE - u) / tau2;
+            *row_v = dv - (z + quasi[1] * SHARE - v) / tau2;
+            *row_y = dy - (quasi[0] * (1.0 - SHARE) - y) / tau1;
+            *row_z = dz - (quasi[1] * (1.0 - SHARE) - z) / tau1;
+        }
+    }
+
+    /// Time constants by the velocities of the annulus.
+    fn time_constants(&self, scale: TimeScale, u: T) -> [T; 2] {
+        let axial = self.ambient.axial;
+        let speed = match scale {
+            TimeScale::Turbine => axial,
+            TimeScale::Hover { .. } => axial + u,
+        };
+        let induction = match axial.re() == 0.0 {
+            true => T::from(0.0),
+            false => -u / axial,
+        };
+        let ratio = self.radius / self.tip_radius;
+        let (tau1, tau2) = scale.constants(self.tip_radius, ratio, speed, induction);
+        [tau1, tau2]
+    }
+}
