@@ -11,6 +11,7 @@ mod evaluated;
 mod formula;
 mod naca0012;
 mod problem;
+mod separation;
 mod surface;
 mod table;
 
@@ -22,3 +23,4 @@ pub use evaluated::{Airfoil, Profile};
 pub use formula::{FlatPlate, LinearLift};
 pub use naca0012::naca0012;
 pub use problem::{AirfoilProblem, AirfoilRemark};
+pub use separation::{Kirchhoff, Separation};
