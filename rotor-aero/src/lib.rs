@@ -8,5 +8,6 @@
 pub mod airfoil;
 pub mod momentum;
 pub mod real;
+pub mod unsteady;
 
 pub use real::Real;
