@@ -1,0 +1,8 @@
+//! Tests of the models of unsteady sections.
+
+mod derivatives;
+mod limits;
+mod march;
+mod polars;
+mod stall;
+mod theodorsen;
