@@ -8,5 +8,7 @@
 pub mod airfoil;
 pub mod momentum;
 pub mod real;
+pub mod rotor;
+pub mod wake;
 
 pub use real::Real;
