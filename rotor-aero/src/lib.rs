@@ -8,6 +8,7 @@
 pub mod airfoil;
 pub mod momentum;
 pub mod real;
+// pub mod rotor;
 pub mod strip;
 pub mod unsteady;
 pub mod wake;
