@@ -44,7 +44,7 @@ pub struct StripFlow<T> {
 /// Numbers of a [`StripFlow`], in its order.
 pub const FLOW: usize = 9;
 /// Most unknowns of a strip.
-pub const STATES: usize = 12;
+pub const STATES: usize = 14;
 /// Loads of a strip: force along x, y, z and moment.
 pub const LOADS: usize = 4;
 /// Most outputs of a strip: its loads, then a row for each of its unknowns.

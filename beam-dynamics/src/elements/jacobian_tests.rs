@@ -34,6 +34,7 @@ mod energies;
 mod piezo;
 mod readings;
 mod sensing;
+mod strips;
 
 const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 2e-8;

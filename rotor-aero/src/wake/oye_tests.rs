@@ -78,7 +78,7 @@ fn limits_of_the_time_constants() {
 /// Rates by one variable that all inputs depend on.
 fn along<T: Real>(scale: TimeScale, x: T, start: [f64; 5], slope: [f64; 5]) -> [T; 2] {
     let at = |i: usize| x * slope[i] + start[i];
-    let constants = scale.constants(2.0, 0.6, at(0), at(1));
+    let constants = scale.constants(T::from(2.0), T::from(0.6), at(0), at(1));
     let state = FilterState {
         first: at(2),
         induced: at(3),

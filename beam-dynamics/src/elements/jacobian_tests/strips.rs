@@ -1,0 +1,140 @@
+//! Jacobians of strips in the air: every model of the section and every inflow, in attached and
+//! stalled flow, on beams of all formulations and on bodies, with and without a moving hub.
+
+use std::sync::Arc;
+
+use rotor_aero::airfoil::{Section, built_in};
+use rotor_aero::momentum::{HighInduction, Options};
+use rotor_aero::strip::{
+    AirProperties, AnnularInflow, SectionModel, Strip, StripDesign, Wake,
+};
+use rotor_aero::wake::TimeScale;
+
+use super::*;
+use crate::elements::strips::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+
+/// The air, with a wind.
+fn air(random: &mut Random) -> Arc<Air> {
+    Arc::new(Air {
+        properties: AirProperties {
+            density: 1.2,
+            speed_of_sound: 40.0,
+            viscosity: 1e-5,
+        },
+        wind: random.vector(1.5),
+    })
+}
+
+/// Designs of every model and inflow.
+fn designs() -> Vec<StripDesign> {
+    let annular = |wake, high_induction| {
+        Some(AnnularInflow {
+            blades: 3,
+            hub_radius: 0.01,
+            options: Options {
+                high_induction,
+                ..Options::default()
+            },
+            wake,
+        })
+    };
+    let hover = TimeScale::Hover {
+        least_speed: 0.5,
+        cap: 0.5,
+    };
+    let inflows = [
+        None,
+        annular(Wake::Equilibrium, HighInduction::Buhl),
+        annular(Wake::Dynamic(TimeScale::Turbine), HighInduction::BuhlOutside),
+        annular(Wake::Dynamic(hover), HighInduction::Polynomial),
+    ];
+    let airfoils = ["naca0012", "flat_plate", "thin"];
+    let mut all = Vec::new();
+    for (number, word) in SectionModel::WORDS.iter().enumerate() {
+        for (other, inflow) in inflows.into_iter().enumerate() {
+            let airfoil = built_in(airfoils[(number + other) % airfoils.len()]).unwrap();
+            all.push(StripDesign {
+                chord: 0.7,
+                section: Section::single(Arc::new(airfoil)),
+                model: SectionModel::of_word(word).unwrap(),
+                inflow,
+            });
+        }
+    }
+    all
+}
+
+fn geometry(random: &mut Random) -> StripGeometry {
+    StripGeometry {
+        offset: random.vector(0.3),
+        axes: random.rotation(1.0),
+        length: 0.8,
+    }
+}
+
+fn rotor(random: &mut Random, tip: usize, hub: Option<usize>) -> (TipRadius, StripRotor) {
+    let shaft = Shaft {
+        center: random.vector(0.5),
+        axis: random.vector(1.0).normalize(),
+    };
+    let tip = TipRadius::new("tip", tip, shaft, hub);
+    let rotor = StripRotor {
+        shaft,
+        hub,
+        tip_radius: tip.scalar().clone(),
+    };
+    (tip, rotor)
+}
+
+#[test]
+fn strips_on_beams() {
+    let mut random = Random(61);
+    for design in designs() {
+        let strip = Arc::new(Strip::new(design));
+        let mut undeformed = beam_nodes(&mut random);
+        undeformed.extend(nodes(&mut random, 1));
+        for geometry_of_beam in geometries(&mut random) {
+            for hub in [None, Some(3)] {
+                let (_, rotor) = rotor(&mut random, 2, hub);
+                let ends = [&undeformed[0], &undeformed[1], &undeformed[2]];
+                let element = AirStrip::on_beam(
+                    "strip",
+                    ([0, 1, 2], geometry_of_beam, &ends),
+                    0.9 * random.number(),
+                    (Arc::clone(&strip), geometry(&mut random)),
+                    rotor,
+                    air(&mut random),
+                );
+                let count = element.nodes().len();
+                check(&element, &undeformed[..count], &mut random);
+            }
+        }
+    }
+}
+
+#[test]
+fn strips_on_bodies() {
+    let mut random = Random(62);
+    for design in designs() {
+        let undeformed = nodes(&mut random, 2);
+        let (_, rotor) = rotor(&mut random, 0, Some(1));
+        let element = AirStrip::on_body(
+            "strip",
+            (0, random.vector(1.0)),
+            (Arc::new(Strip::new(design)), geometry(&mut random)),
+            rotor,
+            air(&mut random),
+        );
+        check(&element, &undeformed, &mut random);
+    }
+}
+
+#[test]
+fn radii_of_tips() {
+    let mut random = Random(63);
+    let undeformed = nodes(&mut random, 2);
+    for hub in [None, Some(1)] {
+        let (tip, _) = rotor(&mut random, 0, hub);
+        check(&tip, &undeformed[..tip.nodes().len()], &mut random);
+    }
+}
