@@ -14,6 +14,7 @@ mod problem;
 mod separation;
 mod surface;
 mod table;
+pub mod files;
 
 pub use blend::{Blend, BlendProblem, Section};
 pub use builtin::{BUILT_IN, BuiltIn, built_in};
