@@ -11,7 +11,7 @@ mod operating;
 mod performance;
 
 pub use balance::{BalanceOutcome, balanced_speed, pitch_for_power};
-pub use blade::{Machine, RigidRotor, Station};
+pub use blade::{AnnulusRadius, Machine, RigidRotor, Station};
 pub use coefficients::{HelicopterCoefficients, PropellerCoefficients, TurbineCoefficients};
 pub use operating::OperatingPoint;
 pub use performance::{Performance, Sector, SpanLoad};

@@ -23,6 +23,17 @@ pub enum Machine {
     Propeller,
 }
 
+/// The radius of a station in solidity and losses. On straight blades without cone both agree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum AnnulusRadius {
+    /// The distance from the shaft: the ring that momentum describes.
+    #[default]
+    ToShaft,
+    /// The distance along the axis of the blade, for comparisons with programs that use it
+    /// (CCBlade): .1 % of power at a cone of 2.5 degrees.
+    AlongBlade,
+}
+
 /// A station of a blade.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Station<S> {
@@ -63,6 +74,8 @@ pub struct RigidRotor<S> {
     pub stations: Vec<Station<S>>,
     /// Switches of annular momentum.
     pub options: Options,
+    /// Radius in solidity and losses.
+    pub annulus_radius: AnnulusRadius,
     /// Whether the induced velocity varies over the azimuth with the skew of the wake.
     pub skewed_wake: bool,
     /// Number of azimuths, from the blade up; one if the flow is axial.
@@ -76,6 +89,8 @@ pub(crate) struct Point {
     pub x: f64,
     /// Distance from the shaft.
     pub z: f64,
+    /// Radius in solidity and losses.
+    pub annulus: f64,
     /// Length along the blade from the hub.
     pub arc: f64,
     /// Lean of the span out of the plane of rotation, upwind positive.
@@ -92,48 +107,72 @@ impl<S> RigidRotor<S> {
 
     /// Points from hub to tip, both included.
     pub(crate) fn points(&self) -> Vec<Point> {
-        let mut offsets: Vec<(f64, f64, Option<usize>)> = Vec::new();
-        for (index, station) in self.stations.iter().enumerate() {
-            offsets.push((station.radius, station.prebend, Some(index)));
-        }
-        self.add_ends(&mut offsets);
         let (sin, cos) = self.precone.sin_cos();
-        let mut points: Vec<Point> = offsets
-            .into_iter()
-            .map(|(radius, prebend, station)| Point {
-                x: prebend * cos - radius * sin,
-                z: radius * cos + prebend * sin,
+        let point = |offset: Offset| {
+            let z = offset.radius * cos + offset.prebend * sin;
+            Point {
+                x: offset.prebend * cos - offset.radius * sin,
+                z,
+                annulus: match self.annulus_radius {
+                    AnnulusRadius::ToShaft => z,
+                    AnnulusRadius::AlongBlade => offset.radius,
+                },
                 arc: 0.0,
                 lean: 0.0,
-                station,
-            })
-            .collect();
+                station: offset.station,
+            }
+        };
+        let mut points: Vec<Point> = self.offsets().into_iter().map(point).collect();
         measure(&mut points);
         points
     }
 
-    /// Adds hub and tip if they have no station, with the prebend extrapolated along the nearest
-    /// two stations.
-    fn add_ends(&self, offsets: &mut Vec<(f64, f64, Option<usize>)>) {
-        let beyond = |at: f64, near: Option<&(f64, f64, Option<usize>)>, next| {
-            let (near, next): (_, Option<&(f64, f64, Option<usize>)>) = (near?, next);
-            let slope = next.map_or(0.0, |next| (next.1 - near.1) / (next.0 - near.0));
-            Some(near.1 + slope * (at - near.0))
-        };
-        let count = offsets.len();
-        if offsets.first().is_none_or(|it| it.0 > self.hub_radius) {
-            let prebend = beyond(self.hub_radius, offsets.first(), offsets.get(1));
-            offsets.insert(0, (self.hub_radius, prebend.unwrap_or(0.0), None));
+    /// Stations, with hub and tip if they have no station: there the prebend is extrapolated along
+    /// the nearest two stations.
+    fn offsets(&self) -> Vec<Offset> {
+        let stations = self.stations.iter().enumerate();
+        let mut offsets: Vec<Offset> = stations
+            .map(|(index, station)| Offset {
+                radius: station.radius,
+                prebend: station.prebend,
+                station: Some(index),
+            })
+            .collect();
+        let mut ends = offsets.iter();
+        let hub = extrapolated(self.hub_radius, ends.next(), ends.next());
+        let mut ends = offsets.iter().rev();
+        let tip = extrapolated(self.tip_radius, ends.next(), ends.next());
+        if offsets.first().is_none_or(|it| it.radius > hub.radius) {
+            offsets.insert(0, hub);
         }
-        if offsets.last().is_none_or(|it| it.0 < self.tip_radius) {
-            let before = if count > 1 {
-                offsets.len().checked_sub(2).and_then(|it| offsets.get(it))
-            } else {
-                None
-            };
-            let prebend = beyond(self.tip_radius, offsets.last(), before);
-            offsets.push((self.tip_radius, prebend.unwrap_or(0.0), None));
+        if offsets.last().is_none_or(|it| it.radius < tip.radius) {
+            offsets.push(tip);
         }
+        offsets
+    }
+}
+
+/// A point of the blade before its cone.
+#[derive(Debug, Clone, Copy)]
+struct Offset {
+    radius: f64,
+    prebend: f64,
+    station: Option<usize>,
+}
+
+/// The offset at a radius, on the line through the nearest two.
+fn extrapolated(radius: f64, near: Option<&Offset>, next: Option<&Offset>) -> Offset {
+    let prebend = match (near, next) {
+        (Some(near), Some(next)) if near.radius != next.radius => {
+            let slope = (next.prebend - near.prebend) / (next.radius - near.radius);
+            near.prebend + slope * (radius - near.radius)
+        }
+        (near, _) => near.map_or(0.0, |near| near.prebend),
+    };
+    Offset {
+        radius,
+        prebend,
+        station: None,
     }
 }
 
@@ -183,6 +222,7 @@ mod tests {
             hub_height: 0.0,
             stations: [2.0, 5.0, 9.0].map(station).to_vec(),
             options: Options::default(),
+            annulus_radius: AnnulusRadius::ToShaft,
             skewed_wake: false,
             sectors: 1,
         }

@@ -125,7 +125,8 @@ impl<S: Profile> RigidRotor<S> {
 
     fn sector(&self, operating: &OperatingPoint, points: &[Point], azimuth: f64) -> Sector {
         let ends = (points.first(), points.last());
-        let ends = (ends.0.map_or(0.0, |it| it.z), ends.1.map_or(0.0, |it| it.z));
+        let radius = |end: Option<&Point>| end.map_or(0.0, |it| it.annulus);
+        let ends = (radius(ends.0), radius(ends.1));
         let load = |point: &Point| {
             let station = self.stations.get(point.station?)?;
             Some(self.load(operating, station, point, ends, azimuth))
@@ -147,7 +148,7 @@ impl<S: Profile> RigidRotor<S> {
     ) -> SpanLoad {
         let ambient = self.ambient(operating, point, azimuth);
         let annulus = Annulus {
-            radius: point.z,
+            radius: point.annulus,
             hub_radius,
             tip_radius,
             blades: self.blades,
