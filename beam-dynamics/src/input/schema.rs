@@ -14,8 +14,9 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::{
-    air, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes, frames, hub,
-    internal_forces, joints, loads, measured, nodes, properties, rods, speeds, springs, strips, transient,
+    air, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes, frames,
+    hub, internal_forces, joints, loads, measured, nodes, properties, rods, speeds, springs,
+    strips, transient,
 };
 
 keys! {

@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign};
-use shared_geom::document::schema::ValueKind::{Count, Text, Word};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Count, Text, Word};
 use shared_geom::keys;
 use shared_geom::quadrature;
 
@@ -36,8 +36,8 @@ pub use problem::StripProblem;
 
 use airfoils::Airfoils;
 pub(super) use airfoils::CARD as AIRFOIL;
-use inflows::Inflow;
 pub(super) use inflows::CARD as INFLOW;
+use inflows::Inflow;
 use stations::{Between, STATIONS, Stations};
 
 keys! {
@@ -116,9 +116,17 @@ fn find_inflow(
     builder: &ModelBuilder,
     user: String,
 ) -> Option<Inflow> {
-    let found = builder.aerodynamics().inflows.iter().find(|inflow| inflow.name == name);
+    let found = builder
+        .aerodynamics()
+        .inflows
+        .iter()
+        .find(|inflow| inflow.name == name);
     if found.is_none() {
-        let known = builder.aerodynamics().inflows.iter().map(|inflow| inflow.name.clone());
+        let known = builder
+            .aerodynamics()
+            .inflows
+            .iter()
+            .map(|inflow| inflow.name.clone());
         let problem = StripProblem::Unknown {
             kind: "inflow",
             name: name.to_owned(),
@@ -143,7 +151,11 @@ impl AirBlade<'_> {
     fn beams(&self, builder: &ModelBuilder) -> Vec<(Beam, f64)> {
         let mut start = 0.0;
         let beams = self.nodes.nodes.windows(3).step_by(2).filter_map(|nodes| {
-            builder.beams().iter().rev().find(|beam| beam.nodes == nodes)
+            builder
+                .beams()
+                .iter()
+                .rev()
+                .find(|beam| beam.nodes == nodes)
         });
         beams
             .map(|beam| {
