@@ -6,6 +6,7 @@
 //! derivatives are exact.
 
 pub mod airfoil;
+pub mod inflow;
 pub mod momentum;
 pub mod real;
 // pub mod rotor;

@@ -23,13 +23,14 @@ mod section;
 mod separated;
 mod separation_lag;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use constants::StallConstants;
 pub use dynamic_stall::DynamicStall;
 pub use hgm::Hgm;
 pub use lagged::Lagged;
 pub use lags::Lags;
+pub(crate) use local::smooth_step;
 pub use model::SectionModel;
 pub use oye::Oye;
 pub use polar::Polar;

@@ -29,6 +29,7 @@ use super::lags::Lags;
 use super::local::{Local, kirchhoff, logistic, part_root};
 use super::polar::Polar;
 use super::section::{Model, SectionFlow, SectionForce, StateName, Strip, state};
+use super::separated::part_of;
 
 /// Width of the gate of shedding, in the normal coefficient \[-\].
 const SHEDDING_WIDTH: f64 = 0.02;
@@ -92,11 +93,6 @@ impl DynamicStall {
         local.gate * (alpha - polar.zero_lift()) * polar.slope()
     }
 
-    /// The static attached part at a normal coefficient.
-    fn part<T: Real, P: Polar>(polar: &P, normal: T) -> T {
-        polar.attached(normal / polar.slope() + polar.zero_lift())
-    }
-
     /// Whether the vortex is shed, from 0 to 1, G_1.
     fn shedding<T: Real>(&self, pressure: T) -> T {
         let size = (pressure * pressure + CORNER * CORNER).sqrt();
@@ -137,7 +133,7 @@ impl DynamicStall {
     ) -> [T; 4] {
         let k = &self.constants;
         let pressure = local.follow(strip, k.pressure_time, it.pressure, source, 0.0);
-        let target = Self::part(polar, it.pressure);
+        let target = part_of(polar, it.pressure);
         let part = local.follow(strip, k.separation_time, it.part, target, 1.0);
         let shedding = self.shedding(it.pressure);
         let over = logistic((-it.clock + k.passage_time) / PASSAGE_WIDTH);
@@ -195,7 +191,7 @@ impl Model for DynamicStall {
         let [y1, y2] = self.lags.steady(flow.normal);
         let [p, h] = added_mass::momenta(strip, flow);
         let normal = Self::attached(polar, &local, local.angle(local.rear));
-        let part = Self::part(polar, normal);
+        let part = part_of(polar, normal);
         let feed = normal * (1.0 - kirchhoff(part));
         let clock = self.steady_clock(normal);
         *states = [y1, y2, normal, part, feed, 0.0, clock, p, h];
@@ -244,7 +240,7 @@ impl Model for DynamicStall {
         let fixed = polar.coefficients(&flow.at(alpha));
         let force = local.force(strip, local.bound(effective), &fixed);
         let angle = alpha - polar.zero_lift();
-        let static_part = Self::part(polar, normal);
+        let static_part = part_of(polar, normal);
         let load = local.load(strip);
         let force = self.add_stall(force, strip, load, &it, [normal, angle, static_part]);
         Some(added_mass::add(force, strip, flow, [dp, dh]))

@@ -19,7 +19,7 @@ use super::lags::Lags;
 use super::local::Local;
 use super::polar::Polar;
 use super::section::{Model, SectionFlow, SectionForce, StateName, Strip, state};
-use super::separated::lift_and_drag_of;
+use super::separated::{lift_and_drag_of, part_of};
 
 /// Lags of circulation, of pressure and of separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -102,7 +102,7 @@ impl Model for Hgm {
         let [y1, y2] = self.lags.steady(flow.normal);
         let alpha = local.angle(local.rear);
         let lift = Self::pressure(strip, polar, &local, alpha, flow.pitch_rate);
-        let part = polar.attached(lift / polar.slope() + polar.zero_lift());
+        let part = part_of(polar, lift);
         *states = [y1, y2, lift, part];
         Some(())
     }
@@ -125,12 +125,12 @@ impl Model for Hgm {
         let alpha = local.angle(effective);
         let source = Self::pressure(strip, polar, &local, alpha, flow.pitch_rate);
         let f3 = local.follow(strip, self.pressure_time, lift, source, 0.0);
-        let target = polar.attached(lift / polar.slope() + polar.zero_lift());
+        let target = part_of(polar, lift);
         let f4 = local.follow(strip, self.separation_time, part, target, 1.0);
         *rows = [dy1 - f1, dy2 - f2, dlift - f3, dpart - f4];
         // The static part belongs to the same source without turning and without delay.
         let still = Self::pressure(strip, polar, &local, alpha, T::zero());
-        let fixed = polar.attached(still / polar.slope() + polar.zero_lift());
+        let fixed = part_of(polar, still);
         let coefficients = lift_and_drag_of(polar, flow, &local, alpha, [part, fixed]);
         let force = local.force(strip, local.bound(effective), &coefficients);
         Some(add_turning(force, strip, flow))

@@ -97,7 +97,7 @@ impl<T: Real> Local<T> {
 }
 
 /// 0 below 0, 1 above 1, with two continuous derivatives.
-pub(super) fn smooth_step<T: Real>(x: T) -> T {
+pub(crate) fn smooth_step<T: Real>(x: T) -> T {
     if x.re() <= 0.0 {
         return T::zero();
     }

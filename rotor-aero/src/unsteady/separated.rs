@@ -21,6 +21,18 @@ fn gain<T: Real, P: Polar>(polar: &P, alpha: T) -> T {
     (alpha - polar.zero_lift()) * polar.slope() - polar.separated_lift(alpha)
 }
 
+/// Slope below which a section has no attached flow, such as a cylinder \[1/rad\].
+const NO_SLOPE: f64 = 1e-6;
+
+/// The static attached part of the chord at the angle where attached flow has a lift coefficient.
+pub(super) fn part_of<T: Real, P: Polar>(polar: &P, lift: T) -> T {
+    let slope = polar.slope();
+    if slope.abs() < NO_SLOPE {
+        return polar.attached(T::from(polar.zero_lift()));
+    }
+    polar.attached(lift / slope + polar.zero_lift())
+}
+
 /// Static coefficients, and lift for an attached part of the chord instead of its static value.
 pub(super) fn lift_of<T: Real, P: Polar>(
     polar: &P,

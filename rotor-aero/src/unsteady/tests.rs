@@ -3,6 +3,6 @@
 mod derivatives;
 mod limits;
 mod march;
-mod polars;
+pub(crate) mod polars;
 mod stall;
 mod theodorsen;

@@ -77,9 +77,14 @@ impl LineState<'_> {
         let load = fixed(force, moment);
         let formulation = self.point.geometry.formulation;
         let section = self.section();
-        formulation.add_on_line(self.point.portion, &section, &load, |node, equation, value| {
-            out.add(node, equation, value);
-        });
+        formulation.add_on_line(
+            self.point.portion,
+            &section,
+            &load,
+            |node, equation, value| {
+                out.add(node, equation, value);
+            },
+        );
     }
 
     /// Adds the variation of the forces on the nodes with the geometry, at fixed force and moment.

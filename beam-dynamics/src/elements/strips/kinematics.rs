@@ -182,7 +182,8 @@ impl Flow<'_> {
             shaft = transposed * skew_times(&self.shaft, turn);
         }
         let mut out = FlowBlock::zeros();
-        out.fixed_view_mut::<3, 3>(0, 0).copy_from(&(transposed * g));
+        out.fixed_view_mut::<3, 3>(0, 0)
+            .copy_from(&(transposed * g));
         out.set_row(3, &(transposed.row(2) * rates));
         out.fixed_view_mut::<3, 3>(4, 0).copy_from(&shaft);
         out.set_row(7, &(self.radial() * position));

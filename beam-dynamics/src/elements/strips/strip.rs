@@ -16,9 +16,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
-use rotor_aero::strip::{
-    FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian,
-};
+use rotor_aero::strip::{FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian};
 use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::air::Air;
@@ -118,11 +116,7 @@ impl AirStrip {
             Scalar::new(ScalarSpec {
                 owner: label.clone(),
                 unknown: Quantity::new(state.name, state.unit, 1.0),
-                equation: Quantity::new(
-                    format!("equation of {}", state.name),
-                    state.row_unit,
-                    1.0,
-                ),
+                equation: Quantity::new(format!("equation of {}", state.name), state.row_unit, 1.0),
                 has_rate: state.has_rate,
                 rate: None,
                 start: ScalarStart::Settled,
@@ -154,7 +148,9 @@ impl AirStrip {
 
     /// The flow, and its numbers as the strip takes them.
     fn flow<'a>(&'a self, at: &Local<'_>) -> (Flow<'a>, [f64; STRIP_FLOW]) {
-        let flow = self.mount.flow(at, &|point, time| self.air.motion(point, time));
+        let flow = self
+            .mount
+            .flow(at, &|point, time| self.air.motion(point, time));
         let mut numbers = [0.0; STRIP_FLOW];
         numbers[..FLOW].copy_from_slice(&flow.numbers);
         numbers[FLOW] = at.scalars.values[self.states()];
@@ -239,12 +235,7 @@ impl<'a> Columns<'a> {
     }
 
     /// Adds the derivatives of the rows of the states by a variable of a node.
-    fn add_rows(
-        &self,
-        column: (usize, Variable),
-        flow: &FlowBlock,
-        out: &mut LocalJacobian,
-    ) {
+    fn add_rows(&self, column: (usize, Variable), flow: &FlowBlock, out: &mut LocalJacobian) {
         for row in 0..self.strip.states() {
             let by = &self.by.by[LOADS + row];
             let by = nalgebra::RowSVector::<f64, FLOW>::from_column_slice(&by[..FLOW]);

@@ -72,8 +72,14 @@ impl Element for TipRadius {
         out: &mut LocalResidual,
         jacobian: Option<&mut LocalJacobian>,
     ) {
-        let axes = at.nodes.get(1).map_or_else(Matrix3::identity, |hub| hub.rotation);
-        let origin = at.nodes.get(1).map_or_else(Vector3::zeros, |hub| hub.position);
+        let axes = at
+            .nodes
+            .get(1)
+            .map_or_else(Matrix3::identity, |hub| hub.rotation);
+        let origin = at
+            .nodes
+            .get(1)
+            .map_or_else(Vector3::zeros, |hub| hub.position);
         let n = axes * self.shaft.axis;
         let offset = axes * self.shaft.center;
         let d = at.nodes[0].position - origin - offset;

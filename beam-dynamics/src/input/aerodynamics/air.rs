@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use rotor_aero::strip::AirProperties;
-use shared_geom::document::schema::ValueKind::{Positive, Quantity, Vector};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Positive, Quantity, Vector};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use rotor_aero::airfoil::{Airfoil, BUILT_IN, LinearLift, Section, built_in};
-use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -81,7 +81,11 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
         return airfoil_files::read(&name, (table, FILE.name()), &file, of_file, remarks);
     }
     if let Some(wanted) = built_in {
-        return named_built_in(&wanted, (table, BUILT_IN_NAME.name()), &format!("airfoil \"{name}\""));
+        return named_built_in(
+            &wanted,
+            (table, BUILT_IN_NAME.name()),
+            &format!("airfoil \"{name}\""),
+        );
     }
     Some(Airfoil::linear(LinearLift {
         slope: slope?,
@@ -110,7 +114,12 @@ fn named_built_in(name: &str, (table, key): (&Table<'_>, &str), user: &str) -> O
 impl Airfoils {
     /// The section of the airfoil `name`, as named under a key of a table, described by `user`;
     /// `None` if it is wrong, or unknown, which is noted.
-    pub fn find(&self, name: &str, (table, key): (&Table<'_>, &str), user: &str) -> Option<Section> {
+    pub fn find(
+        &self,
+        name: &str,
+        (table, key): (&Table<'_>, &str),
+        user: &str,
+    ) -> Option<Section> {
         if let Some((_, found)) = self.named.iter().find(|named| named.0 == name) {
             return found.clone().map(Section::single);
         }

@@ -1,7 +1,7 @@
 //! Inflow of rotors: `[[inflow]]`.
 
-use shared_geom::document::schema::ValueKind::{Boolean, Count, NotNegative, Text, Word};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Boolean, Count, NotNegative, Text, Word};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 

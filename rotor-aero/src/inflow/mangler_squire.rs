@@ -1,0 +1,90 @@
+//! Distribution over the disk after Mangler and Squire, on uniform inflow.
+//!
+//! ```text
+//! l(r, psi) = 4 l_0 (c_0/2 + c_1 cos psi) ,   eta = sqrt(1 - r^2) ,  X = tan(chi/2)
+//! elliptic loading:  c_0 = (3/4) eta ,               c_1 = (3 pi/16) r X
+//! zero at the hub:   c_0 = (15/8) eta (1 - eta^2) ,  c_1 = (15 pi/256) (5 - 9 eta^2) r X
+//! ```
+//!
+//! from the potential of a lightly loaded disk at incidence ([Mangler1950]). The mean over the
+//! disk is l_0; inflow at the aft edge is larger than at the front edge. Higher harmonics are left
+//! out. The angle chi of the wake contains the induced velocity, so that the distribution becomes
+//! symmetric in hover; it belongs to advance ratios above .1.
+
+use std::f64::consts::PI;
+
+use crate::Real;
+use crate::unsteady::StateName;
+
+use super::rotor::{Inflow, RotorFlow, RotorLoads};
+use super::uniform;
+
+/// Distribution of the load along the radius.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Loading {
+    /// Elliptic, type 1.
+    Elliptic,
+    /// Zero at hub and tip, type 3.
+    #[default]
+    ZeroAtHub,
+}
+
+/// Distribution of Mangler and Squire.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct ManglerSquire {
+    /// Distribution of the load.
+    pub loading: Loading,
+}
+
+impl ManglerSquire {
+    /// The coefficients c_0 and c_1 at a radius, for the tangent of half of the wake angle.
+    fn coefficients<T: Real>(&self, radius: T, half_tangent: T) -> [T; 2] {
+        let square = -radius * radius + 1.0;
+        let eta = if square.re() > 0.0 {
+            square.sqrt()
+        } else {
+            T::zero()
+        };
+        let first = radius * half_tangent;
+        match self.loading {
+            Loading::Elliptic => [eta * 0.75, first * (3.0 * PI / 16.0)],
+            Loading::ZeroAtHub => [
+                eta * radius * radius * (15.0 / 8.0),
+                (-square * 9.0 + 5.0) * first * (15.0 * PI / 256.0),
+            ],
+        }
+    }
+}
+
+impl Inflow for ManglerSquire {
+    fn states(&self) -> &'static [StateName] {
+        &uniform::MEAN
+    }
+
+    fn start(&self, flow: &RotorFlow<f64>, thrust: f64, states: &mut [f64]) -> Option<()> {
+        uniform::start(flow, thrust, states)
+    }
+
+    fn rows<T: Real>(
+        &self,
+        flow: &RotorFlow<T>,
+        loads: &RotorLoads<T>,
+        states: &[T],
+        rates: &[T],
+        rows: &mut [T],
+    ) -> Option<()> {
+        uniform::row(flow, loads, states, rates, rows)
+    }
+
+    fn induced<T: Real>(
+        &self,
+        flow: &RotorFlow<T>,
+        states: &[T],
+        radius: T,
+        azimuth: T,
+    ) -> Option<T> {
+        let (mean, air) = uniform::mean(flow, states)?;
+        let [c0, c1] = self.coefficients(radius, air.half_tangent());
+        Some(mean * (c0 * 0.5 + c1 * azimuth.cos()) * 4.0)
+    }
+}

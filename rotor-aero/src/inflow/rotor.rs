@@ -1,0 +1,66 @@
+//! The flow of a rotor, its loads, and the interface of the inflow models.
+
+use crate::Real;
+use crate::unsteady::StateName;
+
+/// The flow of a rotor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RotorFlow<T> {
+    /// Advance ratio: speed of the air in the plane of the disk over the tip speed, not
+    /// negative \[-\].
+    pub advance: T,
+    /// Axial speed of the free stream over the tip speed, positive down through the disk: in
+    /// climb \[-\].
+    pub axial: T,
+    /// Rotor speed, positive \[rad/s\].
+    pub speed: T,
+}
+
+/// Loads of a rotor over `rho pi R^2 (Omega R)^2`, and moments over this times R.
+///
+/// The moments are sums over the blades of the thrust of each element, times its radius and the
+/// sine or cosine of its azimuth: positive with thrust on the advancing side, and aft. They are
+/// opposite to the roll and pitch moments that the rotor exerts by the usual axes of a hub.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RotorLoads<T> {
+    /// Thrust coefficient, C_T \[-\].
+    pub thrust: T,
+    /// Moment toward the advancing side, C_L \[-\].
+    pub sine: T,
+    /// Moment toward the tail, C_M \[-\].
+    pub cosine: T,
+}
+
+/// A model of the inflow.
+pub trait Inflow {
+    /// Names and units of the states, in their order; rows have the unit 1/s.
+    fn states(&self) -> &'static [StateName];
+
+    /// Writes the states of steady flow for loads, without moments.
+    ///
+    /// Returns `None`, and writes nothing, unless `states` has the length of the list of states.
+    fn start(&self, flow: &RotorFlow<f64>, thrust: f64, states: &mut [f64]) -> Option<()>;
+
+    /// Writes the rows of the states.
+    ///
+    /// Returns `None`, and writes nothing, unless all slices have the length of the list of
+    /// states.
+    fn rows<T: Real>(
+        &self,
+        flow: &RotorFlow<T>,
+        loads: &RotorLoads<T>,
+        states: &[T],
+        rates: &[T],
+        rows: &mut [T],
+    ) -> Option<()>;
+
+    /// The induced velocity over the tip speed, positive down through the disk, at a radius over
+    /// R and an azimuth in rad; `None` unless `states` has the length of the list of states.
+    fn induced<T: Real>(
+        &self,
+        flow: &RotorFlow<T>,
+        states: &[T],
+        radius: T,
+        azimuth: T,
+    ) -> Option<T>;
+}
