@@ -12,5 +12,6 @@ pub mod real;
 pub mod strip;
 pub mod unsteady;
 pub mod wake;
+pub mod wind;
 
 pub use real::Real;
