@@ -13,5 +13,6 @@ pub mod real;
 pub mod strip;
 pub mod unsteady;
 pub mod wake;
+pub mod wind;
 
 pub use real::Real;
