@@ -9,7 +9,7 @@ pub mod airfoil;
 pub mod inflow;
 pub mod momentum;
 pub mod real;
-// pub mod rotor;
+pub mod rotor;
 pub mod strip;
 pub mod unsteady;
 pub mod wake;
