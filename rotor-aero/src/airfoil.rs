@@ -5,16 +5,20 @@
 mod blend;
 mod builtin;
 mod check;
+mod compressibility;
 mod cubic;
 mod data;
 mod evaluated;
+pub mod files;
 mod formula;
+mod mirror;
 mod naca0012;
 mod problem;
 mod separation;
+mod stall_delay;
 mod surface;
 mod table;
-pub mod files;
+mod viterna;
 
 pub use blend::{Blend, BlendProblem, Section};
 pub use builtin::{BUILT_IN, BuiltIn, built_in};
@@ -25,3 +29,5 @@ pub use formula::{FlatPlate, LinearLift};
 pub use naca0012::naca0012;
 pub use problem::{AirfoilProblem, AirfoilRemark};
 pub use separation::{Kirchhoff, Separation};
+pub use stall_delay::{StallDelay, StallDelayLaw};
+pub use viterna::Viterna;

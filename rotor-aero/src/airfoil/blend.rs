@@ -251,3 +251,136 @@ impl Blend {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use num_dual::Dual64;
+    use shared_geom::error::Explain;
+
+    use super::{Blend, BlendProblem, Section};
+    use crate::airfoil::{Airfoil, Flow, Interpolation, LinearLift, built_in, naca0012};
+
+    fn linear(slope: f64) -> Arc<Airfoil> {
+        let lift = LinearLift {
+            slope,
+            ..LinearLift::default()
+        };
+        Arc::new(Airfoil::linear(lift))
+    }
+
+    fn naca() -> Arc<Airfoil> {
+        Arc::new(built_in("naca0012").unwrap())
+    }
+
+    fn thick(thickness: f64) -> Arc<Airfoil> {
+        let mut data = naca0012().with_scaled_lift(1.0 - thickness);
+        data.thickness = Some(thickness);
+        Arc::new(Airfoil::new(&data, Interpolation::Monotone).unwrap())
+    }
+
+    fn flow(alpha: f64) -> Flow<f64> {
+        let (mach, reynolds, flap) = (0.2, 1e6, 0.0);
+        Flow {
+            alpha,
+            mach,
+            reynolds,
+            flap,
+        }
+    }
+
+    fn lift(section: &Section, alpha: f64) -> f64 {
+        section.at(&flow(alpha)).lift
+    }
+
+    #[test]
+    fn coefficients_are_linear_along_the_span() {
+        let stations = [(0.0, linear(2.0)), (4.0, linear(4.0)), (5.0, linear(5.0))];
+        let stations = stations.map(|(at, airfoil)| (at, Section::single(airfoil)));
+        let blend = Blend::along_span(stations.to_vec()).unwrap();
+        for (at, slope) in [(0.0, 2.0), (1.0, 2.5), (4.0, 4.0), (4.5, 4.5), (5.0, 5.0)] {
+            let section = blend.section(at).unwrap();
+            assert!((lift(&section, 0.1) - 0.1 * slope).abs() < 1e-14);
+        }
+        let parts = blend.section(4.0).unwrap();
+        assert_eq!(parts.parts().count(), 1);
+        for at in [-0.1, 5.1, f64::NAN] {
+            let problem = blend.section(at).unwrap_err();
+            assert!(matches!(problem, BlendProblem::OutOfRange { .. }) && problem.help().is_some());
+        }
+    }
+
+    /// Between 20 and 30 % of thickness, at the same angle; in any order.
+    #[test]
+    fn coefficients_are_linear_in_the_thickness() {
+        let blend = Blend::by_thickness(&[thick(0.3), thick(0.2), thick(0.5)]).unwrap();
+        let section = blend.section(0.225).unwrap();
+        for alpha in [-2.0, 0.1, 0.3, 1.0] {
+            let expected = naca().at(&flow(alpha)).lift * (1.0 - 0.225);
+            assert!((lift(&section, alpha) - expected).abs() < 1e-12);
+        }
+        assert!(blend.section(0.19).is_err() && blend.section(0.51).is_err());
+    }
+
+    #[test]
+    fn mixtures_between_mixtures_join_equal_airfoils() {
+        let (a, b) = (linear(2.0), linear(6.0));
+        let mix = |share: f64| {
+            Section::weighted(&[(1.0 - share, a.clone()), (share, b.clone())]).unwrap()
+        };
+        let blend = Blend::along_span(vec![(0.0, mix(0.25)), (1.0, mix(0.75))]).unwrap();
+        let middle = blend.section(0.5).unwrap();
+        assert_eq!(middle.parts().count(), 2);
+        assert!((lift(&middle, 0.1) - 0.4).abs() < 1e-14);
+    }
+
+    #[test]
+    fn derivatives_of_a_blend_are_exact() {
+        let section = Section::weighted(&[(0.3, naca()), (0.7, linear(5.0))]).unwrap();
+        for k in -100..100 {
+            let alpha = f64::from(k) * 0.0513;
+            let others = [0.2, 1e6, 0.0].map(Dual64::from);
+            let [mach, reynolds, flap] = others;
+            let exact = section.at(&Flow {
+                alpha: Dual64::new(alpha, 1.0),
+                mach,
+                reynolds,
+                flap,
+            });
+            let difference = (lift(&section, alpha + 1e-6) - lift(&section, alpha - 1e-6)) / 2e-6;
+            // Second derivatives of 1e3 at stall, in steps over a knot.
+            assert!((exact.lift.eps - difference).abs() < 1e-3);
+        }
+    }
+
+    #[test]
+    fn odd_blends_are_problems() {
+        let weighted = |weights: &[f64]| {
+            let parts: Vec<_> = weights.iter().map(|weight| (*weight, naca())).collect();
+            Section::weighted(&parts).err()
+        };
+        assert_eq!(weighted(&[]), Some(BlendProblem::Empty));
+        assert!(matches!(
+            weighted(&[0.5, 0.6]),
+            Some(BlendProblem::Sum { .. })
+        ));
+        for weight in [-0.1, 1.1, f64::NAN] {
+            assert!(matches!(
+                weighted(&[weight]),
+                Some(BlendProblem::Weight { .. })
+            ));
+        }
+        assert_eq!(Blend::along_span(Vec::new()), Err(BlendProblem::Empty));
+        assert_eq!(Blend::by_thickness(&[]), Err(BlendProblem::Empty));
+        for second in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let stations = [0.0, second].map(|at| (at, Section::single(naca())));
+            assert!(Blend::along_span(stations.to_vec()).is_err());
+        }
+        let mut data = naca0012();
+        data.thickness = None;
+        let unknown = Arc::new(Airfoil::new(&data, Interpolation::Monotone).unwrap());
+        let problem = Blend::by_thickness(&[unknown]).unwrap_err();
+        assert!(matches!(problem, BlendProblem::NoThickness { .. }));
+    }
+}

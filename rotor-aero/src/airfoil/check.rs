@@ -8,7 +8,7 @@ use super::problem::{AirfoilProblem, AirfoilRemark};
 /// Ends nearer to 180 deg than this are moved without a remark: the digits of a file \[rad\].
 const ROUNDED_END: f64 = 2e-5;
 
-/// Ends nearer to 180 deg than this are moved with a remark: -3.14 in place of -pi \[rad\].
+/// Ends nearer to 180 deg than this are moved with a remark: -3.14 instead of -pi \[rad\].
 const NEAR_END: f64 = 5e-3;
 
 /// Ends that differ less than this have no remark: the digits of a file \[-\].
@@ -380,3 +380,7 @@ fn steps(name: &str, curve: &Curve, found: &mut Findings) {
             to_deg: degrees(angles[1]),
         }));
 }
+
+#[cfg(test)]
+#[path = "check_tests.rs"]
+mod tests;

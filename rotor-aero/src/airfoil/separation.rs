@@ -40,7 +40,7 @@ const STEPS: [u32; 2] = [100, 152];
 /// Angles at which the fade of attached flow begins and ends \[deg\].
 const FADE_DEG: [f64; 2] = [40.0, 45.0];
 
-/// Range of the fit on both sides of zero lift, and number of its steps \[deg\].
+/// Range of the fit on both sides of zero lift \[deg\].
 const FIT_DEG: f64 = 5.0;
 
 /// Smallest slope of a section with attached flow \[1/rad\].

@@ -8,7 +8,7 @@
 //! f = (1 - 3 t^2 + 2 t^3) f_j + (3 t^2 - 2 t^3) f_{j+1} + h (t - 2 t^2 + t^3) g_j + h (t^3 - t^2) g_{j+1}
 //! ```
 //!
-//! so that the derivatives by both are continuous. Limits of the slopes are those of
+//! so that the derivatives by both are continuous. The slopes are limited as in
 //! [`super::cubic`].
 
 use std::f64::consts::TAU;

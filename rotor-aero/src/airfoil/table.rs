@@ -46,7 +46,7 @@ impl Table {
     }
 }
 
-/// The logarithm; of a number without one, that of the smallest number.
+/// The logarithm; numbers without one count as the smallest positive number.
 fn logarithm<T: Real>(x: T) -> T {
     if x.re() <= 0.0 {
         T::from(f64::MIN_POSITIVE.ln())

@@ -40,7 +40,12 @@ pub fn loss<T: Real>(annulus: &Annulus, sin_phi: T) -> T {
     let Annulus { blades, radius, .. } = *annulus;
     let mut result = T::from(1.0);
     if annulus.options.tip_loss {
-        result *= tip_loss(blades, T::from(radius), T::from(annulus.tip_radius), sin_phi);
+        result *= tip_loss(
+            blades,
+            T::from(radius),
+            T::from(annulus.tip_radius),
+            sin_phi,
+        );
     }
     if annulus.options.hub_loss {
         result *= hub_loss(blades, T::from(radius), annulus.hub_radius, sin_phi);

@@ -71,7 +71,12 @@ impl<'a, T: Real> Ring<'a, T> {
             loss *= tip_loss(self.inflow.blades, self.radius, self.tip_radius, sine);
         }
         if options.hub_loss {
-            loss *= hub_loss(self.inflow.blades, self.radius, self.inflow.hub_radius, sine);
+            loss *= hub_loss(
+                self.inflow.blades,
+                self.radius,
+                self.inflow.hub_radius,
+                sine,
+            );
         }
         match loss.re() < LOSS_FLOOR {
             true => T::from(LOSS_FLOOR),

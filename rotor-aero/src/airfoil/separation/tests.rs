@@ -33,9 +33,9 @@ fn slope_of_naca0012_is_the_measured_one() {
     assert!(separation.zero_lift.abs() < 1e-9);
 }
 
-/// Attached and separated lift give the table again: at the samples up to the limit of f to one,
-/// 0.006 at a slope that is fitted, and between them up to the error of interpolation, which is
-/// 0.03 in the degree of the break from 1.62 to 1.08.
+/// Attached and separated lift give the table again, up to the limit of f to one at a slope that
+/// is fitted (0.0047 at Mach 0.6, less below), and to the interpolation between samples, which is
+/// 0.023 in the degree of the break from 1.62 to 1.08.
 #[test]
 fn the_split_gives_the_static_lift() {
     for mach in [0.15, 0.35, 0.6] {
@@ -45,7 +45,7 @@ fn the_split_gives_the_static_lift() {
             let error = (separation.static_lift(alpha) - lift(&airfoil, alpha, mach)).abs();
             let is_attached = alpha.abs() < 0.25;
             assert!(
-                error < if is_attached { 0.012 } else { 0.035 },
+                error < if is_attached { 0.005 } else { 0.025 },
                 "{mach} {alpha} {error}"
             );
         }
@@ -133,16 +133,16 @@ fn formula_has_the_published_constants() {
 }
 
 /// The table of NACA 0012 at Mach 0.3 and above was made from the same formula: the part that
-/// follows from its lift agrees with it. The lift has the suction force and the fitted slope in
-/// addition, which change f by up to 0.1.
+/// follows from its lift agrees with it. The formula is for the normal force, and the slope is
+/// fitted, which change f by up to 0.05.
 #[test]
 fn part_from_the_table_agrees_with_the_formula() {
-    let law = Separation::kirchhoff(Kirchhoff::naca0012(0.3), 6.5, 0.0);
+    let law = Separation::kirchhoff(Kirchhoff::naca0012(0.3), 6.42, 0.0);
     let table = Separation::of(&naca(), 0.3, 6e6);
     for deg in [2.0, 5.0, 10.0, 14.0, 16.0, 18.0_f64] {
         let alpha = deg.to_radians();
         let difference = (law.attached(alpha) - table.attached(alpha)).abs();
-        assert!(difference < 0.1, "{deg} {difference}");
+        assert!(difference < 0.055, "{deg} {difference}");
     }
 }
 

@@ -1,0 +1,278 @@
+use std::f64::consts::PI;
+
+use shared_geom::error::Explain;
+
+use super::checked;
+use crate::airfoil::{
+    Airfoil, AirfoilData, AirfoilProblem, AirfoilRemark, Curve, Flow, Interpolation,
+};
+
+fn curve(points: &[(f64, f64)]) -> Curve {
+    let (alpha, values) = points.iter().map(|(deg, v)| (deg.to_radians(), *v)).unzip();
+    Curve {
+        alpha,
+        values,
+        ..Curve::default()
+    }
+}
+
+fn plain() -> AirfoilData {
+    AirfoilData {
+        name: "plain".to_owned(),
+        lift: vec![curve(&[
+            (-180.0, 0.0),
+            (-10.0, -1.0),
+            (0.0, 0.0),
+            (10.0, 1.0),
+            (180.0, 0.0),
+        ])],
+        drag: vec![curve(&[(-180.0, 0.02), (0.0, 0.01), (180.0, 0.02)])],
+        moment: vec![curve(&[(-180.0, 0.0), (180.0, 0.0)])],
+        ..AirfoilData::default()
+    }
+}
+
+fn problems(change: impl Fn(&mut AirfoilData)) -> Vec<AirfoilProblem> {
+    let mut data = plain();
+    change(&mut data);
+    checked(&data).err().unwrap_or_default()
+}
+
+fn remarks(change: impl Fn(&mut AirfoilData)) -> Vec<String> {
+    let mut data = plain();
+    change(&mut data);
+    let remarks = checked(&data).unwrap().remarks;
+    remarks.iter().map(AirfoilRemark::to_string).collect()
+}
+
+/// The wide steps of the plain table are the only remarks.
+const WIDE: usize = 2;
+
+#[test]
+fn each_problem_is_named_with_its_numbers() {
+    let first = |change: &dyn Fn(&mut AirfoilData)| problems(change)[0].to_string();
+    let falling = first(&|data| data.lift[0].alpha[2] = -0.2);
+    assert!(
+        falling.contains("-11.459156 deg (point 3) follows -10 deg"),
+        "{falling}"
+    );
+    let short = first(&|data| data.lift[0] = curve(&[(-10.0, -1.0), (10.0, 1.0)]));
+    assert!(
+        short.contains("lift of \"plain\": -10 to 10 deg, expected -180"),
+        "{short}"
+    );
+    let ends = first(&|data| data.moment[0].values[0] = 0.4);
+    assert!(ends.contains("0.4 at -180 deg and 0 at 180 deg"), "{ends}");
+    let number = first(&|data| data.drag[0].values[1] = f64::NAN);
+    assert!(number.contains("the value of point 2 is NaN"), "{number}");
+    let large = first(&|data| data.lift[0].values[3] = 100.0);
+    assert!(
+        large.contains("100 at 10 deg, expected -10 to 10"),
+        "{large}"
+    );
+    let degrees = first(&|data| {
+        data.lift[0]
+            .alpha
+            .iter_mut()
+            .for_each(|a| *a = a.to_degrees())
+    });
+    assert!(degrees.contains("exceed -180 to 180 deg"), "{degrees}");
+    let count = first(&|data| data.lift[0].values.truncate(2));
+    assert!(count.contains("5 angles and 2 values"), "{count}");
+    assert!(first(&|data| data.drag.clear()).contains("no drag curve"));
+    assert!(first(&|data| data.drag[0].mach = Some(-0.1)).contains("Mach number -0.1"));
+    assert!(first(&|data| data.drag[0].reynolds = Some(0.2)).contains("Reynolds number 0.2"));
+    assert!(first(&|data| data.drag[0].flap = Some(20.0)).contains("deflection in rad 20"));
+}
+
+#[test]
+fn all_problems_are_reported_with_remedies() {
+    let found = problems(|data| {
+        data.lift[0].values[3] = 100.0;
+        data.drag[0].values[1] = f64::INFINITY;
+        data.moment[0] = curve(&[(0.0, 0.0)]);
+    });
+    assert_eq!(found.len(), 3, "{found:?}");
+    assert!(found.iter().all(|problem| problem.help().is_some()));
+    assert!(matches!(found[2], AirfoilProblem::Few { points: 1, .. }));
+    assert_eq!(problems(|data| *data = AirfoilData::default()).len(), 2);
+}
+
+#[test]
+fn curves_must_state_the_same_conditions_and_differ() {
+    let twice = |first: Option<f64>, second: Option<f64>| {
+        problems(|data| {
+            data.lift.push(data.lift[0].clone());
+            (data.lift[0].mach, data.lift[1].mach) = (first, second);
+        })
+    };
+    assert!(matches!(
+        twice(None, None)[..],
+        [AirfoilProblem::Shared {
+            first: 1,
+            second: 2,
+            ..
+        }]
+    ));
+    assert!(matches!(
+        twice(Some(0.3), Some(0.3))[..],
+        [AirfoilProblem::Shared { .. }]
+    ));
+    assert!(matches!(
+        twice(Some(0.3), None)[..],
+        [AirfoilProblem::Mixed {
+            variable: "Mach number",
+            given: 1,
+            absent: 1,
+            ..
+        }]
+    ));
+    assert!(twice(Some(0.3), Some(0.4)).is_empty());
+}
+
+#[test]
+fn peculiarities_are_remarks() {
+    assert_eq!(remarks(|_| {}).len(), WIDE);
+    let moved = remarks(|data| data.lift[0].alpha[0] = -3.14);
+    assert!(
+        moved[0].contains("-179.908748 deg is moved to -180 deg"),
+        "{moved:?}"
+    );
+    assert_eq!(remarks(|data| data.lift[0].alpha[0] = -3.14159).len(), WIDE);
+    let ends = remarks(|data| data.drag[0].values[0] = 0.03);
+    assert!(
+        ends.iter().any(|text| text.contains("the mean is used")),
+        "{ends:?}"
+    );
+    let single = remarks(|data| data.lift[0].mach = Some(0.3));
+    assert!(
+        single[0].contains("Mach 0.3: the only Mach number"),
+        "{single:?}"
+    );
+    let negative = remarks(|data| data.drag[0].values[1] = -0.001);
+    assert!(
+        negative[1].contains("the drag coefficient is -0.001 at 0 deg"),
+        "{negative:?}"
+    );
+    let none = remarks(|data| data.moment.clear());
+    assert!(
+        none.iter().any(|text| text.contains("the moment is zero")),
+        "{none:?}"
+    );
+}
+
+#[test]
+fn ends_are_closed_and_equal() {
+    let mut data = plain();
+    data.lift[0].alpha[0] = -3.14;
+    data.lift[0].values[0] = 0.02;
+    let clean = checked(&data).unwrap().data;
+    assert_eq!((clean.lift[0].alpha[0], clean.lift[0].alpha[4]), (-PI, PI));
+    assert_eq!(
+        (clean.lift[0].values[0], clean.lift[0].values[4]),
+        (0.01, 0.01)
+    );
+    // The move must not pass the next angle.
+    data.lift[0].alpha[0] = -3.143;
+    data.lift[0].alpha[1] = -3.1425;
+    assert!(matches!(
+        checked(&data).unwrap_err()[..],
+        [AirfoilProblem::Beyond { .. }]
+    ));
+}
+
+/// The table of the NREL 5 MW turbine with this name.
+fn nrel(name: &str) -> AirfoilData {
+    let folder = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../tests/reference/aero/nrel5mw/"
+    );
+    let text = std::fs::read_to_string(format!("{folder}polar_{name}.csv")).unwrap();
+    let lines = text.lines().filter(|line| !line.starts_with(['#', 'a']));
+    let rows: Vec<Vec<f64>> = lines
+        .map(|line| line.split(',').map(|word| word.parse().unwrap()).collect())
+        .collect();
+    let column = |i: usize| {
+        let points: Vec<(f64, f64)> = rows.iter().map(|row| (row[0], row[i])).collect();
+        vec![curve(&points)]
+    };
+    AirfoilData {
+        name: name.to_owned(),
+        thickness: None,
+        lift: column(1),
+        drag: column(2),
+        moment: column(3),
+    }
+}
+
+/// All published tables are accepted; DU25 repeats -13 deg, of which the first row is kept.
+#[test]
+fn published_tables_are_accepted_and_one_repeats_an_angle() {
+    let names = "Cylinder1 Cylinder2 DU21_A17 DU25_A17 DU30_A17 DU35_A17 DU40_A17 NACA64_A17";
+    for name in names.split(' ') {
+        let data = nrel(name);
+        let airfoil = Airfoil::new(&data, Interpolation::Monotone).unwrap();
+        let expected = if name == "DU25_A17" { 3 } else { 0 };
+        assert_eq!(airfoil.remarks().len(), expected, "{:?}", airfoil.remarks());
+        for (alpha, value) in data.lift[0].alpha.iter().zip(&data.lift[0].values) {
+            let (alpha, mach, reynolds, flap) = (*alpha, 0.1, 1e6, 0.0);
+            let lift = airfoil
+                .at(&Flow {
+                    alpha,
+                    mach,
+                    reynolds,
+                    flap,
+                })
+                .lift;
+            let is_repeated = name == "DU25_A17" && (alpha.to_degrees() + 13.0).abs() < 1e-9;
+            assert!(
+                (lift - value).abs() < 1e-12 || is_repeated,
+                "{name} {alpha}"
+            );
+        }
+    }
+    let airfoil = Airfoil::new(&nrel("DU25_A17"), Interpolation::Monotone).unwrap();
+    let remark = airfoil.remarks()[0].to_string();
+    assert!(remark.contains("-13 deg is repeated"), "{remark}");
+}
+
+/// Random damage to a table: no panic, and a table that is accepted gives numbers.
+#[test]
+fn damaged_tables_do_not_panic() {
+    let mut state = 5_u64;
+    let mut random = |n: usize| {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 33) as usize % n
+    };
+    let odd = [f64::NAN, f64::INFINITY, 0.0, -1e300, 1e-300, PI, -PI, 0.5];
+    for _ in 0..2000 {
+        let mut data = nrel("Cylinder1");
+        let lists = [random(3), random(2)];
+        let curves = [&mut data.lift, &mut data.drag, &mut data.moment];
+        let Some([curve]) = curves.into_iter().nth(lists[0]).map(Vec::as_mut_slice) else {
+            continue;
+        };
+        let list = if lists[1] == 0 {
+            &mut curve.alpha
+        } else {
+            &mut curve.values
+        };
+        match random(4) {
+            0 => list.truncate(random(3)),
+            1 => list.push(odd[random(8)]),
+            _ => list[random(3)] = odd[random(8)],
+        }
+        curve.mach = [None, Some(odd[random(8)])][random(2)];
+        if let Ok(airfoil) = Airfoil::new(&data, Interpolation::Monotone) {
+            let flow = Flow {
+                alpha: 0.3_f64,
+                mach: 0.2,
+                reynolds: 1e6,
+                flap: 0.0,
+            };
+            assert!(airfoil.at(&flow).lift.is_finite());
+        }
+    }
+}
