@@ -8,13 +8,13 @@ mod check;
 mod cubic;
 mod data;
 mod evaluated;
+pub mod files;
 mod formula;
 mod naca0012;
 mod problem;
 mod separation;
 mod surface;
 mod table;
-pub mod files;
 
 pub use blend::{Blend, BlendProblem, Section};
 pub use builtin::{BUILT_IN, BuiltIn, built_in};
