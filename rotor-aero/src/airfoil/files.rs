@@ -15,13 +15,12 @@
 
 use std::path::Path;
 
-use shared_geom::document::read_text;
 use shared_geom::error::Diagnostics;
 use shared_geom::exchange::ExchangeProblem;
-use shared_geom::files::read_bytes;
 
 mod aerodyn12;
 mod aerodyn15;
+pub mod blade;
 mod c81;
 mod constants;
 mod csv;
@@ -30,7 +29,9 @@ mod grid;
 mod hawc2_pc;
 mod joint;
 mod notes;
+pub mod performance;
 mod reading;
+mod source;
 mod tree;
 mod windio;
 mod xfoil;
@@ -40,6 +41,7 @@ pub use family::merge;
 pub use reading::{Columns, Format, Options, ReadAirfoil, Reading, Writing};
 
 use notes::Notes;
+use source::text_of;
 
 /// Reader of a format.
 type Read = fn(&str, &Options, &mut Notes) -> Option<Vec<ReadAirfoil>>;
@@ -133,18 +135,6 @@ pub fn read_with(path: &Path, options: &Options) -> Result<Reading, Diagnostics>
     parse(&text_of(path)?, path, options)
 }
 
-/// The text of a file; bytes that are no UTF-8, as in old comments, are replaced.
-///
-/// # Errors
-/// A file that cannot be read.
-pub(crate) fn text_of(path: &Path) -> Result<String, Diagnostics> {
-    match read_bytes(path) {
-        Ok(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
-        // The message with the files beside it.
-        Err(_) => read_text(path),
-    }
-}
-
 /// Reads the airfoils of a text in the file at `path`.
 ///
 /// # Errors
@@ -155,7 +145,8 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<Reading, Diag
     let format = recognize(text, path);
     let door = DOORS.iter().find(|door| Some(door.format) == format);
     let Some(door) = door else {
-        note_unknown(text, &mut notes);
+        let titles: Vec<_> = DOORS.iter().map(|door| door.format.title()).collect();
+        notes.unknown(text, &titles);
         return Err(notes.problems.into_diagnostics());
     };
     let mut airfoils = (door.read)(text, options, &mut notes);
@@ -168,28 +159,6 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<Reading, Diag
         airfoils,
         remarks,
     })
-}
-
-fn note_unknown(text: &str, notes: &mut Notes) {
-    if text.trim().is_empty() {
-        notes.missing(0, "a table of an airfoil", "the file is blank");
-        return;
-    }
-    let titles = DOORS.iter().map(|door| door.format.title()).collect();
-    let ExchangeProblem::Unknown { begin, tried } = ExchangeProblem::unknown(text, titles) else {
-        return;
-    };
-    let expected = format!("one of these formats: {}", tried.join(", "));
-    let help = "give a file of one of these formats; a C81 table is named .c81, columns .csv";
-    notes.wrong(
-        0,
-        [
-            "format of the file",
-            &format!("a file that begins with \"{begin}\""),
-            &expected,
-            help,
-        ],
-    );
 }
 
 /// Names airfoils without a name after their file, and notes airfoils without a coefficient.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use shared_geom::error::Diagnostics;
+use shared_geom::error::{Diagnostics, shortened};
 use shared_geom::exchange::ExchangeProblem;
 use shared_geom::exchange::problem::Problems;
 use shared_geom::exchange::text::{not_a_number, number};
@@ -60,6 +60,18 @@ impl Notes {
         let (what, expected) = (what.to_owned(), expected.to_owned());
         self.problems
             .push(line, &ExchangeProblem::CutShort { what, expected });
+    }
+
+    /// Notes that `text` is of none of the formats with these titles.
+    pub fn unknown(&mut self, text: &str, titles: &[&str]) {
+        let Some(first) = text.lines().map(str::trim).find(|line| !line.is_empty()) else {
+            self.missing(0, "the content", "the file is blank");
+            return;
+        };
+        let found = format!("a file that begins with \"{}\"", shortened(first));
+        let expected = format!("one of these formats: {}", titles.join(", "));
+        let help = "give a file of one of these formats, complete with its first lines";
+        self.wrong(0, ["format of the file", &found, &expected, help]);
     }
 
     /// The number that `word` writes; notes another word.
