@@ -74,6 +74,8 @@ pub struct AirProperties {
     pub speed_of_sound: f64,
     /// Dynamic viscosity [Pa s].
     pub viscosity: f64,
+    /// Part of its forces that acts: one, except on the way to an equilibrium \[-\].
+    pub acting: f64,
 }
 
 /// Wake of an annulus.
@@ -189,7 +191,7 @@ impl Strip {
         let own = design.model.states().iter().map(|state| StripState {
             name: state.name,
             unit: state.unit,
-            row_unit: "1/s",
+            row_unit: state.row_unit,
             has_rate: true,
         });
         Self {
@@ -320,13 +322,18 @@ impl Strip {
             chord: self.chord,
             density: air.density,
         };
-        self.model
-            .evaluate(&strip, &self.polar, &flow, states, rates, rows)
-            .unwrap_or(SectionForce {
-                along: T::from(0.0),
-                normal: T::from(0.0),
-                moment: T::from(0.0),
-            })
+        let force = self
+            .model
+            .evaluate(&strip, &self.polar, &flow, states, rates, rows);
+        let scaled = |of: fn(&SectionForce<T>) -> T| match &force {
+            Some(force) => of(force) * air.acting,
+            None => T::from(0.0),
+        };
+        SectionForce {
+            along: scaled(|force| force.along),
+            normal: scaled(|force| force.normal),
+            moment: scaled(|force| force.moment),
+        }
     }
 }
 

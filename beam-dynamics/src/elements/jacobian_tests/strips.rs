@@ -20,6 +20,7 @@ fn air(random: &mut Random) -> Arc<Air> {
             density: 1.2,
             speed_of_sound: 40.0,
             viscosity: 1e-5,
+            acting: 1.0,
         },
         wind: random.vector(1.5),
     })

@@ -158,8 +158,8 @@ impl AirStrip {
     }
 
     /// Loads at the carried point from the numbers of the strip.
-    fn loads(&self, flow: &Flow<'_>, values: &[f64; OUTPUTS], at: &Local<'_>) -> Loads {
-        let size = self.length * at.loading.air;
+    fn loads(&self, flow: &Flow<'_>, values: &[f64; OUTPUTS]) -> Loads {
+        let size = self.length;
         let force = flow.axes * (size * Vector3::new(values[0], values[1], values[2]));
         let own = flow.axes.column(2) * (size * values[3]);
         Loads {
@@ -178,7 +178,7 @@ impl AirStrip {
         out: &mut LocalJacobian,
     ) {
         flow.state.add_variation(&loads.force, &loads.moment, out);
-        let strip = Columns::new(self, flow, by, at);
+        let strip = Columns::new(self, flow, by);
         for j in 0..flow.point.count {
             let turn = flow.point.shares[j].turn;
             for (variable, block) in flow.by_node(at, j) {
@@ -217,12 +217,12 @@ struct Columns<'a> {
 }
 
 impl<'a> Columns<'a> {
-    fn new(strip: &'a AirStrip, flow: &'a Flow<'a>, by: &'a StripJacobian, at: &Local<'_>) -> Self {
+    fn new(strip: &'a AirStrip, flow: &'a Flow<'a>, by: &'a StripJacobian) -> Self {
         Self {
             strip,
             flow,
             by,
-            size: strip.length * at.loading.air,
+            size: strip.length,
         }
     }
 
@@ -289,12 +289,15 @@ impl Element for AirStrip {
         let (flow, numbers) = self.flow(at);
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
-        let air = &self.air.properties;
+        let air = &AirProperties {
+            acting: at.loading.air,
+            ..self.air.properties
+        };
         let by = match jacobian.is_some() {
             true => self.strip.linearize(air, &numbers, values, rates),
             false => StripJacobian::of_values(self.strip.evaluate(air, &numbers, values, rates)),
         };
-        let loads = self.loads(&flow, &by.values, at);
+        let loads = self.loads(&flow, &by.values);
         flow.state.add(&loads.force, &loads.moment, out);
         for row in 0..states {
             out.add_scalar(row, by.values[LOADS + row]);

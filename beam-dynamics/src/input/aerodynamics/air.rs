@@ -44,6 +44,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Air> {
             density: density?.unwrap_or(standard.properties.density),
             speed_of_sound: sound?.unwrap_or(standard.properties.speed_of_sound),
             viscosity: viscosity?.unwrap_or(standard.properties.viscosity),
+            acting: 1.0,
         },
         wind: wind?,
     })
