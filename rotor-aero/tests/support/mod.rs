@@ -1,6 +1,8 @@
 //! Rotors of the reference data.
 #![allow(dead_code)] // each suite uses a part of it
 
+pub mod apc;
+
 use std::path::PathBuf;
 use std::sync::Arc;
 
