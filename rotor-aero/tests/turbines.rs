@@ -167,43 +167,43 @@ fn speed_by_the_balance_of_torques() {
 fn sheared(speed: f64, rpm: f64, pitch_deg: f64) -> Performance {
     let mut point = operating(speed, rpm, pitch_deg);
     point.shear_exponent = 0.12;
-    let mut rotor = iea15();
-    rotor.annulus_radius = AnnulusRadius::ToShaft;
+    let rotor = iea15();
     rotor.performance(&point)
 }
 
-/// The rigid IEA 15 MW turbine, tabulated (CCBlade of WISDEM, another interpolation and other
-/// polars): power 1.5 % above 5.8 m/s, thrust .75 % above 4.5 m/s, where .7 % was asked: -.746 %
-/// at 19 m/s. An independent script differs by up to .51 % in power and .44 % in thrust: its lean
-/// of the prebent blade is not documented.
+/// The rigid IEA 15 MW turbine, tabulated (CCBlade of WISDEM): power 1.5 % above 5.8 m/s, thrust
+/// .7 % above 4.5 m/s. An independent script differs by .2 % in power and .1 % in thrust, since its
+/// ring of a prebent blade is not documented: between both choices of [`AnnulusRadius`].
 #[test]
 fn tabulated_states_of_the_iea_turbine() {
-    let mut rotor = iea15();
-    rotor.annulus_radius = AnnulusRadius::ToShaft;
+    let rotor = iea15();
     assert!((rotor.disk_radius() - 120.396).abs() < 1e-3);
+    let mut worst = [0.0f64; 2];
     for row in row_numbers("aero/iea15/steady_wisdem.csv") {
         let mut point = operating(row[0], row[2], row[1]);
         point.shear_exponent = 0.12;
         let found = rotor.performance(&point);
         let (power, thrust) = (found.power / 1e6, found.thrust / 1e6);
-        if row[0] > 4.0 {
-            assert!((power / row[9] - 1.0).abs() < 5.2e-3, "{row:?} {power}");
-            assert!((thrust / row[10] - 1.0).abs() < 4.5e-3, "{row:?} {thrust}");
+        worst[0] = worst[0].max((power / row[9] - 1.0).abs() * f64::from(row[0] > 4.5));
+        worst[1] = worst[1].max((thrust / row[10] - 1.0).abs());
+        if row[0] > 4.5 {
+            assert!((power / row[9] - 1.0).abs() < 4e-3, "{row:?} {power}");
+            assert!((thrust / row[10] - 1.0).abs() < 2e-3, "{row:?} {thrust}");
         }
         if row[0] > 5.8 {
             assert!((power / row[3] - 1.0).abs() < 0.015, "{row:?} {power}");
         }
         if row[0] > 4.5 {
-            assert!((thrust / row[5] - 1.0).abs() < 7.5e-3, "{row:?} {thrust}");
+            assert!((thrust / row[5] - 1.0).abs() < 7e-3, "{row:?} {thrust}");
         }
     }
+    println!("tabulated {worst:?}");
 }
 
 /// The surface of the controller's file, of an older model of the blade: .015 absolute.
 #[test]
 fn surface_of_the_iea_turbine() {
-    let mut rotor = iea15();
-    rotor.annulus_radius = AnnulusRadius::ToShaft;
+    let rotor = iea15();
     let mut worst = [0.0f64; 2];
     let mut compared = 0;
     for row in row_numbers("aero/iea15/rosco_cp_ct.csv") {

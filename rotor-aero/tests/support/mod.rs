@@ -124,7 +124,8 @@ pub fn nrel5mw() -> RigidRotor<Shared> {
     }
 }
 
-/// The IEA 15 MW rotor: 48 loaded stations with an airfoil each, tilt 6 and cone 4 degrees.
+/// The IEA 15 MW rotor: 48 loaded stations with an airfoil each, tilt 6 and cone 4 degrees. Its
+/// polars are interpolated by straight lines.
 pub fn iea15() -> RigidRotor<Shared> {
     let polars = row_numbers("aero/iea15/polars.csv");
     let blade = text("aero/iea15/AeroDyn15_blade.dat");
@@ -138,7 +139,7 @@ pub fn iea15() -> RigidRotor<Shared> {
             chord: row[5],
             twist: row[4].to_radians(),
             prebend: row[1],
-            section: airfoil(&format!("node {node}"), &polar, Interpolation::Monotone),
+            section: airfoil(&format!("node {node}"), &polar, Interpolation::Linear),
         }
     });
     RigidRotor {
@@ -147,6 +148,8 @@ pub fn iea15() -> RigidRotor<Shared> {
         hub_radius: 3.97,
         tip_radius: 120.97,
         hub_height: 150.0,
+        sectors: 8,
+        annulus_radius: AnnulusRadius::ToShaft,
         stations: stations.collect(),
         ..nrel5mw()
     }
