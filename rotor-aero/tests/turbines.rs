@@ -172,8 +172,8 @@ fn sheared(speed: f64, rpm: f64, pitch_deg: f64) -> Performance {
 }
 
 /// The rigid IEA 15 MW turbine, tabulated (CCBlade of WISDEM): power 1.5 % above 5.8 m/s, thrust
-/// .7 % above 4.5 m/s. An independent script, asked within .1 %, differs by .5 % for a reason that
-/// is not found; on the straight blades of the NREL rotor both agree to 1e-6.
+/// .7 % above 4.5 m/s. An independent script, asked within .1 %, differs by .2 % in power and less
+/// than .1 % in thrust: its ring on prebent blades is between both choices of [`AnnulusRadius`].
 #[test]
 fn tabulated_states_of_the_iea_turbine() {
     let rotor = iea15();
@@ -187,8 +187,8 @@ fn tabulated_states_of_the_iea_turbine() {
         worst[0] = worst[0].max((power / row[9] - 1.0).abs() * f64::from(row[0] > 4.5));
         worst[1] = worst[1].max((thrust / row[10] - 1.0).abs());
         if row[0] > 4.5 {
-            assert!((power / row[9] - 1.0).abs() < 6e-3, "{row:?} {power}");
-            assert!((thrust / row[10] - 1.0).abs() < 5e-3, "{row:?} {thrust}");
+            assert!((power / row[9] - 1.0).abs() < 2.2e-3, "{row:?} {power}");
+            assert!((thrust / row[10] - 1.0).abs() < 1e-3, "{row:?} {thrust}");
         }
         if row[0] > 5.8 {
             assert!((power / row[3] - 1.0).abs() < 0.015, "{row:?} {power}");
