@@ -111,7 +111,7 @@ pub fn read_bladed(path: &Path, input: &BladedInput) -> Result<TurbulenceBox, Di
     let grid = header.grid(input, &mut problems);
     problems.extend(grid.problems());
     if let Some(summary) = &input.summary
-        && !((summary.speed - header.speed).abs() <= 0.1)
+        && !(-0.1..=0.1).contains(&(summary.speed - header.speed))
     {
         let expected = format!("{} m/s, as the .sum file states", summary.speed);
         problems.push(wrong(
