@@ -65,7 +65,7 @@ impl TravelingGust {
             return Err(WindProblem::value(what, length, "a positive length", help));
         }
         let norm = self.direction.iter().map(|d| d * d).sum::<f64>().sqrt();
-        if !((norm - 1.0).abs() < 1e-6) {
+        if norm.is_nan() || (norm - 1.0).abs() > 1e-6 {
             let help = "divide the direction of travel by its length";
             let what = "length of the direction of travel";
             return Err(WindProblem::value(what, norm, "1", help));

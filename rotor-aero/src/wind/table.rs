@@ -47,7 +47,7 @@ impl WindTable {
         }
         for pair in rows.windows(2) {
             let [(before, first), (time, second)] = [pair[0], pair[1]];
-            if !(time > before) {
+            if time.is_nan() || time <= before {
                 let expected = format!("a time after {before} s");
                 return Err(WindProblem::value(
                     "time of the wind [s]",
