@@ -82,6 +82,7 @@ mod test_files;
 #[cfg(test)]
 mod tests;
 
+pub use aerodynamics::StripProblem;
 pub use blade_file::{BladeSettings, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
@@ -96,7 +97,6 @@ pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
-pub use aerodynamics::StripProblem;
 
 pub use summary::Summary;
 pub use transient::TransientProblem;

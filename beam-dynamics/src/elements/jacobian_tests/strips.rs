@@ -5,9 +5,7 @@ use std::sync::Arc;
 
 use rotor_aero::airfoil::{Section, built_in};
 use rotor_aero::momentum::{HighInduction, Options};
-use rotor_aero::strip::{
-    AirProperties, AnnularInflow, SectionModel, Strip, StripDesign, Wake,
-};
+use rotor_aero::strip::{AirProperties, AnnularInflow, SectionModel, Strip, StripDesign, Wake};
 use rotor_aero::wake::TimeScale;
 
 use super::*;
@@ -46,7 +44,10 @@ fn designs() -> Vec<StripDesign> {
     let inflows = [
         None,
         annular(Wake::Equilibrium, HighInduction::Buhl),
-        annular(Wake::Dynamic(TimeScale::Turbine), HighInduction::BuhlOutside),
+        annular(
+            Wake::Dynamic(TimeScale::Turbine),
+            HighInduction::BuhlOutside,
+        ),
         annular(Wake::Dynamic(hover), HighInduction::Polynomial),
     ];
     let airfoils = ["naca0012", "flat_plate", "thin"];

@@ -23,7 +23,12 @@ impl Air {
     /// Standard air at an altitude [m], at rest.
     pub fn standard(_altitude: f64) -> Self {
         Self {
-            properties: AirProperties { density: 1.225, speed_of_sound: 340.294, viscosity: 1.789e-5, acting: 1.0 },
+            properties: AirProperties {
+                density: 1.225,
+                speed_of_sound: 340.294,
+                viscosity: 1.789e-5,
+                acting: 1.0,
+            },
             wind: Vector3::zeros(),
         }
     }
