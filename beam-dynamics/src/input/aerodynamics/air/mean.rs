@@ -1,7 +1,9 @@
 //! Axes of the wind and mean wind: `wind` of `[air]`, a velocity or a table.
 
 use nalgebra::Vector3;
-use rotor_aero::wind::{Mean, MeanWind, Shear, WindFrame, WindProblem, read_uniform_wind};
+use rotor_aero::wind::{
+    Mean, MeanWind, Shear, Wind, WindFrame, WindProblem, read_uniform_wind,
+};
 use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text, Vector};
 use shared_geom::document::{Key, Table, read_text};
 use shared_geom::keys;
@@ -76,17 +78,8 @@ pub(super) struct MeanCard {
 impl MeanCard {
     /// The wind of a `velocity` \[m/s\].
     pub fn of_velocity(velocity: &Vector3<f64>, up: &Vector3<f64>) -> Result<Self, WindProblem> {
-        let frame = WindFrame::along(Vector3::zeros(), velocity, *up)?;
-        let [speed, _, vertical] = frame.components(velocity);
-        let mean = MeanWind {
-            speed,
-            vertical,
-            ..MeanWind::default()
-        };
-        Ok(Self {
-            frame,
-            mean: Mean::Steady(mean),
-        })
+        let Wind { frame, mean, .. } = Wind::uniform(velocity, *up)?;
+        Ok(Self { frame, mean })
     }
 
     /// Speed along the wind at a height and a time \[m/s\].
