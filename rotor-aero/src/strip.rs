@@ -17,6 +17,7 @@ use crate::airfoil::Section;
 use crate::momentum::Options;
 use crate::unsteady::{self, Model, SectionFlow, SectionForce};
 use crate::wake::TimeScale;
+use crate::wind::Atmosphere;
 
 mod polar;
 mod ring;
@@ -63,19 +64,6 @@ pub struct StripState {
     pub row_unit: &'static str,
     /// Whether its rate appears.
     pub has_rate: bool,
-}
-
-/// Properties of the air.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AirProperties {
-    /// Density [kg/m^3].
-    pub density: f64,
-    /// Speed of sound [m/s].
-    pub speed_of_sound: f64,
-    /// Dynamic viscosity [Pa s].
-    pub viscosity: f64,
-    /// Part of its forces that acts: one, except on the way to an equilibrium \[-\].
-    pub acting: f64,
 }
 
 /// Wake of an annulus.
@@ -212,7 +200,7 @@ impl Strip {
     /// Loads and rows for the numbers of a flow, the unknowns and their rates.
     pub fn evaluate(
         &self,
-        air: &AirProperties,
+        air: &Atmosphere,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -223,7 +211,7 @@ impl Strip {
     /// The same with derivatives.
     pub fn linearize(
         &self,
-        air: &AirProperties,
+        air: &Atmosphere,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -238,7 +226,7 @@ impl Strip {
 
     fn dual<const N: usize>(
         &self,
-        air: &AirProperties,
+        air: &Atmosphere,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -269,7 +257,7 @@ impl Strip {
     /// Loads and rows.
     fn outputs<T: Real>(
         &self,
-        air: &AirProperties,
+        air: &Atmosphere,
         flow: &StripFlow<T>,
         states: &[T],
         rates: &[T],
@@ -308,7 +296,7 @@ impl Strip {
     /// Forces of the section in the velocity against the air, and the rows of its states.
     fn section<T: Real>(
         &self,
-        air: &AirProperties,
+        air: &Atmosphere,
         (velocity, pitch_rate): ([T; 2], T),
         (states, rates): (&[T], &[T]),
         rows: &mut [T],
@@ -316,7 +304,7 @@ impl Strip {
         let [x, y] = velocity;
         let mut flow = SectionFlow::rigid(-y, x, pitch_rate, self.chord);
         let speed = (x * x + y * y + SLOW * SLOW).sqrt();
-        flow.mach = speed / air.speed_of_sound;
+        flow.mach = speed / air.sound_speed;
         flow.reynolds = speed * (self.chord * air.density / air.viscosity);
         let strip = unsteady::Strip {
             chord: self.chord,
