@@ -66,6 +66,15 @@ pub struct StripState {
     pub has_rate: bool,
 }
 
+/// The air at a strip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ActingAir<'a> {
+    /// Its properties.
+    pub still: &'a Atmosphere,
+    /// Part of its forces that acts: one, except on the way to an equilibrium \[-\].
+    pub part: f64,
+}
+
 /// Wake of an annulus.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Wake {
@@ -200,7 +209,7 @@ impl Strip {
     /// Loads and rows for the numbers of a flow, the unknowns and their rates.
     pub fn evaluate(
         &self,
-        air: &Atmosphere,
+        air: ActingAir<'_>,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -211,7 +220,7 @@ impl Strip {
     /// The same with derivatives.
     pub fn linearize(
         &self,
-        air: &Atmosphere,
+        air: ActingAir<'_>,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -226,7 +235,7 @@ impl Strip {
 
     fn dual<const N: usize>(
         &self,
-        air: &Atmosphere,
+        air: ActingAir<'_>,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -257,7 +266,7 @@ impl Strip {
     /// Loads and rows.
     fn outputs<T: Real>(
         &self,
-        air: &Atmosphere,
+        air: ActingAir<'_>,
         flow: &StripFlow<T>,
         states: &[T],
         rates: &[T],
@@ -284,7 +293,7 @@ impl Strip {
         let _ = span;
         if let Some(inflow) = &self.inflow {
             let loads = [force.along, force.normal];
-            let ring = Ring::new(inflow, flow, &axes, (air.density, &loads));
+            let ring = Ring::new(inflow, flow, &axes, (air.still.density, &loads));
             ring.rows(
                 (induced, induced_rates),
                 &mut out[LOADS..LOADS + self.of_inflow],
@@ -296,7 +305,7 @@ impl Strip {
     /// Forces of the section in the velocity against the air, and the rows of its states.
     fn section<T: Real>(
         &self,
-        air: &Atmosphere,
+        air: ActingAir<'_>,
         (velocity, pitch_rate): ([T; 2], T),
         (states, rates): (&[T], &[T]),
         rows: &mut [T],
@@ -304,17 +313,17 @@ impl Strip {
         let [x, y] = velocity;
         let mut flow = SectionFlow::rigid(-y, x, pitch_rate, self.chord);
         let speed = (x * x + y * y + SLOW * SLOW).sqrt();
-        flow.mach = speed / air.sound_speed;
-        flow.reynolds = speed * (self.chord * air.density / air.viscosity);
+        flow.mach = speed / air.still.sound_speed;
+        flow.reynolds = speed * (self.chord * air.still.density / air.still.viscosity);
         let strip = unsteady::Strip {
             chord: self.chord,
-            density: air.density,
+            density: air.still.density,
         };
         let force = self
             .model
             .evaluate(&strip, &self.polar, &flow, states, rates, rows);
         let scaled = |of: fn(&SectionForce<T>) -> T| match &force {
-            Some(force) => of(force) * air.acting,
+            Some(force) => of(force) * air.part,
             None => T::from(0.0),
         };
         SectionForce {

@@ -16,7 +16,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
-use rotor_aero::strip::{AirProperties, FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian};
+use rotor_aero::strip::{ActingAir, FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian};
 use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::air::Air;
@@ -303,7 +303,10 @@ impl Element for AirStrip {
         let (flow, numbers) = self.flow(at);
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
-        let air = &self.air.atmosphere;
+        let air = ActingAir {
+            still: &self.air.atmosphere,
+            part: at.loading.air,
+        };
         let by = match jacobian.is_some() {
             // Models of sections may have forces at any speed.
             _ if numbers.iter().any(|number| !number.is_finite()) => {
