@@ -9,12 +9,14 @@ use crate::elements::strips::Air;
 mod air;
 mod airfoil_files;
 mod airfoils;
+mod changes;
 mod inflows;
 mod problem;
 
 pub use problem::StripProblem;
 
 pub(super) use air::CARD as AIR;
+pub(super) use airfoil_files::checked as checked_airfoil;
 pub(super) use airfoils::{Airfoils, CARD as AIRFOIL};
 pub(super) use inflows::{CARD as INFLOW, Inflow};
 

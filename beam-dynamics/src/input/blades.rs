@@ -10,7 +10,7 @@ use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
 use super::builder::ModelBuilder;
 use super::formulation::{self, FORMULATION, INERTIA, INTERPOLATION, Inertia};
-use super::strips::{self, AirBlade, BladeAir};
+use super::strips::{self, AirBlade, BladeAir, BladeLine};
 use super::transient::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
 };
@@ -158,9 +158,13 @@ fn card(
     let initial = initial_motion(table);
     let source = source::read(table, builder, &name)?;
     let air = match table.has(&AERODYNAMICS) {
-        true => table
-            .table(&AERODYNAMICS)
-            .and_then(|air| strips::read(&air, builder, (&name, source.length())).map(Some)),
+        true => table.table(&AERODYNAMICS).and_then(|air| {
+            let line = BladeLine {
+                length: source.length(),
+                position: &|at| source.position(at),
+            };
+            strips::read(&air, builder, (&name, &line)).map(Some)
+        }),
         false => Some(None),
     };
     let (layout, masses) = lay(&source, &masses?, table, &name, builder)?;
