@@ -181,7 +181,7 @@ pub(super) fn airfoil(arguments: &AirfoilArguments, terminal: &mut Terminal<'_>)
         }
     };
     let format = tables.format.map_or("built-in airfoil", Format::title);
-    let plot = AirfoilPlot::new(&tables.source, &tables.airfoils);
+    let plot = AirfoilPlot::new(&title(&tables, &arguments.files), &tables.airfoils);
     let mut remarks = tables.remarks.clone();
     remarks.extend(plot.remark().filter(|_| !arguments.no_figures));
     let head = format!("{}: {format}", tables.source);
@@ -206,6 +206,19 @@ pub(super) fn airfoil(arguments: &AirfoilArguments, terminal: &mut Terminal<'_>)
             terminal.report(&problem);
             NOT_REACHED
         }
+    }
+}
+
+/// Title of the figure: the only airfoil, or the files.
+fn title(tables: &Tables, files: &[PathBuf]) -> String {
+    if let [only] = &tables.airfoils[..] {
+        return only.data.name.clone();
+    }
+    let first = files.first().and_then(|path| path.file_name());
+    let first = first.unwrap_or_default().to_string_lossy().into_owned();
+    match files.len() {
+        1 => first,
+        count => format!("{first} and {} more files", count - 1),
     }
 }
 
@@ -249,7 +262,10 @@ fn prepare(arguments: &AirfoilArguments) -> Result<Tables, Stop> {
 
 /// Reads all files, several as one family; a single name may be a built-in airfoil.
 fn read(paths: &[PathBuf]) -> Result<Tables, Stop> {
-    let names: Vec<_> = paths.iter().map(|path| path.display().to_string()).collect();
+    let names: Vec<_> = paths
+        .iter()
+        .map(|path| path.display().to_string())
+        .collect();
     let source = names.join(", ");
     if let [name] = &names[..]
         && let Some(found) = BUILT_IN.iter().find(|one| one.name == *name)
@@ -301,9 +317,7 @@ fn converted(
     let Some(target) = arguments.to.or_else(|| Target::of_path(out)) else {
         return Err(AirfoilRefusal::NoEnding { file }.into());
     };
-    let is_it = |input: &PathBuf| {
-        matches!((input.canonicalize(), out.canonicalize()), (Ok(a), Ok(b)) if a == b)
-    };
+    let is_it = |input: &PathBuf| matches!((input.canonicalize(), out.canonicalize()), (Ok(a), Ok(b)) if a == b);
     if arguments.files.iter().any(is_it) {
         return Err(AirfoilRefusal::Input { file }.into());
     }
@@ -328,7 +342,10 @@ fn write(
     if arguments.no_figures {
         return Ok(written);
     }
-    let first = arguments.files.first().map_or(Path::new(""), PathBuf::as_path);
+    let first = arguments
+        .files
+        .first()
+        .map_or(Path::new(""), PathBuf::as_path);
     let folder = match (&arguments.figures, &arguments.out) {
         (Some(folder), _) => folder.clone(),
         (None, Some(out)) => folder_of(out).unwrap_or(Path::new("")).to_owned(),
@@ -350,5 +367,6 @@ fn write(
 
 /// The folder of a file, if its name has one.
 fn folder_of(file: &Path) -> Option<&Path> {
-    file.parent().filter(|folder| !folder.as_os_str().is_empty())
+    file.parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
 }

@@ -156,17 +156,9 @@ fn card(
     let root = root(table, &name, builder);
     let masses = masses::read(table);
     let initial = initial_motion(table);
-    let source = source::read(table, builder, &name)?;
-    let air = match table.has(&AERODYNAMICS) {
-        true => table.table(&AERODYNAMICS).and_then(|air| {
-            let line = BladeLine {
-                length: source.length(),
-                position: &|at| source.position(at),
-            };
-            strips::read(&air, builder, (&name, &line)).map(Some)
-        }),
-        false => Some(None),
-    };
+    let source = source::read(table, builder, &name);
+    let air = air(table, (&name, source.as_ref()), builder);
+    let source = source?;
     let (layout, masses) = lay(&source, &masses?, table, &name, builder)?;
     Some(Card {
         name,
@@ -178,6 +170,26 @@ fn card(
         masses,
         air: air?,
     })
+}
+
+/// Strips of a blade; on an endless line if its own is wrong, so that all problems are noted.
+fn air(
+    table: &Table<'_>,
+    (name, source): (&str, Option<&Source>),
+    builder: &mut ModelBuilder,
+) -> Option<Option<BladeAir>> {
+    if !table.has(&AERODYNAMICS) {
+        return Some(None);
+    }
+    let air = table.table(&AERODYNAMICS)?;
+    let line = BladeLine {
+        length: source.map_or(f64::INFINITY, Source::length),
+        position: &|at| match source {
+            Some(source) => source.position(at),
+            None => Vector3::new(at, 0.0, 0.0),
+        },
+    };
+    strips::read(&air, builder, (name, &line)).map(Some)
 }
 
 /// Nodes and beams of a blade, and its masses on them.

@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign};
-use shared_geom::document::schema::ValueKind::{Count, Text, Word};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Count, Text, Word};
 use shared_geom::keys;
 use shared_geom::quadrature;
 
@@ -70,6 +70,7 @@ pub(super) fn read(
         (true, has_both) => {
             let found = files::read(table, airfoils, (&user, line), &mut remarks);
             if has_both {
+                stations::read(table, airfoils, (&user, line.length));
                 files::note_stations(table);
             }
             found.filter(|_| !has_both)
@@ -130,7 +131,11 @@ impl AirBlade<'_> {
     fn beams(&self, builder: &ModelBuilder) -> Vec<(Beam, f64)> {
         let mut start = 0.0;
         let beams = self.nodes.nodes.windows(3).step_by(2).filter_map(|nodes| {
-            builder.beams().iter().rev().find(|beam| beam.nodes == nodes)
+            builder
+                .beams()
+                .iter()
+                .rev()
+                .find(|beam| beam.nodes == nodes)
         });
         beams
             .map(|beam| {

@@ -1,7 +1,9 @@
 //! Description of airfoil tables.
 
 use rotor_aero::airfoil::files::ReadAirfoil;
-use rotor_aero::airfoil::{Airfoil, AirfoilData, Characteristics, Curve, Extreme, Interpolation};
+use rotor_aero::airfoil::{
+    Airfoil, AirfoilData, AirfoilProblem, Characteristics, Curve, Extreme, Interpolation,
+};
 use shared_geom::error::Explain;
 
 use super::blade_text::list;
@@ -20,12 +22,7 @@ pub fn airfoil_text(head: &str, airfoils: &[ReadAirfoil], remarks: &[String]) ->
         describe(&mut text, airfoil);
         match Airfoil::new(&airfoil.data, Interpolation::Monotone) {
             Ok(checked) => own.extend(checked.remarks().iter().map(ToString::to_string)),
-            Err(problems) => {
-                for problem in problems {
-                    wrong.push(problem.to_string());
-                    wrong.extend(problem.help().map(|help| format!("  help: {help}")));
-                }
-            }
+            Err(problems) => wrong.extend(grouped(&problems)),
         }
     }
     let mut remarks = remarks.to_vec();
@@ -36,12 +33,38 @@ pub fn airfoil_text(head: &str, airfoils: &[ReadAirfoil], remarks: &[String]) ->
     text
 }
 
+/// Problems with their remedies; of those with one remedy the first.
+fn grouped(problems: &[AirfoilProblem]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for (index, problem) in problems.iter().enumerate() {
+        let help = problem.help();
+        let alike = |list: &[AirfoilProblem]| list.iter().filter(|one| one.help() == help).count();
+        if help.is_some() && alike(&problems[..index]) > 0 {
+            continue;
+        }
+        lines.push(problem.to_string());
+        let more = alike(&problems[index + 1..]);
+        if help.is_some() && more > 0 {
+            lines.push(format!("  and {more} more curves with this problem"));
+        }
+        let option = match problem {
+            AirfoilProblem::Incomplete { .. } => ": add --viterna, and --out for a new file",
+            _ => "",
+        };
+        lines.extend(help.map(|help| format!("  help: {help}{option}")));
+    }
+    lines
+}
+
 fn describe(text: &mut String, airfoil: &ReadAirfoil) {
     let data = &airfoil.data;
     text.push_str(&format!("\n{}\n", data.name));
     let mut say = |topic: &str, words: String| text.push_str(&format!("  {topic:<18}{words}\n"));
     if let Some(thickness) = data.thickness {
-        say("thickness", format!("{} of the chord", short_number(thickness, 4)));
+        say(
+            "thickness",
+            format!("{} of the chord", short_number(thickness, 4)),
+        );
     }
     if let Some(set) = airfoil.set {
         say("set of profiles", set.to_string());
@@ -49,18 +72,31 @@ fn describe(text: &mut String, airfoil: &ReadAirfoil) {
     say("curves", curves(data));
     say("angle of attack", angles(data));
     for (topic, value, factor) in conditions() {
-        say(topic, values(data, value, factor));
+        // Most sections have no flap.
+        let is_stated = all(data).any(|curve| value(curve).is_some());
+        if is_stated || topic != FLAP {
+            say(topic, values(data, value, factor));
+        }
     }
     if let Some(center) = airfoil.aerodynamic_center {
         let center = short_number(center, 4);
-        say("moment about", format!("{center} of the chord, the aerodynamic center of the file"));
+        say(
+            "moment about",
+            format!("{center} of the chord, the aerodynamic center of the file"),
+        );
     }
     if !airfoil.unsteady.is_empty() {
-        say("unsteady", format!("{} sets of constants", airfoil.unsteady.len()));
+        say(
+            "unsteady",
+            format!("constants of {} tables", airfoil.unsteady.len()),
+        );
     }
     text.push('\n');
     text.push_str(&table(&data.characteristics()));
 }
+
+/// Topic of the deflections.
+const FLAP: &str = "flap [deg]";
 
 /// A condition of a curve.
 type Condition = fn(&Curve) -> Option<f64>;
@@ -70,7 +106,7 @@ fn conditions() -> [(&'static str, Condition, f64); 3] {
     [
         ("Mach number", |curve| curve.mach, 1.0),
         ("Reynolds number", |curve| curve.reynolds, 1.0),
-        ("flap [deg]", |curve| curve.flap, 1.0_f64.to_degrees()),
+        (FLAP, |curve| curve.flap, 1.0_f64.to_degrees()),
     ]
 }
 
@@ -117,20 +153,24 @@ fn values(data: &AirfoilData, value: Condition, factor: f64) -> String {
         [] => "not stated".to_owned(),
         [only] => format!("{}, used at all", shown(only)),
         [first, .., last] => {
-            format!("{} to {}, {} values", shown(first), shown(last), found.len())
+            format!(
+                "{} to {}, {} values",
+                shown(first),
+                shown(last),
+                found.len()
+            )
         }
     }
 }
 
 /// A row of numbers for each curve of lift.
 fn table(rows: &[Characteristics]) -> String {
-    let has = |value: fn(&Characteristics) -> Option<f64>| {
-        rows.iter().any(|row| value(row).is_some())
-    };
+    let has =
+        |value: fn(&Characteristics) -> Option<f64>| rows.iter().any(|row| value(row).is_some());
     let columns: [(&str, fn(&Characteristics) -> Option<f64>, f64); 3] = [
         ("Mach", |row| row.mach, 1.0),
         ("Re", |row| row.reynolds, 1.0),
-        ("flap [deg]", |row| row.flap, 1.0_f64.to_degrees()),
+        (FLAP, |row| row.flap, 1.0_f64.to_degrees()),
     ];
     let used: Vec<_> = columns.into_iter().filter(|column| has(column.1)).collect();
     let mut cells = vec![vec!["  ".to_owned()]];
@@ -151,7 +191,9 @@ fn table(rows: &[Characteristics]) -> String {
     cells[0].extend(titles.map(str::to_owned));
     for row in rows {
         let mut line = vec!["  ".to_owned()];
-        let conditions = used.iter().map(|column| number(column.1(row).map(|it| column.2 * it)));
+        let conditions = used
+            .iter()
+            .map(|column| number(column.1(row).map(|it| column.2 * it)));
         line.extend(conditions);
         line.push(fixed(row.zero_lift.map(f64::to_degrees), 2));
         line.push(fixed(row.slope, 3));

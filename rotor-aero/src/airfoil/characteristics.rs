@@ -81,13 +81,19 @@ fn characteristics(lift: &Curve, drag: Option<&Curve>, moment: Option<&Curve>) -
         drag_min: drag.and_then(|drag| largest(points(drag).map(negated), [-limit, limit])),
         ..Characteristics::default()
     };
-    found.drag_min = found.drag_min.map(|at| Extreme { value: -at.value, ..at });
+    found.drag_min = found.drag_min.map(|at| Extreme {
+        value: -at.value,
+        ..at
+    });
     if !lifts {
         return found;
     }
     found.lift_max = largest(points(lift), [0.0, limit]);
     let least = largest(points(lift).map(negated), [-limit, 0.0]);
-    found.lift_min = least.map(|at| Extreme { value: -at.value, ..at });
+    found.lift_min = least.map(|at| Extreme {
+        value: -at.value,
+        ..at
+    });
     found.zero_lift = zero(lift);
     found.slope = found.zero_lift.and_then(|zero| {
         let half = SLOPE_DEG.to_radians();
@@ -166,8 +172,18 @@ mod tests {
                 (45.0, 1.5),
                 (180.0, 0.0),
             ])],
-            drag: vec![curve(&[(-180.0, 0.1), (-3.0, 0.008), (7.0, 0.018), (180.0, 0.1)])],
-            moment: vec![curve(&[(-180.0, 0.0), (-5.0, -0.1), (-3.0, -0.2), (180.0, 0.0)])],
+            drag: vec![curve(&[
+                (-180.0, 0.1),
+                (-3.0, 0.008),
+                (7.0, 0.018),
+                (180.0, 0.1),
+            ])],
+            moment: vec![curve(&[
+                (-180.0, 0.0),
+                (-5.0, -0.1),
+                (-3.0, -0.2),
+                (180.0, 0.0),
+            ])],
             ..AirfoilData::default()
         };
         let found = data.characteristics()[0];
@@ -198,7 +214,10 @@ mod tests {
             ..AirfoilData::default()
         };
         let found = data.characteristics()[0];
-        assert_eq!((found.zero_lift, found.lift_max, found.ratio_max), (None, None, None));
+        assert_eq!(
+            (found.zero_lift, found.lift_max, found.ratio_max),
+            (None, None, None)
+        );
         assert_eq!(found.drag_min.unwrap().value, 0.5);
     }
 }

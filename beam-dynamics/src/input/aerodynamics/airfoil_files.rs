@@ -19,7 +19,11 @@ pub(super) fn read(
     let readings = written.iter().map(|file| {
         let mut reading = one(name, (table, key), file, of_file)?;
         let of_airfoil = |remark: String| format!("airfoil \"{name}\": {remark}");
-        remarks.extend(std::mem::take(&mut reading.remarks).into_iter().map(of_airfoil));
+        remarks.extend(
+            std::mem::take(&mut reading.remarks)
+                .into_iter()
+                .map(of_airfoil),
+        );
         Some(reading)
     });
     let readings: Vec<_> = readings.collect();

@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use rotor_aero::airfoil::{
-    Airfoil, AirfoilData, BUILT_IN, BuiltIn, LinearLift, Section, built_in,
-};
+use rotor_aero::airfoil::{Airfoil, AirfoilData, BUILT_IN, BuiltIn, LinearLift, Section, built_in};
 use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text, Texts};
 use shared_geom::keys;

@@ -11,6 +11,7 @@
 //! chords from the leading edge. The distance normal to the chord is reported if it is not small.
 
 use nalgebra::Vector3;
+use rotor_aero::airfoil::Section;
 use rotor_aero::airfoil::files::blade::{
     AeroStation, BladeAero, BladeFormat, BladeOptions, SpanOrigin, StationAirfoil, read_blade,
 };
@@ -84,56 +85,51 @@ pub(super) fn read(
     let (file, set) = (table.get(&FILE), table.get(&SET));
     let (root, twist) = (table.get(&ROOT_RADIUS), table.get(&TWIST_FILE));
     let (names, all) = (table.get(&AIRFOILS), table.get(&AIRFOIL_FILE));
-    let file = file??;
-    let path = table.existing(&FILE, &file);
-    let options = BladeOptions { set: set?, radius: None };
-    let blade = path.and_then(|path| {
-        let found = read_blade(&path, &options);
-        table.keep_file(FILE.name(), found)
-    });
+    let (file, set) = (file??, set?);
+    let blade = blade(table, &file, set);
     let mut pool = Pool::new(table, airfoils, user);
     let is_read = pool.add(names?, all?, remarks);
     let twist = twist?.map(|file| twist_of(table, &file));
     let (mut blade, root) = (blade?, root?);
-    let of_user = |remark: String| format!("{user}: {remark}");
-    let has_twist = blade.format != BladeFormat::Hawc2Ae;
+    let has_twist = blade.format != BladeFormat::Hawc2Ae || twist.is_some();
+    if !has_twist {
+        let file = file.clone();
+        table.note(&FILE, &FileProblem::NoTwist { file });
+    }
+    // The twist of the other file replaces the remark that there is none.
     let of_file = std::mem::take(&mut blade.remarks).into_iter();
-    // The twist of the other file, or a problem, replaces this remark.
-    remarks.extend(
-        of_file
-            .filter(|remark| has_twist || !remark.contains("twist"))
-            .map(of_user),
-    );
-    let is_missing = !has_twist && twist.is_none();
-    if is_missing {
-        table.note(&FILE, &FileProblem::NoTwist { file: file.clone() });
-    }
+    let of_file = of_file.filter(|remark| twist.is_none() || !remark.contains("twist"));
+    remarks.extend(of_file.map(|remark| format!("{user}: {remark}")));
     pool.add_own(std::mem::take(&mut blade.airfoils));
-    let twist = match twist {
-        Some(found) => Some(found?),
-        None => None,
+    let source = Source {
+        table,
+        file: &file,
+        line,
+        root,
+        twist: match twist {
+            Some(found) => Some(found?),
+            None => None,
+        },
     };
-    let source = Source { table, file: &file, line, root, twist };
     let placed = source.place(&blade);
-    let (placed, is_read) = (placed?, is_read && !is_missing);
-    let sections = pool.sections(&blade.stations, &file, remarks)?;
-    remarks.extend(distance(&blade, &placed).map(of_user));
-    let stations = placed.iter().zip(&sections).map(|(placed, section)| Station {
-        at: placed.at,
-        chord: placed.chord,
-        twist: placed.twist,
-        axis: placed.axis,
-        airfoil: section.clone(),
-    });
-    let stations: Vec<_> = stations.collect();
+    let sections = pool.sections(&blade.stations, &file, remarks);
+    let (placed, sections) = (placed?, sections?);
+    remarks.extend(distance(&blade, &placed).map(|remark| format!("{user}: {remark}")));
+    let stations = placed.into_iter().zip(sections);
+    let stations: Vec<_> = stations
+        .map(|(placed, section)| placed.station(section))
+        .collect();
     let more = pool.between(&blade.stations, &stations, remarks)?;
-    match Stations::new(stations, more) {
-        Ok(stations) => is_read.then_some(stations),
-        Err(problem) => {
-            table.note(&FILE, &problem);
-            None
-        }
-    }
+    let stations = Stations::new(stations, more);
+    let stations = stations.map_err(|problem| table.note(&FILE, &problem));
+    stations.ok().filter(|_| is_read && has_twist)
+}
+
+/// Reads the file of the blade.
+fn blade(table: &Table<'_>, file: &str, set: Option<usize>) -> Option<BladeAero> {
+    let path = table.existing(&FILE, file)?;
+    let options = BladeOptions { set, radius: None };
+    table.keep_file(FILE.name(), read_blade(&path, &options))
 }
 
 /// Twist over arc length of a blade file.
@@ -168,6 +164,19 @@ struct Placed {
     axis: f64,
     /// Distance from the line, normal to the chord \[m\].
     normal: f64,
+}
+
+impl Placed {
+    /// The station with its airfoil.
+    fn station(self, airfoil: Section) -> Station {
+        Station {
+            at: self.at,
+            chord: self.chord,
+            twist: self.twist,
+            axis: self.axis,
+            airfoil,
+        }
+    }
 }
 
 impl Source<'_> {
@@ -224,7 +233,7 @@ impl Source<'_> {
         if !(span >= low - slack && span <= high + slack) {
             return None;
         }
-        let span = span.clamp(low.min(high), high.max(low));
+        let span = span.max(low).min(high);
         // A straight line along x keeps the numbers of the file.
         if (0.0..=length).contains(&span) && (x(span) - span).abs() <= f64::EPSILON * length {
             return Some(span);

@@ -68,10 +68,7 @@ impl Stations {
     ///
     /// # Errors
     /// Positions that do not ascend, and no station.
-    pub fn new(
-        stations: Vec<Station>,
-        between: Vec<(f64, Section)>,
-    ) -> Result<Self, BlendProblem> {
+    pub fn new(stations: Vec<Station>, between: Vec<(f64, Section)>) -> Result<Self, BlendProblem> {
         let own = stations.iter();
         let own = own.map(|station| (station.at, station.airfoil.clone()));
         let mut sections: Vec<_> = own.chain(between).collect();

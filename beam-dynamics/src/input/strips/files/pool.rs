@@ -1,5 +1,6 @@
 //! The airfoils of the stations of a file, by index, name or thickness.
 
+use std::mem::discriminant;
 use std::sync::Arc;
 
 use rotor_aero::airfoil::files::blade::{AeroStation, StationAirfoil};
@@ -63,7 +64,9 @@ impl<'a> Pool<'a> {
         let mut sound = true;
         for name in names.unwrap_or_default() {
             if self.named.has(&name) {
-                let section = self.named.find(&name, (self.table, AIRFOILS.name()), self.user);
+                let section = self
+                    .named
+                    .find(&name, (self.table, AIRFOILS.name()), self.user);
                 self.entries.push(Entry {
                     name,
                     set: None,
@@ -87,7 +90,11 @@ impl<'a> Pool<'a> {
             let path = self.table.path(key, written);
             let pattern = path.file_name().unwrap_or_default().to_string_lossy();
             let names = names_beside(&path).into_iter();
-            paths.extend(names.filter(|name| fits(&pattern, name)).map(|name| path.with_file_name(name)));
+            paths.extend(
+                names
+                    .filter(|name| fits(&pattern, name))
+                    .map(|name| path.with_file_name(name)),
+            );
             if paths.is_empty() {
                 let pattern = written.to_owned();
                 self.table.note(key, &FileProblem::NoMatch { pattern });
@@ -127,22 +134,32 @@ impl<'a> Pool<'a> {
         file: &str,
         remarks: &mut Vec<String>,
     ) -> Option<Vec<Section>> {
-        let names_none = |station: &AeroStation| !matches!(station.airfoil, StationAirfoil::Blend(_));
+        let names_none =
+            |station: &AeroStation| !matches!(station.airfoil, StationAirfoil::Blend(_));
         if self.entries.is_empty() && stations.iter().any(names_none) {
             let file = file.to_owned();
             self.table.note(&FILE, &FileProblem::NoAirfoils { file });
             return None;
         }
+        let mut problems: Vec<FileProblem> = Vec::new();
         let sections = stations.iter().enumerate().map(|(index, station)| {
-            match self.section((index, station), (file, stations.len()), remarks) {
-                Ok(section) => section,
-                Err(problem) => {
-                    self.table.note(&FILE, &problem);
-                    None
-                }
-            }
+            let found = self.section((index, station), (file, stations.len()), remarks);
+            found.unwrap_or_else(|problem| {
+                problems.push(problem);
+                None
+            })
         });
         let sections: Vec<_> = sections.collect();
+        // Stations share their causes: the last of each kind, which has the largest index.
+        for (at, problem) in problems.iter().enumerate() {
+            let later = &problems[at + 1..];
+            if !later
+                .iter()
+                .any(|other| discriminant(other) == discriminant(problem))
+            {
+                self.table.note(&FILE, problem);
+            }
+        }
         sections.into_iter().collect()
     }
 
@@ -160,7 +177,12 @@ impl<'a> Pool<'a> {
             StationAirfoil::Index(at) if *at < count => Ok(self.entry(*at, remarks)),
             StationAirfoil::Index(at) => {
                 let found = at + 1;
-                Err(FileProblem::Index { file, index, found, count })
+                Err(FileProblem::Index {
+                    file,
+                    index,
+                    found,
+                    count,
+                })
             }
             StationAirfoil::Unknown if count == 1 => Ok(self.entry(0, remarks)),
             StationAirfoil::Unknown if count == stations => Ok(self.entry(index, remarks)),
@@ -230,7 +252,11 @@ impl<'a> Pool<'a> {
             kind: "airfoil",
             name: name.to_owned(),
             user: format!("\"{file}\""),
-            known: self.entries.iter().map(|entry| entry.name.clone()).collect(),
+            known: self
+                .entries
+                .iter()
+                .map(|entry| entry.name.clone())
+                .collect(),
         };
         self.table.note(&FILE, &problem);
         None

@@ -89,9 +89,9 @@ impl Explain for FileProblem {
                 "add twist_file = \"NAME.htc\", a blade file with the twist of the chord"
             }
             Self::NoRoot { .. } => "add root_radius = 1.5, the radius at which the blade begins",
-            Self::OffLine { is_by_radius: true, .. } => {
-                "correct \"root_radius\", or the length of the blade"
-            }
+            Self::OffLine {
+                is_by_radius: true, ..
+            } => "correct \"root_radius\", or the length of the blade",
             Self::OffLine { .. } => "the file must belong to this blade: compare the lengths",
             Self::Index { .. } => {
                 "list all airfoils in their order, as AFNames in the main file of AeroDyn"

@@ -63,7 +63,10 @@ struct Column {
 /// Whether the first line of content names a position and the chord.
 pub(super) fn recognize(text: &str) -> bool {
     let lines = content(text);
-    let Some(first) = lines.first().filter(|line| line.text.contains([',', ';', '\t'])) else {
+    let Some(first) = lines
+        .first()
+        .filter(|line| line.text.contains([',', ';', '\t']))
+    else {
         return false;
     };
     let kinds: Vec<_> = names(first.text)
@@ -104,15 +107,22 @@ pub(super) fn read(text: &str, _: &BladeOptions, notes: &mut Notes) -> Option<Bl
     let columns = columns(first, notes);
     let has = |kind: Kind| columns.iter().flatten().any(|column| column.kind == kind);
     for (kinds, expected) in [
-        ([Kind::Span, Kind::Radius], "one of the columns \"span\" and \"radius\""),
-        ([Kind::Twist, Kind::Feather], "one of the columns \"twist\" and \"feather\""),
+        (
+            [Kind::Span, Kind::Radius],
+            "one of the columns \"span\" and \"radius\"",
+        ),
+        (
+            [Kind::Twist, Kind::Feather],
+            "one of the columns \"twist\" and \"feather\"",
+        ),
     ] {
         let found = match kinds.map(has) {
             [false, false] => "none",
             [true, true] => "both",
             _ => continue,
         };
-        let help = "twist is nose up, feather nose down; span begins at the root, radius at the axis";
+        let help =
+            "twist is nose up, feather nose down; span begins at the root, radius at the axis";
         notes.wrong(first.number, ["the header", found, expected, help]);
     }
     let origin = match has(Kind::Radius) {
@@ -141,7 +151,11 @@ fn columns(line: &Line<'_>, notes: &mut Notes) -> Vec<Option<Column>> {
             Kind::Thickness | Kind::Axis => "-",
             _ => "m",
         };
-        let unit = if unit.is_empty() { usual } else { unit.as_str() };
+        let unit = if unit.is_empty() {
+            usual
+        } else {
+            unit.as_str()
+        };
         let fits = match kind {
             Kind::Twist | Kind::Feather => ["deg", "rad"].contains(&unit),
             Kind::Thickness | Kind::Axis => ["-", "%"].contains(&unit),

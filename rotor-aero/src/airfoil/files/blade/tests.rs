@@ -294,7 +294,10 @@ fn columns_state_the_sign_of_the_twist() {
     let from_root = read("span [mm];chord [m];twist [rad];axis [-]\n0;1;0.1;0.3\n2000;1;0;0.3\n");
     assert_eq!(from_root.origin, SpanOrigin::Root);
     assert_eq!(
-        (from_root.stations[1].span, from_root.stations[0].reference_point),
+        (
+            from_root.stations[1].span,
+            from_root.stations[0].reference_point
+        ),
         (2.0, 0.3)
     );
 }
