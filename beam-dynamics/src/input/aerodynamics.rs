@@ -10,6 +10,7 @@ use crate::elements::strips::Air;
 mod air;
 mod airfoil_files;
 mod airfoils;
+mod changes;
 mod inflows;
 mod problem;
 
@@ -17,6 +18,7 @@ pub use air::AirProblem;
 pub use problem::StripProblem;
 
 pub(super) use air::{CARD as AIR, check_boxes, check_steady};
+pub(super) use airfoil_files::checked as checked_airfoil;
 pub(super) use airfoils::{Airfoils, CARD as AIRFOIL};
 pub(super) use inflows::{CARD as INFLOW, Inflow};
 

@@ -2,20 +2,22 @@
 
 use std::sync::Arc;
 
-use rotor_aero::airfoil::{Airfoil, BUILT_IN, LinearLift, Section, built_in};
+use rotor_aero::airfoil::{Airfoil, AirfoilData, BUILT_IN, BuiltIn, LinearLift, Section, built_in};
 use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text};
+use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text, Texts};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::airfoil_files;
+use super::changes::{self, Changes, MIRROR, STALL_DELAY, VITERNA};
 use super::problem::StripProblem;
 
 keys! {
     /// An airfoil: a file, a built-in airfoil, or linear lift.
     pub(in crate::input) CARD = "[airfoils.NAME]";
-    /// The file, relative to this file; its format is recognized.
-    FILE: Option<String> = "file", [Text], optional, "\"DU21_A17.dat\"";
+    /// The file, relative to this file, or a list of files, one for each Reynolds number; its
+    /// format is recognized.
+    FILE: Option<Vec<String>> = "file", [Texts], optional, "\"DU21_A17.dat\"";
     /// The airfoil of the file, if it has several.
     AIRFOIL: Option<String> = "airfoil", [Text], optional, "\"SNL-FFA-W3-500\"";
     /// A built-in airfoil: "naca0012", "flat_plate" or "thin".
@@ -28,6 +30,7 @@ keys! {
     DRAG: f64 = "drag", [NotNegative(Dimension::NUMBER)], or "0" = 0.0, "0.01";
     /// Linear lift: coefficient of the moment about the quarter chord.
     MOMENT: f64 = "moment", [Quantity(Dimension::NUMBER)], or "0" = 0.0, "-0.05";
+    with STALL_DELAY.schema, VITERNA.schema, MIRROR.schema;
 }
 
 /// Airfoils by name; wrong ones are `None`.
@@ -56,8 +59,10 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     let has_linear = linear.iter().find(|key| table.has(**key));
     let has_linear = has_linear.map(|key| key.name());
     let [zero_lift, drag, moment] = linear.map(|key| table.get(key));
+    let changes = changes::read(table);
     let name = name.to_owned();
     let (file, of_file, built_in, slope) = (file?, of_file?, built_in?, slope?);
+    let changes = changes?;
     let given = [file.is_some(), built_in.is_some(), slope.is_some()];
     let count = given.iter().filter(|given| **given).count();
     if count != 1 {
@@ -71,21 +76,25 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     let useless = match (&file, slope) {
         (_, None) if has_linear.is_some() => has_linear.map(|key| (key, SLOPE.name())),
         (None, _) if of_file.is_some() => Some((AIRFOIL.name(), FILE.name())),
+        (_, Some(_)) => changes.first().map(|key| (key, FILE.name())),
         _ => None,
     };
     if let Some((key, needed)) = useless {
         table.note(key, &StripProblem::Useless { name, key, needed });
         return None;
     }
-    if let Some(file) = file {
-        return airfoil_files::read(&name, (table, FILE.name()), &file, of_file, remarks);
+    if let Some(files) = file {
+        let at = (table, FILE.name());
+        let data = airfoil_files::read(&name, at, &files, of_file.as_deref(), remarks)?;
+        return changed(data, &changes, at, remarks);
     }
     if let Some(wanted) = built_in {
-        return named_built_in(
-            &wanted,
-            (table, BUILT_IN_NAME.name()),
-            &format!("airfoil \"{name}\""),
-        );
+        let at = (table, BUILT_IN_NAME.name());
+        let found = named_built_in(&wanted, at, &format!("airfoil \"{name}\""))?;
+        return match changes.first() {
+            None => Some(found.airfoil()),
+            Some(_) => changed(found.data(), &changes, at, remarks),
+        };
     }
     Some(Airfoil::linear(LinearLift {
         slope: slope?,
@@ -96,9 +105,32 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     }))
 }
 
+/// The airfoil of a changed table; problems are noted under a key.
+fn changed(
+    data: AirfoilData,
+    changes: &Changes,
+    at: (&Table<'_>, &str),
+    remarks: &mut Vec<String>,
+) -> Option<Airfoil> {
+    let name = data.name.clone();
+    match changes.apply(data) {
+        Ok(data) => airfoil_files::checked(&data, at, remarks),
+        Err(problems) => {
+            for problem in problems {
+                airfoil_files::note(&name, problem, at);
+            }
+            None
+        }
+    }
+}
+
 /// A built-in airfoil by its name; another name is noted under `key`.
-fn named_built_in(name: &str, (table, key): (&Table<'_>, &str), user: &str) -> Option<Airfoil> {
-    let found = built_in(name);
+fn named_built_in(
+    name: &str,
+    (table, key): (&Table<'_>, &str),
+    user: &str,
+) -> Option<&'static BuiltIn> {
+    let found = BUILT_IN.iter().find(|one| one.name == name);
     if found.is_none() {
         let problem = StripProblem::Unknown {
             kind: "built-in airfoil",
@@ -112,6 +144,11 @@ fn named_built_in(name: &str, (table, key): (&Table<'_>, &str), user: &str) -> O
 }
 
 impl Airfoils {
+    /// Whether the name is an airfoil of the file, or a built-in one.
+    pub fn has(&self, name: &str) -> bool {
+        self.named.iter().any(|named| named.0 == name) || built_in(name).is_some()
+    }
+
     /// The section of the airfoil `name`, as named under a key of a table, described by `user`;
     /// `None` if it is wrong, or unknown, which is noted.
     pub fn find(

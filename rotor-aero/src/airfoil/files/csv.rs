@@ -13,7 +13,7 @@ use super::grid::{Grid, Row, Unit};
 use super::notes::Notes;
 use super::reading::{Options, ReadAirfoil};
 
-mod header;
+pub(super) mod header;
 mod write;
 
 use header::{Header, Kind, cells, content, separator};
