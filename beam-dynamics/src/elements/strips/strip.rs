@@ -16,7 +16,9 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
-use rotor_aero::strip::{ActingAir, FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian};
+use rotor_aero::strip::{
+    ActingAir, FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian,
+};
 use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::air::Air;

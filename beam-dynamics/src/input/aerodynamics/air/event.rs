@@ -1,8 +1,8 @@
 //! Events of IEC 61400-1: `[air.event]`.
 
 use rotor_aero::wind::{Event, EventShape, IecTurbine, TurbulenceCategory, WindClass};
-use shared_geom::document::schema::ValueKind::{Boolean, Positive, Quantity, Word};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Boolean, Positive, Quantity, Word};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 

@@ -25,7 +25,7 @@ fn stations(
 ) -> Result<(Stations, Vec<String>), String> {
     let document = Document::parse(text, &format!("{folder}/a.toml")).unwrap();
     let root = document.root();
-    let airfoils = aerodynamics::read(&root).airfoils;
+    let airfoils = aerodynamics::read(&root, &nalgebra::Vector3::zeros()).airfoils;
     let table = root.table("blade_air").unwrap().described(&strips::CARD);
     let mut remarks = Vec::new();
     let found = read(&table, &airfoils, ("blade \"b\"", line), &mut remarks);
