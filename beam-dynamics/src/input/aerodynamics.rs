@@ -15,7 +15,7 @@ mod problem;
 pub use problem::StripProblem;
 
 pub(super) use air::CARD as AIR;
-pub(super) use airfoils::{Airfoils, CARD as AIRFOIL};
+pub(super) use airfoils::{Airfoils, CARD as AIRFOIL, read as read_airfoils};
 pub(super) use inflows::{CARD as INFLOW, Inflow};
 
 /// The air, the airfoils and the inflows of a model.

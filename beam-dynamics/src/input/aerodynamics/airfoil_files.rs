@@ -1,22 +1,38 @@
 //! Airfoils from files of any known format.
 
-use rotor_aero::airfoil::files;
-use rotor_aero::airfoil::{Airfoil, Interpolation};
+use rotor_aero::airfoil::files::{self, Reading};
+use rotor_aero::airfoil::{Airfoil, Interpolation, Viterna};
 use shared_geom::document::Table;
 
 use super::problem::StripProblem;
 
-/// The airfoil `name` from a file, as named under a key; `of_file` is its name in a file of
-/// several. Problems are noted.
+/// The use of a file of airfoils.
+pub(super) struct Wanted {
+    /// Name of the airfoil in a file of several.
+    pub of_file: Option<String>,
+    /// Aspect ratio for the extension to the full circle \[-\].
+    pub viterna: Option<f64>,
+}
+
+/// The airfoil `name` from files of one family, as named under a key. Problems are noted.
 pub(super) fn read(
     name: &str,
     (table, key): (&Table<'_>, &str),
-    file: &str,
-    of_file: Option<String>,
+    files: &[String],
+    Wanted { of_file, viterna }: Wanted,
     remarks: &mut Vec<String>,
 ) -> Option<Airfoil> {
-    let path = table.existing(key, file)?;
-    let reading = table.document().keep(files::read(&path))?;
+    let readings = files.iter().map(|file| {
+        let path = table.existing(key, file)?;
+        table.document().keep(files::read(&path))
+    });
+    // Every file is read, so that the problems of each are noted.
+    let readings: Vec<_> = readings.collect();
+    let readings = readings.into_iter().collect::<Option<Vec<_>>>()?;
+    let reading = match <[Reading; 1]>::try_from(readings) {
+        Ok([only]) => only,
+        Err(several) => table.document().keep(files::merge(several))?,
+    };
     let found = match &of_file {
         Some(wanted) => reading
             .airfoils
@@ -38,7 +54,11 @@ pub(super) fn read(
     };
     let of_airfoil = |remark: String| format!("airfoil \"{name}\": {remark}");
     remarks.extend(reading.remarks.iter().cloned().map(of_airfoil));
-    match Airfoil::new(&found.data, Interpolation::Monotone) {
+    let extended = match viterna {
+        Some(ratio) => found.data.extended(&Viterna::of_aspect_ratio(ratio)),
+        None => Ok(found.data.clone()),
+    };
+    match extended.and_then(|data| Airfoil::new(&data, Interpolation::Monotone)) {
         Ok(airfoil) => {
             let own = airfoil.remarks().iter().map(ToString::to_string);
             remarks.extend(own.map(of_airfoil));

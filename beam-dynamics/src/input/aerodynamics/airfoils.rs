@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rotor_aero::airfoil::{Airfoil, BUILT_IN, LinearLift, Section, built_in};
 use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text};
+use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text, Texts};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -16,8 +16,13 @@ keys! {
     pub(in crate::input) CARD = "[airfoils.NAME]";
     /// The file, relative to this file; its format is recognized.
     FILE: Option<String> = "file", [Text], optional, "\"DU21_A17.dat\"";
+    /// Several files of one airfoil, one for each Reynolds number.
+    FILES: Option<Vec<String>> = "files", [Texts], optional, "[\"Re1e5.txt\", \"Re2e5.txt\"]";
     /// The airfoil of the file, if it has several.
     AIRFOIL: Option<String> = "airfoil", [Text], optional, "\"SNL-FFA-W3-500\"";
+    /// Extension of the tables of a file to the full circle by Viterna: the aspect ratio of the
+    /// blade.
+    VITERNA: Option<f64> = "viterna", [Positive(Dimension::NUMBER)], optional, "10";
     /// A built-in airfoil: "naca0012", "flat_plate" or "thin".
     BUILT_IN_NAME: Option<String> = "built_in", [Text], optional, "\"naca0012\"";
     /// Linear lift without stall: its slope per radian.
@@ -50,15 +55,18 @@ pub(in crate::input) fn read(root: &Table<'_>) -> Airfoils {
 }
 
 fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<Airfoil> {
-    let (file, of_file) = (table.get(&FILE), table.get(&AIRFOIL));
+    let (file, files) = (table.get(&FILE), table.get(&FILES));
+    let (of_file, viterna) = (table.get(&AIRFOIL), table.get(&VITERNA));
     let (built_in, slope) = (table.get(&BUILT_IN_NAME), table.get(&SLOPE));
     let linear = [&ZERO_LIFT, &DRAG, &MOMENT];
     let has_linear = linear.iter().find(|key| table.has(**key));
     let has_linear = has_linear.map(|key| key.name());
     let [zero_lift, drag, moment] = linear.map(|key| table.get(key));
     let name = name.to_owned();
-    let (file, of_file, built_in, slope) = (file?, of_file?, built_in?, slope?);
-    let given = [file.is_some(), built_in.is_some(), slope.is_some()];
+    let (file, files, of_file, viterna) = (file?, files?, of_file?, viterna?);
+    let (built_in, slope) = (built_in?, slope?);
+    let has_file = file.is_some() || files.is_some();
+    let given = [file.is_some(), files.is_some(), built_in.is_some(), slope.is_some()];
     let count = given.iter().filter(|given| **given).count();
     if count != 1 {
         let found = match count {
@@ -68,17 +76,20 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
         table.note("", &StripProblem::AirfoilSource { name, found });
         return None;
     }
-    let useless = match (&file, slope) {
+    let useless = match (has_file, slope) {
         (_, None) if has_linear.is_some() => has_linear.map(|key| (key, SLOPE.name())),
-        (None, _) if of_file.is_some() => Some((AIRFOIL.name(), FILE.name())),
+        (false, _) if of_file.is_some() => Some((AIRFOIL.name(), FILE.name())),
+        (false, _) if viterna.is_some() => Some((VITERNA.name(), FILE.name())),
         _ => None,
     };
     if let Some((key, needed)) = useless {
         table.note(key, &StripProblem::Useless { name, key, needed });
         return None;
     }
-    if let Some(file) = file {
-        return airfoil_files::read(&name, (table, FILE.name()), &file, of_file, remarks);
+    let key = if file.is_some() { FILE.name() } else { FILES.name() };
+    if let Some(files) = file.map(|file| vec![file]).or(files) {
+        let wanted = airfoil_files::Wanted { of_file, viterna };
+        return airfoil_files::read(&name, (table, key), &files, wanted, remarks);
     }
     if let Some(wanted) = built_in {
         return named_built_in(
