@@ -32,8 +32,6 @@ mod stations;
 mod sweeps;
 mod values;
 
-#[cfg(test)]
-mod tests;
 
 pub use problem::PerformanceProblem;
 

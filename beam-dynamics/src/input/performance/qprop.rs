@@ -6,6 +6,9 @@
 //! ```
 //!
 //! (QPROP user guide, M. Drela 2006), with the Prandtl-Glauert factor on the lift up to Mach 0.8.
+//! Beyond 90 degrees, where QPROP has no polar, the lift fades linearly to zero at 180 degrees.
+
+use std::f64::consts::FRAC_PI_2;
 
 use rotor_aero::airfoil::files::blade::QpropPolar;
 use rotor_aero::airfoil::{Airfoil, AirfoilData, AirfoilProblem, Curve, Interpolation};
@@ -14,7 +17,7 @@ use rotor_aero::airfoil::{Airfoil, AirfoilData, AirfoilProblem, Curve, Interpola
 const DECADES: [i32; 2] = [3, 8];
 const PER_DECADE: i32 = 5;
 /// Largest angle of the tables, and their step [deg].
-const LARGEST: i32 = 90;
+const LARGEST: i32 = 180;
 /// Mach number from which the factor of the lift is constant [-].
 const MACH_LIMIT: f64 = 0.8;
 
@@ -25,9 +28,10 @@ pub(super) fn airfoil(name: &str, polar: &QpropPolar) -> Result<Airfoil, Vec<Air
         .collect();
     let [low, high] = polar.lift_limits;
     let limited = |lift: f64| lift.min(high).max(low);
-    let lift = angles
-        .iter()
-        .map(|alpha| limited(polar.lift_zero + polar.lift_slope * alpha));
+    let lift = angles.iter().map(|alpha| {
+        let attached = limited(polar.lift_zero + polar.lift_slope * alpha);
+        attached * (2.0 - alpha.abs() / FRAC_PI_2).clamp(0.0, 1.0)
+    });
     let lift: Vec<f64> = lift.collect();
     let drag = |reynolds: f64| {
         let factor = (reynolds / polar.reynolds).powf(polar.exponent);

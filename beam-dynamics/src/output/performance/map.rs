@@ -91,7 +91,7 @@ impl MapPlot {
                 let corner = |index: usize| cell[corners[index]];
                 triangles.push(ValueTriangle {
                     corners: [0, 1, 2].map(|k| axes.position([corner(k)[0], corner(k)[1]])),
-                    values: [0, 1, 2].map(|k| corner(k)[2].max(0.0)),
+                    values: [0, 1, 2].map(|k| corner(k)[2]),
                 });
             }
         }

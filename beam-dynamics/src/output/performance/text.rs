@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::columns::{Column, PROPELLER_CT, TURBINE_CP, columns, scale};
-use crate::case::MachineKind;
+use crate::case::{Abscissa, MachineKind};
 use crate::input::short_number;
 use crate::output::text::aligned;
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
@@ -103,7 +103,8 @@ fn best(machine: MachineKind, table: &PerformanceTable) -> Option<String> {
         _ => (PROPELLER_CT, false),
     };
     let is_given = table.points.iter().all(|it| it.status == PointStatus::Given);
-    if !is_turbine || !is_given {
+    let is_sweep = table.abscissa == Abscissa::TipSpeedRatio && is_given;
+    if !is_turbine || !is_sweep {
         return None;
     }
     let value = |point: &&PerformancePoint| (column.value)(point);
