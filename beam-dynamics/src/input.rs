@@ -83,6 +83,7 @@ mod test_files;
 #[cfg(test)]
 mod tests;
 
+pub use aerodynamics::StripProblem;
 pub use blade_file::{BladeSettings, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
@@ -100,7 +101,6 @@ pub use performance::{
 };
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
-pub use aerodynamics::StripProblem;
 
 pub use summary::Summary;
 pub use transient::TransientProblem;

@@ -58,7 +58,9 @@ fn point(
 ) -> Option<PerformancePoint> {
     match request {
         PerformanceRequest::Settings(settings) => Some(PerformancePoint {
-            performance: case.rotor.performance(&operating(case, settings.get(index)?)),
+            performance: case
+                .rotor
+                .performance(&operating(case, settings.get(index)?)),
             status: PointStatus::Given,
         }),
         PerformanceRequest::PowerCurve(curve) => {

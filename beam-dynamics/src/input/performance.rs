@@ -32,7 +32,6 @@ mod stations;
 mod sweeps;
 mod values;
 
-
 pub use problem::PerformanceProblem;
 
 /// Ending of the names of rotor inputs.
@@ -116,11 +115,16 @@ fn case(root: &Table<'_>, default_name: String) -> Option<PerformanceCase> {
     let momentum = momentum::read(root);
     let air = air::read(root);
     let mut remarks = airfoils.remarks.clone();
-    let table = root.require_table("rotor", "the rotor: [rotor] with \"blades\" and \"stations\"");
+    let table = root.require_table(
+        "rotor",
+        "the rotor: [rotor] with \"blades\" and \"stations\"",
+    );
     let rotor = table
         .as_ref()
         .and_then(|table| rotor::read(table, &airfoils, momentum, &mut remarks));
-    let radius = rotor.as_ref().map_or(1.0, |rotor| rotor.rotor.disk_radius());
+    let radius = rotor
+        .as_ref()
+        .map_or(1.0, |rotor| rotor.rotor.disk_radius());
     let parts = parts(root, radius, rotor.as_ref());
     root.finish();
     let (table, rotor, air) = (table?, rotor?, air?);

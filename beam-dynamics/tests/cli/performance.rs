@@ -32,11 +32,17 @@ const SWEEP: &str = "[[sweep]]\nspeed = 8\ntip_speed_ratio = [5, 7, 9]\npitch = 
 /// A folder with a copy of a case.
 fn case(name: &str) -> Folder {
     let folder = Folder::new();
-    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/dynamics").join(name);
+    let from = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../cases/dynamics")
+        .join(name);
     for entry in fs::read_dir(from).unwrap() {
         let path = entry.unwrap().path();
         if path.is_file() {
-            fs::copy(&path, folder.path(path.file_name().unwrap().to_str().unwrap())).unwrap();
+            fs::copy(
+                &path,
+                folder.path(path.file_name().unwrap().to_str().unwrap()),
+            )
+            .unwrap();
         }
     }
     folder
@@ -52,7 +58,12 @@ impl Rows {
     fn of(folder: &Folder, file: &str, part: &str) -> Self {
         let text = folder.read(file);
         let mut reader = csv::Reader::from_reader(text.as_bytes());
-        let titles = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        let titles = reader
+            .headers()
+            .unwrap()
+            .iter()
+            .map(str::to_owned)
+            .collect();
         let rows = reader.records().map(|row| {
             let row = row.unwrap();
             row.iter().map(str::to_owned).collect::<Vec<_>>()
@@ -75,7 +86,9 @@ impl Rows {
 fn relative(found: &[f64], expected: &[f64]) -> Vec<f64> {
     assert_eq!(found.len(), expected.len());
     let pairs = found.iter().zip(expected);
-    pairs.map(|(found, expected)| found / expected - 1.0).collect()
+    pairs
+        .map(|(found, expected)| found / expected - 1.0)
+        .collect()
 }
 
 fn largest(values: &[f64]) -> f64 {
@@ -109,18 +122,31 @@ fn the_power_curve_of_a_turbine_is_the_published_one() {
     // NREL/TP-500-38060: blades of that analysis are flexible; its thrust contains 94.05 kN of
     // weight along the tilted shaft.
     let of = |column: usize, from: usize, to: usize| -> Vec<f64> {
-        published[from..=to].iter().map(|row| row[column] * 1e3).collect()
+        published[from..=to]
+            .iter()
+            .map(|row| row[column] * 1e3)
+            .collect()
     };
     let (first, last) = (1, 18); // 4 to 21 m/s
     let powers = relative(&power[first..=last], &of(3, first, last));
-    let with_weight: Vec<f64> = thrust[first..=last].iter().map(|it| it + 94_050.0).collect();
+    let with_weight: Vec<f64> = thrust[first..=last]
+        .iter()
+        .map(|it| it + 94_050.0)
+        .collect();
     let thrusts = relative(&with_weight, &of(4, first, last));
-    println!("power {:.4}, thrust {:.4}", largest(&powers), largest(&thrusts));
+    println!(
+        "power {:.4}, thrust {:.4}",
+        largest(&powers),
+        largest(&thrusts)
+    );
     assert!(largest(&powers) < 0.03, "{powers:?}");
     assert!(largest(&thrusts) < 0.03, "{thrusts:?}");
 
     let curve = Rows::of(&folder, table, "power curve");
-    let (pitch, speed) = (curve.column("pitch [deg]"), curve.column("rotor speed [rpm]"));
+    let (pitch, speed) = (
+        curve.column("pitch [deg]"),
+        curve.column("rotor speed [rpm]"),
+    );
     let pitches = (9..=19).map(|index| pitch[index] - published[index][2]);
     let pitches: Vec<f64> = pitches.collect();
     println!("pitch {:.3} deg", largest(&pitches));
@@ -139,7 +165,12 @@ fn the_power_curve_of_a_turbine_is_the_published_one() {
 fn a_propeller_has_the_coefficients_of_the_wind_tunnel() {
     let folder = case("propeller");
     let measured = json("aero/propellers/apc_10x7sf_compare.json");
-    let rows: Vec<Vec<f64>> = measured["J"].as_array().unwrap().iter().map(numbers).collect();
+    let rows: Vec<Vec<f64>> = measured["J"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(numbers)
+        .collect();
     let mut schedule = "speed [m/s],rotor_speed [rpm]\n".to_owned();
     for row in &rows {
         schedule += &format!("{},{}\n", row[1] * row[0] / 60.0 * 0.254, row[0]);
@@ -150,7 +181,12 @@ fn a_propeller_has_the_coefficients_of_the_wind_tunnel() {
         "tunnel.rotor.toml",
         &format!("{text}\n[[schedule]]\nname = \"points\"\nfile = \"tunnel.csv\"\n"),
     );
-    let run = folder.run(&["performance", "tunnel.rotor.toml", "--no-figures", "--quiet"]);
+    let run = folder.run(&[
+        "performance",
+        "tunnel.rotor.toml",
+        "--no-figures",
+        "--quiet",
+    ]);
     assert_eq!((run.code, run.err.as_str(), run.out.as_str()), (0, "", ""));
     let found = Rows::of(&folder, "results/tunnel.performance.csv", "points");
     let (ratio, thrust) = (found.column("advance ratio [-]"), found.column("CT [-]"));
@@ -168,9 +204,15 @@ fn a_propeller_has_the_coefficients_of_the_wind_tunnel() {
     // UIUC Propeller Data Site: repeated measurements differ by up to .003 in CT. The geometry of
     // APC and the one that UIUC measured differ by up to 3 degrees, and the flexible blades of this
     // propeller twist with the speed, which a rigid rotor does not have.
-    assert!(worst < 0.006 && worst_power < 0.007, "{worst} {worst_power}");
+    assert!(
+        worst < 0.006 && worst_power < 0.007,
+        "{worst} {worst_power}"
+    );
     let hover = Rows::of(&folder, "results/tunnel.performance.csv", "static");
-    let at = hover.column("rotor speed [rpm]").iter().position(|it| (it - 4000.0).abs() < 1e-6);
+    let at = hover
+        .column("rotor speed [rpm]")
+        .iter()
+        .position(|it| (it - 4000.0).abs() < 1e-6);
     let at = at.unwrap();
     let (thrust, power) = (hover.column("CT [-]")[at], hover.column("CP [-]")[at]);
     println!("static CT {thrust:.4}, CP {power:.4}");
@@ -201,7 +243,14 @@ fn all_files_are_written_and_stale_ones_removed() {
     assert_eq!(names(&folder).len(), 7);
     assert!(run.out.contains("largest CP "), "{}", run.out);
     assert!(run.out.contains("out/a.performance.csv"), "{}", run.out);
-    let run = folder.run(&["performance", "a.rotor.toml", "--out", "out", "--no-figures", "-q"]);
+    let run = folder.run(&[
+        "performance",
+        "a.rotor.toml",
+        "--out",
+        "out",
+        "--no-figures",
+        "-q",
+    ]);
     assert_eq!((run.code, run.out.as_str()), (0, ""));
     expected.sort_unstable();
     assert_eq!(names(&folder), expected);
@@ -242,7 +291,10 @@ fn wrong_rotor_files_are_refused_with_all_their_problems() {
     folder.write("t.csv", table);
     let mach = "[rotor]\nblades = 3\nhub_radius = 1\ntip_radius = 10\n";
     for (text, expected) in [
-        (ROTOR.to_owned(), "the file has no operating points, expected [[sweep]]"),
+        (
+            ROTOR.to_owned(),
+            "the file has no operating points, expected [[sweep]]",
+        ),
         (
             format!("{ROTOR}[[sweep]]\nspeed = []\nrotor_speed = 3\n"),
             "a.rotor.toml:12: \"speed\" is empty, expected at least one value\n  help: give a number",
@@ -252,12 +304,18 @@ fn wrong_rotor_files_are_refused_with_all_their_problems() {
             "a.rotor.toml:8: station 2 is at the radius 1.5 m, expected more than 2 m",
         ),
         (
-            format!("{}{SWEEP}", ROTOR.replace("tip_radius = 10", "tip_radius = 9")),
+            format!(
+                "{}{SWEEP}",
+                ROTOR.replace("tip_radius = 10", "tip_radius = 9")
+            ),
             "a.rotor.toml:5: \"tip_radius\" is 9 m, expected 9.5 m or more, the radius of the last \
              station\n  help: correct it",
         ),
         (
-            format!("{}{SWEEP}", ROTOR.replace("hub_radius = 1", "hub_radius = 3")),
+            format!(
+                "{}{SWEEP}",
+                ROTOR.replace("hub_radius = 1", "hub_radius = 3")
+            ),
             "a.rotor.toml:4: \"hub_radius\" is 3 m, expected 2 m or less, the radius of the first",
         ),
         (
@@ -305,16 +363,30 @@ fn wrong_rotor_files_are_refused_with_all_their_problems() {
         folder.write("a.rotor.toml", &text);
         let run = folder.run(&["performance", "a.rotor.toml"]);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{text}\n{}", run.err);
-        assert!(run.err.contains(expected), "{expected}\nis not in\n{}", run.err);
+        assert!(
+            run.err.contains(expected),
+            "{expected}\nis not in\n{}",
+            run.err
+        );
         assert!(!folder.path("results").exists());
     }
-    let two = ROTOR.replacen("naca0012", "x", 1).replace("tip_radius = 10", "tip_radius = 9");
+    let two = ROTOR
+        .replacen("naca0012", "x", 1)
+        .replace("tip_radius = 10", "tip_radius = 9");
     folder.write("a.rotor.toml", &format!("{two}[[sweep]]\nspeed = 1\n"));
     let run = folder.run(&["performance", "a.rotor.toml"]);
     assert_eq!(run.err.matches("error: ").count(), 2, "{}", run.err);
     let held = ROTOR.replace("blades = 3", "blades = 3\noutside_mach = \"hold\"");
-    folder.write("a.rotor.toml", &format!("{held}[[sweep]]\nspeed = 8\nrotor_speed = 1000\n"));
-    assert_eq!(folder.run(&["performance", "a.rotor.toml", "--no-figures"]).code, 0);
+    folder.write(
+        "a.rotor.toml",
+        &format!("{held}[[sweep]]\nspeed = 8\nrotor_speed = 1000\n"),
+    );
+    assert_eq!(
+        folder
+            .run(&["performance", "a.rotor.toml", "--no-figures"])
+            .code,
+        0
+    );
 }
 
 /// The other commands name the command for rotor files.

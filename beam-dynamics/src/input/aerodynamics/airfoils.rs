@@ -66,7 +66,12 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     let (file, files, of_file, viterna) = (file?, files?, of_file?, viterna?);
     let (built_in, slope) = (built_in?, slope?);
     let has_file = file.is_some() || files.is_some();
-    let given = [file.is_some(), files.is_some(), built_in.is_some(), slope.is_some()];
+    let given = [
+        file.is_some(),
+        files.is_some(),
+        built_in.is_some(),
+        slope.is_some(),
+    ];
     let count = given.iter().filter(|given| **given).count();
     if count != 1 {
         let found = match count {
@@ -86,7 +91,11 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
         table.note(key, &StripProblem::Useless { name, key, needed });
         return None;
     }
-    let key = if file.is_some() { FILE.name() } else { FILES.name() };
+    let key = if file.is_some() {
+        FILE.name()
+    } else {
+        FILES.name()
+    };
     if let Some(files) = file.map(|file| vec![file]).or(files) {
         let wanted = airfoil_files::Wanted { of_file, viterna };
         return airfoil_files::read(&name, (table, key), &files, wanted, remarks);

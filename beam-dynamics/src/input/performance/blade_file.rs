@@ -82,7 +82,12 @@ pub(super) fn read(
     let twist = twist(table)?;
     let path = table.existing(FILE.name(), file)?;
     let blade = table.document().keep(read_blade(&path, &options))?;
-    remarks.extend(blade.remarks.iter().map(|remark| format!("\"{file}\": {remark}")));
+    remarks.extend(
+        blade
+            .remarks
+            .iter()
+            .map(|remark| format!("\"{file}\": {remark}")),
+    );
     let sections = sections(table, &blade, (file, airfoils))?;
     let from_root = blade.origin != SpanOrigin::RotationAxis;
     let stations = blade.stations.iter().zip(sections);
@@ -91,7 +96,9 @@ pub(super) fn read(
         Station {
             radius: station.span,
             chord: station.chord,
-            twist: twist.as_ref().map_or(own, |rows| between(rows, station.span)),
+            twist: twist
+                .as_ref()
+                .map_or(own, |rows| between(rows, station.span)),
             prebend,
             section,
         }
@@ -133,7 +140,15 @@ fn twist(table: &Table<'_>) -> Option<Option<Vec<[f64; 2]>>> {
         }
     };
     let sound = super::values::increasing(table, TWIST_RADII.name(), &radii);
-    sound.then(|| Some(radii.into_iter().zip(twist).map(|row| [row.0, row.1]).collect()))
+    sound.then(|| {
+        Some(
+            radii
+                .into_iter()
+                .zip(twist)
+                .map(|row| [row.0, row.1])
+                .collect(),
+        )
+    })
 }
 
 /// The value of rows, linear between them and constant outside.

@@ -57,7 +57,14 @@ pub(super) fn read(root: &Table<'_>) -> Option<Momentum> {
     let switches = switches.map(|key| table.get(key));
     let (law, radius) = (table.get(&HIGH_INDUCTION), table.get(&RADIUS));
     table.finish();
-    let [tip_loss, hub_loss, swirl, axial_drag, tangential_drag, skewed_wake] = switches;
+    let [
+        tip_loss,
+        hub_loss,
+        swirl,
+        axial_drag,
+        tangential_drag,
+        skewed_wake,
+    ] = switches;
     let laws = [
         HighInduction::Buhl,
         HighInduction::BuhlOutside,

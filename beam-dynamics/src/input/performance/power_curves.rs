@@ -2,11 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{
-    Positive, Quantities, Quantity, Table as OneTable,
-};
 use shared_geom::document::ByHand;
+use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Positive, Quantities, Quantity, Table as OneTable};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 

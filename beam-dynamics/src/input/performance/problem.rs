@@ -19,7 +19,9 @@ pub enum PerformanceProblem {
         found: &'static str,
     },
     /// A property that neither the card nor the file has.
-    #[error("[rotor] has no \"{key}\", and neither has the file of the blade, expected one of them")]
+    #[error(
+        "[rotor] has no \"{key}\", and neither has the file of the blade, expected one of them"
+    )]
     Missing {
         /// The key.
         key: &'static str,
@@ -88,7 +90,9 @@ pub enum PerformanceProblem {
         help: Option<String>,
     },
     /// No operating point.
-    #[error("the file has no operating points, expected [[sweep]], [[schedule]] or [[power_curve]]")]
+    #[error(
+        "the file has no operating points, expected [[sweep]], [[schedule]] or [[power_curve]]"
+    )]
     NoPoints,
     /// Two names that are equal.
     #[error("the name \"{name}\" of operating points is used twice, expected different names")]
@@ -244,9 +248,7 @@ impl Explain for PerformanceProblem {
                 "give speed and rotor_speed, or one of them and a ratio, from which the other \
                  follows"
             }
-            Self::NotPositive { .. } => {
-                "begin above zero, or give \"speed\" and \"rotor_speed\""
-            }
+            Self::NotPositive { .. } => "begin above zero, or give \"speed\" and \"rotor_speed\"",
             Self::TooMany { .. } => "use fewer steps, or several sweeps",
             Self::Lengths { .. } => "give one value for all points, or one for each",
             Self::NoSuchPoint { .. } => "loads are reported at computed points: use one of them",

@@ -70,15 +70,20 @@ fn listed(table: &Table<'_>, lists: [Option<Vec<f64>>; 3]) -> Option<Vec<Operati
     let mut sound = true;
     for (key, list) in keys.iter().zip(&lists).take(2) {
         if list.is_none() {
-            table.note("", &PerformanceProblem::NoColumn {
-                column: key,
-                found: "no such key, and no \"file\"".to_owned(),
-            });
+            table.note(
+                "",
+                &PerformanceProblem::NoColumn {
+                    column: key,
+                    found: "no such key, and no \"file\"".to_owned(),
+                },
+            );
             sound = false;
         }
     }
     let lists = lists.map(|list| list.unwrap_or_else(|| vec![0.0]));
-    let longest = (0..3).max_by_key(|index| (lists[*index].len(), 3 - index)).unwrap_or(0);
+    let longest = (0..3)
+        .max_by_key(|index| (lists[*index].len(), 3 - index))
+        .unwrap_or(0);
     let expected = lists[longest].len();
     for (key, list) in keys.iter().zip(&lists) {
         if list.is_empty() {
@@ -86,12 +91,15 @@ fn listed(table: &Table<'_>, lists: [Option<Vec<f64>>; 3]) -> Option<Vec<Operati
             sound = false;
         } else if list.len() != 1 && list.len() != expected {
             let (found, longest) = (list.len(), keys[longest]);
-            table.note(key, &PerformanceProblem::Lengths {
+            table.note(
                 key,
-                found,
-                expected,
-                longest,
-            });
+                &PerformanceProblem::Lengths {
+                    key,
+                    found,
+                    expected,
+                    longest,
+                },
+            );
             sound = false;
         }
     }
@@ -152,11 +160,14 @@ fn parsed(text: &str, problems: &mut Vec<(usize, PerformanceProblem)>) -> Vec<Op
             if number.is_none() {
                 let (column, found) = (COLUMNS[column].0.to_owned(), cell.to_owned());
                 let expected = "a number";
-                problems.push((line, PerformanceProblem::Cell {
-                    column,
-                    found,
-                    expected,
-                }));
+                problems.push((
+                    line,
+                    PerformanceProblem::Cell {
+                        column,
+                        found,
+                        expected,
+                    },
+                ));
             }
             number.unwrap_or(0.0) * factor
         };
@@ -183,7 +194,13 @@ fn found(
     let Some(index) = titles.iter().position(named) else {
         if required {
             let found = titles.iter().collect::<Vec<_>>().join(", ");
-            problems.push((line, PerformanceProblem::NoColumn { column: name, found }));
+            problems.push((
+                line,
+                PerformanceProblem::NoColumn {
+                    column: name,
+                    found,
+                },
+            ));
         }
         return None;
     };
@@ -200,11 +217,14 @@ fn found(
     match units::parse(unit) {
         Ok(known) if known.dimension == dimension => Some((index, known.factor)),
         _ => {
-            problems.push((line, PerformanceProblem::Cell {
-                column: title.to_owned(),
-                found: unit.to_owned(),
-                expected: "a unit of this quantity",
-            }));
+            problems.push((
+                line,
+                PerformanceProblem::Cell {
+                    column: title.to_owned(),
+                    found: unit.to_owned(),
+                    expected: "a unit of this quantity",
+                },
+            ));
             None
         }
     }
@@ -229,7 +249,10 @@ mod tests {
     fn every_wrong_cell_is_reported_with_its_line() {
         let mut problems = Vec::new();
         parsed("speed,rotor_speed\n1,a\n,2\n", &mut problems);
-        let shown: Vec<_> = problems.iter().map(|(line, it)| format!("{line}: {it}")).collect();
+        let shown: Vec<_> = problems
+            .iter()
+            .map(|(line, it)| format!("{line}: {it}"))
+            .collect();
         assert_eq!(
             shown,
             [
@@ -239,7 +262,10 @@ mod tests {
         );
         problems.clear();
         parsed("speed [kg],v\n1,2\n", &mut problems);
-        let shown: Vec<_> = problems.iter().map(|(line, it)| format!("{line}: {it}")).collect();
+        let shown: Vec<_> = problems
+            .iter()
+            .map(|(line, it)| format!("{line}: {it}"))
+            .collect();
         assert_eq!(
             shown,
             [

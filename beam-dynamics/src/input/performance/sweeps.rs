@@ -88,9 +88,8 @@ pub(super) fn read(table: &Table<'_>, usual: String, radius: f64) -> Option<Perf
 /// The axes, if two of them give the speeds; notes other combinations, and ratios and speeds by
 /// which others would be infinite.
 fn checked(table: &Table<'_>, axes: Vec<Axis>) -> Option<[Axis; 3]> {
-    let is_ratio = |axis: &Axis| {
-        matches!(axis.of, Abscissa::TipSpeedRatio | Abscissa::AdvanceRatio)
-    };
+    let is_ratio =
+        |axis: &Axis| matches!(axis.of, Abscissa::TipSpeedRatio | Abscissa::AdvanceRatio);
     let ratios = axes.iter().filter(|axis| is_ratio(axis)).count();
     let axes = match <[Axis; 3]>::try_from(axes) {
         Ok(axes) if ratios <= 1 => axes,
@@ -217,7 +216,9 @@ mod tests {
     fn part_of(text: &str) -> Result<PerformancePart, String> {
         let document = Document::parse(text, "a.toml").unwrap();
         let part = read(&document.root_of(&CARD), "sweep 1".to_owned(), 2.0);
-        document.finish(part).map_err(|problems| problems.to_string())
+        document
+            .finish(part)
+            .map_err(|problems| problems.to_string())
     }
 
     fn settings(part: &PerformancePart) -> Vec<OperatingSetting> {
@@ -231,21 +232,34 @@ mod tests {
     fn the_other_speed_follows_from_the_ratio() {
         for (text, expected) in [
             ("speed = 8\ntip_speed_ratio = 5", [8.0, 20.0]),
-            ("rotor_speed = \"20 rad/s\"\ntip_speed_ratio = 5", [8.0, 20.0]),
+            (
+                "rotor_speed = \"20 rad/s\"\ntip_speed_ratio = 5",
+                [8.0, 20.0],
+            ),
             // J = V / (n D) = pi V / (omega R)
-            ("speed = 8\nadvance_ratio = 0.5", [8.0, 8.0 * PI / (0.5 * 2.0)]),
+            (
+                "speed = 8\nadvance_ratio = 0.5",
+                [8.0, 8.0 * PI / (0.5 * 2.0)],
+            ),
             ("rotor_speed = 60\nadvance_ratio = 0", [0.0, TAU]),
             ("rotor_speed = 60\nspeed = 3", [3.0, TAU]),
         ] {
             let found = settings(&part_of(text).unwrap())[0];
-            assert!((found.speed - expected[0]).abs() < 1e-12, "{text}: {found:?}");
-            assert!((found.omega - expected[1]).abs() < 1e-12, "{text}: {found:?}");
+            assert!(
+                (found.speed - expected[0]).abs() < 1e-12,
+                "{text}: {found:?}"
+            );
+            assert!(
+                (found.omega - expected[1]).abs() < 1e-12,
+                "{text}: {found:?}"
+            );
         }
     }
 
     #[test]
     fn the_first_key_with_several_values_runs_along_the_curves() {
-        let text = "speed = 8\ntip_speed_ratio = { from = 2, to = 4, steps = 3 }\npitch = [0, 1, 2]";
+        let text =
+            "speed = 8\ntip_speed_ratio = { from = 2, to = 4, steps = 3 }\npitch = [0, 1, 2]";
         let part = part_of(text).unwrap();
         assert!(part.is_map);
         assert_eq!(part.abscissa, Abscissa::TipSpeedRatio);
@@ -262,7 +276,10 @@ mod tests {
     #[test]
     fn wrong_sweeps_are_reported() {
         for (text, expected) in [
-            ("speed = 8", "[[sweep]] has \"speed\" alone, expected two of"),
+            (
+                "speed = 8",
+                "[[sweep]] has \"speed\" alone, expected two of",
+            ),
             ("pitch = 8", "[[sweep]] has none of them, expected two of"),
             (
                 "speed = 8\nrotor_speed = 9\ntip_speed_ratio = 3",
@@ -272,7 +289,10 @@ mod tests {
                 "tip_speed_ratio = 8\nadvance_ratio = 9",
                 "has \"tip_speed_ratio\", \"advance_ratio\", expected two of",
             ),
-            ("speed = []\nrotor_speed = 2", "\"speed\" is empty, expected at least one value"),
+            (
+                "speed = []\nrotor_speed = 2",
+                "\"speed\" is empty, expected at least one value",
+            ),
             (
                 "speed = 8\nadvance_ratio = [0, 1]",
                 "\"advance_ratio\" has the value 0, expected a value above zero: \"rotor_speed\" \

@@ -71,14 +71,18 @@ const TURBINE: [Column; 4] = [
     column("CQ", "-", |at| at.performance.turbine().torque),
 ];
 const PROPELLER: [Column; 5] = [
-    column("advance ratio", "-", |at| at.performance.propeller().advance_ratio),
+    column("advance ratio", "-", |at| {
+        at.performance.propeller().advance_ratio
+    }),
     PROPELLER_CT,
     PROPELLER_CP,
     column("CQ", "-", |at| at.performance.propeller().torque),
     EFFICIENCY,
 ];
 const HELICOPTER: [Column; 4] = [
-    column("climb ratio", "-", |at| at.performance.helicopter().climb_ratio),
+    column("climb ratio", "-", |at| {
+        at.performance.helicopter().climb_ratio
+    }),
     LIFTING_CT,
     LIFTING_CP,
     FIGURE_OF_MERIT,
@@ -100,7 +104,9 @@ pub(super) fn scale(unit: &str, values: impl Iterator<Item = f64>) -> (&'static 
     if !matches!(unit, "W" | "N" | "N m" | "N/m") {
         return ("", 1.0);
     }
-    let largest = values.filter(|it| it.is_finite()).fold(0.0, |a: f64, b| a.max(b.abs()));
+    let largest = values
+        .filter(|it| it.is_finite())
+        .fold(0.0, |a: f64, b| a.max(b.abs()));
     match largest {
         large if large >= 1e6 => ("M", 1e-6),
         large if large >= 1e3 => ("k", 1e-3),

@@ -113,7 +113,8 @@ impl MapPlot {
             let row = row.iter().zip(&self.ratios);
             row.map(move |(value, ratio)| [*ratio, *pitch, *value])
         });
-        all.filter(|it| it[2].is_finite()).max_by(|a, b| a[2].total_cmp(&b[2]))
+        all.filter(|it| it[2].is_finite())
+            .max_by(|a, b| a[2].total_cmp(&b[2]))
     }
 }
 
@@ -180,9 +181,10 @@ impl Figure for MapPlot {
 
     fn draw(&self, drawing: &mut Drawing) {
         drawing.title(&self.title, [40.0, 44.0]);
-        let (first, last) = (|list: &[f64]| list.first().copied(), |list: &[f64]| {
-            list.last().copied()
-        });
+        let (first, last) = (
+            |list: &[f64]| list.first().copied(),
+            |list: &[f64]| list.last().copied(),
+        );
         let ends = |list: &[f64]| [first(list).unwrap_or(0.0), last(list).unwrap_or(1.0)];
         let half = 0.5 * f64::from(WIDTH);
         for (index, grid) in self.grids.iter().enumerate() {
@@ -197,7 +199,11 @@ impl Figure for MapPlot {
             };
             self.draw_grid(drawing, &axes, grid);
             let title = Label::new(TEXT).colored(INK);
-            drawing.text(&format!("{} [-]", grid.name), [axes.left, axes.top - 36.0], title);
+            drawing.text(
+                &format!("{} [-]", grid.name),
+                [axes.left, axes.top - 36.0],
+                title,
+            );
             if let Some([ratio, pitch, value]) = self.largest(grid) {
                 let at = axes.position([ratio, pitch]);
                 drawing.ring(at, MARK, 3.0, BLACK);
@@ -219,10 +225,20 @@ mod tests {
     /// pieces.
     #[test]
     fn contours_of_a_plane_are_straight() {
-        let cell = [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [0.0, 1.0, 0.0]];
+        let cell = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 1.0],
+            [1.0, 1.0, 1.0],
+            [0.0, 1.0, 0.0],
+        ];
         let found = crossings(&cell, 0.25);
         assert_eq!(found.len(), 2);
-        assert!(found.iter().flatten().all(|point| (point[0] - 0.25).abs() < 1e-15));
+        assert!(
+            found
+                .iter()
+                .flatten()
+                .all(|point| (point[0] - 0.25).abs() < 1e-15)
+        );
         assert!(crossings(&cell, 2.0).is_empty());
         let broken = cell.map(|[x, y, _]| [x, y, f64::NAN]);
         assert!(crossings(&broken, 0.25).is_empty());

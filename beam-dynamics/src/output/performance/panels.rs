@@ -55,7 +55,10 @@ impl PanelPlot {
 
     /// Values at the ends of the axis.
     fn across_range(&self) -> [f64; 2] {
-        let points = self.panels.iter().flat_map(|panel| panel.curves.iter().flatten());
+        let points = self
+            .panels
+            .iter()
+            .flat_map(|panel| panel.curves.iter().flatten());
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for [x, _] in points.filter(|point| point[0].is_finite()) {
             low = low.min(*x);

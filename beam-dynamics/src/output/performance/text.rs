@@ -50,10 +50,16 @@ pub fn performance_text(result: &PerformanceResult) -> String {
 
 fn table_text(machine: MachineKind, table: &PerformanceTable) -> String {
     if table.points.len() > MOST_ROWS {
-        return format!("{} points, in the table of the results\n", table.points.len());
+        return format!(
+            "{} points, in the table of the results\n",
+            table.points.len()
+        );
     }
     let columns = columns(machine);
-    let is_controlled = table.points.iter().any(|it| it.status != PointStatus::Given);
+    let is_controlled = table
+        .points
+        .iter()
+        .any(|it| it.status != PointStatus::Given);
     let scales = columns.iter().map(|column| scale_of(column, table));
     let scales: Vec<_> = scales.collect();
     let mut rows = vec![heading(&columns, &scales, is_controlled)];
@@ -63,7 +69,8 @@ fn table_text(machine: MachineKind, table: &PerformanceTable) -> String {
         }
         for point in points {
             let numbers = columns.iter().zip(&scales);
-            let numbers = numbers.map(|(column, (_, factor))| shown((column.value)(point) * factor));
+            let numbers =
+                numbers.map(|(column, (_, factor))| shown((column.value)(point) * factor));
             let mut row: Vec<String> = numbers.collect();
             if is_controlled {
                 row.push(point.status.word().to_owned());
@@ -102,7 +109,10 @@ fn best(machine: MachineKind, table: &PerformanceTable) -> Option<String> {
         MachineKind::Turbine => (TURBINE_CP, true),
         _ => (PROPELLER_CT, false),
     };
-    let is_given = table.points.iter().all(|it| it.status == PointStatus::Given);
+    let is_given = table
+        .points
+        .iter()
+        .all(|it| it.status == PointStatus::Given);
     let is_sweep = table.abscissa == Abscissa::TipSpeedRatio && is_given;
     if !is_turbine || !is_sweep {
         return None;
