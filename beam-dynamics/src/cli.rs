@@ -14,6 +14,7 @@ use crate::case::ModesSettings;
 use crate::input::{self, Input};
 use crate::output::{self, ResultLocation, Written};
 
+mod airfoil;
 mod arguments;
 mod blade_options;
 mod compare;
@@ -136,6 +137,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
         Command::Describe { files, reading } => describe::describe_files(&files, reading, terminal),
         Command::Convert(arguments) => convert::convert(&arguments, terminal),
+        Command::Airfoil(arguments) => airfoil::airfoil(&arguments, terminal),
     }
 }
 

@@ -122,6 +122,12 @@ pub trait Element: Debug + Send + Sync {
     /// Visits all quantities that are given to it from outside.
     fn each_signal<'a>(&'a self, _visit: &mut dyn FnMut(&'a Signal)) {}
 
+    /// The first time after `time` at which its forces have a corner or a jump in time that is not
+    /// one of its signals \[s\]: a gust that begins. Infinite if there is none.
+    fn next_own_corner(&self, _time: f64) -> f64 {
+        f64::INFINITY
+    }
+
     /// Whether it acts on its nodes; a sensor does not.
     fn acts(&self) -> bool {
         true

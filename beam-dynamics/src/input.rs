@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use nalgebra::Vector3;
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::file_kind::FileKind;
@@ -83,7 +84,7 @@ mod test_files;
 #[cfg(test)]
 mod tests;
 
-pub use aerodynamics::StripProblem;
+pub use aerodynamics::{AirProblem, StripProblem};
 pub use blade_file::{BladeSettings, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
@@ -279,7 +280,9 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     builder.set_drives(drives);
     builder.set_frames(frames::read(&root));
     hub_support::add(&root, &mut builder);
-    builder.set_aerodynamics(aerodynamics::read(&root));
+    let gravity = loads::gravity(&root, &builder);
+    let weight = gravity.as_ref().map_or_else(Vector3::zeros, |found| found.0);
+    builder.set_aerodynamics(aerodynamics::read(&root, &weight));
     nodes::read(&root, &mut builder);
     blades::read(&root, &mut builder);
     beams::read(&root, &mut builder);
@@ -294,7 +297,6 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     internal_forces::read(&root, &mut builder);
     electrodes::read(&root, &mut builder);
     control::read(control, &mut builder);
-    let gravity = loads::gravity(&root, &builder);
     let analyses = analyses::read(&root);
     let measured = measured::read(&root);
     let output = columns::read(&root, &builder);
@@ -314,6 +316,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     }
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
     analyses.check(&root, &gravity, &builder.hub()?.frame_rotation());
+    check_air(&root, &builder, &analyses);
     let nodes = builder.initial();
     let node_locations = nodes.map(|(_, _, line)| document.location(line)).collect();
     let joints = builder.joint_lines();
@@ -332,6 +335,20 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
 fn check_run(document: &Document, builder: &ModelBuilder, times: [f64; 2]) {
     builder.drives().check_run(document, times);
     control::check_run(document, builder, times);
+}
+
+/// Notes a wind that does not suit the analyses, and turbulence boxes too small for the blades.
+fn check_air(root: &Table<'_>, builder: &ModelBuilder, analyses: &Analyses) {
+    let (Some(hub), Some(air)) = (builder.hub(), builder.aerodynamics().used_air()) else {
+        return;
+    };
+    let rotation = hub.frame_rotation();
+    aerodynamics::check_steady(root, air, (&rotation, analyses.highest_speed()));
+    let Some(run) = &analyses.transient else { return };
+    let nodes = builder.blades().iter().flat_map(|blade| &blade.nodes);
+    let radii = nodes.filter_map(|node| Some(hub.distance(&builder.nodes().get(*node)?.position)));
+    let radius = radii.fold(0.0, f64::max);
+    aerodynamics::check_boxes(root, air, (&rotation.center, radius), run.to);
 }
 
 /// The input if the model is complete.

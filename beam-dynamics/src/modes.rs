@@ -2,6 +2,7 @@
 //! at one speed is which at the next.
 
 mod copies;
+mod crowded;
 mod dense;
 mod eigen;
 mod eigenpair;

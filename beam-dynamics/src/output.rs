@@ -1,6 +1,8 @@
 //! Output of results: tables for people and for programs, the comparison with measurements, and the
 //! fan plot. Output only reads results; it computes nothing.
 
+mod airfoil_plot;
+mod airfoil_text;
 mod blade_comparison;
 mod blade_text;
 mod buckling;
@@ -26,6 +28,8 @@ mod views;
 #[cfg(test)]
 mod samples;
 
+pub use airfoil_plot::AirfoilPlot;
+pub use airfoil_text::airfoil_text;
 pub use blade_comparison::blade_comparison;
 pub use blade_text::{blade_text, list};
 pub use buckling::{

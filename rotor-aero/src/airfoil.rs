@@ -4,6 +4,7 @@
 
 mod blend;
 mod builtin;
+mod characteristics;
 mod check;
 mod compressibility;
 mod cubic;
@@ -22,6 +23,7 @@ mod viterna;
 
 pub use blend::{Blend, BlendProblem, Section};
 pub use builtin::{BUILT_IN, BuiltIn, built_in};
+pub use characteristics::{Characteristics, Extreme};
 pub use cubic::Interpolation;
 pub use data::{AirfoilData, Coefficients, Curve, Flow};
 pub use evaluated::{Airfoil, Profile};

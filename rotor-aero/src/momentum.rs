@@ -26,6 +26,7 @@ mod skew;
 mod steady;
 mod velocity;
 
+pub(crate) use annulus::END_MARGIN;
 pub use annulus::{Annulus, Options, SectionFlow};
 pub use bracket::root as bracketed_root;
 pub use induction::HighInduction;

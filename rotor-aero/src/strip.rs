@@ -17,6 +17,7 @@ use crate::airfoil::Section;
 use crate::momentum::Options;
 use crate::unsteady::{self, Model, SectionFlow, SectionForce};
 use crate::wake::TimeScale;
+use crate::wind::Atmosphere;
 
 mod polar;
 mod ring;
@@ -65,15 +66,13 @@ pub struct StripState {
     pub has_rate: bool,
 }
 
-/// Properties of the air.
+/// The air at a strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AirProperties {
-    /// Density [kg/m^3].
-    pub density: f64,
-    /// Speed of sound [m/s].
-    pub speed_of_sound: f64,
-    /// Dynamic viscosity [Pa s].
-    pub viscosity: f64,
+pub struct ActingAir<'a> {
+    /// Its properties.
+    pub still: &'a Atmosphere,
+    /// Part of its forces that acts: one, except on the way to an equilibrium \[-\].
+    pub part: f64,
 }
 
 /// Wake of an annulus.
@@ -189,7 +188,7 @@ impl Strip {
         let own = design.model.states().iter().map(|state| StripState {
             name: state.name,
             unit: state.unit,
-            row_unit: "1/s",
+            row_unit: state.row_unit,
             has_rate: true,
         });
         Self {
@@ -210,7 +209,7 @@ impl Strip {
     /// Loads and rows for the numbers of a flow, the unknowns and their rates.
     pub fn evaluate(
         &self,
-        air: &AirProperties,
+        air: ActingAir<'_>,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -221,7 +220,7 @@ impl Strip {
     /// The same with derivatives.
     pub fn linearize(
         &self,
-        air: &AirProperties,
+        air: ActingAir<'_>,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -236,7 +235,7 @@ impl Strip {
 
     fn dual<const N: usize>(
         &self,
-        air: &AirProperties,
+        air: ActingAir<'_>,
         flow: &[f64; FLOW],
         states: &[f64],
         rates: &[f64],
@@ -267,7 +266,7 @@ impl Strip {
     /// Loads and rows.
     fn outputs<T: Real>(
         &self,
-        air: &AirProperties,
+        air: ActingAir<'_>,
         flow: &StripFlow<T>,
         states: &[T],
         rates: &[T],
@@ -294,7 +293,7 @@ impl Strip {
         let _ = span;
         if let Some(inflow) = &self.inflow {
             let loads = [force.along, force.normal];
-            let ring = Ring::new(inflow, flow, &axes, (air.density, &loads));
+            let ring = Ring::new(inflow, flow, &axes, (air.still.density, &loads));
             ring.rows(
                 (induced, induced_rates),
                 &mut out[LOADS..LOADS + self.of_inflow],
@@ -306,7 +305,7 @@ impl Strip {
     /// Forces of the section in the velocity against the air, and the rows of its states.
     fn section<T: Real>(
         &self,
-        air: &AirProperties,
+        air: ActingAir<'_>,
         (velocity, pitch_rate): ([T; 2], T),
         (states, rates): (&[T], &[T]),
         rows: &mut [T],
@@ -314,19 +313,24 @@ impl Strip {
         let [x, y] = velocity;
         let mut flow = SectionFlow::rigid(-y, x, pitch_rate, self.chord);
         let speed = (x * x + y * y + SLOW * SLOW).sqrt();
-        flow.mach = speed / air.speed_of_sound;
-        flow.reynolds = speed * (self.chord * air.density / air.viscosity);
+        flow.mach = speed / air.still.sound_speed;
+        flow.reynolds = speed * (self.chord * air.still.density / air.still.viscosity);
         let strip = unsteady::Strip {
             chord: self.chord,
-            density: air.density,
+            density: air.still.density,
         };
-        self.model
-            .evaluate(&strip, &self.polar, &flow, states, rates, rows)
-            .unwrap_or(SectionForce {
-                along: T::from(0.0),
-                normal: T::from(0.0),
-                moment: T::from(0.0),
-            })
+        let force = self
+            .model
+            .evaluate(&strip, &self.polar, &flow, states, rates, rows);
+        let scaled = |of: fn(&SectionForce<T>) -> T| match &force {
+            Some(force) => of(force) * air.part,
+            None => T::from(0.0),
+        };
+        SectionForce {
+            along: scaled(|force| force.along),
+            normal: scaled(|force| force.normal),
+            moment: scaled(|force| force.moment),
+        }
     }
 }
 

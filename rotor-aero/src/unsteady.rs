@@ -35,5 +35,6 @@ pub use model::SectionModel;
 pub use oye::Oye;
 pub use polar::Polar;
 pub use quasi_steady::QuasiSteady;
+pub(crate) use section::state;
 pub use section::{Model, SectionFlow, SectionForce, StateName, Strip};
 pub use separation_lag::SeparationLag;

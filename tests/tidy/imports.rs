@@ -35,7 +35,7 @@ pub const CRATES: [Stages; 3] = [
     Stages {
         folder: "rotor-aero",
         order: &[
-            "real", "airfoil", "unsteady", "momentum", "wake", "inflow", "wind", "rotor",
+            "real", "airfoil", "unsteady", "momentum", "wake", "inflow", "wind", "strip", "rotor",
         ],
     },
     Stages {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use shared_geom::command_help::Shell;
 
+use super::airfoil::AirfoilArguments;
 use super::blade_options::BladeOptions;
 use super::compare::CompareArguments;
 use super::convert::ConvertArguments;
@@ -246,6 +247,27 @@ Examples:
   beam-dynamics convert nrel.blade.json table.dat --to dymore
   beam-dynamics convert nrel.blade.json new.yaml --into turbine.yaml";
 
+const AIRFOIL: &str = "\
+Describes, draws and converts airfoil tables
+
+Reads FILE in any known format: C81, AeroDyn 12 and 15, HAWC2 pc, windIO 1 and 2, XFOIL and XFLR5 \
+polars, CSV; or takes a built-in airfoil: naca0012, flat_plate, thin. Several files of one airfoil \
+are one table over their Reynolds and Mach numbers. Prints ranges of angle, Mach and Reynolds \
+number, lift slope, zero lift, largest lift and least drag, remarks, and problems that keep a table \
+from being used. Draws NAME.airfoil.png and .svg: cl, cd and cm over the angle of attack.
+
+With --out NEW, writes the airfoils in the format of the ending of NEW or named with --to, and lists \
+the data that this cannot hold. Never overwrites the input.";
+
+const AIRFOIL_EXAMPLE: &str = "\
+Examples:
+  beam-dynamics airfoil naca0012
+  beam-dynamics airfoil IEA-15-240-RWT.yaml --name FFA-W3-211
+  beam-dynamics airfoil polar_Re1e6.txt polar_Re2e6.txt --viterna=17 --out section.csv
+  beam-dynamics airfoil DU21_A17.dat --out DU21.dat --to aerodyn15 --no-figures
+
+Exit codes: 0 done; 1 a result was not written; 2 wrong input or command line.";
+
 const SCHEMA: &str = "\
 Writes the description of the dynamics file or of the rotor file
 
@@ -418,6 +440,8 @@ pub(super) enum Command {
     Compare(CompareArguments),
     #[command(about = first_line(CONVERT), long_about = CONVERT, after_help = CONVERT_EXAMPLE)]
     Convert(ConvertArguments),
+    #[command(about = first_line(AIRFOIL), long_about = AIRFOIL, after_help = AIRFOIL_EXAMPLE)]
+    Airfoil(AirfoilArguments),
     #[command(about = first_line(SCHEMA), long_about = SCHEMA, after_help = SCHEMA_EXAMPLE)]
     Schema {
         /// The file that is described

@@ -261,6 +261,10 @@ impl Element for Adapted {
         }
     }
 
+    fn next_own_corner(&self, time: f64) -> f64 {
+        self.element.next_own_corner(time)
+    }
+
     fn constraints(&self) -> Option<&dyn Constraints> {
         self.element.constraints().map(|_| self as &dyn Constraints)
     }

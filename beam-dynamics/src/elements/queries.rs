@@ -84,13 +84,13 @@ pub trait Queries: Element {
         drives
     }
 
-    /// The first time after `time` at which a signal of the element has a corner or a jump in time,
-    /// or at which its memory may change \[s\]; infinite if there is none.
+    /// The first time after `time` at which a signal of the element or the element itself has a
+    /// corner or a jump in time, or at which its memory may change \[s\]; infinite if there is none.
     fn next_corner(&self, time: f64) -> f64 {
+        let mut first = self.next_own_corner(time);
         if let Some(memory) = self.memory() {
-            return memory.next_change(time);
+            return first.min(memory.next_change(time));
         }
-        let mut first = f64::INFINITY;
         self.each_signal(&mut |signal| first = first.min(signal.next_corner(time)));
         first
     }

@@ -6,6 +6,9 @@ mod kinematics;
 mod strip;
 mod tip;
 
+#[cfg(test)]
+mod tests;
+
 pub use air::Air;
 pub use kinematics::Shaft;
 pub use strip::{AirStrip, StripGeometry, StripRotor};

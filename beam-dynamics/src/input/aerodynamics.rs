@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use nalgebra::Vector3;
 use shared_geom::document::Table;
 
 use crate::elements::strips::Air;
@@ -9,12 +10,15 @@ use crate::elements::strips::Air;
 mod air;
 mod airfoil_files;
 mod airfoils;
+mod changes;
 mod inflows;
 mod problem;
 
+pub use air::AirProblem;
 pub use problem::StripProblem;
 
-pub(super) use air::CARD as AIR;
+pub(super) use air::{CARD as AIR, check_boxes, check_steady};
+pub(super) use airfoil_files::checked as checked_airfoil;
 pub(super) use airfoils::{Airfoils, CARD as AIRFOIL, read as read_airfoils};
 pub(super) use inflows::{CARD as INFLOW, Inflow};
 
@@ -29,10 +33,18 @@ pub(super) struct Aerodynamics {
     pub inflows: Option<Vec<Inflow>>,
 }
 
-/// Reads `[air]`, `[airfoils]` and `[[inflow]]`.
-pub(super) fn read(root: &Table<'_>) -> Aerodynamics {
+impl Aerodynamics {
+    /// The air if strips move in it: they share it.
+    pub fn used_air(&self) -> Option<&Air> {
+        let air = self.air.as_ref().filter(|air| Arc::strong_count(air) > 1);
+        air.map(Arc::as_ref)
+    }
+}
+
+/// Reads `[air]`, `[airfoils]` and `[[inflow]]`; `gravity` \[m/s^2\] is opposite to the vertical.
+pub(super) fn read(root: &Table<'_>, gravity: &Vector3<f64>) -> Aerodynamics {
     Aerodynamics {
-        air: air::read(root).map(Arc::new),
+        air: air::read(root, gravity).map(Arc::new),
         airfoils: airfoils::read(root),
         inflows: inflows::read(root),
     }

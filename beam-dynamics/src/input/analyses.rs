@@ -128,14 +128,19 @@ impl Analyses {
         }
     }
 
-    /// Notes gravity across the axis of a rotating model: it has no steady equilibrium. Runs in time
-    /// start from the mean of it.
-    pub fn check(&self, root: &Table<'_>, gravity: &Vector3<f64>, frame_rotation: &FrameRotation) {
+    /// The highest rotor speed of all analyses of steady states [rad/s].
+    pub fn highest_speed(&self) -> f64 {
         let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());
         let of_statics = self.statics.iter().map(|statics| &statics.speed);
         let of_buckling = self.buckling.iter().map(|buckling| &buckling.speed);
         let speeds = of_modes.chain(of_statics).chain(of_buckling);
-        let highest = speeds.copied().map(f64::abs).fold(0.0, f64::max);
+        speeds.copied().map(f64::abs).fold(0.0, f64::max)
+    }
+
+    /// Notes gravity across the axis of a rotating model: it has no steady equilibrium. Runs in time
+    /// start from the mean of it.
+    pub fn check(&self, root: &Table<'_>, gravity: &Vector3<f64>, frame_rotation: &FrameRotation) {
+        let highest = self.highest_speed();
         let across = (gravity - frame_rotation.axis * frame_rotation.axis.dot(gravity)).norm();
         if highest > 0.0 && across > ALONG * gravity.norm() {
             let rpm = highest / RPM;

@@ -10,7 +10,7 @@ use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
 use super::builder::ModelBuilder;
 use super::formulation::{self, FORMULATION, INERTIA, INTERPOLATION, Inertia};
-use super::strips::{self, AirBlade, BladeAir};
+use super::strips::{self, AirBlade, BladeAir, BladeLine};
 use super::transient::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
 };
@@ -156,13 +156,9 @@ fn card(
     let root = root(table, &name, builder);
     let masses = masses::read(table);
     let initial = initial_motion(table);
-    let source = source::read(table, builder, &name)?;
-    let air = match table.has(&AERODYNAMICS) {
-        true => table
-            .table(&AERODYNAMICS)
-            .and_then(|air| strips::read(&air, builder, (&name, source.length())).map(Some)),
-        false => Some(None),
-    };
+    let source = source::read(table, builder, &name);
+    let air = air(table, (&name, source.as_ref()), builder);
+    let source = source?;
     let (layout, masses) = lay(&source, &masses?, table, &name, builder)?;
     Some(Card {
         name,
@@ -174,6 +170,26 @@ fn card(
         masses,
         air: air?,
     })
+}
+
+/// Strips of a blade; on an endless line if its own is wrong, so that all problems are noted.
+fn air(
+    table: &Table<'_>,
+    (name, source): (&str, Option<&Source>),
+    builder: &mut ModelBuilder,
+) -> Option<Option<BladeAir>> {
+    if !table.has(&AERODYNAMICS) {
+        return Some(None);
+    }
+    let air = table.table(&AERODYNAMICS)?;
+    let line = BladeLine {
+        length: source.map_or(f64::INFINITY, Source::length),
+        position: &|at| match source {
+            Some(source) => source.position(at),
+            None => Vector3::new(at, 0.0, 0.0),
+        },
+    };
+    strips::read(&air, builder, (name, &line)).map(Some)
 }
 
 /// Nodes and beams of a blade, and its masses on them.

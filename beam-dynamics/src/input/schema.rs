@@ -14,8 +14,9 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::{
-    aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes, frames, hub,
-    internal_forces, joints, loads, measured, nodes, properties, rods, speeds, springs, transient,
+    aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes,
+    frames, hub, internal_forces, joints, loads, measured, nodes, properties, rods, speeds,
+    springs, transient,
 };
 
 keys! {

@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign};
-use shared_geom::document::schema::ValueKind::{Count, Text, Word};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Count, Text, Word};
 use shared_geom::keys;
 use shared_geom::quadrature;
 
@@ -26,7 +26,11 @@ use crate::case::BladeNodes;
 use crate::elements::strips::{AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
 use crate::model::Node;
 
+mod files;
+mod line;
 mod stations;
+
+pub(super) use line::BladeLine;
 
 use stations::{Between, STATIONS, Stations};
 
@@ -40,7 +44,8 @@ keys! {
         or "\"separation_lag\"" = 2, "\"quasi_steady\"";
     /// Number of strips on each beam, or on each part of a beam between two stations.
     POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
-    with STATIONS.schema;
+    with STATIONS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
+        files::SET.schema, files::TWIST_FILE.schema, files::ROOT_RADIUS.schema;
 }
 
 /// Strips of the blades of one card.
@@ -52,14 +57,30 @@ pub(super) struct BladeAir {
     inflow: Option<Inflow>,
 }
 
-/// Reads the table of a `[[blade]]` called `name`, of the given length \[m\].
+/// Reads the table of a `[[blade]]` called `name`, with the line of its beams.
 pub(super) fn read(
     table: &Table<'_>,
-    builder: &ModelBuilder,
-    (name, length): (&str, f64),
+    builder: &mut ModelBuilder,
+    (name, line): (&str, &BladeLine<'_>),
 ) -> Option<BladeAir> {
     let user = format!("blade \"{name}\"");
-    let stations = stations::read(table, &builder.aerodynamics().airfoils, (&user, length));
+    let mut remarks = Vec::new();
+    let airfoils = &builder.aerodynamics().airfoils;
+    let stations = match (table.has(&files::FILE), table.has(&STATIONS)) {
+        (true, has_both) => {
+            let found = files::read(table, airfoils, (&user, line), &mut remarks);
+            if has_both {
+                stations::read(table, airfoils, (&user, line.length));
+                files::note_stations(table);
+            }
+            found.filter(|_| !has_both)
+        }
+        (false, _) => {
+            files::note_without_file(table);
+            stations::read(table, airfoils, (&user, line.length))
+        }
+    };
+    builder.add_remarks(remarks);
     let (section, points) = (table.get(&SECTION), table.get(&POINTS));
     let wanted = table.get(&INFLOW_NAME);
     table.finish();
@@ -110,7 +131,11 @@ impl AirBlade<'_> {
     fn beams(&self, builder: &ModelBuilder) -> Vec<(Beam, f64)> {
         let mut start = 0.0;
         let beams = self.nodes.nodes.windows(3).step_by(2).filter_map(|nodes| {
-            builder.beams().iter().rev().find(|beam| beam.nodes == nodes)
+            builder
+                .beams()
+                .iter()
+                .rev()
+                .find(|beam| beam.nodes == nodes)
         });
         beams
             .map(|beam| {

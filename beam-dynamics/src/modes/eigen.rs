@@ -150,8 +150,12 @@ impl<'a> EigenProblem<'a> {
     /// The `count` eigenpairs of smallest angular frequency, ascending, where there are
     /// so many, those without stiffness first; and what else is found on the way.
     pub fn lowest(&self, count: usize) -> Lowest {
-        let (free, Sorted { real, above, .. }, is_all, space) = self.sorted(count);
+        let (free, sorted, is_all, space) = self.sorted(count);
         let mut pairs = self.free(free.min(count));
+        if self.is_crowded(&sorted, count - pairs.len()) {
+            return self.lowest_of_crowd(pairs, &sorted, count);
+        }
+        let Sorted { real, above, .. } = sorted;
         let mut unconfirmed = 0;
         let fastest = fastest(self.tangent, self.size);
         let first = above.len().min(count + self.copies);
@@ -176,6 +180,20 @@ impl<'a> EigenProblem<'a> {
             real: self.confirmed(real),
             unconfirmed,
             is_all: is_all && unconfirmed == 0,
+        }
+    }
+
+    /// As [`Self::lowest`], after the motions without stiffness, where real values of scalars are
+    /// nearer than the oscillations. Of the real values only growing ones are reported.
+    fn lowest_of_crowd(&self, mut pairs: Vec<Eigenpair>, sorted: &Sorted, count: usize) -> Lowest {
+        let (mut found, unconfirmed) = self.beyond_the_crowd(count - pairs.len());
+        pairs.append(&mut found);
+        let growing = sorted.real.iter().copied().filter(|value| *value > 0.0);
+        Lowest {
+            pairs,
+            real: self.confirmed(growing.collect()),
+            unconfirmed,
+            is_all: false,
         }
     }
 
@@ -207,7 +225,12 @@ impl<'a> EigenProblem<'a> {
                 0 => 0,
                 zeros => *counted.get_or_insert_with(|| self.free_motions(zeros)),
             };
-            if free + sorted.above.len() >= count || is_all || requested >= MOST * count {
+            let is_crowded = self.is_crowded(&sorted, count.saturating_sub(free));
+            if free + sorted.above.len() >= count
+                || is_all
+                || is_crowded
+                || requested >= MOST * count
+            {
                 let is_all = is_all && nearest >= INFINITE * fastest;
                 return (free, sorted, is_all, space);
             }
@@ -223,6 +246,26 @@ impl<'a> EigenProblem<'a> {
     /// Unknowns of the nodes.
     pub(super) fn size(&self) -> usize {
         self.size
+    }
+
+    /// The linearized system.
+    pub(super) fn tangent(&self) -> &Tangent {
+        self.tangent
+    }
+
+    /// The factors of `F_y + s F_y'`.
+    pub(super) fn factorized(&self, s: c64) -> Option<ComplexFactorization> {
+        let Tangent {
+            by_unknowns,
+            by_rates,
+        } = self.tangent;
+        self.solver.factorize_complex(by_unknowns, s, by_rates)
+    }
+
+    /// Whether scalars have rates.
+    pub(super) fn has_slow_scalars(&self) -> bool {
+        let mut rates = self.rates.iter();
+        rates.any(|(_, column, value)| *column >= self.size && *value != 0.0)
     }
 
     /// Entries of the derivatives by rates.
@@ -284,7 +327,7 @@ impl<'a> EigenProblem<'a> {
     }
 
     /// The eigenvalue problem of another system with the same unknowns.
-    fn beside<'b>(&self, tangent: &'b Tangent) -> Option<EigenProblem<'b>>
+    pub(super) fn beside<'b>(&self, tangent: &'b Tangent) -> Option<EigenProblem<'b>>
     where
         'a: 'b,
     {
@@ -299,7 +342,7 @@ impl<'a> EigenProblem<'a> {
     /// The same system with circuits as they are for what grows at a rate, the lowest
     /// frequency: without poles of their own, and never singular, since no circuit grows by
     /// itself. `None` without circuits that have any.
-    fn without_circuits(&self, tangent: &Tangent) -> Option<Tangent> {
+    pub(super) fn without_circuits(&self, tangent: &Tangent) -> Option<Tangent> {
         let indices: Vec<_> = tangent.by_rates.triplets().enumerate().collect();
         let of_circuits = indices
             .iter()
@@ -336,13 +379,9 @@ impl<'a> EigenProblem<'a> {
 
     /// The `count` eigenpairs nearest to `beside`.
     fn vectors_beside(&self, beside: c64, count: usize) -> Vec<Eigenpair> {
-        let Tangent {
-            by_unknowns,
-            by_rates,
-        } = self.tangent;
+        let by_rates = &self.tangent.by_rates;
         let solved = self
-            .solver
-            .factorize_complex(by_unknowns, beside, by_rates)
+            .factorized(beside)
             .and_then(|matrix| self.iterate(&matrix, count));
         // Where the inversion overflows there is no vector: the mode moves nothing.
         let all = by_rates.pattern().size();
@@ -409,7 +448,7 @@ impl<'a> EigenProblem<'a> {
     }
 
     /// `F_y' x`.
-    fn rates_times(&self, x: &[c64]) -> Vec<c64> {
+    pub(super) fn rates_times(&self, x: &[c64]) -> Vec<c64> {
         let mut product = vec![c64::new(0.0, 0.0); x.len()];
         for &(i, j, value) in &self.rates {
             product[i] += x[j] * value;

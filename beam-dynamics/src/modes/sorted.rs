@@ -6,7 +6,7 @@ use faer::c64;
 /// Imaginary parts below this part of the magnitude belong to a motion that decays without
 /// oscillation: internal damping gathers many such values at -1 / time, where round-off makes
 /// pairs of them.
-const OVERDAMPED: f64 = 0.03;
+pub(super) const OVERDAMPED: f64 = 0.03;
 /// Real parts below this part of the magnitude are round-off of an undamped mode.
 pub(super) const OSCILLATING: f64 = 1e-9;
 

@@ -3,6 +3,7 @@
 // A test that cannot continue panics.
 #![allow(clippy::unwrap_used)]
 
+mod airfoil;
 mod blade_pairs;
 mod blades;
 mod curvature;

@@ -1,6 +1,7 @@
 //! Airfoils that need no file.
 
 use super::cubic::Interpolation;
+use super::data::{AirfoilData, Curve, Flow};
 use super::evaluated::Airfoil;
 use super::formula::{FlatPlate, LinearLift};
 use super::naca0012::naca0012;
@@ -13,12 +14,50 @@ pub struct BuiltIn {
     /// Content and source, in one line.
     pub description: &'static str,
     make: fn() -> Airfoil,
+    /// The table, unless it is a closed form.
+    table: Option<fn() -> AirfoilData>,
 }
 
 impl BuiltIn {
     /// The airfoil.
     pub fn airfoil(&self) -> Airfoil {
         (self.make)()
+    }
+
+    /// Its table; of a closed form the values at each degree.
+    pub fn data(&self) -> AirfoilData {
+        match self.table {
+            Some(table) => table(),
+            None => sampled(self.name, &self.airfoil()),
+        }
+    }
+}
+
+/// The table of an airfoil at each degree, for a Mach number of zero.
+fn sampled(name: &str, airfoil: &Airfoil) -> AirfoilData {
+    let alpha: Vec<f64> = (-180..=180)
+        .map(|degree| f64::from(degree).to_radians())
+        .collect();
+    let flow = |alpha: &f64| Flow {
+        alpha: *alpha,
+        mach: 0.0,
+        reynolds: 1e6,
+        flap: 0.0,
+    };
+    let values: Vec<_> = alpha.iter().map(|alpha| airfoil.at(&flow(alpha))).collect();
+    let curve = |values: Vec<f64>| {
+        vec![Curve {
+            alpha: alpha.clone(),
+            values,
+            ..Curve::default()
+        }]
+    };
+    AirfoilData {
+        name: name.to_owned(),
+        thickness: airfoil.thickness(),
+        lift: curve(values.iter().map(|at| at.lift).collect()),
+        drag: curve(values.iter().map(|at| at.drag).collect()),
+        moment: curve(values.iter().map(|at| at.moment).collect()),
     }
 }
 
@@ -28,16 +67,19 @@ pub const BUILT_IN: [BuiltIn; 3] = [
         name: "naca0012",
         description: "NACA 0012 at all angles, Mach 0.15 (measured) to 0.8 (formulas of separation)",
         make: table_of_naca0012,
+        table: Some(naca0012),
     },
     BuiltIn {
         name: "flat_plate",
         description: "flat plate at all angles, fit of Lindenburg",
         make: || Airfoil::flat_plate(FlatPlate::default()),
+        table: None,
     },
     BuiltIn {
         name: "thin",
         description: "thin airfoil: lift slope 2 pi, no stall, no drag, no moment",
         make: || Airfoil::linear(LinearLift::default()),
+        table: None,
     },
 ];
 

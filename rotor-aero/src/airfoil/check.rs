@@ -131,9 +131,12 @@ fn coefficient(airfoil: &str, kind: &Kind, curves: &[Curve], found: &mut Finding
     curves.iter().filter_map(check).collect()
 }
 
+/// A condition of a curve, if it states it.
+type Condition = fn(&Curve) -> Option<f64>;
+
 /// Conditions that only some curves state.
 fn mixed(airfoil: &str, coefficient: &'static str, curves: &[Curve], found: &mut Findings) {
-    let variables: [(&'static str, fn(&Curve) -> Option<f64>); 3] = [
+    let variables: [(&'static str, Condition); 3] = [
         ("Mach number", |curve| curve.mach),
         ("Reynolds number", |curve| curve.reynolds),
         ("deflection", |curve| curve.flap),

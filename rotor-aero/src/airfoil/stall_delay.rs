@@ -163,7 +163,7 @@ fn increments(lift: &Curve, delay: &StallDelay) -> Result<Vec<f64>, &'static str
 }
 
 /// Slope and zero of the least-squares line in a range of angles.
-fn fitted(lift: &Curve, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
+pub(super) fn fitted(lift: &Curve, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
     // The digits of a file.
     let is_in = |angle: f64| angle >= from - 1e-3 && angle <= to + 1e-3;
     let points = || {

@@ -10,13 +10,13 @@
 //! ```
 //!
 //! ([Pitt1981], [Peters1988]). The mass flow m and the angle chi of the wake from the shaft are
-//! those of [`MassFlow`], in descent too: `d(l_0 m)/dl_0 = (mu^2 + lt (lt + l_0))/m` in climb,
+//! from [`MassFlow`], in descent too: `d(l_0 m)/dl_0 = (mu^2 + lt (lt + l_0))/m` in climb,
 //! hover and forward flight, with `lt = mu_z + l_0`.
 
 use std::f64::consts::PI;
 
 use crate::Real;
-use crate::unsteady::StateName;
+use crate::unsteady::{StateName, state};
 
 use super::mass_flow::{MassFlow, steady_uniform};
 use super::rotor::{Inflow, RotorFlow, RotorLoads};
@@ -32,18 +32,17 @@ const COUPLING: f64 = 15.0 * PI / 64.0;
 pub struct PittPeters;
 
 const STATES: [StateName; 3] = [
-    StateName {
-        name: "mean induced velocity over the tip speed",
-        unit: "-",
-    },
-    StateName {
-        name: "gradient of the induced velocity toward the advancing side",
-        unit: "-",
-    },
-    StateName {
-        name: "gradient of the induced velocity toward the tail",
-        unit: "-",
-    },
+    state("mean induced velocity over the tip speed", "-", "1/s"),
+    state(
+        "gradient of the induced velocity toward the advancing side",
+        "-",
+        "1/s",
+    ),
+    state(
+        "gradient of the induced velocity toward the tail",
+        "-",
+        "1/s",
+    ),
 ];
 
 /// The product `V L^-1 l`.

@@ -10,7 +10,7 @@
 use std::f64::consts::PI;
 
 use crate::Real;
-use crate::unsteady::StateName;
+use crate::unsteady::{StateName, state};
 
 use super::mass_flow::{MassFlow, steady_uniform};
 use super::rotor::{Inflow, RotorFlow, RotorLoads};
@@ -23,10 +23,11 @@ pub(super) const MASS: f64 = 8.0 / (3.0 * PI);
 pub struct Uniform;
 
 /// The list of states of all models with one state.
-pub(super) const MEAN: [StateName; 1] = [StateName {
-    name: "mean induced velocity over the tip speed",
-    unit: "-",
-}];
+pub(super) const MEAN: [StateName; 1] = [state(
+    "mean induced velocity over the tip speed",
+    "-",
+    "1/s",
+)];
 
 /// The start of all models with one state.
 pub(super) fn start(flow: &RotorFlow<f64>, thrust: f64, states: &mut [f64]) -> Option<()> {

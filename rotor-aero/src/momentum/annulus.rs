@@ -11,6 +11,10 @@ use crate::airfoil::Coefficients;
 use crate::momentum::induction::HighInduction;
 use crate::real::Real;
 
+/// Distance from an end, over the tip radius, at which a station is at the end: sums of lengths
+/// have rounding errors.
+pub(crate) const END_MARGIN: f64 = 1e-9;
+
 /// Switches of annular momentum. Loads always contain drag: the switches of drag concern the
 /// induction alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,9 +70,12 @@ impl Annulus {
     }
 
     /// Whether the station is between hub and tip. The factors of loss are zero at both ends, and
-    /// so are the loads: nothing is evaluated there.
+    /// so are the loads: nothing is evaluated there, nor within rounding of the ends.
     pub fn is_interior(&self) -> bool {
-        self.radius > self.hub_radius && self.radius < self.tip_radius && self.radius > 0.0
+        let margin = END_MARGIN * self.tip_radius.abs();
+        self.radius > self.hub_radius + margin
+            && self.radius < self.tip_radius - margin
+            && self.radius > 0.0
     }
 
     /// Coefficients normal to the plane of rotation and in it, for the induction: without drag
@@ -176,8 +183,10 @@ mod tests {
         let mut ring = annulus();
         assert!((ring.solidity() - 1.2 / (4.0 * PI)).abs() < 1e-15);
         assert!(ring.is_interior());
-        ring.radius = 4.0;
-        assert!(!ring.is_interior());
+        for radius in [4.0, 4.0 - 1e-14, 0.5, 0.5 + 1e-14] {
+            ring.radius = radius;
+            assert!(!ring.is_interior());
+        }
         ring.radius = f64::NAN;
         assert!(!ring.is_interior());
     }

@@ -148,7 +148,8 @@ mod tests {
 
     #[test]
     fn roots_of_smooth_and_flat_functions_in_few_steps() {
-        let cases: [(fn(f64) -> f64, f64, f64, f64); 5] = [
+        type Case = (fn(f64) -> f64, f64, f64, f64);
+        let cases: [Case; 5] = [
             (|x| x * x - 2.0, 0.0, 2.0, 2f64.sqrt()),
             (|x| x.cos() - x, 0.0, 1.0, 0.739_085_133_215_160_6),
             (|x| (x - 0.3).powi(3), -1.0, 1.0, 0.3),

@@ -71,7 +71,7 @@ impl HighInduction {
 
     /// Induction factor of a turbine at `k = sigma cn / (4 F sin^2 phi)`; `forward`: the air passes
     /// the disk in the direction of Vx, `a < 1`.
-    pub(crate) fn from_k(self, k: f64, loss: f64, forward: bool) -> f64 {
+    pub(crate) fn factor_by(self, k: f64, loss: f64, forward: bool) -> f64 {
         match self {
             Self::Buhl if k > 2.0 / 3.0 => buhl(k, loss),
             Self::BuhlOutside if k > 2.0 / 3.0 => buhl(k, 1.0),

@@ -62,7 +62,7 @@ fn factor_by_k_has_the_same_thrust() {
         for loss in [1.0, 0.7, 0.3, 0.05] {
             for step in 1..200 {
                 let k = 0.05 * f64::from(step * step) / 20.0;
-                let a = law.from_k(k, loss, true);
+                let a = law.factor_by(k, loss, true);
                 let ct = 4.0 * loss * k * (1.0 - a) * (1.0 - a);
                 let expected = law.thrust(a, loss);
                 // near a = 1 the difference 1 - a loses digits: 1e-16 k

@@ -187,7 +187,7 @@ impl<'a, S: Fn(f64) -> Coefficients<f64>> Ring<'a, S> {
             };
         }
         let law = self.annulus.options.high_induction;
-        let a = -law.from_k(-k, loss, phi * self.vx > 0.0);
+        let a = -law.factor_by(-k, loss, phi * self.vx > 0.0);
         let ratio = self.vx / self.vy;
         Trial {
             // 1 / (1 - a') = 1 + k'

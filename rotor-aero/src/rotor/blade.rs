@@ -9,7 +9,7 @@
 //!
 //! and the span leans by `kappa = atan(-dx / dz)`.
 
-use crate::momentum::Options;
+use crate::momentum::{END_MARGIN, Options};
 
 /// The border between the signs of the core and those of a machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -142,10 +142,17 @@ impl<S> RigidRotor<S> {
         let hub = extrapolated(self.hub_radius, ends.next(), ends.next());
         let mut ends = offsets.iter().rev();
         let tip = extrapolated(self.tip_radius, ends.next(), ends.next());
-        if offsets.first().is_none_or(|it| it.radius > hub.radius) {
+        let margin = END_MARGIN * self.tip_radius.abs();
+        if offsets
+            .first()
+            .is_none_or(|it| it.radius > hub.radius + margin)
+        {
             offsets.insert(0, hub);
         }
-        if offsets.last().is_none_or(|it| it.radius < tip.radius) {
+        if offsets
+            .last()
+            .is_none_or(|it| it.radius < tip.radius - margin)
+        {
             offsets.push(tip);
         }
         offsets

@@ -285,3 +285,7 @@ fn integrated(points: &[Point], loads: &[SpanLoad]) -> (f64, f64) {
     }
     (thrust, torque)
 }
+
+#[cfg(test)]
+#[path = "performance_tests.rs"]
+mod tests;

@@ -62,15 +62,15 @@ impl Default for DynamicStall {
 }
 
 const STATES: [StateName; 9] = [
-    state("slow lag of the normal velocity", "m/s"),
-    state("fast lag of the normal velocity", "m/s"),
-    state("normal coefficient of delayed pressure", "-"),
-    state("attached part of the chord", "-"),
-    state("feed of the vortex", "-"),
-    state("normal coefficient of the vortex", "-"),
-    state("semichords travelled since shedding", "-"),
-    state("momentum of the added mass", "kg/s"),
-    state("angular momentum of the added mass", "kg m/s"),
+    state("slow lag of the normal velocity", "m/s", "m/s^2"),
+    state("fast lag of the normal velocity", "m/s", "m/s^2"),
+    state("normal coefficient of delayed pressure", "-", "1/s"),
+    state("attached part of the chord", "-", "1/s"),
+    state("feed of the vortex", "-", "-"),
+    state("normal coefficient of the vortex", "-", "1/s"),
+    state("semichords travelled since shedding", "-", "1/s"),
+    state("momentum of the added mass", "kg/s", "kg/s"),
+    state("angular momentum of the added mass", "kg m/s", "kg m/s"),
 ];
 
 /// The part of the states that belongs to separation.

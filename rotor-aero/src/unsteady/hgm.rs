@@ -64,10 +64,10 @@ impl Hgm {
 }
 
 const STATES: [StateName; 4] = [
-    state("slow lag of the normal velocity", "m/s"),
-    state("fast lag of the normal velocity", "m/s"),
-    state("lift coefficient of delayed pressure", "-"),
-    state("attached part of the chord", "-"),
+    state("slow lag of the normal velocity", "m/s", "m/s^2"),
+    state("fast lag of the normal velocity", "m/s", "m/s^2"),
+    state("lift coefficient of delayed pressure", "-", "1/s"),
+    state("attached part of the chord", "-", "1/s"),
 ];
 
 /// The force of a turning section in its own speed, at the mid chord.

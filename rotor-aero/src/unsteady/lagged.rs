@@ -29,10 +29,10 @@ impl Default for Lagged {
 }
 
 const STATES: [StateName; 4] = [
-    state("slow lag of the normal velocity", "m/s"),
-    state("fast lag of the normal velocity", "m/s"),
-    state("momentum of the added mass", "kg/s"),
-    state("angular momentum of the added mass", "kg m/s"),
+    state("slow lag of the normal velocity", "m/s", "m/s^2"),
+    state("fast lag of the normal velocity", "m/s", "m/s^2"),
+    state("momentum of the added mass", "kg/s", "kg/s"),
+    state("angular momentum of the added mass", "kg m/s", "kg m/s"),
 ];
 
 impl Model for Lagged {

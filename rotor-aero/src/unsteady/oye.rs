@@ -29,7 +29,7 @@ impl Default for Oye {
     }
 }
 
-const STATES: [StateName; 1] = [state("attached part of the chord", "-")];
+const STATES: [StateName; 1] = [state("attached part of the chord", "-", "1/s")];
 
 impl Model for Oye {
     fn states(&self) -> &'static [StateName] {

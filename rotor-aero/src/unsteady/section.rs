@@ -80,18 +80,28 @@ impl Strip {
     }
 }
 
-/// Name and unit of a state.
+/// Name of a state, and units of the state and of its row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StateName {
     /// Name, in lower case.
     pub name: &'static str,
     /// Unit.
     pub unit: &'static str,
+    /// Unit of its row.
+    pub row_unit: &'static str,
 }
 
-/// Shorthand of the lists of states.
-pub(super) const fn state(name: &'static str, unit: &'static str) -> StateName {
-    StateName { name, unit }
+/// An entry of a list of states.
+pub(crate) const fn state(
+    name: &'static str,
+    unit: &'static str,
+    row_unit: &'static str,
+) -> StateName {
+    StateName {
+        name,
+        unit,
+        row_unit,
+    }
 }
 
 /// A model of an unsteady section.

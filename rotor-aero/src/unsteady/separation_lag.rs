@@ -37,11 +37,11 @@ impl Default for SeparationLag {
 }
 
 const STATES: [StateName; 5] = [
-    state("slow lag of the normal velocity", "m/s"),
-    state("fast lag of the normal velocity", "m/s"),
-    state("attached part of the chord", "-"),
-    state("momentum of the added mass", "kg/s"),
-    state("angular momentum of the added mass", "kg m/s"),
+    state("slow lag of the normal velocity", "m/s", "m/s^2"),
+    state("fast lag of the normal velocity", "m/s", "m/s^2"),
+    state("attached part of the chord", "-", "1/s"),
+    state("momentum of the added mass", "kg/s", "kg/s"),
+    state("angular momentum of the added mass", "kg m/s", "kg m/s"),
 ];
 
 impl Model for SeparationLag {

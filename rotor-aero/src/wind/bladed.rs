@@ -111,7 +111,7 @@ pub fn read_bladed(path: &Path, input: &BladedInput) -> Result<TurbulenceBox, Di
     let grid = header.grid(input, &mut problems);
     problems.extend(grid.problems());
     if let Some(summary) = &input.summary
-        && !((summary.speed - header.speed).abs() <= 0.1)
+        && !(-0.1..=0.1).contains(&(summary.speed - header.speed))
     {
         let expected = format!("{} m/s, as the .sum file states", summary.speed);
         problems.push(wrong(
@@ -288,7 +288,7 @@ pub fn write_bladed(path: &Path, values: &BoxValues) -> Result<(), Diagnostics> 
         let what = "tower points of the box";
         problems.push(wrong(what, grid.tower as f64, "0: the format has none"));
     }
-    if grid.planes % 2 == 1 {
+    if !grid.planes.is_multiple_of(2) {
         let what = "number of planes of the box";
         problems.push(wrong(what, grid.planes as f64, "an even number"));
     }

@@ -35,6 +35,21 @@ fn compare(plane: &[f64], index: usize, point: &serde_json::Value) {
     }
 }
 
+/// The text of a box, by which restarts recognize the wind, does not depend on what was read, nor
+/// on the folder.
+#[test]
+fn the_text_of_a_box_is_the_same_at_all_times() {
+    let path = folder().join("own.bts");
+    let turbulence = read_bts(&path, None).unwrap();
+    let before = format!("{turbulence:?}");
+    turbulence.plane(0).unwrap();
+    assert_eq!(format!("{turbulence:?}"), before);
+    let copy = tempfile::tempdir().unwrap();
+    let copy = copy.path().join("own.bts");
+    std::fs::copy(path, &copy).unwrap();
+    assert_eq!(format!("{:?}", read_bts(&copy, None).unwrap()), before);
+}
+
 #[test]
 fn points_of_the_reference_file() {
     let turbulence = read_bts(&folder().join("own.bts"), None).unwrap();

@@ -73,6 +73,12 @@ impl EventShape {
 }
 
 impl Event {
+    /// Times of its start, its end and three instants between them \[s\].
+    pub fn corners(&self) -> [f64; 5] {
+        let duration = self.shape.duration();
+        [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| self.start + part * duration)
+    }
+
     /// Time since the start over the duration, from 0 to 1.
     fn phase(&self, time: f64) -> f64 {
         ((time - self.start) / self.shape.duration()).clamp(0.0, 1.0)

@@ -7,6 +7,7 @@ use super::event::Event;
 use super::frame::WindFrame;
 use super::gust::TravelingGust;
 use super::problem::WindProblem;
+use super::profile::MeanWind;
 use super::table::Mean;
 use super::tower::Tower;
 use super::turbulence::TurbulenceBox;
@@ -57,6 +58,60 @@ pub struct Wind {
 }
 
 impl Wind {
+    /// The same velocity \[m/s\] everywhere and at all times; `up` is the vertical, of any length.
+    ///
+    /// # Errors
+    /// A velocity or a vertical that is not finite, or no vertical.
+    pub fn uniform(velocity: &Vector3<f64>, up: Vector3<f64>) -> Result<Self, WindProblem> {
+        let frame = WindFrame::along(Vector3::zeros(), velocity, up)?;
+        let [speed, _, vertical] = frame.components(velocity);
+        let mean = MeanWind {
+            speed,
+            vertical,
+            ..MeanWind::default()
+        };
+        Ok(Self {
+            frame,
+            mean: Mean::Steady(mean),
+            ..Self::default()
+        })
+    }
+
+    /// Its velocity if it is the same everywhere and at all times \[m/s\].
+    pub fn constant(&self) -> Option<Vector3<f64>> {
+        self.variation()
+            .is_none()
+            .then(|| self.velocity(&Vector3::zeros(), 0.0))
+    }
+
+    /// The first part that varies in space or time, as text.
+    pub fn variation(&self) -> Option<&'static str> {
+        match &self.mean {
+            Mean::Table(_) => return Some("a table over time"),
+            Mean::Steady(mean) if !mean.is_uniform() => return Some("shear or veer"),
+            Mean::Steady(_) => {}
+        }
+        let parts = [
+            (self.events.is_empty(), "an event"),
+            (self.gusts.is_empty(), "a gust"),
+            (self.boxes.is_empty(), "turbulence"),
+            (self.towers.is_empty(), "a tower"),
+        ];
+        let found = parts.into_iter().find(|(is_empty, _)| !is_empty);
+        found.map(|(_, part)| part)
+    }
+
+    /// The first time after `time` \[s\] at which an event or a gust begins, culminates or ends at
+    /// a point \[m\] of the inertial frame, or the table of the mean wind has a row; infinite
+    /// without one. Planes of turbulence boxes are not among these times.
+    pub fn next_corner(&self, at: &Vector3<f64>, time: f64) -> f64 {
+        let at = self.frame.point(&[at.x, at.y, at.z]);
+        let events = self.events.iter().flat_map(Event::corners);
+        let gusts = self.gusts.iter().flat_map(|gust| gust.corners(&at));
+        let after = events.chain(gusts).filter(|corner| *corner > time);
+        after.fold(self.mean.next_corner(time), f64::min)
+    }
+
     /// Velocity at a point of the inertial frame \[m/s\]; with dual numbers, its derivatives.
     ///
     /// # Errors

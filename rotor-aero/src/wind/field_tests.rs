@@ -4,6 +4,7 @@ use super::super::event::EventShape;
 use super::super::grid::tests::{Lcg, random, small};
 use super::super::gust::GustShape;
 use super::super::profile::{MeanWind, Shear};
+use super::super::table::WindTable;
 use super::super::tower::{TowerPotential, TowerShadow};
 use super::*;
 
@@ -243,6 +244,59 @@ fn parts_are_added_in_the_axes_of_the_wind() {
     // the front is 500 m downwind after 50 s
     assert_eq!(at(-499.0, 50.0).x, 3.0);
     assert_eq!(at(-501.0, 50.0).x, 0.0);
+}
+
+#[test]
+fn a_uniform_wind_is_constant() {
+    for velocity in [[3.0, -4.0, 1.5], [0.0, 0.0, -2.0], [0.0; 3]] {
+        let velocity = Vector3::from(velocity);
+        let wind = Wind::uniform(&velocity, Vector3::new(0.0, 1.0, 3.0)).unwrap();
+        let constant = wind.constant().unwrap();
+        assert!((constant - velocity).norm() < 1e-14);
+        let (found, gradient) = wind.velocity_and_gradient(&Vector3::repeat(-7.0), 9.0);
+        assert!((found - velocity).norm() < 1e-14 && gradient.norm() == 0.0);
+        assert_eq!(wind.next_corner(&velocity, 0.0), f64::INFINITY);
+    }
+    assert!(Wind::uniform(&Vector3::repeat(f64::NAN), Vector3::z()).is_err());
+}
+
+#[test]
+fn parts_that_vary_and_their_corners() {
+    let mut lcg = Lcg(12);
+    let mut wind = Wind {
+        mean: Mean::Steady(MeanWind {
+            speed: 5.0,
+            ..MeanWind::default()
+        }),
+        ..Wind::default()
+    };
+    assert_eq!(wind.variation(), None);
+    wind.towers.push(tower(&mut lcg));
+    assert_eq!(wind.variation(), Some("a tower"));
+    wind.gusts.push(TravelingGust {
+        shape: GustShape::SharpEdge { ramp: 4.0 },
+        velocity: [0.0, 0.0, 1.0],
+        direction: [1.0, 0.0, 0.0],
+        convection: 2.0,
+        front: -10.0,
+    });
+    assert_eq!(wind.variation(), Some("a gust"));
+    wind.events.push(Event {
+        start: 1.0,
+        shape: EventShape::DirectionChange { angle: 0.1 },
+    });
+    assert_eq!(wind.variation(), Some("an event"));
+    let at = Vector3::new(2.0, 0.0, 0.0);
+    let mut corners = vec![0.0];
+    while corners[corners.len() - 1] < 100.0 {
+        corners.push(wind.next_corner(&at, corners[corners.len() - 1]));
+    }
+    // the event from 1 s to 7 s in quarters; the gust at 6 s and 8 s
+    let expected = [0.0, 1.0, 2.5, 4.0, 5.5, 6.0, 7.0, 8.0, f64::INFINITY];
+    assert_eq!(corners, expected);
+    wind.mean = Mean::Table(WindTable::new(vec![(3.0, MeanWind::default())]).unwrap());
+    assert_eq!(wind.next_corner(&at, 2.5), 3.0);
+    assert_eq!(wind.variation(), Some("a table over time"));
 }
 
 #[test]

@@ -58,6 +58,36 @@ impl WindFrame {
         Ok(Self { origin, axes })
     }
 
+    /// The frame of a `velocity` \[m/s\] of any direction: x along its level part, or along any
+    /// level direction if it has none.
+    ///
+    /// # Errors
+    /// As [`WindFrame::new`], without demands on the velocity but to be finite.
+    pub fn along(
+        origin: Vector3<f64>,
+        velocity: &Vector3<f64>,
+        up: Vector3<f64>,
+    ) -> Result<Self, WindProblem> {
+        let is_finite = velocity.iter().all(|value| value.is_finite());
+        let directions = [*velocity, Vector3::x(), Vector3::y()];
+        let frames = directions.map(|downwind| Self::new(origin, downwind, up));
+        let [own, x, y] = frames;
+        match is_finite {
+            true => own.or(x).or(y),
+            false => own,
+        }
+    }
+
+    /// Components in these axes of a vector of the inertial frame.
+    pub fn components(&self, of: &Vector3<f64>) -> [f64; 3] {
+        (self.axes * of).into()
+    }
+
+    /// The upward unit vector, in the inertial frame \[-\].
+    pub fn up(&self) -> Vector3<f64> {
+        self.axes.row(2).transpose()
+    }
+
     /// Components in these axes of a point of the inertial frame \[m\].
     pub fn point<T: Real>(&self, at: &[T; 3]) -> [T; 3] {
         let from_origin = [0, 1, 2].map(|i| at[i] - self.origin[i]);
@@ -95,6 +125,22 @@ mod tests {
         // lateral: up cross downwind = x cross -y = -z
         assert_eq!(frame.vector(&[0.0, 1.0, 0.0]), [0.0, 0.0, -1.0]);
         assert_eq!(frame.point(&[1.5, 0.0, 7.0]), [2.0, -4.0, 0.5]);
+    }
+
+    #[test]
+    fn frames_along_any_velocity() {
+        let up = Vector3::new(0.0, 0.0, 3.0);
+        let origin = Vector3::new(1.0, 0.0, 0.0);
+        let level = |velocity: [f64; 3]| {
+            let frame = WindFrame::along(origin, &velocity.into(), up).unwrap();
+            frame.components(&velocity.into())
+        };
+        assert_eq!(level([0.0, -3.0, 4.0]), [3.0, 0.0, 4.0]);
+        assert_eq!(level([0.0, 0.0, -2.0]), [0.0, 0.0, -2.0]);
+        assert_eq!(level([0.0; 3]), [0.0; 3]);
+        let along_x = WindFrame::along(origin, &Vector3::x(), Vector3::x()).unwrap();
+        assert_eq!(along_x.components(&Vector3::x()), [0.0, 0.0, 1.0]);
+        assert!(WindFrame::along(origin, &Vector3::repeat(f64::NAN), up).is_err());
     }
 
     #[test]

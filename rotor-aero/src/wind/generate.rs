@@ -65,7 +65,7 @@ impl GeneratorInput {
 
     fn check(&self, grid: &BoxGrid) -> Result<(), Diagnostics> {
         let mut problems = grid.problems();
-        if !(grid.bottom > 0.0) {
+        if grid.bottom.is_nan() || grid.bottom <= 0.0 {
             problems.push(wrong(
                 "bottom of the box [m]",
                 grid.bottom,
@@ -116,7 +116,7 @@ fn amplitudes(input: &GeneratorInput, component: usize) -> Vec<f64> {
     let densities: Vec<f64> = frequencies.map(spectrum).collect();
     let sigma = input.spectrum.sigmas()[component];
     let sum: f64 = densities.iter().sum();
-    if !(sum > 0.0) {
+    if sum.is_nan() || sum <= 0.0 {
         return vec![0.0; densities.len()];
     }
     let scaled = |density: &f64| (2.0 * sigma * sigma * density / sum).sqrt();

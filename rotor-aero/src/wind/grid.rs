@@ -202,7 +202,7 @@ pub(super) mod tests {
         let mut lcg = Lcg(seed);
         let mut plane = || -> Vec<f64> {
             let value = |i: usize, lcg: &mut Lcg| {
-                lcg.between(-2.0, 2.0) + if i % 3 == 0 { grid.speed } else { 0.0 }
+                lcg.between(-2.0, 2.0) + if i.is_multiple_of(3) { grid.speed } else { 0.0 }
             };
             (0..grid.values()).map(|i| value(i, &mut lcg)).collect()
         };

@@ -65,12 +65,28 @@ impl TravelingGust {
             return Err(WindProblem::value(what, length, "a positive length", help));
         }
         let norm = self.direction.iter().map(|d| d * d).sum::<f64>().sqrt();
-        if !((norm - 1.0).abs() < 1e-6) {
+        if norm.is_nan() || (norm - 1.0).abs() > 1e-6 {
             let help = "divide the direction of travel by its length";
             let what = "length of the direction of travel";
             return Err(WindProblem::value(what, norm, "1", help));
         }
         Ok(())
+    }
+
+    /// Times at which its front, its middle and its end pass a point, in the axes of the wind
+    /// \[s\]; none if it does not travel.
+    pub fn corners(&self, at: &[f64; 3]) -> impl Iterator<Item = f64> + use<> {
+        let d = self.direction;
+        let along = at[0] * d[0] + at[1] * d[1] + at[2] * d[2];
+        let [behind, speed] = [along - self.front, self.convection];
+        let distances = match self.shape {
+            GustShape::OneMinusCosine { length } => [0.0, 0.5 * length, length],
+            GustShape::SharpEdge { ramp } => [0.0, ramp, ramp],
+            // The front, the first peak and the first zero: from there on the wave is smooth.
+            GustShape::Harmonic { length } => [0.0, 0.25 * length, 0.5 * length],
+        };
+        let times = distances.map(|distance| (distance + behind) / speed);
+        times.into_iter().filter(|time| time.is_finite())
     }
 
     /// Velocity at a point, in the axes of the wind \[m/s\].
@@ -122,6 +138,20 @@ mod tests {
         // 20 m downwind a second later
         assert_eq!(edge.velocity(&[20.0, 0.0, 0.0], 5.99)[2], 0.0);
         assert_eq!(edge.velocity(&[20.0, 0.0, 0.0], 6.01)[2], 10.0);
+    }
+
+    #[test]
+    fn corners_are_where_the_shape_begins_and_ends() {
+        let cosine = gust(GustShape::OneMinusCosine { length: 50.0 });
+        let at = [20.0, 3.0, 4.0];
+        let corners: Vec<f64> = cosine.corners(&at).collect();
+        assert_eq!(corners, [6.0, 7.25, 8.5]);
+        for (corner, value) in corners.into_iter().zip([0.0, 10.0, 0.0]) {
+            assert!((cosine.velocity(&at, corner)[2] - value).abs() < 1e-14);
+        }
+        let mut still = cosine;
+        still.convection = 0.0;
+        assert_eq!(still.corners(&at).count(), 0);
     }
 
     #[test]

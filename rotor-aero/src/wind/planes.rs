@@ -4,9 +4,11 @@
 //! at most a given number. Values do not depend on the order in which planes are read.
 
 use std::collections::HashMap;
-use std::fmt::Debug;
+use std::ffi::OsStr;
+use std::fmt::{self, Debug};
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::problem::WindProblem;
@@ -65,7 +67,6 @@ pub(super) enum Planes {
 }
 
 /// Planes in files, and the ones that are kept.
-#[derive(Debug)]
 pub(super) struct FilePlanes {
     decode: Box<dyn Decode>,
     state: Mutex<State>,
@@ -123,6 +124,24 @@ impl Planes {
             Self::Memory(_) => CacheCount::default(),
             Self::Files(files) => files.lock(|state| state.count),
         }
+    }
+}
+
+/// Files and format, without what is kept: the text identifies the wind of a model.
+impl Debug for FilePlanes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let files = self.lock(|state| {
+            let of = |file: &PlaneFile| {
+                let name = Path::new(&file.name).file_name().map(OsStr::to_owned);
+                let length = file.file.metadata().map_or(0, |metadata| metadata.len());
+                (name, file.start, file.bytes, length)
+            };
+            state.files.iter().map(of).collect::<Vec<_>>()
+        });
+        f.debug_struct("FilePlanes")
+            .field("decode", &self.decode)
+            .field("files", &files)
+            .finish()
     }
 }
 

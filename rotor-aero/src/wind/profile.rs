@@ -94,6 +94,17 @@ impl Default for MeanWind {
 }
 
 impl MeanWind {
+    /// Whether it is the same everywhere.
+    pub fn is_uniform(&self) -> bool {
+        let is_free = match self.shear {
+            Shear::Uniform => true,
+            // The power law of exponent zero has a ground.
+            Shear::Power { .. } | Shear::Log { .. } => self.speed == 0.0,
+        };
+        let slopes = [self.veer, self.horizontal_shear, self.vertical_shear];
+        is_free && slopes.iter().all(|slope| *slope == 0.0)
+    }
+
     /// Velocity at a point, with `extra` speed along the wind; in the axes of the wind \[m/s\].
     pub fn velocity<T: Real>(&self, at: &[T; 3], extra: T) -> [T; 3] {
         let [x, y, z] = *at;

@@ -20,6 +20,14 @@ impl Mean {
             Self::Table(table) => table.at(time),
         }
     }
+
+    /// The first row of the table after `time` \[s\]; infinite without one.
+    pub fn next_corner(&self, time: f64) -> f64 {
+        match self {
+            Self::Steady(_) => f64::INFINITY,
+            Self::Table(table) => table.next_row(time),
+        }
+    }
 }
 
 impl Default for Mean {
@@ -47,7 +55,7 @@ impl WindTable {
         }
         for pair in rows.windows(2) {
             let [(before, first), (time, second)] = [pair[0], pair[1]];
-            if !(time > before) {
+            if time.is_nan() || time <= before {
                 let expected = format!("a time after {before} s");
                 return Err(WindProblem::value(
                     "time of the wind [s]",
@@ -84,6 +92,12 @@ impl WindTable {
             return self.rows[next.saturating_sub(1)].1;
         };
         between(&first, second, (time - t1) / (t2 - t1))
+    }
+
+    /// Time of the first row after `time` \[s\]; infinite without one.
+    fn next_row(&self, time: f64) -> f64 {
+        let next = self.rows.partition_point(|row| row.0 <= time);
+        self.rows.get(next).map_or(f64::INFINITY, |row| row.0)
     }
 
     /// First and last time \[s\].

@@ -99,7 +99,7 @@ impl Tower {
             wrong("number of heights of the tower", found, "at least 2");
         }
         for pair in self.radii.windows(2) {
-            if !(pair[1][0] > pair[0][0]) {
+            if pair[1][0] <= pair[0][0] {
                 wrong("height of the tower", pair[1][0], "ascending heights");
             }
         }
@@ -132,7 +132,7 @@ impl Tower {
         let Some((radius, fade)) = self.radius(at[2]) else {
             return *wind;
         };
-        if !(square.re() > 1e-12) {
+        if square.re().is_nan() || square.re() <= 1e-12 {
             return *wind;
         }
         let speed = square.sqrt();
@@ -179,7 +179,7 @@ impl Tower {
 
     /// Deficit behind the tower, without its limit.
     fn deficit<T: Real>(&self, x: T, y: T) -> T {
-        if !(x.re() > 0.0) {
+        if x.re().is_nan() || x.re() <= 0.0 {
             return T::from(0.0);
         }
         match self.shadow {
@@ -206,7 +206,7 @@ impl Tower {
     /// `None` where there is no influence.
     fn radius<T: Real>(&self, z: T) -> Option<(T, T)> {
         let [first, last] = [self.radii.first()?, self.radii.last()?];
-        if !(z.re() >= first[0]) || z.re() >= last[0] + last[1] {
+        if z.re().is_nan() || z.re() < first[0] || z.re() >= last[0] + last[1] {
             return None;
         }
         if z.re() >= last[0] {

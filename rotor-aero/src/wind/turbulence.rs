@@ -8,6 +8,8 @@
 //! Symbols: U mean speed of the box, W its width, x0 shift of the first plane. The gradient is the
 //! one of the interpolant, which jumps from cell to cell.
 
+use std::fmt;
+
 use shared_geom::error::Diagnostics;
 use shared_geom::exchange::problem::ExchangeProblem;
 
@@ -30,7 +32,6 @@ pub enum OutsideGrid {
 }
 
 /// A turbulence box.
-#[derive(Debug)]
 pub struct TurbulenceBox {
     name: String,
     grid: BoxGrid,
@@ -47,6 +48,19 @@ struct Between<T> {
     low: usize,
     high: usize,
     fraction: T,
+}
+
+/// All that determines its velocities: the text is the same wherever its files are.
+impl fmt::Debug for TurbulenceBox {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("TurbulenceBox")
+            .field("grid", &self.grid)
+            .field("planes", &self.planes)
+            .field("reversed", &self.reversed)
+            .field("shift", &self.shift)
+            .field("outside", &self.outside)
+            .finish()
+    }
 }
 
 impl TurbulenceBox {
@@ -93,6 +107,11 @@ impl TurbulenceBox {
     pub fn with_outside(mut self, outside: OutsideGrid) -> Self {
         self.outside = outside;
         self
+    }
+
+    /// Wind at points outside.
+    pub fn outside_grid(&self) -> OutsideGrid {
+        self.outside
     }
 
     /// Its grid.

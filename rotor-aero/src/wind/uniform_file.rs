@@ -51,7 +51,7 @@ pub fn read_uniform_wind(
             continue;
         };
         let before = rows.last().map(|row| row.0);
-        if let Some(before) = before.filter(|before| !(values[0] > *before)) {
+        if let Some(before) = before.filter(|before| values[0] <= *before) {
             let expected = format!("a time after the one of the previous row, {before} s");
             problems.push(line.number, &other("time", values[0], &expected));
             continue;

@@ -29,7 +29,7 @@ use shared_geom::rotation::{skew, skew_skew, skew_times};
 use super::carrier::{Carrier, CarrierState};
 use crate::elements::Local;
 use crate::elements::carried::CarriedPoint;
-use crate::model::Variable;
+use crate::model::{NodeMotion, Variable};
 
 /// Numbers of the flow: w (3), q, s (3), r.
 pub(super) const FLOW: usize = 8;
@@ -86,6 +86,12 @@ pub(super) struct Flow<'a> {
 pub(super) type AirMotion<'a> = dyn Fn(&Vector3<f64>, f64) -> (Vector3<f64>, Matrix3<f64>) + 'a;
 
 impl Mount {
+    /// The quarter chord at the motion of the nodes \[m\].
+    pub fn quarter_chord(&self, nodes: &[NodeMotion]) -> Vector3<f64> {
+        let point = self.carrier.at(nodes).carried();
+        point.position + point.rotation * self.offset
+    }
+
     /// The flow at a state.
     pub fn flow(&self, at: &Local<'_>, air: &AirMotion<'_>) -> Flow<'_> {
         let state = self.carrier.at(at.nodes);

@@ -16,7 +16,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
-use rotor_aero::strip::{FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian};
+use rotor_aero::strip::{ActingAir, FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian};
 use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::air::Air;
@@ -24,9 +24,10 @@ use super::carrier::Carrier;
 use super::kinematics::{FLOW, Flow, FlowBlock, Mount, Shaft};
 use crate::elements::beams::{BeamGeometry, LinePoint};
 use crate::elements::{
-    Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, has,
+    Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, Motion,
+    Structure, has,
 };
-use crate::model::{Node, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
+use crate::model::{Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
 
 /// Geometry of a strip on the section or body that carries it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,6 +63,10 @@ pub struct AirStrip {
     air: Arc<Air>,
     /// Its states, then the radius of the tip.
     scalars: Vec<Scalar>,
+    /// The quarter chord in the undeformed model \[m\].
+    start: Vector3<f64>,
+    /// Its distance there from the nearest node of the carrier \[m\].
+    arm: f64,
 }
 
 /// Forces of a strip at a state: F and M at the carried point [N, N m].
@@ -84,26 +89,30 @@ impl AirStrip {
     ) -> Self {
         let point = LinePoint::new(geometry, undeformed, xi);
         let carrier = Carrier::Beam(Box::new(point));
-        Self::new(label.into(), nodes.to_vec(), carrier, strip, rotor, air)
+        let start = undeformed.map(NodeMotion::at_rest);
+        let carrier = (carrier, nodes.to_vec(), &start[..]);
+        Self::new(label.into(), carrier, strip, rotor, air)
     }
 
     /// A strip on a body: the carried point is at `offset` from the node, with the axes of the
-    /// node.
+    /// node; `undeformed` is the node itself.
     pub fn on_body(
         label: impl Into<String>,
-        (node, offset): (usize, Vector3<f64>),
+        (node, undeformed, offset): (usize, &Node, Vector3<f64>),
         strip: (Arc<Strip>, StripGeometry),
         rotor: StripRotor,
         air: Arc<Air>,
     ) -> Self {
         let carrier = Carrier::Body(offset, Matrix3::identity());
-        Self::new(label.into(), vec![node], carrier, strip, rotor, air)
+        let start = [NodeMotion::at_rest(undeformed)];
+        let carrier = (carrier, vec![node], &start[..]);
+        Self::new(label.into(), carrier, strip, rotor, air)
     }
 
+    /// A strip on a carrier with its nodes, and their motion in the undeformed model.
     fn new(
         label: String,
-        mut nodes: Vec<usize>,
-        carrier: Carrier,
+        (carrier, mut nodes, undeformed): (Carrier, Vec<usize>, &[NodeMotion]),
         (strip, geometry): (Arc<Strip>, StripGeometry),
         rotor: StripRotor,
         air: Arc<Air>,
@@ -124,16 +133,21 @@ impl AirStrip {
         });
         let mut scalars: Vec<_> = states.collect();
         scalars.push(rotor.tip_radius);
+        let mount = Mount {
+            carrier,
+            offset: geometry.offset,
+            axes: geometry.axes,
+            shaft: rotor.shaft,
+            hub,
+        };
+        let start = mount.quarter_chord(undeformed);
+        let arms = undeformed.iter().map(|node| (start - node.position).norm());
         Self {
             label,
             nodes,
-            mount: Mount {
-                carrier,
-                offset: geometry.offset,
-                axes: geometry.axes,
-                shaft: rotor.shaft,
-                hub,
-            },
+            arm: arms.fold(f64::INFINITY, f64::min),
+            start,
+            mount,
             length: geometry.length,
             strip,
             air,
@@ -158,8 +172,8 @@ impl AirStrip {
     }
 
     /// Loads at the carried point from the numbers of the strip.
-    fn loads(&self, flow: &Flow<'_>, values: &[f64; OUTPUTS], at: &Local<'_>) -> Loads {
-        let size = self.length * at.loading.air;
+    fn loads(&self, flow: &Flow<'_>, values: &[f64; OUTPUTS]) -> Loads {
+        let size = self.length;
         let force = flow.axes * (size * Vector3::new(values[0], values[1], values[2]));
         let own = flow.axes.column(2) * (size * values[3]);
         Loads {
@@ -178,7 +192,7 @@ impl AirStrip {
         out: &mut LocalJacobian,
     ) {
         flow.state.add_variation(&loads.force, &loads.moment, out);
-        let strip = Columns::new(self, flow, by, at);
+        let strip = Columns::new(self, flow, by);
         for j in 0..flow.point.count {
             let turn = flow.point.shares[j].turn;
             for (variable, block) in flow.by_node(at, j) {
@@ -217,12 +231,12 @@ struct Columns<'a> {
 }
 
 impl<'a> Columns<'a> {
-    fn new(strip: &'a AirStrip, flow: &'a Flow<'a>, by: &'a StripJacobian, at: &Local<'_>) -> Self {
+    fn new(strip: &'a AirStrip, flow: &'a Flow<'a>, by: &'a StripJacobian) -> Self {
         Self {
             strip,
             flow,
             by,
-            size: strip.length * at.loading.air,
+            size: strip.length,
         }
     }
 
@@ -289,12 +303,19 @@ impl Element for AirStrip {
         let (flow, numbers) = self.flow(at);
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
-        let air = &self.air.properties;
+        let air = ActingAir {
+            still: &self.air.atmosphere,
+            part: at.loading.air,
+        };
         let by = match jacobian.is_some() {
+            // Models of sections may have forces at any speed.
+            _ if numbers.iter().any(|number| !number.is_finite()) => {
+                StripJacobian::of_values([f64::NAN; OUTPUTS])
+            }
             true => self.strip.linearize(air, &numbers, values, rates),
             false => StripJacobian::of_values(self.strip.evaluate(air, &numbers, values, rates)),
         };
-        let loads = self.loads(&flow, &by.values, at);
+        let loads = self.loads(&flow, &by.values);
         flow.state.add(&loads.force, &loads.moment, out);
         for row in 0..states {
             out.add_scalar(row, by.values[LOADS + row]);
@@ -304,7 +325,34 @@ impl Element for AirStrip {
         }
     }
 
-    has!(energetic: Energetic);
+    fn next_own_corner(&self, time: f64) -> f64 {
+        self.air.wind().next_corner(&self.start, time)
+    }
+
+    has!(energetic: Energetic, structure: Structure);
+}
+
+impl Structure for AirStrip {
+    fn arm(&self) -> f64 {
+        self.arm
+    }
+
+    fn is_joining(&self) -> bool {
+        false
+    }
+
+    fn free_motions(&self) -> Vec<Motion> {
+        Vec::new()
+    }
+
+    fn loaded_turn(&self, _at: &Local<'_>) -> Option<Vector3<f64>> {
+        None
+    }
+
+    fn undefined(&self, at: &Local<'_>) -> Option<String> {
+        let point = self.mount.quarter_chord(at.nodes);
+        self.air.undefined(&point, at.loading.time)
+    }
 }
 
 impl Energetic for AirStrip {

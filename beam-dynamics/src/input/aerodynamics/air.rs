@@ -1,19 +1,41 @@
 //! The air: `[air]`.
 
 use nalgebra::Vector3;
-use rotor_aero::strip::AirProperties;
-use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{Positive, Quantity, Vector};
+use rotor_aero::wind::{Atmosphere, AtmosphereInput, Wind, WindProblem};
+use shared_geom::document::schema::ValueKind::{
+    Positive, Quantity, Table as OneTable, Tables, Vector,
+};
+use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use crate::elements::strips::Air;
 
+mod checks;
+mod event;
+mod gusts;
+mod mean;
+mod problem;
+mod towers;
+mod turbulence;
+
+#[cfg(test)]
+mod tests;
+
+pub(in crate::input) use checks::{check_boxes, check_steady};
+pub use problem::AirProblem;
+
+use mean::MeanCard;
+
 keys! {
-    /// The air in which blades and bodies with `[[strip]]` move.
+    /// The air in which blades and bodies with strips move.
     pub(in crate::input) CARD = "[air]";
-    /// Altitude, from which the standard atmosphere gives all properties that are not given.
+    /// Altitude of the ground, from which the standard atmosphere gives all properties that are not
+    /// given.
     ALTITUDE: f64 = "altitude", [Quantity(Dimension::LENGTH)], or "0" = 0.0, "1500";
+    /// Difference to the temperature of the standard atmosphere at this altitude.
+    TEMPERATURE_OFFSET: f64 = "temperature_offset", [Quantity(Dimension::TEMPERATURE)],
+        or "0" = 0.0, "15";
     /// Density.
     DENSITY: Option<f64> = "density", [Positive(Dimension::DENSITY)], or "by `altitude`", "1.225";
     /// Speed of sound.
@@ -22,29 +44,111 @@ keys! {
     /// Dynamic viscosity.
     VISCOSITY: Option<f64> = "viscosity", [Positive(Dimension::VISCOSITY)], or "by `altitude`",
         "1.81e-5";
-    /// Velocity of the wind.
-    WIND: Vector3<f64> = "wind", [Vector(3, Dimension::VELOCITY)],
-        or "[0, 0, 0]" = Vector3::zeros(), "[8, 0, 0]";
+    /// Velocity of the wind, or a table.
+    WIND: ByHand = "wind", [Vector(3, Dimension::VELOCITY), OneTable(&mean::CARD)],
+        or "[0, 0, 0]", "[8, 0, 0]";
+    /// Gusts that travel.
+    GUSTS: ByHand = "gust", [Tables(&gusts::CARD)], optional, "";
+    /// An event of IEC 61400-1.
+    EVENT: ByHand = "event", [OneTable(&event::CARD)], optional, "";
+    /// A turbulence box.
+    TURBULENCE: ByHand = "turbulence", [OneTable(&turbulence::CARD)], optional, "";
+    /// Towers that change the wind.
+    TOWERS: ByHand = "tower", [Tables(&towers::CARD)], optional, "";
 }
 
-/// Reads `[air]`: `None` if it is wrong, standard air at sea level if absent.
-pub(super) fn read(root: &Table<'_>) -> Option<Air> {
+/// Reads `[air]`: `None` if it is wrong, standard air at sea level if absent. The default of the
+/// vertical is opposite to `gravity` \[m/s^2\].
+pub(super) fn read(root: &Table<'_>, gravity: &Vector3<f64>) -> Option<Air> {
     let Some(table) = root.has("air").then(|| root.table("air")) else {
-        return Some(Air::standard(0.0));
+        return Some(Air::default());
     };
     let table = table?;
-    let altitude = table.get(&ALTITUDE);
-    let [density, sound, viscosity] =
-        [&DENSITY, &SPEED_OF_SOUND, &VISCOSITY].map(|key| table.get(key));
-    let wind = table.get(&WIND);
+    let up = match gravity.norm() > 0.0 {
+        true => -gravity.normalize(),
+        false => Vector3::z(),
+    };
+    let (atmosphere, wind) = (atmosphere(&table), wind(&table, &up));
     table.finish();
-    let standard = Air::standard(altitude?);
-    Some(Air {
-        properties: AirProperties {
-            density: density?.unwrap_or(standard.properties.density),
-            speed_of_sound: sound?.unwrap_or(standard.properties.speed_of_sound),
-            viscosity: viscosity?.unwrap_or(standard.properties.viscosity),
-        },
-        wind: wind?,
+    Some(Air::new(atmosphere?, wind?))
+}
+
+fn atmosphere(table: &Table<'_>) -> Option<Atmosphere> {
+    let (altitude, temperature_offset) = (table.get(&ALTITUDE), table.get(&TEMPERATURE_OFFSET));
+    let [density, sound_speed, viscosity] =
+        [&DENSITY, &SPEED_OF_SOUND, &VISCOSITY].map(|key| table.get(key));
+    let input = AtmosphereInput {
+        altitude: altitude?,
+        temperature_offset: temperature_offset?,
+        density: density?,
+        temperature: None,
+        sound_speed: sound_speed?,
+        viscosity: viscosity?,
+    };
+    match input.atmosphere() {
+        Ok(atmosphere) => Some(atmosphere),
+        Err(problems) => {
+            for problem in &problems {
+                let is_of_altitude =
+                    matches!(problem, WindProblem::Value { what, .. } if what == ALTITUDE.name());
+                match is_of_altitude {
+                    true => table.note(&ALTITUDE, problem),
+                    false => table.note(&TEMPERATURE_OFFSET, problem),
+                }
+            }
+            None
+        }
+    }
+}
+
+/// The wind of all tables. Every table is read, so that all problems are noted.
+fn wind(table: &Table<'_>, up: &Vector3<f64>) -> Option<Wind> {
+    let mean = mean_wind(table, up);
+    let known = mean.as_ref();
+    let gusts = gusts::read(&table.tables(&GUSTS), known);
+    let towers = towers::read(&table.tables(&TOWERS), known.map(|mean| &mean.frame));
+    let event = optional(table, EVENT.name(), |table| event::read(table, known));
+    let turbulence = optional(table, TURBULENCE.name(), |table| {
+        turbulence::read(table, known)
+    });
+    let (events, boxes) = (event?.into_iter(), turbulence?.into_iter());
+    let (gusts, towers) = (gusts?, towers?);
+    let MeanCard { frame, mean } = mean?;
+    Some(Wind {
+        frame,
+        mean,
+        events: events.collect(),
+        gusts,
+        boxes: boxes.collect(),
+        towers,
     })
+}
+
+/// The content of a table in `table`: `Some(None)` if it is absent, `None` if it is wrong.
+fn optional<T>(
+    table: &Table<'_>,
+    key: &str,
+    read: impl FnOnce(&Table<'_>) -> Option<T>,
+) -> Option<Option<T>> {
+    match table.has(key) {
+        true => read(&table.table(key)?).map(Some),
+        false => Some(None),
+    }
+}
+
+fn mean_wind(table: &Table<'_>, up: &Vector3<f64>) -> Option<MeanCard> {
+    if table.is_table(&WIND) {
+        return mean::read(&table.table(&WIND)?, up);
+    }
+    let velocity = match table.has(&WIND) {
+        true => table.vector(WIND.name(), Dimension::VELOCITY)?,
+        false => Vector3::zeros(),
+    };
+    match MeanCard::of_velocity(&velocity, up) {
+        Ok(mean) => Some(mean),
+        Err(problem) => {
+            table.note(&WIND, &problem);
+            None
+        }
+    }
 }

@@ -2,27 +2,24 @@
 
 use std::sync::Arc;
 
-use rotor_aero::airfoil::{Airfoil, BUILT_IN, LinearLift, Section, built_in};
+use rotor_aero::airfoil::{Airfoil, AirfoilData, BUILT_IN, BuiltIn, LinearLift, Section, built_in};
 use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text, Texts};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::airfoil_files;
+use super::changes::{self, Changes, MIRROR, STALL_DELAY, VITERNA};
 use super::problem::StripProblem;
 
 keys! {
     /// An airfoil: a file, a built-in airfoil, or linear lift.
     pub(in crate::input) CARD = "[airfoils.NAME]";
-    /// The file, relative to this file; its format is recognized.
-    FILE: Option<String> = "file", [Text], optional, "\"DU21_A17.dat\"";
-    /// Several files of one airfoil, one for each Reynolds number.
-    FILES: Option<Vec<String>> = "files", [Texts], optional, "[\"Re1e5.txt\", \"Re2e5.txt\"]";
+    /// The file, relative to this file, or a list of files, one for each Reynolds number; its
+    /// format is recognized.
+    FILE: Option<Vec<String>> = "file", [Texts], optional, "\"DU21_A17.dat\"";
     /// The airfoil of the file, if it has several.
     AIRFOIL: Option<String> = "airfoil", [Text], optional, "\"SNL-FFA-W3-500\"";
-    /// Extension of the tables of a file to the full circle by Viterna: the aspect ratio of the
-    /// blade.
-    VITERNA: Option<f64> = "viterna", [Positive(Dimension::NUMBER)], optional, "10";
     /// A built-in airfoil: "naca0012", "flat_plate" or "thin".
     BUILT_IN_NAME: Option<String> = "built_in", [Text], optional, "\"naca0012\"";
     /// Linear lift without stall: its slope per radian.
@@ -33,6 +30,7 @@ keys! {
     DRAG: f64 = "drag", [NotNegative(Dimension::NUMBER)], or "0" = 0.0, "0.01";
     /// Linear lift: coefficient of the moment about the quarter chord.
     MOMENT: f64 = "moment", [Quantity(Dimension::NUMBER)], or "0" = 0.0, "-0.05";
+    with STALL_DELAY.schema, VITERNA.schema, MIRROR.schema;
 }
 
 /// Airfoils by name; wrong ones are `None`.
@@ -55,23 +53,17 @@ pub(in crate::input) fn read(root: &Table<'_>) -> Airfoils {
 }
 
 fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<Airfoil> {
-    let (file, files) = (table.get(&FILE), table.get(&FILES));
-    let (of_file, viterna) = (table.get(&AIRFOIL), table.get(&VITERNA));
+    let (file, of_file) = (table.get(&FILE), table.get(&AIRFOIL));
     let (built_in, slope) = (table.get(&BUILT_IN_NAME), table.get(&SLOPE));
     let linear = [&ZERO_LIFT, &DRAG, &MOMENT];
     let has_linear = linear.iter().find(|key| table.has(**key));
     let has_linear = has_linear.map(|key| key.name());
     let [zero_lift, drag, moment] = linear.map(|key| table.get(key));
+    let changes = changes::read(table);
     let name = name.to_owned();
-    let (file, files, of_file, viterna) = (file?, files?, of_file?, viterna?);
-    let (built_in, slope) = (built_in?, slope?);
-    let has_file = file.is_some() || files.is_some();
-    let given = [
-        file.is_some(),
-        files.is_some(),
-        built_in.is_some(),
-        slope.is_some(),
-    ];
+    let (file, of_file, built_in, slope) = (file?, of_file?, built_in?, slope?);
+    let changes = changes?;
+    let given = [file.is_some(), built_in.is_some(), slope.is_some()];
     let count = given.iter().filter(|given| **given).count();
     if count != 1 {
         let found = match count {
@@ -81,31 +73,28 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
         table.note("", &StripProblem::AirfoilSource { name, found });
         return None;
     }
-    let useless = match (has_file, slope) {
+    let useless = match (&file, slope) {
         (_, None) if has_linear.is_some() => has_linear.map(|key| (key, SLOPE.name())),
-        (false, _) if of_file.is_some() => Some((AIRFOIL.name(), FILE.name())),
-        (false, _) if viterna.is_some() => Some((VITERNA.name(), FILE.name())),
+        (None, _) if of_file.is_some() => Some((AIRFOIL.name(), FILE.name())),
+        (_, Some(_)) => changes.first().map(|key| (key, FILE.name())),
         _ => None,
     };
     if let Some((key, needed)) = useless {
         table.note(key, &StripProblem::Useless { name, key, needed });
         return None;
     }
-    let key = if file.is_some() {
-        FILE.name()
-    } else {
-        FILES.name()
-    };
-    if let Some(files) = file.map(|file| vec![file]).or(files) {
-        let wanted = airfoil_files::Wanted { of_file, viterna };
-        return airfoil_files::read(&name, (table, key), &files, wanted, remarks);
+    if let Some(files) = file {
+        let at = (table, FILE.name());
+        let data = airfoil_files::read(&name, at, &files, of_file.as_deref(), remarks)?;
+        return changed(data, &changes, at, remarks);
     }
     if let Some(wanted) = built_in {
-        return named_built_in(
-            &wanted,
-            (table, BUILT_IN_NAME.name()),
-            &format!("airfoil \"{name}\""),
-        );
+        let at = (table, BUILT_IN_NAME.name());
+        let found = named_built_in(&wanted, at, &format!("airfoil \"{name}\""))?;
+        return match changes.first() {
+            None => Some(found.airfoil()),
+            Some(_) => changed(found.data(), &changes, at, remarks),
+        };
     }
     Some(Airfoil::linear(LinearLift {
         slope: slope?,
@@ -116,9 +105,32 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     }))
 }
 
+/// The airfoil of a changed table; problems are noted under a key.
+fn changed(
+    data: AirfoilData,
+    changes: &Changes,
+    at: (&Table<'_>, &str),
+    remarks: &mut Vec<String>,
+) -> Option<Airfoil> {
+    let name = data.name.clone();
+    match changes.apply(data) {
+        Ok(data) => airfoil_files::checked(&data, at, remarks),
+        Err(problems) => {
+            for problem in problems {
+                airfoil_files::note(&name, problem, at);
+            }
+            None
+        }
+    }
+}
+
 /// A built-in airfoil by its name; another name is noted under `key`.
-fn named_built_in(name: &str, (table, key): (&Table<'_>, &str), user: &str) -> Option<Airfoil> {
-    let found = built_in(name);
+fn named_built_in(
+    name: &str,
+    (table, key): (&Table<'_>, &str),
+    user: &str,
+) -> Option<&'static BuiltIn> {
+    let found = BUILT_IN.iter().find(|one| one.name == name);
     if found.is_none() {
         let problem = StripProblem::Unknown {
             kind: "built-in airfoil",
@@ -132,6 +144,11 @@ fn named_built_in(name: &str, (table, key): (&Table<'_>, &str), user: &str) -> O
 }
 
 impl Airfoils {
+    /// Whether the name is an airfoil of the file, or a built-in one.
+    pub fn has(&self, name: &str) -> bool {
+        self.named.iter().any(|named| named.0 == name) || built_in(name).is_some()
+    }
+
     /// The section of the airfoil `name`, as named under a key of a table, described by `user`;
     /// `None` if it is wrong, or unknown, which is noted.
     pub fn find(

@@ -1,6 +1,6 @@
 //! Stations of a blade in the air: chord, twist and airfoil along the line.
 
-use rotor_aero::airfoil::{Blend, Section};
+use rotor_aero::airfoil::{Blend, BlendProblem, Section};
 use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Tables, Text};
 use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
@@ -9,8 +9,8 @@ use shared_geom::units::Dimension;
 use crate::input::aerodynamics::{Airfoils, StripProblem};
 
 keys! {
-    /// Stations from the root to the tip; linear between them.
-    pub(super) STATIONS: ByHand = "stations", [Tables(&CARD)], required, "";
+    /// Stations from the root to the tip, unless there is a `file`; linear between them.
+    pub(super) STATIONS: ByHand = "stations", [Tables(&CARD)], optional, "";
 }
 
 keys! {
@@ -64,6 +64,19 @@ pub(super) struct Stations {
 }
 
 impl Stations {
+    /// Stations in ascending order, and airfoils at positions between them.
+    ///
+    /// # Errors
+    /// Positions that do not ascend, and no station.
+    pub fn new(stations: Vec<Station>, between: Vec<(f64, Section)>) -> Result<Self, BlendProblem> {
+        let own = stations.iter();
+        let own = own.map(|station| (station.at, station.airfoil.clone()));
+        let mut sections: Vec<_> = own.chain(between).collect();
+        sections.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let airfoils = Blend::along_span(sections)?;
+        Ok(Self { stations, airfoils })
+    }
+
     /// Positions of the stations \[m\]: between them the blade is smooth.
     pub fn positions(&self) -> impl Iterator<Item = f64> + '_ {
         self.stations.iter().map(|station| station.at)
@@ -136,10 +149,8 @@ pub(super) fn read(
     if !sound {
         return None;
     }
-    let sections = stations.iter();
-    let sections = sections.map(|station| (station.at, station.airfoil.clone()));
-    match Blend::along_span(sections.collect()) {
-        Ok(airfoils) => Some(Stations { stations, airfoils }),
+    match Stations::new(stations, Vec::new()) {
+        Ok(stations) => Some(stations),
         Err(problem) => {
             table.note(&STATIONS, &problem);
             None

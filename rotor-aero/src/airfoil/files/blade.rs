@@ -12,6 +12,7 @@ use super::source::text_of;
 
 mod aerodyn;
 mod apc;
+mod csv;
 mod hawc2_ae;
 mod qprop;
 mod station;
@@ -40,7 +41,7 @@ struct Door {
 }
 
 /// All formats, in the order in which they are tried.
-const DOORS: [Door; 6] = [
+const DOORS: [Door; 7] = [
     Door {
         format: BladeFormat::WindIo,
         recognize: windio::recognize,
@@ -65,6 +66,11 @@ const DOORS: [Door; 6] = [
         format: BladeFormat::Qprop,
         recognize: qprop::recognize,
         read: qprop::read,
+    },
+    Door {
+        format: BladeFormat::Csv,
+        recognize: csv::recognize,
+        read: csv::read,
     },
     Door {
         format: BladeFormat::Hawc2Ae,

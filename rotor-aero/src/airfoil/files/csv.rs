@@ -13,7 +13,7 @@ use super::grid::{Grid, Row, Unit};
 use super::notes::Notes;
 use super::reading::{Options, ReadAirfoil};
 
-mod header;
+pub(super) mod header;
 mod write;
 
 use header::{Header, Kind, cells, content, separator};
@@ -97,17 +97,7 @@ fn add(
     let Some(numbers) = numbers(line.number, cells, header, notes) else {
         return;
     };
-    let value = |kind: Kind| {
-        numbers
-            .iter()
-            .find(|(known, _)| *known == kind)
-            .map(|(_, value)| *value)
-    };
-    let name = header
-        .column(Kind::Name)
-        .and_then(|i| cells.get(i))
-        .cloned()
-        .unwrap_or_default();
+    let value = |kind: Kind| value(&numbers, kind);
     let Some(alpha) = value(Kind::Alpha) else {
         notes.missing(
             line.number,
@@ -116,24 +106,7 @@ fn add(
         );
         return;
     };
-    let flap = value(Kind::Flap).map(|flap| header.flap.radians(flap));
-    let condition = [value(Kind::Mach), value(Kind::Reynolds), flap];
-    let found = groups
-        .iter()
-        .rposition(|group| group.name == name && group.condition == condition);
-    let index = found.unwrap_or_else(|| {
-        let (thickness, line) = (value(Kind::Thickness), line.number);
-        let rows = [Vec::new(), Vec::new(), Vec::new()];
-        groups.push(Group {
-            name,
-            condition,
-            thickness,
-            line,
-            rows,
-        });
-        groups.len() - 1
-    });
-    let Some(group) = groups.get_mut(index) else {
+    let Some(group) = group(line.number, cells, header, &numbers, groups) else {
         return;
     };
     for (rows, kind) in group
@@ -149,6 +122,43 @@ fn add(
             });
         }
     }
+}
+
+/// The value of a column.
+fn value(numbers: &[(Kind, f64)], kind: Kind) -> Option<f64> {
+    let found = numbers.iter().find(|(known, _)| *known == kind);
+    found.map(|(_, value)| *value)
+}
+
+/// The group of a line; a new one if its airfoil or condition is new.
+fn group<'g>(
+    line: usize,
+    cells: &[String],
+    header: &Header,
+    numbers: &[(Kind, f64)],
+    groups: &'g mut Vec<Group>,
+) -> Option<&'g mut Group> {
+    let column = header.column(Kind::Name);
+    let name = column.and_then(|i| cells.get(i)).cloned();
+    let name = name.unwrap_or_default();
+    let flap = value(numbers, Kind::Flap).map(|flap| header.flap.radians(flap));
+    let condition = [
+        value(numbers, Kind::Mach),
+        value(numbers, Kind::Reynolds),
+        flap,
+    ];
+    let is_it = |group: &Group| group.name == name && group.condition == condition;
+    let index = groups.iter().rposition(is_it).unwrap_or(groups.len());
+    if index == groups.len() {
+        groups.push(Group {
+            name,
+            condition,
+            thickness: value(numbers, Kind::Thickness),
+            line,
+            rows: [Vec::new(), Vec::new(), Vec::new()],
+        });
+    }
+    groups.get_mut(index)
 }
 
 /// The numbers of a line by their columns; notes wrong words.

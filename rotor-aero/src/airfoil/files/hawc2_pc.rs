@@ -284,22 +284,21 @@ fn written(
         joint.alpha.len(),
         thickness * 100.0
     );
-    for (i, alpha) in joint.alpha.iter().enumerate() {
-        let value = |column: usize| {
-            joint
-                .columns
-                .get(column)
-                .and_then(|values| values.get(i))
-                .copied()
-                .unwrap_or(0.0)
-        };
-        text += &format!(
-            "{:24.16e}{:24.16e}{:24.16e}{:24.16e}\n",
-            alpha.to_degrees(),
-            value(0),
-            value(1),
-            value(2)
-        );
-    }
+    text += &rows(&joint);
     Some(text)
+}
+
+/// The rows of a profile; a column that does not exist is 0.
+fn rows(joint: &Joint) -> String {
+    let mut text = String::new();
+    for (i, alpha) in joint.alpha.iter().enumerate() {
+        text += &format!("{:24.16e}", alpha.to_degrees());
+        for column in 0..3 {
+            let values = joint.columns.get(column);
+            let value = values.and_then(|values| values.get(i)).copied();
+            text += &format!("{:24.16e}", value.unwrap_or(0.0));
+        }
+        text += "\n";
+    }
+    text
 }

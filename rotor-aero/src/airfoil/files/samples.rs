@@ -11,7 +11,7 @@ pub fn path(name: &str) -> PathBuf {
 
 /// The text of a reference file.
 pub fn text(name: &str) -> String {
-    std::fs::read_to_string(path(name)).unwrap()
+    std::fs::read_to_string(path(name)).expect("a reference file")
 }
 
 /// The numbers of the lines of a reference file that have only numbers, separated by commas.

@@ -40,7 +40,7 @@ fn loads<M: Inflow>(
                 let tangential = radius + flow.advance * psi.sin();
                 let through = flow.axial + model.induced(flow, states, radius, psi).unwrap();
                 let scale = 0.5 * SOLIDITY * SLOPE / f64::from(BLADES * STRIPS) / 2.0;
-                // No lift in reverse flow, as in the listed march.
+                // No lift in reverse flow: with it the listed values differ by .4 %.
                 let forward = tangential.max(0.0);
                 let thrust = scale * forward * (pitch * tangential - through);
                 sum.thrust += thrust;
@@ -135,7 +135,7 @@ fn three_states_in_forward_flight() {
     let it = reference("theory-rotor/aero_hover.json");
     let listed = &it["pitt_peters"]["mu_0_2"];
     let (mean, thrust) = march(&PittPeters, 0.2, 8.0, 60);
-    println!("{mean:?} {thrust}");
+    // The number of strips of the independent script is not known: .1 %.
     for i in 0..3 {
         let expected = listed["lam"][i].as_f64().unwrap();
         assert!(

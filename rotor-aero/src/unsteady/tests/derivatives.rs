@@ -159,7 +159,7 @@ fn compare(model: &SectionModel, list: &[f64], input: usize, name: &str, slow: b
 }
 
 #[test]
-fn derivatives_are_those_of_central_differences() {
+fn derivatives_agree_with_central_differences() {
     let mut random = Random(7);
     for word in SectionModel::WORDS {
         let model = SectionModel::of_word(word).unwrap();

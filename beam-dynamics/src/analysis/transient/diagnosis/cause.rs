@@ -229,9 +229,13 @@ impl<'a> FailureContext<'a> {
             );
         };
         if let Some(why) = why {
+            let remedy = match element.drives().is_empty() && !element.senses() {
+                true => "end the run before",
+                false => "bound its drive by min() and max(), or end the run before",
+            };
             return Cause::new(
                 format!("\"{}\" has no value: {why}", element.label()),
-                &["bound its drive by min() and max(), or end the run before"],
+                &[remedy],
             );
         }
         let time = self.failure.time + self.failure.length;

@@ -78,27 +78,33 @@ pub(super) fn read(text: &str, _: &BladeOptions, notes: &mut Notes) -> Option<Bl
             station.airfoil = blend(station.span, first, second);
         }
     }
-    let count = blades.filter(|&count| (1.0..=100.0).contains(&count) && count.fract() == 0.0);
-    if blades.is_some() && count.is_none() {
-        notes.wrong(
-            0,
-            [
-                "BLADES",
-                &blades.unwrap_or(0.0).to_string(),
-                "a whole number from 1 to 100",
-                "correct the line BLADES",
-            ],
-        );
-    }
     let mut blade = BladeAero::of(BladeFormat::Apc, SpanOrigin::RotationAxis, stations);
     blade.name = lines
         .first()
         .map(|line| line.first().to_owned())
         .unwrap_or_default();
-    blade.blades = count.map(|count| count as usize);
+    blade.blades = blades.and_then(|count| whole(count, notes));
     blade.tip_radius = radius.map(|radius| radius * INCH);
     blade.hub_radius = hub.map(|radius| radius * INCH);
     Some(blade)
+}
+
+/// A number of blades; notes another number.
+fn whole(count: f64, notes: &mut Notes) -> Option<usize> {
+    if (1.0..=100.0).contains(&count) && count.fract() == 0.0 {
+        return Some(count as usize);
+    }
+    let expected = "a whole number from 1 to 100";
+    notes.wrong(
+        0,
+        [
+            "BLADES",
+            &count.to_string(),
+            expected,
+            "correct the line BLADES",
+        ],
+    );
+    None
 }
 
 /// A station of a row.

@@ -75,29 +75,25 @@ pub(super) fn read(text: &str, options: &BladeOptions, notes: &mut Notes) -> Opt
         }
         rest = after.get(rows.len()..).unwrap_or_default();
     }
-    if let Some(line) = rest.first().filter(|line| number(line.first()).is_some()) {
-        notes.wrong(
-            line.number,
-            [
-                "HAWC2 ae file",
-                line.text,
-                "the end of the file",
-                "the number of rows or sets may be wrong",
-            ],
-        );
-    }
+    check_rest(rest, notes);
     if sets > 1 && options.set.is_none() {
         notes.remark(0, &format!("the file has {sets} sets; the first is read"));
     }
     if found.is_none() {
-        notes.missing(
-            0,
-            &format!("set {wanted}"),
-            &format!("the file has {sets} sets"),
-        );
+        let help = format!("the file has {sets} sets");
+        notes.missing(0, &format!("set {wanted}"), &help);
     }
     notes.remark(0, "the twist is not in this file: it is zero");
     found.map(|stations| BladeAero::of(BladeFormat::Hawc2Ae, SpanOrigin::RootAlongCurve, stations))
+}
+
+/// Notes numbers after the last set.
+fn check_rest(rest: &[Line<'_>], notes: &mut Notes) {
+    if let Some(line) = rest.first().filter(|line| number(line.first()).is_some()) {
+        let help = "the number of rows or sets may be wrong";
+        let expected = "the end of the file";
+        notes.wrong(line.number, ["HAWC2 ae file", line.text, expected, help]);
+    }
 }
 
 /// A station of a row.

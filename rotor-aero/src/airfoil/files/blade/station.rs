@@ -20,6 +20,8 @@ pub enum BladeFormat {
     Uiuc,
     /// Propeller of QPROP.
     Qprop,
+    /// Columns with a header.
+    Csv,
 }
 
 impl BladeFormat {
@@ -32,6 +34,7 @@ impl BladeFormat {
             Self::Apc => "APC PE0 file",
             Self::Uiuc => "UIUC geometry",
             Self::Qprop => "QPROP propeller",
+            Self::Csv => "CSV file of a blade",
         }
     }
 }

@@ -267,3 +267,50 @@ fn blades_with_faults_are_read_or_reported() {
         assert!(refused > 60, "{refused}");
     }
 }
+
+/// The file has the twist of turbines, towards feather, under the name `twist`: with the name
+/// `feather`, it is nose up after reading, with the opposite sign.
+#[test]
+fn columns_state_the_sign_of_the_twist() {
+    let file = text("aero/nrel5mw/blade.csv");
+    let read = |text: &str| {
+        let options = BladeOptions::default();
+        parse_blade(text, Path::new("blade.csv"), &options)
+            .unwrap_or_else(|problems| panic!("{problems}"))
+    };
+    let blade = read(&file.replace("twist_deg", "feather_deg"));
+    assert_eq!(
+        (blade.format, blade.origin, blade.stations.len()),
+        (BladeFormat::Csv, SpanOrigin::RotationAxis, 17)
+    );
+    let first = &blade.stations[0];
+    assert_eq!((first.span, first.chord), (2.8667, 3.542));
+    near(first.twist.to_degrees(), -13.308);
+    assert_eq!(
+        blade.stations[16].airfoil,
+        StationAirfoil::Blend(vec![("NACA64_A17".to_owned(), 1.0)])
+    );
+    near(read(&file).stations[0].twist.to_degrees(), 13.308);
+    let from_root = read("span [mm];chord [m];twist [rad];axis [-]\n0;1;0.1;0.3\n2000;1;0;0.3\n");
+    assert_eq!(from_root.origin, SpanOrigin::Root);
+    assert_eq!(
+        (
+            from_root.stations[1].span,
+            from_root.stations[0].reference_point
+        ),
+        (2.0, 0.3)
+    );
+}
+
+#[test]
+fn faults_of_columns_are_reported_at_once() {
+    let shown = problems("span,chord [kg],colour\n0,1,2\n1,x,2\n2,1\n", "a.csv");
+    for expected in [
+        "a.csv:1: the header: found none, expected one of the columns \"twist\" and \"feather\"",
+        "a.csv:1: unit of column \"chord\": found \"kg\", expected m",
+        "a.csv:3: ",
+        "a.csv:4: row of the blade: found 2 cells, expected 3, as in the header",
+    ] {
+        assert!(shown.contains(expected), "{expected:?} in\n{shown}");
+    }
+}

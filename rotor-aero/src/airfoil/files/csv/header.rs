@@ -58,7 +58,7 @@ pub(super) struct Header {
 }
 
 /// The lines that are neither blank nor comments.
-pub(super) fn content(text: &str) -> Vec<Line<'_>> {
+pub(in crate::airfoil::files) fn content(text: &str) -> Vec<Line<'_>> {
     let all = lines(text.strip_prefix('\u{feff}').unwrap_or(text)).into_iter();
     all.filter(|line| !line.text.starts_with('#')).collect()
 }
@@ -73,7 +73,7 @@ pub(super) fn is_header(text: &str) -> bool {
 }
 
 /// The separator of the cells; a blank for blanks.
-pub(super) fn separator(header: &str) -> char {
+pub(in crate::airfoil::files) fn separator(header: &str) -> char {
     [';', ',', '\t']
         .into_iter()
         .find(|&letter| header.contains(letter))
@@ -81,7 +81,7 @@ pub(super) fn separator(header: &str) -> char {
 }
 
 /// The cells of a line, without quotes.
-pub(super) fn cells(text: &str, separator: char) -> Vec<String> {
+pub(in crate::airfoil::files) fn cells(text: &str, separator: char) -> Vec<String> {
     if separator == ' ' {
         return text.split_whitespace().map(str::to_owned).collect();
     }

@@ -1,0 +1,181 @@
+//! A strip on a body at rest in a wind that varies: forces of a gust, corners in time, and points
+//! without wind.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Vector3};
+use rotor_aero::airfoil::{Section, built_in};
+use rotor_aero::strip::{SectionModel, Strip, StripDesign};
+use rotor_aero::wind::{
+    Atmosphere, BoxGrid, BoxValues, Event, EventShape, GustShape, TravelingGust, TurbulenceBox,
+    Wind,
+};
+
+use super::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+use crate::elements::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Queries};
+use crate::model::{Conditions, Equation, Node, NodeMotion, Scalars};
+
+/// Speed of the wind \[m/s\].
+const SPEED: f64 = 60.0;
+/// Amplitude of the gust \[m/s\].
+const GUST: f64 = 1.5;
+/// Length of the gust \[m\].
+const LENGTH: f64 = 30.0;
+const CHORD: f64 = 0.8;
+const SPAN: f64 = 1.7;
+
+/// Wind against the leading edge, with a gust upward whose front is 12 m ahead at the time 0.
+fn gust() -> Wind {
+    let mut wind = Wind::uniform(&Vector3::new(-SPEED, 0.0, 0.0), Vector3::y()).unwrap();
+    wind.gusts.push(TravelingGust {
+        shape: GustShape::OneMinusCosine { length: LENGTH },
+        velocity: [0.0, 0.0, GUST],
+        direction: [1.0, 0.0, 0.0],
+        convection: SPEED,
+        front: -12.0,
+    });
+    wind
+}
+
+/// A strip of a thin airfoil: leading edge along x, span along z, quarter chord 3 m behind the
+/// origin.
+fn strip(wind: Wind) -> (AirStrip, Node) {
+    let node = Node {
+        label: "body".to_owned(),
+        position: Vector3::new(-3.0, 0.0, 0.0),
+        rotation: Matrix3::identity(),
+    };
+    let design = StripDesign {
+        chord: CHORD,
+        section: Section::single(Arc::new(built_in("thin").unwrap())),
+        model: SectionModel::of_word("quasi_steady").unwrap(),
+        inflow: None,
+    };
+    let shaft = Shaft {
+        center: Vector3::zeros(),
+        axis: Vector3::y(),
+    };
+    let rotor = StripRotor {
+        shaft,
+        hub: None,
+        tip_radius: TipRadius::new("tip", 0, shaft, None).scalar().clone(),
+    };
+    let geometry = StripGeometry {
+        offset: Vector3::zeros(),
+        axes: Matrix3::identity(),
+        length: SPAN,
+    };
+    let air = Arc::new(Air::new(Atmosphere::default(), wind));
+    let strip = (Arc::new(Strip::new(design)), geometry);
+    let placed = (0, &node, Vector3::zeros());
+    (AirStrip::on_body("strip", placed, strip, rotor, air), node)
+}
+
+/// The force on the node at a time, and the reason if there is none.
+fn force(strip: &AirStrip, node: &Node, time: f64) -> (Vector3<f64>, Option<String>) {
+    let mut conditions = Conditions::at_rest();
+    conditions.loading.time = time;
+    conditions.loading.air = 1.0;
+    let motion = [NodeMotion::at_rest(node)];
+    let numbers = vec![1.0; strip.scalars().len()];
+    let at = Local {
+        nodes: &motion,
+        multipliers: &[],
+        scalars: Scalars {
+            values: &numbers,
+            rates: &vec![0.0; numbers.len()],
+        },
+        memory: &[],
+        frame: &conditions.frame,
+        loading: &conditions.loading,
+    };
+    let size = LocalSize::of(strip);
+    let (mut residual, mut jacobian) = (LocalResidual::new(size), LocalJacobian::new(size));
+    strip.evaluate(&at, &mut residual, Some(&mut jacobian));
+    let row = Equation::Force.row();
+    let values = &residual.values()[row..row + 3];
+    (Vector3::from_row_slice(values), strip.without_value(&at))
+}
+
+/// Lift of thin airfoil theory, `rho U^2/2 2 pi alpha c b` with `alpha = w/U`: for the angle
+/// 0.025 the terms of higher order, `(w/U)^2/6`, are below 1.1e-4 of it.
+#[test]
+fn lift_follows_the_gust() {
+    let (strip, node) = strip(gust());
+    let density = Atmosphere::default().density;
+    let most = density * std::f64::consts::PI * SPEED * GUST * CHORD * SPAN;
+    for step in 0..=40 {
+        // the front passes the quarter chord when it has traveled 15 m
+        let time = 0.02 * f64::from(step);
+        let behind = SPEED * time - 15.0;
+        let phase = std::f64::consts::TAU * behind / LENGTH;
+        let inside = (0.0..LENGTH).contains(&behind);
+        let shape = if inside { 0.5 * (1.0 - phase.cos()) } else { 0.0 };
+        let (found, why) = force(&strip, &node, time);
+        assert!((found.y - most * shape).abs() < 1.1e-4 * most, "{time}");
+        assert!(why.is_none());
+    }
+    // lift is normal to the flow: a thrust w/U of it in the middle of the gust
+    let (found, _) = force(&strip, &node, 0.5);
+    assert!((found.x / found.y - GUST / SPEED).abs() < 1e-12);
+}
+
+#[test]
+fn corners_are_the_times_at_the_strip() {
+    let mut wind = gust();
+    wind.events.push(Event {
+        start: 3.0,
+        shape: EventShape::DirectionChange { angle: 0.2 },
+    });
+    let (strip, _) = strip(wind);
+    let mut corners = vec![0.0];
+    while corners.len() < 9 {
+        corners.push(strip.next_corner(corners[corners.len() - 1]));
+    }
+    // the gust in 0.25 s to 0.75 s, the event in 3 s to 9 s
+    let expected = [0.0, 0.25, 0.5, 0.75, 3.0, 4.5, 6.0, 7.5, 9.0];
+    for (corner, expected) in corners.iter().zip(expected) {
+        assert!((corner - expected).abs() < 1e-12, "{corners:?}");
+    }
+    assert_eq!(strip.next_corner(9.0), f64::INFINITY);
+}
+
+#[test]
+fn outside_a_box_there_is_no_force_but_a_reason() {
+    let grid = BoxGrid {
+        planes: 4,
+        lateral: 3,
+        vertical: 3,
+        tower: 0,
+        time_step: 0.5,
+        lateral_step: 10.0,
+        vertical_step: 10.0,
+        speed: 10.0,
+        bottom: -10.0,
+        hub_height: 0.0,
+        periodic: false,
+    };
+    let planes = vec![vec![1.0; grid.values()]; grid.planes];
+    let values = BoxValues { grid, planes };
+    let wind = || Wind {
+        boxes: vec![TurbulenceBox::from_values("a.bts", values.clone()).unwrap()],
+        ..Wind::default()
+    };
+    let (inside, node) = strip(wind());
+    let (found, why) = force(&inside, &node, 0.0);
+    assert!(found.iter().all(|number| number.is_finite()) && why.is_none());
+    let (found, why) = force(&inside, &node, 5.0);
+    let why = why.unwrap();
+    assert!(found.iter().all(|number| number.is_nan()), "{found}");
+    assert!(why.contains("a.bts: no turbulence at x = -3 m and t = 5 s"), "{why}");
+    assert!(why.contains("use a longer box"), "{why}");
+}
+
+#[test]
+fn the_text_of_an_element_has_the_wind() {
+    let [one, two] = [gust(), Wind::default()].map(|wind| format!("{:?}", strip(wind).0));
+    assert_ne!(one, two);
+    // of a fixed length, whatever the wind has
+    assert_eq!(one.len(), two.len());
+    assert_eq!(one, format!("{:?}", strip(gust()).0));
+}

@@ -1,0 +1,127 @@
+//! Changes of airfoil tables: stall delay, extension to the full circle, upside down.
+
+use rotor_aero::airfoil::{AirfoilData, AirfoilProblem, StallDelay, Viterna};
+use shared_geom::document::schema::ValueKind::{
+    Boolean, NotNegative, Positive, Table as OneTable, Word,
+};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
+use shared_geom::units::Dimension;
+
+keys! {
+    /// Delay of stall by rotation, of a table of two-dimensional flow: `stall_delay = { ... }`.
+    pub(super) STALL_DELAY: ByHand = "stall_delay", [OneTable(&STALL_DELAY_CARD)], optional, "";
+    /// Extension of a table to the full circle by Viterna and Corrigan: `true`, or its constants.
+    pub(super) VITERNA: ByHand = "viterna", [Boolean, OneTable(&VITERNA_CARD)], or "false", "true";
+    /// Whether the section is upside down.
+    pub(super) MIRROR: bool = "mirror", [Boolean], or "false" = false, "true";
+}
+
+keys! {
+    /// Constants of the extension of a table to the full circle.
+    VITERNA_CARD = "viterna = { ... }";
+    /// Aspect ratio of the blade, which gives the drag at 90 deg: 1.11 + 0.018 times the ratio.
+    ASPECT_RATIO: f64 = "aspect_ratio", [Positive(Dimension::NUMBER)], or "10" = 10.0, "17";
+    /// Coefficient of drag at 90 deg.
+    DRAG_90: Option<f64> = "drag_90", [Positive(Dimension::NUMBER)], or "by `aspect_ratio`", "1.3";
+    /// Least coefficient of drag of the extension.
+    LEAST_DRAG: f64 = "least_drag", [NotNegative(Dimension::NUMBER)], or "0.001" = 0.001, "0.01";
+}
+
+keys! {
+    /// Delay of stall by rotation, at one station of a rotor.
+    STALL_DELAY_CARD = "stall_delay = { ... }";
+    /// Law: lift of Du and Selig with drag of Eggers, or lift of Snel.
+    LAW: usize = "law", [Word(&["Du-Selig", "Snel"])], or "\"Du-Selig\"" = 0, "\"Snel\"";
+    /// Chord over radius of the station.
+    CHORD_RATIO: f64 = "chord_ratio", [Positive(Dimension::NUMBER)], required, "0.2";
+    /// Radius of the station over radius of the rotor; not for Snel.
+    RADIUS_RATIO: f64 = "radius_ratio", [Positive(Dimension::NUMBER)], or "0.5" = 0.5, "0.4";
+    /// Speed of the tip by rotation over its speed in the air; not for Snel.
+    SPEED_RATIO: f64 = "speed_ratio", [Positive(Dimension::NUMBER)], or "1" = 1.0, "0.98";
+}
+
+/// Changes of a table, in the order in which they are made.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Changes {
+    stall_delay: Option<StallDelay>,
+    viterna: Option<Viterna>,
+    mirror: bool,
+}
+
+/// Reads the changes of an airfoil.
+pub(super) fn read(table: &Table<'_>) -> Option<Changes> {
+    let stall_delay = match table.has(&STALL_DELAY) {
+        true => table
+            .table(&STALL_DELAY)
+            .and_then(|inner| stall_delay(&inner))
+            .map(Some),
+        false => Some(None),
+    };
+    let viterna = match (table.has(&VITERNA), table.is_table(&VITERNA)) {
+        (false, _) => Some(None),
+        (true, true) => table
+            .table(&VITERNA)
+            .and_then(|inner| viterna(&inner))
+            .map(Some),
+        (true, false) => table
+            .boolean(VITERNA.name())
+            .map(|wanted| wanted.then(|| Viterna::of_aspect_ratio(10.0))),
+    };
+    let mirror = table.get(&MIRROR);
+    Some(Changes {
+        stall_delay: stall_delay?,
+        viterna: viterna?,
+        mirror: mirror?,
+    })
+}
+
+fn viterna(table: &Table<'_>) -> Option<Viterna> {
+    let (ratio, drag_90) = (table.get(&ASPECT_RATIO), table.get(&DRAG_90));
+    let least_drag = table.get(&LEAST_DRAG);
+    table.finish();
+    Some(Viterna {
+        drag_90: drag_90?.unwrap_or(Viterna::of_aspect_ratio(ratio?).drag_90),
+        least_drag: least_drag?,
+    })
+}
+
+fn stall_delay(table: &Table<'_>) -> Option<StallDelay> {
+    let (law, chord) = (table.get(&LAW), table.get(&CHORD_RATIO));
+    let (radius, speed) = (table.get(&RADIUS_RATIO), table.get(&SPEED_RATIO));
+    table.finish();
+    let (chord, radius, speed) = (chord?, radius?, speed?);
+    Some(match law? {
+        0 => StallDelay::du_selig(chord, radius, speed),
+        _ => StallDelay::snel(chord),
+    })
+}
+
+impl Changes {
+    /// The key of the first change that the table has, if any.
+    pub fn first(&self) -> Option<&'static str> {
+        let keys = [
+            (self.stall_delay.is_some(), STALL_DELAY.name()),
+            (self.viterna.is_some(), VITERNA.name()),
+            (self.mirror, MIRROR.name()),
+        ];
+        keys.iter().find(|key| key.0).map(|key| key.1)
+    }
+
+    /// The changed table.
+    ///
+    /// # Errors
+    /// Curves that a change cannot use.
+    pub fn apply(&self, mut data: AirfoilData) -> Result<AirfoilData, Vec<AirfoilProblem>> {
+        if let Some(delay) = &self.stall_delay {
+            data = data.with_stall_delay(delay)?;
+        }
+        if let Some(viterna) = &self.viterna {
+            data = data.extended(viterna)?;
+        }
+        Ok(match self.mirror {
+            true => data.mirrored(),
+            false => data,
+        })
+    }
+}

@@ -1,0 +1,109 @@
+//! Problems of aerodynamic blades from files.
+
+use shared_geom::error::Explain;
+
+use crate::input::short_number;
+
+/// A problem of `file` in `[blade.aerodynamics]`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub(super) enum FileProblem {
+    #[error("[blade.aerodynamics] has \"file\" and \"stations\", expected one of them")]
+    FileAndStations,
+    #[error("\"{key}\" without \"file\", to whose stations it belongs")]
+    WithoutFile { key: &'static str },
+    #[error("\"{file}\" has no twist, expected \"twist_file\"")]
+    NoTwist { file: String },
+    #[error("\"{file}\" has stations by their radius, expected \"root_radius\"")]
+    NoRoot { file: String },
+    #[error(
+        "station {} of \"{file}\" is at {} m from the root, expected a position on the line, \
+         from 0 to {} m",
+        .index + 1,
+        short_number(*.found, 6),
+        short_number(*.length, 6)
+    )]
+    OffLine {
+        file: String,
+        /// Index of the station, from zero.
+        index: usize,
+        /// Its distance from the root \[m\].
+        found: f64,
+        /// Largest distance on the line \[m\].
+        length: f64,
+        is_by_radius: bool,
+    },
+    #[error(
+        "station {} of \"{file}\" has the airfoil number {found}, expected 1 to {count}, the \
+         number of airfoils",
+        .index + 1
+    )]
+    Index {
+        file: String,
+        /// Index of the station, from zero.
+        index: usize,
+        /// Number of the airfoil, from one.
+        found: usize,
+        /// Number of airfoils.
+        count: usize,
+    },
+    #[error("station {} of \"{file}\" states no airfoil, and {count} airfoils are given", .index + 1)]
+    NoName {
+        file: String,
+        /// Index of the station, from zero.
+        index: usize,
+        /// Number of airfoils.
+        count: usize,
+    },
+    #[error("no airfoils for \"{file}\", expected \"airfoils\" or \"airfoil_file\"")]
+    NoAirfoils { file: String },
+    #[error(
+        "station {} of \"{file}\" has profiles of set {set}, which no airfoil belongs to",
+        .index + 1
+    )]
+    NoSet {
+        file: String,
+        /// Index of the station, from zero.
+        index: usize,
+        /// Number of the set, from one.
+        set: usize,
+    },
+    #[error("station {} of \"{file}\": {reason}", .index + 1)]
+    Thickness {
+        file: String,
+        /// Index of the station, from zero.
+        index: usize,
+        /// The reason, as text.
+        reason: String,
+        help: Option<String>,
+    },
+    #[error("no file is named \"{pattern}\"")]
+    NoMatch { pattern: String },
+}
+
+impl Explain for FileProblem {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::FileAndStations => "remove one of them",
+            Self::WithoutFile { .. } => "add \"file\", or remove this key",
+            Self::NoTwist { .. } => {
+                "add twist_file = \"NAME.htc\", a blade file with the twist of the chord"
+            }
+            Self::NoRoot { .. } => "add root_radius = 1.5, the radius at which the blade begins",
+            Self::OffLine {
+                is_by_radius: true, ..
+            } => "correct \"root_radius\", or the length of the blade",
+            Self::OffLine { .. } => "the file must belong to this blade: compare the lengths",
+            Self::Index { .. } => {
+                "list all airfoils in their order, as AFNames in the main file of AeroDyn"
+            }
+            Self::NoName { .. } => "give one airfoil for all stations, or one for each",
+            Self::NoAirfoils { .. } => {
+                "add airfoils = [\"polars/*.dat\"], names of [airfoils], or airfoil_file = \"pc.dat\""
+            }
+            Self::NoSet { .. } => "add the pc file of HAWC2 as \"airfoil_file\"",
+            Self::Thickness { help, .. } => return help.clone(),
+            Self::NoMatch { .. } => "correct the pattern: * is any number of letters of a name",
+        };
+        Some(text.to_owned())
+    }
+}

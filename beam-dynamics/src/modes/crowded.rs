@@ -1,0 +1,107 @@
+//! Modes of systems with many slow real eigenvalues, such as the lags of the air at a blade.
+//!
+//! The lags of some hundred strips are real eigenvalues of the size of the lowest frequencies: the
+//! eigenvalues nearest to zero are theirs. The oscillations are found from a system whose scalars
+//! follow without lag, and each is corrected in the complete system by inverse iteration with a
+//! changing shift,
+//!
+//! ```text
+//! y = (F_y + sigma F_y')^-1 F_y' x        mu = <x, y> / <x, x>        s = sigma - 1 / mu
+//! ```
+//!
+//! which keeps the shape while the value converges.
+
+use faer::c64;
+
+use super::copies::{is_independent, orthonormalize, product};
+use super::eigen::{CONFIRMED, EigenProblem};
+use super::eigenpair::Eigenpair;
+use super::sorted::{OVERDAMPED, Sorted};
+
+/// Corrections of one value.
+const CORRECTIONS: usize = 12;
+/// Corrections at the shift of the start, so that the shape determines the mode.
+const HELD: usize = 2;
+/// Change of a value, relative, at which its correction ends.
+const CONVERGED: f64 = 1e-10;
+/// Parts of a value between which its shift is, so that the matrix is never singular.
+const BESIDE: f64 = 1e-7;
+/// Overlap of the shapes without and with the lags, below which they are different modes.
+const SAME_SHAPE: f64 = 0.5;
+
+impl EigenProblem<'_> {
+    /// Whether real values of scalars leave no oscillations among the `count` nearest values.
+    pub(super) fn is_crowded(&self, sorted: &Sorted, count: usize) -> bool {
+        sorted.above.len() < count && sorted.real.len() >= count && self.has_slow_scalars()
+    }
+
+    /// The `count` oscillations of lowest frequency of a system without lags of scalars, corrected
+    /// in this one; and how many could not be corrected.
+    pub(super) fn beyond_the_crowd(&self, count: usize) -> (Vec<Eigenpair>, usize) {
+        let Some(tangent) = self.without_circuits(self.tangent()) else {
+            return (Vec::new(), 0);
+        };
+        let Some(problem) = self.beside(&tangent) else {
+            return (Vec::new(), 0);
+        };
+        let found = problem.lowest(count).pairs;
+        let asked = found.len();
+        let mut pairs: Vec<Eigenpair> = Vec::with_capacity(asked);
+        for pair in &found {
+            let Some(corrected) = self.corrected(pair) else {
+                continue;
+            };
+            let is_near = |other: &&Eigenpair| {
+                (other.value() - corrected.value()).norm() <= CONFIRMED * corrected.value().norm()
+            };
+            let mut near: Vec<_> = pairs.iter().filter(is_near).cloned().collect();
+            near.push(corrected);
+            if is_independent(&near) {
+                pairs.extend(near.pop());
+            }
+        }
+        pairs.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
+        let lost = asked - pairs.len();
+        (pairs, lost)
+    }
+
+    /// The pair of the complete system that has the shape of `pair`; `None` if the iteration leaves
+    /// this shape, or ends at a motion that does not oscillate.
+    fn corrected(&self, pair: &Eigenpair) -> Option<Eigenpair> {
+        let size = self.size();
+        let all = self.tangent().by_rates.pattern().size();
+        let mut start = pair.vector();
+        start.resize(all, c64::new(0.0, 0.0));
+        orthonormalize(std::slice::from_mut(&mut start), size);
+        let mut vector = start.clone();
+        let mut value = pair.value();
+        for step in 0..CORRECTIONS {
+            let shift = match step < HELD {
+                true => pair.value(),
+                false => value * (1.0 + BESIDE),
+            };
+            let mut next = self.rates_times(&vector);
+            self.factorized(shift)?.solve(&mut next)?;
+            let factor = product(&vector, &next, size);
+            orthonormalize(std::slice::from_mut(&mut next), size);
+            let found = shift - factor.inv();
+            vector = next;
+            if !found.is_finite() {
+                return None;
+            }
+            let change = (found - value).norm();
+            value = found;
+            if step > HELD && change <= CONVERGED * value.norm() {
+                break;
+            }
+        }
+        let is_same = product(&start, &vector, size).norm() >= SAME_SHAPE;
+        let oscillates = value.im > OVERDAMPED * value.norm();
+        if !is_same || !oscillates {
+            return None;
+        }
+        let residual = self.inverse().residual(value, &vector);
+        let corrected = Eigenpair::new(value, &vector[..size], residual);
+        (residual <= CONFIRMED).then_some(corrected)
+    }
+}
