@@ -52,6 +52,7 @@ mod first_order;
 mod growing;
 mod modal_damping;
 pub mod modes;
+pub mod performance;
 pub mod statics;
 pub mod steady;
 pub mod transient;

@@ -8,10 +8,15 @@ use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
 
 mod columns;
 mod mode_style;
+mod performance;
 mod transient;
 
 pub use columns::{Column, ElectrodeQuantity, Every, OutputSettings, Quantity};
 pub use mode_style::{FrequencyUnit, ModeStyle, Words};
+pub use performance::{
+    Abscissa, MachineKind, OperatingSetting, PerformanceCase, PerformancePart, PerformanceRequest,
+    PowerCurve, RatedPower, RotorSpeedLaw,
+};
 pub use transient::{
     InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientSettings,
 };

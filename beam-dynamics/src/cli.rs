@@ -22,6 +22,7 @@ mod convert;
 mod describe;
 mod files;
 mod help;
+mod performance;
 mod plot;
 mod progress;
 mod reading_options;
@@ -123,11 +124,16 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
             results,
             restart,
         } => transient::transient_of_files(&files, &results, restart.as_deref(), terminal),
+        Command::Performance { files, results } => {
+            performance::performance_of_files(&files, &results, terminal)
+        }
         Command::Plot { results, options } => plot::plot_files(&results, &options, terminal),
         Command::Check { files } => check_files(&files, terminal),
         Command::Completions { shell } => help::completions(shell, terminal),
         Command::Manual { out } => help::manual(out.as_deref(), terminal),
-        Command::Schema { format, out } => schema::write_schema(format, out.as_deref(), terminal),
+        Command::Schema { of, format, out } => {
+            schema::write_schema((of, format), out.as_deref(), terminal)
+        }
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
         Command::Describe { files, reading } => describe::describe_files(&files, reading, terminal),
         Command::Convert(arguments) => convert::convert(&arguments, terminal),

@@ -60,6 +60,7 @@ mod moments;
 mod naming;
 mod nodes;
 mod number;
+mod performance;
 mod problem;
 mod properties;
 mod readings;
@@ -96,6 +97,9 @@ pub use joints::JointProblem;
 pub use laws::LawProblem;
 pub use loads::LoadProblem;
 pub use number::short_number;
+pub use performance::{
+    PerformanceProblem, ROTOR_ENDING, parse_rotor, read_rotor, rotor_json_schema, rotor_reference,
+};
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
 pub use summary::Summary;
@@ -247,8 +251,10 @@ fn sampled(model: &Model) -> Option<String> {
 
 /// The file's name without folder and ending, from which outputs are named.
 pub fn name_of(path: &Path) -> String {
+    let is_rotor = path.to_string_lossy().ends_with(ROTOR_ENDING);
     match is_blade_file(path) {
         true => blade_file::name_of(path),
+        false if is_rotor => name_without(path, ROTOR_ENDING),
         false => name_without(path, ENDING),
     }
 }

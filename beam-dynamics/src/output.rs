@@ -11,6 +11,7 @@ mod fan;
 mod files;
 mod folder;
 mod grid;
+mod performance;
 mod rows;
 mod shapes;
 mod statics;
@@ -38,6 +39,9 @@ pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{result_text, write};
 pub use folder::{ResultLocation, Written};
+pub use performance::{
+    MapPlot, PanelPlot, performance_csv, performance_text, span_load_csv, write_performance,
+};
 pub use shapes::{ShapePlot, write_shapes};
 pub use statics::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,

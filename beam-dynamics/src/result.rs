@@ -7,12 +7,14 @@ use crate::case::{ModeStyle, Words};
 mod buckling;
 mod columns;
 mod fixed;
+mod performance;
 mod statics;
 mod transient;
 
 pub use buckling::{BucklingMode, BucklingResult};
 pub use columns::ColumnValues;
 pub use fixed::{CriticalSpeed, FixedLine, FixedPoint, FixedTable};
+pub use performance::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
 pub use statics::{StaticResult, StaticStep};
 pub use transient::{AcceptedStep, Effort, Recorder, Snapshot};
 

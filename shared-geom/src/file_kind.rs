@@ -17,13 +17,16 @@ pub enum FileKind {
     Dynamics,
     /// A blade: sections along a line.
     Blade,
+    /// A rigid rotor and its operating points.
+    Rotor,
 }
 
 /// Kinds by the ending of the file name.
-const ENDINGS: [(&str, FileKind); 7] = [
+const ENDINGS: [(&str, FileKind); 8] = [
     (".section.toml", FileKind::Section),
     (".matrices.toml", FileKind::Matrices),
     (".dynamics.toml", FileKind::Dynamics),
+    (".rotor.toml", FileKind::Rotor),
     (".blade.toml", FileKind::Blade),
     (".blade.json", FileKind::Blade),
     (".msh", FileKind::Mesh),
@@ -86,6 +89,7 @@ impl FileKind {
             Self::Mesh => "a mesh",
             Self::Dynamics => "a dynamics file",
             Self::Blade => "a blade file",
+            Self::Rotor => "a rotor file",
         }
     }
 }
@@ -131,6 +135,7 @@ impl Explain for OtherKind {
                 "use \"beam-dynamics check\", \"modes\", \"static\" or \"transient\""
             }
             (FileKind::Dynamics, _) => "use \"beam-dynamics\"",
+            (FileKind::Rotor, _) => "use \"beam-dynamics performance\"",
             (FileKind::Blade, FileKind::Dynamics) => {
                 "call it NAME.blade.toml: \"beam-dynamics modes\" then reads it, and so does \
                  [[blade]] of a dynamics file"
@@ -201,6 +206,7 @@ mod tests {
             FileKind::Matrices,
             FileKind::Dynamics,
             FileKind::Blade,
+            FileKind::Rotor,
         ];
         for (ending, own) in ENDINGS {
             for kind in kinds {

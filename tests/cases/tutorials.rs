@@ -78,6 +78,11 @@ fn a_beam_with_patches_bends_under_a_voltage() {
 }
 
 #[test]
+fn rotors_become_power_curves() {
+    run("performance");
+}
+
+#[test]
 fn files_of_a_page_are_found() {
     let page = "See `b.toml`:\n\n`a.toml`:\n\n```toml\nx = 1\n```\n\n```sh\nrun\n```\n";
     let found = blocks(page);

@@ -149,6 +149,33 @@ Several files side by side, on two threads and without figures:
 A stopped run continues from its restart file:
   beam-dynamics transient blade.dynamics.toml --restart results/blade.restart.json";
 
+const PERFORMANCE: &str = "\
+Computes power, thrust and loads of rigid rotors
+
+Reads the rotor files and the files that they name, finds the steady state of each annulus at \
+every operating point by momentum and the airfoils of the blades, prints the tables, and writes \
+into the folder DIR:
+  NAME.performance.csv   a row for each operating point: power, thrust, torque, coefficients
+  NAME.performance.txt   the tables as printed
+  NAME.span_loads.csv    loads along the blades at the points that loads_at names
+  NAME.performance_1.png, .svg   the curves of the first set of points, and so on
+  NAME.map_1.png, .svg   for a grid of tip speed ratio and pitch: maps of CP and CT
+  NAME.span_loads_1.png, .svg    loads along the blades
+where FILE is NAME.rotor.toml.";
+
+const PERFORMANCE_EXAMPLE: &str = "\
+Example, the curves of a propeller over the advance ratio from the file of its geometry:
+  cat > fan.rotor.toml <<'END'
+  units = \"SI\"
+  [rotor]
+  machine = \"propeller\"
+  file = \"cam6x3.def\"
+  [[sweep]]
+  rotor_speed = 14000
+  advance_ratio = { from = 0, to = 0.6, steps = 25 }
+  END
+  beam-dynamics performance fan.rotor.toml";
+
 const PLOT: &str = "\
 Draws columns of runs in time
 
@@ -242,7 +269,7 @@ Examples:
 Exit codes: 0 done; 1 a result was not written; 2 wrong input or command line.";
 
 const SCHEMA: &str = "\
-Writes the description of the dynamics file
+Writes the description of the dynamics file or of the rotor file
 
 As a JSON schema (draft 2020-12), editors complete the keys of a dynamics file and mark \
 mistakes; as Markdown it is the reference page of all keys.";
@@ -252,6 +279,15 @@ Example, for the editors that use Taplo (Even Better TOML): write the schema
   beam-dynamics schema --out dynamics.schema.json
 and name it in the first line of the dynamics file:
   #:schema ./dynamics.schema.json";
+
+/// Files that are described.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum SchemaFile {
+    /// NAME.dynamics.toml
+    Dynamics,
+    /// NAME.rotor.toml
+    Rotor,
+}
 
 /// Formats of the description.
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -317,6 +353,7 @@ impl Command {
             Self::Modes { results, .. }
             | Self::Static { results, .. }
             | Self::Buckling { results, .. }
+            | Self::Performance { results, .. }
             | Self::Transient { results, .. } => results.quiet,
             _ => false,
         }
@@ -365,6 +402,18 @@ pub(super) enum Command {
         #[arg(long, value_name = "SNAPSHOT")]
         restart: Option<PathBuf>,
     },
+    #[command(
+        about = first_line(PERFORMANCE),
+        long_about = PERFORMANCE,
+        after_help = PERFORMANCE_EXAMPLE
+    )]
+    Performance {
+        /// Rotor files, NAME.rotor.toml; several run side by side
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        results: Results,
+    },
     #[command(about = first_line(PLOT), long_about = PLOT, after_help = PLOT_EXAMPLE)]
     Plot {
         /// Tables of runs in time, NAME.transient.csv or NAME.transient.nc
@@ -395,6 +444,9 @@ pub(super) enum Command {
     Airfoil(AirfoilArguments),
     #[command(about = first_line(SCHEMA), long_about = SCHEMA, after_help = SCHEMA_EXAMPLE)]
     Schema {
+        /// The file that is described
+        #[arg(long, value_enum, default_value_t = SchemaFile::Dynamics)]
+        of: SchemaFile,
         /// Format of the description
         #[arg(long, value_enum, default_value_t = SchemaFormat::Json)]
         format: SchemaFormat,

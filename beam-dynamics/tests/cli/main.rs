@@ -26,6 +26,7 @@ use tempfile::TempDir;
 mod loads;
 mod messages;
 mod netcdf;
+mod performance;
 mod prestress;
 mod robust;
 mod schema;

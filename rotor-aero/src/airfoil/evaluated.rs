@@ -20,6 +20,7 @@ pub trait Profile {
 pub struct Airfoil {
     name: String,
     thickness: Option<f64>,
+    mach_range: Option<[f64; 2]>,
     law: Law,
     remarks: Vec<AirfoilRemark>,
 }
@@ -66,6 +67,7 @@ impl Airfoil {
         Ok(Self {
             name: data.name.clone(),
             thickness: data.thickness,
+            mach_range: mach_range(data),
             law: Law::Table(Box::new(tables)),
             remarks: checked.remarks,
         })
@@ -85,6 +87,7 @@ impl Airfoil {
         Self {
             name: name.to_owned(),
             thickness: Some(0.0),
+            mach_range: None,
             law,
             remarks: Vec::new(),
         }
@@ -98,6 +101,12 @@ impl Airfoil {
     /// Thickness over chord, if known \[-\].
     pub fn thickness(&self) -> Option<f64> {
         self.thickness
+    }
+
+    /// Least and largest Mach number of the table; absent if it does not depend on it, or has a
+    /// single one \[-\].
+    pub fn mach_range(&self) -> Option<[f64; 2]> {
+        self.mach_range
     }
 
     /// Peculiarities of the table that are accepted.
@@ -121,6 +130,16 @@ impl Airfoil {
             Law::Linear(lift) => lift.at(flow),
         }
     }
+}
+
+/// Least and largest Mach number of lift and drag; absent with fewer than two.
+fn mach_range(data: &AirfoilData) -> Option<[f64; 2]> {
+    let curves = data.lift.iter().chain(&data.drag);
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    let [low, high] = curves
+        .filter_map(|curve| curve.mach)
+        .fold(none, |[low, high], mach| [low.min(mach), high.max(mach)]);
+    (low < high).then_some([low, high])
 }
 
 impl Profile for Airfoil {

@@ -105,6 +105,8 @@ impl Dimension {
     /// Twist rate and curvature of a line, in rad/m inside.
     pub const CURVATURE: Self = Self::of(-1, 0, 0, 1);
 
+    /// Power, in W inside.
+    pub const POWER: Self = Self::of(2, 1, -3, 0);
     /// Dynamic viscosity, in Pa s inside.
     pub const VISCOSITY: Self = Self::of(-1, 1, -1, 0);
 
@@ -165,6 +167,7 @@ impl fmt::Display for Dimension {
             Self::FREQUENCY => "a frequency",
             Self::BENDING_STIFFNESS => "a bending or torsional stiffness",
             Self::MOMENT => "a moment",
+            Self::POWER => "a power",
             Self::MASS_PER_LENGTH => "a mass per length",
             Self::INERTIA_PER_LENGTH => "a moment of inertia per length",
             Self::INERTIA => "a moment of inertia",

@@ -1,0 +1,67 @@
+//! Mach numbers of operating points beyond the tables of airfoils.
+
+use rotor_aero::airfoil::Section;
+use rotor_aero::rotor::RigidRotor;
+use shared_geom::document::Table;
+
+use super::problem::PerformanceProblem;
+use crate::case::{OperatingSetting, PerformancePart, PerformanceRequest};
+
+/// Notes each airfoil whose tables end below the Mach numbers of the points, which are formed
+/// without induction; `sound_speed` \[m/s\].
+pub(super) fn check(
+    (table, key): (&Table<'_>, &str),
+    rotor: &RigidRotor<Section>,
+    parts: &[PerformancePart],
+    sound_speed: f64,
+) {
+    for (airfoil, largest, radius) in limited(rotor) {
+        let of_part = |part: &PerformancePart| {
+            let speed = |at: &OperatingSetting| at.speed.hypot(at.omega * radius);
+            let speeds = fastest(part).into_iter().map(|at| speed(&at));
+            (speeds.fold(0.0, f64::max) / sound_speed, part.name.clone())
+        };
+        let parts = parts.iter().map(of_part);
+        let Some((found, part)) = parts.max_by(|a, b| a.0.total_cmp(&b.0)) else {
+            continue;
+        };
+        if found > largest {
+            let problem = PerformanceProblem::Mach {
+                airfoil,
+                largest,
+                found,
+                part,
+            };
+            table.note(key, &problem);
+        }
+    }
+}
+
+/// Airfoils with tables over the Mach number: name, largest number, largest radius \[m\].
+fn limited(rotor: &RigidRotor<Section>) -> Vec<(String, f64, f64)> {
+    let mut found: Vec<(String, f64, f64)> = Vec::new();
+    for station in &rotor.stations {
+        for (_, airfoil) in station.section.parts() {
+            let Some([_, largest]) = airfoil.mach_range() else {
+                continue;
+            };
+            match found.iter_mut().find(|known| known.0 == airfoil.name()) {
+                Some(known) => known.2 = known.2.max(station.radius),
+                None => found.push((airfoil.name().to_owned(), largest, station.radius)),
+            }
+        }
+    }
+    found
+}
+
+/// Points among which the fastest is; of a power curve a bound.
+fn fastest(part: &PerformancePart) -> Vec<OperatingSetting> {
+    match &part.request {
+        PerformanceRequest::Settings(settings) => settings.clone(),
+        PerformanceRequest::PowerCurve(curve) => vec![OperatingSetting {
+            speed: curve.speeds.iter().copied().fold(0.0, f64::max),
+            omega: curve.rotor_speeds[1],
+            pitch: 0.0,
+        }],
+    }
+}

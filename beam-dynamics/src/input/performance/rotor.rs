@@ -1,0 +1,211 @@
+//! The rotor: `[rotor]`.
+
+use rotor_aero::airfoil::Section;
+use rotor_aero::rotor::{Machine, RigidRotor, Station};
+use shared_geom::document::schema::ValueKind::{
+    Count, NotNegative, Positive, Quantity, Tables, Word,
+};
+use shared_geom::document::{ByHand, Table};
+use shared_geom::keys;
+use shared_geom::units::Dimension;
+
+use super::blade_file::{self, FileBlade};
+use super::momentum::Momentum;
+use super::problem::PerformanceProblem;
+use super::stations;
+use crate::case::MachineKind;
+use crate::input::aerodynamics::Airfoils;
+
+keys! {
+    /// The rotor.
+    pub(super) CARD = "[rotor]";
+    /// Kind of machine. Of a turbine, power is positive if the wind drives it, thrust is along
+    /// the wind, and twist and pitch are positive towards feather; of the others, power is
+    /// positive if the shaft drives it, thrust is against the wind, and twist and pitch are
+    /// positive nose up.
+    MACHINE: usize = "machine", [Word(&WORDS)], or "\"turbine\"" = 0, "\"propeller\"";
+    /// Number of blades.
+    BLADES: Option<usize> = "blades", [Count(100)], or "by `file`", "3";
+    /// Distance from the shaft at which the blades begin, along their axis.
+    HUB_RADIUS: Option<f64> = "hub_radius", [NotNegative(Dimension::LENGTH)],
+        or "by `file`, or the first station", "1.5";
+    /// Distance from the shaft at which the blades end, along their axis.
+    TIP_RADIUS: Option<f64> = "tip_radius", [Positive(Dimension::LENGTH)],
+        or "by `file`, or the last station", "63";
+    /// Angle of the blades to the plane of rotation, tips upwind positive.
+    PRECONE: f64 = "precone", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "2.5";
+    /// Angle of the shaft to the horizon, upwind end up positive.
+    TILT: f64 = "tilt", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "5";
+    /// Angle of the shaft to the wind about the vertical axis.
+    YAW: f64 = "yaw", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "10";
+    /// Height of the hub above the ground, for `shear`.
+    HUB_HEIGHT: f64 = "hub_height", [NotNegative(Dimension::LENGTH)], or "0" = 0.0, "90";
+    /// Exponent of the vertical shear of the wind.
+    pub(super) SHEAR: f64 = "shear", [NotNegative(Dimension::NUMBER)], or "0" = 0.0, "0.2";
+    /// Number of azimuths over which loads are averaged.
+    SECTORS: Option<usize> = "sectors", [Count(360)],
+        or "1 in axial flow, else 8", "36";
+    /// Stations from the hub to the tip.
+    STATIONS: ByHand = "stations", [Tables(&stations::CARD)], optional, "";
+    /// Mach numbers of operating points beyond the tables of an airfoil: an error, or the values
+    /// of the last table.
+    pub(super) OUTSIDE_MACH: usize = "outside_mach", [Word(&["refuse", "hold"])],
+        or "\"refuse\"" = 0, "\"hold\"";
+    with blade_file::FILE.schema, blade_file::AIRFOIL.schema, blade_file::AIRFOILS.schema,
+        blade_file::AIRFOIL_FILE.schema, blade_file::SET.schema, blade_file::TWIST_RADII.schema,
+        blade_file::TWIST.schema, blade_file::GEOMETRY_RADIUS.schema;
+}
+
+/// Words of the machines.
+pub(super) const WORDS: [&str; 3] = ["turbine", "propeller", "helicopter"];
+
+/// Azimuths of a rotor in oblique or sheared flow.
+const SECTORS_OBLIQUE: usize = 8;
+
+/// Part of a radius by which the digits of a file may differ.
+const ROUNDING: f64 = 1e-9;
+
+/// A rotor, and the settings of its card.
+pub(super) struct Rotor {
+    pub machine: MachineKind,
+    pub rotor: RigidRotor<Section>,
+    pub shear: f64,
+    pub holds_mach: bool,
+}
+
+/// Reads a `[rotor]` with its blades.
+pub(super) fn read(
+    table: &Table<'_>,
+    airfoils: &Airfoils,
+    momentum: Option<Momentum>,
+    remarks: &mut Vec<String>,
+) -> Option<Rotor> {
+    let machine = table.get(&MACHINE).map(kind);
+    let (blades, sectors) = (table.get(&BLADES), table.get(&SECTORS));
+    let ends = (table.get(&HUB_RADIUS), table.get(&TIP_RADIUS));
+    let angles = [&PRECONE, &TILT, &YAW].map(|key| table.get(key));
+    let (hub_height, shear) = (table.get(&HUB_HEIGHT), table.get(&SHEAR));
+    let outside = table.get(&OUTSIDE_MACH);
+    let blade = blade(table, (machine.unwrap_or_default(), airfoils), remarks);
+    table.finish();
+    let [precone, tilt, yaw] = angles;
+    let (ends, blades) = ((ends.0?, ends.1?), blades?);
+    let mut blade = blade?;
+    let count = blades.or(blade.blades);
+    if count.is_none() {
+        let (key, example) = (BLADES.name(), "blades = 3");
+        table.note("", &PerformanceProblem::Missing { key, example });
+    }
+    let [hub_radius, tip_radius] = radii(table, ends, &mut blade)?;
+    let (machine, momentum) = (machine?, momentum?);
+    let (tilt, yaw, shear) = (tilt?, yaw?, shear?);
+    let is_axial = tilt == 0.0 && yaw == 0.0 && shear == 0.0;
+    let usual = if is_axial { 1 } else { SECTORS_OBLIQUE };
+    Some(Rotor {
+        machine,
+        shear,
+        holds_mach: outside? == 1,
+        rotor: RigidRotor {
+            machine: match machine {
+                MachineKind::Turbine => Machine::Turbine,
+                MachineKind::Propeller | MachineKind::Helicopter => Machine::Propeller,
+            },
+            blades: count?,
+            hub_radius,
+            tip_radius,
+            precone: precone?,
+            tilt,
+            yaw,
+            hub_height: hub_height?,
+            stations: blade.stations,
+            options: momentum.options,
+            annulus_radius: momentum.radius,
+            skewed_wake: momentum.skewed_wake,
+            sectors: sectors?.unwrap_or(usual),
+        },
+    })
+}
+
+fn kind(index: usize) -> MachineKind {
+    match index {
+        0 => MachineKind::Turbine,
+        1 => MachineKind::Propeller,
+        _ => MachineKind::Helicopter,
+    }
+}
+
+/// The blade of the stations or of the file.
+fn blade(
+    table: &Table<'_>,
+    (machine, airfoils): (MachineKind, &Airfoils),
+    remarks: &mut Vec<String>,
+) -> Option<FileBlade> {
+    let file = table.get(&blade_file::FILE)?;
+    let found = match (table.has(&STATIONS), &file) {
+        (true, None) => {
+            if let Some(key) = blade_file::KEYS.iter().find(|key| table.has(key)) {
+                table.wrong(key, "no such key: it is for the \"file\" of a blade");
+                return None;
+            }
+            return Some(FileBlade {
+                stations: stations::read(table, STATIONS.name(), airfoils)?,
+                from_root: false,
+                blades: None,
+                hub_radius: None,
+                tip_radius: None,
+            });
+        }
+        (false, Some(file)) => {
+            return blade_file::read(table, file, (machine, airfoils), remarks);
+        }
+        (true, Some(_)) => "both \"stations\" and \"file\"",
+        (false, None) => "neither \"stations\" nor \"file\"",
+    };
+    table.note("", &PerformanceProblem::StationSource { found });
+    None
+}
+
+/// Radii of hub and tip. Stations of a file that begin at the root move by the radius of the hub.
+fn radii(
+    table: &Table<'_>,
+    (hub, tip): (Option<f64>, Option<f64>),
+    blade: &mut FileBlade,
+) -> Option<[f64; 2]> {
+    if blade.from_root {
+        let Some(hub) = hub.or(blade.hub_radius) else {
+            let (key, example) = (HUB_RADIUS.name(), "hub_radius = 1.5");
+            table.note("", &PerformanceProblem::Missing { key, example });
+            return None;
+        };
+        let move_out = |station: &mut Station<Section>| station.radius += hub;
+        blade.stations.iter_mut().for_each(move_out);
+    }
+    let first = blade.stations.first()?.radius;
+    let last = blade.stations.last()?.radius;
+    // The hub of a file may be a larger radius, at which its shape begins.
+    let of_file = |hub: f64| if blade.from_root { hub } else { hub.min(first) };
+    let hub = hub.unwrap_or_else(|| blade.hub_radius.map_or(first, of_file));
+    let tip = tip.or(blade.tip_radius).unwrap_or(last);
+    let slack = ROUNDING * last;
+    if hub > first + slack {
+        let problem = PerformanceProblem::End {
+            key: HUB_RADIUS.name(),
+            found: hub,
+            station: first,
+            side: "less",
+            which: "first",
+        };
+        table.note(&HUB_RADIUS, &problem);
+    }
+    if tip < last - slack {
+        let problem = PerformanceProblem::End {
+            key: TIP_RADIUS.name(),
+            found: tip,
+            station: last,
+            side: "more",
+            which: "last",
+        };
+        table.note(&TIP_RADIUS, &problem);
+    }
+    (hub <= first + slack && tip >= last - slack).then_some([hub, tip])
+}

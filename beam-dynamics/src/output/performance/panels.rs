@@ -1,0 +1,123 @@
+//! Curves in panels below each other, over one axis.
+
+use shared_geom::figure::{
+    Axes, Color, Drawing, Figure, Legend, Stroke, TITLE, WIDTH, category, range,
+};
+
+/// Height of a panel and the gap below it \[figure pixels\].
+const PANEL: f64 = 420.0;
+const GAP: f64 = 50.0;
+/// Upper and left edge of the first panel, and the margins to the right and below it.
+const TOP: f64 = 100.0;
+const LEFT: f64 = 230.0;
+const RIGHT: f64 = 50.0;
+const BOTTOM: f64 = TITLE + 50.0;
+const LINE: f64 = 4.0;
+const POINT: f64 = 6.0;
+/// Number of points of a curve above which it has no marks.
+const MOST_MARKS: usize = 40;
+/// Number of curves above which a legend does not help.
+const MOST_NAMES: usize = 21;
+
+/// A quantity over the axis.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Panel {
+    /// Name and unit.
+    pub title: String,
+    /// Points of each curve.
+    pub curves: Vec<Vec<[f64; 2]>>,
+}
+
+/// Panels with a common axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PanelPlot {
+    pub(super) title: String,
+    pub(super) across: String,
+    pub(super) names: Vec<String>,
+    pub(super) panels: Vec<Panel>,
+}
+
+impl PanelPlot {
+    fn legend(&self) -> Legend {
+        let is_named = self.names.len() <= MOST_NAMES && self.names.iter().any(|it| !it.is_empty());
+        let names = self.names.iter().enumerate().filter(|_| is_named);
+        Legend::of_lines(names.map(|(index, name)| (name.clone(), LINE, category(index))))
+    }
+
+    fn space() -> f64 {
+        f64::from(WIDTH) - LEFT - RIGHT
+    }
+
+    /// Upper edge of the first panel.
+    fn top(&self) -> f64 {
+        TOP + self.legend().height(Self::space())
+    }
+
+    /// Values at the ends of the axis.
+    fn across_range(&self) -> [f64; 2] {
+        let points = self
+            .panels
+            .iter()
+            .flat_map(|panel| panel.curves.iter().flatten());
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for [x, _] in points.filter(|point| point[0].is_finite()) {
+            low = low.min(*x);
+            high = high.max(*x);
+        }
+        match low < high {
+            true => [low, high],
+            false => range([low], 0.0),
+        }
+    }
+}
+
+/// The parts of a curve between points without a value.
+pub(super) fn pieces(points: &[[f64; 2]]) -> impl Iterator<Item = &[[f64; 2]]> {
+    let is_gap = |point: &[f64; 2]| !(point[0].is_finite() && point[1].is_finite());
+    points.split(is_gap).filter(|piece| !piece.is_empty())
+}
+
+impl Figure for PanelPlot {
+    fn size(&self) -> (u32, u32) {
+        let panels = self.panels.len() as f64;
+        let height = self.top() + panels * (PANEL + GAP) - GAP + BOTTOM;
+        (WIDTH, height.ceil() as u32)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        drawing.title(&self.title, [40.0, 44.0]);
+        self.legend().draw(drawing, [LEFT, 78.0], Self::space());
+        let x = self.across_range();
+        let last = self.panels.len().saturating_sub(1);
+        for (index, panel) in self.panels.iter().enumerate() {
+            let top = self.top() + index as f64 * (PANEL + GAP);
+            let values = panel.curves.iter().flatten().map(|point| point[1]);
+            let axes = Axes {
+                left: LEFT,
+                right: f64::from(WIDTH) - RIGHT,
+                top,
+                bottom: top + PANEL,
+                x,
+                y: range(values, 0.0),
+            };
+            axes.draw_grid(drawing);
+            axes.draw_zero(drawing);
+            for (index, curve) in panel.curves.iter().enumerate() {
+                draw_curve(drawing, &axes, curve, category(index));
+            }
+            let across = (index == last).then_some(self.across.as_str());
+            axes.draw(drawing, across, &panel.title);
+        }
+    }
+}
+
+fn draw_curve(drawing: &mut Drawing, axes: &Axes, curve: &[[f64; 2]], color: Color) {
+    for piece in pieces(curve) {
+        axes.curve(drawing, piece, Stroke::new(LINE, color));
+        if curve.len() <= MOST_MARKS {
+            for point in piece {
+                drawing.disc(axes.position(*point), POINT, color);
+            }
+        }
+    }
+}
