@@ -83,6 +83,7 @@ mod test_files;
 #[cfg(test)]
 mod tests;
 
+pub use aerodynamics::{AirProblem, StripProblem};
 pub use blade_file::{BladeSettings, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
@@ -97,7 +98,6 @@ pub use loads::LoadProblem;
 pub use number::short_number;
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
-pub use aerodynamics::{AirProblem, StripProblem};
 pub use summary::Summary;
 pub use transient::TransientProblem;
 
@@ -274,7 +274,9 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     builder.set_frames(frames::read(&root));
     hub_support::add(&root, &mut builder);
     let gravity = loads::gravity(&root, &builder);
-    let weight = gravity.as_ref().map_or_else(Vector3::zeros, |found| found.0);
+    let weight = gravity
+        .as_ref()
+        .map_or_else(Vector3::zeros, |found| found.0);
     builder.set_aerodynamics(aerodynamics::read(&root, &weight));
     nodes::read(&root, &mut builder);
     blades::read(&root, &mut builder);
@@ -337,11 +339,13 @@ fn check_air(root: &Table<'_>, builder: &ModelBuilder, analyses: &Analyses) {
     };
     let rotation = hub.frame_rotation();
     aerodynamics::check_steady(root, air, (&rotation, analyses.highest_speed()));
-    let Some(run) = &analyses.transient else { return };
+    let Some([_, end]) = analyses.times() else {
+        return;
+    };
     let nodes = builder.blades().iter().flat_map(|blade| &blade.nodes);
     let radii = nodes.filter_map(|node| Some(hub.distance(&builder.nodes().get(*node)?.position)));
     let radius = radii.fold(0.0, f64::max);
-    aerodynamics::check_boxes(root, air, (&rotation.center, radius), run.to);
+    aerodynamics::check_boxes(root, air, (&rotation.center, radius), end);
 }
 
 /// The input if the model is complete.

@@ -89,7 +89,10 @@ fn designs() -> Vec<StripDesign> {
     let inflows = [
         None,
         annular(Wake::Equilibrium, HighInduction::Buhl),
-        annular(Wake::Dynamic(TimeScale::Turbine), HighInduction::BuhlOutside),
+        annular(
+            Wake::Dynamic(TimeScale::Turbine),
+            HighInduction::BuhlOutside,
+        ),
         annular(Wake::Dynamic(hover), HighInduction::Polynomial),
     ];
     let airfoils = ["naca0012", "flat_plate", "thin"];

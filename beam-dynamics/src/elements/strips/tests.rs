@@ -110,7 +110,11 @@ fn lift_follows_the_gust() {
         let behind = SPEED * time - 15.0;
         let phase = std::f64::consts::TAU * behind / LENGTH;
         let inside = (0.0..LENGTH).contains(&behind);
-        let shape = if inside { 0.5 * (1.0 - phase.cos()) } else { 0.0 };
+        let shape = if inside {
+            0.5 * (1.0 - phase.cos())
+        } else {
+            0.0
+        };
         let (found, why) = force(&strip, &node, time);
         assert!((found.y - most * shape).abs() < 1.1e-4 * most, "{time}");
         assert!(why.is_none());
@@ -167,7 +171,10 @@ fn outside_a_box_there_is_no_force_but_a_reason() {
     let (found, why) = force(&inside, &node, 5.0);
     let why = why.unwrap();
     assert!(found.iter().all(|number| number.is_nan()), "{found}");
-    assert!(why.contains("a.bts: no turbulence at x = -3 m and t = 5 s"), "{why}");
+    assert!(
+        why.contains("a.bts: no turbulence at x = -3 m and t = 5 s"),
+        "{why}"
+    );
     assert!(why.contains("use a longer box"), "{why}");
 }
 

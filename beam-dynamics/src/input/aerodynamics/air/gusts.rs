@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use rotor_aero::wind::{GustShape, TravelingGust};
-use shared_geom::document::schema::ValueKind::{Positive, Quantity, Vector, Word};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Positive, Quantity, Vector, Word};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 

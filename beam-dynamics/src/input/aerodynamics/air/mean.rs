@@ -1,9 +1,7 @@
 //! Axes of the wind and mean wind: `wind` of `[air]`, a velocity or a table.
 
 use nalgebra::Vector3;
-use rotor_aero::wind::{
-    Mean, MeanWind, Shear, Wind, WindFrame, WindProblem, read_uniform_wind,
-};
+use rotor_aero::wind::{Mean, MeanWind, Shear, Wind, WindFrame, WindProblem, read_uniform_wind};
 use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text, Vector};
 use shared_geom::document::{Key, Table, read_text};
 use shared_geom::keys;
@@ -204,7 +202,10 @@ fn complete(
             &AirProblem::Value {
                 key: ROUGHNESS.name(),
                 found: format!("{roughness} m"),
-                expected: format!("less than the reference height, {} m", mean.reference_height),
+                expected: format!(
+                    "less than the reference height, {} m",
+                    mean.reference_height
+                ),
                 help: "the roughness length of grass is 0.01 m, of a forest 1 m",
             },
         );

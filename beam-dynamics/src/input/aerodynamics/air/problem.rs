@@ -55,9 +55,11 @@ impl Explain for AirProblem {
             Self::Missing { key, .. } => format!("add \"{key}\""),
             Self::Useless { key, .. } => format!("remove \"{key}\""),
             Self::Value { help, .. } => (*help).to_owned(),
-            Self::GoesRound { .. } => "give a constant wind along the axis, analyze speed 0 at one \
+            Self::GoesRound { .. } => {
+                "give a constant wind along the axis, analyze speed 0 at one \
                  azimuth after the other, or the motion in time: [transient]"
-                .to_owned(),
+                    .to_owned()
+            }
         })
     }
 }

@@ -71,12 +71,29 @@ fn the_atmosphere_is_standard_unless_given() {
     let hot = air("[air]\ntemperature_offset = 20\n").atmosphere;
     let cold = air("").atmosphere;
     assert!((hot.density / cold.density - 288.15 / 308.15).abs() < 1e-12);
-    assert_eq!(air("[air]\ndensity = 1\nspeed_of_sound = 300\n").atmosphere.density, 1.0);
+    assert_eq!(
+        air("[air]\ndensity = 1\nspeed_of_sound = 300\n")
+            .atmosphere
+            .density,
+        1.0
+    );
     assert_refused(&[
-        ("[air]\naltitude = 30000\n", &["a.toml:3", "altitude", "20000 m"]),
-        ("[air]\ntemperature_offset = -400\n", &["a.toml:3", "temperature"]),
-        ("[air]\ndensity = 0\n", &["a.toml:3", "\"density\"", "greater than zero"]),
-        ("[air]\nwinds = [1, 0, 0]\n", &["unknown key \"winds\"", "\"wind\"?"]),
+        (
+            "[air]\naltitude = 30000\n",
+            &["a.toml:3", "altitude", "20000 m"],
+        ),
+        (
+            "[air]\ntemperature_offset = -400\n",
+            &["a.toml:3", "temperature"],
+        ),
+        (
+            "[air]\ndensity = 0\n",
+            &["a.toml:3", "\"density\"", "greater than zero"],
+        ),
+        (
+            "[air]\nwinds = [1, 0, 0]\n",
+            &["unknown key \"winds\"", "\"wind\"?"],
+        ),
         ("[air]\nwind = 8\n", &["\"wind\""]),
     ]);
 }
@@ -123,16 +140,27 @@ fn wrong_mean_winds() {
         ),
         (
             "[air.wind]\nspeed = 9\nexponent = 0.2\nhorizontal_shear = 0.1\n",
-            &["\"reference_height\" is missing", "\"reference_length\" is missing"],
+            &[
+                "\"reference_height\" is missing",
+                "\"reference_length\" is missing",
+            ],
         ),
-        ("[air.wind]\nspeed = 9\nveer = 0.1\n", &["\"reference_height\" is missing"]),
+        (
+            "[air.wind]\nspeed = 9\nveer = 0.1\n",
+            &["\"reference_height\" is missing"],
+        ),
         (
             "[air.wind]\nexponent = 0.2\nroughness = 0.1\n",
             &["a.toml:4", "\"roughness\" has no effect", "remove"],
         ),
         (
             "[air.wind]\nreference_height = 1\nroughness = 2\n",
-            &["a.toml:4", "2 m", "less than the reference height, 1 m", "grass"],
+            &[
+                "a.toml:4",
+                "2 m",
+                "less than the reference height, 1 m",
+                "grass",
+            ],
         ),
         (
             "[air.wind]\ntable = \"none.wnd\"\nspeed = 8\n",
@@ -249,7 +277,10 @@ fn events_are_scaled_by_the_speed_at_the_hub() {
             ),
             &["\"intensity\" has no effect"],
         ),
-        (&format!("{wind}[air.event]\n{event}"), &["\"class\"", "\"category\""]),
+        (
+            &format!("{wind}[air.event]\n{event}"),
+            &["\"class\"", "\"category\""],
+        ),
     ]);
 }
 
@@ -269,7 +300,10 @@ fn boxes_of_all_formats() {
                     points = [20, 5, 7]\nspacing = [3, 10, 8]\nhub_height = 84\ncache = 4\n");
     assert_eq!((box_of(&mann).speed, box_of(&mann).time_step), (6.0, 0.5));
     let [u, v, _] = velocity(&mann, [0.0, 0.0, 84.0], 1.0);
-    assert!((u - v - 6.0).abs() < 1e-12, "the mean wind is added: {u} {v}");
+    assert!(
+        (u - v - 6.0).abs() < 1e-12,
+        "the mean wind is added: {u} {v}"
+    );
     let extended = air("[air.turbulence]\nfile = \"own.bts\"\noutside = \"extend\"\n");
     let high = Vector3::new(0.0, 0.0, 900.0);
     assert!(extended.wind().sample(&high, 0.0).is_ok());
@@ -279,9 +313,18 @@ fn boxes_of_all_formats() {
 #[test]
 fn wrong_boxes() {
     assert_refused(&[
-        ("[air.turbulence]\ncache = 5\n", &["\"file\" is missing", "\"files\""]),
-        ("[air.turbulence]\nfile = \"none.bts\"\n", &["a.toml:3", "none.bts", "own.bts"]),
-        ("[air.turbulence]\nfile = \"expected.json\"\n", &[".bts or .wnd"]),
+        (
+            "[air.turbulence]\ncache = 5\n",
+            &["\"file\" is missing", "\"files\""],
+        ),
+        (
+            "[air.turbulence]\nfile = \"none.bts\"\n",
+            &["a.toml:3", "none.bts", "own.bts"],
+        ),
+        (
+            "[air.turbulence]\nfile = \"expected.json\"\n",
+            &[".bts or .wnd"],
+        ),
         (
             "[air.turbulence]\nfile = \"own.bts\"\nfiles = [\"own.wnd\"]\n",
             &["\"files\" has no effect"],
@@ -296,11 +339,18 @@ fn wrong_boxes() {
         ),
         (
             "[air]\nwind = [9, 0, 0]\n[air.turbulence]\nfile = \"own.bts\"\n",
-            &["\"speed\" is 9 m/s in the wind of [air]", "the file contains it"],
+            &[
+                "\"speed\" is 9 m/s in the wind of [air]",
+                "the file contains it",
+            ],
         ),
         (
             "[air]\nwind = [9, 0, 0]\n[air.turbulence]\nfiles = [\"own_20x5x7.u\"]\n",
-            &["three files", "\"points\" is missing", "\"hub_height\" is missing"],
+            &[
+                "three files",
+                "\"points\" is missing",
+                "\"hub_height\" is missing",
+            ],
         ),
         (
             "[air]\nwind = [9, 0, 0]\n[air.turbulence]\npoints = [20, 5.5, 7]\n\
@@ -314,7 +364,10 @@ fn wrong_boxes() {
              files = [\"own_20x5x7.u\", \"own_20x5x7.u\", \"own_20x5x7.u\"]\n",
             &["2800 bytes", "\"files\" of [air.turbulence]"],
         ),
-        ("[air.turbulence]\nfile = \"own.wnd\"\nsummary = \"none.sum\"\n", &["none.sum"]),
+        (
+            "[air.turbulence]\nfile = \"own.wnd\"\nsummary = \"none.sum\"\n",
+            &["none.sum"],
+        ),
     ]);
 }
 
@@ -326,7 +379,9 @@ fn towers_change_the_wind_around_them() {
     // stagnation at the surface upwind, twice the speed beside
     assert_near(velocity(&tower, [1.0, 0.0, -80.0], 0.0), [0.0; 3]);
     assert_near(velocity(&tower, [5.0, 4.0, -80.0], 0.0), [20.0, 0.0, 0.0]);
-    let moved = air(&format!("{text}foot = [7, 0, 33]\nshadow = \"Powles\"\ndrag = 0.5\n"));
+    let moved = air(&format!(
+        "{text}foot = [7, 0, 33]\nshadow = \"Powles\"\ndrag = 0.5\n"
+    ));
     assert_near(velocity(&moved, [3.0, 0.0, -80.0], 0.0), [0.0; 3]);
     let tables = "[[air.tower]]\nheights = [0, 80]\ndiameters = [4, 4]\n";
     assert_refused(&[
@@ -342,7 +397,10 @@ fn towers_change_the_wind_around_them() {
             &format!("{tables}shadow = \"Eames\"\n"),
             &["\"drag\" is missing", "\"intensity\" is missing"],
         ),
-        (&format!("{tables}potential = \"Bak\"\n"), &["\"drag\" is missing"]),
+        (
+            &format!("{tables}potential = \"Bak\"\n"),
+            &["\"drag\" is missing"],
+        ),
     ]);
 }
 
@@ -369,8 +427,14 @@ fn rotors_have_no_steady_state_in_a_wind_that_varies() {
     let shear = "[air.wind]\nspeed = 8\nreference_height = 84\nexponent = 0.2\n";
     let across = "[air]\nwind = [3, 0, -8]\n";
     for (wind, words) in [
-        (shear, &["a.dynamics.toml:2", "shear or veer", "up to 12 rpm"][..]),
-        (across, &["a.dynamics.toml:3", "3 m/s across the axis", "[transient]"]),
+        (
+            shear,
+            &["a.dynamics.toml:2", "shear or veer", "up to 12 rpm"][..],
+        ),
+        (
+            across,
+            &["a.dynamics.toml:3", "3 m/s across the axis", "[transient]"],
+        ),
     ] {
         let shown = reported(model(wind, modes));
         assert!(words.iter().all(|word| shown.contains(word)), "{shown}");
@@ -401,13 +465,22 @@ fn a_box_must_be_as_large_as_the_rotor() {
     conditions.loading.time = 10.0;
     let (element, why) = system.first_without_value(&state, &conditions).unwrap();
     assert!(element.label().contains("strip 1"));
-    assert!(why.contains("no turbulence") && why.contains("longer box"), "{why}");
+    assert!(
+        why.contains("no turbulence") && why.contains("longer box"),
+        "{why}"
+    );
     assert!(system.without_value(&state, &conditions).is_some());
     let shown = reported(model(&file("own.bts"), "[transient]\nto = 9\nstep = 0.1\n"));
-    assert!(shown.contains("duration of the box") && shown.contains("longer box"), "{shown}");
+    assert!(
+        shown.contains("duration of the box") && shown.contains("longer box"),
+        "{shown}"
+    );
     assert!(shown.contains("\"file\" of [air.turbulence]"), "{shown}");
     let low = format!("{}hub_height = 100\nperiodic = true\n", file("own.wnd"));
     let shown = reported(model(&low, run));
-    assert!(shown.contains("bottom of the box") && shown.contains("at most 64"), "{shown}");
+    assert!(
+        shown.contains("bottom of the box") && shown.contains("at most 64"),
+        "{shown}"
+    );
     assert!(model(&format!("{low}outside = \"extend\"\n"), run).is_ok());
 }

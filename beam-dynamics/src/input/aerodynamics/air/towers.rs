@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use rotor_aero::wind::{Tower, TowerPotential, TowerShadow, WindFrame};
-use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantities, Vector, Word};
 use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantities, Vector, Word};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -82,7 +82,9 @@ fn tower(table: &Table<'_>, frame: Option<&WindFrame>) -> Option<Tower> {
     let halves = heights.iter().zip(&diameters);
     let tower = Tower::new(
         [foot[0], foot[1]],
-        halves.map(|(height, diameter)| [*height, 0.5 * diameter]).collect(),
+        halves
+            .map(|(height, diameter)| [*height, 0.5 * diameter])
+            .collect(),
         drag.unwrap_or(0.0),
         [
             TowerPotential::None,

@@ -86,12 +86,18 @@ pub(super) fn read(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<Turbule
             table.note(key, &AirProblem::Missing { key, user });
             None
         }
-        (Some(file), None) => one_file(table, &file, (bladed, cache)).filter(|_| with_mean(table, mean)),
+        (Some(file), None) => {
+            one_file(table, &file, (bladed, cache)).filter(|_| with_mean(table, mean))
+        }
         (None, Some(files)) => {
             let paths = three(table, &files);
             only(table, &OF_BLADED, "it belongs to a file .wnd")?;
             let (input, files) = (mann??, paths?);
-            let input = MannInput { files, cache, ..input };
+            let input = MannInput {
+                files,
+                cache,
+                ..input
+            };
             table.keep_file(FILES.name(), read_mann(&input))
         }
     };
@@ -125,7 +131,9 @@ fn one_file(
 ) -> Option<TurbulenceBox> {
     let path = table.existing(&FILE, file);
     only(table, &OF_MANN, "it belongs to the \"files\" of a Mann box")?;
-    let ending = file.rsplit_once('.').map(|(_, ending)| ending.to_lowercase());
+    let ending = file
+        .rsplit_once('.')
+        .map(|(_, ending)| ending.to_lowercase());
     match ending.as_deref() {
         Some("bts") => {
             only(table, &OF_BLADED, "it belongs to a file .wnd")?;
@@ -137,7 +145,8 @@ fn one_file(
             table.keep_file(FILE.name(), read_bladed(&path?, &input))
         }
         _ => {
-            let expected = "the name of a file .bts or .wnd; the three files of a Mann box are \"files\"";
+            let expected =
+                "the name of a file .bts or .wnd; the three files of a Mann box are \"files\"";
             table.wrong(&FILE, expected);
             None
         }
@@ -195,7 +204,11 @@ fn mann(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<Option<MannInput>>
     }
     let given = [points.is_some(), spacing.is_some(), hub_height.is_some()];
     let names = [POINTS.name(), SPACING.name(), HUB_HEIGHT.name()];
-    for key in names.iter().zip(given).filter_map(|(key, given)| (!given).then_some(*key)) {
+    for key in names
+        .iter()
+        .zip(given)
+        .filter_map(|(key, given)| (!given).then_some(*key))
+    {
         let user = "a Mann box";
         table.note(key, &AirProblem::Missing { key, user });
     }
