@@ -284,19 +284,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
         .as_ref()
         .map_or_else(Vector3::zeros, |found| found.0);
     builder.set_aerodynamics(aerodynamics::read(&root, &weight));
-    nodes::read(&root, &mut builder);
-    blades::read(&root, &mut builder);
-    beams::read(&root, &mut builder);
-    clamps::read(&root, &mut builder);
-    bodies::read(&root, &mut builder);
-    joints::read_hinges(&root, &mut builder);
-    joints::read_rigid(&root, &mut builder);
-    joints::read_joints(&root, &mut builder);
-    rods::read(&root, &mut builder);
-    springs::read(&root, &mut builder);
-    loads::read(&root, &mut builder);
-    internal_forces::read(&root, &mut builder);
-    electrodes::read(&root, &mut builder);
+    parts(&root, &mut builder);
     control::read(control, &mut builder);
     let analyses = analyses::read(&root);
     let measured = measured::read(&root);
@@ -332,6 +320,23 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     Some(input)
 }
 
+/// Reads the cards of the parts of the model.
+fn parts(root: &Table<'_>, builder: &mut ModelBuilder) {
+    nodes::read(root, builder);
+    blades::read(root, builder);
+    beams::read(root, builder);
+    clamps::read(root, builder);
+    bodies::read(root, builder);
+    joints::read_hinges(root, builder);
+    joints::read_rigid(root, builder);
+    joints::read_joints(root, builder);
+    rods::read(root, builder);
+    springs::read(root, builder);
+    loads::read(root, builder);
+    internal_forces::read(root, builder);
+    electrodes::read(root, builder);
+}
+
 /// Notes problems of loads and drives in a run from and to the given `times` \[s\].
 fn check_run(document: &Document, builder: &ModelBuilder, times: [f64; 2]) {
     builder.drives().check_run(document, times);
@@ -345,13 +350,13 @@ fn check_air(root: &Table<'_>, builder: &ModelBuilder, analyses: &Analyses) {
     };
     let rotation = hub.frame_rotation();
     aerodynamics::check_steady(root, air, (&rotation, analyses.highest_speed()));
-    let Some(run) = &analyses.transient else {
+    let Some([_, end]) = analyses.times() else {
         return;
     };
     let nodes = builder.blades().iter().flat_map(|blade| &blade.nodes);
     let radii = nodes.filter_map(|node| Some(hub.distance(&builder.nodes().get(*node)?.position)));
     let radius = radii.fold(0.0, f64::max);
-    aerodynamics::check_boxes(root, air, (&rotation.center, radius), run.to);
+    aerodynamics::check_boxes(root, air, (&rotation.center, radius), end);
 }
 
 /// The input if the model is complete.

@@ -12,7 +12,7 @@
 
 use num_dual::DualSVec64;
 
-use crate::Real;
+use crate::real::Real;
 use crate::airfoil::Section;
 use crate::momentum::Options;
 use crate::unsteady::{self, Model, SectionFlow, SectionForce};

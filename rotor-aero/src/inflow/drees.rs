@@ -8,7 +8,7 @@
 //! with the angle chi of the wake from the shaft and sin chi = mu/m ([Drees1949]). Inflow is
 //! larger aft, and smaller on the advancing side.
 
-use crate::Real;
+use crate::real::Real;
 use crate::unsteady::StateName;
 
 use super::mass_flow::MassFlow;

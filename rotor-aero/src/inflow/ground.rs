@@ -6,7 +6,7 @@
 //!
 //! by the image of a source below the ground, at constant thrust ([Cheeseman1955]).
 
-use crate::Real;
+use crate::real::Real;
 
 /// Height over R below which the theory does not apply; the factor stays constant there \[-\].
 const LOWEST: f64 = 0.5;

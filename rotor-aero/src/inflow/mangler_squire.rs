@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use crate::Real;
+use crate::real::Real;
 use crate::unsteady::StateName;
 
 use super::rotor::{Inflow, RotorFlow, RotorLoads};

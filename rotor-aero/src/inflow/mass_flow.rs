@@ -12,7 +12,7 @@
 //! as well. There it is a mean that belongs to wind turbines: tests of helicopters have 15 to 35 %
 //! more induced velocity, and thrust that fluctuates.
 
-use crate::Real;
+use crate::real::Real;
 use crate::unsteady::smooth_step;
 
 /// Speed that rounds the mass flow at no flow, over the tip speed \[-\].

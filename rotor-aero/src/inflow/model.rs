@@ -1,6 +1,6 @@
 //! The list of the inflow models.
 
-use crate::Real;
+use crate::real::Real;
 use crate::unsteady::StateName;
 
 use super::drees::Drees;

@@ -1,6 +1,6 @@
 //! The flow of a rotor, its loads, and the interface of the inflow models.
 
-use crate::Real;
+use crate::real::Real;
 use crate::unsteady::StateName;
 
 /// The flow of a rotor.

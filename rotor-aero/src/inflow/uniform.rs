@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 
-use crate::Real;
+use crate::real::Real;
 use crate::unsteady::{StateName, state};
 
 use super::mass_flow::{MassFlow, steady_uniform};

@@ -3,7 +3,7 @@
 //! For a rotor in a wind tunnel with known inflow, for comparisons with closed forms, and for
 //! blades whose strips have the induced velocity of their annulus.
 
-use crate::Real;
+use crate::real::Real;
 use crate::unsteady::StateName;
 
 use super::rotor::{Inflow, RotorFlow, RotorLoads};

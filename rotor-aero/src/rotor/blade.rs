@@ -11,7 +11,7 @@
 
 use crate::momentum::{END_MARGIN, Options};
 
-/// The border between the signs of the core and those of a machine.
+/// The border between the signs of the core and the signs of a machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Machine {
     /// Power is positive if the wind drives the rotor, thrust is along the wind, twist and pitch

@@ -1,6 +1,6 @@
 //! The static coefficients of a strip, with their split into attached and separated flow.
 
-use crate::Real;
+use crate::real::Real;
 use crate::airfoil::{Coefficients, Flow, Section, Separation};
 use crate::unsteady::Polar;
 

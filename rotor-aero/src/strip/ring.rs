@@ -12,7 +12,7 @@
 use std::f64::consts::PI;
 
 use super::{AnnularInflow, StripFlow, Wake};
-use crate::Real;
+use crate::real::Real;
 use crate::momentum::{Ambient, LOSS_FLOOR, hub_loss, mass_flow_by, tip_loss};
 use crate::wake::{SHARE, TimeScale};
 

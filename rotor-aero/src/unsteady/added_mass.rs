@@ -10,7 +10,7 @@
 
 use std::f64::consts::PI;
 
-use crate::Real;
+use crate::real::Real;
 
 use super::section::{SectionFlow, SectionForce, Strip};
 

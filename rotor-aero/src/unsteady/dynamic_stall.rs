@@ -21,7 +21,7 @@
 
 use std::f64::consts::PI;
 
-use crate::Real;
+use crate::real::Real;
 
 use super::added_mass;
 use super::constants::StallConstants;

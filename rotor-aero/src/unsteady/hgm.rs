@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use crate::Real;
+use crate::real::Real;
 
 use super::lags::Lags;
 use super::local::Local;

@@ -7,7 +7,7 @@
 //! For a thin airfoil this is Theodorsen's theory with two exponentials for his function. Lift is
 //! normal to the velocity at the bound vortex, which contains the wake: induced drag is included.
 
-use crate::Real;
+use crate::real::Real;
 
 use super::added_mass;
 use super::lags::Lags;

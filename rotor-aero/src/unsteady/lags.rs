@@ -8,7 +8,7 @@
 //! in two exponentials after [Jones1940]; the gate g switches the lag off at large angles and in
 //! reverse flow. The lag acts on a velocity, so that it holds in a speed that varies.
 
-use crate::Real;
+use crate::real::Real;
 
 use super::local::Local;
 use super::section::Strip;

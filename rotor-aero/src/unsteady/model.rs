@@ -1,6 +1,6 @@
 //! The list of the models of unsteady sections.
 
-use crate::Real;
+use crate::real::Real;
 
 use super::dynamic_stall::DynamicStall;
 use super::hgm::Hgm;

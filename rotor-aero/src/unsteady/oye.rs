@@ -7,7 +7,7 @@
 //!
 //! after [Oye1991]; drag and moment are static. T_f is in semichords travelled.
 
-use crate::Real;
+use crate::real::Real;
 
 use super::local::Local;
 use super::polar::Polar;

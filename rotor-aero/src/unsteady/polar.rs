@@ -1,6 +1,6 @@
 //! The static coefficients that a section model needs.
 
-use crate::Real;
+use crate::real::Real;
 use crate::airfoil::{Coefficients, Flow};
 
 /// Static coefficients of an airfoil, and their split into attached and separated flow.

@@ -4,7 +4,7 @@
 //! alpha = atan2(w_34, v_x) ;  lift normal to the flow at the quarter chord
 //! ```
 
-use crate::Real;
+use crate::real::Real;
 
 use super::local::Local;
 use super::polar::Polar;

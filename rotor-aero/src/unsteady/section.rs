@@ -1,6 +1,6 @@
 //! The flow at a section, its forces, and the interface of the models.
 
-use crate::Real;
+use crate::real::Real;
 use crate::airfoil::Flow;
 
 use super::polar::Polar;

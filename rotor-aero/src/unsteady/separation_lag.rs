@@ -8,7 +8,7 @@
 //! with the rows of lags and of added mass. It is smooth, and has no vortex: the moment in deep
 //! stall is static, and damping of stall flutter is not predicted.
 
-use crate::Real;
+use crate::real::Real;
 
 use super::added_mass;
 use super::lags::Lags;

@@ -11,7 +11,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::Real;
+use crate::real::Real;
 
 /// An event and its start.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,7 +11,7 @@ use super::profile::MeanWind;
 use super::table::Mean;
 use super::tower::Tower;
 use super::turbulence::TurbulenceBox;
-use crate::Real;
+use crate::real::Real;
 
 /// Velocity of the air at points of an inertial frame.
 pub trait WindField: std::fmt::Debug + Send + Sync {

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::problem::WindProblem;
-use crate::Real;
+use crate::real::Real;
 
 /// Axes in which a wind is described: x downwind, y lateral (y = z cross x), z up.
 #[derive(Debug, Clone, PartialEq)]

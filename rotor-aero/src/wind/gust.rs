@@ -12,7 +12,7 @@
 use std::f64::consts::TAU;
 
 use super::problem::WindProblem;
-use crate::Real;
+use crate::real::Real;
 
 /// Shape of a gust over the distance behind its front.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,7 +11,7 @@
 //! wind; e: upflow angle. The sum is the one of the uniform wind of InflowWind (its theory in
 //! the OpenFAST documentation), which has no veer.
 
-use crate::Real;
+use crate::real::Real;
 
 /// Dependence of the mean wind on the height.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -17,7 +17,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::problem::WindProblem;
-use crate::Real;
+use crate::real::Real;
 
 /// Largest deficit of a shadow \[-\].
 const DEFICIT: f64 = 0.5;

@@ -16,7 +16,7 @@ use shared_geom::exchange::problem::ExchangeProblem;
 use super::grid::{BoxGrid, BoxValues, report};
 use super::planes::{CacheCount, Plane, Planes};
 use super::problem::WindProblem;
-use crate::Real;
+use crate::real::Real;
 
 /// Part of a cell by which a point may be outside: grids of files are in single precision.
 const SLACK: f64 = 1e-5;

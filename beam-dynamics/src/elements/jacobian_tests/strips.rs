@@ -12,7 +12,10 @@ use rotor_aero::wind::{
     TravelingGust, Wind,
 };
 
-use super::*;
+use nalgebra::Vector3;
+
+use super::{Random, beam_nodes, check, geometries, nodes};
+use crate::elements::Element;
 use crate::elements::strips::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
 
 /// Air of low speed of sound.
@@ -27,7 +30,7 @@ fn atmosphere() -> Atmosphere {
 
 /// The air, with a wind.
 fn air(random: &mut Random) -> Arc<Air> {
-    let wind = Wind::uniform(&random.vector(1.5), Vector3::z()).unwrap();
+    let wind = Wind::uniform(&random.vector(1.5), Vector3::z()).expect("a sound sample");
     Arc::new(Air::new(atmosphere(), wind))
 }
 
@@ -36,7 +39,7 @@ fn air(random: &mut Random) -> Arc<Air> {
 /// inverse speed cubed, exceed the tolerance of the differences.
 fn gusty_air(random: &mut Random) -> Arc<Air> {
     let velocity = Vector3::new(5.0, 4.0, 1.0) + random.vector(1.0);
-    let mut wind = Wind::uniform(&velocity, Vector3::z()).unwrap();
+    let mut wind = Wind::uniform(&velocity, Vector3::z()).expect("a sound sample");
     if let Mean::Steady(mean) = &mut wind.mean {
         *mean = MeanWind {
             reference_height: 10.0,
@@ -65,7 +68,7 @@ fn gusty_air(random: &mut Random) -> Arc<Air> {
     let radii = vec![[-20.0, 1.5], [20.0, 1.0]];
     let models = (TowerPotential::Cylinder, TowerShadow::None);
     wind.towers
-        .push(Tower::new([6.0, 5.0], radii, 0.5, models.0, models.1).unwrap());
+        .push(Tower::new([6.0, 5.0], radii, 0.5, models.0, models.1).expect("a sound sample"));
     Arc::new(Air::new(atmosphere(), wind))
 }
 
@@ -99,11 +102,11 @@ fn designs() -> Vec<StripDesign> {
     let mut all = Vec::new();
     for (number, word) in SectionModel::WORDS.iter().enumerate() {
         for (other, inflow) in inflows.into_iter().enumerate() {
-            let airfoil = built_in(airfoils[(number + other) % airfoils.len()]).unwrap();
+            let airfoil = built_in(airfoils[(number + other) % airfoils.len()]).expect("a sound sample");
             all.push(StripDesign {
                 chord: 0.7,
                 section: Section::single(Arc::new(airfoil)),
-                model: SectionModel::of_word(word).unwrap(),
+                model: SectionModel::of_word(word).expect("a sound sample"),
                 inflow,
             });
         }

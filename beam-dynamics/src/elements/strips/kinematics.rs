@@ -170,7 +170,7 @@ impl Flow<'_> {
         ]
     }
 
-    /// Derivatives from those of Q, g, theta and omega.
+    /// Derivatives from the derivatives of Q, g, theta and omega.
     fn block(
         &self,
         position: &Matrix3<f64>,

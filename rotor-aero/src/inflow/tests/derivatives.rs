@@ -2,7 +2,7 @@
 
 use num_dual::Dual64;
 
-use crate::Real;
+use crate::real::Real;
 use crate::inflow::{Inflow, InflowModel, MassFlow, RotorFlow, RotorLoads};
 
 /// A linear congruential generator.

@@ -3,7 +3,7 @@
 use num_dual::Dual64;
 
 use super::polars::Smooth;
-use crate::Real;
+use crate::real::Real;
 use crate::unsteady::{Model, SectionFlow, SectionModel, Strip};
 
 const STRIP: Strip = Strip {

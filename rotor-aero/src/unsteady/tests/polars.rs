@@ -1,6 +1,6 @@
 //! Static coefficients in closed form.
 
-use crate::Real;
+use crate::real::Real;
 use crate::airfoil::{Coefficients, Flow};
 use crate::unsteady::Polar;
 

@@ -44,7 +44,7 @@ pub(super) fn read(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<Event> 
     let (kind, turbine, start) = (kind?, turbine?, start?);
     let sign = if reversed? { -1.0 } else { 1.0 };
     let speed = mean?.speed(turbine.hub_height, start);
-    if !(speed > 0.0) {
+    if speed.is_nan() || speed <= 0.0 {
         table.note(
             &KIND,
             &AirProblem::Value {

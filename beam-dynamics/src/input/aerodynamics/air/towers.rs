@@ -56,27 +56,10 @@ fn tower(table: &Table<'_>, frame: Option<&WindFrame>) -> Option<Tower> {
         table.note(&DIAMETERS, &problem);
         return None;
     }
-    let (potential, shadow) = (potential?, shadow?);
-    let intensity = intensity?;
-    let drag = drag?;
-    let mut is_complete = true;
-    for (key, is_missing, user) in [
-        (
-            DRAG.name(),
-            drag.is_none() && (potential == 2 || shadow != 0),
-            "a shadow or the correction by Bak",
-        ),
-        (
-            INTENSITY.name(),
-            intensity.is_none() && shadow == 2,
-            "the shadow by Eames",
-        ),
-    ] {
-        if is_missing {
-            table.note(key, &AirProblem::Missing { key, user });
-            is_complete = false;
-        }
-    }
+    let models = (potential?, shadow?);
+    let (intensity, drag) = (intensity?, drag?);
+    let is_complete = is_complete(table, models, (drag, intensity));
+    let (potential, shadow) = models;
     let frame = frame.filter(|_| is_complete)?;
     let foot = foot?.map_or([0.0; 3], |foot| frame.point(&foot.into()));
     let halves = heights.iter().zip(&diameters);
@@ -106,4 +89,31 @@ fn tower(table: &Table<'_>, frame: Option<&WindFrame>) -> Option<Tower> {
             None
         }
     }
+}
+
+/// Whether a tower has the numbers that its potential and its shadow need; absent ones are noted.
+fn is_complete(
+    table: &Table<'_>,
+    (potential, shadow): (usize, usize),
+    (drag, intensity): (Option<f64>, Option<f64>),
+) -> bool {
+    let mut is_complete = true;
+    for (key, is_missing, user) in [
+        (
+            DRAG.name(),
+            drag.is_none() && (potential == 2 || shadow != 0),
+            "a shadow or the correction by Bak",
+        ),
+        (
+            INTENSITY.name(),
+            intensity.is_none() && shadow == 2,
+            "the shadow by Eames",
+        ),
+    ] {
+        if is_missing {
+            table.note(key, &AirProblem::Missing { key, user });
+            is_complete = false;
+        }
+    }
+    is_complete
 }
