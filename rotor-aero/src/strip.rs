@@ -12,9 +12,9 @@
 
 use num_dual::DualSVec64;
 
-use crate::real::Real;
 use crate::airfoil::Section;
 use crate::momentum::Options;
+use crate::real::Real;
 use crate::unsteady::{self, Model, SectionFlow, SectionForce};
 use crate::wake::TimeScale;
 use crate::wind::Atmosphere;

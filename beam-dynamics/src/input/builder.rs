@@ -152,11 +152,6 @@ impl ModelBuilder {
         self.clamps.keys().copied()
     }
 
-    /// Axes of the blade to which a node belongs.
-    pub fn blade_axes(&self, node: usize) -> Option<Matrix3<f64>> {
-        self.blade_axes[node]
-    }
-
     /// Adds a node of a card; notes a name that is taken already.
     pub fn add_node(
         &mut self,

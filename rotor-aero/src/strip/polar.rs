@@ -1,7 +1,7 @@
 //! The static coefficients of a strip, with their split into attached and separated flow.
 
-use crate::real::Real;
 use crate::airfoil::{Coefficients, Flow, Section, Separation};
+use crate::real::Real;
 use crate::unsteady::Polar;
 
 /// Reynolds number at which the lift is split: steady lift does not depend on the split \[-\].

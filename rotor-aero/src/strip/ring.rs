@@ -12,8 +12,8 @@
 use std::f64::consts::PI;
 
 use super::{AnnularInflow, StripFlow, Wake};
-use crate::real::Real;
 use crate::momentum::{Ambient, LOSS_FLOOR, hub_loss, mass_flow_by, tip_loss};
+use crate::real::Real;
 use crate::wake::{SHARE, TimeScale};
 
 /// Smallest part of the tip radius at which an annulus is evaluated \[-\].

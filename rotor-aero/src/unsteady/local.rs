@@ -9,8 +9,8 @@
 //! and sources, which depend on an angle that does not exist without flow. Both are V, with a
 //! relative error of `e^2 / 2 V^2`.
 
-use crate::real::Real;
 use crate::airfoil::Coefficients;
+use crate::real::Real;
 
 use super::section::{SectionFlow, SectionForce, Strip};
 

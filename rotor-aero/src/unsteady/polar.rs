@@ -1,7 +1,7 @@
 //! The static coefficients that a section model needs.
 
-use crate::real::Real;
 use crate::airfoil::{Coefficients, Flow};
+use crate::real::Real;
 
 /// Static coefficients of an airfoil, and their split into attached and separated flow.
 ///

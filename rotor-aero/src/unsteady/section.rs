@@ -1,7 +1,7 @@
 //! The flow at a section, its forces, and the interface of the models.
 
-use crate::real::Real;
 use crate::airfoil::Flow;
+use crate::real::Real;
 
 use super::polar::Polar;
 

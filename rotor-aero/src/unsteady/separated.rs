@@ -9,8 +9,8 @@
 //! static value: it is exact in steady flow at every Mach number, Reynolds number and angle. The
 //! gate g closes at large angles, where a section is quasi-steady.
 
-use crate::real::Real;
 use crate::airfoil::Coefficients;
+use crate::real::Real;
 
 use super::local::{Local, part_root};
 use super::polar::Polar;

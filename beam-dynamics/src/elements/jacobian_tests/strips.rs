@@ -102,7 +102,8 @@ fn designs() -> Vec<StripDesign> {
     let mut all = Vec::new();
     for (number, word) in SectionModel::WORDS.iter().enumerate() {
         for (other, inflow) in inflows.into_iter().enumerate() {
-            let airfoil = built_in(airfoils[(number + other) % airfoils.len()]).expect("a sound sample");
+            let airfoil =
+                built_in(airfoils[(number + other) % airfoils.len()]).expect("a sound sample");
             all.push(StripDesign {
                 chord: 0.7,
                 section: Section::single(Arc::new(airfoil)),

@@ -1,11 +1,17 @@
 //! Blades, and the attachment of their roots.
 
+use nalgebra::Matrix3;
 use shared_geom::document::Table;
 
 use super::ModelBuilder;
 use crate::case::BladeNodes;
 
 impl ModelBuilder {
+    /// Axes of the blade to which a node belongs.
+    pub fn blade_axes(&self, node: usize) -> Option<Matrix3<f64>> {
+        self.blade_axes[node]
+    }
+
     /// The node of the hub if the hub moves; `None` if the frame holds it, so that roots
     /// are clamped.
     pub fn hub_node(&self) -> Option<usize> {

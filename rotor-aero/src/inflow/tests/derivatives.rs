@@ -2,8 +2,8 @@
 
 use num_dual::Dual64;
 
-use crate::real::Real;
 use crate::inflow::{Inflow, InflowModel, MassFlow, RotorFlow, RotorLoads};
+use crate::real::Real;
 
 /// A linear congruential generator.
 struct Random(u64);

@@ -1,7 +1,7 @@
 //! Static coefficients in closed form.
 
-use crate::real::Real;
 use crate::airfoil::{Coefficients, Flow};
+use crate::real::Real;
 use crate::unsteady::Polar;
 
 /// Attached flow at all angles, `cl = slope sin alpha`.
