@@ -26,6 +26,7 @@ mod momentum;
 mod power_curves;
 mod problem;
 mod qprop;
+mod refined;
 mod rotor;
 mod schedules;
 mod stations;
