@@ -26,7 +26,6 @@ mod momentum;
 mod power_curves;
 mod problem;
 mod qprop;
-mod refined;
 mod rotor;
 mod schedules;
 mod stations;

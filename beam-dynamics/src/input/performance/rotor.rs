@@ -12,7 +12,6 @@ use shared_geom::units::Dimension;
 use super::blade_file::{self, FileBlade};
 use super::momentum::Momentum;
 use super::problem::PerformanceProblem;
-use super::refined::refined;
 use super::stations;
 use crate::case::MachineKind;
 use crate::input::aerodynamics::Airfoils;
@@ -46,9 +45,6 @@ keys! {
     /// Number of azimuths over which loads are averaged.
     SECTORS: Option<usize> = "sectors", [Count(360)],
         or "1 in axial flow, else 8", "36";
-    /// Number of pieces of equal length between hub and tip, at whose ends loads are computed, in
-    /// place of the stations; linear between them.
-    ELEMENTS: Option<usize> = "elements", [Count(MOST_ELEMENTS)], or "the stations", "40";
     /// Stations from the hub to the tip.
     STATIONS: ByHand = "stations", [Tables(&stations::CARD)], optional, "";
     /// Mach numbers of operating points beyond the tables of an airfoil: an error, or the values
@@ -62,11 +58,6 @@ keys! {
 
 /// Words of the machines.
 pub(super) const WORDS: [&str; 3] = ["turbine", "propeller", "helicopter"];
-
-/// Pieces of a blade.
-const MOST_ELEMENTS: usize = 1000;
-/// Least number of pieces.
-const LEAST_ELEMENTS: usize = 3;
 
 /// Azimuths of a rotor in oblique or sheared flow.
 const SECTORS_OBLIQUE: usize = 8;
@@ -95,7 +86,6 @@ pub(super) fn read(
     let angles = [&PRECONE, &TILT, &YAW].map(|key| table.get(key));
     let (hub_height, shear) = (table.get(&HUB_HEIGHT), table.get(&SHEAR));
     let outside = table.get(&OUTSIDE_MACH);
-    let elements = table.get(&ELEMENTS);
     let blade = blade(table, (machine.unwrap_or_default(), airfoils), remarks);
     table.finish();
     let [precone, tilt, yaw] = angles;
@@ -107,7 +97,6 @@ pub(super) fn read(
         table.note("", &PerformanceProblem::Missing { key, example });
     }
     let [hub_radius, tip_radius] = radii(table, ends, &mut blade)?;
-    let stations = stations_of(table, elements?, (blade.stations, [hub_radius, tip_radius]))?;
     let (machine, momentum) = (machine?, momentum?);
     let (tilt, yaw, shear) = (tilt?, yaw?, shear?);
     let is_axial = tilt == 0.0 && yaw == 0.0 && shear == 0.0;
@@ -128,35 +117,13 @@ pub(super) fn read(
             tilt,
             yaw,
             hub_height: hub_height?,
-            stations,
+            stations: blade.stations,
             options: momentum.options,
             annulus_radius: momentum.radius,
             skewed_wake: momentum.skewed_wake,
             sectors: sectors?.unwrap_or(usual),
         },
     })
-}
-
-/// The stations of a blade between the radii of hub and tip \[m\], or as many as are requested.
-fn stations_of(
-    table: &Table<'_>,
-    elements: Option<usize>,
-    (stations, ends): (Vec<Station<Section>>, [f64; 2]),
-) -> Option<Vec<Station<Section>>> {
-    match elements {
-        None => Some(stations),
-        Some(count) if count < LEAST_ELEMENTS => {
-            table.wrong(&ELEMENTS, "at least 3");
-            None
-        }
-        Some(count) => match refined(&stations, ends, count) {
-            Ok(stations) => Some(stations),
-            Err(problem) => {
-                table.note(&ELEMENTS, &problem);
-                None
-            }
-        },
-    }
 }
 
 fn kind(index: usize) -> MachineKind {
