@@ -78,7 +78,14 @@ fn characteristics(lift: &Curve, drag: Option<&Curve>, moment: Option<&Curve>) -
         mach: lift.mach,
         reynolds: lift.reynolds,
         flap: lift.flap,
-        drag_min: drag.and_then(|drag| largest(points(drag).map(negated), [-limit, limit])),
+        drag_min: drag.map(|drag| {
+            let least = largest(points(drag).map(negated), [-limit, limit]);
+            // A cylinder may have points at the ends alone.
+            least.unwrap_or(Extreme {
+                value: -on_lines(drag, 0.0),
+                angle: 0.0,
+            })
+        }),
         ..Characteristics::default()
     };
     found.drag_min = found.drag_min.map(|at| Extreme {
@@ -210,7 +217,7 @@ mod tests {
     fn a_cylinder_has_drag_alone() {
         let data = AirfoilData {
             lift: vec![curve(&[(-180.0, 0.0001), (180.0, 0.0001)])],
-            drag: vec![curve(&[(-180.0, 0.5), (0.0, 0.5), (180.0, 0.5)])],
+            drag: vec![curve(&[(-180.0, 0.5), (180.0, 0.5)])],
             ..AirfoilData::default()
         };
         let found = data.characteristics()[0];

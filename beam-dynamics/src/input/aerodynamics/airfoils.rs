@@ -175,3 +175,7 @@ impl Airfoils {
         None
     }
 }
+
+#[cfg(test)]
+#[path = "airfoils_tests.rs"]
+mod tests;

@@ -59,6 +59,18 @@ fn table(data: &AirfoilData, lost: &mut Vec<String>, notes: &mut Notes) -> Optio
     Some(format!("{title:<TITLE$}{counts}\n{body}"))
 }
 
+/// Rounding of a coefficient that is not reported: round-off of changes of units \[-\].
+const ROUND_OFF: f64 = 1e-9;
+
+/// The largest difference between values and the written numbers \[-\].
+fn rounding<'v>(values: impl Iterator<Item = &'v f64>) -> f64 {
+    let error = |value: &f64| {
+        let written: Option<f64> = six(*value)?.parse().ok();
+        written.map(|written| (written - value).abs())
+    };
+    values.filter_map(error).fold(0.0, f64::max)
+}
+
 /// Lines of one coefficient.
 struct Block {
     counts: [usize; 2],
@@ -104,6 +116,12 @@ fn block(what: &str, curves: &[Curve], lost: &mut Vec<String>, notes: &mut Notes
     }
     let machs: Vec<f64> = sorted.iter().map(|curve| mach(curve)).collect();
     let text = lines(what, &machs, &joint, notes)?;
+    let error = rounding(joint.columns.iter().flatten());
+    if error > ROUND_OFF {
+        lost.push(format!(
+            "{what}: digits beyond six characters, {error:.1e} at most"
+        ));
+    }
     Some(Block { counts, text })
 }
 
