@@ -182,7 +182,7 @@ impl Strip {
         let induced = INDUCED[..count].iter().map(|name| StripState {
             name,
             unit: "m/s",
-            row_unit: if count == 2 { "m^2/s^2" } else { "m/s^2" },
+            row_unit: "m^2/s^2",
             has_rate: count == 4,
         });
         let own = design.model.states().iter().map(|state| StripState {
@@ -319,6 +319,17 @@ impl Strip {
             chord: self.chord,
             density: air.still.density,
         };
+        if air.part == 0.0 {
+            // Without forces there is nothing that the states could lag behind.
+            for ((row, state), rate) in rows.iter_mut().zip(states).zip(rates) {
+                *row = *state + *rate;
+            }
+            return SectionForce {
+                along: T::from(0.0),
+                normal: T::from(0.0),
+                moment: T::from(0.0),
+            };
+        }
         let force = self
             .model
             .evaluate(&strip, &self.polar, &flow, states, rates, rows);

@@ -163,11 +163,14 @@ fn values(data: &AirfoilData, value: Condition, factor: f64) -> String {
     }
 }
 
+/// Title, value and unit of a column.
+type Column = (&'static str, fn(&Characteristics) -> Option<f64>, f64);
+
 /// A row of numbers for each curve of lift.
 fn table(rows: &[Characteristics]) -> String {
     let has =
         |value: fn(&Characteristics) -> Option<f64>| rows.iter().any(|row| value(row).is_some());
-    let columns: [(&str, fn(&Characteristics) -> Option<f64>, f64); 3] = [
+    let columns: [Column; 3] = [
         ("Mach", |row| row.mach, 1.0),
         ("Re", |row| row.reynolds, 1.0),
         (FLAP, |row| row.flap, 1.0_f64.to_degrees()),

@@ -6,7 +6,7 @@
 //! ```text
 //! u_qs m = B f . n / (4 pi r rho F)              v_qs m = B f . t / (4 pi r rho F)
 //! equilibrium    u m - u_qs m = 0                v m - v_qs m = 0
-//! dynamic        y' - ((1 - k) u_qs - y)/tau1 = 0    u' - (y + k u_qs - u)/tau2 = 0
+//! dynamic        m (tau1 y' + y) - (1 - k) u_qs m = 0   m (tau2 u' + u - y) - k u_qs m = 0
 //! ```
 
 use std::f64::consts::PI;
@@ -111,11 +111,10 @@ impl<'a, T: Real> Ring<'a, T> {
         if let (&[_, _, y, z], &[du, dv, dy, dz], [row_u, row_v, row_y, row_z]) =
             (induced, rates, rows)
         {
-            let quasi = [axial / mass, swirl / mass];
-            *row_u = du - (y + quasi[0] * SHARE - u) / tau2;
-            *row_v = dv - (z + quasi[1] * SHARE - v) / tau2;
-            *row_y = dy - (quasi[0] * (1.0 - SHARE) - y) / tau1;
-            *row_z = dz - (quasi[1] * (1.0 - SHARE) - z) / tau1;
+            *row_u = mass * (tau2 * du + u - y) - axial * SHARE;
+            *row_v = mass * (tau2 * dv + v - z) - swirl * SHARE;
+            *row_y = mass * (tau1 * dy + y) - axial * (1.0 - SHARE);
+            *row_z = mass * (tau1 * dz + z) - swirl * (1.0 - SHARE);
         }
     }
 

@@ -30,7 +30,8 @@ fn atmosphere() -> Atmosphere {
 
 /// The air, with a wind.
 fn air(random: &mut Random) -> Arc<Air> {
-    let wind = Wind::uniform(&random.vector(1.5), Vector3::z()).expect("a sound sample");
+    let velocity = Vector3::new(8.0, 6.0, 2.0) + random.vector(1.0);
+    let wind = Wind::uniform(&velocity, Vector3::z()).expect("a sound sample");
     Arc::new(Air::new(atmosphere(), wind))
 }
 
@@ -38,7 +39,7 @@ fn air(random: &mut Random) -> Arc<Air> {
 /// the nodes: at speeds near zero the third derivatives of the angle of attack, of the order of the
 /// inverse speed cubed, exceed the tolerance of the differences.
 fn gusty_air(random: &mut Random) -> Arc<Air> {
-    let velocity = Vector3::new(5.0, 4.0, 1.0) + random.vector(1.0);
+    let velocity = Vector3::new(8.0, 6.0, 2.0) + random.vector(1.0);
     let mut wind = Wind::uniform(&velocity, Vector3::z()).expect("a sound sample");
     if let Mean::Steady(mean) = &mut wind.mean {
         *mean = MeanWind {

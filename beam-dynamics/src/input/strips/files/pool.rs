@@ -274,8 +274,7 @@ impl<'a> Pool<'a> {
             .collect();
         let profiles = indices.into_iter().map(|index| {
             let section = self.entry(index, remarks)?;
-            let first = section.parts().next().map(|part| part.1.clone());
-            first
+            section.parts().next().map(|part| part.1.clone())
         });
         let profiles: Vec<_> = profiles.collect();
         profiles.into_iter().collect()
