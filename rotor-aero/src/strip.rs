@@ -206,6 +206,24 @@ impl Strip {
         &self.states
     }
 
+    /// Size of the terms of each row, by which its error is judged [unit of each row].
+    pub fn sizes(&self, flow: &[f64; FLOW], states: &[f64], rates: &[f64]) -> [f64; STATES] {
+        let mut sizes = [0.0; STATES];
+        let speed = flow[0].hypot(flow[1]);
+        let along = (flow[0] * flow[4] + flow[1] * flow[5]).abs();
+        let pairs = states.iter().zip(rates).zip(&self.states);
+        for (number, (size, ((value, rate), state))) in sizes.iter_mut().zip(pairs).enumerate() {
+            // Velocities times a mass flow, momenta as they are, and lags over a semichord.
+            let factor = match number < self.of_inflow {
+                true => along + value.abs(),
+                false if state.row_unit == state.unit => 1.0,
+                false => 2.0 * speed / self.chord,
+            };
+            *size = factor * value.abs() + rate.abs();
+        }
+        sizes
+    }
+
     /// Loads and rows for the numbers of a flow, the unknowns and their rates.
     pub fn evaluate(
         &self,

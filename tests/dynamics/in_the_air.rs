@@ -29,7 +29,14 @@ fn a_flapping_blade_decays_with_a_sixteenth_of_the_lock_number() {
     let error = (found / expected - 1.0).abs();
     let source = "strip theory, gamma / 16";
     let case = "rigid blade on a flapping hinge in air";
-    record::value(source, case, "decay over speed [-]", [found, expected], error, 1e-3);
+    record::value(
+        source,
+        case,
+        "decay over speed [-]",
+        [found, expected],
+        error,
+        1e-3,
+    );
     assert!(error < 1e-3, "{found} {expected}");
 }
 

@@ -23,6 +23,7 @@ mod free_flight;
 mod free_modes;
 mod heat;
 mod heavy_tips;
+mod in_the_air;
 mod in_time;
 mod integrators;
 mod joint_guides;

@@ -34,13 +34,16 @@ pub(super) use line::BladeLine;
 
 use stations::{Between, STATIONS, Stations};
 
+/// Words of the models of sections.
+const SECTIONS: [&str; 5] = ["quasi_steady", "lagged", "separation_lag", "oye", "hgm"];
+
 keys! {
     /// Strips along a blade.
     pub(super) CARD = "[blade.aerodynamics]";
     /// The name of an `[[inflow]]`; without it no velocity is induced.
     INFLOW_NAME: Option<String> = "inflow", [Text], optional, "\"rotor\"";
     /// Model of the section.
-    SECTION: usize = "section", [Word(SectionModel::WORDS)],
+    SECTION: usize = "section", [Word(&SECTIONS)],
         or "\"separation_lag\"" = 2, "\"quasi_steady\"";
     /// Number of strips on each beam, or on each part of a beam between two stations.
     POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
@@ -90,7 +93,7 @@ pub(super) fn read(
     };
     Some(BladeAir {
         stations: stations?,
-        model: SectionModel::of_word(SectionModel::WORDS.get(section?)?)?,
+        model: SectionModel::of_word(SECTIONS.get(section?)?)?,
         points: points?,
         inflow,
     })

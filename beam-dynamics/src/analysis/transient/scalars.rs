@@ -14,6 +14,8 @@ use crate::solver::LinearSolver;
 const LAST: f64 = 1e-10;
 /// Correction below this that does not shrink any more is round-off.
 const FLOOR: f64 = 1e-6;
+/// Residual of the equations, in parts of their terms, at which they hold.
+const HELD: f64 = 1e-8;
 /// Largest number of iterations.
 const MOST: usize = 30;
 
@@ -81,7 +83,7 @@ fn find(
         let stays = settling == Settling::InMotion || scalar.start != ScalarStart::Settled;
         scalar.has_rate && stays
     });
-    let is_rate: Vec<bool> = is_rate.collect();
+    let mut is_rate: Vec<bool> = is_rate.collect();
     let pattern = pattern_of_scalars(system);
     let solver = LinearSolver::new(&pattern);
     let scales = system.scalar_scales(|_| true);
@@ -91,6 +93,7 @@ fn find(
         let tangent = system.tangent(state, conditions);
         let residual = system.residual(state, conditions).values;
         let first = system.numbering().first_scalar();
+        keep_known_rates(&tangent, first, &mut is_rate);
         let mut change: Vec<_> = residual[first..].iter().map(|value| -value).collect();
         let matrix = matrix_of_scalars(&tangent, &pattern, (first, &is_rate));
         solver.factorize(matrix)?.solve(&mut change)?;
@@ -108,7 +111,27 @@ fn find(
         }
         before = last;
     }
-    None
+    // Rates that vanish are round-off of the terms of their equations, whatever their last change.
+    let residual = system.residual(state, conditions);
+    let first = system.numbering().first_scalar();
+    let equations = system.scalar_equation_scales();
+    let worst = equations.largest(&residual.values[first..], |i| residual.sizes[first + i]);
+    (worst.part <= HELD).then_some(())
+}
+
+/// Excludes rates that no equation of a scalar contains: the values of these scalars follow from
+/// the equations, and their rates only from the accelerations.
+fn keep_known_rates(tangent: &Tangent, first: usize, is_rate: &mut [bool]) {
+    let mut is_contained = vec![false; is_rate.len()];
+    let scalars = first..first + is_rate.len();
+    for (row, column, value) in tangent.by_rates.triplets() {
+        if scalars.contains(&row) && scalars.contains(&column) && value != 0.0 {
+            is_contained[column - first] = true;
+        }
+    }
+    for (is_rate, is_contained) in is_rate.iter_mut().zip(is_contained) {
+        *is_rate &= is_contained;
+    }
 }
 
 /// The block of the scalars in the pattern of the system.

@@ -319,7 +319,11 @@ impl Element for AirStrip {
         };
         let loads = self.loads(&flow, &by.values);
         flow.state.add(&loads.force, &loads.moment, out);
+        let sizes = self.strip.sizes(&numbers, values, rates);
         for row in 0..states {
+            // The terms of a row are summed elsewhere: only their size is added here.
+            out.add_scalar(row, sizes[row]);
+            out.add_scalar(row, -sizes[row]);
             out.add_scalar(row, by.values[LOADS + row]);
         }
         if let Some(out) = jacobian {
