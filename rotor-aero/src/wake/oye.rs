@@ -95,7 +95,7 @@ impl<T: Real> FilterState<T> {
 /// use rotor_aero::wake::{FilterState, TimeScale, rates};
 ///
 /// let constants = TimeScale::Turbine.constants(63.0, 0.5, 8.0, 0.33);
-/// let rest = rates(&FilterState::steady(2.6), 2.6, constants);
+/// let rest = rates(&FilterState::steady(2.6_f64), 2.6, constants);
 /// assert!(rest.first.abs() < 1e-15 && rest.induced.abs() < 1e-15);
 /// ```
 pub fn rates<T: Real>(
