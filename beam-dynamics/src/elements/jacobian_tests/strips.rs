@@ -19,8 +19,9 @@ use crate::elements::Element;
 use crate::elements::strips::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
 
 /// Tables of airfoils are continuous with their first derivatives only: a difference across a knot is
-/// off by the step, 1e-6, times half of the jump of a curvature of order one.
-const WITHIN: f64 = 1e-6;
+/// off by the step, 1e-6, times half of the jump of the curvature, which is some hundred per square
+/// radian at the stall. A missing term is of the order of one.
+const WITHIN: f64 = 1e-4;
 
 /// Air of low speed of sound.
 fn atmosphere() -> Atmosphere {
