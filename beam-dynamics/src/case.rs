@@ -15,7 +15,7 @@ pub use columns::{Column, ElectrodeQuantity, Every, OutputSettings, Quantity};
 pub use mode_style::{FrequencyUnit, ModeStyle, Words};
 pub use performance::{
     Abscissa, MachineKind, OperatingSetting, PerformanceCase, PerformancePart, PerformanceRequest,
-    PowerCurve, RatedPower, RotorSpeedLaw,
+    PowerCurve, RatedPower, RotorSpeedLaw, linear_between,
 };
 pub use transient::{
     InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientSettings,

@@ -206,7 +206,8 @@ impl Strip {
         &self.states
     }
 
-    /// Size of the terms of each row, by which its error is judged [unit of each row].
+    /// Sum of the absolute values of the terms of each row, by which its error is judged [unit of
+    /// each row].
     pub fn sizes(&self, flow: &[f64; FLOW], states: &[f64], rates: &[f64]) -> [f64; STATES] {
         let mut sizes = [0.0; STATES];
         let speed = flow[0].hypot(flow[1]);
@@ -219,7 +220,8 @@ impl Strip {
                 false if state.row_unit == state.unit => 1.0,
                 false => 2.0 * speed / self.chord,
             };
-            *size = factor * value.abs() + rate.abs();
+            // The terms of a row cancel: they are twice one of their sides.
+            *size = 2.0 * (factor * value.abs() + rate.abs());
         }
         sizes
     }
@@ -243,10 +245,11 @@ impl Strip {
         states: &[f64],
         rates: &[f64],
     ) -> StripJacobian {
-        // Dual numbers of the smallest size that holds all inputs.
+        // Dual numbers of the smallest size that holds all inputs: quasi-steady sections in their
+        // annulus, and the default section with its five states there.
         match FLOW + 2 * states.len() {
             0..=13 => self.dual::<13>(air, flow, states, rates),
-            14..=21 => self.dual::<21>(air, flow, states, rates),
+            14..=23 => self.dual::<23>(air, flow, states, rates),
             _ => self.dual::<INPUTS>(air, flow, states, rates),
         }
     }
@@ -293,11 +296,11 @@ impl Strip {
         let (induced, own) = states.split_at(self.of_inflow);
         let (induced_rates, own_rates) = rates.split_at(self.of_inflow);
         let axes = plane(&flow.shaft);
-        let [x, y, span] = flow.velocity;
-        let velocity = match induced {
-            [u, v, ..] => [0, 1].map(|i| flow.velocity[i] + *u * axes[0][i] + *v * axes[1][i]),
-            _ => [x, y],
-        };
+        // The velocity along the span is left out.
+        let velocity = [0, 1].map(|i| match induced {
+            [u, v, ..] => flow.velocity[i] + *u * axes[0][i] + *v * axes[1][i],
+            _ => flow.velocity[i],
+        });
         let rows = LOADS + self.of_inflow..LOADS + states.len();
         let force = self.section(
             air,
@@ -308,7 +311,6 @@ impl Strip {
         out[0] = force.along;
         out[1] = force.normal;
         out[3] = force.moment;
-        let _ = span;
         if let Some(inflow) = &self.inflow {
             let loads = [force.along, force.normal];
             let ring = Ring::new(inflow, flow, &axes, (air.still.density, &loads));

@@ -9,7 +9,7 @@ use rotor_aero::rotor::{
 
 use crate::case::{
     OperatingSetting, PerformanceCase, PerformancePart, PerformanceRequest, PowerCurve,
-    RotorSpeedLaw,
+    RotorSpeedLaw, linear_between,
 };
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
 
@@ -122,36 +122,12 @@ fn below_rated(
             return at(omega.clamp(least, largest));
         }
         RotorSpeedLaw::TorqueGain(gain) => Box::new(move |omega| gain * omega * omega),
-        RotorSpeedLaw::Torque(rows) => Box::new(|omega| between(rows, omega)),
+        RotorSpeedLaw::Torque(rows) => Box::new(|omega| linear_between(rows, omega)),
     };
     match balanced_speed(rotor, start, load, (least, largest)) {
         BalanceOutcome::Found(performance) => *performance,
         // The rotor drives the load at all speeds, or at none.
         BalanceOutcome::NotBracketed { high, .. } if high > 0.0 => at(largest),
         BalanceOutcome::NotBracketed { .. } => at(least),
-    }
-}
-
-/// The value of a table, linear between its rows and constant outside.
-fn between(rows: &[[f64; 2]], x: f64) -> f64 {
-    let after = rows.partition_point(|row| row[0] <= x);
-    let before = after.checked_sub(1).and_then(|index| rows.get(index));
-    match (before, rows.get(after)) {
-        (Some([a, low]), Some([b, high])) => low + (high - low) * (x - a) / (b - a),
-        (Some(row), None) | (None, Some(row)) => row[1],
-        (None, None) => 0.0,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tables_are_linear_between_rows_and_constant_outside() {
-        let rows = [[1.0, 10.0], [2.0, 30.0], [2.5, 30.0]];
-        let found = [0.0, 1.0, 1.5, 2.0, 2.2, 9.0].map(|x| between(&rows, x));
-        assert_eq!(found, [10.0, 10.0, 20.0, 30.0, 30.0, 30.0]);
-        assert_eq!(between(&[], 1.0), 0.0);
     }
 }

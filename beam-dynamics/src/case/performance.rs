@@ -157,3 +157,27 @@ pub struct PerformanceCase {
     /// Remarks on the files for the user.
     pub remarks: Vec<String>,
 }
+
+/// The value of a table, linear between its rows and constant outside.
+pub fn linear_between(rows: &[[f64; 2]], x: f64) -> f64 {
+    let after = rows.partition_point(|row| row[0] <= x);
+    let before = after.checked_sub(1).and_then(|index| rows.get(index));
+    match (before, rows.get(after)) {
+        (Some([a, low]), Some([b, high])) => low + (high - low) * (x - a) / (b - a),
+        (Some(row), None) | (None, Some(row)) => row[1],
+        (None, None) => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_are_linear_between_rows_and_constant_outside() {
+        let rows = [[1.0, 10.0], [2.0, 30.0], [2.5, 30.0]];
+        let found = [0.0, 1.0, 1.5, 2.0, 2.2, 9.0].map(|x| linear_between(&rows, x));
+        assert_eq!(found, [10.0, 10.0, 20.0, 30.0, 30.0, 30.0]);
+        assert_eq!(linear_between(&[], 1.0), 0.0);
+    }
+}

@@ -109,6 +109,15 @@ impl LocalResidual {
         self.add_at(self.size.scalar(scalar), value);
     }
 
+    /// Adds to the equation of a scalar a sum whose terms have the absolute values `terms` together.
+    pub fn add_scalar_sum(&mut self, scalar: usize, value: f64, terms: f64) {
+        let row = self.size.scalar(scalar);
+        self.add_at(row, value);
+        if let Some(size) = self.sizes.get_mut(row) {
+            *size += terms;
+        }
+    }
+
     fn add_at(&mut self, row: usize, value: f64) {
         if self.values.is_empty() {
             return;

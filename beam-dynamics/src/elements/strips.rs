@@ -3,6 +3,7 @@
 mod air;
 mod carrier;
 mod kinematics;
+mod shaft;
 mod strip;
 mod tip;
 
@@ -10,6 +11,6 @@ mod tip;
 mod tests;
 
 pub use air::Air;
-pub use kinematics::Shaft;
+pub use shaft::Shaft;
 pub use strip::{AirStrip, StripGeometry, StripRotor};
 pub use tip::TipRadius;

@@ -10,7 +10,7 @@ use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
 use super::builder::ModelBuilder;
 use super::formulation::{self, FORMULATION, INERTIA, INTERPOLATION, Inertia};
-use super::strips::{self, AirBlade, BladeAir, BladeLine};
+use super::strips::{self, BladeAir, BladeLine};
 use super::transient::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
 };
@@ -119,6 +119,11 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
             Some(card) if are_new => {
                 for mount in &card.mounts {
                     add(&card, mount, &table, builder);
+                }
+                if let Some(air) = &card.air {
+                    let blades = card.mounts.iter();
+                    let blades = blades.map(|mount| (mount.name.as_str(), mount.blade_axes()));
+                    strips::add(air, &blades.collect::<Vec<_>>(), builder);
                 }
                 let names = card.mounts.iter().map(|mount| mount.name.clone()).collect();
                 builder.add_blade_card(card.name, names);
@@ -262,20 +267,11 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
             None => builder.note_loose_end(),
         },
     }
-    let blade = BladeNodes {
+    builder.add_blade(BladeNodes {
         name: mount.name.clone(),
         azimuth: mount.azimuth,
         nodes,
-    };
-    if let Some(air) = &card.air {
-        let blade = AirBlade {
-            nodes: &blade,
-            axes: mount.blade_axes(),
-            count: card.mounts.len(),
-        };
-        strips::add(air, &blade, builder);
-    }
-    builder.add_blade(blade);
+    });
 }
 
 /// Gives the nodes of a blade the motion of a rigid body: its velocity at the center of rotation,

@@ -121,42 +121,85 @@ fn find_inflow(
     found.cloned()
 }
 
-/// A blade that gets strips: its nodes, its axes (columns, pitch included), and the number of blades
-/// of its card.
-pub(super) struct AirBlade<'a> {
-    pub nodes: &'a BladeNodes,
-    pub axes: Matrix3<f64>,
-    pub count: usize,
-}
-
-impl AirBlade<'_> {
-    /// The beams from the root to the tip, with the arc length at which each begins [m].
-    fn beams(&self, builder: &ModelBuilder) -> Vec<(Beam, f64)> {
-        let mut start = 0.0;
-        let beams = self.nodes.nodes.windows(3).step_by(2).filter_map(|nodes| {
-            builder
-                .beams()
-                .iter()
-                .rev()
-                .find(|beam| beam.nodes == nodes)
+/// Adds the strips of the blades of a card, by their names and axes (columns, pitch included). The
+/// blades are equal: their strips are, too.
+pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut ModelBuilder) {
+    let mut placed: Option<Vec<PlacedStrip>> = None;
+    for (name, axes) in blades {
+        let found = builder.blades().iter().find(|blade| blade.name == *name);
+        // A blade that could not be added is noted already.
+        let Some(blade) = found.cloned() else {
+            continue;
+        };
+        let beams = beams(&blade, builder);
+        let strips = placed.get_or_insert_with(|| {
+            let inflow = air.inflow.as_ref().map(|inflow| {
+                let first = air.stations.positions().next().unwrap_or_default();
+                inflow.annular(blades.len(), radius_at(&beams, first, builder))
+            });
+            strips(air, (axes, &beams), builder, inflow)
         });
-        beams
-            .map(|beam| {
-                let placed = (beam.clone(), start);
-                start += beam.geometry.length(&ends(beam, builder));
-                placed
-            })
-            .collect()
+        add_blade(&blade, (&beams, strips), builder);
     }
 }
 
-/// Adds the strips of a blade to the model.
-pub(super) fn add(air: &BladeAir, blade: &AirBlade<'_>, builder: &mut ModelBuilder) {
-    let Some(hub) = builder.hub() else { return };
-    let rotation = hub.frame_rotation();
-    let node = builder.hub_node();
-    // The axis in the axes of the hub's node, whose origin is the center.
-    let shaft = match node.map(|node| &builder.nodes()[node]) {
+/// A beam by its index, with the arc length from the root at which it begins [m].
+type PlacedBeam = (usize, f64);
+
+/// The beams of a blade, from the root to the tip.
+fn beams(blade: &BladeNodes, builder: &ModelBuilder) -> Vec<PlacedBeam> {
+    let mut start = 0.0;
+    let beams = builder.beams_of(blade).into_iter();
+    beams
+        .map(|index| {
+            let placed = (index, start);
+            let beam = &builder.beams()[index];
+            start += beam.geometry.length(&ends(beam, builder));
+            placed
+        })
+        .collect()
+}
+
+/// Adds the strips of one blade.
+fn add_blade(
+    blade: &BladeNodes,
+    (beams, strips): (&[PlacedBeam], &[PlacedStrip]),
+    builder: &mut ModelBuilder,
+) {
+    let (Some(shaft), Some(air)) = (shaft(builder), builder.aerodynamics().air.clone()) else {
+        return;
+    };
+    let hub = builder.hub_node();
+    let tip = blade.nodes.last().copied().unwrap_or_default();
+    let tip = TipRadius::new(format!("{} tip", blade.name), tip, shaft, hub);
+    let rotor = StripRotor {
+        shaft,
+        hub,
+        tip_radius: tip.scalar().clone(),
+    };
+    builder.add_load(Box::new(tip));
+    for (number, strip) in strips.iter().enumerate() {
+        let Some(&(beam, _)) = beams.get(strip.beam) else {
+            continue;
+        };
+        let beam = &builder.beams()[beam];
+        let element = AirStrip::on_beam(
+            format!("{}/strip {}", blade.name, number + 1),
+            (beam.nodes, beam.geometry, &ends(beam, builder)),
+            strip.xi,
+            (Arc::clone(&strip.strip), strip.geometry),
+            rotor.clone(),
+            Arc::clone(&air),
+        );
+        builder.add_load(Box::new(element));
+    }
+}
+
+/// The shaft of the rotor: in the frame, or in the axes of the hub's node.
+fn shaft(builder: &ModelBuilder) -> Option<Shaft> {
+    let rotation = builder.hub()?.frame_rotation();
+    let node = builder.hub_node().map(|node| &builder.nodes()[node]);
+    Some(match node {
         None => Shaft {
             center: rotation.center,
             axis: rotation.axis,
@@ -165,42 +208,12 @@ pub(super) fn add(air: &BladeAir, blade: &AirBlade<'_>, builder: &mut ModelBuild
             center: node.rotation.tr_mul(&(rotation.center - node.position)),
             axis: node.rotation.tr_mul(&rotation.axis),
         },
-    };
-    let tip = blade.nodes.nodes.last().copied().unwrap_or_default();
-    let tip = TipRadius::new(format!("{} tip", blade.nodes.name), tip, shaft, node);
-    let rotor = StripRotor {
-        shaft,
-        hub: node,
-        tip_radius: tip.scalar().clone(),
-    };
-    builder.add_load(Box::new(tip));
-    let beams = blade.beams(builder);
-    let inflow = air.inflow.as_ref().map(|inflow| {
-        let first = air.stations.positions().next().unwrap_or_default();
-        inflow.annular(blade.count, radius_at(&beams, first, builder))
-    });
-    let strips = strips(air, (blade, &beams), builder, inflow);
-    let Some(shared) = builder.aerodynamics().air.clone() else {
-        return;
-    };
-    for (number, strip) in strips.into_iter().enumerate() {
-        let label = format!("{}/strip {}", blade.nodes.name, number + 1);
-        let beam = &beams[strip.beam].0;
-        let ends = beam.nodes.map(|node| &builder.nodes()[node]);
-        let element = AirStrip::on_beam(
-            label,
-            (beam.nodes, beam.geometry, &ends),
-            strip.xi,
-            (strip.strip, strip.geometry),
-            rotor.clone(),
-            Arc::clone(&shared),
-        );
-        builder.add_load(Box::new(element));
-    }
+    })
 }
 
 /// A strip and its position on a beam.
 struct PlacedStrip {
+    /// Number of the beam of the blade, from zero.
     beam: usize,
     xi: f64,
     strip: Arc<Strip>,
@@ -208,12 +221,13 @@ struct PlacedStrip {
 }
 
 /// Distance from the axis of rotation of a position on the line \[m\].
-fn radius_at(beams: &[(Beam, f64)], position: f64, builder: &ModelBuilder) -> f64 {
+fn radius_at(beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> f64 {
     let Some(hub) = builder.hub() else { return 0.0 };
     let after = beams.partition_point(|(_, start)| *start <= position);
     let Some((beam, start)) = beams.get(after.saturating_sub(1)) else {
         return 0.0;
     };
+    let beam = &builder.beams()[*beam];
     let ends = ends(beam, builder);
     let xi = beam.geometry.position(&ends, position - start);
     hub.distance(&beam.geometry.line_point(&ends, xi).0)
@@ -226,7 +240,7 @@ fn ends<'a>(beam: &Beam, builder: &'a ModelBuilder) -> [&'a Node; 3] {
 /// The strips of a blade, from the root to the tip.
 fn strips(
     air: &BladeAir,
-    (blade, beams): (&AirBlade<'_>, &[(Beam, f64)]),
+    (axes, beams): (&Matrix3<f64>, &[PlacedBeam]),
     builder: &ModelBuilder,
     inflow: Option<AnnularInflow>,
 ) -> Vec<PlacedStrip> {
@@ -235,7 +249,8 @@ fn strips(
     let (Some(first), Some(last)) = (limits.first(), limits.last()) else {
         return strips;
     };
-    for (index, (beam, start)) in beams.iter().enumerate() {
+    for (number, (beam, start)) in beams.iter().enumerate() {
+        let beam = &builder.beams()[*beam];
         let ends = ends(beam, builder);
         let end = start + beam.geometry.length(&ends);
         let mut cuts = vec![start.max(*first)];
@@ -251,9 +266,9 @@ fn strips(
                 };
                 let xi = beam.geometry.position(&ends, position - start);
                 strips.push(PlacedStrip {
-                    beam: index,
+                    beam: number,
                     xi,
-                    geometry: geometry(&between, blade, beam, &ends, (xi, weight * half)),
+                    geometry: geometry(&between, axes, (beam, &ends), (xi, weight * half)),
                     strip: Arc::new(Strip::new(StripDesign {
                         chord: between.chord,
                         section: between.airfoil,
@@ -272,15 +287,14 @@ const SHORTEST: f64 = 1e-6;
 
 fn geometry(
     between: &Between,
-    blade: &AirBlade<'_>,
-    beam: &Beam,
-    ends: &[&Node; 3],
+    blade_axes: &Matrix3<f64>,
+    (beam, ends): (&Beam, &[&Node; 3]),
     (xi, length): (f64, f64),
 ) -> StripGeometry {
     let (_, tangent) = beam.geometry.line_point(ends, xi);
     let section = beam.geometry.section_axes(ends, xi);
     let (sin, cos) = between.twist.sin_cos();
-    let forward = blade.axes * Vector3::new(0.0, cos, sin);
+    let forward = blade_axes * Vector3::new(0.0, cos, sin);
     let x = (forward - tangent * tangent.dot(&forward)).normalize();
     let axes = Matrix3::from_columns(&[x, tangent.cross(&x), tangent]);
     let into = section.transpose();

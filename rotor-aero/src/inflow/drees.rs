@@ -9,11 +9,10 @@
 //! larger aft, and smaller on the advancing side.
 
 use crate::real::Real;
-use crate::unsteady::StateName;
 
 use super::mass_flow::MassFlow;
-use super::rotor::{Inflow, RotorFlow, RotorLoads};
-use super::uniform;
+use super::rotor::RotorFlow;
+use super::uniform::Distribution;
 
 /// Linear distribution of Drees.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -27,36 +26,16 @@ impl Drees {
     }
 }
 
-impl Inflow for Drees {
-    fn states(&self) -> &'static [StateName] {
-        &uniform::MEAN
-    }
-
-    fn start(&self, flow: &RotorFlow<f64>, thrust: f64, states: &mut [f64]) -> Option<()> {
-        uniform::start(flow, thrust, states)
-    }
-
-    fn rows<T: Real>(
+impl Distribution for Drees {
+    fn over_mean<T: Real>(
         &self,
         flow: &RotorFlow<T>,
-        loads: &RotorLoads<T>,
-        states: &[T],
-        rates: &[T],
-        rows: &mut [T],
-    ) -> Option<()> {
-        uniform::row(flow, loads, states, rates, rows)
-    }
-
-    fn induced<T: Real>(
-        &self,
-        flow: &RotorFlow<T>,
-        states: &[T],
+        air: &MassFlow<T>,
         radius: T,
         azimuth: T,
-    ) -> Option<T> {
-        let (mean, air) = uniform::mean(flow, states)?;
-        let [aft, advancing] = Self::gradients(flow, &air);
+    ) -> T {
+        let [aft, advancing] = Self::gradients(flow, air);
         let (sin, cos) = azimuth.sin_cos();
-        Some(mean * (radius * (aft * cos + advancing * sin) + 1.0))
+        radius * (aft * cos + advancing * sin) + 1.0
     }
 }

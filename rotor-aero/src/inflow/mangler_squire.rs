@@ -14,10 +14,10 @@
 use std::f64::consts::PI;
 
 use crate::real::Real;
-use crate::unsteady::StateName;
 
-use super::rotor::{Inflow, RotorFlow, RotorLoads};
-use super::uniform;
+use super::mass_flow::MassFlow;
+use super::rotor::RotorFlow;
+use super::uniform::Distribution;
 
 /// Distribution of the load along the radius.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -56,35 +56,15 @@ impl ManglerSquire {
     }
 }
 
-impl Inflow for ManglerSquire {
-    fn states(&self) -> &'static [StateName] {
-        &uniform::MEAN
-    }
-
-    fn start(&self, flow: &RotorFlow<f64>, thrust: f64, states: &mut [f64]) -> Option<()> {
-        uniform::start(flow, thrust, states)
-    }
-
-    fn rows<T: Real>(
+impl Distribution for ManglerSquire {
+    fn over_mean<T: Real>(
         &self,
-        flow: &RotorFlow<T>,
-        loads: &RotorLoads<T>,
-        states: &[T],
-        rates: &[T],
-        rows: &mut [T],
-    ) -> Option<()> {
-        uniform::row(flow, loads, states, rates, rows)
-    }
-
-    fn induced<T: Real>(
-        &self,
-        flow: &RotorFlow<T>,
-        states: &[T],
+        _flow: &RotorFlow<T>,
+        air: &MassFlow<T>,
         radius: T,
         azimuth: T,
-    ) -> Option<T> {
-        let (mean, air) = uniform::mean(flow, states)?;
+    ) -> T {
         let [c0, c1] = self.coefficients(radius, air.half_tangent());
-        Some(mean * (c0 * 0.5 + c1 * azimuth.cos()) * 4.0)
+        (c0 * 0.5 + c1 * azimuth.cos()) * 4.0
     }
 }

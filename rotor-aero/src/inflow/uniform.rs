@@ -22,49 +22,33 @@ pub(super) const MASS: f64 = 8.0 / (3.0 * PI);
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Uniform;
 
-/// The list of states of all models with one state.
-pub(super) const MEAN: [StateName; 1] = [state(
+/// Distribution over the disk of an inflow whose mean is uniform inflow: its one state.
+pub trait Distribution {
+    /// The induced velocity over its mean, at a radius over R and an azimuth in rad.
+    fn over_mean<T: Real>(
+        &self,
+        flow: &RotorFlow<T>,
+        air: &MassFlow<T>,
+        radius: T,
+        azimuth: T,
+    ) -> T;
+}
+
+const MEAN: [StateName; 1] = [state(
     "mean induced velocity over the tip speed",
     "-",
     "1/s",
 )];
 
-/// The start of all models with one state.
-pub(super) fn start(flow: &RotorFlow<f64>, thrust: f64, states: &mut [f64]) -> Option<()> {
-    let states: &mut [f64; 1] = states.try_into().ok()?;
-    *states = [steady_uniform(thrust, flow.advance, flow.axial)];
-    Some(())
-}
-
-/// The row of all models with one state.
-pub(super) fn row<T: Real>(
-    flow: &RotorFlow<T>,
-    loads: &RotorLoads<T>,
-    states: &[T],
-    rates: &[T],
-    rows: &mut [T],
-) -> Option<()> {
-    let &[mean]: &[T; 1] = states.try_into().ok()?;
-    let &[rate]: &[T; 1] = rates.try_into().ok()?;
-    let rows: &mut [T; 1] = rows.try_into().ok()?;
-    let air = MassFlow::of(flow.advance, flow.axial, mean);
-    *rows = [rate * MASS + flow.speed * (mean * air.total * 2.0 - loads.thrust)];
-    Some(())
-}
-
-/// The mean and the mass flow of all models with one state.
-pub(super) fn mean<T: Real>(flow: &RotorFlow<T>, states: &[T]) -> Option<(T, MassFlow<T>)> {
-    let &[mean]: &[T; 1] = states.try_into().ok()?;
-    Some((mean, MassFlow::of(flow.advance, flow.axial, mean)))
-}
-
-impl Inflow for Uniform {
+impl<D: Distribution> Inflow for D {
     fn states(&self) -> &'static [StateName] {
         &MEAN
     }
 
     fn start(&self, flow: &RotorFlow<f64>, thrust: f64, states: &mut [f64]) -> Option<()> {
-        start(flow, thrust, states)
+        let states: &mut [f64; 1] = states.try_into().ok()?;
+        *states = [steady_uniform(thrust, flow.advance, flow.axial)];
+        Some(())
     }
 
     fn rows<T: Real>(
@@ -75,17 +59,29 @@ impl Inflow for Uniform {
         rates: &[T],
         rows: &mut [T],
     ) -> Option<()> {
-        row(flow, loads, states, rates, rows)
+        let &[mean]: &[T; 1] = states.try_into().ok()?;
+        let &[rate]: &[T; 1] = rates.try_into().ok()?;
+        let rows: &mut [T; 1] = rows.try_into().ok()?;
+        let air = MassFlow::of(flow.advance, flow.axial, mean);
+        *rows = [rate * MASS + flow.speed * (mean * air.total * 2.0 - loads.thrust)];
+        Some(())
     }
 
     fn induced<T: Real>(
         &self,
-        _flow: &RotorFlow<T>,
+        flow: &RotorFlow<T>,
         states: &[T],
-        _radius: T,
-        _azimuth: T,
+        radius: T,
+        azimuth: T,
     ) -> Option<T> {
         let &[mean]: &[T; 1] = states.try_into().ok()?;
-        Some(mean)
+        let air = MassFlow::of(flow.advance, flow.axial, mean);
+        Some(mean * self.over_mean(flow, &air, radius, azimuth))
+    }
+}
+
+impl Distribution for Uniform {
+    fn over_mean<T: Real>(&self, _: &RotorFlow<T>, _: &MassFlow<T>, _: T, _: T) -> T {
+        T::one()
     }
 }

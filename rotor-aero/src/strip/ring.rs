@@ -6,15 +6,18 @@
 //! ```text
 //! u_qs m = B f . n / (4 pi r rho F)              v_qs m = B f . t / (4 pi r rho F)
 //! equilibrium    u m - u_qs m = 0                v m - v_qs m = 0
-//! dynamic        m (tau1 y' + y) - (1 - k) u_qs m = 0   m (tau2 u' + u - y) - k u_qs m = 0
+//! dynamic        m tau2 (u' - w') = 0            m tau1 (y' - y'_f) = 0
 //! ```
+//!
+//! with the rates w' and y'_f of the two stages of the filter ([`crate::wake::rates`]), times the
+//! mass flow, so that the rows are smooth where it is small.
 
 use std::f64::consts::PI;
 
 use super::{AnnularInflow, StripFlow, Wake};
 use crate::momentum::{Ambient, LOSS_FLOOR, hub_loss, mass_flow_by, tip_loss};
 use crate::real::Real;
-use crate::wake::{SHARE, TimeScale};
+use crate::wake::{FilterState, TimeScale, rates};
 
 /// Smallest part of the tip radius at which an annulus is evaluated \[-\].
 const INNERMOST: f64 = 1e-3;
@@ -85,7 +88,7 @@ impl<'a, T: Real> Ring<'a, T> {
     }
 
     /// Writes the rows of the induced velocities.
-    pub fn rows(&self, (induced, rates): (&[T], &[T]), rows: &mut [T]) {
+    pub fn rows(&self, (induced, induced_rates): (&[T], &[T]), rows: &mut [T]) {
         let (Some(&u), Some(&v)) = (induced.first(), induced.get(1)) else {
             return;
         };
@@ -107,19 +110,24 @@ impl<'a, T: Real> Ring<'a, T> {
             }
             Wake::Dynamic(scale) => scale,
         };
-        let [tau1, tau2] = self.time_constants(scale, u);
+        let constants = self.time_constants(scale, u);
         if let (&[_, _, y, z], &[du, dv, dy, dz], [row_u, row_v, row_y, row_z]) =
-            (induced, rates, rows)
+            (induced, induced_rates, rows)
         {
-            *row_u = mass * (tau2 * du + u - y) - axial * SHARE;
-            *row_v = mass * (tau2 * dv + v - z) - swirl * SHARE;
-            *row_y = mass * (tau1 * dy + y) - axial * (1.0 - SHARE);
-            *row_z = mass * (tau1 * dz + z) - swirl * (1.0 - SHARE);
+            let filter = |first: T, induced: T, load: T| {
+                rates(&FilterState { first, induced }, load / mass, constants)
+            };
+            let (axial, swirl) = (filter(y, u, axial), filter(z, v, swirl));
+            let [slow, fast] = [mass * constants.0, mass * constants.1];
+            *row_u = fast * (du - axial.induced);
+            *row_v = fast * (dv - swirl.induced);
+            *row_y = slow * (dy - axial.first);
+            *row_z = slow * (dz - swirl.first);
         }
     }
 
     /// Time constants by the velocities of the annulus.
-    fn time_constants(&self, scale: TimeScale, u: T) -> [T; 2] {
+    fn time_constants(&self, scale: TimeScale, u: T) -> (T, T) {
         let axial = self.ambient.axial;
         let speed = match scale {
             TimeScale::Turbine => axial,
@@ -130,7 +138,6 @@ impl<'a, T: Real> Ring<'a, T> {
             false => -u / axial,
         };
         let ratio = self.radius / self.tip_radius;
-        let (tau1, tau2) = scale.constants(self.tip_radius, ratio, speed, induction);
-        [tau1, tau2]
+        scale.constants(self.tip_radius, ratio, speed, induction)
     }
 }

@@ -9,8 +9,8 @@ use std::rc::Rc;
 
 use saphyr_parser::{Event, Parser};
 
-use super::problem::ExchangeProblem;
-use crate::error::shortened;
+use super::problem::{ExchangeProblem, Problems};
+use crate::error::{nearest_name, shortened};
 
 /// Deeper than any description of a turbine.
 const DEPTH: usize = 64;
@@ -75,6 +75,28 @@ impl Node {
             Value::Table(_) => "a table".to_owned(),
         }
     }
+}
+
+/// The value of `key` in the table `node`, which is called `parent`; notes a missing key,
+/// with the nearest one.
+pub fn required<'n>(
+    node: &'n Node,
+    parent: &str,
+    key: &str,
+    problems: &mut Problems,
+) -> Option<&'n Node> {
+    let found = node.entry(key);
+    if found.is_none() {
+        let keys = node.keys();
+        let help = match nearest_name(key, keys.iter().copied()) {
+            Some(near) => format!("did you mean \"{near}\" to be \"{key}\"?"),
+            None if keys.is_empty() => format!("{parent} is {}", node.kind()),
+            None => format!("there are {}", keys.join(", ")),
+        };
+        let what = format!("key \"{key}\" of {parent}");
+        problems.push(node.line, &ExchangeProblem::Missing { what, help });
+    }
+    found
 }
 
 /// The first document of `text`.

@@ -89,11 +89,13 @@ fn find(
     let scales = system.scalar_scales(|_| true);
     let of_rates = scales.finer(0.0);
     let mut before = f64::INFINITY;
-    for _ in 0..MOST {
+    for iteration in 0..MOST {
         let tangent = system.tangent(state, conditions);
         let residual = system.residual(state, conditions).values;
         let first = system.numbering().first_scalar();
-        keep_known_rates(&tangent, first, &mut is_rate);
+        if iteration == 0 {
+            keep_known_rates(&tangent, first, &mut is_rate);
+        }
         let mut change: Vec<_> = residual[first..].iter().map(|value| -value).collect();
         let matrix = matrix_of_scalars(&tangent, &pattern, (first, &is_rate));
         solver.factorize(matrix)?.solve(&mut change)?;

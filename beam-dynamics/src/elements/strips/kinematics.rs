@@ -23,10 +23,11 @@
 //!
 //! References: [Masarati], 5.9.
 
-use nalgebra::{Matrix3, RowVector3, SMatrix, Vector3};
+use nalgebra::{Matrix3, SMatrix, Vector3};
 use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::carrier::{Carrier, CarrierState};
+use super::shaft::{Distance, Shaft, ShaftState};
 use crate::elements::Local;
 use crate::elements::carried::CarriedPoint;
 use crate::model::{NodeMotion, Variable};
@@ -36,15 +37,6 @@ pub(super) const FLOW: usize = 8;
 
 /// Derivatives of the flow by a vector variable of a node.
 pub(super) type FlowBlock = SMatrix<f64, FLOW, 3>;
-
-/// The axis of the shaft of a rotor.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shaft {
-    /// A point of the axis: in the frame, or from the hub's node and in its axes [m].
-    pub center: Vector3<f64>,
-    /// Direction, a unit vector in the same axes \[-\].
-    pub axis: Vector3<f64>,
-}
 
 /// Geometry of a strip.
 #[derive(Debug, Clone)]
@@ -70,10 +62,9 @@ pub(super) struct Flow<'a> {
     pub axes: Matrix3<f64>,
     /// w [m/s], q [rad/s], s \[-\] and r \[m\].
     pub numbers: [f64; FLOW],
-    center: Vector3<f64>,
-    shaft: Vector3<f64>,
-    /// `Q - c` [m].
-    from_center: Vector3<f64>,
+    shaft: ShaftState,
+    /// Distance of Q from the shaft.
+    distance: Distance,
     /// g [m/s].
     relative: Vector3<f64>,
     /// Angular velocity in space and relative to the frame [rad/s].
@@ -106,28 +97,19 @@ impl Mount {
             .velocity(&position, &(velocity + omega.cross(&arm)))
             - wind;
         let in_space = omega + at.frame.angular_velocity;
-        let (center, shaft) = match self.hub {
-            None => (self.shaft.center, self.shaft.axis),
-            Some(hub) => {
-                let node = &at.nodes[hub];
-                let center = node.position + node.rotation * self.shaft.center;
-                (center, node.rotation * self.shaft.axis)
-            }
-        };
-        let from_center = position - center;
+        let shaft = self.shaft.at(self.hub.map(|hub| &at.nodes[hub]));
+        let distance = shaft.distance(&position);
         let w = axes.tr_mul(&relative);
-        let s = axes.tr_mul(&shaft);
-        let across = from_center - shaft * shaft.dot(&from_center);
+        let s = axes.tr_mul(&shaft.axis);
         let pitch_rate = axes.column(2).dot(&in_space);
         Flow {
-            numbers: [w.x, w.y, w.z, pitch_rate, s.x, s.y, s.z, across.norm()],
+            numbers: [w.x, w.y, w.z, pitch_rate, s.x, s.y, s.z, distance.radius],
             state,
             point,
             arm,
             axes,
-            center,
             shaft,
-            from_center,
+            distance,
             relative,
             turning: [in_space, omega],
             gradient: at.frame.skew() - by_position,
@@ -185,43 +167,26 @@ impl Flow<'_> {
         if let Some(turn) = turn {
             g += skew_times(&self.relative, turn);
             rates += skew_times(&self.turning[0], turn);
-            shaft = transposed * skew_times(&self.shaft, turn);
+            shaft = transposed * skew_times(&self.shaft.axis, turn);
         }
         let mut out = FlowBlock::zeros();
         out.fixed_view_mut::<3, 3>(0, 0)
             .copy_from(&(transposed * g));
         out.set_row(3, &(transposed.row(2) * rates));
         out.fixed_view_mut::<3, 3>(4, 0).copy_from(&shaft);
-        out.set_row(7, &(self.radial() * position));
+        out.set_row(7, &(self.distance.by_point * position));
         out
     }
 
-    /// `d r / d Q`; zero on the axis.
-    fn radial(&self) -> RowVector3<f64> {
-        let across = self.from_center - self.shaft * self.shaft.dot(&self.from_center);
-        match self.numbers[7] > 0.0 {
-            true => across.transpose() / self.numbers[7],
-            false => RowVector3::zeros(),
-        }
-    }
-
     /// Derivatives by the position and the rotation of the node of the shaft.
-    pub fn by_hub(&self, at: &Local<'_>, hub: usize) -> [(Variable, FlowBlock); 2] {
+    pub fn by_hub(&self) -> [(Variable, FlowBlock); 2] {
         let mut by_position = FlowBlock::zeros();
-        by_position.set_row(7, &-self.radial());
+        by_position.set_row(7, &-self.distance.by_point);
         let mut by_rotation = FlowBlock::zeros();
-        let n = skew(&self.shaft);
-        let offset = skew(&(self.center - at.nodes[hub].position));
         by_rotation
             .fixed_view_mut::<3, 3>(4, 0)
-            .copy_from(&(-self.axes.transpose() * n));
-        // d c = -[offset]x theta and d n = -[n]x theta.
-        let along = self.shaft.dot(&self.from_center);
-        let mut row = self.radial() * offset;
-        if self.numbers[7] > 0.0 {
-            row += (along / self.numbers[7]) * (self.from_center.transpose() * n);
-        }
-        by_rotation.set_row(7, &row);
+            .copy_from(&(-self.axes.transpose() * skew(&self.shaft.axis)));
+        by_rotation.set_row(7, &self.shaft.by_turn(&self.distance));
         [
             (Variable::Position, by_position),
             (Variable::Rotation, by_rotation),

@@ -23,7 +23,8 @@ use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::air::Air;
 use super::carrier::Carrier;
-use super::kinematics::{FLOW, Flow, FlowBlock, Mount, Shaft};
+use super::kinematics::{FLOW, Flow, FlowBlock, Mount};
+use super::shaft::Shaft;
 use crate::elements::beams::{BeamGeometry, LinePoint};
 use crate::elements::{
     Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, Motion,
@@ -213,7 +214,7 @@ impl AirStrip {
             }
         }
         if let Some(hub) = self.mount.hub {
-            for (variable, block) in flow.by_hub(at, hub) {
+            for (variable, block) in flow.by_hub() {
                 let mut forces = strip.loads_by(&block);
                 forces[1] += skew(&flow.arm) * forces[0];
                 flow.point.add_by_variable((hub, variable), &forces, out);
@@ -321,10 +322,7 @@ impl Element for AirStrip {
         flow.state.add(&loads.force, &loads.moment, out);
         let sizes = self.strip.sizes(&numbers, values, rates);
         for row in 0..states {
-            // The terms of a row are summed elsewhere: only their size is added here.
-            out.add_scalar(row, sizes[row]);
-            out.add_scalar(row, -sizes[row]);
-            out.add_scalar(row, by.values[LOADS + row]);
+            out.add_scalar_sum(row, by.values[LOADS + row], sizes[row]);
         }
         if let Some(out) = jacobian {
             self.add_jacobian((&flow, &loads), &by, at, out);

@@ -1,15 +1,12 @@
 //! The radius of the tip of a blade as an unknown that its strips share.
 //!
-//! With the tip at x, and the shaft axis n through c (see [`super::kinematics`]),
+//! With the tip at x, and the shaft axis n through c (see [`super::shaft`]),
 //!
 //! ```text
 //! R - |d - n (n . d)| = 0                        d = x - c
 //! ```
 
-use nalgebra::{Matrix3, RowVector3, Vector3};
-use shared_geom::rotation::skew;
-
-use super::kinematics::Shaft;
+use super::shaft::Shaft;
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
 use crate::model::{Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
 
@@ -72,35 +69,16 @@ impl Element for TipRadius {
         out: &mut LocalResidual,
         jacobian: Option<&mut LocalJacobian>,
     ) {
-        let axes = at
-            .nodes
-            .get(1)
-            .map_or_else(Matrix3::identity, |hub| hub.rotation);
-        let origin = at
-            .nodes
-            .get(1)
-            .map_or_else(Vector3::zeros, |hub| hub.position);
-        let n = axes * self.shaft.axis;
-        let offset = axes * self.shaft.center;
-        let d = at.nodes[0].position - origin - offset;
-        let across = d - n * n.dot(&d);
-        let radius = across.norm();
+        let shaft = self.shaft.at(at.nodes.get(1));
+        let distance = shaft.distance(&at.nodes[0].position);
         out.add_scalar(0, at.scalars.values[0]);
-        out.add_scalar(0, -radius);
+        out.add_scalar(0, -distance.radius);
         let Some(out) = jacobian else { return };
-        let radial: RowVector3<f64> = match radius > 0.0 {
-            true => across.transpose() / radius,
-            false => RowVector3::zeros(),
-        };
         out.add_scalar(0, 0, 1.0, false);
-        out.add_scalar_row(0, (0, Variable::Position), &-radial);
+        out.add_scalar_row(0, (0, Variable::Position), &-distance.by_point);
         if self.nodes.len() > 1 {
-            out.add_scalar_row(0, (1, Variable::Position), &radial);
-            let mut by_rotation = -radial * skew(&offset);
-            if radius > 0.0 {
-                by_rotation -= (n.dot(&d) / radius) * (d.transpose() * skew(&n));
-            }
-            out.add_scalar_row(0, (1, Variable::Rotation), &by_rotation);
+            out.add_scalar_row(0, (1, Variable::Position), &distance.by_point);
+            out.add_scalar_row(0, (1, Variable::Rotation), &-shaft.by_turn(&distance));
         }
     }
 }

@@ -46,6 +46,15 @@ impl ModelBuilder {
         self.broken_blades.contains(blade)
     }
 
+    /// Indices of the beams of a blade, from the root to the tip.
+    pub fn beams_of(&self, blade: &BladeNodes) -> Vec<usize> {
+        let position = |node: usize| blade.nodes.iter().position(|own| *own == node);
+        let mut found: Vec<_> = self.beams.iter().enumerate().collect();
+        found.retain(|(_, beam)| beam.nodes.iter().all(|node| position(*node).is_some()));
+        found.sort_by_key(|(_, beam)| beam.nodes.map(position).into_iter().min());
+        found.into_iter().map(|(index, _)| index).collect()
+    }
+
     /// Notes that the given nodes, from the root to the tip, belong to a blade.
     pub fn add_blade(&mut self, blade: BladeNodes) {
         self.blades.push(blade);

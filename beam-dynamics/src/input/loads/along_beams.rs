@@ -7,7 +7,6 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::{CONSTANT, DRIVE, FOLLOWER, LoadProblem, RELEASE, kind, label};
-use crate::case::BladeNodes;
 use crate::elements::Signal;
 use crate::elements::beams::{BeamGeometry, DistributedLoad, LineLoad};
 use crate::elements::loads::{LoadFactor, Turning};
@@ -218,7 +217,7 @@ fn lines(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Vec<V
                 note_unknown_blade(table, builder, label, name);
                 return None;
             }
-            let lines = blades.iter().map(|blade| beams_of(blade, builder));
+            let lines = blades.iter().map(|blade| builder.beams_of(blade));
             return Some(lines.collect());
         }
         (false, true) => return named_beams(table, builder, label).map(|line| vec![line]),
@@ -235,15 +234,6 @@ fn note_unknown_blade(table: &Table<'_>, builder: &ModelBuilder, label: &str, na
         known: known.collect(),
     };
     table.note(&BLADE, &problem);
-}
-
-/// The beams of a blade, from the root to the tip.
-fn beams_of(blade: &BladeNodes, builder: &ModelBuilder) -> Vec<usize> {
-    let position = |node: usize| blade.nodes.iter().position(|own| *own == node);
-    let mut found: Vec<_> = builder.beams().iter().enumerate().collect();
-    found.retain(|(_, beam)| beam.nodes.iter().all(|node| position(*node).is_some()));
-    found.sort_by_key(|(_, beam)| beam.nodes.map(position).into_iter().min());
-    found.into_iter().map(|(index, _)| index).collect()
 }
 
 fn named_beams(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Vec<usize>> {

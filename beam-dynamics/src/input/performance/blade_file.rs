@@ -16,7 +16,7 @@ use shared_geom::units::Dimension;
 
 use super::problem::PerformanceProblem;
 use super::qprop;
-use crate::case::MachineKind;
+use crate::case::{MachineKind, linear_between};
 use crate::input::aerodynamics::Airfoils;
 
 keys! {
@@ -98,7 +98,7 @@ pub(super) fn read(
             chord: station.chord,
             twist: twist
                 .as_ref()
-                .map_or(own, |rows| between(rows, station.span)),
+                .map_or(own, |rows| linear_between(rows, station.span)),
             prebend,
             section,
         }
@@ -149,17 +149,6 @@ fn twist(table: &Table<'_>) -> Option<Option<Vec<[f64; 2]>>> {
                 .collect(),
         )
     })
-}
-
-/// The value of rows, linear between them and constant outside.
-fn between(rows: &[[f64; 2]], x: f64) -> f64 {
-    let after = rows.partition_point(|row| row[0] <= x);
-    let before = after.checked_sub(1).and_then(|index| rows.get(index));
-    match (before, rows.get(after)) {
-        (Some([a, low]), Some([b, high])) => low + (high - low) * (x - a) / (b - a),
-        (Some(row), None) | (None, Some(row)) => row[1],
-        (None, None) => 0.0,
-    }
 }
 
 /// The airfoils of the stations of a file.

@@ -2,7 +2,6 @@
 
 use std::rc::Rc;
 
-use shared_geom::error::nearest_name;
 use shared_geom::exchange::text::number;
 use shared_geom::exchange::yaml::{self, Node, Value};
 
@@ -26,17 +25,7 @@ pub(super) fn required<'n>(
     key: &str,
     notes: &mut Notes,
 ) -> Option<&'n Node> {
-    let found = node.entry(key);
-    if found.is_none() {
-        let keys = node.keys();
-        let help = match nearest_name(key, keys.iter().copied()) {
-            Some(near) => format!("did you mean \"{near}\" to be \"{key}\"?"),
-            None if keys.is_empty() => format!("{parent} is {}", node.kind()),
-            None => format!("there are {}", keys.join(", ")),
-        };
-        notes.missing(node.line, &format!("key \"{key}\" of {parent}"), &help);
-    }
-    found
+    yaml::required(node, parent, key, &mut notes.problems)
 }
 
 /// The items of a list; notes another kind of value.

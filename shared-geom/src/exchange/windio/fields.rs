@@ -2,7 +2,7 @@
 
 use super::super::problem::{ExchangeProblem, Problems};
 use super::super::text::{not_a_number, number};
-use crate::error::nearest_name;
+pub(super) use crate::exchange::yaml::required;
 use crate::exchange::yaml::{Node, Value};
 
 /// Grid positions that differ by less are one [-].
@@ -46,28 +46,6 @@ pub(super) fn interval(grid: &[f64], part: f64) -> (usize, f64) {
         1.0
     };
     (i, v.clamp(0.0, 1.0))
-}
-
-/// The value of `key` in the table `node`, which is called `parent`; notes a missing key,
-/// with the nearest one.
-pub(super) fn required<'n>(
-    node: &'n Node,
-    parent: &str,
-    key: &str,
-    problems: &mut Problems,
-) -> Option<&'n Node> {
-    let found = node.entry(key);
-    if found.is_none() {
-        let keys = node.keys();
-        let help = match nearest_name(key, keys.iter().copied()) {
-            Some(near) => format!("did you mean \"{near}\" to be \"{key}\"?"),
-            None if keys.is_empty() => format!("{parent} is {}", node.kind()),
-            None => format!("there are {}", keys.join(", ")),
-        };
-        let what = format!("key \"{key}\" of {parent}");
-        problems.push(node.line, &ExchangeProblem::Missing { what, help });
-    }
-    found
 }
 
 /// The numbers of a list; notes other values.
