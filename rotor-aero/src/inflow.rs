@@ -7,6 +7,7 @@
 //!
 //! Loads are thrust and first moments of the aerodynamic loads of the blades, see [`RotorLoads`].
 
+mod disk;
 mod drees;
 mod ground;
 mod mangler_squire;
@@ -19,6 +20,7 @@ mod tests;
 mod uniform;
 mod without;
 
+pub use disk::{Disk, DiskFlow, DiskLoads};
 pub use drees::Drees;
 pub use ground::ground_effect;
 pub use mangler_squire::{Loading, ManglerSquire};

@@ -8,7 +8,9 @@
 //! Vx = w0 . n      Vy = - w0 . t     w = w0 + u n + v t
 //! ```
 //!
-//! u is the induced velocity against n and v the one against t, see [`crate::momentum`].
+//! u is the induced velocity against n and v the one against t, see [`crate::momentum`]. By a model of
+//! the disk there is one velocity u against the shaft, of which the section has the components:
+//! `w = w0 + u (s_x, s_y)`.
 
 use num_dual::DualSVec64;
 
@@ -45,7 +47,7 @@ pub struct StripFlow<T> {
 /// Numbers of a [`StripFlow`], in its order.
 pub const FLOW: usize = 9;
 /// Most unknowns of a strip.
-pub const STATES: usize = 14;
+pub const STATES: usize = 15;
 /// Loads of a strip: force along x, y, z and moment.
 pub const LOADS: usize = 4;
 /// Most outputs of a strip: its loads, then a row for each of its unknowns.
@@ -98,6 +100,26 @@ pub struct AnnularInflow {
     pub wake: Wake,
 }
 
+/// Inflow of a strip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StripInflow {
+    /// By the momentum of its annulus.
+    Annular(AnnularInflow),
+    /// The same, distributed over the azimuth: the velocity at the strip is an unknown before the mean
+    /// of the annulus. Its row has the value of the unknown, from which the user of the strip subtracts
+    /// the distribution's.
+    Skewed(AnnularInflow),
+    /// By a model of the disk: the velocity against the shaft is an unknown of the strip, its row has
+    /// the value of the unknown, from which the user of the strip subtracts the model's.
+    Disk,
+}
+
+impl From<AnnularInflow> for StripInflow {
+    fn from(inflow: AnnularInflow) -> Self {
+        Self::Annular(inflow)
+    }
+}
+
 /// Outputs of a strip and their derivatives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StripJacobian {
@@ -147,8 +169,8 @@ pub struct StripDesign {
     pub section: Section,
     /// Model of the section.
     pub model: SectionModel,
-    /// Inflow of its annulus; none without.
-    pub inflow: Option<AnnularInflow>,
+    /// Inflow; none without.
+    pub inflow: Option<StripInflow>,
 }
 
 /// A strip of a blade.
@@ -157,7 +179,7 @@ pub struct Strip {
     chord: f64,
     polar: StripPolar,
     model: SectionModel,
-    inflow: Option<AnnularInflow>,
+    inflow: Option<StripInflow>,
     states: Vec<StripState>,
     /// Number of unknowns of the inflow, the first ones.
     of_inflow: usize,
@@ -171,20 +193,44 @@ const INDUCED: [&str; 4] = [
     "first lag of the velocity around the shaft",
 ];
 
-impl Strip {
-    /// The strip of a design.
-    pub fn new(design: StripDesign) -> Self {
-        let count = match design.inflow.map(|inflow| inflow.wake) {
-            None => 0,
-            Some(Wake::Equilibrium) => 2,
-            Some(Wake::Dynamic(_)) => 4,
-        };
-        let induced = INDUCED[..count].iter().map(|name| StripState {
+/// The velocity at a strip that a model of the disk gives.
+const AT_STRIP: StripState = StripState {
+    name: INDUCED[0],
+    unit: "m/s",
+    row_unit: "m/s",
+    has_rate: false,
+};
+
+/// The unknowns of an annulus, the first with its name.
+fn of_annulus(inflow: &AnnularInflow, first: &'static str) -> Vec<StripState> {
+    let count = match inflow.wake {
+        Wake::Equilibrium => 2,
+        Wake::Dynamic(_) => 4,
+    };
+    let names = std::iter::once(&first).chain(&INDUCED[1..count]);
+    names
+        .map(|name| StripState {
             name,
             unit: "m/s",
             row_unit: "m^2/s^2",
             has_rate: count == 4,
-        });
+        })
+        .collect()
+}
+
+impl Strip {
+    /// The strip of a design.
+    pub fn new(design: StripDesign) -> Self {
+        let of_inflow = match design.inflow {
+            None => Vec::new(),
+            Some(StripInflow::Disk) => vec![AT_STRIP],
+            Some(StripInflow::Annular(inflow)) => of_annulus(&inflow, INDUCED[0]),
+            Some(StripInflow::Skewed(inflow)) => {
+                let mut states = of_annulus(&inflow, "mean induced velocity of the annulus");
+                states.insert(0, AT_STRIP);
+                states
+            }
+        };
         let own = design.model.states().iter().map(|state| StripState {
             name: state.name,
             unit: state.unit,
@@ -192,13 +238,20 @@ impl Strip {
             has_rate: true,
         });
         Self {
-            states: induced.chain(own).collect(),
-            of_inflow: count,
+            of_inflow: of_inflow.len(),
+            states: of_inflow.into_iter().chain(own).collect(),
             chord: design.chord,
             polar: StripPolar::new(design.section),
             model: design.model,
             inflow: design.inflow,
         }
+    }
+
+    /// The same with a part of its lift \[-\]: none near the tip in a disk without its losses.
+    #[must_use]
+    pub fn with_lift(mut self, part: f64) -> Self {
+        self.polar = self.polar.with_lift(part);
+        self
     }
 
     /// Its unknowns.
@@ -216,8 +269,8 @@ impl Strip {
         for (number, (size, ((value, rate), state))) in sizes.iter_mut().zip(pairs).enumerate() {
             // Velocities times a mass flow, momenta as they are, and lags over a semichord.
             let factor = match number < self.of_inflow {
+                _ if state.row_unit == state.unit => 1.0,
                 true => along + value.abs(),
-                false if state.row_unit == state.unit => 1.0,
                 false => 2.0 * speed / self.chord,
             };
             // The terms of a row cancel: they are twice one of their sides.
@@ -297,9 +350,15 @@ impl Strip {
         let (induced_rates, own_rates) = rates.split_at(self.of_inflow);
         let axes = plane(&flow.shaft);
         // The velocity along the span is left out.
-        let velocity = [0, 1].map(|i| match induced {
-            [u, v, ..] => flow.velocity[i] + *u * axes[0][i] + *v * axes[1][i],
-            _ => flow.velocity[i],
+        let velocity = [0, 1].map(|i| {
+            let annular = |u: &T, v: &T| *u * axes[0][i] + *v * axes[1][i];
+            let own = flow.velocity[i];
+            match (&self.inflow, induced) {
+                (Some(StripInflow::Disk), [u]) => own + *u * flow.shaft[i],
+                (Some(StripInflow::Annular(_)), [u, v, ..]) => own + annular(u, v),
+                (Some(StripInflow::Skewed(_)), [u, _, v, ..]) => own + annular(u, v),
+                _ => own,
+            }
         });
         let rows = LOADS + self.of_inflow..LOADS + states.len();
         let force = self.section(
@@ -311,12 +370,20 @@ impl Strip {
         out[0] = force.along;
         out[1] = force.normal;
         out[3] = force.moment;
-        if let Some(inflow) = &self.inflow {
+        // The unknowns that the momentum of the annulus has.
+        let (annulus, first) = match &self.inflow {
+            None => return out,
+            Some(StripInflow::Disk) => (None, 1),
+            Some(StripInflow::Annular(inflow)) => (Some(inflow), 0),
+            Some(StripInflow::Skewed(inflow)) => (Some(inflow), 1),
+        };
+        out[LOADS..LOADS + first].copy_from_slice(&induced[..first]);
+        if let Some(inflow) = annulus {
             let loads = [force.along, force.normal];
             let ring = Ring::new(inflow, flow, &axes, (air.still.density, &loads));
             ring.rows(
-                (induced, induced_rates),
-                &mut out[LOADS..LOADS + self.of_inflow],
+                (&induced[first..], &induced_rates[first..]),
+                &mut out[LOADS + first..LOADS + self.of_inflow],
             );
         }
         out

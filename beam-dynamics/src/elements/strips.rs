@@ -2,6 +2,8 @@
 
 mod air;
 mod carrier;
+mod disk;
+mod in_disk;
 mod kinematics;
 mod shaft;
 mod strip;
@@ -11,6 +13,7 @@ mod tip;
 mod tests;
 
 pub use air::Air;
+pub use disk::{DiskInflow, Ground, RotorDisk};
 pub use shaft::Shaft;
 pub use strip::{AirStrip, StripGeometry, StripRotor};
 pub use tip::TipRadius;

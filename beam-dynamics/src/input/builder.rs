@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::{Key, Table};
 use shared_geom::error::nearest_name;
 
-use super::aerodynamics::Aerodynamics;
+use super::aerodynamics::{Aerodynamics, Disks};
 use super::beam_card::Beam;
 use super::beam_section::Properties;
 use super::drives;
@@ -55,6 +55,8 @@ pub(super) struct ModelBuilder {
     frames: Frames,
     samplings: Vec<(usize, f64)>,
     aerodynamics: Aerodynamics,
+    /// Disks of rotors, by the names of their inflows.
+    disks: Disks,
     hub: Option<Hub>,
     nodes: Vec<Node>,
     initial: Vec<InitialMotion>,
@@ -100,6 +102,7 @@ impl ModelBuilder {
             frames: Frames::default(),
             samplings: Vec::new(),
             aerodynamics: Aerodynamics::default(),
+            disks: Disks::new(),
             hub,
             nodes: Vec::new(),
             initial: Vec::new(),

@@ -13,25 +13,26 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
-use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign};
+use rotor_aero::strip::{SectionModel, Strip, StripDesign, StripInflow};
 use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{Count, Text, Word};
 use shared_geom::keys;
 use shared_geom::quadrature;
 
-use super::aerodynamics::{Inflow, StripProblem};
 use super::beam_card::Beam;
 use super::builder::ModelBuilder;
 use crate::case::BladeNodes;
-use crate::elements::strips::{AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+use crate::elements::strips::{AirStrip, RotorDisk, StripGeometry, StripRotor, TipRadius};
 use crate::model::Node;
 
 mod files;
 mod line;
+mod rotor;
 mod stations;
 
 pub(super) use line::BladeLine;
 
+use rotor::Rotor;
 use stations::{Between, STATIONS, Stations};
 
 /// Words of the models of sections.
@@ -57,7 +58,7 @@ pub(super) struct BladeAir {
     stations: Stations,
     model: SectionModel,
     points: usize,
-    inflow: Option<Inflow>,
+    rotor: Rotor,
 }
 
 /// Reads the table of a `[[blade]]` called `name`, with the line of its beams.
@@ -87,38 +88,13 @@ pub(super) fn read(
     let (section, points) = (table.get(&SECTION), table.get(&POINTS));
     let wanted = table.get(&INFLOW_NAME);
     table.finish();
-    let inflow = match wanted? {
-        None => None,
-        Some(wanted) => Some(find_inflow(&wanted, table, builder, user)?),
-    };
+    let rotor = rotor::find(wanted?.as_deref(), table, builder, user);
     Some(BladeAir {
         stations: stations?,
         model: SectionModel::of_word(SECTIONS.get(section?)?)?,
         points: points?,
-        inflow,
+        rotor: rotor?,
     })
-}
-
-fn find_inflow(
-    name: &str,
-    table: &Table<'_>,
-    builder: &ModelBuilder,
-    user: String,
-) -> Option<Inflow> {
-    // Wrong inflows are reported already.
-    let inflows = builder.aerodynamics().inflows.as_ref()?;
-    let found = inflows.iter().find(|inflow| inflow.name == name);
-    if found.is_none() {
-        let known = inflows.iter().map(|inflow| inflow.name.clone());
-        let problem = StripProblem::Unknown {
-            kind: "inflow",
-            name: name.to_owned(),
-            user,
-            known: known.collect(),
-        };
-        table.note(&INFLOW_NAME, &problem);
-    }
-    found.cloned()
 }
 
 /// Adds the strips of the blades of a card, by their names and axes (columns, pitch included). The
@@ -132,14 +108,20 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
             continue;
         };
         let beams = beams(&blade, builder);
+        let tip = blade.nodes.last().map(|node| &builder.nodes()[*node]);
+        let radius = tip.map_or(0.0, |tip| air.rotor.distance(&tip.position));
+        let disk = air.rotor.disk(radius, builder);
         let strips = placed.get_or_insert_with(|| {
-            let inflow = air.inflow.as_ref().map(|inflow| {
-                let first = air.stations.positions().next().unwrap_or_default();
-                inflow.annular(blades.len(), radius_at(&beams, first, builder))
-            });
-            strips(air, (axes, &beams), builder, inflow)
+            let first = air.stations.positions().next().unwrap_or_default();
+            let inflow = StripsInflow {
+                model: air
+                    .rotor
+                    .inflow(blades.len(), radius_at(air, &beams, first, builder)),
+                end: air.rotor.end_of_lift(radius),
+            };
+            strips(air, (axes, &beams), builder, &inflow)
         });
-        add_blade(&blade, (&beams, strips), builder);
+        add_blade((&blade, &air.rotor, disk), (&beams, strips), builder);
     }
 }
 
@@ -160,22 +142,23 @@ fn beams(blade: &BladeNodes, builder: &ModelBuilder) -> Vec<PlacedBeam> {
         .collect()
 }
 
-/// Adds the strips of one blade.
+/// Adds the strips of one blade of a rotor.
 fn add_blade(
-    blade: &BladeNodes,
+    (blade, rotor, disk): (&BladeNodes, &Rotor, Option<Arc<RotorDisk>>),
     (beams, strips): (&[PlacedBeam], &[PlacedStrip]),
     builder: &mut ModelBuilder,
 ) {
-    let (Some(shaft), Some(air)) = (shaft(builder), builder.aerodynamics().air.clone()) else {
+    let Some(air) = builder.aerodynamics().air.clone() else {
         return;
     };
-    let hub = builder.hub_node();
+    let (shaft, hub) = (rotor.shaft, rotor.hub);
     let tip = blade.nodes.last().copied().unwrap_or_default();
     let tip = TipRadius::new(format!("{} tip", blade.name), tip, shaft, hub);
     let rotor = StripRotor {
         shaft,
         hub,
         tip_radius: tip.scalar().clone(),
+        disk,
     };
     builder.add_load(Box::new(tip));
     for (number, strip) in strips.iter().enumerate() {
@@ -195,22 +178,6 @@ fn add_blade(
     }
 }
 
-/// The shaft of the rotor: in the frame, or in the axes of the hub's node.
-fn shaft(builder: &ModelBuilder) -> Option<Shaft> {
-    let rotation = builder.hub()?.frame_rotation();
-    let node = builder.hub_node().map(|node| &builder.nodes()[node]);
-    Some(match node {
-        None => Shaft {
-            center: rotation.center,
-            axis: rotation.axis,
-        },
-        Some(node) => Shaft {
-            center: node.rotation.tr_mul(&(rotation.center - node.position)),
-            axis: node.rotation.tr_mul(&rotation.axis),
-        },
-    })
-}
-
 /// A strip and its position on a beam.
 struct PlacedStrip {
     /// Number of the beam of the blade, from zero.
@@ -220,9 +187,15 @@ struct PlacedStrip {
     geometry: StripGeometry,
 }
 
-/// Distance from the axis of rotation of a position on the line \[m\].
-fn radius_at(beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> f64 {
-    let Some(hub) = builder.hub() else { return 0.0 };
+/// Inflow of the strips of a blade.
+struct StripsInflow {
+    model: Option<StripInflow>,
+    /// Radius beyond which they have no lift \[m\].
+    end: f64,
+}
+
+/// Distance from the shaft of a position on the line \[m\].
+fn radius_at(air: &BladeAir, beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> f64 {
     let after = beams.partition_point(|(_, start)| *start <= position);
     let Some((beam, start)) = beams.get(after.saturating_sub(1)) else {
         return 0.0;
@@ -230,7 +203,7 @@ fn radius_at(beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> f64
     let beam = &builder.beams()[*beam];
     let ends = ends(beam, builder);
     let xi = beam.geometry.position(&ends, position - start);
-    hub.distance(&beam.geometry.line_point(&ends, xi).0)
+    air.rotor.distance(&beam.geometry.line_point(&ends, xi).0)
 }
 
 fn ends<'a>(beam: &Beam, builder: &'a ModelBuilder) -> [&'a Node; 3] {
@@ -242,20 +215,34 @@ fn strips(
     air: &BladeAir,
     (axes, beams): (&Matrix3<f64>, &[PlacedBeam]),
     builder: &ModelBuilder,
-    inflow: Option<AnnularInflow>,
+    inflow: &StripsInflow,
 ) -> Vec<PlacedStrip> {
     let mut strips = Vec::new();
-    let limits: Vec<f64> = air.stations.positions().collect();
-    let (Some(first), Some(last)) = (limits.first(), limits.last()) else {
+    let mut limits: Vec<f64> = air.stations.positions().collect();
+    let (Some(first), Some(last)) = (limits.first().copied(), limits.last().copied()) else {
         return strips;
     };
+    // Radii increase along a blade: the position at the end of the lift by halves of the span.
+    let is_inside = |at: f64| radius_at(air, beams, at, builder) <= inflow.end;
+    if !is_inside(last) {
+        let (mut low, mut high) = (first, last);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            match is_inside(middle) {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        limits.push(low);
+        limits.sort_by(f64::total_cmp);
+    }
     for (number, (beam, start)) in beams.iter().enumerate() {
         let beam = &builder.beams()[*beam];
         let ends = ends(beam, builder);
         let end = start + beam.geometry.length(&ends);
-        let mut cuts = vec![start.max(*first)];
+        let mut cuts = vec![start.max(first)];
         cuts.extend(limits.iter().filter(|at| **at > *start && **at < end));
-        cuts.push(end.min(*last));
+        cuts.push(end.min(last));
         cuts.dedup_by(|b, a| *b - *a <= SHORTEST * (end - start));
         for pair in cuts.windows(2) {
             let half = 0.5 * (pair[1] - pair[0]);
@@ -265,16 +252,21 @@ fn strips(
                     continue;
                 };
                 let xi = beam.geometry.position(&ends, position - start);
+                let geometry = geometry(&between, axes, (beam, &ends), (xi, weight * half));
+                let strip = Strip::new(StripDesign {
+                    chord: between.chord,
+                    section: between.airfoil,
+                    model: air.model,
+                    inflow: inflow.model,
+                });
                 strips.push(PlacedStrip {
                     beam: number,
                     xi,
-                    geometry: geometry(&between, axes, (beam, &ends), (xi, weight * half)),
-                    strip: Arc::new(Strip::new(StripDesign {
-                        chord: between.chord,
-                        section: between.airfoil,
-                        model: air.model,
-                        inflow,
-                    })),
+                    geometry,
+                    strip: Arc::new(match is_inside(position) {
+                        true => strip,
+                        false => strip.with_lift(0.0),
+                    }),
                 });
             }
         }

@@ -46,6 +46,12 @@ macro_rules! models {
                 }
             }
 
+            fn gradients(&self) -> Option<[usize; 2]> {
+                match self {
+                    $(Self::$name(it) => it.gradients(),)*
+                }
+            }
+
             fn start(
                 &self,
                 flow: &RotorFlow<f64>,

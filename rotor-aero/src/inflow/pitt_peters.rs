@@ -61,6 +61,10 @@ impl Inflow for PittPeters {
         &STATES
     }
 
+    fn gradients(&self) -> Option<[usize; 2]> {
+        Some([1, 2])
+    }
+
     fn start(&self, flow: &RotorFlow<f64>, thrust: f64, states: &mut [f64]) -> Option<()> {
         let states: &mut [f64; 3] = states.try_into().ok()?;
         let mean = steady_uniform(thrust, flow.advance, flow.axial);

@@ -36,6 +36,12 @@ pub trait Inflow {
     /// Names and units of the states, in their order; rows have the unit 1/s.
     fn states(&self) -> &'static [StateName];
 
+    /// Indices of the states that are the gradients toward the advancing side and toward the tail, if
+    /// the model has them.
+    fn gradients(&self) -> Option<[usize; 2]> {
+        None
+    }
+
     /// Writes the states of steady flow for loads, without moments.
     ///
     /// Returns `None`, and writes nothing, unless `states` has the length of the list of states.

@@ -12,6 +12,8 @@ const REYNOLDS: f64 = 3e6;
 pub(super) struct StripPolar {
     section: Section,
     separation: Separation,
+    /// Part of the lift \[-\].
+    lift: f64,
 }
 
 impl StripPolar {
@@ -21,13 +23,23 @@ impl StripPolar {
         Self {
             section,
             separation,
+            lift: 1.0,
         }
+    }
+
+    /// The same with a part of its lift \[-\].
+    pub fn with_lift(self, lift: f64) -> Self {
+        Self { lift, ..self }
     }
 }
 
 impl Polar for StripPolar {
     fn coefficients<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
-        self.section.at(flow)
+        let all = self.section.at(flow);
+        Coefficients {
+            lift: all.lift * self.lift,
+            ..all
+        }
     }
 
     fn attached<T: Real>(&self, alpha: T) -> T {
@@ -35,11 +47,11 @@ impl Polar for StripPolar {
     }
 
     fn separated_lift<T: Real>(&self, alpha: T) -> T {
-        self.separation.separated_lift(alpha)
+        self.separation.separated_lift(alpha) * self.lift
     }
 
     fn slope(&self) -> f64 {
-        self.separation.slope
+        self.separation.slope * self.lift
     }
 
     fn zero_lift(&self) -> f64 {

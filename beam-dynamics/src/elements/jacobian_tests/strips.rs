@@ -4,8 +4,9 @@
 use std::sync::Arc;
 
 use rotor_aero::airfoil::{Section, built_in};
+use rotor_aero::inflow::{Disk, InflowModel};
 use rotor_aero::momentum::{HighInduction, Options};
-use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign, Wake};
+use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign, StripInflow, Wake};
 use rotor_aero::wake::TimeScale;
 use rotor_aero::wind::{
     Atmosphere, Event, EventShape, GustShape, Mean, MeanWind, Tower, TowerPotential, TowerShadow,
@@ -16,7 +17,9 @@ use nalgebra::Vector3;
 
 use super::{Random, beam_nodes, check, check_within, geometries, nodes};
 use crate::elements::Element;
-use crate::elements::strips::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+use crate::elements::strips::{
+    Air, AirStrip, DiskInflow, Ground, RotorDisk, Shaft, StripGeometry, StripRotor, TipRadius,
+};
 
 /// Tables of airfoils are continuous with their first derivatives only: a difference across a knot is
 /// off by the step, 1e-6, times half of the jump of the curvature, which is some hundred per square
@@ -81,7 +84,7 @@ fn gusty_air(random: &mut Random) -> Arc<Air> {
 /// Designs of every model and inflow.
 fn designs() -> Vec<StripDesign> {
     let annular = |wake, high_induction| {
-        Some(AnnularInflow {
+        Some(StripInflow::Annular(AnnularInflow {
             blades: 3,
             hub_radius: 0.01,
             options: Options {
@@ -89,7 +92,7 @@ fn designs() -> Vec<StripDesign> {
                 ..Options::default()
             },
             wake,
-        })
+        }))
     };
     let hover = TimeScale::Hover {
         least_speed: 0.5,
@@ -139,6 +142,7 @@ fn rotor(random: &mut Random, tip: usize, hub: Option<usize>) -> (TipRadius, Str
         shaft,
         hub,
         tip_radius: tip.scalar().clone(),
+        disk: None,
     };
     (tip, rotor)
 }
@@ -210,5 +214,85 @@ fn radii_of_tips() {
     for hub in [None, Some(1)] {
         let (tip, _) = rotor(&mut random, 0, hub);
         check(&tip, &undeformed[..tip.nodes().len()], &mut random);
+    }
+}
+
+/// A disk of every model with the ground below it.
+fn disks(random: &mut Random) -> Vec<(Shaft, Arc<RotorDisk>)> {
+    let words = InflowModel::WORDS.iter();
+    let models = words.filter_map(|word| InflowModel::of_word(word));
+    models
+        .map(|model| {
+            let shaft = Shaft {
+                center: random.vector(0.5),
+                axis: (Vector3::z() + random.vector(0.3)).normalize(),
+            };
+            let ground = Ground {
+                up: (Vector3::z() + random.vector(0.2)).normalize(),
+                level: -3.0,
+            };
+            let disk = Disk { model, radius: 2.0 };
+            let disk = RotorDisk::new("rotor", disk, (shaft, &shaft.axis), Some(ground));
+            (shaft, Arc::new(disk))
+        })
+        .collect()
+}
+
+/// The sample points have scalars of the order of one: a rotor speed of one radian per second, and
+/// velocities of some meters per second, so that derivatives are of the order of one to a hundred.
+#[test]
+fn disks_on_hubs_and_frames() {
+    let mut random = Random(66);
+    for _ in 0..10 {
+        for (_, disk) in disks(&mut random) {
+            for hub in [None, Some(0)] {
+                let element = DiskInflow::new(Arc::clone(&disk), hub, gusty_air(&mut random));
+                let undeformed = nodes(&mut random, element.nodes().len());
+                check_within(WITHIN, &element, &undeformed, &mut random);
+            }
+        }
+    }
+}
+
+#[test]
+fn strips_in_disks() {
+    let mut random = Random(67);
+    let annulus = AnnularInflow {
+        blades: 3,
+        hub_radius: 0.01,
+        options: Options::default(),
+        wake: Wake::Dynamic(TimeScale::Turbine),
+    };
+    let design = |inflow| StripDesign {
+        chord: 0.7,
+        section: Section::single(Arc::new(built_in("naca0012").expect("a sound sample"))),
+        model: SectionModel::of_word("separation_lag").expect("a sound sample"),
+        inflow: Some(inflow),
+    };
+    for _ in 0..5 {
+        for (shaft, disk) in disks(&mut random) {
+            let inflow = match disk.scalars().len() {
+                8 => StripInflow::Skewed(annulus),
+                _ => StripInflow::Disk,
+            };
+            for hub in [None, Some(1)] {
+                let undeformed = nodes(&mut random, 1 + usize::from(hub.is_some()));
+                let tip = TipRadius::new("tip", 0, shaft, None);
+                let rotor = StripRotor {
+                    shaft,
+                    hub,
+                    tip_radius: tip.scalar().clone(),
+                    disk: Some(Arc::clone(&disk)),
+                };
+                let element = AirStrip::on_body(
+                    "strip",
+                    (0, &undeformed[0], random.vector(1.0)),
+                    (Arc::new(Strip::new(design(inflow))), geometry(&mut random)),
+                    rotor,
+                    gusty_air(&mut random),
+                );
+                check_within(WITHIN, &element, &undeformed, &mut random);
+            }
+        }
     }
 }

@@ -8,7 +8,7 @@
 //! ```text
 //! Q  = p + a           d = Q - c                 g = p' + omega x a + Omega x (Q - c_0) - V
 //! w  = R_a^T g         q = e_z . R_a^T (omega + Omega)
-//! s  = R_a^T n         r = |d - n (n . d)|
+//! s  = R_a^T n         r = |d - n (n . d)|              b_i = e_i . d
 //! ```
 //!
 //! and their variations
@@ -18,22 +18,30 @@
 //! d g = N_j (d x'_j - [f_j + a]x d omega_j - [omega_j]x [f_j]x theta_j) - [omega]x [a]x theta
 //!       + ([Omega]x - grad V) d Q
 //! d w = R_a^T (d g + [g]x theta)                 d q = e_z . R_a^T (N_j d omega_j + [omega + Omega]x theta)
+//! d b_i = e_i . d(Q - c) + d . d e_i              (in a disk with the axes e_i)
 //! d s = R_a^T ([n]x theta - [n]x theta_h)        d r = [(d - n (n . d)) . d(Q - c) - (n . d) d . d n] / r
 //! ```
 //!
 //! References: [Masarati], 5.9.
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix3, SMatrix, Vector3};
 use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::carrier::{Carrier, CarrierState};
+use super::disk::{DiskAxes, RotorDisk};
 use super::shaft::{Distance, Shaft, ShaftState};
 use crate::elements::Local;
 use crate::elements::carried::CarriedPoint;
 use crate::model::{NodeMotion, Variable};
 
-/// Numbers of the flow: w (3), q, s (3), r.
-pub(super) const FLOW: usize = 8;
+/// Numbers of the flow: w (3), q, s (3), r, b (2).
+pub(super) const FLOW: usize = 10;
+/// Index of the first component of s.
+pub(super) const SHAFT: usize = 4;
+/// Index of the first component of b.
+const POSITION: usize = 8;
 
 /// Derivatives of the flow by a vector variable of a node.
 pub(super) type FlowBlock = SMatrix<f64, FLOW, 3>;
@@ -50,6 +58,8 @@ pub(super) struct Mount {
     pub shaft: Shaft,
     /// Index among the nodes of the element of the node that carries the shaft; the frame if none.
     pub hub: Option<usize>,
+    /// The disk of its rotor, if it has one.
+    pub disk: Option<Arc<RotorDisk>>,
 }
 
 /// The flow at a strip.
@@ -60,9 +70,11 @@ pub(super) struct Flow<'a> {
     pub arm: Vector3<f64>,
     /// `R_a`.
     pub axes: Matrix3<f64>,
-    /// w [m/s], q [rad/s], s \[-\] and r \[m\].
+    /// w [m/s], q [rad/s], s \[-\], r and b \[m\].
     pub numbers: [f64; FLOW],
     shaft: ShaftState,
+    /// Axes of the disk.
+    disk: Option<DiskAxes>,
     /// Distance of Q from the shaft.
     distance: Distance,
     /// g [m/s].
@@ -102,8 +114,14 @@ impl Mount {
         let w = axes.tr_mul(&relative);
         let s = axes.tr_mul(&shaft.axis);
         let pitch_rate = axes.column(2).dot(&in_space);
+        let disk = self.disk.as_ref().map(|disk| disk.axes(&shaft));
+        let radius = distance.radius;
+        let [b, c] = disk
+            .as_ref()
+            .map_or([0.0; 2], |disk| disk.components(&distance.from_center));
         Flow {
-            numbers: [w.x, w.y, w.z, pitch_rate, s.x, s.y, s.z, distance.radius],
+            numbers: [w.x, w.y, w.z, pitch_rate, s.x, s.y, s.z, radius, b, c],
+            disk,
             state,
             point,
             arm,
@@ -175,7 +193,15 @@ impl Flow<'_> {
         out.set_row(3, &(transposed.row(2) * rates));
         out.fixed_view_mut::<3, 3>(4, 0).copy_from(&shaft);
         out.set_row(7, &(self.distance.by_point * position));
+        for (i, axis) in self.across().enumerate() {
+            out.set_row(POSITION + i, &(axis.transpose() * position));
+        }
         out
+    }
+
+    /// Axes of the disk across the shaft.
+    fn across(&self) -> impl Iterator<Item = Vector3<f64>> + '_ {
+        self.disk.iter().flat_map(|disk| disk.across)
     }
 
     /// Derivatives by the position and the rotation of the node of the shaft.
@@ -187,6 +213,16 @@ impl Flow<'_> {
             .fixed_view_mut::<3, 3>(4, 0)
             .copy_from(&(-self.axes.transpose() * skew(&self.shaft.axis)));
         by_rotation.set_row(7, &self.shaft.by_turn(&self.distance));
+        for (i, axis) in self.across().enumerate() {
+            by_position.set_row(POSITION + i, &-axis.transpose());
+            let by_center = axis.transpose() * skew(&self.shaft.offset);
+            by_rotation.set_row(POSITION + i, &by_center);
+        }
+        let turns = self.disk.iter().flat_map(|disk| disk.by_turn);
+        for (i, turn) in turns.enumerate() {
+            let mut row = by_rotation.row_mut(POSITION + i);
+            row += self.distance.from_center.transpose() * turn;
+        }
         [
             (Variable::Position, by_position),
             (Variable::Rotation, by_rotation),

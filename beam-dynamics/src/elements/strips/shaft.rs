@@ -25,11 +25,11 @@ pub struct Shaft {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ShaftState {
     /// c, model axes [m].
-    center: Vector3<f64>,
+    pub center: Vector3<f64>,
     /// n, model axes \[-\].
     pub axis: Vector3<f64>,
     /// o, model axes [m].
-    offset: Vector3<f64>,
+    pub offset: Vector3<f64>,
 }
 
 /// Distance of a point from the axis.
@@ -40,7 +40,7 @@ pub(super) struct Distance {
     /// `d r / d x`; zero on the axis \[-\].
     pub by_point: RowVector3<f64>,
     /// d [m].
-    from_center: Vector3<f64>,
+    pub from_center: Vector3<f64>,
 }
 
 impl Shaft {

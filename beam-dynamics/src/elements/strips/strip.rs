@@ -23,7 +23,9 @@ use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::air::Air;
 use super::carrier::Carrier;
-use super::kinematics::{FLOW, Flow, FlowBlock, Mount};
+use super::disk::RotorDisk;
+use super::in_disk::{InDisk, InDiskState};
+use super::kinematics::{Flow, FlowBlock, Mount};
 use super::shaft::Shaft;
 use crate::elements::beams::{BeamGeometry, LinePoint};
 use crate::elements::{
@@ -53,6 +55,8 @@ pub struct StripRotor {
     pub hub: Option<usize>,
     /// The radius of the tip of the blade.
     pub tip_radius: Scalar,
+    /// Its disk, if a model of the disk gives the inflow.
+    pub disk: Option<Arc<RotorDisk>>,
 }
 
 /// A strip in the air.
@@ -64,13 +68,18 @@ pub struct AirStrip {
     length: f64,
     strip: Arc<Strip>,
     air: Arc<Air>,
-    /// Its states, then the radius of the tip.
+    /// Its states, the radius of the tip, and the unknowns of the disk.
     scalars: Vec<Scalar>,
+    /// Its disk.
+    in_disk: Option<InDisk>,
     /// The quarter chord in the undeformed model \[m\].
     start: Vector3<f64>,
     /// Its distance there from the nearest node of the carrier \[m\].
     arm: f64,
 }
+
+/// Numbers of the flow that the kernel takes, before the radius of the tip.
+const OWN: usize = STRIP_FLOW - 1;
 
 /// Forces of a strip at a state: F and M at the carried point [N, N m].
 struct Loads {
@@ -136,12 +145,17 @@ impl AirStrip {
         });
         let mut scalars: Vec<_> = states.collect();
         scalars.push(rotor.tip_radius);
+        let in_disk = rotor.disk.clone();
+        let in_disk = in_disk.map(|disk| InDisk::new(disk, scalars.len(), geometry.length));
+        let of_disk = in_disk.iter().flat_map(InDisk::scalars);
+        scalars.extend(of_disk.cloned());
         let mount = Mount {
             carrier,
             offset: geometry.offset,
             axes: geometry.axes,
             shaft: rotor.shaft,
             hub,
+            disk: rotor.disk,
         };
         let start = mount.quarter_chord(undeformed);
         let arms = undeformed.iter().map(|node| (start - node.position).norm());
@@ -155,12 +169,13 @@ impl AirStrip {
             strip,
             air,
             scalars,
+            in_disk,
         }
     }
 
     /// Number of its states: the scalar after them is the radius of the tip.
     fn states(&self) -> usize {
-        self.scalars.len() - 1
+        self.strip.states().len()
     }
 
     /// The flow, and its numbers as the strip takes them.
@@ -169,8 +184,8 @@ impl AirStrip {
             .mount
             .flow(at, &|point, time| self.air.motion(point, time));
         let mut numbers = [0.0; STRIP_FLOW];
-        numbers[..FLOW].copy_from_slice(&flow.numbers);
-        numbers[FLOW] = at.scalars.values[self.states()];
+        numbers[..OWN].copy_from_slice(&flow.numbers[..OWN]);
+        numbers[OWN] = at.scalars.values[self.states()];
         (flow, numbers)
     }
 
@@ -190,12 +205,18 @@ impl AirStrip {
     fn add_jacobian(
         &self,
         (flow, loads): (&Flow<'_>, &Loads),
-        by: &StripJacobian,
+        (by, in_disk): (&StripJacobian, Option<&InDiskState<'_>>),
         at: &Local<'_>,
         out: &mut LocalJacobian,
     ) {
         flow.state.add_variation(&loads.force, &loads.moment, out);
-        let strip = Columns::new(self, flow, by);
+        let strip = Columns {
+            strip: self,
+            flow,
+            by,
+            in_disk,
+            size: self.length,
+        };
         for j in 0..flow.point.count {
             let turn = flow.point.shares[j].turn;
             for (variable, block) in flow.by_node(at, j) {
@@ -230,23 +251,15 @@ struct Columns<'a> {
     strip: &'a AirStrip,
     flow: &'a Flow<'a>,
     by: &'a StripJacobian,
+    in_disk: Option<&'a InDiskState<'a>>,
     size: f64,
 }
 
-impl<'a> Columns<'a> {
-    fn new(strip: &'a AirStrip, flow: &'a Flow<'a>, by: &'a StripJacobian) -> Self {
-        Self {
-            strip,
-            flow,
-            by,
-            size: strip.length,
-        }
-    }
-
+impl Columns<'_> {
     /// `[R_a d f ds; R_a e_z d m ds]` by a variable of a node.
     fn loads_by(&self, flow: &FlowBlock) -> [Matrix3<f64>; 2] {
-        let by = SMatrix::<f64, LOADS, FLOW>::from_fn(|i, k| self.size * self.by.by[i][k]);
-        let local = by * flow;
+        let by = SMatrix::<f64, LOADS, OWN>::from_fn(|i, k| self.size * self.by.by[i][k]);
+        let local = by * flow.fixed_rows::<OWN>(0);
         let force = self.flow.axes * local.fixed_rows::<3>(0);
         [force, self.flow.axes.column(2) * local.row(3)]
     }
@@ -255,8 +268,11 @@ impl<'a> Columns<'a> {
     fn add_rows(&self, column: (usize, Variable), flow: &FlowBlock, out: &mut LocalJacobian) {
         for row in 0..self.strip.states() {
             let by = &self.by.by[LOADS + row];
-            let by = nalgebra::RowSVector::<f64, FLOW>::from_column_slice(&by[..FLOW]);
-            out.add_scalar_row(row, column, &(by * flow));
+            let by = nalgebra::RowSVector::<f64, OWN>::from_column_slice(&by[..OWN]);
+            out.add_scalar_row(row, column, &(by * flow.fixed_rows::<OWN>(0)));
+        }
+        if let Some(in_disk) = self.in_disk {
+            in_disk.add_rows((&self.flow.numbers, self.by), column, flow, out);
         }
     }
 
@@ -269,7 +285,10 @@ impl<'a> Columns<'a> {
                 self.add_scalar((k, true), STRIP_FLOW + STATES + k, out);
             }
         }
-        self.add_scalar((states.len(), false), FLOW, out);
+        self.add_scalar((states.len(), false), OWN, out);
+        if let Some(in_disk) = self.in_disk {
+            in_disk.add_induced(out);
+        }
     }
 
     /// Adds column `input` of the strip as the derivatives by a scalar or its rate.
@@ -280,6 +299,9 @@ impl<'a> Columns<'a> {
         self.flow.point.add_by_scalar(column, &[force, moment], out);
         for row in 0..self.strip.states() {
             out.add_scalar(row, column.0, self.by.by[LOADS + row][input], column.1);
+        }
+        if let Some(in_disk) = self.in_disk {
+            in_disk.add_scalar((&self.flow.numbers, self.by), column, input, out);
         }
     }
 }
@@ -324,8 +346,11 @@ impl Element for AirStrip {
         for row in 0..states {
             out.add_scalar_sum(row, by.values[LOADS + row], sizes[row]);
         }
+        let in_disk = self.in_disk.as_ref();
+        let in_disk =
+            in_disk.map(|disk| disk.at(&flow.numbers, at.scalars.values, &by.values[..LOADS], out));
         if let Some(out) = jacobian {
-            self.add_jacobian((&flow, &loads), &by, at, out);
+            self.add_jacobian((&flow, &loads), (&by, in_disk.as_ref()), at, out);
         }
     }
 

@@ -59,6 +59,7 @@ fn strip(wind: Wind) -> (AirStrip, Node) {
         shaft,
         hub: None,
         tip_radius: TipRadius::new("tip", 0, shaft, None).scalar().clone(),
+        disk: None,
     };
     let geometry = StripGeometry {
         offset: Vector3::zeros(),

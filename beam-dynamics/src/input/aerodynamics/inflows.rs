@@ -1,24 +1,39 @@
 //! Inflow of rotors: `[[inflow]]`.
 
+use nalgebra::Vector3;
 use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{Boolean, Count, NotNegative, Text, Word};
+use shared_geom::document::schema::ValueKind::{
+    Boolean, Count, NotNegative, Positive, Quantity, Text, Vector, Word,
+};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use rotor_aero::inflow::InflowModel;
 use rotor_aero::momentum::{HighInduction, Options};
 use rotor_aero::strip::{AnnularInflow, Wake};
 use rotor_aero::wake::TimeScale;
 
+use super::problem::StripProblem;
 use crate::input::problem::InputProblem;
+
+mod disks;
+
+pub(in crate::input) use disks::{DiskDesign, Disks};
 
 keys! {
     /// Velocity that a rotor induces at its blades.
     pub(in crate::input) CARD = "[[inflow]]";
     /// Its name.
     NAME: String = "name", [Text], required, "\"rotor\"";
-    /// Kind: momentum of each annulus.
-    KIND: usize = "kind", [Word(&["annular momentum"])], or "\"annular momentum\"" = 0,
-        "\"annular momentum\"";
+    /// Kind: momentum of each annulus, or a model of the whole disk: uniform inflow, with the
+    /// distributions of Drees or of Mangler and Squire, or the three states of Pitt and Peters.
+    KIND: usize = "kind", [Word(KINDS)], or "\"annular momentum\"" = 0, "\"Pitt-Peters\"";
+    /// Node that carries the shaft.
+    HUB: Option<String> = "hub", [Text], or "the hub of `[hub]`", "\"mast\"";
+    /// Axis of the shaft before the model moves, in the sense of rotation, of any length; only with
+    /// `hub`.
+    AXIS: Option<Vector3<f64>> = "axis", [Vector(3, Dimension::NUMBER)], or "the axis of `[hub]`",
+        "[1, 0, 0]";
     /// Number of blades of the rotor.
     BLADES: Option<usize> = "blades", [Count(100)], or "the number of blades of the card that uses it", "3";
     /// Radius at which the blades begin.
@@ -39,7 +54,27 @@ keys! {
     /// constants (`dynamic`), or with the time in which the air passes the radius (`hover`).
     WAKE: usize = "wake", [Word(&["equilibrium", "dynamic", "hover"])], or "\"equilibrium\"" = 0,
         "\"dynamic\"";
+    /// Distribution of the induced velocity over the azimuth by the skew of the wake in yaw.
+    SKEW: bool = "skew", [Boolean], or "false" = false, "true";
+    /// Radius of the disk.
+    RADIUS: Option<f64> = "radius", [Positive(Dimension::LENGTH)], or "the radius of the tip", "7.5";
+    /// Part of the radius beyond which blades have no lift: the loss at the tips of a disk.
+    EFFECTIVE_RADIUS: f64 = "effective_radius", [Positive(Dimension::NUMBER)], or "1" = 1.0, "0.97";
+    /// Coordinate of a level ground along the vertical: ground effect.
+    GROUND: Option<f64> = "ground", [Quantity(Dimension::LENGTH)], or "no ground", "-12";
 }
+
+/// Words of the kinds.
+const KINDS: &[&str] = &[
+    "annular momentum",
+    "uniform",
+    "Drees",
+    "Mangler-Squire",
+    "Pitt-Peters",
+];
+
+/// Words of the models of the disk, in the order of [`KINDS`] after the first.
+const MODELS: [&str; 4] = ["uniform", "drees", "mangler_squire", "pitt_peters"];
 
 /// Time constant of a wake in hover: at most half a second, for a flow of half a meter per second
 /// and more.
@@ -53,20 +88,42 @@ const HOVER: TimeScale = TimeScale::Hover {
 pub(in crate::input) struct Inflow {
     /// Its name.
     pub name: String,
-    /// Number of blades, if given.
-    pub blades: Option<usize>,
-    /// Radius at which the blades begin, if given \[m\].
-    pub hub_radius: Option<f64>,
-    /// Switches.
-    pub options: Options,
-    /// Wake.
-    pub wake: Wake,
+    /// The node of its shaft, if it is not that of `[hub]`.
+    pub hub: Option<String>,
+    /// The axis of its shaft, if given: a unit vector.
+    pub axis: Option<Vector3<f64>>,
+    /// Its kind.
+    pub kind: InflowKind,
 }
 
-impl Inflow {
+/// A kind of inflow.
+#[derive(Debug, Clone)]
+pub(in crate::input) enum InflowKind {
+    /// By the momentum of each annulus.
+    Annular(Annular),
+    /// By a model of the disk.
+    Disk(DiskDesign),
+}
+
+/// Momentum of annuli.
+#[derive(Debug, Clone)]
+pub(in crate::input) struct Annular {
+    /// Number of blades, if given.
+    blades: Option<usize>,
+    /// Radius at which the blades begin, if given \[m\].
+    hub_radius: Option<f64>,
+    /// Switches.
+    options: Options,
+    /// Wake.
+    wake: Wake,
+    /// Whether it varies over the azimuth with the skew of the wake.
+    pub is_skewed: bool,
+}
+
+impl Annular {
     /// The inflow of an annulus for a number of blades that begin at a radius \[m\], unless it has
     /// its own.
-    pub fn annular(&self, blades: usize, hub_radius: f64) -> AnnularInflow {
+    pub fn of_blades(&self, blades: usize, hub_radius: f64) -> AnnularInflow {
         AnnularInflow {
             blades: self.blades.unwrap_or(blades),
             hub_radius: self.hub_radius.unwrap_or(hub_radius),
@@ -105,15 +162,75 @@ pub(super) fn read(root: &Table<'_>) -> Option<Vec<Inflow>> {
 }
 
 fn inflow(table: &Table<'_>) -> Option<Inflow> {
-    let name = table.get(&NAME);
-    let kind = table.get(&KIND);
+    let (name, kind) = (table.get(&NAME), table.get(&KIND));
+    let (hub, axis) = (table.get(&HUB), axis(table));
+    let model = kind.and_then(|kind| MODELS.get(kind.checked_sub(1)?));
+    let model = model.and_then(|word| InflowModel::of_word(word));
+    let (annular, disk) = (annular(table), disks::read(table, model));
+    let (name, kind, hub, axis) = (name?, kind?, hub?, axis?);
+    if let (Some(_), None) = (axis, &hub) {
+        let problem = StripProblem::InflowKey {
+            name: name.clone(),
+            key: AXIS.name(),
+            needed: "a \"hub\", the node that carries this shaft".to_owned(),
+        };
+        table.note(&AXIS, &problem);
+    }
+    let of_annuli = [
+        BLADES.name(),
+        HUB_RADIUS.name(),
+        TIP_LOSS.name(),
+        HUB_LOSS.name(),
+        SWIRL.name(),
+        HIGH_INDUCTION.name(),
+        WAKE.name(),
+        SKEW.name(),
+    ];
+    let of_disks = [RADIUS.name(), EFFECTIVE_RADIUS.name(), GROUND.name()];
+    let mut useless = match kind {
+        0 => of_disks.iter(),
+        _ => of_annuli.iter(),
+    };
+    if let Some(&key) = useless.find(|key| table.has(**key)) {
+        let needed = match kind {
+            0 => format!("a model of the disk as \"kind\": {}", KINDS[1..].join(", ")),
+            _ => format!("kind = \"{}\"", KINDS[0]),
+        };
+        let name = name.clone();
+        table.note(key, &StripProblem::InflowKey { name, key, needed });
+        return None;
+    }
+    Some(Inflow {
+        hub,
+        axis,
+        kind: match kind {
+            0 => InflowKind::Annular(annular?),
+            _ => InflowKind::Disk(disk?),
+        },
+        name,
+    })
+}
+
+/// The axis of the shaft, if given: a unit vector.
+fn axis(table: &Table<'_>) -> Option<Option<Vector3<f64>>> {
+    let Some(axis) = table.get(&AXIS)? else {
+        return Some(None);
+    };
+    let largest = axis.amax();
+    if largest == 0.0 {
+        table.note(&AXIS, &InputProblem::NoAxis);
+        return None;
+    }
+    Some(Some((axis / largest).normalize()))
+}
+
+fn annular(table: &Table<'_>) -> Option<Annular> {
     let (blades, hub_radius) = (table.get(&BLADES), table.get(&HUB_RADIUS));
     let switches = [&TIP_LOSS, &HUB_LOSS, &SWIRL].map(|key| table.get(key));
     let (law, wake) = (table.get(&HIGH_INDUCTION), table.get(&WAKE));
-    let _annular = kind?;
-    let [tip_loss, hub_loss, swirl] = switches;
-    Some(Inflow {
-        name: name?,
+    let (skew, [tip_loss, hub_loss, swirl]) = (table.get(&SKEW), switches);
+    Some(Annular {
+        is_skewed: skew?,
         blades: blades?,
         hub_radius: hub_radius?,
         options: Options {

@@ -10,7 +10,7 @@ pub enum StripProblem {
     /// An unknown airfoil or inflow.
     #[error("unknown {kind} \"{name}\" in {user}")]
     Unknown {
-        /// `airfoil`, `built-in airfoil` or `inflow`.
+        /// `airfoil`, `built-in airfoil`, `inflow` or `node`.
         kind: &'static str,
         /// The name.
         name: String,
@@ -36,6 +36,25 @@ pub enum StripProblem {
         key: &'static str,
         /// The key that it belongs to.
         needed: &'static str,
+    },
+    /// A key of an inflow that another one needs.
+    #[error("inflow \"{name}\" has \"{key}\", which belongs to {needed}")]
+    InflowKey {
+        /// Name of the inflow.
+        name: String,
+        /// The key found.
+        key: &'static str,
+        /// The key that it belongs to, as text.
+        needed: String,
+    },
+    /// An effective radius beyond the tip.
+    #[error(
+        "the effective radius is {} of the radius, expected at most 1",
+        short_number(*.found, 6)
+    )]
+    EffectiveRadius {
+        /// Part of the radius \[-\].
+        found: f64,
     },
     /// A table that cannot be used as an airfoil.
     #[error("airfoil \"{name}\": {reason}")]
@@ -94,6 +113,7 @@ impl Explain for StripProblem {
                 Some(near) => format!("did you mean \"{near}\"?"),
                 None if known.is_empty() => match *kind {
                     "airfoil" => "add a table [airfoils.NAME], or name a built-in airfoil".into(),
+                    "node" => "add [[node]] with this name".into(),
                     _ => "add [[inflow]] with this name".into(),
                 },
                 None => format!("known: {}", known.join(", ")),
@@ -108,6 +128,10 @@ impl Explain for StripProblem {
             }
             Self::Useless { needed, key, .. } => {
                 Some(format!("add \"{needed}\", or remove \"{key}\""))
+            }
+            Self::InflowKey { key, .. } => Some(format!("remove \"{key}\", or change that")),
+            Self::EffectiveRadius { .. } => {
+                Some("usual are 0.95 to 0.98; 1 has no loss at the tips".to_owned())
             }
             Self::FewStations { .. } => None,
         }

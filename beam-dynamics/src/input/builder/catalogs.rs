@@ -1,8 +1,11 @@
 //! Names that the cards of a model may use in addition to the names of its parts: drives with
 //! the names that expressions read, frames, and samplings.
 
+use std::sync::Arc;
+
 use super::ModelBuilder;
-use crate::input::aerodynamics::Aerodynamics;
+use crate::elements::strips::RotorDisk;
+use crate::input::aerodynamics::{Aerodynamics, Disks};
 use crate::input::drives;
 use crate::input::frames::Frames;
 
@@ -16,6 +19,16 @@ impl ModelBuilder {
     pub fn set_aerodynamics(&mut self, aerodynamics: Aerodynamics) {
         self.add_remarks(aerodynamics.airfoils.remarks.clone());
         self.aerodynamics = aerodynamics;
+    }
+
+    /// The disks of rotors so far, by the names of their inflows.
+    pub fn disks(&self) -> &Disks {
+        &self.disks
+    }
+
+    /// Adds the disk of an inflow.
+    pub fn add_disk(&mut self, inflow: &str, disk: Arc<RotorDisk>) {
+        self.disks.insert(inflow.to_owned(), disk);
     }
 
     /// The drives by name.

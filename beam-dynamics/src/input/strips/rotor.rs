@@ -1,0 +1,153 @@
+//! The rotor of a blade: its shaft, and its inflow.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+use rotor_aero::inflow::Disk;
+use rotor_aero::strip::StripInflow;
+use shared_geom::document::Table;
+
+use super::INFLOW_NAME;
+use crate::elements::strips::{DiskInflow, Ground, RotorDisk, Shaft};
+use crate::input::aerodynamics::{DiskDesign, Inflow, InflowKind, StripProblem};
+use crate::input::builder::ModelBuilder;
+
+/// The rotor of the blades of a card.
+#[derive(Debug)]
+pub(super) struct Rotor {
+    /// Its shaft, in the frame or in the axes of the node that carries it.
+    pub shaft: Shaft,
+    /// The node that carries the shaft, if it moves.
+    pub hub: Option<usize>,
+    /// Point and axis of the shaft in the frame, before the model moves.
+    start: [Vector3<f64>; 2],
+    inflow: Option<Inflow>,
+}
+
+/// The rotor with the inflow `name` of a card that `user` describes.
+pub(super) fn find(
+    name: Option<&str>,
+    table: &Table<'_>,
+    builder: &mut ModelBuilder,
+    user: String,
+) -> Option<Rotor> {
+    let inflow = match name {
+        None => None,
+        Some(name) => Some(named(name, table, builder, user)?),
+    };
+    let rotation = builder.hub()?.frame_rotation();
+    let (mut hub, mut start) = (builder.hub_node(), [rotation.center, rotation.axis]);
+    if let Some(inflow) = &inflow
+        && let Some(name) = &inflow.hub
+    {
+        let user = format!("inflow \"{}\"", inflow.name);
+        let node = builder.find_node(name, table, INFLOW_NAME.name(), &user)?;
+        let axis = inflow.axis.unwrap_or(rotation.axis);
+        (hub, start) = (Some(node), [builder.nodes()[node].position, axis]);
+    }
+    let shaft = match hub.map(|node| &builder.nodes()[node]) {
+        None => Shaft {
+            center: start[0],
+            axis: start[1],
+        },
+        Some(node) => Shaft {
+            center: node.rotation.tr_mul(&(start[0] - node.position)),
+            axis: node.rotation.tr_mul(&start[1]),
+        },
+    };
+    Some(Rotor {
+        shaft,
+        hub,
+        start,
+        inflow,
+    })
+}
+
+fn named(name: &str, table: &Table<'_>, builder: &ModelBuilder, user: String) -> Option<Inflow> {
+    // Wrong inflows are reported already.
+    let inflows = builder.aerodynamics().inflows.as_ref()?;
+    let found = inflows.iter().find(|inflow| inflow.name == name);
+    if found.is_none() {
+        let known = inflows.iter().map(|inflow| inflow.name.clone());
+        let problem = StripProblem::Unknown {
+            kind: "inflow",
+            name: name.to_owned(),
+            user,
+            known: known.collect(),
+        };
+        table.note(&INFLOW_NAME, &problem);
+    }
+    found.cloned()
+}
+
+impl Rotor {
+    /// Distance of a point from the shaft before the model moves \[m\].
+    pub fn distance(&self, point: &Vector3<f64>) -> f64 {
+        let [center, axis] = &self.start;
+        let from = point - center;
+        (from - axis * axis.dot(&from)).norm()
+    }
+
+    /// Its disk, if it has one: of a skewed wake one without a model.
+    fn design(&self) -> Option<(&str, DiskDesign)> {
+        let inflow = self.inflow.as_ref()?;
+        let design = match &inflow.kind {
+            InflowKind::Disk(design) => *design,
+            InflowKind::Annular(annular) if annular.is_skewed => DiskDesign::without_model(),
+            InflowKind::Annular(_) => return None,
+        };
+        Some((&inflow.name, design))
+    }
+
+    /// The inflow of its strips, for a number of blades that begin at a radius \[m\].
+    pub fn inflow(&self, blades: usize, root: f64) -> Option<StripInflow> {
+        Some(match &self.inflow.as_ref()?.kind {
+            InflowKind::Annular(annular) => {
+                let inflow = annular.of_blades(blades, root);
+                match annular.is_skewed {
+                    true => StripInflow::Skewed(inflow),
+                    false => StripInflow::Annular(inflow),
+                }
+            }
+            InflowKind::Disk(_) => StripInflow::Disk,
+        })
+    }
+
+    /// Radius of its disk for the radius of the tips \[m\].
+    fn radius(design: &DiskDesign, tip: f64) -> f64 {
+        design.radius.unwrap_or(tip)
+    }
+
+    /// Radius beyond which blades have no lift, for the radius of the tips \[m\].
+    pub fn end_of_lift(&self, tip: f64) -> f64 {
+        match self.design() {
+            Some((_, design)) if design.effective_radius < 1.0 => {
+                design.effective_radius * Self::radius(&design, tip)
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Its disk for the radius of the tips \[m\]; added to the model with the first blade.
+    pub fn disk(&self, tip: f64, builder: &mut ModelBuilder) -> Option<Arc<RotorDisk>> {
+        let (name, design) = self.design()?;
+        if let Some(disk) = builder.disks().get(name) {
+            return Some(Arc::clone(disk));
+        }
+        let air = builder.aerodynamics().air.clone()?;
+        let up = air.wind().frame.up();
+        let disk = Arc::new(RotorDisk::new(
+            name,
+            Disk {
+                model: design.model,
+                radius: Self::radius(&design, tip),
+            },
+            (self.shaft, &self.start[1]),
+            design.ground.map(|level| Ground { up, level }),
+        ));
+        builder.add_disk(name, Arc::clone(&disk));
+        let element = DiskInflow::new(Arc::clone(&disk), self.hub, air);
+        builder.add_load(Box::new(element));
+        Some(disk)
+    }
+}

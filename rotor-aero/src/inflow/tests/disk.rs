@@ -1,0 +1,176 @@
+//! The disk in velocities against the models over the tip speed, in turned axes and for both senses
+//! of rotation.
+
+use std::f64::consts::PI;
+
+use crate::inflow::{Disk, DiskFlow, DiskLoads, Inflow, InflowModel, RotorFlow, RotorLoads};
+
+/// Deterministic numbers in [-1, 1].
+struct Random(u64);
+
+impl Random {
+    fn number(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}
+
+const DENSITY: f64 = 1.1;
+const RADIUS: f64 = 4.5;
+
+/// The tip speed is rounded by .1 m/s: 1e-6 of it at 100 m/s, and the direction of the flow by 1e-6
+/// m/s of 10 m/s.
+const WITHIN: f64 = 3e-6;
+
+#[test]
+fn velocities_follow_the_coefficients_in_any_axes() {
+    let mut random = Random(5);
+    for case in 0..300 {
+        for word in InflowModel::WORDS {
+            let model = InflowModel::of_word(word).unwrap();
+            let sense = if case % 2 == 0 { 1.0 } else { -1.0 };
+            let speed = 30.0 + 8.0 * random.number();
+            let tip = speed * RADIUS;
+            let angle = PI * random.number();
+            let flow = RotorFlow {
+                advance: 0.2 + 0.1 * random.number(),
+                axial: 0.05 * random.number(),
+                speed,
+            };
+            let loads = RotorLoads {
+                thrust: 0.01 * (1.0 + random.number()),
+                sine: 0.001 * random.number(),
+                cosine: 0.001 * random.number(),
+            };
+            let count = model.states().len();
+            let states: Vec<f64> = (0..count).map(|_| 0.05 * random.number()).collect();
+            let rates: Vec<f64> = (0..count).map(|_| 0.5 * random.number()).collect();
+            let mut expected = vec![0.0; count];
+            model
+                .rows(&flow, &loads, &states, &rates, &mut expected)
+                .unwrap();
+            let (radius, azimuth) = (0.6 + 0.3 * random.number(), PI * random.number());
+            let induced = model.induced(&flow, &states, radius, azimuth).unwrap();
+
+            // Aft is at `angle` from e_1; the advancing side by the sense.
+            let aft = [angle.cos(), angle.sin()];
+            let advancing = [-sense * aft[1], sense * aft[0]];
+            let into = |pair: [f64; 2]| [0, 1].map(|i| pair[0] * advancing[i] + pair[1] * aft[i]);
+            let turned = |of: &[f64], size: f64| {
+                let mut out: Vec<f64> = of.iter().map(|value| value * size).collect();
+                if let [_, sine, cosine] = out[..] {
+                    [out[1], out[2]] = into([sine, cosine]);
+                }
+                out
+            };
+            let size = DENSITY * PI * RADIUS * RADIUS * tip * tip;
+            let disk = Disk {
+                model,
+                radius: RADIUS,
+            };
+            let flow = DiskFlow {
+                in_plane: aft.map(|part| part * flow.advance * tip),
+                axial: flow.axial * tip,
+                speed: sense * speed,
+            };
+            let loads = DiskLoads {
+                thrust: loads.thrust * size,
+                moments: into([loads.sine, loads.cosine]).map(|part| part * size * RADIUS),
+            };
+            let (states, rates) = (turned(&states, tip), turned(&rates, tip));
+            let mut rows = vec![0.0; count];
+            disk.rows((&flow, DENSITY), &loads, (&states, &rates), &mut rows)
+                .unwrap();
+            let scale = 50.0 * tip;
+            for (row, expected) in rows.iter().zip(turned(&expected, tip)) {
+                assert!(
+                    (row - expected).abs() < WITHIN * scale,
+                    "{word} {row} {expected}"
+                );
+            }
+            let (sine, cosine) = azimuth.sin_cos();
+            let position = into([sine, cosine]).map(|part| part * radius * RADIUS);
+            let found = disk.induced(&flow, &states, &position).unwrap();
+            assert!(
+                (found - induced * tip).abs() < WITHIN * tip,
+                "{word} {found}"
+            );
+        }
+    }
+}
+
+/// Momentum theory of a hovering rotor: `T = 2 rho pi R^2 u^2`, at any speed of rotation, also none.
+#[test]
+fn hover_has_the_velocity_of_momentum_theory() {
+    for speed in [0.0, 0.01, 20.0, -40.0] {
+        let flow = DiskFlow {
+            in_plane: [0.0, 0.0],
+            axial: 0.0,
+            speed,
+        };
+        for word in ["uniform", "drees", "mangler_squire", "pitt_peters"] {
+            let disk = Disk {
+                model: InflowModel::of_word(word).unwrap(),
+                radius: RADIUS,
+            };
+            let mut states = vec![0.0; disk.states().len()];
+            states[0] = 11.0;
+            let loads = DiskLoads {
+                thrust: 2.0 * DENSITY * PI * RADIUS * RADIUS * 121.0,
+                moments: [0.0, 0.0],
+            };
+            let steady = disk.steady(&flow, loads.thrust, DENSITY);
+            let mut rows = vec![1.0; states.len()];
+            let rates = vec![0.0; states.len()];
+            disk.rows((&flow, DENSITY), &loads, (&states, &rates), &mut rows)
+                .unwrap();
+            for (state, expected) in steady.iter().zip(&states) {
+                // The slow reference of a rotor at rest rounds the mass flow by 1e-5.
+                assert!((state - expected).abs() < 1e-5, "{word} {speed} {steady:?}");
+            }
+            // Rows over the rate of their equation, 2 u / R.
+            let off = rows[0].abs() / (2.0 * 11.0 * 11.0 / RADIUS);
+            assert!(off < 1e-6, "{word} {speed} {rows:?}");
+        }
+    }
+}
+
+/// Burton's skew at 20 degrees of yaw of a turbine, whose wind is along its shaft: `chi = 1.18 chi_0` at
+/// the induction .3; a blade that points downwind has more induction, and the mean over the azimuth is
+/// the mean of the annulus.
+#[test]
+fn yaw_skews_the_velocity_of_an_annulus() {
+    let disk = Disk {
+        model: InflowModel::of_word("none").unwrap(),
+        radius: RADIUS,
+    };
+    let (wind, yaw) = (10.0, 20f64.to_radians());
+    for (sense, turn) in [(1.0, 0.0), (-1.0, 2.1)] {
+        let flow = DiskFlow {
+            in_plane: [
+                wind * yaw.sin() * f64::cos(turn),
+                wind * yaw.sin() * f64::sin(turn),
+            ],
+            axial: -wind * yaw.cos(),
+            speed: 1.2 * sense,
+        };
+        let mean = 0.3 * wind * yaw.cos();
+        let amplitude = 15.0 * PI / 32.0 * (0.5 * 1.18 * yaw).tan() * 0.7;
+        let mut sum = 0.0;
+        for step in 0..36 {
+            let psi = PI * f64::from(step) / 18.0;
+            let at = [f64::cos(turn + psi), f64::sin(turn + psi)].map(|part| part * 0.7 * RADIUS);
+            let found = disk.skewed(&flow, mean, &at);
+            let expected = mean * (1.0 + amplitude * psi.cos());
+            assert!(
+                (found - expected).abs() < 1e-6 * mean,
+                "{psi} {found} {expected}"
+            );
+            sum += found / 36.0;
+        }
+        assert!((sum - mean).abs() < 1e-12 * mean);
+    }
+}
