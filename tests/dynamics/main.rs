@@ -12,6 +12,7 @@ mod chain;
 mod control;
 mod damped_in_time;
 mod damping;
+mod disk_inflow;
 #[path = "../common/effort.rs"]
 mod effort;
 mod elastic_pendulums;

@@ -18,7 +18,7 @@
 use std::f64::consts::PI;
 
 use crate::momentum::{skew_factor, wake_skew};
-use crate::real::Real;
+use crate::real::{Real, angle};
 use crate::unsteady::StateName;
 
 use super::ground::ground_effect;
@@ -163,7 +163,7 @@ impl Disk {
         let [sine, cosine] = axes.components(position);
         let square = sine * sine + cosine * cosine;
         let (radius, azimuth) = match square.re() > 0.0 {
-            true => (square.sqrt() / self.radius, sine.atan2(cosine)),
+            true => (square.sqrt() / self.radius, angle(sine, cosine)),
             false => (T::from(0.0), T::from(0.0)),
         };
         let own = own.get(..states.len())?;
@@ -178,13 +178,13 @@ impl Disk {
         let [_, aft] = axes.components(position);
         let [across, axial] = [axes.flow.advance, axes.flow.axial];
         let sign = if axial.re() < 0.0 { -1.0 } else { 1.0 };
-        let small = REST / axes.reference;
+        let small = axes.reference.recip() * REST;
         let induction = -mean / axes.reference * axial / (axial * axial + small * small);
         let induction = match induction.re().abs() > 1.0 {
             true => T::from(induction.re().signum()),
             false => induction,
         };
-        let skew = wake_skew(across.atan2(axial * sign), induction);
+        let skew = wake_skew(angle(across, axial * sign), induction);
         let amplitude = skew_factor(skew, 1.0, T::from(0.0), None) - 1.0;
         mean * (amplitude * aft / self.radius + 1.0)
     }

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use crate::airfoil::Coefficients;
 use crate::momentum::induction::HighInduction;
-use crate::real::Real;
+use crate::real::{Real, angle};
 
 /// Distance from an end, over the tip radius, at which a station is at the end: sums of lengths
 /// have rounding errors.
@@ -127,7 +127,7 @@ impl<T: Real> SectionFlow<T> {
         let speed = square.sqrt();
         Self {
             speed,
-            phi: axial.atan2(in_plane),
+            phi: angle(axial, in_plane),
             sin: axial / speed,
             cos: in_plane / speed,
         }

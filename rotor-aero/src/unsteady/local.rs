@@ -10,7 +10,7 @@
 //! relative error of `e^2 / 2 V^2`.
 
 use crate::airfoil::Coefficients;
-use crate::real::Real;
+use crate::real::{Real, angle};
 
 use super::section::{SectionFlow, SectionForce, Strip};
 
@@ -64,7 +64,7 @@ impl<T: Real> Local<T> {
         if square < NO_FLOW {
             return T::zero();
         }
-        normal.atan2(self.along)
+        angle(normal, self.along)
     }
 
     /// The normal velocity at the quarter chord that belongs to an effective normal velocity at
