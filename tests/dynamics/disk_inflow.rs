@@ -248,7 +248,7 @@ fn in_time(rotor: Rotor<'_>, (end, step): (f64, f64), start: &str) -> Run {
 }
 
 /// An articulated rotor stays in hover: the thrust of the strips is the momentum of the disk in every
-/// step, to the round-off of the iteration, and both are those of the closed form. 600 steps a
+/// step, to the residual at which the iteration ends (1.5e-8 of the thrust seen), and both are those of the closed form. 600 steps a
 /// revolution: the error of the two-step formula is a part of `(Omega h)^2`, 1.1e-4, in velocities.
 #[test]
 fn an_articulated_rotor_stays_in_hover() {
@@ -279,7 +279,7 @@ fn an_articulated_rotor_stays_in_hover() {
         let source = "closed form of hover";
         for (name, error, limit) in [
             ("thrust, relative", errors[0], 1e-4),
-            ("thrust of the strips over momentum", errors[1], 1e-8),
+            ("thrust of the strips over momentum", errors[1], 1e-7),
         ] {
             record::largest(source, &case, name, error, limit);
             assert!(error < limit, "{case}: {name} {error:e}");
@@ -328,7 +328,8 @@ fn three_states_in_forward_flight() {
     }
 }
 
-/// In axial flow the skew changes nothing; in yaw the side to which the wake leaves has more induced
+/// In axial flow the skew changes nothing but for a flow across the shaft of 1e-6 m/s, by which the
+/// direction of the wake is defined: 1e-6 of an induced velocity of 6 m/s; in yaw the side to which the wake leaves has more induced
 /// velocity and less thrust.
 #[test]
 fn yaw_moves_the_thrust_to_the_windward_side() {
@@ -339,7 +340,7 @@ fn yaw_moves_the_thrust_to_the_windward_side() {
         ..Rotor::default()
     };
     let (plain, skewed) = (rotor("").thrust(), rotor("skew = true").thrust());
-    assert!((plain / skewed - 1.0).abs() < 1e-9, "{plain} {skewed}");
+    assert!((plain / skewed - 1.0).abs() < 1e-6, "{plain} {skewed}");
     let tables = "[air]\nwind = [4, 0, -4]\n";
     let rotor = Rotor {
         tables,

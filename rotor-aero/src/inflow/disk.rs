@@ -17,7 +17,7 @@
 
 use std::f64::consts::PI;
 
-use crate::momentum::{skew_factor, wake_skew};
+use crate::momentum::skew_factor;
 use crate::real::{Real, angle};
 use crate::unsteady::StateName;
 
@@ -29,6 +29,10 @@ use super::rotor::{Inflow, RotorFlow, RotorLoads};
 const SLOWEST: f64 = 0.1;
 /// Velocity in the disk that gives a direction to a flow without one [m/s].
 const REST: f64 = 1e-6;
+/// Part of the induced velocity of an annulus that turns its wake \[-\].
+const WAKE: f64 = 0.6;
+/// Part of the velocity across the shaft that rounds the velocity along it \[-\].
+const ROUNDING: f64 = 0.02;
 /// Most states of a model.
 const MOST: usize = 3;
 
@@ -172,20 +176,21 @@ impl Disk {
     }
 
     /// The induced velocity at a position in the disk along e_1 and e_2 \[m\] of an annulus with a
-    /// `mean` velocity, by the skew of the wake ([`crate::momentum::skew_factor`] without loss) [m/s].
+    /// `mean` velocity u, by the skew of the wake ([`crate::momentum::skew_factor`] without loss) [m/s].
+    ///
+    /// ```text
+    /// tan chi = |p| / |V + .6 u|
+    /// ```
+    ///
+    /// is `(1 + .6 a) chi_0` of [`crate::momentum::wake_skew`] for small angles, with `a = -u/V`, and
+    /// zero in hover.
     pub fn skewed<T: Real>(&self, flow: &DiskFlow<T>, mean: T, position: &[T; 2]) -> T {
         let axes = WindAxes::new(self, flow);
         let [_, aft] = axes.components(position);
-        let [across, axial] = [axes.flow.advance, axes.flow.axial];
-        let sign = if axial.re() < 0.0 { -1.0 } else { 1.0 };
-        let small = axes.reference.recip() * REST;
-        let induction = -mean / axes.reference * axial / (axial * axial + small * small);
-        let induction = match induction.re().abs() > 1.0 {
-            true => T::from(induction.re().signum()),
-            false => induction,
-        };
-        let skew = wake_skew(angle(across, axial * sign), induction);
-        let amplitude = skew_factor(skew, 1.0, T::from(0.0), None) - 1.0;
+        let across = axes.flow.advance;
+        let through = axes.flow.axial + mean / axes.reference * WAKE;
+        let through = (through * through + across * across * (ROUNDING * ROUNDING)).sqrt();
+        let amplitude = skew_factor(angle(across, through), 1.0, T::from(0.0), None) - 1.0;
         mean * (amplitude * aft / self.radius + 1.0)
     }
 

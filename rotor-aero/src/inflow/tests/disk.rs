@@ -138,17 +138,19 @@ fn hover_has_the_velocity_of_momentum_theory() {
     }
 }
 
-/// Burton's skew at 20 degrees of yaw of a turbine, whose wind is along its shaft: `chi = 1.18 chi_0` at
-/// the induction .3; a blade that points downwind has more induction, and the mean over the azimuth is
-/// the mean of the annulus.
+/// A turbine with the induction .3, whose wind is along its shaft: a blade that points downwind has more
+/// induction, and the mean over the azimuth is the mean of the annulus. The velocity along the shaft is
+/// rounded by a part of 2e-4 times the square of the tangent of the yaw. At 5 degrees the skew is
+/// Burton's `1.18 chi_0` but for a third of its square, .3 %, and the square of .18, 3 %.
 #[test]
 fn yaw_skews_the_velocity_of_an_annulus() {
     let disk = Disk {
         model: InflowModel::of_word("none").unwrap(),
         radius: RADIUS,
     };
-    let (wind, yaw) = (10.0, 20f64.to_radians());
-    for (sense, turn) in [(1.0, 0.0), (-1.0, 2.1)] {
+    let wind = 10.0;
+    for (sense, turn, yaw) in [(1.0, 0.0, 20f64), (-1.0, 2.1, 20.0), (1.0, 1.0, 5.0)] {
+        let yaw = yaw.to_radians();
         let flow = DiskFlow {
             in_plane: [
                 wind * yaw.sin() * f64::cos(turn),
@@ -158,7 +160,9 @@ fn yaw_skews_the_velocity_of_an_annulus() {
             speed: 1.2 * sense,
         };
         let mean = 0.3 * wind * yaw.cos();
-        let amplitude = 15.0 * PI / 32.0 * (0.5 * 1.18 * yaw).tan() * 0.7;
+        let skew = (yaw.sin() / (yaw.cos() * (1.0 - 0.6 * 0.3))).atan();
+        assert!((skew / (1.18 * yaw) - 1.0).abs() < 0.04 || yaw > 0.1);
+        let amplitude = 15.0 * PI / 32.0 * (0.5 * skew).tan() * 0.7;
         let mut sum = 0.0;
         for step in 0..36 {
             let psi = PI * f64::from(step) / 18.0;
@@ -166,7 +170,7 @@ fn yaw_skews_the_velocity_of_an_annulus() {
             let found = disk.skewed(&flow, mean, &at);
             let expected = mean * (1.0 + amplitude * psi.cos());
             assert!(
-                (found - expected).abs() < 1e-6 * mean,
+                (found - expected).abs() < 5e-5 * mean,
                 "{psi} {found} {expected}"
             );
             sum += found / 36.0;
