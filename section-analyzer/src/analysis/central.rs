@@ -27,9 +27,10 @@ pub(super) struct Limits {
 /// index of a cell gives 1e-3 or more. The checks of valid sections are about 1e-13.
 ///
 /// Sections of extreme slenderness or contrast of moduli lose digits: a strain is a difference
-/// of displacements, `e = B x`, and its round-off follows from the terms that cancel. Strips
-/// 1e4 times wider than thick have 1e-9 to 1e-8, far less than the error of their cells; the
-/// report then states the number of digits. A wrong solution has 1e-3 or more.
+/// of displacements, `e = B x`, and its round-off follows from the terms that cancel. Strips of
+/// stretched cells up to 1e4 times wider than thick have up to 1e-8, far less than the error of
+/// their cells; the report then states the number of digits. Strips whose factor has lost all
+/// digits have 1e-1 or more.
 pub(super) const OF_CELLS: Limits = Limits {
     identity: 1e-10,
     check: 1e-7,

@@ -56,7 +56,7 @@ const SUBJECTS: [Subject; 3] = [
         page: "blade-mesh-reference.md",
         read: |path| blade::read(path).map(drop),
         of_examples: &[
-            "airfoil.dat",
+            "no file \"airfoil.dat\"",
             "has another material",
             "] needs a",
             "the plies of both surfaces",
