@@ -125,8 +125,7 @@ impl<'a> Analysis<'a> {
     fn require_work(&self, check: &'static str, error: f64) -> Result<(), Failure> {
         let node = self.systems.smallest_pivot().node;
         let weakest = named(self.section(), self.domain(), node);
-        let limit = OF_CELLS.check_limit(self.systems.condition());
-        require_small((check, error), limit, weakest)
+        require_small((check, error), OF_CELLS.check, weakest)
     }
 
     /// Input of the derivatives.

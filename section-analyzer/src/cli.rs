@@ -122,7 +122,9 @@ fn dispatch(
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
         Command::Shift(arguments) => change::shift_file(&arguments, terminal),
         Command::Rotate(arguments) => change::rotate_file(&arguments, terminal),
-        Command::Schema { format, out } => schema::write_schema(format, out.as_deref(), terminal),
+        Command::Schema { of, format, out } => {
+            schema::write_schema((of, format), out.as_deref(), terminal)
+        }
         Command::Completions { shell } => help::write_completions(shell, terminal),
         Command::Manual { out } => help::write_manual(out.as_deref(), terminal),
     }

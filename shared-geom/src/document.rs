@@ -32,7 +32,7 @@ mod tree;
 
 pub use declare::meaning;
 pub use item::Item;
-pub use key::{ByHand, Declared, Key, Value};
+pub use key::{ByHand, Declared, Key, Nested, NestedByName, NestedList, Value};
 pub use problem::DocumentProblem;
 pub use table::Table;
 

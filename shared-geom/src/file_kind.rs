@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::error::{Diagnostics, Explain, SourceLocation};
+use crate::mesh_file;
 
 /// A kind of input file of the two programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,16 +23,16 @@ pub enum FileKind {
 }
 
 /// Kinds by the ending of the file name.
-const ENDINGS: [(&str, FileKind); 8] = [
+const ENDINGS: [(&str, FileKind); 6] = [
     (".section.toml", FileKind::Section),
     (".matrices.toml", FileKind::Matrices),
     (".dynamics.toml", FileKind::Dynamics),
     (".rotor.toml", FileKind::Rotor),
     (".blade.toml", FileKind::Blade),
     (".blade.json", FileKind::Blade),
-    (".msh", FileKind::Mesh),
-    (".vtk", FileKind::Mesh),
 ];
+/// The ending of meshes that files of BeamDyn have too.
+const SHARED_ENDING: &str = ".inp";
 /// Kinds by the first line of the text.
 const HEADS: [(&str, FileKind); 2] = [
     ("$MeshFormat", FileKind::Mesh),
@@ -57,8 +58,11 @@ impl FileKind {
             true => first(&LINES, |mark| has_line(text, mark)),
             false => None,
         };
+        let is_shared = || name.to_lowercase().ends_with(SHARED_ENDING);
+        let by_mesh = || (mesh_file::has_ending(&name) && !is_shared()).then_some(Self::Mesh);
         first(&HEADS, |head| text.starts_with(head))
             .or_else(by_name)
+            .or_else(by_mesh)
             .or_else(by_line)
     }
 
@@ -208,7 +212,11 @@ mod tests {
             FileKind::Blade,
             FileKind::Rotor,
         ];
-        for (ending, own) in ENDINGS {
+        let meshes = mesh_file::ENDINGS
+            .into_iter()
+            .filter(|ending| *ending != SHARED_ENDING);
+        let meshes = meshes.map(|ending| (ending, FileKind::Mesh));
+        for (ending, own) in ENDINGS.into_iter().chain(meshes) {
             for kind in kinds {
                 let accepted = kind.require(Path::new(&format!("x{ending}")), "");
                 assert_eq!(accepted.is_ok(), own == kind, "{ending}: {kind:?}");

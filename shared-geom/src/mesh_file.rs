@@ -24,6 +24,18 @@ mod words;
 pub use becas::{BECAS_FILES, read_becas};
 pub use model::{Model, ModelCell, ModelLaw, ModelMaterial, ModelRegion};
 
+/// Endings of the names of mesh files, in small letters: gmsh, Abaqus, VTK, VABS.
+pub const ENDINGS: [&str; 5] = [".msh", INP, VTK, VTU, ".sg"];
+const INP: &str = ".inp";
+const VTK: &str = ".vtk";
+const VTU: &str = ".vtu";
+
+/// Whether the name of a file has the ending of a mesh.
+pub fn has_ending(file: &str) -> bool {
+    let file = file.to_lowercase();
+    ENDINGS.iter().any(|ending| file.ends_with(ending))
+}
+
 /// Reads an input file of VABS; `file` is the name for messages.
 ///
 /// # Errors
@@ -39,11 +51,11 @@ pub fn read_vabs(content: &[u8], file: &str) -> Result<Model, Diagnostics> {
 /// # Errors
 /// All errors of the file, each with its line or byte.
 pub fn read(content: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
-    if file.to_lowercase().ends_with(".inp") {
+    if file.to_lowercase().ends_with(INP) {
         return inp::read(content, file);
     }
     let is_vtk = content.starts_with(b"# vtk DataFile");
-    if is_vtk || file.to_lowercase().ends_with(".vtk") {
+    if is_vtk || file.to_lowercase().ends_with(VTK) {
         return vtk::read(content, file);
     }
     if vtu::recognize(content, file) {

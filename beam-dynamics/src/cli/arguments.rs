@@ -269,9 +269,9 @@ Examples:
 Exit codes: 0 done; 1 a result was not written; 2 wrong input or command line.";
 
 const SCHEMA: &str = "\
-Writes the description of the dynamics file or of the rotor file
+Writes the description of an input file: dynamics, rotor or blade
 
-As a JSON schema (draft 2020-12), editors complete the keys of a dynamics file and mark \
+As a JSON schema (draft 2020-12), editors complete the keys of the file and mark \
 mistakes; as Markdown it is the reference page of all keys.";
 
 const SCHEMA_EXAMPLE: &str = "\
@@ -287,6 +287,8 @@ pub(super) enum SchemaFile {
     Dynamics,
     /// NAME.rotor.toml
     Rotor,
+    /// NAME.blade.toml
+    Blade,
 }
 
 /// Formats of the description.

@@ -1,7 +1,8 @@
-//! `beam-dynamics schema`: the description of the dynamics file and of the rotor file.
+//! `beam-dynamics schema`: the descriptions of the input files.
 
 use std::path::Path;
 
+use shared_geom::blade::BLADE_FILE;
 use shared_geom::files::write_text;
 
 use super::arguments::{SchemaFile, SchemaFormat};
@@ -21,6 +22,8 @@ pub(super) fn write_schema(
         (SchemaFile::Dynamics, SchemaFormat::Markdown) => reference(),
         (SchemaFile::Rotor, SchemaFormat::Json) => format!("{:#}\n", rotor_json_schema()),
         (SchemaFile::Rotor, SchemaFormat::Markdown) => rotor_reference(),
+        (SchemaFile::Blade, SchemaFormat::Json) => format!("{:#}\n", BLADE_FILE.json_schema()),
+        (SchemaFile::Blade, SchemaFormat::Markdown) => BLADE_FILE.reference(),
     };
     let Some(file) = out else {
         terminal.show(&text);

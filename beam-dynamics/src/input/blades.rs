@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use shared_geom::document::schema::TableSchema;
 use shared_geom::document::schema::ValueKind::{Boolean, Table as OneTable, Tables};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{Nested, NestedList, Table};
 use shared_geom::keys;
 
 use super::beam_card::Beam;
@@ -74,11 +74,11 @@ keys! {
     /// Whether the root is clamped to the frame, or to the hub if it has a support.
     CLAMP_ROOT: Option<bool> = "clamp_root", [Boolean], or "true without `hinges`", "false";
     /// Hinges between hub and root, from the hub outward.
-    HINGES: ByHand = "hinges", [Tables(&hinges::CARD)], optional, "";
+    HINGES: NestedList = "hinges", [Tables(&hinges::CARD)], optional, "";
     /// Strips of every blade of the card in the air.
-    AERODYNAMICS: ByHand = "aerodynamics", [OneTable(&strips::CARD)], optional, "";
+    AERODYNAMICS: Nested = "aerodynamics", [OneTable(&strips::CARD)], optional, "";
     /// Point masses on every blade of the card.
-    MASS: ByHand = "mass", [Tables(&masses::CARD)], optional, "";
+    MASS: NestedList = "mass", [Tables(&masses::CARD)], optional, "";
 }
 
 /// Attachment of the root of a blade.

@@ -7,6 +7,7 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::builder::ModelBuilder;
+use super::misplaced_keys::OF_OUTPUT;
 use crate::case::{Every, OutputSettings, TransientSettings};
 use crate::integrator::Stepping;
 
@@ -91,7 +92,7 @@ fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
     let (rows, restart) = (table.get(&EVERY), table.get(&RESTART_EVERY));
     let (csv, netcdf, vtu) = (table.get(&CSV), table.get(&NETCDF), table.get(&VTU));
     let columns = column::read(table, builder);
-    table.finish();
+    table.finish_beside(&OF_OUTPUT);
     Some(OutputSettings {
         columns: columns?,
         every: rows?,

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::schema::ValueKind::{NotNegative, Table as OneTable, Vector};
-use shared_geom::document::{ByHand, Key, Table};
+use shared_geom::document::{Key, Nested, Table};
 use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
@@ -24,9 +24,9 @@ keys! {
         or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 80]";
     /// Stiffnesses of the support; the hub is then the node `hub`. Directions that are not named
     /// are fixed.
-    SUPPORT: ByHand = "support", [OneTable(&SUPPORT_TABLE)], optional, "";
+    SUPPORT: Nested = "support", [OneTable(&SUPPORT_TABLE)], optional, "";
     /// Dampers of the support.
-    SUPPORT_DAMPING: ByHand = "support_damping", [OneTable(&DAMPING_TABLE)], optional, "";
+    SUPPORT_DAMPING: Nested = "support_damping", [OneTable(&DAMPING_TABLE)], optional, "";
     /// Mass of the hub; only with `support`.
     MASS: f64 = "mass", [NotNegative(Dimension::MASS)], or "0" = 0.0, "2500";
     with INERTIA.schema;
@@ -228,16 +228,14 @@ impl MovingHub {
 /// diameters, about it.
 fn directions(
     table: &Table<'_>,
-    key: &Key<ByHand>,
+    key: &Key<Nested>,
     of: [&Key<Option<f64>>; 4],
 ) -> Option<[Option<f64>; 4]> {
-    if !table.has(key) {
-        return Some([None; 4]);
-    }
-    let table = table.table(key)?;
-    let [a, b, c, d] = of.map(|key| table.get(key));
-    table.finish();
-    Some([a?, b?, c?, d?])
+    let found = table.nested(key, |table| {
+        let [a, b, c, d] = of.map(|key| table.get(key));
+        Some([a?, b?, c?, d?])
+    });
+    found.map(Option::unwrap_or_default)
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use super::builder::ModelBuilder;
 use super::drives;
 use super::ends::label;
 use super::frames::IN;
+use super::misplaced_keys::OF_GRAVITY;
 use crate::elements::loads::{self, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 use crate::model::Drive;
 
@@ -122,7 +123,7 @@ pub(super) fn gravity(root: &Table<'_>, builder: &ModelBuilder) -> Option<(Vecto
         true => drives::read(&table, &GRAVITY_DRIVE.schema, builder.drives()),
         false => Some(Drive::Constant(1.0)),
     };
-    table.finish();
+    table.finish_beside(&OF_GRAVITY);
     found.zip(drive)
 }
 

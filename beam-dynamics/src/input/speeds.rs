@@ -7,6 +7,7 @@ use shared_geom::document::schema::ValueKind::{
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use super::misplaced_keys::OF_MODES;
 use super::modal_damping;
 use super::mode_style::{self, FREQUENCY_UNIT, HARMONICS, NAME_AT, WORDS};
 use super::problem::InputProblem;
@@ -60,7 +61,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
     let damping = modal_damping::read(&table);
     let style = mode_style::read(&table, speeds.as_deref());
     let free = free(&table, speeds.as_deref());
-    table.finish();
+    table.finish_beside(&OF_MODES);
     let mut settings = ModesSettings::new(speeds?, count?);
     (settings.animate, settings.shapes) = shapes?;
     settings.damping = damping?;

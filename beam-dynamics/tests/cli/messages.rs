@@ -285,6 +285,21 @@ const SLIPS: &[(&str, &str, &str)] = &[
     ),
     (
         "[transient]\n",
+        "[transient]\nduration = 2\n",
+        "did you mean \"to\", the last instant?",
+    ),
+    (
+        "[transient]\n",
+        "[transient]\ndt = 1e-3\n",
+        "did you mean \"step\"?",
+    ),
+    (
+        "[transient]\n",
+        "[gravity]\ng = 9.81\n[transient]\n",
+        "did you mean acceleration = [0, 0, -9.81]?",
+    ),
+    (
+        "[transient]\n",
         "[transient]\ntolerance = 1\n",
         "did you mean step = { first = ..., tolerance",
     ),

@@ -83,6 +83,23 @@ fn dynamics_files_of_any_content_are_read_or_refused() {
 }
 
 #[test]
+fn rotor_files_of_any_content_are_read_or_refused() {
+    each("rotor_file", 300, |bytes| {
+        let text = String::from_utf8_lossy(bytes);
+        if let Err(problems) = input::parse_rotor(&text, "no_folder/a.rotor.toml") {
+            let reported = problems.to_string();
+            assert!(!reported.is_empty() && !reported.contains("no reason was noted"));
+        }
+    });
+    for seed in ["turbine", "propeller"] {
+        let file = format!("{FUZZ}/corpus/rotor_file/{seed}.rotor.toml");
+        let read = input::read_rotor(Path::new(&file));
+        let reported = read.err().map(|problems| problems.to_string());
+        assert_eq!(reported, None);
+    }
+}
+
+#[test]
 fn expressions_of_any_content_are_read_or_refused() {
     let constants = [("p".to_owned(), 2.0)];
     let names = Names {

@@ -236,13 +236,12 @@ impl Solved<'_> {
             common,
         } = voltages.checks;
         let weakest = named(self.section, &self.domain, self.weakest);
-        let limit = OF_CELLS.check_limit(self.central.checks.condition);
         for check in [
             ("the work of the voltages", work),
             ("the symmetry of the capacitance", asymmetry),
             ("a voltage common to all conductors", common),
         ] {
-            require_small(check, limit, weakest)?;
+            require_small(check, OF_CELLS.check, weakest)?;
         }
         Ok(())
     }

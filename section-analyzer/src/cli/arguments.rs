@@ -121,9 +121,9 @@ Example, a NACA 0012 with a D-spar of one material:
   section-analyzer mesh blade blade.toml --out blade.msh --section blade.section.toml";
 
 const SCHEMA: &str = "\
-Prints the description of the section file, for editors or as a page
+Prints the description of an input file, for editors or as a page
 
-As a JSON schema (draft 2020-12), editors complete the keys of a section file and mark
+As a JSON schema (draft 2020-12), editors complete the keys of a file and mark
 mistakes while you type. As Markdown it is the reference of the documentation.";
 
 const SCHEMA_EXAMPLE: &str = "\
@@ -242,6 +242,9 @@ pub(super) enum Command {
     Rotate(RotateArguments),
     #[command(about = first_line(SCHEMA), long_about = SCHEMA, after_help = SCHEMA_EXAMPLE)]
     Schema {
+        /// The file that is described
+        #[arg(long, value_enum, default_value_t = SchemaFile::Section)]
+        of: SchemaFile,
         /// Format of the description
         #[arg(long, value_enum, default_value_t = SchemaFormat::Json)]
         format: SchemaFormat,
@@ -263,7 +266,18 @@ pub(super) enum Command {
     },
 }
 
-/// Forms of the description of the section file.
+/// Files that are described.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum SchemaFile {
+    /// NAME.section.toml
+    Section,
+    /// The file of "mesh blade"
+    Blade,
+    /// NAME.matrices.toml
+    Matrices,
+}
+
+/// Forms of a description.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub(super) enum SchemaFormat {
     /// A JSON schema

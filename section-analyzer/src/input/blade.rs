@@ -6,7 +6,7 @@
 
 use std::path::Path;
 
-use shared_geom::document::{Document, Table, read_text};
+use shared_geom::document::{Document, Key, Table, read_text};
 use shared_geom::error::Diagnostics;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::units::Dimension;
@@ -16,21 +16,26 @@ use crate::mesh::generate::blade::{
 };
 
 mod airfoil;
+mod keys;
 mod plies;
 mod problem;
 
 pub use problem::BladeFileProblem;
 
+pub(super) use keys::BLADE_FILE;
+
+use keys::{
+    AFT, AIRFOIL, CELL, CHORD, CORE, CORE_SIZE, END, FILE, FRONT_WEB, IN_SPAR, MESH, NACA, NOSE,
+    NOSE_MASS, NOSE_TO, ORIGIN, SIZE, SKIN, SPAR, TRAILING_EDGE, TURN,
+};
 use plies::{Use, Uses};
 
-/// Kinds of cells by name.
-const CELLS: [(&str, CellKind); 3] = [
-    ("quad9", CellKind::Quadrilateral9),
-    ("quad8", CellKind::Quadrilateral8),
-    ("quad4", CellKind::Quadrilateral4),
+/// Kinds of cells, in the order of their words.
+const CELLS: [CellKind; 3] = [
+    CellKind::Quadrilateral9,
+    CellKind::Quadrilateral8,
+    CellKind::Quadrilateral4,
 ];
-/// Largest turn of the surface along one cell \[deg\].
-const TURNS: [f64; 2] = [0.5, 45.0];
 
 /// The meshed section of a blade, and the materials of its parts.
 #[derive(Debug, Clone)]
@@ -70,7 +75,7 @@ pub fn read(path: &Path) -> Result<BladeInput, Diagnostics> {
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<BladeInput, Diagnostics> {
     let document = Document::parse(text, &path.display().to_string())?;
-    let root = document.root();
+    let root = document.root_of(&BLADE_FILE);
     document.declare_units(&root);
     let reading = Reading {
         document: &document,
@@ -144,22 +149,32 @@ impl Reading<'_> {
     fn blade(&self, root: &Table<'_>) -> Option<(Blade, Lines, Vec<BladeRegion>)> {
         let mut lines = Lines::default();
         let mut uses = Uses::default();
-        let contour = self.airfoil(root, &mut lines);
-        let skin = self.skin(root, &mut lines, &mut uses);
-        let spar = match root.has("spar") {
-            true => self.spar(root, &mut lines, &mut uses).map(Some),
-            false => Some(None),
+        let contour = root.nested(&AIRFOIL, |table| self.airfoil(table, &mut lines));
+        let skin = root.nested(&SKIN, |table| self.skin(table, &mut lines, &mut uses));
+        let spar = root.nested(&SPAR, |table| self.spar(table, &mut lines, &mut uses));
+        let cores = root.nested(&CORE, |table| Self::cores(table, &mut uses, spar.as_ref()));
+        let nose_mass = root.nested(&NOSE_MASS, |table| {
+            Self::nose_mass(table, &mut lines, &mut uses)
+        });
+        if !root.has(&SKIN) {
+            Self::require_fill(root);
+        }
+        let sizes = root.nested(&MESH, |table| self.sizes(table, &mut lines));
+        let [nose, in_spar, aft] = cores?.unwrap_or_default();
+        let cores = Cores {
+            nose,
+            spar: in_spar,
+            aft,
+            nose_mass: nose_mass?,
         };
-        let cores = self.cores(root, &mut lines, &mut uses, spar.as_ref());
-        let sizes = self.sizes(root, &mut lines);
-        let (skin, is_closed) = skin?;
+        let (skin, is_closed) = skin?.unwrap_or((Vec::new(), true));
         let blade = Blade {
-            contour: contour?,
+            contour: contour??,
             skin,
             is_closed,
             spar: spar?,
-            cores: cores?,
-            sizes: sizes?,
+            cores,
+            sizes: sizes??,
         };
         Some((blade, lines, uses.regions()))
     }
@@ -181,60 +196,33 @@ impl Reading<'_> {
     }
 
     /// A length in the unit of the file.
-    fn length(&self, table: &Table<'_>, key: &str) -> Option<f64> {
-        let length = table.require_positive(key, Dimension::LENGTH)?;
-        Some(length / self.unit)
+    fn length(&self, table: &Table<'_>, key: &Key<f64>) -> Option<f64> {
+        Some(table.get(key)? / self.unit)
     }
 
-    /// A part of the chord from 0 to 1.
-    fn part(&self, table: &Table<'_>, key: &str) -> Option<f64> {
-        let part = table.quantity(key, Dimension::NUMBER)?;
-        if (0.0..=1.0).contains(&part) {
-            return Some(part);
-        }
-        table.wrong(
-            key,
-            "a part of the chord, 0 at the nose to 1 at the trailing edge",
-        );
-        None
-    }
-
-    /// As [`Self::part`], with a default; `None` if it is wrong.
-    fn part_or(&self, table: &Table<'_>, key: &str, default: f64) -> Option<f64> {
-        match table.has(key) {
-            true => self.part(table, key),
-            false => Some(default),
-        }
-    }
-
-    fn airfoil(&self, root: &Table<'_>, lines: &mut Lines) -> Option<Contour> {
-        let table = root.require_table("airfoil", "a table [airfoil]")?;
+    fn airfoil(&self, table: &Table<'_>, lines: &mut Lines) -> Option<Contour> {
         lines.airfoil = table.line();
-        let chord = self.length(&table, "chord");
-        let origin = self.part_or(&table, "origin", 0.25);
-        let end = self.part_or(&table, "end", 1.0);
-        let edge = match table.has("trailing_edge") {
-            true => table.word("trailing_edge", &["blunt", "sharp"]),
-            false => Some(0),
-        };
-        let (has_naca, has_file) = (table.has("naca"), table.has("file"));
-        let points = match (has_naca, has_file) {
+        let chord = self.length(table, &CHORD);
+        let (origin, end) = (table.get(&ORIGIN), table.get(&END));
+        let has_edge = table.has(&TRAILING_EDGE);
+        let points = match (table.has(&NACA), table.has(&FILE)) {
             (true, false) => {
-                lines.airfoil = table.line_of("naca");
-                let digits = table.text("naca");
-                let points = digits.map(|digits| naca(&digits, edge == Some(1)));
+                lines.airfoil = table.line_of(&NACA);
+                let is_sharp = table.get(&TRAILING_EDGE).map(|edge| edge == 1);
+                let points = table.get(&NACA).zip(is_sharp);
+                let points = points.map(|(digits, is_sharp)| naca(&digits, is_sharp));
                 points
                     .and_then(|points| points.map_err(|problem| self.note(&[problem], lines)).ok())
             }
             (false, true) => {
-                lines.airfoil = table.line_of("file");
-                if table.has("trailing_edge") {
-                    table.note("trailing_edge", &BladeFileProblem::EdgeOfFile);
+                lines.airfoil = table.line_of(&FILE);
+                if has_edge {
+                    table.note(&TRAILING_EDGE, &BladeFileProblem::EdgeOfFile);
                 }
-                self.airfoil_file(&table)
+                self.airfoil_file(table)
             }
             (true, true) => {
-                table.note("file", &BladeFileProblem::TwoAirfoils);
+                table.note(&FILE, &BladeFileProblem::TwoAirfoils);
                 None
             }
             (false, false) => {
@@ -242,124 +230,73 @@ impl Reading<'_> {
                 None
             }
         };
-        table.finish();
-        let (points, chord, origin, end) = (points?, chord?, origin?, end?);
-        edge?;
-        let contour = Contour::new(&points, chord, origin, end);
+        let contour = Contour::new(&points?, chord?, origin?.0, end?.0);
         contour.map_err(|problems| self.note(&problems, lines)).ok()
     }
 
     fn airfoil_file(&self, table: &Table<'_>) -> Option<Vec<[f64; 2]>> {
-        let written = table.text("file")?;
-        let path = table.existing("file", &written)?;
+        let path = table.existing(&FILE, &table.get(&FILE)?)?;
         let text = self.document.keep(read_text(&path))?;
         let points = airfoil::parse(&text, &path.display().to_string());
         self.document.keep(points)
     }
 
+    /// The fills; `spar` is `None` if it is wrong.
     fn cores(
-        &self,
-        root: &Table<'_>,
-        lines: &mut Lines,
+        table: &Table<'_>,
         uses: &mut Uses,
         spar: Option<&Option<Spar>>,
-    ) -> Option<Cores> {
-        let mut cores = Cores::default();
-        let mut is_good = true;
-        let table = root.has("core").then(|| root.table("core"));
-        if let Some(table) = table {
-            let table = table?;
-            let has_front = spar.is_some_and(|spar| {
-                let front = spar.as_ref().and_then(|spar| spar.front_web);
-                front.is_some()
-            });
-            let has_spar = spar.is_some_and(Option::is_some);
-            let needs = [
-                (
-                    "nose",
-                    has_front,
-                    "a front web: without one the space in the nose belongs to the spar",
-                ),
-                ("spar", has_spar, "a spar"),
-                ("aft", true, ""),
-            ];
-            for (key, is_there, needed) in needs {
-                if !table.has(key) {
-                    continue;
-                }
-                if !is_there && spar.is_some() {
-                    table.note(key, &BladeFileProblem::NoCavity { core: key, needed });
-                }
-                let core = table.table(key);
-                let name = core.and_then(|core| {
-                    let name = plies::material_of(&core, uses, None);
-                    core.finish();
-                    name
-                });
-                is_good &= name.is_some();
-                match key {
-                    "nose" => cores.nose = name,
-                    "spar" => cores.spar = name,
-                    _ => cores.aft = name,
-                }
+    ) -> Option<[Option<String>; 3]> {
+        let spar = spar.map(Option::as_ref);
+        let has_front = spar.is_none_or(|spar| spar.is_some_and(|spar| spar.front_web.is_some()));
+        let has_spar = spar.is_none_or(|spar| spar.is_some());
+        let front = "a front web: without one the space in the nose belongs to the spar";
+        let fills = [
+            (NOSE, has_front, front),
+            (IN_SPAR, has_spar, "a spar"),
+            (AFT, true, ""),
+        ];
+        let [nose, in_spar, aft] = fills.map(|(key, is_there, needed)| {
+            if table.has(&key) && !is_there {
+                let core = key.name();
+                table.note(&key, &BladeFileProblem::NoCavity { core, needed });
             }
-            table.finish();
-        }
-        if root.has("nose_mass") {
-            cores.nose_mass = Some(self.nose_mass(root, lines, uses)?);
-        }
-        is_good.then_some(cores)
-    }
-
-    fn nose_mass(
-        &self,
-        root: &Table<'_>,
-        lines: &mut Lines,
-        uses: &mut Uses,
-    ) -> Option<(f64, String)> {
-        let table = root.table("nose_mass")?;
-        lines.nose_mass = table.line_of("to");
-        let _ = table.require_item("to", "the part of the chord at which it ends");
-        let to = match table.has("to") {
-            true => self.part(&table, "to"),
-            false => None,
-        };
-        let name = plies::material_of(&table, uses, None);
-        table.finish();
-        Some((to?, name?))
-    }
-
-    fn sizes(&self, root: &Table<'_>, lines: &mut Lines) -> Option<Sizes> {
-        let table = root.require_table("mesh", "a table [mesh] with the \"size\" of cells")?;
-        lines.mesh = table.line();
-        let size = self.length(&table, "size");
-        let core = match table.has("core_size") {
-            true => self.length(&table, "core_size"),
-            false => size,
-        };
-        let turn = match table.has("turn") {
-            true => table.quantity("turn", Dimension::ANGLE),
-            false => Some(Sizes::new(1.0).turn),
-        };
-        let turn = turn.filter(|turn| {
-            let degrees = turn.to_degrees();
-            let is_good = (TURNS[0]..=TURNS[1]).contains(&degrees);
-            if !is_good {
-                let [least, most] = TURNS;
-                table.wrong("turn", &format!("an angle from {least} to {most} degrees"));
-            }
-            is_good
+            table.nested(&key, |core| plies::material_of(core, uses, None))
         });
-        let kind = match table.has("cell") {
-            true => table.word("cell", &CELLS.map(|(name, _)| name)),
-            false => Some(0),
-        };
-        table.finish();
+        Some([nose?, in_spar?, aft?])
+    }
+
+    /// Without a skin, notes spaces along the contour that nothing fills.
+    fn require_fill(root: &Table<'_>) {
+        let fills = root.is_table(&CORE).then(|| root.table(&CORE)).flatten();
+        let spar = root.is_table(&SPAR).then(|| root.table(&SPAR)).flatten();
+        let has_nose = spar.is_some_and(|spar| spar.has(&FRONT_WEB));
+        for (key, is_there) in [(AFT, true), (NOSE, has_nose)] {
+            let is_filled = fills.as_ref().is_some_and(|fills| fills.has(&key));
+            if is_there && !is_filled {
+                root.note("", &BladeFileProblem::NoSkin { core: key.name() });
+            }
+        }
+    }
+
+    fn nose_mass(table: &Table<'_>, lines: &mut Lines, uses: &mut Uses) -> Option<(f64, String)> {
+        lines.nose_mass = table.line_of(&NOSE_TO);
+        let to = table.get(&NOSE_TO);
+        let name = plies::material_of(table, uses, None);
+        Some((to?.0, name?))
+    }
+
+    fn sizes(&self, table: &Table<'_>, lines: &mut Lines) -> Option<Sizes> {
+        lines.mesh = table.line();
+        let size = self.length(table, &SIZE);
+        let core = table.get(&CORE_SIZE);
+        let (turn, kind) = (table.get(&TURN), table.get(&CELL));
+        let size = size?;
         Some(Sizes {
-            size: size?,
-            core: core?,
-            turn: turn?,
-            kind: CELLS[kind?].1,
+            size,
+            core: core?.map_or(size, |core| core / self.unit),
+            turn: turn?.0,
+            kind: CELLS[kind?],
         })
     }
 }

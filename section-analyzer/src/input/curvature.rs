@@ -10,7 +10,7 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::schema::ValueKind::{Table as OneTable, Vector};
-use shared_geom::document::{ByHand, Document, Table};
+use shared_geom::document::{Document, Nested, Table};
 use shared_geom::keys;
 use shared_geom::section::InitialCurvature;
 use shared_geom::units::Dimension;
@@ -21,7 +21,7 @@ use crate::mesh::SectionMesh;
 
 keys! {
     /// Curvature and twist of the undeformed beam.
-    pub(super) BEAM: ByHand = "initial_curvature", [OneTable(&INITIAL_CURVATURE)], optional, "";
+    pub(super) BEAM: Nested = "initial_curvature", [OneTable(&INITIAL_CURVATURE)], optional, "";
 }
 
 keys! {
@@ -58,22 +58,20 @@ pub(super) struct WrittenCurvature {
 
 /// Reads `[initial_curvature]`; a straight beam if it is absent.
 pub(super) fn read(root: &Table<'_>) -> Option<WrittenCurvature> {
-    let Some(table) = root.has(&BEAM).then(|| root.table(&BEAM)) else {
-        let initial = InitialCurvature::STRAIGHT;
-        return Some(WrittenCurvature { initial, line: 0 });
-    };
-    let table = table?;
-    let expected = "an array of 3: twist about x, curvature about y and z";
-    let curvature = table.require_item(&CURVATURE, expected);
-    let curvature = curvature.and_then(|_| table.get(&CURVATURE));
-    let slope = slope(&table);
-    let line = table.line_of(&CURVATURE);
-    table.finish();
-    let initial = InitialCurvature {
-        curvature: curvature?,
-        slope: slope?,
-    };
-    Some(WrittenCurvature { initial, line })
+    let written = root.nested(&BEAM, |table| {
+        let expected = "an array of 3: twist about x, curvature about y and z";
+        let curvature = table.require_item(&CURVATURE, expected);
+        let curvature = curvature.and_then(|_| table.get(&CURVATURE));
+        let slope = slope(table);
+        let initial = InitialCurvature {
+            curvature: curvature?,
+            slope: slope?,
+        };
+        let line = table.line_of(&CURVATURE);
+        Some(WrittenCurvature { initial, line })
+    });
+    let initial = InitialCurvature::STRAIGHT;
+    Some(written?.unwrap_or(WrittenCurvature { initial, line: 0 }))
 }
 
 /// A direction out of the section, as a unit vector.

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 use shared_geom::document::schema::ValueKind::{Name, Numbers, Quantity, Tables, Vector};
 use shared_geom::document::schema::{Family, TableSchema};
-use shared_geom::document::{ByHand, Document, Key, Table};
+use shared_geom::document::{Document, Key, NestedList, Table};
 use shared_geom::keys;
 use shared_geom::mesh::Mesh;
 use shared_geom::units::Dimension;
@@ -22,9 +22,9 @@ pub use problem::DistributedProblem;
 
 keys! {
     /// Forces on surfaces of the beam, which act along it.
-    pub(super) TRACTIONS: ByHand = "traction", [Tables(&TRACTION)], optional, "";
+    pub(super) TRACTIONS: NestedList = "traction", [Tables(&TRACTION)], optional, "";
     /// Forces in the volume of the beam, which act along it.
-    pub(super) VOLUMES: ByHand = "volume", [Tables(&VOLUME)], optional, "";
+    pub(super) VOLUMES: NestedList = "volume", [Tables(&VOLUME)], optional, "";
     /// The name of a physical curve, or its tag, along sides of cells; a face of a lamina is
     /// "NAME/outer", or "NAME/left" and "NAME/right" if it is centered.
     CURVE: Written = "curve", [Name], required, "\"top\"";
@@ -137,11 +137,8 @@ pub(super) struct Lookup<'a> {
 
 /// Reads the distributed parts of the load in `table`; notes problems.
 pub(super) fn read(table: &Table<'_>) -> WrittenDistribution {
-    let mut parts = Vec::new();
-    for part in table.tables(&TRACTIONS) {
-        parts.push(traction(&part));
-        part.finish();
-    }
+    let tractions = table.each(&TRACTIONS, |part| Some(traction(part)));
+    let mut parts = tractions.unwrap_or_default();
     for part in table.tables(&VOLUMES) {
         parts.push(volume(&part));
         part.finish_beside(&[("group", "\"region\"")]);

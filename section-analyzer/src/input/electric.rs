@@ -7,7 +7,7 @@
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
 use shared_geom::document::schema::ValueKind::{Quantity, Rows, Table as OneTable, Vector, Word};
 use shared_geom::document::schema::{Family, KeySchema, TableSchema};
-use shared_geom::document::{ByHand, Declared, Key, Table, Value};
+use shared_geom::document::{Declared, Key, Nested, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -29,9 +29,9 @@ use problem::ElectricDataProblem as Problem;
 keys! {
     /// The electric law of a dielectric; without it the material is not part of the electric
     /// problem.
-    pub(super) ELECTRIC: ByHand = "electric", [OneTable(&LAW)], optional, "";
+    pub(super) ELECTRIC: Nested = "electric", [OneTable(&LAW)], optional, "";
     /// The electric law, without coupling.
-    pub(super) DIELECTRIC: ByHand = "electric", [OneTable(&PLAIN)], required, "";
+    pub(super) DIELECTRIC: Nested = "electric", [OneTable(&PLAIN)], required, "";
     /// Direction of axis 3 of all constants of the material, elastic ones and expansion too, in
     /// the axes of the material: one of them (1 along the fiber, 2 across it in the ply, 3 through
     /// the thickness; with a minus for the opposite direction), or its components.

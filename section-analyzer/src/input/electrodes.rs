@@ -4,7 +4,9 @@ use shared_geom::document::schema::ValueKind::{
     Count, Names, Positive, Table as OneTable, Tables, Text, Word,
 };
 use shared_geom::document::schema::{Family, KeySchema, TableSchema};
-use shared_geom::document::{ByHand, Declared, Document, Item, Key, Table, Value};
+use shared_geom::document::{
+    ByHand, Declared, Document, Item, Key, Nested, NestedList, Table, Value,
+};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -22,7 +24,7 @@ pub(super) use on_mesh::Found;
 
 keys! {
     /// Electrodes on piezoelectric materials and other dielectrics.
-    pub(super) ELECTRODES: ByHand = "electrode", [Tables(&ELECTRODE)], optional, "";
+    pub(super) ELECTRODES: NestedList = "electrode", [Tables(&ELECTRODE)], optional, "";
     /// Its name in loads and results.
     NAME: Written = "name", [Text] as "a name of its own", required, "\"top\"";
     /// Its connection: a prescribed voltage, the ground (0 V), or none, so that its charge stays
@@ -36,7 +38,7 @@ keys! {
     /// The name of a physical point, or its tag, or several.
     POINT: WrittenNames = "point", [Names], required, "\"wire\"";
     /// Regions of the fingers, and their spacing.
-    INTERDIGITATED: ByHand = "interdigitated", [OneTable(&FINGERS)], required, "";
+    INTERDIGITATED: Nested = "interdigitated", [OneTable(&FINGERS)], required, "";
 }
 
 /// An electrode.

@@ -20,12 +20,18 @@ use super::regions::Written;
 use super::requests::END_EFFECTS;
 use crate::section::{Blocks, ExternalSection, Reduced, Slice, Through};
 
+mod keys;
 mod matrix_market;
 mod nodes;
 mod problem;
 
 pub use problem::MatrixProblem;
 
+pub(super) use keys::MATRICES_FILE;
+
+use keys::{
+    A, C, E, L, M, MASS, MATRICES, NAME, NODES, R, SLICE, SLICE_MASS, STIFFNESS, THICKNESS, THROUGH,
+};
 use nodes::NodeTable;
 
 /// The ending of the name of a matrices file.
@@ -56,7 +62,7 @@ pub fn read(path: &Path) -> Result<ExternalInput, Diagnostics> {
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<ExternalInput, Diagnostics> {
     let document = Document::parse(text, &path.display().to_string())?;
-    let root = document.root();
+    let root = document.root_of(&MATRICES_FILE);
     document.declare_units(&root);
     let mut reading = Reading {
         document: &document,
@@ -83,25 +89,25 @@ struct Reading<'a> {
 
 impl Reading<'_> {
     fn section(&mut self, root: &Table<'_>, name: String) -> Option<ExternalSection> {
-        let name = root.text("name").unwrap_or(name);
+        let name = root.get(&NAME).flatten().unwrap_or(name);
         let nodes = self.nodes(root);
         let count = nodes.as_ref().map(|nodes| nodes.tags.len());
         let initial_curvature = curvature::read(root).map(|written| written.initial);
         let end_effects = root.get(&END_EFFECTS).flatten();
         let given_mass = mass(root);
-        let matrices = root.has("matrices").then(|| root.table("matrices"));
-        let slice = root.has("slice").then(|| root.table("slice"));
-        if slice.is_some() && root.has(&curvature::BEAM) {
+        if root.has(&SLICE) && root.has(&curvature::BEAM) {
             root.note(&curvature::BEAM, &MatrixProblem::CurvedSlice);
         }
-        let found = match (matrices, slice) {
-            (Some(table), None) => self.matrices(&table?, count),
-            (None, Some(table)) => self.slice(&table?, nodes.as_ref(), root.has("mass")),
-            (Some(_), Some(_)) => {
-                root.note("slice", &form("both [matrices] and [slice] are given"));
+        let found = match (root.has(&MATRICES), root.has(&SLICE)) {
+            (true, false) => root.nested(&MATRICES, |table| self.matrices(table, count))?,
+            (false, true) => root.nested(&SLICE, |table| {
+                self.slice(table, nodes.as_ref(), root.has(&MASS))
+            })?,
+            (true, true) => {
+                root.note(&SLICE, &form("both [matrices] and [slice] are given"));
                 None
             }
-            (None, None) => {
+            (false, false) => {
                 root.note("", &form("neither [matrices] nor [slice] is given"));
                 None
             }
@@ -121,11 +127,7 @@ impl Reading<'_> {
     }
 
     fn nodes(&mut self, root: &Table<'_>) -> Option<NodeTable> {
-        let text = root.require_text("nodes", "the path of a node table, from this file's folder");
-        let written = Written {
-            text: text?,
-            line: root.line_of("nodes"),
-        };
+        let written = root.get(&NODES)?;
         let path = self.files.path(&written);
         let text = self.files.read_text("node table", &path, &written)?;
         let unit = self.document.factor(Dimension::LENGTH);
@@ -137,13 +139,32 @@ impl Reading<'_> {
     fn matrices(&mut self, table: &Table<'_>, nodes: Option<usize>) -> Option<ReadMatrices> {
         let square = nodes.map(|nodes| [3 * nodes, 3 * nodes]);
         let tall = nodes.map(|nodes| [3 * nodes, 6]);
-        let m = self.matrix(table, "m", true, Dimension::FORCE, square);
-        let c = self.matrix(table, "c", true, Dimension::FORCE_PER_LENGTH, square);
-        let e = self.matrix(table, "e", true, Dimension::STRESS, square);
-        let l = self.matrix(table, "l", false, Dimension::FORCE, tall);
-        let r = self.matrix(table, "r", false, Dimension::FORCE_PER_LENGTH, tall);
-        let a = self.matrix(table, "a", false, Dimension::FORCE, nodes.map(|_| [6, 6]));
-        table.finish();
+        let m = self.matrix(table, (M.name(), table.get(&M)), Dimension::FORCE, square);
+        let c = self.matrix(
+            table,
+            (C.name(), table.get(&C)),
+            Dimension::FORCE_PER_LENGTH,
+            square,
+        );
+        let e = self.matrix(table, (E.name(), table.get(&E)), Dimension::STRESS, square);
+        let l = self.matrix(
+            table,
+            (L.name(), table.get(&L).flatten()),
+            Dimension::FORCE,
+            tall,
+        );
+        let r = self.matrix(
+            table,
+            (R.name(), table.get(&R).flatten()),
+            Dimension::FORCE_PER_LENGTH,
+            tall,
+        );
+        let a = self.matrix(
+            table,
+            (A.name(), table.get(&A).flatten()),
+            Dimension::FORCE,
+            nodes.map(|_| [6, 6]),
+        );
         // columns of curvatures contain one more length
         let length = self.document.factor(Dimension::LENGTH);
         let unit = Vector6::new(1.0, 1.0, 1.0, length, length, length);
@@ -174,7 +195,6 @@ impl Reading<'_> {
 
     /// `[slice]`: the stiffness of a slice, and its mass, unless the mass of the section
     /// `is_given`.
-    /// `is_given`.
     fn slice(
         &mut self,
         table: &Table<'_>,
@@ -183,18 +203,27 @@ impl Reading<'_> {
     ) -> Option<ReadMatrices> {
         let square = nodes.map(|nodes| [6 * nodes.tags.len(), 6 * nodes.tags.len()]);
         let unit = Dimension::SPRING_STIFFNESS;
-        let stiffness = self.matrix(table, "stiffness", true, unit, square);
-        let mass = self.matrix(table, "mass", false, Dimension::MASS, square);
-        let thickness = table.require_positive("thickness", Dimension::LENGTH);
-        let through = match table.word("through", &["linear", "middle"]) {
+        let stiffness = self.matrix(
+            table,
+            (STIFFNESS.name(), table.get(&STIFFNESS)),
+            unit,
+            square,
+        );
+        let mass = self.matrix(
+            table,
+            (SLICE_MASS.name(), table.get(&SLICE_MASS).flatten()),
+            Dimension::MASS,
+            square,
+        );
+        let thickness = table.get(&THICKNESS);
+        let through = match table.get(&THROUGH) {
             Some(1) => Through::Middle,
             _ => Through::Linear,
         };
-        table.finish();
-        if is_given && table.has("mass") {
-            table.note("mass", &form("\"mass\" is given above too"));
+        if is_given && table.has(&SLICE_MASS) {
+            table.note(&SLICE_MASS, &form("\"mass\" is given above too"));
         }
-        for (key, matrix) in [("stiffness", &stiffness), ("mass", &mass)] {
+        for (key, matrix) in [(STIFFNESS.name(), &stiffness), (SLICE_MASS.name(), &mass)] {
             if let Some(problem) = matrix.as_ref().and_then(asymmetry) {
                 table.note(key, &problem);
             }
@@ -204,7 +233,7 @@ impl Reading<'_> {
         let mass = mass.zip(nodes).map(|(mass, nodes)| {
             let mass = mass_of(&folded(&mass, thickness), &nodes.positions);
             for problem in section::mass_problems(&mass) {
-                table.note("mass", &problem);
+                table.note(&SLICE_MASS, &problem);
             }
             mass
         });
@@ -216,23 +245,15 @@ impl Reading<'_> {
         })
     }
 
-    /// The matrix named under `key`, in SI, of `size`.
+    /// The matrix in the file `written` under `key`, in SI, of `size`.
     fn matrix(
         &mut self,
         table: &Table<'_>,
-        key: &str,
-        is_required: bool,
+        (key, written): (&str, Option<Written>),
         unit: Dimension,
         size: Option<[usize; 2]>,
     ) -> Option<CsMat<f64>> {
-        if !is_required && !table.has(key) {
-            return None;
-        }
-        let text = table.require_text(key, "the path of a Matrix Market file")?;
-        let written = Written {
-            text,
-            line: table.line_of(key),
-        };
+        let written = written?;
         let path = self.files.path(&written);
         let text = self.files.read_text("matrix", &path, &written)?;
         let read = matrix_market::parse(&text, &path.display().to_string());
@@ -294,10 +315,9 @@ fn form(found: &'static str) -> MatrixProblem {
 
 /// `mass`: 6 x 6 per length about the reference point. `None` if it is wrong.
 fn mass(root: &Table<'_>) -> Option<Option<Matrix6<f64>>> {
-    if !root.has("mass") {
+    let Some(rows) = root.get(&MASS)? else {
         return Some(None);
-    }
-    let rows = root.rows("mass", 6, 6)?;
+    };
     let document = root.document();
     let per_length = document.factor(Dimension::MASS_PER_LENGTH);
     let length = document.factor(Dimension::LENGTH);
@@ -305,7 +325,7 @@ fn mass(root: &Table<'_>) -> Option<Option<Matrix6<f64>>> {
     let mass = Matrix6::from_fn(|i, j| per_length * unit[i] * unit[j] * rows[i][j]);
     let problems = section::mass_problems(&mass);
     for problem in &problems {
-        root.note("mass", problem);
+        root.note(&MASS, problem);
     }
     problems.is_empty().then_some(Some(mass))
 }

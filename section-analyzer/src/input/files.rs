@@ -1,18 +1,15 @@
 //! The files named in a section input, read once and kept for the fingerprint.
 
-use std::ffi::OsStr;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use shared_geom::document::Document;
 use shared_geom::files::{names_beside, read_bytes};
 use shared_geom::hash::sha256_of;
+use shared_geom::mesh_file;
 
 use super::problem::InputProblem;
 use super::regions::Written;
-
-/// Endings of mesh files.
-const MESH_ENDINGS: [&str; 5] = ["msh", "inp", "vtk", "vtu", "sg"];
 
 /// All files, in the order of reading.
 #[derive(Debug)]
@@ -100,10 +97,6 @@ impl<'a> Files<'a> {
 /// The files beside a missing one; for a mesh only meshes, in any format.
 fn beside(what: &str, path: &Path) -> Vec<String> {
     let mut names = names_beside(path);
-    let is_mesh = |name: &String| {
-        let ending = Path::new(name).extension().and_then(OsStr::to_str);
-        ending.is_some_and(|ending| MESH_ENDINGS.contains(&ending.to_lowercase().as_str()))
-    };
-    names.retain(|name| what != "mesh" || is_mesh(name));
+    names.retain(|name| what != "mesh" || mesh_file::has_ending(name));
     names
 }

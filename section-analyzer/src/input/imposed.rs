@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use nalgebra::Vector6;
 use shared_geom::document::schema::ValueKind::{Name, NamedTables, Quantity, Tables, Text, Vector};
 use shared_geom::document::schema::{Family, TableSchema};
-use shared_geom::document::{ByHand, Document, Key, Table};
+use shared_geom::document::{Document, Key, NestedByName, NestedList, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -23,9 +23,9 @@ pub use problem::ImposedProblem;
 
 keys! {
     /// Rises of temperature, by name.
-    pub(super) TEMPERATURES: ByHand = "temperature", [NamedTables(&TEMPERATURE)], optional, "";
+    pub(super) TEMPERATURES: NestedByName = "temperature", [NamedTables(&TEMPERATURE)], optional, "";
     /// Initial strains, by name.
-    pub(super) STRAINS: ByHand = "initial_strain", [NamedTables(&INITIAL_STRAIN)], optional, "";
+    pub(super) STRAINS: NestedByName = "initial_strain", [NamedTables(&INITIAL_STRAIN)], optional, "";
     /// Rise of temperature.
     UNIFORM: f64 = "rise", [Quantity(Dimension::TEMPERATURE)], required, "50";
     /// Change of the rise per length along y and along z.
@@ -68,7 +68,7 @@ keys! {
     /// made of letters, digits, - and _, and differs from the names of temperatures.
     INITIAL_STRAIN = "[initial_strain.NAME]";
     /// The strained regions; the others have no initial strain.
-    REGIONS: ByHand = "region", [Tables(&REGION)], required, "";
+    REGIONS: NestedList = "region", [Tables(&REGION)], required, "";
 }
 
 keys! {
@@ -139,24 +139,23 @@ pub(super) fn read(root: &Table<'_>) -> WrittenStates {
 
 fn states<T>(
     root: &Table<'_>,
-    key: &Key<ByHand>,
+    key: &Key<NestedByName>,
     read: impl Fn(&str, &Table<'_>) -> Option<T>,
 ) -> Vec<WrittenState<T>> {
-    let (tables, kind) = (root.named_tables(key), key.name());
-    let state = |(name, table): (String, Table<'_>)| {
+    let states = root.each_by_name(key, |name, table| {
+        let name = name.to_owned();
         if !is_load_name(&name) {
-            let name = name.clone();
+            let (kind, name) = (key.name(), name.clone());
             table.note("", &ImposedProblem::Name { kind, name });
         }
-        let content = read(&name, &table);
-        table.finish();
-        WrittenState {
+        Some(WrittenState {
+            content: read(&name, table),
             line: table.line(),
             name,
-            content,
-        }
-    };
-    tables.into_iter().map(state).collect()
+        })
+    });
+    let states = states.unwrap_or_default().into_iter();
+    states.map(|(_, state)| state).collect()
 }
 
 fn temperature(name: &str, table: &Table<'_>) -> Option<Temperature> {

@@ -2,7 +2,7 @@
 
 use shared_geom::document::schema::ValueKind::{Name, Positive, Quantity, Tables, Text, Word};
 use shared_geom::document::schema::{Family, KeySchema, TableSchema};
-use shared_geom::document::{ByHand, Document, Table};
+use shared_geom::document::{Document, NestedList, Table};
 use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::keys;
 use shared_geom::mesh::{Mesh, PhysicalGroup};
@@ -22,7 +22,7 @@ pub(super) use faces::{Faces, add_with_faces};
 
 keys! {
     /// Laminates along physical curves of the mesh, next to cells or without.
-    pub(super) LAMINAE: ByHand = "lamina", [Tables(&LAMINA)], optional, "";
+    pub(super) LAMINAE: NestedList = "lamina", [Tables(&LAMINA)], optional, "";
     /// The name of a physical curve, or its tag.
     CURVE: Written = "curve", [Name], required, "\"outer\"";
     /// Name in reports and tables; several plies are NAME/1, NAME/2 and so on.
@@ -31,7 +31,7 @@ keys! {
     SIDE: Option<usize> = "side", [Word(&["left", "right", "center"])],
         or "the side without cells; \"center\" if no cells are adjacent", "\"left\"";
     /// The plies from the line outward; with side = "center" from right to left.
-    PLIES: ByHand = "plies", [Tables(&PLY)], required, "";
+    PLIES: NestedList = "plies", [Tables(&PLY)], required, "";
     /// Thickness of the ply.
     THICKNESS: f64 = "thickness", [Positive(Dimension::LENGTH)], required, "\"0.2 mm\"";
     /// Angle of the fiber from x toward the direction of the line.
@@ -94,20 +94,15 @@ struct WrittenPly {
 
 /// Reads every `[[lamina]]`.
 pub(super) fn read(root: &Table<'_>) -> Vec<WrittenLamina> {
-    let tables = root.tables(&LAMINAE);
-    tables
-        .iter()
-        .map(|table| {
-            let lamina = WrittenLamina {
-                curve: table.get(&CURVE),
-                name: own_name(table),
-                side: table.get(&SIDE).flatten().map(|side| SIDES[side]),
-                plies: plies(table),
-            };
-            table.finish();
-            lamina
+    let laminae = root.each(&LAMINAE, |table| {
+        Some(WrittenLamina {
+            curve: table.get(&CURVE),
+            name: own_name(table),
+            side: table.get(&SIDE).flatten().map(|side| SIDES[side]),
+            plies: plies(table),
         })
-        .collect()
+    });
+    laminae.unwrap_or_default()
 }
 
 fn own_name(table: &Table<'_>) -> Option<Written> {
@@ -127,13 +122,11 @@ fn plies(table: &Table<'_>) -> Option<Vec<WrittenPly>> {
             None
         }
         (true, None) => {
-            let tables = table.tables(&PLIES);
-            let plies: Vec<_> = tables.iter().map(ply).collect();
-            tables.iter().for_each(Table::finish);
+            let plies = table.each(&PLIES, |table| Some(ply(table)));
             if table.row_count(&PLIES) == Some(0) {
                 table.wrong(&PLIES, "at least one ply");
             }
-            (!plies.is_empty()).then_some(plies)
+            plies.filter(|plies| !plies.is_empty())
         }
         (false, None) => {
             table.note("", &InputProblem::NoPlies);

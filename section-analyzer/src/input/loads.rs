@@ -2,7 +2,7 @@
 
 use nalgebra::Vector6;
 use shared_geom::document::schema::ValueKind::{Name, Named, NamedTables, Quantity, Vector};
-use shared_geom::document::{ByHand, Key, Table};
+use shared_geom::document::{ByHand, Key, NestedByName, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -21,7 +21,7 @@ pub use problem::LoadProblem;
 keys! {
     /// Internal forces, imposed states and distributed loads for which stresses are recovered, by
     /// name.
-    pub(super) LOADS: ByHand = "load", [NamedTables(&LOAD)], optional, "";
+    pub(super) LOADS: NestedByName = "load", [NamedTables(&LOAD)], optional, "";
 }
 
 keys! {

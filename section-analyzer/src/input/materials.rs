@@ -3,7 +3,7 @@
 use nalgebra::Matrix6;
 use shared_geom::document::schema::ValueKind::{NamedTables, Quantity, Rows, Vector, Word};
 use shared_geom::document::schema::{Family, KeySchema, TableSchema};
-use shared_geom::document::{ByHand, Declared, Table, Value};
+use shared_geom::document::{Declared, NestedByName, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -16,7 +16,7 @@ use crate::material::{
 
 keys! {
     /// The materials, by name.
-    pub(super) MATERIALS: ByHand = "material", [NamedTables(&MATERIAL)], required, "";
+    pub(super) MATERIALS: NestedByName = "material", [NamedTables(&MATERIAL)], required, "";
     /// Mass per volume; 0 for a material without mass.
     DENSITY: f64 = "density", [Quantity(Dimension::DENSITY)], required, "\"1600 kg/m^3\"";
     /// Mass per volume; 0 for a material without mass.

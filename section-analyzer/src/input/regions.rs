@@ -4,7 +4,7 @@ use shared_geom::document::schema::ValueKind::{
     Boolean, Name, Quantity, Table as OneTable, Tables, Text,
 };
 use shared_geom::document::schema::{Family, KeySchema, TableSchema, ValueKind};
-use shared_geom::document::{ByHand, Declared, Table, Value};
+use shared_geom::document::{Declared, NestedList, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -12,7 +12,7 @@ use super::problem::InputProblem;
 
 keys! {
     /// Material and angles of each physical surface of the mesh; every surface needs a region.
-    pub(super) REGIONS: ByHand = "region", [Tables(&REGION)], optional, "";
+    pub(super) REGIONS: NestedList = "region", [Tables(&REGION)], optional, "";
 }
 
 keys! {
@@ -98,21 +98,16 @@ pub(super) enum WrittenAngle {
 
 /// Reads every `[[region]]`.
 pub(super) fn read(root: &Table<'_>) -> Vec<WrittenRegion> {
-    let tables = root.tables(&REGIONS);
-    tables
-        .iter()
-        .map(|table| {
-            let region = WrittenRegion {
-                line: table.line(),
-                group: table.get(&GROUP),
-                material: table.get(&MATERIAL),
-                fiber_angle: table.get(&FIBER_ANGLE),
-                plane_angle: table.get(&PLANE_ANGLE),
-            };
-            table.finish();
-            region
+    let regions = root.each(&REGIONS, |table| {
+        Some(WrittenRegion {
+            line: table.line(),
+            group: table.get(&GROUP),
+            material: table.get(&MATERIAL),
+            fiber_angle: table.get(&FIBER_ANGLE),
+            plane_angle: table.get(&PLANE_ANGLE),
         })
-        .collect()
+    });
+    regions.unwrap_or_default()
 }
 
 impl Declared for Written {}

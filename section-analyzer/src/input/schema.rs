@@ -1,19 +1,20 @@
-//! The description of the section file: the list of its keys.
+//! The descriptions of the input files: the lists of their keys.
 //!
 //! Each table declares its keys next to its reader; the unknown keys of a file, the JSON
-//! schema for editors ([`json_schema`]) and the reference of the book ([`reference`]) follow
-//! from these declarations. A new table needs one line here.
+//! schema for editors and the reference of the book follow from these declarations. A new
+//! table needs one line here.
 
-use serde_json::Value;
 use shared_geom::document::ByHand;
 use shared_geom::document::schema::ValueKind::{Table, Text, Word};
-use shared_geom::document::schema::{self, UNITS};
+use shared_geom::document::schema::{Numbers, UNITS};
 use shared_geom::keys;
 
-pub use shared_geom::document::schema::{Family, KeySchema, Need, TableSchema, ValueKind};
+pub use shared_geom::document::schema::{
+    Description, Family, KeySchema, Need, TableSchema, ValueKind,
+};
 
 use super::regions::{self, Written};
-use super::{curvature, electrodes, imposed, laminae, loads, materials, requests};
+use super::{blade, curvature, electrodes, external, imposed, laminae, loads, materials, requests};
 
 keys! {
     /// A section: its mesh, its materials, and the material of each region of the mesh.
@@ -34,8 +35,14 @@ keys! {
         requests::PRESTRESS.schema;
 }
 
-/// The opening of the reference page.
-const OPENING: &str = "\
+/// Section files.
+///
+/// Their schema does not check the names of groups, the dimensions of units and the
+/// admissibility of laws; `section-analyzer check` does.
+pub const SECTION: Description = Description {
+    file: &SECTION_FILE,
+    numbers: Numbers::Plain,
+    opening: "\
 # Section input reference
 
 Every key of a section file, `NAME.section.toml`.
@@ -44,17 +51,35 @@ The use of the keys is described in [Section input](section-input.md).
 
 A *quantity* is a number in the declared units, or a text with its own unit, such as `\"73.1 GPa\"`.
 A *name* is a text, or a whole number that represents one: the tag of a physical group.
-";
+",
+};
 
-/// The JSON schema of a section file, draft 2020-12.
-///
-/// It does not check the names of groups, the dimensions of units and the admissibility of
-/// laws; `section-analyzer check` does.
-pub fn json_schema() -> Value {
-    schema::json_schema(&SECTION_FILE, schema::Numbers::Plain)
-}
+/// Files of sections of blades to be meshed.
+pub const BLADE: Description = Description {
+    file: &blade::BLADE_FILE,
+    numbers: Numbers::Plain,
+    opening: "\
+# Blade mesh reference
 
-/// The reference page of the section file, in Markdown.
-pub fn reference() -> String {
-    schema::reference(&SECTION_FILE, OPENING)
-}
+Every key of a file for `section-analyzer mesh blade`.
+Made by `section-analyzer schema --of blade --format markdown`; do not edit.
+The use of the keys is described in [Meshes of blades](blade-mesh.md).
+
+A *quantity* is a number in the declared units, or a text with its own unit, such as `\"0.25 in\"`.
+",
+};
+
+/// Files of sections given by their matrices.
+pub const MATRICES: Description = Description {
+    file: &external::MATRICES_FILE,
+    numbers: Numbers::Plain,
+    opening: "\
+# Matrices reference
+
+Every key of a matrices file, `NAME.matrices.toml`.
+Made by `section-analyzer schema --of matrices --format markdown`; do not edit.
+The use of the keys is described in [Matrices of other programs](matrices-input.md).
+
+A *quantity* is a number in the declared units, or a text with its own unit, such as `\"25 mm\"`.
+",
+};

@@ -2,7 +2,7 @@
 
 use shared_geom::document::schema::ValueKind::{Quantity, Table as OneTable};
 use shared_geom::document::schema::{KeySchema, TableSchema};
-use shared_geom::document::{ByHand, Key, Table, schema};
+use shared_geom::document::{Key, Nested, Table, schema};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -14,13 +14,13 @@ use crate::material::{
 
 keys! {
     /// Limits for the failure indices.
-    pub(super) UNIFORM_STRENGTH: ByHand = "strength", [OneTable(&UNIFORM_STRENGTHS)], optional, "";
+    pub(super) UNIFORM_STRENGTH: Nested = "strength", [OneTable(&UNIFORM_STRENGTHS)], optional, "";
     /// Limits for the failure indices.
-    pub(super) UNIFORM_STRAIN: ByHand = "strain_limit", [OneTable(&UNIFORM_STRAINS)], optional, "";
+    pub(super) UNIFORM_STRAIN: Nested = "strain_limit", [OneTable(&UNIFORM_STRAINS)], optional, "";
     /// Limits for the failure indices.
-    pub(super) PLY_STRENGTH: ByHand = "strength", [OneTable(&PLY_STRENGTHS)], optional, "";
+    pub(super) PLY_STRENGTH: Nested = "strength", [OneTable(&PLY_STRENGTHS)], optional, "";
     /// Limits for the failure indices.
-    pub(super) PLY_STRAIN: ByHand = "strain_limit", [OneTable(&PLY_STRAINS)], optional, "";
+    pub(super) PLY_STRAIN: Nested = "strain_limit", [OneTable(&PLY_STRAINS)], optional, "";
     /// Yield stress.
     YIELD: f64 = "yield", [Quantity(Dimension::STRESS)], required, "\"350 MPa\"";
     /// In tension.
@@ -130,7 +130,7 @@ impl Family {
 /// The declarations of the limits in a table.
 struct Measure {
     /// The table in the material's table.
-    table: &'static Key<ByHand>,
+    table: &'static Key<Nested>,
     /// The limits `xt`, `xc`, `yt`, `yc` and `s12`.
     ply: [&'static Key<f64>; 5],
     /// The limits that follow from others: `zt`, `zc`, `s13` and `s23`.

@@ -61,10 +61,14 @@ fn head(file: &str, properties: &SectionProperties) -> String {
         "" => "unknown",
         hash => hash,
     };
+    let program = match source.program.as_str() {
+        "" => "unknown".to_owned(),
+        program => format!("{program} {}", source.version),
+    };
     let mut text = format!(
         "Section \"{}\"\n  file      {file}\n  mesh      {mesh}\n  input     {input}\n  \
-         program   {} {}\n",
-        properties.name, source.program, source.version,
+         program   {program}\n",
+        properties.name,
     );
     for (number, step) in source.history.iter().enumerate() {
         let label = if number == 0 { "history" } else { "" };

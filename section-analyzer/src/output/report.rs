@@ -267,6 +267,9 @@ fn principal_axes(solution: &SectionSolution) -> String {
     )
 }
 
+/// Relative error of the checks from which the report states the number of digits.
+const FEW_DIGITS: f64 = 1e-9;
+
 /// The checks of the run.
 pub fn checks(checks: &Checks) -> String {
     let worst = checks
@@ -286,8 +289,18 @@ pub fn checks(checks: &Checks) -> String {
             checks.smallest_pivot,
         ),
     ];
+    let errors = [checks.equilibrium, checks.asymmetry, checks.decoupling];
+    let error = errors.into_iter().fold(0.0, f64::max);
+    let lost = match error > FEW_DIGITS {
+        true => format!(
+            "  remark: {:.0} digits of the result are significant: walls thousands of times \
+             longer than thick, and moduli many orders of magnitude apart, lose the others\n",
+            -error.log10().ceil()
+        ),
+        false => String::new(),
+    };
     format!(
-        "Checks of this run (relative errors, except the last two)\n{}",
+        "Checks of this run (relative errors, except the last two)\n{}{lost}",
         table(&rows, "lr")
     )
 }

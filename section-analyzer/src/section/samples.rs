@@ -75,12 +75,17 @@ pub(crate) fn coupled_rectangle(kind: CellKind) -> Section {
 
 /// A strip of isotropic material with unit modulus, of one layer of quadratic cells.
 pub(crate) fn strip(width: f64, height: f64, cells: usize) -> Section {
+    strip_of(width, height, [cells, 1], CellKind::Quadrilateral8)
+}
+
+/// A strip of isotropic material with unit modulus, with these cells along and through it.
+pub(crate) fn strip_of(width: f64, height: f64, cells: [usize; 2], kind: CellKind) -> Section {
     let mesh = Rectangle {
         width,
         height,
-        cells_y: cells,
-        cells_z: 1,
-        kind: CellKind::Quadrilateral8,
+        cells_y: cells[0],
+        cells_z: cells[1],
+        kind,
         name: "strip".into(),
     }
     .generate()

@@ -35,6 +35,20 @@ to = 0.03
 size = 6
 ";
 
+/// Meshes the file of a workplace, with a new section file.
+fn mesh(workplace: &Workplace) -> Run {
+    let _ = std::fs::remove_file(workplace.path("a.section.toml"));
+    workplace.run(&[
+        "mesh",
+        "blade",
+        "a.blade.toml",
+        "--out",
+        "a.msh",
+        "--section",
+        "a.section.toml",
+    ])
+}
+
 /// Runs the file with replacements.
 fn run(changes: &[(&str, &str)]) -> (Workplace, i32, String, String) {
     let mut text = BLADE.to_owned();
@@ -44,15 +58,7 @@ fn run(changes: &[(&str, &str)]) -> (Workplace, i32, String, String) {
     }
     let workplace = Workplace::new();
     workplace.write("a.blade.toml", &text);
-    let run = workplace.run(&[
-        "mesh",
-        "blade",
-        "a.blade.toml",
-        "--out",
-        "a.msh",
-        "--section",
-        "a.section.toml",
-    ]);
+    let run = mesh(&workplace);
     (workplace, run.code, run.out, run.err)
 }
 
@@ -133,7 +139,7 @@ fn all_that_is_wrong_is_reported_at_once() {
             "error: a.blade.toml:13: unknown key \"fornt_web\" in [spar]",
             "  help: did you mean \"front_web\"?",
             "error: a.blade.toml:16: \"thickness\" is -1.5, expected a length greater than zero",
-            "error: a.blade.toml:17: unknown position \"uper\", expected \"upper\", \"lower\", \"web\", \"rear_web\"",
+            "error: a.blade.toml:17: \"on\" is \"uper\", expected one of \"upper\", \"lower\", \"web\", \"front_web\", \"rear_web\"",
             "  help: did you mean \"upper\"?",
             "error: a.blade.toml:26: \"to\" is 3, expected a part of the chord",
             "error: a.blade.toml:29: \"size\" is 0, expected a length greater than zero",
@@ -145,7 +151,8 @@ fn all_that_is_wrong_is_reported_at_once() {
         &[
             "error: a.blade.toml:1: the file has no \"units\"",
             "error: a.blade.toml:1: the file has no \"airfoil\"",
-            "error: a.blade.toml:1: the file has no \"skin\"",
+            "error: a.blade.toml:1: the file has no \"skin\", and no [core.aft]",
+            "  help: [skin] plies = [{ name = \"skin\", thickness = ... }], or [core.aft]",
             "error: a.blade.toml:1: the file has no \"mesh\"",
             "error: a.blade.toml:1: unknown key \"name\"",
             "  help: known keys: units, airfoil, skin, spar, core, nose_mass, mesh",
@@ -341,4 +348,47 @@ fn the_example_of_the_help_text_runs() {
     let run = workplace.run(&words);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{words:?}");
     assert!(workplace.path("blade.section.toml").exists());
+}
+
+/// Without skin and spar a core fills the airfoil: the area of NACA 0012 with its blunt edge
+/// follows from the formula of its thickness [Jacobs1933], to the splines through its points.
+#[test]
+fn an_airfoil_without_skin_is_solid() {
+    let workplace = Workplace::new();
+    let solid = "units = \"SI\"\n[airfoil]\nnaca = \"0012\"\nchord = 2\n[core.aft]\nname = \"foam\"\n\
+                 [mesh]\nsize = 0.04\n";
+    workplace.write("a.blade.toml", solid);
+    let run = mesh(&workplace);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let section = workplace.read("a.section.toml");
+    let constants = "young = 1e9\npoisson = 0.3\ndensity = 1000\n";
+    workplace.write(
+        "b.section.toml",
+        &section.replace("# density =\n", constants),
+    );
+    let run = workplace.run(&["analyze", "b.section.toml", "--no-figures"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let properties: serde_json::Value =
+        serde_json::from_str(&workplace.read("results/b.properties.json")).unwrap();
+    let found = properties["mass"][0][0].as_f64().unwrap();
+    let half = 0.2969 * 2.0 / 3.0 - 0.1260 / 2.0 - 0.3516 / 3.0 + 0.2843 / 4.0 - 0.1015 / 5.0;
+    let area = 2.0 * 5.0 * 0.12 * half * 4.0;
+    assert!(
+        (found / (1000.0 * area) - 1.0).abs() < 1e-4,
+        "{found} {area}"
+    );
+
+    // with a spar on the contour, all spaces along the contour are filled
+    let spar = "[spar]\nfront_web = 0.1\nrear_web = 0.4\n\
+                plies = [{ name = \"cap\", thickness = 0.01 }]\n";
+    workplace.write("a.blade.toml", &format!("{solid}{spar}"));
+    let run = mesh(&workplace);
+    let expected = "the file has no \"skin\", and no [core.nose] that fills the section";
+    assert!(run.code == 2 && run.err.contains(expected), "{}", run.err);
+    workplace.write(
+        "a.blade.toml",
+        &format!("{solid}{spar}[core.nose]\nname = \"foam\"\n"),
+    );
+    let run = mesh(&workplace);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
 }

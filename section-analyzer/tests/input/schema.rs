@@ -1,5 +1,5 @@
-//! Compares the description of the section file with its reader, with the files of the
-//! repository, and with its page in the book.
+//! Compares the descriptions of the input files with their readers, with the files of the
+//! repository, and with their pages in the book.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 use jsonschema::Validator;
 use section_analyzer::input;
 use section_analyzer::input::schema::{
-    Family, KeySchema, SECTION_FILE, TableSchema, ValueKind, json_schema, reference,
+    BLADE, Description, Family, KeySchema, MATRICES, SECTION, SECTION_FILE, TableSchema, ValueKind,
 };
+use section_analyzer::input::{blade, external};
+use shared_geom::error::Diagnostics;
 use shared_geom::units::DECLARABLE;
 use toml::{Table, Value};
 
@@ -20,11 +22,102 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-fn validator() -> Validator {
-    jsonschema::draft202012::new(&json_schema()).expect("a valid schema")
+/// An input file and its reader.
+struct Subject {
+    description: Description,
+    /// The ending of its names.
+    ending: &'static str,
+    /// Text in every file of the repository with this ending that is of this kind.
+    mark: &'static str,
+    /// Its page in the book.
+    page: &'static str,
+    read: fn(&Path) -> Result<(), Diagnostics>,
+    /// Parts of messages that are due to the examples: files that do not exist, and examples
+    /// that exclude each other.
+    of_examples: &'static [&'static str],
+    /// Optional keys to which examples of other keys refer.
+    referred: &'static [&'static str],
 }
 
-/// Whether the text of a section file fits the schema, with the reason if not.
+const SUBJECTS: [Subject; 3] = [
+    Subject {
+        description: SECTION,
+        ending: ".section.toml",
+        mark: "",
+        page: "section-input-reference.md",
+        read: |path| input::read(path).map(drop),
+        of_examples: &["spar.msh"],
+        referred: &["region", "temperature", "initial_strain", "electrode"],
+    },
+    Subject {
+        description: BLADE,
+        ending: ".blade.toml",
+        mark: "[airfoil]",
+        page: "blade-mesh-reference.md",
+        read: |path| blade::read(path).map(drop),
+        of_examples: &[
+            "no file \"airfoil.dat\"",
+            "has another material",
+            "] needs a",
+            "the plies of both surfaces",
+        ],
+        referred: &[],
+    },
+    Subject {
+        description: MATRICES,
+        ending: ".matrices.toml",
+        mark: "",
+        page: "matrices-reference.md",
+        read: |path| external::read(path).map(drop),
+        of_examples: &["nodes.csv", ".mtx", "is given above too"],
+        referred: &[],
+    },
+];
+
+impl Subject {
+    fn validator(&self) -> Validator {
+        jsonschema::draft202012::new(&self.description.json_schema()).expect("a valid schema")
+    }
+
+    /// Calls `look` with every table of the file.
+    fn visit(&self, look: Look<'_>) {
+        visit(&[], self.description.file, &|file| file, look);
+    }
+
+    /// The messages of the reader, each with its help, except for those that are due to the
+    /// examples.
+    fn problems(&self, text: &str) -> Vec<String> {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join(format!("a{}", self.ending));
+        std::fs::write(&file, text).expect("a file");
+        let reported = (self.read)(&file)
+            .err()
+            .map(|problems| problems.to_string());
+        let mut problems: Vec<String> = Vec::new();
+        for line in reported.unwrap_or_default().lines() {
+            match problems.last_mut() {
+                Some(last) if line.starts_with("  help: ") => last.push_str(line),
+                _ => problems.push(line.to_owned()),
+            }
+        }
+        problems.retain(|problem| !self.of_examples.iter().any(|part| problem.contains(part)));
+        problems
+    }
+
+    /// The keys that the reader knows in the table with the strange key, which is the only
+    /// problem.
+    fn known_to_the_reader(&self, text: &str) -> BTreeSet<String> {
+        let problems = self.problems(text);
+        let list = match &problems[..] {
+            [problem] if problem.contains(STRANGE) => problem.split_once("  help: known keys: "),
+            _ => None,
+        };
+        let (_, list) = list.unwrap_or_else(|| panic!("{problems:#?}\n{text}"));
+        list.split(", ").map(str::to_owned).collect()
+    }
+}
+
+/// Whether the text of a file fits the schema, with the reason if not.
 fn fits(validator: &Validator, text: &str) -> Result<(), String> {
     let table: Table = toml::from_str(text).expect("a file in TOML");
     let value = serde_json::to_value(table).expect("TOML without dates");
@@ -140,54 +233,30 @@ fn visit(path: &[&'static str], table: &'static TableSchema, embed: Embed<'_>, l
     }
 }
 
-/// Calls `look` with every table of the section file.
-fn visit_all(look: Look<'_>) {
-    visit(&[], &SECTION_FILE, &|file| file, look);
-}
-
-/// The messages of the reader, each with its help, except for the mesh file, which does
-/// not exist.
-fn problems(text: &str) -> Vec<String> {
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("a.section.toml");
-    std::fs::write(&file, text).expect("a file");
-    let reported = input::read(&file).expect_err("no mesh").to_string();
-    let mut problems: Vec<String> = Vec::new();
-    for line in reported.lines() {
-        match problems.last_mut() {
-            Some(last) if line.starts_with("  help: ") => last.push_str(line),
-            _ => problems.push(line.to_owned()),
-        }
-    }
-    problems.retain(|problem| !problem.contains("spar.msh"));
-    problems
-}
-
-/// The keys that the reader knows in the table with the strange key, which is the only
-/// problem.
-fn known_to_the_reader(text: &str) -> BTreeSet<String> {
-    let problems = problems(text);
-    let list = match &problems[..] {
-        [problem] if problem.contains(STRANGE) => problem.split_once("  help: known keys: "),
-        _ => None,
-    };
-    let (_, list) = list.unwrap_or_else(|| panic!("{problems:#?}\n{text}"));
-    list.split(", ").map(str::to_owned).collect()
-}
-
 /// All keys of the reader are in the description of each table, and vice versa: an
 /// unknown key makes the reader list the keys that it reads.
 #[test]
 fn reader_and_description_know_the_same_keys() {
+    // the file, units, three laws, region, both angles, one of them in two forms; the file,
+    // units, both airfoils, skin, spar, their plies, filler, cores, nose mass and mesh; both
+    // files, with units, slice, matrices and curvature
+    for (subject, least) in SUBJECTS.iter().zip([9, 14, 7]) {
+        let seen = know_the_same_keys(subject);
+        assert!(seen >= least, "{}: {seen}", subject.ending);
+    }
+}
+
+/// Compares all tables; returns their number.
+fn know_the_same_keys(subject: &Subject) -> usize {
     // The reader reads the keys of all forms, to distinguish them.
     let mut all_forms: BTreeMap<Vec<&str>, BTreeSet<String>> = BTreeMap::new();
-    visit_all(&mut |sample, _| {
+    subject.visit(&mut |sample, _| {
         let names = all_forms.entry(sample.path.clone()).or_default();
         names.extend(sample.names());
     });
-    let validator = validator();
+    let validator = subject.validator();
     let mut seen = 0;
-    visit_all(&mut |sample, embed| {
+    subject.visit(&mut |sample, embed| {
         let location = sample.location();
         let text = toml::to_string(&embed(sample.whole.clone())).expect("a table");
         assert_eq!(fits(&validator, &text), Ok(()), "{location}:\n{text}");
@@ -196,7 +265,7 @@ fn reader_and_description_know_the_same_keys() {
         strange.insert(STRANGE.to_owned(), Value::Integer(1));
         let text = toml::to_string(&embed(strange)).expect("a table");
         assert!(fits(&validator, &text).is_err(), "{location}:\n{text}");
-        let known = known_to_the_reader(&text);
+        let known = subject.known_to_the_reader(&text);
         let described = sample.names();
         let unknown: Vec<_> = described.difference(&known).collect();
         assert!(
@@ -210,8 +279,7 @@ fn reader_and_description_know_the_same_keys() {
         );
         seen += 1;
     });
-    // the file, units, three laws, region, both angles, one of them in two forms
-    assert!(seen >= 9, "{seen}");
+    seen
 }
 
 /// Whether a table of one form without a key is a table of another form.
@@ -239,29 +307,29 @@ fn is_other_form(sample: &Sample, without: &Table) -> bool {
 /// is refused by the reader only after it has read the mesh.)
 #[test]
 fn required_keys_are_required_by_both() {
-    let validator = validator();
-    visit_all(&mut |sample, embed| {
-        for key in sample.keys() {
-            let mut without = sample.whole.clone();
-            without.remove(key.name);
-            let is_required =
-                key.need == input::schema::Need::Required && !is_other_form(sample, &without);
-            let text = toml::to_string(&embed(without)).expect("a table");
-            let location = format!("{} without {}", sample.location(), key.name);
-            assert_eq!(fits(&validator, &text).is_err(), is_required, "{location}");
-            let problems = problems(&text);
-            // Without them, the references in the examples of loads and initial strains
-            // have no target.
-            let named = ["region", "temperature", "initial_strain", "electrode"];
-            if !(sample.path.is_empty() && named.contains(&key.name)) {
-                assert_eq!(
-                    !problems.is_empty(),
-                    is_required,
-                    "{location}: {problems:?}"
-                );
+    for subject in &SUBJECTS {
+        let validator = subject.validator();
+        subject.visit(&mut |sample, embed| {
+            for key in sample.keys() {
+                let mut without = sample.whole.clone();
+                without.remove(key.name);
+                let is_required =
+                    key.need == input::schema::Need::Required && !is_other_form(sample, &without);
+                let text = toml::to_string(&embed(without)).expect("a table");
+                let location = format!("{} without {}", sample.location(), key.name);
+                assert_eq!(fits(&validator, &text).is_err(), is_required, "{location}");
+                let problems = subject.problems(&text);
+                // Without them, references in the examples have no target.
+                if !(sample.path.is_empty() && subject.referred.contains(&key.name)) {
+                    assert_eq!(
+                        !problems.is_empty(),
+                        is_required,
+                        "{location}: {problems:?}"
+                    );
+                }
             }
-        }
-    });
+        });
+    }
 }
 
 #[test]
@@ -280,8 +348,8 @@ fn the_units_are_those_that_can_be_declared() {
     assert_eq!(described, DECLARABLE);
 }
 
-/// All section files below `folder`.
-fn section_files(folder: &Path, found: &mut Vec<PathBuf>) {
+/// All files with this ending below `folder`.
+fn files(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
     for entry in std::fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -289,22 +357,28 @@ fn section_files(folder: &Path, found: &mut Vec<PathBuf>) {
             && !["target", "out", "results"].contains(&&*name)
             && !name.starts_with('.')
         {
-            section_files(&path, found);
-        } else if name.ends_with(".section.toml") {
+            files(&path, ending, found);
+        } else if name.ends_with(ending) {
             found.push(path);
         }
     }
 }
 
 #[test]
-fn every_section_file_of_the_repository_fits() {
-    let mut files = Vec::new();
-    section_files(&root(), &mut files);
-    assert!(!files.is_empty());
-    let validator = validator();
-    for file in files {
-        let text = std::fs::read_to_string(&file).expect("a text file");
-        assert_eq!(fits(&validator, &text), Ok(()), "{}", file.display());
+fn every_file_of_the_repository_fits() {
+    for subject in &SUBJECTS {
+        let mut found = Vec::new();
+        files(&root(), subject.ending, &mut found);
+        let validator = subject.validator();
+        let mut seen = 0;
+        for file in found {
+            let text = std::fs::read_to_string(&file).expect("a text file");
+            if text.contains(subject.mark) {
+                assert_eq!(fits(&validator, &text), Ok(()), "{}", file.display());
+                seen += 1;
+            }
+        }
+        assert!(seen > 1, "{}", subject.ending);
     }
 }
 
@@ -323,7 +397,7 @@ plane_angle = { follow = \"outer\", reverse = true }
 
 #[test]
 fn wrong_files_do_not_fit() {
-    let validator = validator();
+    let validator = SUBJECTS[0].validator();
     assert_eq!(fits(&validator, SOUND), Ok(()));
     for (from, to) in [
         ("mesh = \"two.msh\"", ""),
@@ -356,14 +430,18 @@ fn wrong_files_do_not_fit() {
     }
 }
 
-/// The page of the book equals the output of the program.
+/// The pages of the book equal the output of the program.
 #[test]
-fn the_reference_page_is_that_of_the_description() {
-    let page = root().join("docs/src/section-input-reference.md");
-    let found = std::fs::read_to_string(page).unwrap_or_default();
-    assert!(
-        found == reference(),
-        "docs/src/section-input-reference.md does not match the description: run\n  cargo run -p \
-         section-analyzer -- schema --format markdown --out docs/src/section-input-reference.md"
-    );
+fn the_reference_pages_are_those_of_the_descriptions() {
+    for subject in &SUBJECTS {
+        let page = root().join("docs/src").join(subject.page);
+        let found = std::fs::read_to_string(page).unwrap_or_default();
+        let description = subject.description;
+        assert!(
+            found == description.reference(),
+            "docs/src/{} does not match the description: write it anew by section-analyzer \
+             schema --format markdown --out, with --of for other files than section files",
+            subject.page
+        );
+    }
 }

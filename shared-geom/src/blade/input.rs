@@ -20,15 +20,20 @@ use crate::units::Dimension;
 mod columns;
 mod engineering;
 mod frame;
+mod keys;
 mod line;
 mod matrix;
 mod problem;
 mod station_axes;
 mod station_file;
 mod stations;
+mod values;
+
+pub use keys::BLADE;
+pub use problem::InputProblem;
 
 use frame::Frame;
-pub use problem::InputProblem;
+use keys::{BLADE_FILE, DAMPING, INTERPOLATION, LINE, NAME, PROPORTIONAL, REFERENCE_POINT, TIMES};
 
 /// The ending of the files that people write.
 const ENDING: &str = ".blade.toml";
@@ -73,7 +78,7 @@ pub(super) fn parse(text: &str, file: &str, rigid_shear: bool) -> Result<Reading
     let document = Document::parse(text, file)?;
     let sources = Sources::default();
     sources.texts.borrow_mut().push(text.to_owned());
-    let root = document.root();
+    let root = document.root_of(&BLADE_FILE);
     document.declare_units(&root);
     let read = blade(&root, &sources);
     root.finish();
@@ -111,12 +116,9 @@ const ON_LINE: &str = "reference_point is not declared: the origin of the proper
 /// The blade as written.
 fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
     let file = root.document().file();
-    let name = match root.has("name") {
-        true => root.text("name"),
-        false => Some(name_without(Path::new(file), ENDING)),
-    };
+    let name = root.get(&NAME);
     let frame = Frame::read(root);
-    let reference_point = match !root.has("reference_point") && stations::are_files(root) {
+    let reference_point = match !root.has(&REFERENCE_POINT) && stations::are_files(root) {
         // Property files have the origin of their axes.
         true => {
             sources.remark(ON_LINE.to_owned());
@@ -124,15 +126,9 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
         }
         false => frame::reference_point(root, frame.as_ref()),
     };
-    let interpolation = match root.has("interpolation") {
-        true => {
-            let known = [Interpolation::Linear, Interpolation::Constant];
-            let index = root.word("interpolation", &["linear", "constant"]);
-            index.map(|index| known[index])
-        }
-        false => Some(Interpolation::Linear),
-    };
-    let line = line::read(root, frame.as_ref(), sources);
+    let interpolation = root.get(&INTERPOLATION);
+    let line = root.nested(&LINE, |table| line::read(table, frame.as_ref(), sources));
+    let line = line.flatten();
     // The length of an invalid line may be no number.
     let length = line.as_ref().filter(|line| line.problems().is_empty());
     let length = length.map(|line| line.length());
@@ -142,17 +138,17 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
         length,
     };
     let placed = stations::read(root, &settings, sources);
-    let damping = damping(root, frame.as_ref());
+    let damping = root.nested(&DAMPING, |table| damping(table, frame.as_ref()));
     let (placed, line) = (placed?, line?);
     let damping = of_stations(root, damping?, &placed);
     let curved = placed.iter().map(|placed| placed.curved.clone()).collect();
     let (indices, stations) = placed.into_iter().map(|p| (p.location, p.station)).unzip();
     let blade = Blade {
-        name: name?,
+        name: name?.unwrap_or_else(|| name_without(Path::new(file), ENDING)),
         line,
         reference_point: reference_point?,
         stations,
-        interpolation: interpolation?,
+        interpolation: [Interpolation::Linear, Interpolation::Constant][interpolation?],
         damping: damping?,
         provenance: Provenance {
             program: "helicoid".to_owned(),
@@ -166,25 +162,18 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
     Some((blade, indices, curved))
 }
 
-/// The table `[damping]`; `Some(None)` without one.
-fn damping(root: &Table<'_>, frame: Option<&Frame>) -> Option<Option<BladeDamping>> {
-    if !root.has("damping") {
-        return Some(None);
-    }
-    let table = root.table("damping")?;
-    let damping = match (table.has("proportional"), table.has("times")) {
-        (true, false) => {
-            let time = table.quantity("proportional", Dimension::TIME);
-            time.map(BladeDamping::Proportional)
-        }
-        (false, true) => times(&table, frame),
+/// The table `[damping]`.
+fn damping(table: &Table<'_>, frame: Option<&Frame>) -> Option<BladeDamping> {
+    match (table.has(&PROPORTIONAL), table.has(&TIMES)) {
+        (true, false) => table.get(&PROPORTIONAL).map(BladeDamping::Proportional),
+        (false, true) => times(table, frame),
         (true, true) => {
             let problem = InputProblem::Both {
                 table: "[damping]".to_owned(),
-                one: "proportional".to_owned(),
-                other: "times".to_owned(),
+                one: PROPORTIONAL.name().to_owned(),
+                other: TIMES.name().to_owned(),
             };
-            table.note("times", &problem);
+            table.note(&TIMES, &problem);
             None
         }
         (false, false) => {
@@ -192,29 +181,26 @@ fn damping(root: &Table<'_>, frame: Option<&Frame>) -> Option<Option<BladeDampin
                 table: "[damping]".to_owned(),
                 known: vec!["\"proportional\"", "\"times\""],
             };
-            table.note("damping", &problem);
+            table.note("", &problem);
             None
         }
-    };
-    table.finish();
-    damping.map(Some)
+    }
 }
 
 /// Six times in the order of the frame.
 fn times(table: &Table<'_>, frame: Option<&Frame>) -> Option<BladeDamping> {
-    let key = "times".to_owned();
-    let times = table.quantities(&key, Dimension::TIME)?;
+    let times = table.get(&TIMES)?;
     let found = times.len();
     match <[f64; 6]>::try_from(times) {
         Ok(times) => Some(BladeDamping::Times(frame?.values(times))),
         Err(_) => {
             let expected = "six times, one for each component";
             let problem = InputProblem::Count {
-                key,
+                key: TIMES.name().to_owned(),
                 found,
                 expected,
             };
-            table.note("times", &problem);
+            table.note(&TIMES, &problem);
             None
         }
     }
@@ -232,7 +218,7 @@ fn of_stations(
     };
     if damping.is_some() {
         let file = own.location.file.clone();
-        root.note("damping", &InputProblem::TwoDampings { file });
+        root.note(&DAMPING, &InputProblem::TwoDampings { file });
         return None;
     }
     let first = placed.first().and_then(|placed| placed.damping);
@@ -282,5 +268,7 @@ fn check_curved(
 
 #[cfg(test)]
 mod bad_tests;
+#[cfg(test)]
+mod schema_tests;
 #[cfg(test)]
 mod tests;

@@ -16,10 +16,22 @@ pub struct Key<T: 'static> {
     default: Option<fn() -> T>,
 }
 
-/// The type of a key that [`Table::get`] does not read: its value is a table, or more than
-/// the file is needed to read it.
+/// The type of a key that [`Table::get`] does not read: more than the file is needed to read
+/// its value, or it has several forms.
 #[derive(Debug)]
 pub enum ByHand {}
+
+/// The type of a key whose value is a table, which [`Table::nested`] reads.
+#[derive(Debug)]
+pub enum Nested {}
+
+/// The type of a key whose value is a list of tables, which [`Table::each`] reads.
+#[derive(Debug)]
+pub enum NestedList {}
+
+/// The type of a key whose value is tables with names, which [`Table::each_by_name`] reads.
+#[derive(Debug)]
+pub enum NestedByName {}
 
 impl<T: Declared> Key<T> {
     /// A key by its description.
@@ -36,7 +48,9 @@ impl<T: Declared> Key<T> {
             }
             assert!(is_of_type, "the type is not the type of the values");
         }
-        if !matches!(T::FORM, Form::ByHand) {
+        if matches!(T::FORM, Form::Table | Form::Tables | Form::NamedTables) {
+            assert!(default.is_none(), "a table has no default");
+        } else if !matches!(T::FORM, Form::ByHand) {
             let is_right = match schema.need {
                 Need::Required => default.is_none() && !T::IS_OPTIONAL,
                 Need::Optional => default.is_none() && T::IS_OPTIONAL,
@@ -84,6 +98,14 @@ pub enum Form {
     Vectors,
     /// These numbers of rows and columns.
     Rows(usize, usize),
+    /// Indices in a list of words.
+    Words,
+    /// A table.
+    Table,
+    /// A list of tables.
+    Tables,
+    /// Tables with names.
+    NamedTables,
     /// Any form, of a type with a reader of its own.
     Any,
     /// Any form, of a key that is not read by its description.
@@ -103,7 +125,11 @@ impl Form {
             Self::Vectors => 6,
             Self::Any => 7,
             Self::ByHand => 8,
-            Self::Vector(count) => 9 + count,
+            Self::Words => 9,
+            Self::Table => 10,
+            Self::Tables => 11,
+            Self::NamedTables => 12,
+            Self::Vector(count) => 100 + count,
             Self::Rows(rows, columns) => 1000 + 100 * rows + columns,
         }
     }
@@ -121,6 +147,10 @@ const fn form_of(kind: &ValueKind) -> Form {
         ValueKind::Vector(count, _) => Form::Vector(*count),
         ValueKind::Vectors(3, _) => Form::Vectors,
         ValueKind::Rows(rows, columns) => Form::Rows(*rows, *columns),
+        ValueKind::Words(_) => Form::Words,
+        ValueKind::Table(_) => Form::Table,
+        ValueKind::Tables(_) => Form::Tables,
+        ValueKind::NamedTables(_) => Form::NamedTables,
         _ => Form::Any,
     }
 }
@@ -135,6 +165,18 @@ pub trait Declared: Sized + 'static {
 
 impl Declared for ByHand {
     const FORM: Form = Form::ByHand;
+}
+
+impl Declared for Nested {
+    const FORM: Form = Form::Table;
+}
+
+impl Declared for NestedList {
+    const FORM: Form = Form::Tables;
+}
+
+impl Declared for NestedByName {
+    const FORM: Form = Form::NamedTables;
 }
 
 impl Declared for String {
@@ -171,6 +213,10 @@ impl<const N: usize> Declared for [f64; N] {
 
 impl<const M: usize, const N: usize> Declared for [[f64; N]; M] {
     const FORM: Form = Form::Rows(M, N);
+}
+
+impl Declared for Vec<usize> {
+    const FORM: Form = Form::Words;
 }
 
 impl Declared for Vec<Vector3<f64>> {
@@ -237,6 +283,22 @@ impl Value for usize {
             }
             _ => table.count(key.name),
         }
+    }
+}
+
+/// The indices of words; one word is a list of one.
+impl Value for Vec<usize> {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let known = match key.kinds[0] {
+            ValueKind::Words(known) => known,
+            _ => &[],
+        };
+        let found = table.texts(key.name)?.into_iter();
+        // Every word is read, so that each wrong one is noted.
+        let indices: Vec<_> = found
+            .map(|word| table.index_of(key.name, word, known, &[]))
+            .collect();
+        indices.into_iter().collect()
     }
 }
 

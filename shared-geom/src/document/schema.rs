@@ -18,6 +18,29 @@ pub use json::{Numbers, json_schema, shared_json_schema};
 pub use reference::reference;
 pub use units::UNITS;
 
+/// An input file, for its JSON schema and its reference page.
+#[derive(Debug, Clone, Copy)]
+pub struct Description {
+    /// Its top table.
+    pub file: &'static TableSchema,
+    /// Texts that may replace its numbers.
+    pub numbers: Numbers,
+    /// The opening of the reference page, in Markdown.
+    pub opening: &'static str,
+}
+
+impl Description {
+    /// The JSON schema, draft 2020-12.
+    pub fn json_schema(&self) -> serde_json::Value {
+        shared_json_schema(self.file, self.numbers)
+    }
+
+    /// The reference page, in Markdown.
+    pub fn reference(&self) -> String {
+        reference(self.file, self.opening)
+    }
+}
+
 /// A table of an input file.
 #[derive(Debug)]
 pub struct TableSchema {
@@ -233,6 +256,8 @@ pub enum ValueKind {
     Tables(&'static TableSchema),
     /// A list of tables that are described elsewhere.
     OtherTables,
+    /// A table of texts, or of tables, by keys that are described elsewhere.
+    Columns(&'static TableSchema),
 }
 
 impl ValueKind {
@@ -241,6 +266,14 @@ impl ValueKind {
         match self {
             Self::Table(table) | Self::NamedTables(table) | Self::Tables(table) => Some(table),
             _ => None,
+        }
+    }
+
+    /// The tables that are part of the value.
+    pub fn inner_table(&self) -> Option<&'static TableSchema> {
+        match self {
+            Self::Columns(table) => Some(table),
+            _ => self.table(),
         }
     }
 }

@@ -226,7 +226,17 @@ impl<'a> Table<'a> {
         known: &[&str],
         meant: &[(&str, &'static str)],
     ) -> Option<usize> {
-        let found = self.text(key)?;
+        self.index_of(key, self.text(key)?, known, meant)
+    }
+
+    /// The index of a word of `key`; notes an unknown one.
+    pub(super) fn index_of(
+        &self,
+        key: &str,
+        found: String,
+        known: &[&str],
+        meant: &[(&str, &'static str)],
+    ) -> Option<usize> {
         let index = known.iter().position(|word| *word == found);
         if index.is_none() {
             let meant = meant.iter().find(|word| word.0 == found).copied();

@@ -20,7 +20,7 @@ mod xml;
 pub(super) fn recognize(content: &[u8], file: &str) -> bool {
     let head = content.trim_ascii_start();
     let is_xml = head.starts_with(b"<?xml") || head.starts_with(b"<VTKFile");
-    is_xml || file.to_lowercase().ends_with(".vtu")
+    is_xml || file.to_lowercase().ends_with(super::VTU)
 }
 
 /// Reads the mesh of an XML file of VTK.

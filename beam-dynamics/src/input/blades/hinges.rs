@@ -75,15 +75,12 @@ pub(super) struct BladeHinge {
 
 /// Reads `hinges` of a card; `None` when one is wrong.
 pub(super) fn read(table: &Table<'_>, drives: &Catalog) -> Option<Vec<BladeHinge>> {
-    let tables = table.tables("hinges");
-    let read: Vec<_> = tables.iter().map(|table| hinge(table, drives)).collect();
-    read.into_iter().collect()
+    table.each(&super::HINGES, |table| hinge(table, drives))
 }
 
 fn hinge(table: &Table<'_>, drives: &Catalog) -> Option<BladeHinge> {
     let (kind, offset) = (table.get(&KIND), table.get(&OFFSET));
     let card = spring(table, drives);
-    table.finish();
     Some(BladeHinge {
         kind: Kind::ALL[kind?],
         offset: offset?,

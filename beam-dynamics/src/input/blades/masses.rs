@@ -44,19 +44,16 @@ pub(super) struct PointMass {
 
 /// Reads every `[[blade.mass]]` of a card; `None` when one is wrong.
 pub(super) fn read(blade: &Table<'_>) -> Option<Vec<PointMass>> {
-    let tables = blade.tables("mass");
-    let read: Vec<_> = tables.iter().enumerate().map(mass).collect();
-    read.into_iter().collect()
-}
-
-fn mass((number, table): (usize, &Table<'_>)) -> Option<PointMass> {
-    let at = table.get(&AT);
-    let lump = bodies::lump(table, &format!("mass {}", number + 1));
-    table.finish();
-    Some(PointMass {
-        at: at?,
-        lump: lump?,
-        line: table.line_of(&AT),
+    let mut number = 0;
+    blade.each(&super::MASS, |table| {
+        number += 1;
+        let at = table.get(&AT);
+        let lump = bodies::lump(table, &format!("mass {number}"));
+        Some(PointMass {
+            at: at?,
+            lump: lump?,
+            line: table.line_of(&AT),
+        })
     })
 }
 

@@ -2,7 +2,7 @@
 
 use shared_geom::document::schema::ValueKind::{Count, Positive, Quantity, Tables, Text, Vector};
 use shared_geom::document::schema::{Family, KeySchema};
-use shared_geom::document::{ByHand, Declared, Table, Value};
+use shared_geom::document::{Declared, NestedList, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -32,7 +32,7 @@ keys! {
     /// The name of properties of the pieces that name none.
     DEFAULT_PROPERTIES: Option<String> = "properties", [Text], optional, "\"strip\"";
     /// The pieces, from the root outward.
-    PIECE: ByHand = "piece", [Tables(&CARD)], required, "";
+    PIECE: NestedList = "piece", [Tables(&CARD)], required, "";
 }
 
 keys! {

@@ -171,7 +171,7 @@ keys! {
         [Table(&SPEEDS), Vector(3, Dimension::ROTATION_SPEED)], optional, "{ z = 60 }";
     /// Degrees of freedom that are fixed at their undeformed values, at the distance between
     /// `from` and `at`.
-    pub(super) LOCKED: ByHand = "locked", [Words(&FREEDOMS)], or "none",
+    pub(super) LOCKED: Vec<usize> = "locked", [Words(&FREEDOMS)], or "none" = Vec::new(),
         "[\"z\", \"about x\", \"about y\"]";
 }
 

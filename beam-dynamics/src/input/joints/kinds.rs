@@ -270,23 +270,8 @@ fn freedoms(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<[Fr
 
 /// The freedoms listed in `locked`.
 fn locked(table: &Table<'_>) -> Option<[bool; 6]> {
-    let mut found = [false; 6];
-    if !table.has(&LOCKED) {
-        return Some(found);
-    }
-    let mut is_known = true;
-    for word in table.texts(LOCKED.name())? {
-        match FREEDOMS.iter().position(|freedom| *freedom == word) {
-            Some(i) => found[i] = true,
-            None => {
-                let known = FREEDOMS.map(str::to_owned).to_vec();
-                let problem = JointProblem::UnknownFreedom { word, known };
-                table.note(&LOCKED, &problem);
-                is_known = false;
-            }
-        }
-    }
-    is_known.then_some(found)
+    let listed = table.get(&LOCKED)?;
+    Some(std::array::from_fn(|freedom| listed.contains(&freedom)))
 }
 
 fn points(kind: &str, table: &Table<'_>) -> Option<Points> {

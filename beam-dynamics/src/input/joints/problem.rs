@@ -1,6 +1,6 @@
 //! Problems of a joint.
 
-use shared_geom::error::{Explain, nearest_name};
+use shared_geom::error::Explain;
 
 /// A problem of a `[[joint]]`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -23,14 +23,6 @@ pub enum JointProblem {
         /// The freedom.
         freedom: &'static str,
     },
-    /// A word that is not a freedom.
-    #[error("\"locked\" has \"{word}\", expected {}", known.join(", "))]
-    UnknownFreedom {
-        /// The word found.
-        word: String,
-        /// The words of freedoms.
-        known: Vec<String>,
-    },
     /// Axes without direction.
     #[error("an axis in \"axes\" has no direction: its length is zero")]
     NoDirection,
@@ -48,10 +40,6 @@ pub enum JointProblem {
 impl Explain for JointProblem {
     fn help(&self) -> Option<String> {
         let fixed = match self {
-            Self::UnknownFreedom { word, known } => {
-                let near = nearest_name(word, known.iter().map(String::as_str))?;
-                return Some(format!("did you mean \"{near}\"?"));
-            }
             Self::NoSpin => "give the angular velocity, for example speed = \"30 rad/s\"",
             Self::NothingHeld { .. } => {
                 "name the held components, for example { x = 0, z = \"= 0.1 * sin(t)\" }"

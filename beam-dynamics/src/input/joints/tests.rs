@@ -183,7 +183,7 @@ fn every_problem_of_joints_is_reported_at_once() {
         "\"length\" is -1, expected a length greater than zero at all times",
         "has no \"at\", expected the point of the frame from which it is measured",
         "the joint holds nothing, expected at least one component of \"locked\"",
-        "\"locked\" has \"about w\", expected x, y, z, about x, about y, about z",
+        "\"locked\" is \"about w\", expected one of \"x\", \"y\", \"z\", \"about x\", \"about y\", \"about z\"",
         "\"x\" is locked and driven, expected one of them",
         "the joint has neither \"angle\" nor \"speed\", expected one of them",
         "unknown drive \"swng\"",

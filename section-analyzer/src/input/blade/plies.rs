@@ -1,25 +1,13 @@
 //! Plies of skin and spar as written.
 
-use shared_geom::document::schema::ValueKind::Quantity;
-use shared_geom::document::{Item, Table};
-use shared_geom::keys;
-use shared_geom::units::Dimension;
+use shared_geom::document::{Key, NestedList, Table};
 
-use super::super::regions::Angle;
+use super::keys::{
+    CELLS, CLOSURE, COUNT, FACES, FIBER_ANGLE, FILLER, FROM, FRONT_WEB, LIMITS, MATERIAL, NAME, ON,
+    ORDER, REAR_WEB, SKIN_PLIES, SPAR_PLIES, THICKNESS, TO,
+};
 use super::{BladeFileProblem, BladeRegion, Lines, Reading};
 use crate::mesh::generate::blade::{Ply, Spar, SparPly};
-
-keys! {
-    /// Angle of the fiber from x toward the wall.
-    FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)], or "0" = Angle(0.0), "45";
-}
-
-/// Largest number of cells through a ply.
-const MOST_CELLS: usize = 50;
-/// Positions of a ply of the spar.
-const PARTS_OF_SECTION: [&str; 5] = ["upper", "lower", "web", "front_web", "rear_web"];
-/// Keys that restrict a ply of the spar.
-const LIMITS: [&str; 4] = ["from", "to", "on", "filler"];
 
 /// Material and angles of a physical surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,7 +46,7 @@ impl Uses {
                         name: same.name,
                         line: known.line,
                     };
-                    table.note("name", &problem);
+                    table.note(&NAME, &problem);
                 }
             }
         }
@@ -71,15 +59,8 @@ pub(super) fn material_of(
     uses: &mut Uses,
     follow: Option<&'static str>,
 ) -> Option<String> {
-    let _ = table.require_item(
-        "name",
-        "the name of a physical surface, and of its material",
-    );
-    let name = word(table, "name");
-    let material = match table.has("material") {
-        true => word(table, "material"),
-        false => name.clone(),
-    };
+    let name = table.get(&NAME).map(|name| name.0);
+    let material = table.get(&MATERIAL);
     let fiber_angle = match follow {
         Some(_) => table.get(&FIBER_ANGLE).map(|angle| angle.0),
         None => Some(0.0),
@@ -89,7 +70,7 @@ pub(super) fn material_of(
         table,
         Use {
             name: name.clone(),
-            material: material?,
+            material: material?.map_or(name.clone(), |material| material.0),
             fiber_angle: fiber_angle?,
             follow,
             line: table.line(),
@@ -98,98 +79,51 @@ pub(super) fn material_of(
     Some(name)
 }
 
-/// A name that is valid in meshes and section files.
-fn word(table: &Table<'_>, key: &str) -> Option<String> {
-    if !table.has(key) {
-        return None;
-    }
-    let text = table.text(key)?;
-    let fits = |letter: char| letter.is_alphanumeric() || "-_+.".contains(letter);
-    if text.is_empty() || !text.chars().all(fits) {
-        table.wrong(
-            key,
-            "a name of letters, digits, \"-\", \"_\", \"+\" and \".\"",
-        );
-        return None;
-    }
-    Some(text)
-}
-
 impl Reading<'_> {
     /// The plies of the skin from the outside in, and whether it is closed at the
     /// trailing edge.
     pub(super) fn skin(
         &self,
-        root: &Table<'_>,
+        table: &Table<'_>,
         lines: &mut Lines,
         uses: &mut Uses,
     ) -> Option<(Vec<Ply>, bool)> {
-        let table = root.require_table("skin", "a table [skin] with its plies")?;
-        lines.skin = table.line_of("plies");
-        let closure = match table.has("closure") {
-            true => table.word("closure", &["closed", "open"]),
-            false => Some(0),
-        };
-        let is_inside_out = is_inside_out(&table);
-        let tables = plies_of(&table);
-        let plies: Vec<Option<Ply>> = tables
-            .iter()
-            .map(|table| {
-                let ply = self.ply(table, uses, "contour");
-                table.finish_beside(&LIMITS.map(|key| (key, "a ply of the spar")));
-                ply
-            })
-            .collect();
-        table.finish();
-        let mut plies: Vec<Ply> = plies.into_iter().collect::<Option<_>>()?;
-        if is_inside_out? {
+        lines.skin = table.line_of(&SKIN_PLIES);
+        let (closure, order) = (table.get(&CLOSURE), table.get(&ORDER));
+        let beside = LIMITS.map(|key| (key, "a ply of the spar"));
+        let mut plies = plies(table, &SKIN_PLIES, &beside, |table| {
+            self.ply(table, uses, "contour")
+        })?;
+        if order? == INSIDE_OUT {
             plies.reverse();
         }
-        let is_closed = closure? == 0;
-        (!plies.is_empty()).then_some((plies, is_closed))
+        Some((plies, closure? == 0))
     }
 
     /// The spar.
     pub(super) fn spar(
         &self,
-        root: &Table<'_>,
+        table: &Table<'_>,
         lines: &mut Lines,
         uses: &mut Uses,
     ) -> Option<Spar> {
-        let table = root.table("spar")?;
-        lines.spar = table.line_of("plies");
-        lines.front_web = table.line_of("front_web");
-        lines.rear_web = table.line_of("rear_web");
-        let _ = table.require_item("rear_web", "the part of the chord at its rear face");
-        let rear = match table.has("rear_web") {
-            true => self.part(&table, "rear_web"),
-            false => None,
-        };
-        let front = match table.has("front_web") {
-            true => self.part(&table, "front_web").map(Some),
-            false => Some(None),
-        };
-        let is_inside_out = is_inside_out(&table);
-        let tables = plies_of(&table);
-        let has_front = table.has("front_web");
-        let plies: Vec<Option<SparPly>> = tables
-            .iter()
-            .map(|table| {
-                let ply = self.spar_ply(table, uses, (front.flatten(), rear), has_front);
-                table.finish();
-                ply
-            })
-            .collect();
-        table.finish();
-        let mut plies: Vec<SparPly> = plies.into_iter().collect::<Option<_>>()?;
-        lines.plies = tables.iter().map(Table::line).collect();
-        if is_inside_out? {
+        lines.spar = table.line_of(&SPAR_PLIES);
+        lines.front_web = table.line_of(&FRONT_WEB);
+        lines.rear_web = table.line_of(&REAR_WEB);
+        let rear = table.get(&REAR_WEB).map(|part| part.0);
+        let front = table.get(&FRONT_WEB).map(|part| part.map(|part| part.0));
+        let order = table.get(&ORDER);
+        let has_front = table.has(&FRONT_WEB);
+        let mut of_plies = Vec::new();
+        let mut plies = plies(table, &SPAR_PLIES, &[], |table| {
+            of_plies.push(table.line());
+            self.spar_ply(table, uses, (front.flatten(), rear), has_front)
+        })?;
+        if order? == INSIDE_OUT {
             plies.reverse();
-            lines.plies.reverse();
+            of_plies.reverse();
         }
-        if plies.is_empty() {
-            return None;
-        }
+        lines.plies = of_plies;
         Some(Spar {
             front_web: front?,
             rear_web: rear?,
@@ -199,13 +133,9 @@ impl Reading<'_> {
 
     fn ply(&self, table: &Table<'_>, uses: &mut Uses, follow: &'static str) -> Option<Ply> {
         let name = material_of(table, uses, Some(follow));
-        let thickness = self.length(table, "thickness");
-        let count = count_or(table, "count", 1, usize::MAX);
-        let cells = count_or(table, "cells", 1, MOST_CELLS);
-        let has_faces = match table.has("faces") {
-            true => table.boolean("faces"),
-            false => Some(false),
-        };
+        let thickness = self.length(table, &THICKNESS);
+        let (count, cells) = (table.get(&COUNT), table.get(&CELLS));
+        let has_faces = table.get(&FACES);
         Some(Ply {
             name: name?,
             thickness: thickness? * count? as f64,
@@ -222,17 +152,16 @@ impl Reading<'_> {
         has_front: bool,
     ) -> Option<SparPly> {
         let ply = self.ply(table, uses, "spar");
-        let from = self.part_or(table, "from", f64::NEG_INFINITY);
-        let to = self.part_or(table, "to", f64::INFINITY);
-        let positions = parts_of_section(table, has_front);
-        let filler = filler(table, uses);
-        let (from, to) = (from?, to?);
+        let (from, to) = (table.get(&FROM), table.get(&TO));
+        let positions = positions(table, has_front);
+        let filler = table.nested(&FILLER, |table| material_of(table, uses, Some("spar")));
         // a ply that extends to the webs includes their corners
-        let from = match front {
-            Some(front) if from == front => f64::NEG_INFINITY,
-            None if from <= 0.0 => f64::NEG_INFINITY,
-            _ => from,
+        let from = match from?.map_or(f64::NEG_INFINITY, |part| part.0) {
+            from if front == Some(from) => f64::NEG_INFINITY,
+            from if front.is_none() && from <= 0.0 => f64::NEG_INFINITY,
+            from => from,
         };
+        let to = to?.map_or(f64::INFINITY, |part| part.0);
         let to = if Some(to) == rear { f64::INFINITY } else { to };
         let [upper, lower, front_web, rear_web] = positions?;
         let range = Some([from, to]);
@@ -246,84 +175,58 @@ impl Reading<'_> {
     }
 }
 
-/// Tables of plies; notes an empty list.
-fn plies_of<'a>(table: &Table<'a>) -> Vec<Table<'a>> {
-    let _ = table.require_item("plies", "a list of plies");
-    let tables = table.tables("plies");
-    if table.is_list("plies") && table.row_count("plies") == Some(0) {
-        table.wrong("plies", "at least one ply");
-    }
-    tables
-}
+/// The index of the word of plies that begin inside.
+const INSIDE_OUT: usize = 1;
 
-fn is_inside_out(table: &Table<'_>) -> Option<bool> {
-    if !table.has("order") {
-        return Some(false);
-    }
-    let word = table.word("order", &["outside_in", "inside_out"]);
-    word.map(|word| word == 1)
-}
-
-fn count_or(table: &Table<'_>, key: &str, default: usize, most: usize) -> Option<usize> {
-    if !table.has(key) {
-        return Some(default);
-    }
-    let count = table.count(key)?;
-    if count > most {
-        table.wrong(key, &format!("a whole number from 1 to {most}"));
+/// The plies of a list, each read by `read`; notes an empty list, and unknown keys, of which
+/// some belong `beside`.
+fn plies<T>(
+    table: &Table<'_>,
+    key: &Key<NestedList>,
+    beside: &[(&str, &'static str)],
+    mut read: impl FnMut(&Table<'_>) -> Option<T>,
+) -> Option<Vec<T>> {
+    table.require_item(key, &key.schema.expected())?;
+    if table.is_list(key) && table.row_count(key) == Some(0) {
+        table.wrong(key, "at least one ply");
         return None;
     }
-    Some(count)
+    // Every ply is read, so that each wrong one is noted.
+    let tables = table.tables(key);
+    let plies: Vec<_> = tables
+        .iter()
+        .map(|table| {
+            let ply = read(table);
+            table.finish_beside(beside);
+            ply
+        })
+        .collect();
+    plies
+        .into_iter()
+        .collect::<Option<Vec<T>>>()
+        .filter(|plies| !plies.is_empty())
 }
 
 /// Whether a ply is on the upper and lower surface, in the front and in the rear web.
-fn parts_of_section(table: &Table<'_>, has_front: bool) -> Option<[bool; 4]> {
-    if !table.has("on") {
+fn positions(table: &Table<'_>, has_front: bool) -> Option<[bool; 4]> {
+    let Some(words) = table.get(&ON)? else {
         return Some([true; 4]);
-    }
+    };
     let mut positions = [false; 4];
-    let mut is_good = true;
-    for name in table.texts("on")? {
-        match name.as_str() {
-            "upper" => positions[0] = true,
-            "lower" => positions[1] = true,
-            "web" => (positions[2], positions[3]) = (true, true),
-            "front_web" if has_front => positions[2] = true,
-            "rear_web" => positions[3] = true,
-            _ => {
-                let known = PARTS_OF_SECTION
-                    .iter()
-                    .filter(|position| has_front || **position != "front_web");
-                let problem = BladeFileProblem::UnknownPart {
-                    found: name,
-                    known: known.map(|&position| position.to_owned()).collect(),
-                };
-                table.note("on", &problem);
-                is_good = false;
+    for word in words {
+        match word {
+            0 | 1 => positions[word] = true,
+            2 => (positions[2], positions[3]) = (true, true),
+            3 if !has_front => {
+                table.note(&ON, &BladeFileProblem::NoFrontWeb);
+                return None;
             }
+            _ => positions[word - 1] = true,
         }
     }
-    if is_good && positions == [false; 4] {
-        table.wrong("on", "at least one position");
+    if positions == [false; 4] {
+        table.wrong(&ON, "at least one position");
         return None;
     }
-    is_good.then_some(positions)
-}
-
-/// The filler that replaces a ply: its name alone, or a table; `None` if it is wrong.
-fn filler(table: &Table<'_>, uses: &mut Uses) -> Option<Option<String>> {
-    if !table.has("filler") {
-        return Some(None);
-    }
-    let item: Item<'_> = table.item("filler")?;
-    let Some(own) = item.table("\"filler\"") else {
-        table.wrong(
-            "filler",
-            "a table { name = ..., material = ..., fiber_angle = ... }",
-        );
-        return None;
-    };
-    let name = material_of(&own, uses, Some("spar"));
-    own.finish();
-    name.map(Some)
+    Some(positions)
 }

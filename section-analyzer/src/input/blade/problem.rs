@@ -1,7 +1,7 @@
 //! Problems of blade files, in addition to the problems of any input file and of the
 //! meshing.
 
-use shared_geom::error::{Explain, nearest_name};
+use shared_geom::error::Explain;
 
 /// A problem of a blade file, or of the airfoil file that it names.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -36,14 +36,17 @@ pub enum BladeFileProblem {
         /// The missing part.
         needed: &'static str,
     },
-    /// A position that a ply of the spar cannot have.
-    #[error("unknown position \"{found}\", expected {}", quoted(.known))]
-    UnknownPart {
-        /// The word found.
-        found: String,
-        /// The known positions.
-        known: Vec<String>,
+    /// Neither a skin nor a core along a part of the contour.
+    #[error(
+        "the file has no \"skin\", and no [core.{core}] that fills the section up to its contour"
+    )]
+    NoSkin {
+        /// The core.
+        core: &'static str,
     },
+    /// A ply in a front web that does not exist.
+    #[error("\"on\" has \"front_web\", but the spar has no front web")]
+    NoFrontWeb,
     /// A row of an airfoil file.
     #[error("\"{found}\" is not a point, expected x/c and z/c")]
     Row {
@@ -71,19 +74,16 @@ pub enum BladeFileProblem {
     },
 }
 
-fn quoted(words: &[String]) -> String {
-    let quoted: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
-    quoted.join(", ")
-}
-
 impl Explain for BladeFileProblem {
     fn help(&self) -> Option<String> {
         match self {
             Self::NoAirfoil => Some("naca = \"0012\", or file = \"airfoil.dat\"".into()),
             Self::NameTwice { .. } => Some("give it a name of its own".into()),
-            Self::UnknownPart { found, known } => {
-                let near = nearest_name(found, known.iter().map(String::as_str));
-                near.map(|near| format!("did you mean \"{near}\"?"))
+            Self::NoSkin { core } => Some(format!(
+                "[skin] plies = [{{ name = \"skin\", thickness = ... }}], or [core.{core}] name = \"foam\""
+            )),
+            Self::NoFrontWeb => {
+                Some("front_web = 0.12 in [spar], or \"web\" for its only web".into())
             }
             Self::EdgeOfFile => {
                 Some("remove it; [airfoil] end = 0.98 cuts off the thin end".into())

@@ -397,7 +397,8 @@ impl LaminaProblem {
             }
             Self::Overlaps { .. } => {
                 "the plies extend from their line to its \"side\" by their thickness: check both, \
-                 or leave space between the curves; walls that cross need a common node"
+                 or leave space between the curves; walls that cross or end on another need a \
+                 common node (in gmsh, BooleanFragments divides the lines there)"
             }
             Self::Unjoined { .. } => {
                 "a laminate is joined to cells along whole sides, lines that share their nodes with \

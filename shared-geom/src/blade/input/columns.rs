@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use super::Sources;
+use super::keys::{COLUMN_NAME, COLUMN_UNIT, COLUMN_VALUE, COLUMNS, FACTOR, FILE};
 use super::problem::InputProblem;
 use crate::document::Table;
 use crate::error::{Diagnostics, SourceLocation};
@@ -43,7 +44,7 @@ impl<'a> Columns<'a> {
     /// Reads the file that `owner` names under `file`, with its names for `keys` in
     /// `columns`.
     pub fn read(owner: &'a Table<'a>, keys: &[String], sources: &Sources) -> Option<Self> {
-        let map = owner.table("columns");
+        let map = owner.table(&COLUMNS);
         if let Some(map) = &map {
             // All of them are known keys, even if others are wrong.
             for key in keys {
@@ -51,8 +52,8 @@ impl<'a> Columns<'a> {
             }
         }
         let document = owner.document();
-        let written = owner.require_text("file", "the name of a table")?;
-        let path = owner.existing("file", &written)?;
+        let written = owner.get(&FILE)?;
+        let path = owner.existing(&FILE, &written)?;
         let text = document.keep(sources.read(&path))?;
         let file = path.display().to_string();
         let (names_line, names, rows) = document.keep(rows(&text, &file))?;
@@ -91,20 +92,18 @@ impl<'a> Columns<'a> {
     /// A value for all rows, or a column with a unit and a factor, as the table
     /// specifies.
     fn described(&self, key: &str, table: &Table<'_>, measure: Measure) -> Option<Vec<f64>> {
-        if table.has("value") {
-            let value = table.quantity("value", measure.dimension);
+        if table.has(&COLUMN_VALUE) {
+            let value = table.quantity(COLUMN_VALUE.name(), measure.dimension);
             table.finish();
             return Some(vec![value?; self.rows.len()]);
         }
-        let name = table.require_text("column", "the name of a column, or a value for all rows");
-        let unit = match table.has("unit") {
-            true => unit(table, measure.dimension),
-            false => Some(measure.factor),
+        let name = table.get(&COLUMN_NAME);
+        let unit = match table.get(&COLUMN_UNIT) {
+            Some(Some(text)) => unit(table, &text, measure.dimension),
+            Some(None) => Some(measure.factor),
+            None => None,
         };
-        let factor = match table.has("factor") {
-            true => table.quantity("factor", Dimension::NUMBER),
-            false => Some(1.0),
-        };
+        let factor = table.get(&FACTOR);
         table.finish();
         self.column(&name?, key, unit? * factor?)
     }
@@ -124,7 +123,7 @@ impl<'a> Columns<'a> {
             };
             match self.map.as_ref().filter(|map| map.has(key)) {
                 Some(map) => map.note(key, &problem),
-                None => self.owner.note("file", &problem),
+                None => self.owner.note(&FILE, &problem),
             }
             return None;
         };
@@ -184,18 +183,20 @@ impl<'a> Columns<'a> {
     }
 }
 
-/// SI units in one unit given under `unit`.
-fn unit(table: &Table<'_>, dimension: Dimension) -> Option<f64> {
-    let text = table.text("unit")?;
-    match units::parse_as(&text, dimension) {
+/// SI units in one unit, the `text` in a table.
+fn unit(table: &Table<'_>, text: &str, dimension: Dimension) -> Option<f64> {
+    match units::parse_as(text, dimension) {
         Ok(unit) => Some(unit.factor),
         Err(problem) => {
-            match is_weight(&text, dimension) {
-                true => table.note("unit", &InputProblem::Weight { unit: text }),
+            match is_weight(text, dimension) {
+                true => {
+                    let unit = text.to_owned();
+                    table.note(&COLUMN_UNIT, &InputProblem::Weight { unit });
+                }
                 false => {
-                    let key = "unit".to_owned();
+                    let key = COLUMN_UNIT.name().to_owned();
                     table.note(
-                        "unit",
+                        &COLUMN_UNIT,
                         &crate::document::DocumentProblem::Unit { key, problem },
                     );
                 }

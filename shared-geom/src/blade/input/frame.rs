@@ -2,32 +2,33 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector2, Vector3};
 
+use super::keys::{FRAME, ORDER, REFERENCE_POINT, SECTION_FILE, STATION, TWIST_POSITIVE};
 use super::problem::InputProblem;
+use super::values::{COMPONENTS, DIRECTIONS, FRAMES};
 use crate::document::{DocumentProblem, Table};
 use crate::exchange::frame::Convention;
 use crate::units::Dimension;
 use crate::wrench;
 
-/// Named frames. The twist of BeamDyn is positive about minus its own z.
-const NAMED: [(&str, Convention); 6] = [
-    ("helicoid", Convention::Helicoid),
-    ("beamdyn", Convention::BeamDyn),
-    ("hawc2", Convention::Hawc2),
-    ("vabs", Convention::Vabs),
-    ("sonata", Convention::Vabs),
-    ("anba4", Convention::Anba4),
+/// The frames, in the order of their names. The twist of BeamDyn is positive about minus its
+/// own z.
+const NAMED: [Convention; 6] = [
+    Convention::Helicoid,
+    Convention::BeamDyn,
+    Convention::Hawc2,
+    Convention::Vabs,
+    Convention::Vabs,
+    Convention::Anba4,
 ];
-/// Directions that describe axes, in Helicoid's axes.
-const DIRECTIONS: [(&str, [f64; 3]); 6] = [
-    ("tip", [1.0, 0.0, 0.0]),
-    ("root", [-1.0, 0.0, 0.0]),
-    ("leading edge", [0.0, 1.0, 0.0]),
-    ("trailing edge", [0.0, -1.0, 0.0]),
-    ("upper", [0.0, 0.0, 1.0]),
-    ("lower", [0.0, 0.0, -1.0]),
+/// The directions that describe axes, in Helicoid's axes, in the order of their words.
+const AXES_OF_WORDS: [[f64; 3]; 6] = [
+    [1.0, 0.0, 0.0],
+    [-1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, -1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [0.0, 0.0, -1.0],
 ];
-/// The six components along and about the axes of a frame.
-const COMPONENTS: [&str; 6] = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The axes of the numbers of a file.
@@ -45,19 +46,18 @@ impl Frame {
     /// Reads `frame`, `order` and `twist_positive` of the file.
     pub fn read(root: &Table<'_>) -> Option<Self> {
         // All of them are known keys, even if others are wrong.
-        let given = ["frame", "order", "twist_positive"].map(|key| root.has(key));
+        let given = [FRAME.name(), ORDER.name(), TWIST_POSITIVE.name()].map(|key| root.has(key));
         if given == [false; 3] && has_only_property_files(root) {
             return Some(Self::ours());
         }
         if !given[0] {
-            root.note("frame", &InputProblem::FrameUndeclared);
+            root.note(&FRAME, &InputProblem::FrameUndeclared);
             return None;
         }
-        let named = root.is_text("frame");
+        let named = root.is_text(&FRAME);
         let (axes, nose_up) = match named {
             true => {
-                let words = NAMED.map(|name| name.0);
-                let convention = root.word("frame", &words).map(|index| NAMED[index].1);
+                let convention = root.word(FRAME.name(), &FRAMES).map(|index| NAMED[index]);
                 let nose_up = match convention {
                     Some(Convention::BeamDyn) => -1.0,
                     _ => 1.0,
@@ -65,42 +65,35 @@ impl Frame {
                 (convention.map(Convention::axes), nose_up)
             }
             false => {
-                let words = root.texts("frame")?;
+                let words = root.texts(FRAME.name())?;
                 let axes = directions(&words);
                 if axes.is_none() {
-                    root.note("frame", &InputProblem::Directions { found: words });
+                    root.note(&FRAME, &InputProblem::Directions { found: words });
                 }
                 (axes, 1.0)
             }
         };
         let order = order(root, named);
-        let nose_up = match root.has("twist_positive") {
-            true => {
-                let signs = [1.0, -1.0];
-                let index = root.word("twist_positive", &["nose up", "nose down"]);
-                index.map(|index| signs[index])
-            }
-            false => Some(nose_up),
-        };
+        let declared = root.get(&TWIST_POSITIVE);
         Some(Self {
             axes: axes?,
             order: order?,
-            nose_up: nose_up?,
+            nose_up: declared?.map_or(nose_up, |sense| [1.0, -1.0][sense]),
         })
     }
 
     /// The declaration of the file as text.
     pub fn words(root: &Table<'_>) -> Option<String> {
-        if !root.has("frame") {
+        if !root.has(&FRAME) {
             return None;
         }
-        let axes = root.texts("frame")?;
+        let axes = root.texts(FRAME.name())?;
         let mut words = match &axes[..] {
             [x, y, z] => format!("x to {x}, y to {y}, z to {z}"),
             _ => axes.join(", "),
         };
-        if root.has("order") {
-            words += &format!("; order {}", root.texts("order")?.join(", "));
+        if root.has(&ORDER) {
+            words += &format!("; order {}", root.texts(ORDER.name())?.join(", "));
         }
         Some(words)
     }
@@ -189,8 +182,8 @@ impl Frame {
 /// The axes of three directions; `None` unless they form a right-handed frame.
 fn directions(words: &[String]) -> Option<Matrix3<f64>> {
     let of = |word: &String| {
-        let known = DIRECTIONS.iter().find(|direction| direction.0 == word)?;
-        Some(Vector3::from(known.1))
+        let index = DIRECTIONS.iter().position(|known| known == word)?;
+        Some(Vector3::from(AXES_OF_WORDS[index]))
     };
     let columns: Option<Vec<_>> = words.iter().map(of).collect();
     let axes = match columns?[..] {
@@ -202,21 +195,21 @@ fn directions(words: &[String]) -> Option<Matrix3<f64>> {
 
 /// The order of the components: declared, or implied by a named frame.
 fn order(root: &Table<'_>, named: bool) -> Option<[usize; 6]> {
-    if !root.has("order") {
+    if !root.has(&ORDER) {
         if named {
             return Some([0, 1, 2, 3, 4, 5]);
         }
-        root.note("frame", &InputProblem::OrderUndeclared);
+        root.note(&FRAME, &InputProblem::OrderUndeclared);
         return None;
     }
-    let words = root.texts("order")?;
+    let words = root.texts(ORDER.name())?;
     let index = |word: &String| COMPONENTS.iter().position(|known| known == word);
     let indices: Option<Vec<_>> = words.iter().map(index).collect();
     let indices: Option<[usize; 6]> = indices.and_then(|indices| indices.try_into().ok());
     let is_complete = |indices: &[usize; 6]| (0..6).all(|i| indices.contains(&i));
     let indices = indices.filter(is_complete);
     if indices.is_none() {
-        root.note("order", &InputProblem::Order { found: words });
+        root.note(&ORDER, &InputProblem::Order { found: words });
     }
     indices
 }
@@ -224,17 +217,17 @@ fn order(root: &Table<'_>, named: bool) -> Option<[usize; 6]> {
 /// Whether all stations are property files, which state their axes and their point.
 fn has_only_property_files(root: &Table<'_>) -> bool {
     // Other forms of the key are reported by the reader of the stations.
-    let stations = match root.is_list("station") {
-        true => root.tables("station"),
+    let stations = match root.is_list(&STATION) {
+        true => root.tables(&STATION),
         false => Vec::new(),
     };
-    !stations.is_empty() && stations.iter().all(|station| station.has("file"))
+    !stations.is_empty() && stations.iter().all(|station| station.has(&SECTION_FILE))
 }
 
 /// Reads `reference_point`: the word `"line"`, or two lengths; required, unless all stations
 /// are property files.
 pub(super) fn reference_point(root: &Table<'_>, frame: Option<&Frame>) -> Option<Vector2<f64>> {
-    const KEY: &str = "reference_point";
+    const KEY: &str = REFERENCE_POINT.name();
     if !root.has(KEY) && has_only_property_files(root) {
         return Some(Vector2::zeros());
     }

@@ -5,17 +5,11 @@ use nalgebra::Vector3;
 use super::Sources;
 use super::columns::{Columns, Measure};
 use super::frame::Frame;
+use super::keys::{ARC, COURSE, CURVATURE, FILE, LENGTH, ROOT_TWIST, TWIST, TWIST_RATE};
 use super::problem::InputProblem;
-use crate::document::{Item, Table};
-use crate::expression::written;
+use crate::document::Table;
 use crate::line::{Course, LinePoint, ReferenceLine};
-use crate::units::{Dimension, parse_any};
-
-/// Inverse of a length: curvature, angle per length without the angle.
-const INVERSE_LENGTH: Dimension = Dimension {
-    length: -1,
-    ..Dimension::NUMBER
-};
+use crate::units::Dimension;
 
 /// Keys of the coordinates of points in the axes of the frame.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -36,24 +30,23 @@ const KEYS: [&str; 9] = [
 
 /// Reads the line of a blade.
 pub(super) fn read(
-    root: &Table<'_>,
+    table: &Table<'_>,
     frame: Option<&Frame>,
     sources: &Sources,
 ) -> Option<ReferenceLine> {
-    let table = root.require_table("line", "the reference line")?;
-    let ways = ["length", "file", "arc", "span"];
+    let ways = [LENGTH.name(), FILE.name(), ARC.name(), "span"];
     let mut given: Vec<_> = ways.into_iter().filter(|way| table.has(way)).collect();
     given.extend(AXES.into_iter().find(|axis| table.has(axis)));
-    let line = match given[..] {
-        ["length"] => straight(&table, frame),
-        ["arc"] => arcs(&table, frame),
+    match given[..] {
+        ["length"] => straight(table, frame),
+        ["arc"] => arcs(table, frame),
         ["file"] => {
             // A known key, even if the file cannot be read.
-            table.has("course");
-            let columns = Columns::read(&table, &KEYS.map(str::to_owned), sources);
+            table.has(&COURSE);
+            let columns = Columns::read(table, &KEYS.map(str::to_owned), sources);
             let line = columns.as_ref().and_then(|columns| {
                 let lists = Lists::File(columns);
-                through(&table, &lists, frame)
+                through(table, &lists, frame)
             });
             if let Some(columns) = columns {
                 columns.finish(sources);
@@ -65,7 +58,7 @@ pub(super) fn read(
             for key in KEYS {
                 table.has(key);
             }
-            through(&table, &Lists::Inline(&table), frame)
+            through(table, &Lists::Inline(table), frame)
         }
         [one, other, ..] => {
             let problem = InputProblem::Both {
@@ -86,31 +79,25 @@ pub(super) fn read(
                     "\"arc\"s",
                 ],
             };
-            table.note("line", &problem);
+            table.note("", &problem);
             None
         }
-    };
-    table.finish();
-    line
+    }
 }
 
 /// A straight line of a given length; twist at its ends, or of the whole.
 fn straight(table: &Table<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
-    let length = table.require_positive("length", Dimension::LENGTH);
-    let twist = match table.has("twist") {
-        true => table.quantities("twist", Dimension::ANGLE),
-        false => Some(vec![0.0]),
-    };
+    let (length, twist) = (table.get(&LENGTH), table.get(&TWIST));
     let twist = match twist?[..] {
         [both] => [both; 2],
         [root, tip] => [root, tip],
         ref list => {
             let problem = InputProblem::Count {
-                key: "twist".to_owned(),
+                key: TWIST.name().to_owned(),
                 found: list.len(),
                 expected: "one angle, or those at root and tip",
             };
-            table.note("twist", &problem);
+            table.note(&TWIST, &problem);
             return None;
         }
     };
@@ -175,13 +162,7 @@ impl Lists<'_> {
 
 /// A line through points: coordinates in the frame, or span, sweep and prebend.
 fn through(table: &Table<'_>, lists: &Lists<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
-    let course = {
-        let known = [Course::Polyline, Course::Spline];
-        let expected = "\"polyline\" or \"spline\": the course of the line between its points";
-        let word = table.require_text("course", expected);
-        let index = word.and_then(|_| table.word("course", &["polyline", "spline"]));
-        index.map(|index| known[index])
-    };
+    let course = table.get(&COURSE);
     // In axes by their names, or as words; the first that exists counts the points.
     let by_axes = AXES.iter().any(|axis| lists.has(axis));
     let keys = if by_axes { AXES } else { WORDS };
@@ -208,7 +189,10 @@ fn through(table: &Table<'_>, lists: &Lists<'_>, frame: Option<&Frame>) -> Optio
             twist: frame.twist(twist[i]),
         }
     };
-    let line = ReferenceLine::through((0..first.len()).map(point).collect(), course?);
+    let line = ReferenceLine::through(
+        (0..first.len()).map(point).collect(),
+        [Course::Polyline, Course::Spline][course?],
+    );
     let [forward, up] = offsets;
     Some(displaced(line, &forward?, &up?))
 }
@@ -232,56 +216,15 @@ fn displaced(line: ReferenceLine, forward: &[f64], up: &[f64]) -> ReferenceLine 
     ReferenceLine::through(points.collect(), line.course)
 }
 
-/// The curvature of an arc: numbers are the inverse of a radius, texts an inverse radius
-/// or an angle per length, as in section files.
-fn curvature(arc: &Table<'_>) -> Option<Vector3<f64>> {
-    let expected = "an array of 3: one over a radius, or angles per length, as in \"5 deg/m\"";
-    let item = arc.item("curvature")?;
-    let Some(items) = item.list().filter(|items| items.len() == 3) else {
-        return item.wrong(expected);
-    };
-    let quantity = |item: &Item<'_>| {
-        let text = item.text().filter(|text| written(text).is_none());
-        let of_angle = text.is_some_and(|text| {
-            let found = parse_any(text).map(|(_, dimension)| dimension);
-            found != Ok(INVERSE_LENGTH)
-        });
-        item.quantity(match of_angle {
-            true => Dimension::CURVATURE,
-            false => INVERSE_LENGTH,
-        })
-    };
-    // Every number is read, so that each wrong one is noted.
-    let numbers: Vec<_> = items.iter().map(quantity).collect();
-    let numbers: Option<Vec<f64>> = numbers.into_iter().collect();
-    Some(Vector3::from_vec(numbers?))
-}
-
 /// A line by its curvature: `[[line.arc]]`.
 fn arcs(table: &Table<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
-    let twist = match table.has("twist") {
-        true => table.quantity("twist", Dimension::ANGLE),
-        false => Some(0.0),
-    };
-    let tables = table.tables("arc");
-    let read = tables.iter().map(|arc| {
-        let length = arc.require_positive("length", Dimension::LENGTH);
-        let curvature = match arc.has("curvature") {
-            true => curvature(arc),
-            false => Some(Vector3::zeros()),
-        };
-        let rate = match arc.has("twist_rate") {
-            true => arc.quantity("twist_rate", Dimension::CURVATURE),
-            false => Some(0.0),
-        };
-        arc.finish();
-        let curvature = frame?.vector(curvature?.into());
+    let twist = table.get(&ROOT_TWIST);
+    let arcs = table.each(&ARC, |arc| {
+        let (length, rate) = (arc.get(&LENGTH), arc.get(&TWIST_RATE));
+        let curvature = frame?.vector(arc.get(&CURVATURE)?.0.into());
         let rate = frame?.twist(rate?);
         Some((length?, curvature + Vector3::new(rate, 0.0, 0.0)))
     });
-    // Every arc is read, so that each wrong one is noted.
-    let read: Vec<_> = read.collect();
-    let arcs: Option<Vec<_>> = read.into_iter().collect();
     let root = LinePoint {
         position: Vector3::zeros(),
         twist: frame?.twist(twist?),

@@ -4,6 +4,7 @@ use nalgebra::{Matrix6, Vector2};
 
 use super::columns::{Columns, Measure};
 use super::engineering::{self, ANGLES, CENTERS, MASS, Numbers, Parts, STIFFNESS};
+use super::keys::ROOT_AT;
 use super::matrix::{self, Kind};
 use super::station_axes::{Settings, StationAxes, either, moved, note_foreign};
 use super::{Placed, Sources};
@@ -44,10 +45,7 @@ pub(super) fn read(
     settings: &Settings<'_>,
     sources: &Sources,
 ) -> Option<Vec<Placed>> {
-    let root_at = match table.has("root_at") {
-        true => table.quantity("root_at", Dimension::LENGTH),
-        false => Some(0.0),
-    };
+    let root_at = table.get(&ROOT_AT);
     let columns = Columns::read(table, &keys(), sources);
     let stations = columns.as_ref().and_then(|columns| {
         let file = StationFile {
@@ -57,7 +55,6 @@ pub(super) fn read(
         };
         file.stations(root_at?)
     });
-    table.finish();
     if let Some(columns) = columns {
         columns.finish(sources);
     }

@@ -4,6 +4,7 @@ use nalgebra::{Matrix6, Vector2};
 
 use super::engineering::{self, Numbers, Parts};
 use super::frame::{self, Frame};
+use super::keys::{ANGLE, ARC_LENGTH, ETA, SECTION_FILE, STATION, STATION_POINT, STATIONS};
 use super::matrix::{self, Kind};
 use super::problem::InputProblem;
 use super::station_axes::{Settings, StationAxes, either, moved, note_foreign};
@@ -20,26 +21,20 @@ pub(super) fn read(
     settings: &Settings<'_>,
     sources: &Sources,
 ) -> Option<Vec<Placed>> {
-    match (root.has("stations"), root.has("station")) {
-        (true, false) => station_file::read(&root.table("stations")?, settings, sources),
-        (false, true) => {
-            let tables = root.tables("station");
-            let read = tables.iter().map(|table| {
-                let station = in_place(table, settings, sources);
-                table.finish();
-                station
-            });
-            // Every station is read, so that each wrong one is noted.
-            let read: Vec<_> = read.collect();
-            read.into_iter().collect()
-        }
+    match (root.has(&STATIONS), root.has(&STATION)) {
+        (true, false) => root
+            .nested(&STATIONS, |table| {
+                station_file::read(table, settings, sources)
+            })
+            .flatten(),
+        (false, true) => root.each(&STATION, |table| in_place(table, settings, sources)),
         (true, true) => {
             let problem = InputProblem::Both {
                 table: root.title().to_owned(),
                 one: "[stations]".to_owned(),
                 other: "[[station]]".to_owned(),
             };
-            root.note("station", &problem);
+            root.note(&STATION, &problem);
             None
         }
         (false, false) => {
@@ -47,7 +42,7 @@ pub(super) fn read(
                 table: root.title().to_owned(),
                 known: vec!["[stations] with a \"file\"", "tables [[station]]"],
             };
-            root.note("stations", &problem);
+            root.note("", &problem);
             None
         }
     }
@@ -55,29 +50,26 @@ pub(super) fn read(
 
 /// Whether there are tables `[[station]]`, and all of them name property files.
 pub(super) fn are_files(root: &Table<'_>) -> bool {
-    let is_file = |table: Table<'_>| table.has("file");
-    !root.has("stations") && root.has("station") && root.tables("station").into_iter().all(is_file)
+    let is_file = |table: Table<'_>| table.has(&SECTION_FILE);
+    !root.has(&STATIONS) && root.has(&STATION) && root.tables(&STATION).into_iter().all(is_file)
 }
 
 /// A `[[station]]`.
 fn in_place(table: &Table<'_>, settings: &Settings<'_>, sources: &Sources) -> Option<Placed> {
     let arc_length = match either(table, |key| table.has(key), "arc_length", "eta") {
-        Some(true) => table.quantity("arc_length", Dimension::LENGTH),
+        Some(true) => table.given(&ARC_LENGTH).flatten(),
         Some(false) => {
-            let eta = table.quantity("eta", Dimension::NUMBER);
+            let eta = table.given(&ETA).flatten();
             eta.and_then(|eta| Some(eta * settings.length?))
         }
         None => None,
     };
-    let point = match table.has("reference_point") {
-        true => frame::point(table, "reference_point", settings.frame),
+    let point = match table.has(&STATION_POINT) {
+        true => frame::point(table, STATION_POINT.name(), settings.frame),
         false => settings.reference_point,
     };
-    let angle = match table.has("angle") {
-        true => table.quantity("angle", Dimension::ANGLE),
-        false => Some(0.0),
-    };
-    let matrices = match table.has("file") {
+    let angle = table.get(&ANGLE);
+    let matrices = match table.has(&SECTION_FILE) {
         true => of_section(table, sources).map(Matrices::Section),
         false => in_table(table, settings).map(|(k, m)| Matrices::Written(Box::new([k, m]))),
     };
@@ -131,10 +123,13 @@ enum Matrices {
 /// The content of a property file, and its name.
 fn of_section(table: &Table<'_>, sources: &Sources) -> Option<(String, Box<SectionProperties>)> {
     let document = table.document();
-    let written = table.require_text("file", "the name of a property file")?;
-    let path = table.existing("file", &written)?;
+    let written = table.get(&SECTION_FILE)?;
+    let path = table.existing(&SECTION_FILE, &written)?;
     let text = document.keep(sources.read(&path))?;
-    let section = table.keep_file("file", section::parse(&text, &path.display().to_string()))?;
+    let section = table.keep_file(
+        SECTION_FILE.name(),
+        section::parse(&text, &path.display().to_string()),
+    )?;
     for (is_there, what) in [
         (section.piezo.is_some(), "piezoelectric coupling"),
         (section.thermal_force.is_some(), "thermal force"),

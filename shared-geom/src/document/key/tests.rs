@@ -2,10 +2,10 @@ use nalgebra::Vector3;
 
 use crate::document::schema::ValueKind::{
     Boolean, Count, NamedTables, NotNegative, Numbers, Positive, Quantity, Rows, Table as OneTable,
-    Text, Texts, Vector, Vectors, Word,
+    Tables, Text, Texts, Vector, Vectors, Word, Words,
 };
 use crate::document::schema::{Family, Need, TableSchema};
-use crate::document::{ByHand, Document};
+use crate::document::{ByHand, Document, Nested, NestedByName, NestedList};
 use crate::units::Dimension;
 use crate::{choice, keys};
 
@@ -276,4 +276,97 @@ fn families_are_distinguished_by_a_word() {
             .map_or_else(|p| p.to_string(), |()| String::new());
         assert!(shown.contains(reported), "{shown}");
     }
+}
+
+keys! {
+    /// A file of tables.
+    TABLES = "b.toml";
+    /// The main hole.
+    MAIN: Nested = "main", [OneTable(&HOLE)], required, "";
+    /// A spare hole.
+    SPARE: Nested = "spare", [OneTable(&HOLE)], optional, "";
+    /// Holes.
+    HOLES: NestedList = "hole", [Tables(&HOLE)], optional, "";
+    /// Holes by name.
+    NAMED: NestedByName = "named", [NamedTables(&HOLE)], optional, "";
+    /// Where.
+    SIDES: Option<Vec<usize>> = "sides", [Words(&["left", "right"])], optional, "\"left\"";
+}
+
+keys! {
+    /// A hole.
+    HOLE = "hole";
+    /// Its diameter.
+    BORE: f64 = "bore", [Positive(Dimension::LENGTH)], required, "2";
+}
+
+/// The tables under declared keys of a text, and its problems.
+fn holes(text: &str) -> (Option<f64>, Option<Vec<f64>>, Option<Vec<String>>, String) {
+    let document = Document::parse(text, "b.toml").unwrap();
+    let root = document.root_of(&TABLES);
+    let main = root.nested(&MAIN, |table| table.get(&BORE)).flatten();
+    let holes = root.each(&HOLES, |table| table.get(&BORE));
+    let named = root.each_by_name(&NAMED, |_, table| table.get(&BORE));
+    let named = named.map(|named| named.into_iter().map(|(name, _)| name).collect());
+    assert_eq!(root.nested(&SPARE, |_| Some(())), Some(None));
+    root.finish();
+    let reported = document
+        .finish(Some(()))
+        .err()
+        .map(|problems| problems.to_string());
+    (main, holes, named, reported.unwrap_or_default())
+}
+
+#[test]
+fn tables_are_read_by_their_declarations() {
+    let text = "[main]\nbore = 1\n[[hole]]\nbore = 2\n[[hole]]\nbore = 3\n[named.a]\nbore = 4\n";
+    let expected = (
+        Some(1.0),
+        Some(vec![2.0, 3.0]),
+        Some(vec!["a".to_owned()]),
+        String::new(),
+    );
+    assert_eq!(holes(text), expected);
+    assert_eq!(holes("[main]\nbore = 1\n").1, Some(Vec::new()));
+    let (main, list, named, reported) =
+        holes("[[hole]]\nbore = 0\nbroe = 2\n[[hole]]\n[named.a]\nb = 1\n");
+    assert_eq!((main, list, named), (None, None, None));
+    for part in [
+        "b.toml:1: the file has no \"main\", expected the main hole",
+        "b.toml:2: \"bore\" is 0",
+        "b.toml:3: unknown key \"broe\"",
+        "b.toml:4: [[hole]] number 2 has no \"bore\"",
+        "b.toml:6: unknown key \"b\"",
+    ] {
+        assert!(reported.contains(part), "{part}\n{reported}");
+    }
+}
+
+#[test]
+fn words_are_indices_and_all_wrong_ones_are_noted() {
+    let read = |text: &str| {
+        let document = Document::parse(text, "b.toml").unwrap();
+        let found = document.root().get(&SIDES);
+        let reported = document
+            .finish(Some(()))
+            .err()
+            .map(|problems| problems.to_string());
+        (found, reported.unwrap_or_default())
+    };
+    assert_eq!(
+        read("sides = [\"right\", \"left\"]"),
+        (Some(Some(vec![1, 0])), String::new())
+    );
+    assert_eq!(
+        read("sides = \"right\""),
+        (Some(Some(vec![1])), String::new())
+    );
+    assert_eq!(read(""), (Some(None), String::new()));
+    let (found, reported) = read("sides = [\"rigth\", \"up\"]");
+    assert_eq!(
+        (found, reported.matches("error:").count()),
+        (None, 2),
+        "{reported}"
+    );
+    assert!(reported.contains("did you mean \"right\"?"), "{reported}");
 }

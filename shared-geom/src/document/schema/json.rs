@@ -152,6 +152,7 @@ impl Numbers {
                 "minProperties": 1,
             })],
             ValueKind::Tables(table) => vec![list(self.of_table(table))],
+            ValueKind::Columns(table) => vec![open(any(vec![text(), self.of_table(table)]))],
             ValueKind::OtherTables => vec![list(json!({ "type": "object" }))],
         }
     }

@@ -33,7 +33,7 @@ fn write_table(page: &mut String, table: &'static TableSchema) {
         write_keys(page, family.keys);
     }
     let kinds = table.all_keys().flat_map(|key| key.kinds);
-    for inner in kinds.filter_map(ValueKind::table) {
+    for inner in kinds.filter_map(ValueKind::inner_table) {
         write_table(page, inner);
     }
 }
@@ -98,6 +98,7 @@ fn words(kind: &ValueKind) -> String {
         ValueKind::Table(table) => format!("table `{}`", table.title),
         ValueKind::NamedTables(table) => format!("tables `{}`", table.title),
         ValueKind::Tables(table) => format!("tables `{}`", table.title),
+        ValueKind::Columns(table) => format!("names by key, or tables `{}`", table.title),
         ValueKind::OtherTables => "tables".to_owned(),
     }
 }
