@@ -15,8 +15,8 @@ use shared_geom::units::Dimension;
 
 use super::{
     aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes,
-    frames, hub, internal_forces, joints, loads, measured, nodes, properties, rods, speeds,
-    springs, transient,
+    frames, hub, internal_forces, joints, loads, measured, nodes, periodic, properties, rods,
+    speeds, springs, transient,
 };
 
 keys! {
@@ -61,6 +61,8 @@ keys! {
     BUCKLING: ByHand = "buckling", [Table(&analyses::BUCKLING)], optional, "";
     /// Motion in time.
     TRANSIENT: ByHand = "transient", [Table(&transient::TRANSIENT)], optional, "";
+    /// Periodic motion.
+    PERIODIC: ByHand = "periodic", [Table(&periodic::PERIODIC)], optional, "";
     /// Output of runs in time.
     OUTPUT: ByHand = "output", [Table(&columns::CARD)], optional, "";
     /// Measured frequencies.

@@ -18,7 +18,7 @@ use crate::solver::{Iteration, StepSolver, Worst};
 
 mod stages;
 
-use stages::StageMatrix;
+pub(super) use stages::StageMatrix;
 
 /// Ratio to the limit below which a residual or correction is only round-off.
 const ROUND_OFF: f64 = 1e-3;
@@ -151,13 +151,40 @@ impl Corrector {
         meter: &mut Meter<'_>,
     ) -> Result<usize, Reason> {
         self.begin();
-        let weights = formula.weights.map(|row| row.map(|weight| length * weight));
+        self.iterate(dae, &formula.step_weights(length), limits, meter)
+    }
+
+    /// The same from rates other than those of the prediction: `rates`, of each unknown, are added
+    /// to them at all stages.
+    pub fn converge_from(
+        &mut self,
+        dae: &mut dyn Dae,
+        weights: &[[f64; STAGES]; STAGES],
+        rates: &[f64],
+        limits: &StepLimits,
+        meter: &mut Meter<'_>,
+    ) -> Result<usize, Reason> {
+        self.begin();
+        for last in &mut self.last {
+            last.copy_from_slice(rates);
+        }
+        self.apply(dae, weights);
+        self.iterate(dae, weights, limits, meter)
+    }
+
+    fn iterate(
+        &mut self,
+        dae: &mut dyn Dae,
+        weights: &[[f64; STAGES]; STAGES],
+        limits: &StepLimits,
+        meter: &mut Meter<'_>,
+    ) -> Result<usize, Reason> {
         loop {
             // The first iterate is never the last: if its Jacobian is due, residuals and
             // derivatives come from one evaluation.
-            let is_both = self.history.len() == self.first && self.is_due(&weights, limits);
+            let is_both = self.history.len() == self.first && self.is_due(weights, limits);
             match is_both {
-                true => self.evaluate(dae, &weights, meter),
+                true => self.evaluate(dae, weights, meter),
                 false => self.find_residuals(dae, meter),
             }
             if let Err(reason) = self.find_worst(dae) {
@@ -173,22 +200,22 @@ impl Corrector {
             if self.history.len() >= limits.iterations {
                 return Err(Reason::NotConverged);
             }
-            if is_both || self.is_due(&weights, limits) {
+            if is_both || self.is_due(weights, limits) {
                 if !is_both {
-                    self.combine(dae, &weights, meter);
+                    self.combine(dae, weights, meter);
                 }
-                self.factorize(&weights, meter)?;
+                self.factorize(weights, meter)?;
             }
-            let size = self.find_correction(dae, &weights, meter)?;
+            let size = self.find_correction(dae, weights, meter)?;
             self.history.push(Iteration {
                 worst: self.worst,
                 correction: size,
             });
             if self.leads_astray(size)? {
-                self.begin_again(dae, &weights);
+                self.begin_again(dae, weights);
                 continue;
             }
-            self.apply(dae, &weights);
+            self.apply(dae, weights);
             if self.is_last(size, limits) {
                 return Ok(self.history.len());
             }
