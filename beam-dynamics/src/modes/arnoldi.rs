@@ -52,9 +52,9 @@ pub struct Largest {
 }
 
 /// Part of an image below which the rest beyond the basis is round-off.
-const ROUND_OFF: f64 = 1e-11;
+const ROUND_OFF: f64 = 1e-9;
 /// The same of a new vector.
-const INSIDE: f64 = 1e-8;
+const INSIDE: f64 = 1e-7;
 /// Residual of an eigenvalue relative to its size at which it is accepted.
 const SETTLED: f64 = 1e-10;
 /// Products between two checks.

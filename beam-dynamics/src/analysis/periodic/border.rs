@@ -119,6 +119,9 @@ impl Border {
     /// means (rows, of size one) to the controls (columns); `None` if all act.
     pub fn idle(&self, response: &DMatrix<f64>) -> Option<[String; 2]> {
         const IDLE: f64 = 1e-9;
+        if response.is_empty() {
+            return None;
+        }
         let largest = response.amax();
         let found = response.clone().svd(true, true);
         let (least, value) = found.singular_values.argmin();
