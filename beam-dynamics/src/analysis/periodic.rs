@@ -7,13 +7,14 @@
 //! 4. The largest multipliers of the linearized period show its stability.
 //!
 //! All steps are of Radau IIA: on systems with constraints the map of such a step adds nothing but
-//! multipliers of zero, while those of two-step formulas hide true ones.
+//! multipliers of zero; two-step formulas add some that hide true ones.
 
 use crate::analysis::transient::{Multibody, Started, independent, start};
-use crate::case::{Model, PeriodicMethod, PeriodicSettings};
+use crate::case::{FloquetSettings, Model, PeriodicMethod, PeriodicSettings};
 use crate::elements::Queries;
 use crate::integrator::Dae;
 use crate::model::State;
+use crate::modes::Largest;
 use crate::result::{AcceptedStep, FloquetTable, PeriodicPass, PeriodicResult, Recorder};
 
 mod border;
@@ -259,18 +260,7 @@ fn stability(
         period: flow.period(),
         masses: sizes::masses(model, (&orbit.end, &conditions)),
     };
-    let steps = flow.steps() / 2;
-    let coarse = match settings.estimates_error && steps >= LEAST_STEPS {
-        false => None,
-        true => {
-            let mut flow = Flow::new(model, shooting.settings, steps, &orbit.state);
-            let coarse = shooting.solve(&mut flow, orbit.state.clone(), &mut Vec::new());
-            coarse.ok().and_then(|coarse| {
-                let map = &coarse.map;
-                floquet::multipliers(&Monodromy { map, ..fine }, settings.count)
-            })
-        }
-    };
+    let coarse = coarse(shooting, &fine, (&orbit.state, flow.steps() / 2), settings);
     // Halved steps have 2^p times the error of the exponents, p = 2 s - 1.
     let factor = (1 << (2 * shooting.settings.stages() - 1)) - 1;
     let coarse = coarse.as_ref().map(|coarse| (coarse, factor));
@@ -280,4 +270,23 @@ fn stability(
         &observer,
         coarse,
     )))
+}
+
+/// The multipliers of the periodic motion near the first state `state` in a number of steps, if an
+/// estimate of errors is requested.
+fn coarse(
+    shooting: &Shooting<'_>,
+    fine: &Monodromy<'_>,
+    (state, steps): (&State, usize),
+    settings: &FloquetSettings,
+) -> Option<Largest> {
+    if !settings.estimates_error || steps < LEAST_STEPS {
+        return None;
+    }
+    let mut flow = Flow::new(shooting.model, shooting.settings, steps, state);
+    let orbit = shooting
+        .solve(&mut flow, state.clone(), &mut Vec::new())
+        .ok()?;
+    let map = &orbit.map;
+    floquet::multipliers(&Monodromy { map, ..*fine }, settings.count)
 }

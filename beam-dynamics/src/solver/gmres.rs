@@ -40,56 +40,87 @@ pub fn gmres(
             residual: 0.0,
         });
     }
-    let mut basis = vec![b.iter().map(|value| value / size).collect::<Vec<_>>()];
-    let mut columns: Vec<Vec<f64>> = Vec::new();
-    let mut rotations: Vec<[f64; 2]> = Vec::new();
-    let mut right = vec![size];
-    while columns.len() < most {
-        let mut w = basis[columns.len()].clone();
+    let mut space = Space {
+        basis: vec![b.iter().map(|value| value / size).collect()],
+        columns: Vec::new(),
+        rotations: Vec::new(),
+        right: vec![size],
+    };
+    while space.columns.len() < most {
+        let mut w = space.basis[space.columns.len()].clone();
         product(&mut w)?;
         let whole = norm(&w);
         if !whole.is_finite() {
             return None;
         }
-        let mut column = orthogonalize(&basis, &mut w);
-        let rest = norm(&w);
-        for (i, [c, s]) in rotations.iter().enumerate() {
+        let Some(rest) = space.add(&mut w, whole) else {
+            // The matrix maps the basis onto less: no smaller residual in this space.
+            break;
+        };
+        let left = space.right.last().map_or(0.0, |left| left.abs());
+        if left <= tolerance * size || rest <= ROUND_OFF * whole {
+            break;
+        }
+        space
+            .basis
+            .push(w.iter().map(|value| value / rest).collect());
+    }
+    Some(Gmres {
+        x: space.solution(),
+        products: space.columns.len(),
+        residual: space.right.last().map_or(0.0, |left| left.abs()) / size,
+    })
+}
+
+/// The Krylov space, with H turned into a triangle.
+struct Space {
+    basis: Vec<Vec<f64>>,
+    /// Columns of the triangle.
+    columns: Vec<Vec<f64>>,
+    /// Cosine and sine of each rotation.
+    rotations: Vec<[f64; 2]>,
+    /// The turned right side; the last entry is the residual.
+    right: Vec<f64>,
+}
+
+impl Space {
+    /// Adds the product `w`, of the length `whole`, of the last vector, and leaves its part beyond
+    /// the basis in `w`; returns the length of this part, or `None` if the product adds nothing.
+    fn add(&mut self, w: &mut [f64], whole: f64) -> Option<f64> {
+        let mut column = orthogonalize(&self.basis, w);
+        let rest = norm(w);
+        for (i, [c, s]) in self.rotations.iter().enumerate() {
             let (a, b) = (column[i], column[i + 1]);
             (column[i], column[i + 1]) = (c * a + s * b, c * b - s * a);
         }
         let last = column.len() - 1;
         let length = column[last].hypot(rest);
         if length <= ROUND_OFF * whole {
-            // The matrix maps the basis onto less: no smaller residual in this space.
-            break;
+            return None;
         }
         let [c, s] = [column[last] / length, rest / length];
         column[last] = length;
-        rotations.push([c, s]);
-        columns.push(column);
-        let value = right[last];
-        right[last] = c * value;
-        right.push(-s * value);
-        if (s * value).abs() <= tolerance * size || rest <= ROUND_OFF * whole {
-            break;
+        self.rotations.push([c, s]);
+        self.columns.push(column);
+        let value = self.right[last];
+        self.right[last] = c * value;
+        self.right.push(-s * value);
+        Some(rest)
+    }
+
+    fn solution(&self) -> Vec<f64> {
+        let m = self.columns.len();
+        let mut y = self.right[..m].to_vec();
+        for i in (0..m).rev() {
+            let known: f64 = (i + 1..m).map(|j| self.columns[j][i] * y[j]).sum();
+            y[i] = (y[i] - known) / self.columns[i][i];
         }
-        basis.push(w.iter().map(|value| value / rest).collect());
+        let mut x = vec![0.0; self.basis[0].len()];
+        for (y, v) in y.iter().zip(&self.basis) {
+            x.iter_mut().zip(v).for_each(|(x, v)| *x += y * v);
+        }
+        x
     }
-    let m = columns.len();
-    let mut y = right[..m].to_vec();
-    for i in (0..m).rev() {
-        let known: f64 = (i + 1..m).map(|j| columns[j][i] * y[j]).sum();
-        y[i] = (y[i] - known) / columns[i][i];
-    }
-    let mut x = vec![0.0; b.len()];
-    for (y, v) in y.iter().zip(&basis) {
-        x.iter_mut().zip(v).for_each(|(x, v)| *x += y * v);
-    }
-    Some(Gmres {
-        x,
-        products: m,
-        residual: right[m].abs() / size,
-    })
 }
 
 /// Removes the parts of `w` in an orthonormal basis, twice; returns them.

@@ -71,8 +71,8 @@ fn a_forced_oscillator_by_both_methods() {
     }
 }
 
-// The natural frequency is 5 rad/s, outside of the half of the forcing's 4: the branch is that of
-// the motion, or the nearest to a given one.
+// The natural frequency is 5 rad/s, outside of the half of the forcing's 4: the branch is the
+// frequency of the motion, or the nearest to a given one.
 #[test]
 fn branches_by_content_and_by_given_frequencies() {
     let (outcome, _) = analyzed(&oscillator(0.1, "[periodic.floquet]\ncount = 2"));

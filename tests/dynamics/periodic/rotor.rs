@@ -26,7 +26,7 @@ const ANISOTROPIC: [f64; 4] = [1.1e6, 2.0e6, 3000.0, 3800.0];
 
 /// The rotor at rest in the axes of the cards; `angle` is the prescribed rotation of the hub.
 fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: f64) -> String {
-    // The frame of a run in time does not turn, that of the modes does.
+    // The frame of a run in time does not turn, the frame of the modes does.
     let fixed = if speed == 0.0 { "world" } else { "frame" };
     let mut text = format!(
         "[[node]]\nname = \"mast\"\nposition = [0, 0, 0]\n\

@@ -3,7 +3,7 @@
 //! A control u is a state that does not change, `u' = 0`, and a target is the integral I of a
 //! quantity, `I' = q`, `I(0) = 0`: both are unknowns of the motion, so that the map M of a period
 //! has their derivatives. In the equations of the shooting, the rows of the controls, which say
-//! nothing, become those of the targets, and those of the integrals their start:
+//! nothing, become rows of the targets, and the rows of the integrals their start:
 //!
 //! ```text
 //! d - M d = y(T) - y(0)              (states)
@@ -100,7 +100,7 @@ impl Border {
         }
     }
 
-    /// Sizes of the rows: those of the unknowns, and of the targets in the rows of the controls.
+    /// Sizes of the rows: of the unknowns, and of the targets in the rows of the controls.
     pub fn sizes(&self, sizes: &[f64]) -> Vec<f64> {
         let mut rows = sizes.to_vec();
         for ([u, _], target) in self.pairs.iter().zip(&self.targets) {

@@ -4,7 +4,7 @@
 //! M v = mu v ,     s = ln(mu)/T + i m 2 pi/T                                       (D-208)
 //! ```
 //!
-//! The branch m is that of the largest content of the mode in the fixed frame, or the nearest to
+//! The branch m has the largest content of the mode in the fixed frame, or the nearest to
 //! given frequencies. Multipliers of the constraints are zero and not shown.
 //!
 //! References: [Floquet1883].

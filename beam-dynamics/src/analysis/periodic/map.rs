@@ -95,7 +95,7 @@ impl PeriodMap {
         Self { steps, algebraic }
     }
 
-    /// Number of entries of a variation, those of algebraic unknowns included, which are zero.
+    /// Number of entries of a variation, with algebraic unknowns, whose entries are zero.
     pub fn size(&self) -> usize {
         self.algebraic.len()
     }

@@ -6,7 +6,7 @@
 //!
 //! by generalized minimal residuals: the multipliers that the constraints add are zero, so that all
 //! unknowns of the redundant coordinates take part without projection, and the number of products is
-//! that of the independent states at most. The first state need not fulfill the constraints.
+//! the number of independent states at most. The first state need not fulfill the constraints.
 
 use nalgebra::DMatrix;
 

@@ -60,7 +60,7 @@ keys! {
 keys! {
     /// Stability of the periodic motion.
     FLOQUET_TABLE = "[periodic.floquet]";
-    /// Multipliers, the largest first; those of a pair count as two.
+    /// Multipliers, the largest first; a pair counts as two.
     pub(super) COUNT: usize = "count", [Count(MOST_MULTIPLIERS)], or "20" = 20, "6";
     /// Frequencies nearest to which the exponents are shown, instead of the frequency of the largest
     /// motion in the fixed frame.

@@ -25,7 +25,7 @@ pub struct PeriodicFiles<'a> {
 }
 
 impl<'a> PeriodicFiles<'a> {
-    /// The files of `model` at `location`; those of an earlier analysis are removed.
+    /// The files of `model` at `location`; files of an earlier analysis are removed.
     ///
     /// # Errors
     /// [`RunFileProblem`]: the folder or a file cannot be made, or is in use.

@@ -11,7 +11,7 @@ const SHOWN: usize = 12;
 /// The conventions of the report.
 pub const PERIODIC_CONVENTION: &str = "\
 Changes: of the state in a period, positions relative to the size of the model, rotations in rad,
-momenta relative to those of the size of the model in a period, scalars relative to their sizes.
+momenta relative to a motion by the size of the model in a period, scalars relative to their sizes.
 Multipliers: factor of a small motion in a period; of a pair the one with positive frequency.
 Frequencies: on the branch of the largest motion in the fixed frame, blades in multiblade
 coordinates, or nearest to the given ones; others with more than 5 % of the energy after it.

@@ -115,7 +115,7 @@ impl<'a> RunFiles<'a> {
         Ok(files)
     }
 
-    /// The files without tables; those of an earlier run are removed.
+    /// The files without tables; files of an earlier run are removed.
     fn locked(
         model: &'a Model,
         settings: &'a OutputSettings,
