@@ -15,6 +15,9 @@ pub struct PeriodicPass {
     pub part: f64,
 }
 
+/// Size of the growth, in estimated errors, up to which it is not known.
+const DOUBTFUL: f64 = 2.0;
+
 /// A characteristic multiplier with its mode; of a pair the one with the positive frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloquetMode {
@@ -55,7 +58,7 @@ impl FloquetMode {
         let error = self.error.unwrap_or(0.0);
         match self.exponent.re {
             _ if self.is_neutral => Stability::Neutral,
-            growth if growth.abs() <= error => Stability::Unknown,
+            growth if growth.abs() <= DOUBTFUL * error => Stability::Unknown,
             growth if growth > 0.0 => Stability::Unstable,
             _ => Stability::Stable,
         }
@@ -71,7 +74,7 @@ pub enum Stability {
     Unstable,
     /// It is the free choice of the azimuth or of the time.
     Neutral,
-    /// The growth is below its estimated error.
+    /// The growth is below twice its estimated error.
     Unknown,
 }
 
