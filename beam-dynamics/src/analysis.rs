@@ -53,6 +53,7 @@ mod growing;
 mod modal_damping;
 pub mod modes;
 pub mod performance;
+pub mod periodic;
 pub mod statics;
 pub mod steady;
 pub mod transient;

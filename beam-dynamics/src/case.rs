@@ -9,6 +9,7 @@ use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
 mod columns;
 mod mode_style;
 mod performance;
+mod periodic;
 mod transient;
 
 pub use columns::{Column, ElectrodeQuantity, Every, OutputSettings, Quantity};
@@ -17,6 +18,7 @@ pub use performance::{
     Abscissa, MachineKind, OperatingSetting, PerformanceCase, PerformancePart, PerformanceRequest,
     PowerCurve, RatedPower, RotorSpeedLaw, linear_between,
 };
+pub use periodic::{FloquetSettings, PeriodicMethod, PeriodicSettings, PeriodicTarget};
 pub use transient::{
     InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientSettings,
 };

@@ -23,6 +23,7 @@ mod describe;
 mod files;
 mod help;
 mod performance;
+mod periodic;
 mod plot;
 mod progress;
 mod reading_options;
@@ -124,6 +125,9 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
             results,
             restart,
         } => transient::transient_of_files(&files, &results, restart.as_deref(), terminal),
+        Command::Periodic { files, results } => {
+            periodic::periodic_of_files(&files, &results, terminal)
+        }
         Command::Performance { files, results } => {
             performance::performance_of_files(&files, &results, terminal)
         }

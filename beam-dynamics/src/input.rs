@@ -15,7 +15,8 @@ use shared_geom::files::name_without;
 
 use crate::assembly::{massless, mechanism};
 use crate::case::{
-    BucklingSettings, Model, ModesSettings, OutputSettings, StaticSettings, TransientSettings,
+    BucklingSettings, Model, ModesSettings, OutputSettings, PeriodicSettings, StaticSettings,
+    TransientSettings,
 };
 use crate::elements::Element;
 use crate::result::Measured;
@@ -61,6 +62,7 @@ mod naming;
 mod nodes;
 mod number;
 mod performance;
+mod periodic;
 mod problem;
 mod properties;
 mod readings;
@@ -100,6 +102,7 @@ pub use number::short_number;
 pub use performance::{
     PerformanceProblem, ROTOR_ENDING, parse_rotor, read_rotor, rotor_json_schema, rotor_reference,
 };
+pub use periodic::PeriodicProblem;
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
 pub use summary::Summary;
@@ -126,6 +129,8 @@ pub struct Input {
     pub output: OutputSettings,
     /// The requested motion in time; `None` without `[transient]`.
     pub transient: Option<TransientSettings>,
+    /// The requested periodic motion; `None` without `[periodic]`.
+    pub periodic: Option<PeriodicSettings>,
     /// Measurements to compare with the result; empty if there are none.
     pub measured: Measured,
     /// Names of the joints without a spring, whose motion only inertia and loads resist.
@@ -174,7 +179,8 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);
     let is_held = input.statics.is_some() || input.buckling.is_some();
-    let only_in_time = input.transient.is_some() && input.modes.is_none() && !is_held;
+    let is_in_time = input.transient.is_some() || input.periodic.is_some();
+    let only_in_time = is_in_time && input.modes.is_none() && !is_held;
     let is_free = input.modes.as_ref().is_some_and(|modes| modes.free);
     // A part that is not held may move freely in time and in free modes, but it must have mass.
     let may_move = only_in_time || is_free && !is_held;
@@ -189,7 +195,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     for found in mobility.mechanisms.iter().filter(|_| !may_move) {
         problems.push(location(&found.node), found);
     }
-    let massless = match input.transient.is_some() || is_free {
+    let massless = match is_in_time || is_free {
         true => massless::find(&input.model.system),
         false => Vec::new(),
     };
@@ -272,6 +278,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let _read = ["units", "parameters", "include"].map(|key| root.has(key));
     let mut drives = drives::read_named(&root);
     let control = control::declare(&root, &mut drives);
+    let periodic_controls = periodic::declare(&root, &mut drives);
     let properties = properties::read(&root, &drives);
     let hub = hub::read(&root);
 
@@ -286,7 +293,8 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     builder.set_aerodynamics(aerodynamics::read(&root, &weight));
     parts(&root, &mut builder);
     control::read(control, &mut builder);
-    let analyses = analyses::read(&root);
+    let periodic = periodic::read(&root, periodic_controls, &mut builder);
+    let analyses = analyses::read(&root, periodic);
     let measured = measured::read(&root);
     let output = columns::read(&root, &builder);
     root.finish_beside(&misplaced_keys::OF_FILE);
@@ -377,6 +385,7 @@ fn finish(
         buckling: analyses.buckling,
         output: OutputSettings::default(),
         transient: analyses.transient,
+        periodic: analyses.periodic,
         measured,
         free_hinges: Vec::new(),
         node_locations: Vec::new(),

@@ -12,6 +12,7 @@ mod files;
 mod folder;
 mod grid;
 mod performance;
+mod periodic;
 mod rows;
 mod shapes;
 mod statics;
@@ -42,6 +43,7 @@ pub use folder::{ResultLocation, Written};
 pub use performance::{
     MapPlot, PanelPlot, performance_csv, performance_text, span_load_csv, write_performance,
 };
+pub use periodic::{MultiplierPlot, PERIODIC_CONVENTION, PeriodicFiles, periodic_text};
 pub use shapes::{ShapePlot, write_shapes};
 pub use statics::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,

@@ -8,6 +8,7 @@ mod buckling;
 mod columns;
 mod fixed;
 mod performance;
+mod periodic;
 mod statics;
 mod transient;
 
@@ -15,6 +16,7 @@ pub use buckling::{BucklingMode, BucklingResult};
 pub use columns::ColumnValues;
 pub use fixed::{CriticalSpeed, FixedLine, FixedPoint, FixedTable};
 pub use performance::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
+pub use periodic::{FloquetMode, FloquetTable, Harmonics, PeriodicPass, PeriodicResult, Stability};
 pub use statics::{StaticResult, StaticStep};
 pub use transient::{AcceptedStep, Effort, Recorder, Snapshot};
 

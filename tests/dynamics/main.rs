@@ -36,6 +36,7 @@ mod loads;
 mod mbdyn_model;
 mod mechanisms;
 mod pendulum;
+mod periodic;
 mod piezo;
 mod postbuckling;
 mod prestress;

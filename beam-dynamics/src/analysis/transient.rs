@@ -45,9 +45,10 @@ pub use turning::LargestTurn;
 use diagnosis::trouble;
 use effort::effort;
 use energy::{EnergyWatch, Finding};
-use multibody::Multibody;
+pub(in crate::analysis) use multibody::Multibody;
+pub(in crate::analysis) use redundant::independent;
 use singular::Passed;
-use start::{Started, start};
+pub(in crate::analysis) use start::{Started, start};
 use turning::Turns;
 
 /// Rotation of a node in a step above which a remark is given \[rad\]: the relative error of the

@@ -12,6 +12,10 @@ use super::convert::ConvertArguments;
 use super::plot::PlotOptions;
 use super::reading_options::ReadingOptions;
 
+mod periodic;
+
+use periodic::{PERIODIC, PERIODIC_EXAMPLE};
+
 const ABOUT: &str = "\
 Analyzes blades, rotors and mechanisms: frequencies, loads, buckling, motion in time
 
@@ -356,6 +360,7 @@ impl Command {
             | Self::Static { results, .. }
             | Self::Buckling { results, .. }
             | Self::Performance { results, .. }
+            | Self::Periodic { results, .. }
             | Self::Transient { results, .. } => results.quiet,
             _ => false,
         }
@@ -403,6 +408,14 @@ pub(super) enum Command {
         /// Continue from this state, NAME.restart.json of an earlier part of the same run
         #[arg(long, value_name = "SNAPSHOT")]
         restart: Option<PathBuf>,
+    },
+    #[command(about = first_line(PERIODIC), long_about = PERIODIC, after_help = PERIODIC_EXAMPLE)]
+    Periodic {
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        results: Results,
     },
     #[command(
         about = first_line(PERFORMANCE),

@@ -56,7 +56,7 @@ pub(super) fn buckling_of_files(
 }
 
 /// Analyzes every file; returns the largest exit code.
-fn each<Q: Sync>(
+pub(super) fn each<Q: Sync>(
     paths: &[PathBuf],
     results: &Results,
     terminal: &mut Terminal<'_>,

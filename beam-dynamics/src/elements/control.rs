@@ -2,9 +2,11 @@
 
 mod actuator;
 mod inputs;
+mod kept;
 mod sampled;
 mod state_space;
 
 pub use actuator::{Actuator, Servo};
+pub use kept::Kept;
 pub use sampled::{Limits, Sampled, Sampling};
 pub use state_space::{Matrices, StateSpace};

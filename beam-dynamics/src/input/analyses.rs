@@ -11,7 +11,8 @@ use super::rotor_speed::RPM;
 use super::speeds;
 use super::transient;
 use crate::case::{
-    BucklingSettings, FrameRotation, ModesSettings, StaticSettings, TransientSettings,
+    BucklingSettings, FrameRotation, ModesSettings, PeriodicSettings, StaticSettings,
+    TransientSettings,
 };
 
 keys! {
@@ -61,10 +62,14 @@ pub(super) struct Analyses {
     pub statics: Option<StaticSettings>,
     pub buckling: Option<BucklingSettings>,
     pub transient: Option<TransientSettings>,
+    pub periodic: Option<PeriodicSettings>,
 }
 
-/// Reads the cards of all analyses.
-pub(super) fn read(root: &Table<'_>) -> Option<Analyses> {
+/// Reads the cards of all analyses; `periodic` is the card that is read with the model.
+pub(super) fn read(
+    root: &Table<'_>,
+    periodic: Option<Option<PeriodicSettings>>,
+) -> Option<Analyses> {
     let modes = match root.has("modes") {
         true => speeds::read(root).map(Some),
         false => Some(None),
@@ -76,6 +81,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Analyses> {
         statics: statics?,
         buckling: buckling?,
         transient: transient?,
+        periodic: periodic?,
     })
 }
 
@@ -120,7 +126,10 @@ impl Analyses {
     /// modes are at time zero.
     pub fn times(&self) -> Option<[f64; 2]> {
         let at_rest = self.modes.is_some() || self.statics.is_some() || self.buckling.is_some();
-        let run = self.transient.as_ref().map(|run| [run.from, run.to]);
+        let periodic = self.periodic.as_ref().map(|periodic| &periodic.start);
+        let runs = self.transient.iter().chain(periodic);
+        let runs = runs.map(|run| [run.from, run.to]);
+        let run = runs.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
         match (at_rest, run) {
             (true, Some([from, to])) => Some([from.min(0.0), to.max(0.0)]),
             (true, None) => Some([0.0; 2]),

@@ -15,8 +15,8 @@ use shared_geom::units::Dimension;
 
 use super::{
     aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes,
-    frames, hub, internal_forces, joints, loads, measured, nodes, properties, rods, speeds,
-    springs, transient,
+    frames, hub, internal_forces, joints, loads, measured, nodes, periodic, properties, rods,
+    speeds, springs, transient,
 };
 
 keys! {
@@ -61,6 +61,8 @@ keys! {
     BUCKLING: ByHand = "buckling", [Table(&analyses::BUCKLING)], optional, "";
     /// Motion in time.
     TRANSIENT: ByHand = "transient", [Table(&transient::TRANSIENT)], optional, "";
+    /// Periodic motion.
+    PERIODIC: ByHand = "periodic", [Table(&periodic::PERIODIC)], optional, "";
     /// Output of runs in time.
     OUTPUT: ByHand = "output", [Table(&columns::CARD)], optional, "";
     /// Measured frequencies.
@@ -124,7 +126,7 @@ const OPENING: &str = "\
 
 Every key of a dynamics file, `NAME.dynamics.toml`.
 Made by `beam-dynamics schema --format markdown`; do not edit.
-The use of the keys is described in [Dynamics input](dynamics-input.md), [drives, parameters, frames, copies](drives.md), [laws](laws.md), [joints](joints.md) and [output of runs in time](time-output.md).
+The use of the keys is described in [Dynamics input](dynamics-input.md), [drives, parameters, frames, copies](drives.md), [laws](laws.md), [joints](joints.md), [output of runs in time](time-output.md) and [periodic motion](periodic.md).
 
 A *quantity* is a number in the declared units, or a text with its own unit, such as `\"73.1 GPa\"`.
 A *drive* is a quantity, an expression such as `\"= 3*sin(t)\"`, the name of a drive, a sensor or an output, or a table as [`[drives.NAME]`](#drivesname).

@@ -16,15 +16,10 @@ use super::{Dae, Jacobians, Reason, StepLimits};
 use crate::assembly::{Combination, Pattern, Residual, Sparse};
 use crate::solver::{Iteration, StepSolver, Worst};
 
+mod settling;
 mod stages;
 
-use stages::StageMatrix;
-
-/// Ratio to the limit below which a residual or correction is only round-off.
-const ROUND_OFF: f64 = 1e-3;
-
-/// Ratio of successive residuals above which the residual has reached round-off.
-const STAGNATION: f64 = 0.5;
+pub(super) use stages::StageMatrix;
 
 /// Ratio of corrections above which a Jacobian kept over steps is computed anew.
 const SLOW: f64 = 0.3;
@@ -151,13 +146,40 @@ impl Corrector {
         meter: &mut Meter<'_>,
     ) -> Result<usize, Reason> {
         self.begin();
-        let weights = formula.weights.map(|row| row.map(|weight| length * weight));
+        self.iterate(dae, &formula.step_weights(length), limits, meter)
+    }
+
+    /// The same from other rates than predicted: `rates`, of each unknown, are added to the
+    /// prediction at all stages.
+    pub fn converge_from(
+        &mut self,
+        dae: &mut dyn Dae,
+        weights: &[[f64; STAGES]; STAGES],
+        rates: &[f64],
+        limits: &StepLimits,
+        meter: &mut Meter<'_>,
+    ) -> Result<usize, Reason> {
+        self.begin();
+        for last in &mut self.last {
+            last.copy_from_slice(rates);
+        }
+        self.apply(dae, weights);
+        self.iterate(dae, weights, limits, meter)
+    }
+
+    fn iterate(
+        &mut self,
+        dae: &mut dyn Dae,
+        weights: &[[f64; STAGES]; STAGES],
+        limits: &StepLimits,
+        meter: &mut Meter<'_>,
+    ) -> Result<usize, Reason> {
         loop {
             // The first iterate is never the last: if its Jacobian is due, residuals and
             // derivatives come from one evaluation.
-            let is_both = self.history.len() == self.first && self.is_due(&weights, limits);
+            let is_both = self.history.len() == self.first && self.is_due(weights, limits);
             match is_both {
-                true => self.evaluate(dae, &weights, meter),
+                true => self.evaluate(dae, weights, meter),
                 false => self.find_residuals(dae, meter),
             }
             if let Err(reason) = self.find_worst(dae) {
@@ -173,22 +195,22 @@ impl Corrector {
             if self.history.len() >= limits.iterations {
                 return Err(Reason::NotConverged);
             }
-            if is_both || self.is_due(&weights, limits) {
+            if is_both || self.is_due(weights, limits) {
                 if !is_both {
-                    self.combine(dae, &weights, meter);
+                    self.combine(dae, weights, meter);
                 }
-                self.factorize(&weights, meter)?;
+                self.factorize(weights, meter)?;
             }
-            let size = self.find_correction(dae, &weights, meter)?;
+            let size = self.find_correction(dae, weights, meter)?;
             self.history.push(Iteration {
                 worst: self.worst,
                 correction: size,
             });
             if self.leads_astray(size)? {
-                self.begin_again(dae, &weights);
+                self.begin_again(dae, weights);
                 continue;
             }
-            self.apply(dae, &weights);
+            self.apply(dae, weights);
             if self.is_last(size, limits) {
                 return Ok(self.history.len());
             }
@@ -247,56 +269,6 @@ impl Corrector {
             }
         }
         Ok(())
-    }
-
-    /// Ratio of the last correction to the one before it.
-    fn shrinking(&self) -> Option<f64> {
-        match &self.history[self.first..] {
-            [.., before, last] => Some(last.correction / before.correction),
-            _ => None,
-        }
-    }
-
-    /// Estimate of the remaining error with corrections that decrease by theta: theta / (1 -
-    /// theta) times the last one; with full Newton steps it is smaller.
-    fn left(&self, last: &Iteration) -> f64 {
-        match self.shrinking() {
-            Some(theta) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
-            Some(_) => f64::INFINITY,
-            None => last.correction,
-        }
-    }
-
-    /// Whether the last correction was found with the Jacobian of another iterate of the step.
-    fn is_with_kept(&self, limits: &StepLimits) -> bool {
-        limits.jacobians == Jacobians::Full && self.kept.is_some_and(|kept| kept.uses > 1)
-    }
-
-    /// Whether the last correction is so small that its residual need not be checked.
-    fn is_last(&self, size: f64, limits: &StepLimits) -> bool {
-        let part = if self.is_with_kept(limits) {
-            OF_KEPT
-        } else {
-            ROUND_OFF
-        };
-        size <= part * limits.correction
-    }
-
-    /// Whether no further correction is needed.
-    ///
-    /// With high stiffness the round-off of the residual is above its limit: then a small
-    /// correction is sufficient.
-    fn is_settled(&self, limits: &StepLimits) -> bool {
-        let Some(last) = self.history[self.first..].last() else {
-            return false;
-        };
-        let worst = self.worst.relative;
-        let is_at_floor = worst >= STAGNATION * last.worst.relative;
-        worst <= ROUND_OFF * limits.residual
-            || !self.is_with_kept(limits)
-                && worst <= limits.residual
-                && self.left(last) <= limits.correction
-            || is_at_floor && last.correction <= limits.correction
     }
 
     fn is_due(&self, weights: &[[f64; STAGES]; STAGES], limits: &StepLimits) -> bool {

@@ -51,6 +51,11 @@ const LEAST_ZETA: f64 = 1e-3;
 const OPTIMAL: f64 = 1e-9;
 
 impl Formula {
+    /// The weights of the rates of the stages, times the length of a step \[s\].
+    pub(super) fn step_weights(&self, length: f64) -> [[f64; STAGES]; STAGES] {
+        self.weights.map(|row| row.map(|weight| length * weight))
+    }
+
     /// The constant C of the local error, at least [`LEAST_CONSTANT`].
     pub(super) fn counted_constant(&self) -> f64 {
         match self.error.abs() < LEAST_CONSTANT {

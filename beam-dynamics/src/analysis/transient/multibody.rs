@@ -35,6 +35,7 @@ use crate::solver::Worst;
 
 use super::corner::{Impulses, NextCorner, pass};
 
+mod base;
 mod numbers;
 mod own_axes;
 
@@ -71,7 +72,7 @@ struct Trial {
 
 /// A multibody model as a system of the integrators.
 #[derive(Debug)]
-pub(super) struct Multibody<'a> {
+pub(in crate::analysis) struct Multibody<'a> {
     pub(super) model: &'a Model,
     /// Accepted states, the latest first.
     pub(super) states: [State; KEPT],

@@ -32,7 +32,7 @@ const MANY: usize = 100;
 ///
 /// They are determined at the positions of the undeformed nodes after initialization. If the
 /// constraints cannot be fulfilled, initialization reports it.
-pub(super) fn independent(
+pub(in crate::analysis) fn independent(
     model: &Model,
     settings: &TransientSettings,
 ) -> Result<Option<Shared>, TransientFailure> {
@@ -83,7 +83,7 @@ pub(super) fn independent(
 }
 
 /// A model in which redundant constraints share loads.
-pub(super) struct Shared {
+pub(in crate::analysis) struct Shared {
     /// The model.
     pub model: Model,
     /// The redundant constraints.

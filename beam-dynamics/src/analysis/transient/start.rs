@@ -40,7 +40,7 @@ const FAR: f64 = 0.1;
 
 /// The first state, and its remarks.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Started {
+pub(in crate::analysis) struct Started {
     /// The state.
     pub state: State,
     /// Changes of the given state.
@@ -50,7 +50,7 @@ pub(super) struct Started {
 }
 
 /// The first state of a run.
-pub(super) fn start(
+pub(in crate::analysis) fn start(
     model: &Model,
     settings: &TransientSettings,
 ) -> Result<Started, TransientFailure> {

@@ -13,7 +13,7 @@ keys! {
     /// The motion of the model in time.
     pub(in crate::input) TRANSIENT = "[transient]";
     /// First instant.
-    pub(super) FROM: f64 = "from", [Quantity(Dimension::TIME)], or "0" = 0.0, "1";
+    pub(in crate::input) FROM: f64 = "from", [Quantity(Dimension::TIME)], or "0" = 0.0, "1";
     /// Last instant.
     pub(super) TO: f64 = "to", [Quantity(Dimension::TIME)], required, "2";
     /// Length of the steps, shortened if the iteration fails; or steps by the local error.
@@ -35,7 +35,7 @@ keys! {
     pub(super) NEWTON: ByHand = "newton", [Table(&ITERATION)], optional, "";
     /// Start: the given positions and velocities of the nodes, at rest under the loads at `from`,
     /// or turning steadily about the axis of the hub at `speed`.
-    pub(super) START: usize = "start", [Word(&["given", "equilibrium", "rotating"])],
+    pub(in crate::input) START: usize = "start", [Word(&["given", "equilibrium", "rotating"])],
         or "\"given\"" = 0, "\"rotating\"";
     /// Angular velocity of a rotating start.
     pub(super) SPEED: Option<f64> = "speed", [Quantity(Dimension::ROTATION_SPEED)], optional, "300";
@@ -45,7 +45,7 @@ keys! {
     pub(super) START_ACCELERATIONS: usize = "start_accelerations",
         [Word(&["consistent", "zero", "dummy", "at-rest"])], or "\"consistent\"" = 0, "\"dummy\"";
     /// Redundant constraints: an error, or sharing of the loads with the smallest reactions.
-    pub(super) REDUNDANT: usize = "redundant", [Word(&["error", "remove"])],
+    pub(in crate::input) REDUNDANT: usize = "redundant", [Word(&["error", "remove"])],
         or "\"error\"" = 0, "\"remove\"";
 }
 

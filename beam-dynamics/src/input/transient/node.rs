@@ -69,7 +69,7 @@ fn weight(table: &Table<'_>, key: &'static str) -> Option<Option<f64>> {
 /// start that does not exist.
 pub(in crate::input) fn check(root: &Table<'_>, builder: &ModelBuilder) {
     check_released(root);
-    if root.has("transient") {
+    if root.has("transient") || root.has("periodic") {
         return;
     }
     let mut reported = BTreeSet::new();
@@ -89,16 +89,15 @@ pub(in crate::input) fn check(root: &Table<'_>, builder: &ModelBuilder) {
 }
 
 fn check_released(root: &Table<'_>) {
-    let start = match root.has("transient") && root.is_table("transient") {
-        true => root
-            .table("transient")
-            .and_then(|run| match run.is_text("start") {
-                true => run.text("start"),
-                false => None,
-            }),
+    let start = |card: &str| match root.has(card) && root.is_table(card) {
+        true => root.table(card).and_then(|run| match run.is_text("start") {
+            true => run.text("start"),
+            false => None,
+        }),
         false => None,
     };
-    if start.is_some_and(|start| start != "given") {
+    let mut starts = ["transient", "periodic"].into_iter().filter_map(start);
+    if starts.any(|start| start != "given") {
         return;
     }
     for kind in ["load", "distributed_load"] {

@@ -5,7 +5,7 @@ use super::{Arc, Combination, Dae, Pattern, Residual, STAGES, Sparse};
 /// Assembly of the blocks (D-112) of a scheme into one matrix, in which the stages of an
 /// unknown are adjacent: an order of the unknowns suited to one stage then suits all.
 #[derive(Debug)]
-pub(super) struct StageMatrix {
+pub(in crate::integrator) struct StageMatrix {
     stages: usize,
     /// Pattern of the matrix.
     pattern: Arc<Pattern>,

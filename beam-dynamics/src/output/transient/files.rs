@@ -15,12 +15,31 @@ use crate::output::Written;
 use crate::output::folder::{ResultLocation, Results};
 use crate::result::{AcceptedStep, ColumnValues, Recorder, Snapshot};
 
-const CSV: &str = "transient.csv";
-const NETCDF: &str = "transient.nc";
+/// Endings of the files of a run.
+#[derive(Debug)]
+struct Names {
+    csv: &'static str,
+    netcdf: &'static str,
+    lock: &'static str,
+    text: &'static str,
+    plot: [&'static str; 2],
+}
+
+const TRANSIENT: Names = Names {
+    csv: "transient.csv",
+    netcdf: "transient.nc",
+    lock: "transient.lock",
+    text: "transient.txt",
+    plot: ["transient.png", "transient.svg"],
+};
+const PERIODIC: Names = Names {
+    csv: "periodic.csv",
+    netcdf: "periodic.nc",
+    lock: "periodic.lock",
+    text: "periodic.txt",
+    plot: ["periodic.png", "periodic.svg"],
+};
 const RESTART: &str = "restart.json";
-const LOCK: &str = "transient.lock";
-const TEXT: &str = "transient.txt";
-const PLOT: [&str; 2] = ["transient.png", "transient.svg"];
 /// Numbers of a table up to which a figure is drawn without a request.
 const MOST_NUMBERS: usize = 20_000_000;
 
@@ -29,6 +48,7 @@ const MOST_NUMBERS: usize = 20_000_000;
 /// `NAME.transient.txt` and, if figures are drawn, a figure of all columns.
 #[derive(Debug)]
 pub struct RunFiles<'a> {
+    names: &'static Names,
     values: ColumnValues<'a>,
     results: Results<'a>,
     tables: Vec<Box<dyn RowWriter>>,
@@ -62,10 +82,51 @@ impl<'a> RunFiles<'a> {
         location: &'a ResultLocation,
         resumed: Option<&Snapshot>,
     ) -> Result<Self, RunFileProblem> {
+        let mut files = Self::locked(model, settings, (location, &TRANSIENT), resumed)?;
+        match resumed {
+            None => {
+                files.results.remove([SERIES, RESTART]);
+                files.results.remove_fields(FIELDS);
+            }
+            Some(snapshot) => {
+                files.values.go_on(&snapshot.angles);
+                if let Some((grids, _)) = &mut files.grids {
+                    grids.resume(&files.results, snapshot.progress.time);
+                }
+            }
+        }
+        let time = resumed.map(|snapshot| snapshot.progress.time);
+        files.open_tables(model, settings, time)?;
+        Ok(files)
+    }
+
+    /// The files of a period of `model` at `location`, `NAME.periodic.*`, without field files.
+    ///
+    /// # Errors
+    /// As [`RunFiles::new`].
+    pub fn of_period(
+        model: &'a Model,
+        settings: &'a OutputSettings,
+        location: &'a ResultLocation,
+    ) -> Result<Self, RunFileProblem> {
+        let mut files = Self::locked(model, settings, (location, &PERIODIC), None)?;
+        (files.grids, files.restarts) = (None, None);
+        files.open_tables(model, settings, None)?;
+        Ok(files)
+    }
+
+    /// The files without tables; files of an earlier run are removed.
+    fn locked(
+        model: &'a Model,
+        settings: &'a OutputSettings,
+        (location, names): (&'a ResultLocation, &'static Names),
+        resumed: Option<&Snapshot>,
+    ) -> Result<Self, RunFileProblem> {
         make_folder(&location.folder)?;
         let results = Results::new(location);
-        let lock = RunLock::new(&results.path(LOCK))?;
-        let mut files = Self {
+        let lock = RunLock::new(&results.path(names.lock))?;
+        let files = Self {
+            names,
             values: ColumnValues::new(model, settings),
             tables: Vec::new(),
             grids: settings.vtu.map(|each| (Grids::new(model), each)),
@@ -81,25 +142,11 @@ impl<'a> RunFiles<'a> {
             results,
             _lock: lock,
         };
-        files.results.remove(PLOT);
-        files.results.remove([TEXT]);
-        match resumed {
-            None => {
-                files.results.remove([CSV, NETCDF, SERIES, RESTART]);
-                files.results.remove_fields(FIELDS);
-            }
-            Some(snapshot) => {
-                files.values.go_on(&snapshot.angles);
-                if let Some((grids, _)) = &mut files.grids {
-                    grids.resume(&files.results, snapshot.progress.time);
-                }
-            }
+        files.results.remove(names.plot);
+        files.results.remove([names.text]);
+        if resumed.is_none() {
+            files.results.remove([names.csv, names.netcdf]);
         }
-        files.open_tables(
-            model,
-            settings,
-            resumed.map(|snapshot| snapshot.progress.time),
-        )?;
         Ok(files)
     }
 
@@ -112,14 +159,14 @@ impl<'a> RunFiles<'a> {
         let of_columns = settings.columns.iter().map(Heading::of);
         let headings: Vec<_> = std::iter::once(Heading::time()).chain(of_columns).collect();
         if settings.csv {
-            let path = self.results.path(CSV);
+            let path = self.results.path(self.names.csv);
             self.tables.push(match time {
                 None => Box::new(CsvRows::create(&path, &headings)?),
                 Some(time) => Box::new(CsvRows::resume(&path, &headings, time)?),
             });
         }
         if settings.netcdf {
-            let (path, title) = (self.results.path(NETCDF), &model.name);
+            let (path, title) = (self.results.path(self.names.netcdf), &model.name);
             self.tables.push(match time {
                 None => Box::new(NetcdfRows::create(&path, title, &headings)?),
                 Some(time) => Box::new(NetcdfRows::resume(&path, title, &headings, time)?),
@@ -158,10 +205,12 @@ impl<'a> RunFiles<'a> {
         let drawn = paths.last().filter(|_| self.results.draws());
         let mut plot = drawn.and_then(|path| default_plot(title, path));
         let not_drawn = plot.as_mut().map(TimePlot::shorten).unwrap_or_default();
-        self.results
-            .text(TEXT, &(text.to_owned() + &not_drawn_text(&not_drawn)))?;
+        self.results.text(
+            self.names.text,
+            &(text.to_owned() + &not_drawn_text(&not_drawn)),
+        )?;
         self.results.written.not_drawn = not_drawn;
-        self.results.figures(PLOT, || plot)?;
+        self.results.figures(self.names.plot, || plot)?;
         if self.grids.is_some() && self.results.path(SERIES).exists() {
             let series = self.results.path(SERIES);
             self.results.written.files.push(series);

@@ -1,0 +1,117 @@
+//! Reasons why no periodic motion was found.
+
+use crate::analysis::transient::TransientFailure;
+use crate::integrator::StepFailure;
+
+/// Reason why no periodic motion was found.
+#[derive(Debug, thiserror::Error)]
+pub enum PeriodicFailure {
+    /// The start.
+    #[error(transparent)]
+    Start(#[from] TransientFailure),
+    /// A step of a period.
+    #[error("{0}")]
+    Step(#[from] StepFailure),
+    /// Elements with memory.
+    #[error(
+        "\"{element}\" stores samples: the motion over a period is not differentiated with \
+         respect to them"
+    )]
+    Memory {
+        /// Name of an element.
+        element: String,
+    },
+    /// The march did not settle.
+    #[error(
+        "the motion does not repeat after {periods} periods: {worst}; it changes by a factor of \
+         {ratio:.5} in a period"
+    )]
+    NotSettled {
+        /// Number of periods.
+        periods: usize,
+        /// The unknown with the largest change, as text.
+        worst: String,
+        /// Ratio of the changes of successive periods [-].
+        ratio: f64,
+        /// Periods still needed, if the change decays.
+        left: Option<f64>,
+    },
+    /// Newton's method did not converge.
+    #[error("the motion does not repeat after {iterations} iterations: {worst}")]
+    NotConverged {
+        /// Number of iterations.
+        iterations: usize,
+        /// The unknown with the largest change, as text.
+        worst: String,
+    },
+    /// The equations of the shooting are singular.
+    #[error("the equations of the periodic motion are singular: {reason}")]
+    Singular {
+        /// The free motion, or the controls.
+        reason: String,
+    },
+    /// The matrix of a step is singular.
+    #[error("the matrix of a step is singular at the periodic motion")]
+    SingularStep,
+    /// Controls without targets.
+    #[error("{controls} controls and {targets} targets, expected as many targets as controls")]
+    Counts {
+        /// Number of controls.
+        controls: usize,
+        /// Number of targets.
+        targets: usize,
+    },
+    /// A control that the model does not have.
+    #[error("the model has no state of \"{label}\"")]
+    NoState {
+        /// Label of the element.
+        label: String,
+    },
+    /// The recorder ended the run.
+    #[error("the results could not be written")]
+    Recorder,
+    /// The multipliers were not found.
+    #[error("the multipliers were not found: a product with the linearized period is not finite")]
+    NoMultipliers,
+}
+
+impl PeriodicFailure {
+    /// The likeliest remedy.
+    pub fn remedy(&self) -> String {
+        let text = match self {
+            Self::Start(failure) => return failure.remedy(),
+            Self::Step(failure) => return failure.reason.remedies().join("; "),
+            Self::Memory { .. } => {
+                "use method = \"march\" without [periodic.floquet], or replace the sampled system \
+                 by a continuous one"
+            }
+            Self::NotSettled {
+                left: Some(left), ..
+            } => {
+                return format!(
+                    "about {left:.0} more periods are needed: use method = \"shooting\", or a \
+                     larger \"periods\""
+                );
+            }
+            Self::NotSettled { left: None, .. } => {
+                "the motion does not settle: use method = \"shooting\", which also finds unstable \
+                 periodic motion, and look at the multipliers; check that the period is a multiple \
+                 of all periods of drives and rotors"
+            }
+            Self::NotConverged { .. } => {
+                "start nearer to the periodic motion: start = \"rotating\", or a larger \
+                 \"settle\"; check that the period is a multiple of all periods of drives and rotors"
+            }
+            Self::Singular { .. } => {
+                "a motion that nothing resists has no definite position: hold it, give it a spring, \
+                 or prescribe the speed of the shaft; a control must act on a target"
+            }
+            Self::SingularStep => "use more \"steps\"",
+            Self::Counts { .. } => "give each control one target",
+            Self::NoState { .. } => "name a control or target of this model",
+            Self::Recorder => "check the disk and the folder of the results",
+            Self::NoMultipliers => "use more \"steps\"",
+        };
+        text.to_owned()
+    }
+}

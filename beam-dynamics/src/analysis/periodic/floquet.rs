@@ -1,0 +1,197 @@
+//! Stability of a periodic motion: multipliers of the linearized period, exponents, frequencies.
+//!
+//! ```text
+//! M v = mu v ,     s = ln(mu)/T + i m 2 pi/T                                       (D-208)
+//! ```
+//!
+//! The branch m has the largest content of the mode in the fixed frame, or the nearest to
+//! given frequencies. Multipliers of the constraints are zero and not shown.
+//!
+//! References: [Floquet1883].
+
+use std::f64::consts::TAU;
+
+use faer::{Mat, c64};
+use nalgebra::{Complex, Vector3};
+
+use super::content::Observer;
+use super::map::PeriodMap;
+use crate::case::FloquetSettings;
+use crate::model::NODE_UNKNOWNS;
+use crate::modes::{Largest, LinearMap, Ritz, largest};
+use crate::result::{FloquetMode, FloquetTable};
+
+/// Multipliers below this are round-off [-].
+const ROUND_OFF: f64 = 1e-11;
+/// Largest dimension of the space of products.
+const MOST: usize = 400;
+/// Distance from one within which a multiplier is the free choice of the azimuth: a double one is
+/// known to the square root of round-off [-].
+const NEUTRAL: f64 = 1e-6;
+/// Part of the energy above which another frequency is listed [-].
+const LISTED: f64 = 0.05;
+
+/// The linearized period in sizes of the unknowns, without the unknowns `held`.
+#[derive(Clone, Copy)]
+pub(super) struct Monodromy<'a> {
+    pub map: &'a PeriodMap,
+    pub sizes: &'a [f64],
+    pub held: &'a [usize],
+}
+
+impl Monodromy<'_> {
+    fn apply_by(&self, x: &mut [f64], apply: impl Fn(&mut [f64]) -> Option<()>) -> Option<()> {
+        x.iter_mut()
+            .zip(self.sizes)
+            .for_each(|(x, size)| *x *= size);
+        self.held.iter().for_each(|i| x[*i] = 0.0);
+        apply(x)?;
+        self.held.iter().for_each(|i| x[*i] = 0.0);
+        x.iter_mut()
+            .zip(self.sizes)
+            .for_each(|(x, size)| *x /= size);
+        Some(())
+    }
+}
+
+impl LinearMap for Monodromy<'_> {
+    fn size(&self) -> usize {
+        self.map.size()
+    }
+
+    fn apply(&self, x: &mut [f64]) -> Option<()> {
+        self.apply_by(x, |d| self.map.apply(d))
+    }
+
+    fn into_range(&self, x: &mut [f64]) -> Option<()> {
+        self.apply_by(x, |d| self.map.into_range(d))
+    }
+}
+
+/// The largest multipliers with their vectors.
+pub(super) fn multipliers(monodromy: &Monodromy<'_>, count: usize) -> Option<Largest> {
+    let mut found = largest(monodromy, count, MOST)?;
+    found.pairs.retain(|pair| pair.value.norm() > ROUND_OFF);
+    Some(found)
+}
+
+/// The table of the multipliers `found`.
+pub(super) fn table(
+    (monodromy, found): (&Monodromy<'_>, &Largest),
+    settings: &FloquetSettings,
+    observer: &Observer<'_>,
+    coarse: Option<(&Largest, usize)>,
+) -> FloquetTable {
+    let modes = found.pairs.iter().map(|pair| {
+        let mut mode = mode((monodromy, pair), settings, observer);
+        if let Some((coarse, factor)) = coarse {
+            mode.error = error(pair, coarse, observer.period).map(|off| off / factor as f64);
+        }
+        mode
+    });
+    FloquetTable {
+        modes: modes.collect(),
+        products: found.products,
+        states: found.dimension,
+    }
+}
+
+/// Change of the exponent to the nearest one of an analysis with half the steps \[1/s\].
+fn error(pair: &Ritz, coarse: &Largest, period: f64) -> Option<f64> {
+    let distance = |other: &&Ritz| (other.value - pair.value).norm();
+    let nearest = coarse
+        .pairs
+        .iter()
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let ratio = pair.value / nearest.value;
+    Some(Complex::new(ratio.re, ratio.im).ln().norm() / period)
+}
+
+fn mode(
+    (monodromy, pair): (&Monodromy<'_>, &Ritz),
+    settings: &FloquetSettings,
+    observer: &Observer<'_>,
+) -> FloquetMode {
+    let multiplier = Complex::new(pair.value.re, pair.value.im);
+    let principal = multiplier.ln() / observer.period;
+    let (motion, residual) = follow(monodromy, pair, principal, observer.period);
+    let content = observer.content(&motion, multiplier.im == 0.0 && multiplier.re > 0.0);
+    let base = TAU / observer.period;
+    let frequency = |m: i32| (principal.im + f64::from(m) * base).abs();
+    let nearest = |near: &f64| {
+        let m = ((near - principal.im) / base).round() as i32;
+        let other = ((-near - principal.im) / base).round() as i32;
+        match (frequency(m) - near).abs() <= (frequency(other) - near).abs() {
+            true => (m, (frequency(m) - near).abs()),
+            false => (other, (frequency(other) - near).abs()),
+        }
+    };
+    let by_near = settings
+        .near
+        .iter()
+        .map(nearest)
+        .min_by(|a, b| a.1.total_cmp(&b.1));
+    let by_content = content.shares.first().map_or(0, |first| first.0);
+    let branch = by_near.map_or(by_content, |near| near.0);
+    let chosen = content.shares.iter().find(|own| own.0 == branch);
+    let others = content
+        .shares
+        .iter()
+        .filter(|own| own.0 != branch && own.1 > LISTED);
+    FloquetMode {
+        multiplier,
+        exponent: Complex::new(principal.re, frequency(branch)),
+        branch,
+        share: chosen.map_or(0.0, |own| own.1),
+        others: others.map(|own| (frequency(own.0), own.1)).collect(),
+        residual,
+        error: None,
+        name: chosen
+            .or(content.shares.first())
+            .map_or_else(String::new, |own| own.2.clone()),
+        is_neutral: (multiplier - 1.0).norm() < NEUTRAL,
+    }
+}
+
+/// Position and rotation of each node in the periodic part of a mode at the steps of a period, and
+/// the residual of its multiplier.
+fn follow(
+    monodromy: &Monodromy<'_>,
+    pair: &Ritz,
+    principal: Complex<f64>,
+    period: f64,
+) -> (Vec<Vec<[Vector3<Complex<f64>>; 2]>>, f64) {
+    let n = monodromy.map.size();
+    let start = Mat::from_fn(n, 2, |i, part| pair.vector[part][i] * monodromy.sizes[i]);
+    let mut d = start.clone();
+    let steps = monodromy.map.steps();
+    let nodes = monodromy.map.nodes();
+    let mut motion = vec![motions(&start, nodes, Complex::new(1.0, 0.0))];
+    let finite = monodromy.map.follow(&mut d, &mut |step, d| {
+        if step < steps {
+            let decayed = (-principal * period * step as f64 / steps as f64).exp();
+            motion.push(motions(d, nodes, decayed));
+        }
+    });
+    let mut off = [0.0; 2];
+    for i in (0..n).filter(|i| !monodromy.held.contains(i)) {
+        let part = |of: &Mat<f64>| c64::new(of[(i, 0)], of[(i, 1)]) / monodromy.sizes[i];
+        let image = part(&start) * pair.value;
+        off[0] += (part(&d) - image).norm_sqr();
+        off[1] += image.norm_sqr();
+    }
+    let residual = match finite {
+        Some(()) => (off[0] / off[1]).sqrt(),
+        None => f64::INFINITY,
+    };
+    (motion, residual)
+}
+
+/// Position and rotation of each node in a complex variation, times a factor.
+fn motions(d: &Mat<f64>, nodes: usize, factor: Complex<f64>) -> Vec<[Vector3<Complex<f64>>; 2]> {
+    let value = |i: usize| Complex::new(d[(i, 0)], d[(i, 1)]) * factor;
+    let vector = |i: usize| Vector3::new(value(i), value(i + 1), value(i + 2));
+    (0..nodes)
+        .map(|node| [0, 3].map(|first| vector(NODE_UNKNOWNS * node + first)))
+        .collect()
+}

@@ -1,0 +1,182 @@
+//! The motion over one period, in equal steps of Radau IIA, and its linearization.
+
+use super::map::{PeriodMap, StepMap};
+use crate::analysis::transient::Multibody;
+use crate::assembly::Sparse;
+use crate::case::{Model, PeriodicSettings};
+use crate::integrator::{Dae, OneStep, StepFailure};
+use crate::model::{Conditions, State};
+use crate::solver::LinearSolver;
+
+/// Distance of a corner from the end of a step, as a part of the step, within which the step ends
+/// at the corner, under the conditions before it.
+const AT_CORNER: f64 = 1e-6;
+
+/// A state of the period.
+pub(super) struct Passed<'a> {
+    /// Number of the step that led to it; zero is the first instant.
+    pub step: usize,
+    /// Time [s].
+    pub time: f64,
+    /// Length of the step [s].
+    pub length: f64,
+    /// Iterations of the step.
+    pub iterations: usize,
+    /// The state.
+    pub state: &'a State,
+    /// The conditions.
+    pub conditions: &'a Conditions,
+}
+
+/// The map of a state at the first instant to the state a period later.
+pub(super) struct Flow<'a> {
+    model: &'a Model,
+    dae: Multibody<'a>,
+    step: OneStep,
+    solver: LinearSolver,
+    from: f64,
+    period: f64,
+    steps: usize,
+    /// Periods integrated so far.
+    pub periods: usize,
+}
+
+impl<'a> Flow<'a> {
+    /// Over the period of `settings` in `steps` steps; `state` is any state of the model.
+    pub fn new(model: &'a Model, settings: &PeriodicSettings, steps: usize, state: &State) -> Self {
+        let stages = settings.stages();
+        let mut dae = Multibody::new(model, [state.clone(), state.clone()], (stages, false));
+        dae.in_space();
+        let step = OneStep::new(&dae, settings.three_stages, settings.start.newton);
+        Self {
+            model,
+            solver: LinearSolver::new(step.pattern()),
+            step,
+            dae,
+            from: settings.start.from,
+            period: settings.period,
+            steps,
+            periods: 0,
+        }
+    }
+
+    /// The period \[s\].
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+
+    /// Steps in a period.
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    fn time(&self, step: usize) -> f64 {
+        self.from + self.period * step as f64 / self.steps as f64
+    }
+
+    /// Drives with a corner within a step: the order of the formula is lower there.
+    pub fn corners_in_steps(&self) -> usize {
+        let length = self.period / self.steps as f64;
+        let end = self.time(self.steps);
+        let (mut time, mut count) = (self.from, 0);
+        loop {
+            time = self.model.next_corner(time);
+            if time >= end || count > self.steps {
+                return count;
+            }
+            let part = (time - self.from) / length;
+            count += usize::from((part - part.round()).abs() > AT_CORNER);
+        }
+    }
+
+    /// Converges the step of a number from one; returns its length, iterations and the time of the
+    /// conditions at its end.
+    fn converge(&mut self, number: usize) -> Result<(f64, usize), StepFailure> {
+        let (begin, end) = (self.time(number - 1), self.time(number));
+        let length = end - begin;
+        let corner = self.dae.next_corner(begin + AT_CORNER * length);
+        let last = match (corner - end).abs() <= AT_CORNER * length {
+            true => corner.min(end).next_down(),
+            false => end,
+        };
+        let iterations = self.step.converge(&mut self.dae, [begin, end], last)?;
+        Ok((length, iterations))
+    }
+
+    /// Shows the state of the first instant to `visit`.
+    pub fn first(&self, state: &State, visit: &mut dyn FnMut(&Passed<'_>) -> bool) -> bool {
+        visit(&Passed {
+            step: 0,
+            time: self.from,
+            length: 0.0,
+            iterations: 0,
+            state,
+            conditions: &self.model.conditions_at(self.from),
+        })
+    }
+
+    /// The state a period after `start`; every state is shown to `visit`.
+    pub fn run(
+        &mut self,
+        start: &State,
+        visit: &mut dyn FnMut(&Passed<'_>) -> bool,
+    ) -> Result<State, StepFailure> {
+        self.dae.begin_at(start);
+        for step in 1..=self.steps {
+            let (length, iterations) = self.converge(step)?;
+            self.dae.accept(self.step.stages() - 1);
+            let time = self.time(step);
+            let goes_on = visit(&Passed {
+                step,
+                time,
+                length,
+                iterations,
+                state: self.dae.state(),
+                conditions: &self.model.conditions_at(time),
+            });
+            if !goes_on {
+                break;
+            }
+        }
+        self.periods += 1;
+        Ok(self.dae.state().clone())
+    }
+
+    /// The state a period after `start`, and the derivative of this map; `None` instead of the
+    /// derivative if the matrix of a step is singular.
+    pub fn linearized(&mut self, start: &State) -> Result<(State, Option<PeriodMap>), StepFailure> {
+        self.dae.begin_at(start);
+        let mut maps = Some(Vec::with_capacity(self.steps));
+        for number in 1..=self.steps {
+            let (length, _) = self.converge(number)?;
+            let map = maps.as_ref().and_then(|_| self.step_map(length));
+            maps = maps.zip(map).map(|(mut maps, map)| {
+                maps.push(map);
+                maps
+            });
+            self.dae.accept(self.step.stages() - 1);
+        }
+        self.periods += 1;
+        let algebraic = self.dae.algebraic().to_vec();
+        let map = maps.map(|maps| PeriodMap::new(maps, algebraic));
+        Ok((self.dae.state().clone(), map))
+    }
+
+    /// The linearization of the converged step.
+    fn step_map(&mut self, length: f64) -> Option<StepMap> {
+        let matrix = self.step.matrix(&mut self.dae, length);
+        let factors = self.solver.factorize(matrix)?;
+        let stages = self.step.stages();
+        let by_base = |dae: &mut Multibody<'_>, stage: usize| {
+            let mut matrix = Sparse::zero(dae.pattern().clone());
+            dae.by_base(stage, &mut matrix);
+            matrix
+        };
+        Some(StepMap {
+            factors,
+            by_base: (0..stages).map(|s| by_base(&mut self.dae, s)).collect(),
+            carried: self.dae.carried(stages - 1),
+            weights: self.step.weights(length)[stages - 1][..stages].to_vec(),
+        })
+    }
+}

@@ -1,0 +1,211 @@
+//! The periodic motion by Newton's method for its first state.
+//!
+//! ```text
+//! ( I - M ) d = y(T) seen from y(0) ,     y(0) <- y(0) o d                         (D-206)
+//! ```
+//!
+//! by generalized minimal residuals: the multipliers that the constraints add are zero, so that all
+//! unknowns of the redundant coordinates take part without projection, and the number of products is
+//! the number of independent states at most. The first state need not fulfill the constraints.
+
+use nalgebra::DMatrix;
+
+use super::border::Border;
+use super::failure::PeriodicFailure;
+use super::flow::Flow;
+use super::map::PeriodMap;
+use super::sizes::{seen, worst};
+use crate::case::{Model, PeriodicSettings};
+use crate::model::{NODE_UNKNOWNS, State};
+use crate::result::PeriodicPass;
+use crate::solver::{Gmres, gmres};
+
+/// Residual of the correction [-].
+const TOLERANCE: f64 = 1e-8;
+/// Residual above which a correction is none [-].
+const SINGULAR: f64 = 1e-3;
+/// Largest rotation of a correction [rad].
+const FARTHEST: f64 = 0.3;
+/// Largest number of products of a correction.
+const MOST: usize = 400;
+
+/// A periodic motion.
+pub(super) struct Orbit {
+    /// Its first state.
+    pub state: State,
+    /// The state a period later, with the rates and multipliers of the motion.
+    pub end: State,
+    /// The linearized period.
+    pub map: PeriodMap,
+}
+
+/// Newton's method.
+pub(super) struct Shooting<'a> {
+    pub model: &'a Model,
+    pub settings: &'a PeriodicSettings,
+    pub border: &'a Border,
+    /// Sizes of the unknowns.
+    pub sizes: &'a [f64],
+}
+
+impl Shooting<'_> {
+    /// The periodic motion of `flow` near the first state `state`; iterations are added to `passes`.
+    pub fn solve(
+        &self,
+        flow: &mut Flow<'_>,
+        mut state: State,
+        passes: &mut Vec<PeriodicPass>,
+    ) -> Result<Orbit, PeriodicFailure> {
+        self.border.begin(&mut state);
+        let rows = self.border.sizes(self.sizes);
+        let mut iterations = 0;
+        loop {
+            let (end, map) = flow.linearized(&state)?;
+            let map = map.ok_or(PeriodicFailure::SingularStep)?;
+            let mut residual = seen(&end, &state, map.algebraic());
+            self.border.complete(&mut residual, &end);
+            let (index, part) = worst(&residual, &rows);
+            let name = self.name(index, part, rows[index]);
+            let mut pass = PeriodicPass {
+                residual: part,
+                worst: name.clone(),
+                products: 0,
+                part: 0.0,
+            };
+            if part <= self.settings.tolerance {
+                passes.push(pass);
+                return Ok(Orbit { state, end, map });
+            }
+            if iterations >= self.settings.iterations || !part.is_finite() {
+                passes.push(pass);
+                return Err(PeriodicFailure::NotConverged {
+                    iterations,
+                    worst: name,
+                });
+            }
+            let found = self.correction(&map, &residual, &rows);
+            let found = found.filter(|found| found.residual < SINGULAR);
+            let Some(found) = found else {
+                passes.push(pass);
+                return Err(self.singular(&map, name));
+            };
+            let mut d: Vec<_> = found.x.iter().zip(self.sizes).map(|(x, s)| x * s).collect();
+            (pass.products, pass.part) = (found.products, self.part(&d));
+            d.iter_mut().for_each(|d| *d *= pass.part);
+            passes.push(pass);
+            state = end_rates(state, &end);
+            state.correct(&d);
+            iterations += 1;
+        }
+    }
+
+    /// The solution in sizes of the unknowns; `None` if it is not finite.
+    fn correction(&self, map: &PeriodMap, residual: &[f64], rows: &[f64]) -> Option<Gmres> {
+        let right: Vec<_> = residual
+            .iter()
+            .zip(rows)
+            .map(|(r, size)| r / size)
+            .collect();
+        let mut product = |x: &mut [f64]| {
+            let d: Vec<_> = x.iter().zip(self.sizes).map(|(x, size)| x * size).collect();
+            let mut later = d.clone();
+            map.apply(&mut later)?;
+            for (x, (d, later)) in x.iter_mut().zip(d.iter().zip(&later)) {
+                *x = d - later;
+            }
+            self.border.product([&d, &later], x);
+            x.iter_mut().zip(rows).for_each(|(x, size)| *x /= size);
+            Some(())
+        };
+        gmres(&mut product, &right, (TOLERANCE, MOST))
+    }
+
+    /// The part of a correction that turns no node far.
+    fn part(&self, d: &[f64]) -> f64 {
+        let nodes = self.model.system.nodes().len();
+        let turns = d[..NODE_UNKNOWNS * nodes].chunks(NODE_UNKNOWNS);
+        let largest = turns
+            .flat_map(|node| &node[3..6])
+            .fold(0.0_f64, |a, b| a.max(b.abs()));
+        match largest > FARTHEST {
+            true => FARTHEST / largest,
+            false => 1.0,
+        }
+    }
+
+    fn name(&self, index: usize, part: f64, size: f64) -> String {
+        match self.border.target(index) {
+            Some(target) => format!(
+                "the mean of \"{}\" is off by {:.3e}",
+                target.name,
+                part * size
+            ),
+            None => self.model.system.unknown(index).off_by(part, size),
+        }
+    }
+
+    /// The reason of a singular correction: a control that does not act, or the motion that does not
+    /// repeat.
+    fn singular(&self, map: &PeriodMap, name: String) -> PeriodicFailure {
+        let idle = self
+            .response(map)
+            .and_then(|response| self.border.idle(&response));
+        let reason = match idle {
+            Some([control, target]) => format!(
+                "the controls do not determine the targets; \"{control}\" acts least, and \
+                 \"{target}\" is reached least"
+            ),
+            None => format!("nothing determines {name}"),
+        };
+        PeriodicFailure::Singular { reason }
+    }
+
+    /// The change of the means in the periodic motion by each control of unit size.
+    fn response(&self, map: &PeriodMap) -> Option<DMatrix<f64>> {
+        let count = self.border.count();
+        let held = self.border.unknowns();
+        let mut response = DMatrix::zeros(count, count);
+        for column in 0..count {
+            let control = self.border.control(column);
+            let mut first = vec![0.0; self.sizes.len()];
+            first[control] = self.sizes[control];
+            let mut right = first.clone();
+            map.apply(&mut right)?;
+            held.iter().for_each(|i| right[*i] = 0.0);
+            let mut product = |x: &mut [f64]| {
+                let mut d: Vec<_> = x.iter().zip(self.sizes).map(|(x, s)| x * s).collect();
+                map.apply(&mut d)?;
+                held.iter().for_each(|i| d[*i] = 0.0);
+                let scaled = d.iter().zip(self.sizes).map(|(d, s)| d / s);
+                x.iter_mut().zip(scaled).for_each(|(x, d)| *x -= d);
+                Some(())
+            };
+            let scaled: Vec<_> = right.iter().zip(self.sizes).map(|(d, s)| d / s).collect();
+            let found = gmres(&mut product, &scaled, (TOLERANCE, MOST))?;
+            let moved = found.x.iter().zip(self.sizes).map(|(x, s)| x * s);
+            first
+                .iter_mut()
+                .zip(moved)
+                .for_each(|(d, moved)| *d += moved);
+            map.apply(&mut first)?;
+            for (row, mean) in self.border.means(&first).into_iter().enumerate() {
+                response[(row, column)] = mean;
+            }
+        }
+        Some(response)
+    }
+}
+
+/// The state with the rates, multipliers and algebraic scalars of the end of the period, from which
+/// the iteration of its first step begins.
+fn end_rates(state: State, end: &State) -> State {
+    let mut begun = end.clone();
+    for (node, own) in begun.nodes.iter_mut().zip(&state.nodes) {
+        node.position = own.position;
+        node.rotation = own.rotation;
+        node.momentum = own.momentum;
+        node.angular_momentum = own.angular_momentum;
+    }
+    begun.scalars = state.scalars;
+    begun
+}

@@ -1,0 +1,80 @@
+//! `periodic`: finds the periodic motion of each file and its stability, and writes the results.
+
+use std::fmt::Display;
+use std::path::PathBuf;
+
+use super::arguments::Results;
+use super::terminal::Terminal;
+use super::{DONE, MissingTable, NOT_REACHED, WRONG_INPUT, add_remarks, statics};
+use crate::analysis::periodic::periodic;
+use crate::case::PeriodicSettings;
+use crate::input::Input;
+use crate::output::{self, PeriodicFiles, ResultLocation, RunFileProblem, not_drawn_text};
+
+/// `periodic FILE...`
+pub(super) fn periodic_of_files(
+    files: &[PathBuf],
+    results: &Results,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let requested = MissingTable {
+        file: String::new(),
+        table: "periodic",
+        example: "period = \"0.2 s\", or speed = \"300 rpm\"",
+    };
+    statics::each(
+        files,
+        results,
+        terminal,
+        (|input| input.periodic.as_ref(), requested),
+        periodic_of,
+    )
+}
+
+fn periodic_of(
+    input: &Input,
+    settings: &PeriodicSettings,
+    location: &ResultLocation,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let mut files = match PeriodicFiles::new(&input.model, &input.output, location) {
+        Ok(files) => files,
+        Err(problem) => {
+            terminal.report(&problem);
+            return match problem {
+                RunFileProblem::Output(_) => NOT_REACHED,
+                _ => WRONG_INPUT,
+            };
+        }
+    };
+    let outcome = periodic(&input.model, settings, &mut files);
+    let mut result = outcome.result;
+    let failure = outcome.failure.as_ref();
+    let shown = failure.map(|failure| failure as &dyn Display);
+    add_remarks(&mut result.remarks, input, shown);
+    let text = output::periodic_text(&result);
+    let mut code = DONE;
+    if files.problem().is_none()
+        && let Some(failure) = failure
+    {
+        let (name, remedy) = (&location.name, failure.remedy());
+        terminal.report_text(&format!("error: {name}: {failure}\n  help: {remedy}"));
+        code = NOT_REACHED;
+    }
+    let whole = format!("{text}\n{}", output::PERIODIC_CONVENTION);
+    terminal.show(&whole);
+    match files.finish(&result, (&whole, settings.harmonics)) {
+        Ok(written) => {
+            terminal.show("\nWritten\n");
+            for file in &written.files {
+                terminal.show(&format!("  {}\n", file.display()));
+            }
+            terminal.show(&not_drawn_text(&written.not_drawn));
+        }
+        Err(problem) => {
+            terminal.report(&problem);
+            code = NOT_REACHED;
+        }
+    }
+    code
+}

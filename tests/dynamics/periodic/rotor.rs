@@ -1,0 +1,196 @@
+//! A hub on springs with three lagging blades: ground resonance.
+//!
+//! Source: exponents of the ordinary differential equations of the same rotor in minimal coordinates
+//! by an independent integration (relative tolerance 1e-11), Hammond's model: three blades of 40 kg,
+//! static moment 96 kg m and moment of inertia 300 kg m^2 about hinges at 0.35 m, hub of 3200 kg.
+
+use std::f64::consts::TAU;
+
+use beam_dynamics::analysis::modes::modes as frame_modes;
+use nalgebra::Complex;
+
+use super::{analyzed, farthest, modes, multipliers};
+
+/// Masses of the blades, and their lag dampers [kg, N m s].
+struct Blades {
+    masses: [f64; 3],
+    dampers: [f64; 3],
+}
+
+const EQUAL: Blades = Blades {
+    masses: [40.0; 3],
+    dampers: [400.0; 3],
+};
+const ISOTROPIC: [f64; 4] = [1.1e6, 1.1e6, 3000.0, 3000.0];
+const ANISOTROPIC: [f64; 4] = [1.1e6, 2.0e6, 3000.0, 3800.0];
+
+/// The rotor at rest in the axes of the cards; `angle` is the prescribed rotation of the hub.
+fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: f64) -> String {
+    // The frame of a run in time does not turn, the frame of the modes does.
+    let fixed = if speed == 0.0 { "world" } else { "frame" };
+    let mut text = format!(
+        "[[node]]\nname = \"mast\"\nposition = [0, 0, 0]\n\
+         [[node]]\nname = \"hub\"\nposition = [0, 0, 0]\nangular_velocity = [0, 0, {speed:?}]\n\
+         [[body]]\nname = \"mast\"\nnode = \"mast\"\nmass = 3199\ninertia = [9, 9, 9]\n\
+         [[body]]\nname = \"hub\"\nnode = \"hub\"\nmass = 1\ninertia = [1, 1, 1]\n\
+         [[joint]]\nname = \"support\"\nkind = \"total\"\nnodes = [\"mast\"]\n\
+         locked = [\"z\", \"about x\", \"about y\", \"about z\"]\n\
+         [[joint]]\nname = \"shaft\"\nkind = \"revolute\"\nnodes = [\"mast\", \"hub\"]\n\
+         axis = [0, 0, 1]\nangle = \"{angle}\"\n\
+         [[spring]]\nname = \"tower\"\nnode = \"mast\"\nstands_in = \"{fixed}\"\n\
+         stiffness = [{kx:?}, {ky:?}, 0]\ndamping = [{cx:?}, {cy:?}, 0]\n"
+    );
+    for k in 0..3 {
+        let (y, x) = (TAU * k as f64 / 3.0).sin_cos();
+        let (mass, damper) = (blades.masses[k], blades.dampers[k]);
+        // Moment of inertia 300 kg m^2 about the hinge, 2.4 m from the center.
+        let inertia = 300.0 - mass * 2.4 * 2.4;
+        let (name, hinge, center) = (format!("blade {k}"), 0.35, 2.75);
+        text += &format!(
+            "[[node]]\nname = \"{name}\"\nposition = [{:?}, {:?}, 0]\n\
+             velocity = [{:?}, {:?}, 0]\nangular_velocity = [0, 0, {speed:?}]\n\
+             [[body]]\nname = \"{name}\"\nnode = \"{name}\"\nmass = {mass:?}\n\
+             inertia = [{inertia:?}, {inertia:?}, {inertia:?}]\n\
+             [[joint]]\nname = \"lag {k}\"\nkind = \"revolute\"\nnodes = [\"hub\", \"{name}\"]\n\
+             at = [{:?}, {:?}, 0]\naxis = [0, 0, 1]\n\
+             [[spring]]\nname = \"damper {k}\"\nnodes = [\"hub\", \"{name}\"]\n\
+             at = [{:?}, {:?}, 0]\nrotational_damping = [0, 0, {damper:?}]\n",
+            center * x,
+            center * y,
+            -center * y * speed,
+            center * x * speed,
+            hinge * x,
+            hinge * y,
+            hinge * x,
+            hinge * y,
+        );
+    }
+    text
+}
+
+fn turning(support: [f64; 4], blades: &Blades, speed: f64, settings: &str) -> String {
+    let text = rotor(support, blades, &format!("= {speed:?}*t"), speed);
+    format!("{text}[periodic]\nspeed = {speed:?}\n{settings}")
+}
+
+/// Exponents `[re, im]` of one of each pair.
+fn multipliers_of(exponents: &[[f64; 2]], speed: f64) -> Vec<Complex<f64>> {
+    let period = TAU / speed;
+    let mu = |[re, im]: &[f64; 2]| (Complex::new(*re, *im) * period).exp();
+    exponents
+        .iter()
+        .flat_map(|s| [mu(s), mu(s).conj()])
+        .collect()
+}
+
+// Table of the largest growth by the independent integration, five digits.
+#[test]
+fn growth_over_speed() {
+    const DAMPED: Blades = Blades {
+        masses: [40.0; 3],
+        dampers: [400.0, 400.0, 0.0],
+    };
+    for (support, blades, growths) in [
+        (ISOTROPIC, &EQUAL, [-0.45716, 0.84191, -0.45321]),
+        (ANISOTROPIC, &EQUAL, [-0.54419, 0.46253, 0.50988]),
+        (ANISOTROPIC, &DAMPED, [-0.16797, 0.57716, 0.66689]),
+    ] {
+        for (speed, growth) in [12.0, 26.0, 40.0].into_iter().zip(growths) {
+            let settings = "steps = 48\n[periodic.floquet]\nerror_estimate = false\n";
+            let (outcome, _) = analyzed(&turning(support, blades, speed, settings));
+            let table = outcome.result.floquet.as_ref().unwrap();
+            assert_eq!(table.states, Some(10));
+            assert!(table.products <= 15, "{}", table.products);
+            let found = modes(&outcome)[0].exponent.re;
+            assert!((found - growth).abs() < 6e-6, "{speed}: {found} {growth}");
+        }
+    }
+}
+
+// All ten exponents at 20 rad/s, to 1e-6.
+#[test]
+fn all_exponents_of_the_isotropic_rotor() {
+    let exact = [
+        [-0.3303178523991644, 2.7350825937998167],
+        [-0.4551042536527091, 1.773733022394352],
+        [-0.6666666666666666, 6.659996663329161],
+        [-0.7331168443880726, 6.422502926087744],
+        [-0.74989359118183, 7.946847317158547],
+    ];
+    let settings = "[periodic.floquet]\nerror_estimate = false\n";
+    let (outcome, _) = analyzed(&turning(ISOTROPIC, &EQUAL, 20.0, settings));
+    let period = TAU / 20.0;
+    let off = farthest(&multipliers(&outcome), &multipliers_of(&exact, 20.0));
+    assert!(off < 1e-6 * period, "{off:e}");
+    for mode in modes(&outcome) {
+        assert!(mode.residual < 1e-9, "{mode:?}");
+    }
+}
+
+// The modes in the turning frame and the multipliers of a revolution: exp(s T), to 1e-6 of s. In the
+// turning frame the frequencies differ by multiples of the speed.
+#[test]
+fn modes_and_multipliers_of_an_isotropic_hub_are_the_same() {
+    for speed in [12.0, 20.0, 26.0] {
+        let settings = "[periodic.floquet]\nerror_estimate = false\n";
+        let (outcome, _) = analyzed(&turning(ISOTROPIC, &EQUAL, speed, settings));
+        let text = format!(
+            "[units]\nangle = \"rad\"\nrotation_speed = \"rad/s\"\n{}[transient]\nto = 1\nstep = 1\n\
+             [modes]\nspeeds = [{speed:?}]\ncount = 5\n",
+            rotor(ISOTROPIC, &EQUAL, "= 0", 0.0)
+        );
+        let input = beam_dynamics::input::parse(&text, "rotor.dynamics.toml")
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        let table = frame_modes(&input.model, input.modes.as_ref().unwrap()).table;
+        let exponents = table.branches.iter().map(|branch| {
+            let point = branch.points[0].as_ref().unwrap();
+            let (frequency, ratio) = (TAU * point.frequency, point.damping_ratio);
+            let growth = -ratio * frequency / (1.0 - ratio * ratio).sqrt();
+            [growth, frequency]
+        });
+        let exponents: Vec<_> = exponents.collect();
+        assert_eq!(exponents.len(), 5);
+        let expected = multipliers_of(&exponents, speed);
+        let off = farthest(&multipliers(&outcome), &expected);
+        assert!(off < 1e-6 * TAU / speed, "{speed}: {off:e}");
+    }
+}
+
+// Gravity in the plane of the rotor, unequal blades at 32 rad/s: a march takes some two hundred
+// revolutions, Newton's method three iterations of at most 11 products to 1e-8.
+#[test]
+fn unequal_blades_under_gravity() {
+    let blades = Blades {
+        masses: [40.0, 41.0, 39.5],
+        dampers: [400.0, 360.0, 430.0],
+    };
+    let settings = "[periodic.floquet]\nerror_estimate = false\n\
+                    [gravity]\nacceleration = [0, -9.81, 0]\n";
+    let (outcome, _) = analyzed(&turning(ANISOTROPIC, &blades, 32.0, settings));
+    let passes = &outcome.result.passes;
+    assert!(passes.len() <= 5, "{passes:#?}");
+    assert!(passes.iter().all(|pass| pass.products <= 12), "{passes:#?}");
+    let largest = multipliers(&outcome)
+        .iter()
+        .map(|mu| mu.norm())
+        .fold(0.0, f64::max);
+    assert!((largest - 0.91382).abs() < 2e-4, "{largest}");
+}
+
+// Weak dampers: an unstable periodic motion, to which no march leads.
+#[test]
+fn an_unstable_periodic_motion() {
+    let blades = Blades {
+        masses: [40.0; 3],
+        dampers: [20.0; 3],
+    };
+    let settings = "[periodic.floquet]\nerror_estimate = false\n\
+                    [gravity]\nacceleration = [0, -9.81, 0]\n";
+    let (outcome, _) = analyzed(&turning(ISOTROPIC, &blades, 26.0, settings));
+    assert!(
+        outcome.result.passes.len() <= 5,
+        "{:#?}",
+        outcome.result.passes
+    );
+    assert_eq!(modes(&outcome)[0].stability().word(), "unstable");
+}
