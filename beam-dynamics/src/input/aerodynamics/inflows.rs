@@ -36,8 +36,10 @@ keys! {
         [Word(&["Buhl", "Buhl outside", "polynomial", "momentum"])], or "\"Buhl\"" = 0,
         "\"polynomial\"";
     /// Wake: in equilibrium with the loads at all times, or with the two lags of Oye and his time
-    /// constants (`dynamic`), or with the time in which the air passes the radius (`hover`).
-    WAKE: usize = "wake", [Word(&["equilibrium", "dynamic", "hover"])], or "\"equilibrium\"" = 0,
+    /// constants (`dynamic`), or with the time in which the air passes the radius (`hover`), or with
+    /// the velocities of the equilibrium in modes and runs (`frozen`).
+    WAKE: usize = "wake", [Word(&["equilibrium", "dynamic", "hover", "frozen"])],
+        or "\"equilibrium\"" = 0,
         "\"dynamic\"";
 }
 
@@ -132,6 +134,7 @@ fn inflow(table: &Table<'_>) -> Option<Inflow> {
             Wake::Equilibrium,
             Wake::Dynamic(TimeScale::Turbine),
             Wake::Dynamic(HOVER),
+            Wake::Dynamic(TimeScale::Frozen),
         ][wake?],
     })
 }
