@@ -40,46 +40,132 @@ fn a_flapping_blade_decays_with_a_sixteenth_of_the_lock_number() {
     assert!(error < 1e-3, "{found} {expected}");
 }
 
-/// The steady states of the rotor of the IEA 15 MW turbine with its elastic blades: power and thrust
-/// of HAWCStab2 (`tests/reference/aero/iea15/steady_hawc2s.csv`), at its pitch and speed.
-///
-/// The rigid rotor misses the power at 15 m/s by more than a third (`rotor-aero/tests`), since the
-/// blades twist by 2.2 to 2.5 deg toward feather; a coupling of wrong sign or size misses it by far
-/// more than 8 %. It is not 3 %: our section matrices are of OpenFAST's blade, and HAWCStab2 used a
-/// blade file of its own; an error of 0.3 deg of the elastic twist is 6 % of the thrust here.
-#[test]
-fn the_elastic_iea15_rotor_has_the_published_power_and_thrust() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/dynamics/iea15_steady");
-    let path = format!("{folder}/iea15_steady.dynamics.toml");
-    let text = std::fs::read_to_string(&path).unwrap();
-    for [wind, feather, rpm, power, thrust] in [
-        [7.0, 0.000535, 5.000012, 4654.279, 1021.311],
-        [15.0, 9.189114, 7.559987, 15666.72, 1268.983],
-        [25.0, 20.55312, 7.559987, 15662.42, 824.0912],
-    ] {
-        let text = text
-            .replace("\"15 m/s\"", &format!("\"{wind} m/s\""))
-            .replace("\"9.189114 deg\"", &format!("\"{feather} deg\""))
-            .replace("speed = 7.559987", &format!("speed = {rpm}"));
-        let input = input::parse(&text, &path).unwrap();
-        let outcome = statics(&input.model, &input.statics.unwrap());
-        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
-        let (mut force, mut moment) = (0.0, 0.0);
-        let step = &outcome.result.steps[0];
-        for reaction in &step.reactions {
-            let at = step.positions[reaction.node];
-            force -= reaction.force.z;
-            moment -= reaction.moment.z + at.cross(&reaction.force).z;
-        }
-        let found = [1e-3 * moment * outcome.result.speed, 1e-3 * force];
-        let case = format!("IEA 15 MW, elastic blades, {wind} m/s");
+/// A steady state of the rotor of the IEA 15 MW turbine: wind [m/s], pitch to feather [deg], speed
+/// [rpm], power [kW] and thrust [kN] of HAWCStab2 with elastic blades
+/// (`tests/reference/aero/iea15/steady_hawc2s.csv`).
+type Published = [f64; 5];
+
+const PUBLISHED: [Published; 3] = [
+    [7.0, 0.000535, 5.000012, 4654.279, 1021.311],
+    [15.0, 9.189114, 7.559987, 15666.72, 1268.983],
+    [25.0, 20.55312, 7.559987, 15662.42, 824.0912],
+];
+
+/// Path of the case.
+const IEA: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/cases/dynamics/iea15_steady/iea15_steady.dynamics.toml"
+);
+
+/// Power [kW] and thrust [kN] at the wind, pitch and speed of a published state, by the file of the
+/// case with a change.
+fn power_and_thrust(
+    [wind, feather, rpm, ..]: Published,
+    change: impl Fn(String) -> String,
+) -> [f64; 2] {
+    let text = std::fs::read_to_string(IEA).unwrap();
+    let text = text
+        .replace("\"15 m/s\"", &format!("\"{wind} m/s\""))
+        .replace("\"9.189114 deg\"", &format!("\"{feather} deg\""))
+        .replace("speed = 7.559987", &format!("speed = {rpm}"));
+    let input = input::parse(&change(text), IEA).unwrap();
+    let outcome = statics(&input.model, &input.statics.unwrap());
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    let (mut force, mut moment) = (0.0, 0.0);
+    let step = &outcome.result.steps[0];
+    for reaction in &step.reactions {
+        let at = step.positions[reaction.node];
+        force -= reaction.force.z;
+        moment -= reaction.moment.z + at.cross(&reaction.force).z;
+    }
+    [1e-3 * moment * outcome.result.speed, 1e-3 * force]
+}
+
+/// Compares power and thrust of the published states.
+fn compare(kind: &str, tolerance: f64, change: impl Fn(String) -> String) {
+    for state in PUBLISHED {
+        let [wind, .., power, thrust] = state;
+        let found = power_and_thrust(state, &change);
+        let case = format!("IEA 15 MW, {kind}, {wind} m/s");
         for (name, found, expected) in [
             ("power [kW]", found[0], power),
             ("thrust [kN]", found[1], thrust),
         ] {
             let error = (found / expected - 1.0).abs();
-            record::value("HAWCStab2", &case, name, [found, expected], error, 0.08);
-            assert!(error < 0.08, "{case}, {name}: {found} {expected}");
+            let values = [found, expected];
+            record::value("HAWCStab2", &case, name, values, error, tolerance);
+            assert!(error < tolerance, "{case}, {name}: {found} {expected}");
         }
     }
+}
+
+/// The rotor with the elastic blade, chord and airfoils of HAWC2, as HAWCStab2 has them: power and
+/// thrust within 3 % (found: 1.7 and 2.4 %).
+#[test]
+fn the_elastic_iea15_rotor_has_the_published_power_and_thrust() {
+    compare("elastic blades", 0.03, |text| text);
+}
+
+/// All wakes have the equilibrium of momentum, from a first guess without a radius of the tip.
+#[test]
+fn every_wake_has_the_equilibrium_of_momentum() {
+    let state = PUBLISHED[1];
+    let expected = power_and_thrust(state, |text| text);
+    for wake in ["dynamic", "hover", "frozen"] {
+        let inflow = format!("name = \"rotor\"\nwake = \"{wake}\"");
+        let found = power_and_thrust(state, |text| text.replacen("name = \"rotor\"", &inflow, 1));
+        for (found, expected) in found.iter().zip(expected) {
+            let error = (found / expected - 1.0).abs();
+            assert!(error < 1e-7, "{wake}: {found} {expected}");
+        }
+    }
+}
+
+/// The same rotor ten thousand times as stiff misses power and thrust at 15 m/s by a third: the
+/// blades twist by 4 to 5 deg toward feather at the tip.
+#[test]
+fn a_rigid_iea15_rotor_misses_the_published_power_and_thrust() {
+    let folder = tempfile::tempdir().unwrap();
+    let of_case = std::path::Path::new(IEA).parent().unwrap();
+    let rows = std::fs::read_to_string(of_case.join("blade_st.dat")).unwrap();
+    let stiffer = |line: &str| {
+        let mut words: Vec<_> = line.split(' ').map(str::to_owned).collect();
+        if words.len() == 19 && line.starts_with(|c: char| c.is_ascii_digit()) {
+            for word in &mut words[8..10] {
+                *word = (1e4 * word.parse::<f64>().unwrap()).to_string();
+            }
+        }
+        words.join(" ")
+    };
+    let rows: Vec<_> = rows.lines().map(stiffer).collect();
+    std::fs::write(folder.path().join("blade_st.dat"), rows.join("\n")).unwrap();
+    let htc = folder.path().join("blade.htc");
+    std::fs::copy(of_case.join("blade.htc"), &htc).unwrap();
+    let name = htc.to_str().unwrap().replace('\\', "/");
+    let state = PUBLISHED[1];
+    let [power, thrust] = power_and_thrust(state, |text| {
+        text.replacen("\"blade.htc\"", &format!("\"{name}\""), 1)
+    });
+    let [.., expected_power, expected_thrust] = state;
+    assert!(power / expected_power > 1.3, "{power}");
+    assert!(thrust / expected_thrust > 1.3, "{thrust}");
+}
+
+/// The rotor with the blade of OpenFAST: its sections have the bending and torsional stiffness of
+/// the ones of HAWC2 to 0.3 %, up to the last meter, but they are normal to the pitch axis, where
+/// HAWC2 has them normal to the half chord, whose sweep of 1 m couples bending with torsion: a force
+/// of 10 kN to the upper side at the tip twists it by -0.42 deg here and by -1.05 deg there. 0.3 deg
+/// of twist are 6 % of the thrust.
+#[test]
+fn the_iea15_rotor_with_sections_normal_to_the_pitch_axis_is_within_8_percent() {
+    compare("sections of OpenFAST", 0.08, |text| {
+        let reference = "../../../tests/reference/aero/iea15";
+        text.replacen("\"blade.htc\"", "\"../iea15/iea15.blade.toml\"", 1)
+            .replace("twist_file = \"blade.htc\"\n", "")
+            .replace(
+                "\"ae.dat\"",
+                &format!("\"{reference}/AeroDyn15_blade.dat\""),
+            )
+            .replace("\"pc.dat\"", &format!("\"{reference}/polars.csv\""))
+    });
 }

@@ -1,5 +1,5 @@
-//! The quick bench: ratios of elements, factorization, steps, statics, modes and start-up, each
-//! with a limit; the exit code is 1 if a ratio is beyond it.
+//! The quick bench: ratios of elements, factorization, steps, statics, modes, strips and start-up,
+//! each with a limit; the exit code is 1 if a ratio is beyond it.
 //!
 //! All times are processor times, the shortest of several runs, and each is divided by a time that
 //! is measured alternately with it: the time of faer on the same matrix, of another size of the
@@ -25,6 +25,7 @@ mod one_thread;
 mod operations;
 mod rows;
 mod runs;
+mod strips;
 mod table;
 mod yardstick;
 
@@ -38,12 +39,13 @@ fn main() -> ExitCode {
     let begin = Instant::now();
     let mut yardstick = Yardstick::new();
     one_thread::on_one_thread();
-    let groups: [(&str, Group); 6] = [
+    let groups: [(&str, Group); 7] = [
         ("element", rows::element),
         ("LU", rows::factorization),
         ("step of beams", rows::swinging),
         ("step of bodies", rows::mechanisms),
         ("statics and modes", equilibria::equilibria),
+        ("strips", strips::strips),
         ("start-up", rows::starting),
     ];
     let (mut rows, mut failed) = (Vec::new(), Vec::new());

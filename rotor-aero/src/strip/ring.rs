@@ -130,14 +130,18 @@ impl<'a, T: Real> Ring<'a, T> {
     fn time_constants(&self, scale: TimeScale, u: T) -> (T, T) {
         let axial = self.ambient.axial;
         let speed = match scale {
-            TimeScale::Turbine => axial,
+            TimeScale::Turbine | TimeScale::Frozen => axial,
             TimeScale::Hover { .. } => axial + u,
         };
         let induction = match axial.re() == 0.0 {
             true => T::from(0.0),
             false => -u / axial,
         };
-        let ratio = self.radius / self.tip_radius;
-        scale.constants(self.tip_radius, ratio, speed, induction)
+        // The radius of the tip is an unknown, whose first guess may be zero.
+        let tip = match self.tip_radius.re() > self.radius.re() {
+            true => self.tip_radius,
+            false => self.radius,
+        };
+        scale.constants(tip, self.radius / tip, speed, induction)
     }
 }

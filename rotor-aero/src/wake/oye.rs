@@ -22,6 +22,9 @@ const LEAST_WIND: f64 = 0.1;
 /// Largest time constant of turbines \[s\].
 const TURBINE_CAP: f64 = 100.0;
 
+/// Time constant of the first stage of a frozen wake \[s\].
+const FROZEN: f64 = 864_000.0;
+
 /// The time constant of the first stage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TimeScale {
@@ -37,6 +40,9 @@ pub enum TimeScale {
         /// Largest time constant \[s\].
         cap: f64,
     },
+    /// So long that the velocities stay as they are in modes and in runs of minutes, and have the
+    /// values of rest in an equilibrium: ten days.
+    Frozen,
 }
 
 impl TimeScale {
@@ -62,6 +68,7 @@ impl TimeScale {
             Self::Hover { least_speed, cap } => {
                 at_most(at_least(size, least_speed).recip() * tip_radius, cap)
             }
+            Self::Frozen => T::from(FROZEN),
         };
         let ratio = at_most(radius_ratio, 1.0);
         (first, first * (-(ratio * ratio) * 0.26 + 0.39))

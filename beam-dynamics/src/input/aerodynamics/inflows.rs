@@ -51,8 +51,10 @@ keys! {
         [Word(&["Buhl", "Buhl outside", "polynomial", "momentum"])], or "\"Buhl\"" = 0,
         "\"polynomial\"";
     /// Wake: in equilibrium with the loads at all times, or with the two lags of Oye and his time
-    /// constants (`dynamic`), or with the time in which the air passes the radius (`hover`).
-    WAKE: usize = "wake", [Word(&["equilibrium", "dynamic", "hover"])], or "\"equilibrium\"" = 0,
+    /// constants (`dynamic`), or with the time in which the air passes the radius (`hover`), or with
+    /// the velocities of the equilibrium in modes and runs (`frozen`).
+    WAKE: usize = "wake", [Word(&["equilibrium", "dynamic", "hover", "frozen"])],
+        or "\"equilibrium\"" = 0,
         "\"dynamic\"";
     /// Distribution of the induced velocity over the azimuth by the skew of the wake in yaw.
     SKEW: bool = "skew", [Boolean], or "false" = false, "true";
@@ -249,6 +251,7 @@ fn annular(table: &Table<'_>) -> Option<Annular> {
             Wake::Equilibrium,
             Wake::Dynamic(TimeScale::Turbine),
             Wake::Dynamic(HOVER),
+            Wake::Dynamic(TimeScale::Frozen),
         ][wake?],
     })
 }
