@@ -55,7 +55,6 @@ pub(super) struct ModelBuilder {
     frames: Frames,
     samplings: Vec<(usize, f64)>,
     aerodynamics: Aerodynamics,
-    /// Disks of rotors, by the names of their inflows.
     disks: Disks,
     hub: Option<Hub>,
     nodes: Vec<Node>,

@@ -222,18 +222,9 @@ fn strips(
     let (Some(first), Some(last)) = (limits.first().copied(), limits.last().copied()) else {
         return strips;
     };
-    // Radii increase along a blade: the position at the end of the lift by halves of the span.
     let is_inside = |at: f64| radius_at(air, beams, at, builder) <= inflow.end;
     if !is_inside(last) {
-        let (mut low, mut high) = (first, last);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            match is_inside(middle) {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
-        limits.push(low);
+        limits.push(last_inside([first, last], is_inside));
         limits.sort_by(f64::total_cmp);
     }
     for (number, (beam, start)) in beams.iter().enumerate() {
@@ -272,6 +263,19 @@ fn strips(
         }
     }
     strips
+}
+
+/// The last position between two that is inside; radii increase along a blade.
+fn last_inside([mut low, mut high]: [f64; 2], is_inside: impl Fn(f64) -> bool) -> f64 {
+    // Halves of the span down to round-off.
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        match is_inside(middle) {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    low
 }
 
 /// Part of a beam below which a piece between two stations has no strip of its own.

@@ -9,7 +9,7 @@
 //! T - sum F . n = 0                  M_i - sum F . n b_i = 0           g(states, rates) = 0
 //! ```
 //!
-//! The strips add their forces F at the positions b in the disk. The rows g are those of
+//! The strips add their forces F at the positions b in the disk. The rows g are the rows of
 //! [`rotor_aero::inflow::Disk`], with the rates of the gradients in space: the axes turn with the frame
 //! at `Omega_f . n`. Above the ground the velocities are multiplied by the factor of
 //! [`rotor_aero::inflow::ground_effect`], an unknown too.

@@ -45,7 +45,7 @@ pub(super) struct InDiskState<'a> {
 }
 
 impl InDisk {
-    /// The strip of a length [m] in a disk, whose unknowns begin at `first` among those of the element.
+    /// The strip of a length [m] in a disk, whose unknowns begin at `first` among the scalars of the element.
     pub fn new(disk: Arc<RotorDisk>, first: usize, length: f64) -> Self {
         Self {
             first,

@@ -90,7 +90,7 @@ const HOVER: TimeScale = TimeScale::Hover {
 pub(in crate::input) struct Inflow {
     /// Its name.
     pub name: String,
-    /// The node of its shaft, if it is not that of `[hub]`.
+    /// The node of its shaft, if it is not the node of `[hub]`.
     pub hub: Option<String>,
     /// The axis of its shaft, if given: a unit vector.
     pub axis: Option<Vector3<f64>>,

@@ -25,79 +25,114 @@ const RADIUS: f64 = 4.5;
 /// m/s of 10 m/s.
 const WITHIN: f64 = 3e-6;
 
+/// A model at a state over the tip speed.
+struct Sample {
+    model: InflowModel,
+    flow: RotorFlow<f64>,
+    loads: RotorLoads<f64>,
+    states: Vec<f64>,
+    rates: Vec<f64>,
+    /// Radius over R, and azimuth.
+    place: [f64; 2],
+}
+
+fn sample(model: InflowModel, random: &mut Random) -> Sample {
+    let count = model.states().len();
+    Sample {
+        model,
+        flow: RotorFlow {
+            advance: 0.2 + 0.1 * random.number(),
+            axial: 0.05 * random.number(),
+            speed: 30.0 + 8.0 * random.number(),
+        },
+        loads: RotorLoads {
+            thrust: 0.01 * (1.0 + random.number()),
+            sine: 0.001 * random.number(),
+            cosine: 0.001 * random.number(),
+        },
+        states: (0..count).map(|_| 0.05 * random.number()).collect(),
+        rates: (0..count).map(|_| 0.5 * random.number()).collect(),
+        place: [0.6 + 0.3 * random.number(), PI * random.number()],
+    }
+}
+
+/// Axes with aft at `angle` from e_1, and the advancing side by the sense.
+struct Axes {
+    aft: [f64; 2],
+    advancing: [f64; 2],
+}
+
+impl Axes {
+    fn new(angle: f64, sense: f64) -> Self {
+        let aft = [angle.cos(), angle.sin()];
+        Self {
+            advancing: [-sense * aft[1], sense * aft[0]],
+            aft,
+        }
+    }
+
+    fn along(&self, [sine, cosine]: [f64; 2], size: f64) -> [f64; 2] {
+        [0, 1].map(|i| size * (sine * self.advancing[i] + cosine * self.aft[i]))
+    }
+
+    fn turned(&self, of: &[f64], size: f64) -> Vec<f64> {
+        let mut out: Vec<f64> = of.iter().map(|value| value * size).collect();
+        if let [_, sine, cosine] = *of {
+            [out[1], out[2]] = self.along([sine, cosine], size);
+        }
+        out
+    }
+}
+
+/// The rows of a disk and its induced velocity at a sample, with a sense of rotation.
+fn in_velocities(of: &Sample, axes: &Axes, sense: f64) -> (Vec<f64>, f64) {
+    let tip = of.flow.speed * RADIUS;
+    let size = DENSITY * PI * RADIUS * RADIUS * tip * tip;
+    let disk = Disk {
+        model: of.model,
+        radius: RADIUS,
+    };
+    let flow = DiskFlow {
+        in_plane: axes.aft.map(|part| part * of.flow.advance * tip),
+        axial: of.flow.axial * tip,
+        speed: sense * of.flow.speed,
+    };
+    let loads = DiskLoads {
+        thrust: of.loads.thrust * size,
+        moments: axes.along([of.loads.sine, of.loads.cosine], size * RADIUS),
+    };
+    let states = axes.turned(&of.states, tip);
+    let rates = axes.turned(&of.rates, tip);
+    let mut rows = vec![0.0; states.len()];
+    disk.rows((&flow, DENSITY), &loads, (&states, &rates), &mut rows)
+        .unwrap();
+    let (sine, cosine) = of.place[1].sin_cos();
+    let position = axes.along([sine, cosine], of.place[0] * RADIUS);
+    (rows, disk.induced(&flow, &states, &position).unwrap())
+}
+
 #[test]
 fn velocities_follow_the_coefficients_in_any_axes() {
     let mut random = Random(5);
     for case in 0..300 {
+        let sense = if case % 2 == 0 { 1.0 } else { -1.0 };
         for word in InflowModel::WORDS {
-            let model = InflowModel::of_word(word).unwrap();
-            let sense = if case % 2 == 0 { 1.0 } else { -1.0 };
-            let speed = 30.0 + 8.0 * random.number();
-            let tip = speed * RADIUS;
-            let angle = PI * random.number();
-            let flow = RotorFlow {
-                advance: 0.2 + 0.1 * random.number(),
-                axial: 0.05 * random.number(),
-                speed,
-            };
-            let loads = RotorLoads {
-                thrust: 0.01 * (1.0 + random.number()),
-                sine: 0.001 * random.number(),
-                cosine: 0.001 * random.number(),
-            };
-            let count = model.states().len();
-            let states: Vec<f64> = (0..count).map(|_| 0.05 * random.number()).collect();
-            let rates: Vec<f64> = (0..count).map(|_| 0.5 * random.number()).collect();
-            let mut expected = vec![0.0; count];
-            model
-                .rows(&flow, &loads, &states, &rates, &mut expected)
+            let of = sample(InflowModel::of_word(word).unwrap(), &mut random);
+            let mut expected = vec![0.0; of.states.len()];
+            of.model
+                .rows(&of.flow, &of.loads, &of.states, &of.rates, &mut expected)
                 .unwrap();
-            let (radius, azimuth) = (0.6 + 0.3 * random.number(), PI * random.number());
-            let induced = model.induced(&flow, &states, radius, azimuth).unwrap();
-
-            // Aft is at `angle` from e_1; the advancing side by the sense.
-            let aft = [angle.cos(), angle.sin()];
-            let advancing = [-sense * aft[1], sense * aft[0]];
-            let into = |pair: [f64; 2]| [0, 1].map(|i| pair[0] * advancing[i] + pair[1] * aft[i]);
-            let turned = |of: &[f64], size: f64| {
-                let mut out: Vec<f64> = of.iter().map(|value| value * size).collect();
-                if let [_, sine, cosine] = out[..] {
-                    [out[1], out[2]] = into([sine, cosine]);
-                }
-                out
-            };
-            let size = DENSITY * PI * RADIUS * RADIUS * tip * tip;
-            let disk = Disk {
-                model,
-                radius: RADIUS,
-            };
-            let flow = DiskFlow {
-                in_plane: aft.map(|part| part * flow.advance * tip),
-                axial: flow.axial * tip,
-                speed: sense * speed,
-            };
-            let loads = DiskLoads {
-                thrust: loads.thrust * size,
-                moments: into([loads.sine, loads.cosine]).map(|part| part * size * RADIUS),
-            };
-            let (states, rates) = (turned(&states, tip), turned(&rates, tip));
-            let mut rows = vec![0.0; count];
-            disk.rows((&flow, DENSITY), &loads, (&states, &rates), &mut rows)
-                .unwrap();
-            let scale = 50.0 * tip;
-            for (row, expected) in rows.iter().zip(turned(&expected, tip)) {
-                assert!(
-                    (row - expected).abs() < WITHIN * scale,
-                    "{word} {row} {expected}"
-                );
+            let [radius, azimuth] = of.place;
+            let induced = of.model.induced(&of.flow, &of.states, radius, azimuth);
+            let axes = Axes::new(PI * random.number(), sense);
+            let (rows, found) = in_velocities(&of, &axes, sense);
+            let tip = of.flow.speed * RADIUS;
+            for (row, expected) in rows.iter().zip(axes.turned(&expected, tip)) {
+                let off = (row - expected).abs();
+                assert!(off < WITHIN * 50.0 * tip, "{word} {row} {expected}");
             }
-            let (sine, cosine) = azimuth.sin_cos();
-            let position = into([sine, cosine]).map(|part| part * radius * RADIUS);
-            let found = disk.induced(&flow, &states, &position).unwrap();
-            assert!(
-                (found - induced * tip).abs() < WITHIN * tip,
-                "{word} {found}"
-            );
+            let off = (found - induced.unwrap() * tip).abs();
+            assert!(off < WITHIN * tip, "{word} {found}");
         }
     }
 }
