@@ -294,8 +294,8 @@ const SLIPS: &[(&str, &str, &str)] = &[
         "did you mean \"step\"?",
     ),
     (
-        "[transient]\n",
-        "[gravity]\ng = 9.81\n[transient]\n",
+        "[gravity]\n",
+        "[gravity]\ng = 9.81\n",
         "did you mean acceleration = [0, 0, -9.81]?",
     ),
     (

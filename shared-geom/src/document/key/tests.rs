@@ -300,37 +300,48 @@ keys! {
     BORE: f64 = "bore", [Positive(Dimension::LENGTH)], required, "2";
 }
 
-/// The tables under declared keys of a text, and its problems.
-fn holes(text: &str) -> (Option<f64>, Option<Vec<f64>>, Option<Vec<String>>, String) {
+/// The tables under the declared keys of a text.
+#[derive(Debug, PartialEq)]
+struct Holes {
+    main: Option<f64>,
+    list: Option<Vec<f64>>,
+    named: Option<Vec<(String, f64)>>,
+}
+
+/// The tables of a text, and its problems.
+fn holes(text: &str) -> (Holes, String) {
     let document = Document::parse(text, "b.toml").unwrap();
     let root = document.root_of(&TABLES);
-    let main = root.nested(&MAIN, |table| table.get(&BORE)).flatten();
-    let holes = root.each(&HOLES, |table| table.get(&BORE));
-    let named = root.each_by_name(&NAMED, |_, table| table.get(&BORE));
-    let named = named.map(|named| named.into_iter().map(|(name, _)| name).collect());
+    let found = Holes {
+        main: root.nested(&MAIN, |table| table.get(&BORE)).flatten(),
+        list: root.each(&HOLES, |table| table.get(&BORE)),
+        named: root.each_by_name(&NAMED, |_, table| table.get(&BORE)),
+    };
     assert_eq!(root.nested(&SPARE, |_| Some(())), Some(None));
     root.finish();
-    let reported = document
-        .finish(Some(()))
-        .err()
-        .map(|problems| problems.to_string());
-    (main, holes, named, reported.unwrap_or_default())
+    let reported = document.finish(Some(())).err();
+    let reported = reported.map(|problems| problems.to_string());
+    (found, reported.unwrap_or_default())
 }
 
 #[test]
 fn tables_are_read_by_their_declarations() {
     let text = "[main]\nbore = 1\n[[hole]]\nbore = 2\n[[hole]]\nbore = 3\n[named.a]\nbore = 4\n";
-    let expected = (
-        Some(1.0),
-        Some(vec![2.0, 3.0]),
-        Some(vec!["a".to_owned()]),
-        String::new(),
-    );
-    assert_eq!(holes(text), expected);
-    assert_eq!(holes("[main]\nbore = 1\n").1, Some(Vec::new()));
-    let (main, list, named, reported) =
-        holes("[[hole]]\nbore = 0\nbroe = 2\n[[hole]]\n[named.a]\nb = 1\n");
-    assert_eq!((main, list, named), (None, None, None));
+    let expected = Holes {
+        main: Some(1.0),
+        list: Some(vec![2.0, 3.0]),
+        named: Some(vec![("a".to_owned(), 4.0)]),
+    };
+    assert_eq!(holes(text), (expected, String::new()));
+    assert_eq!(holes("[main]\nbore = 1\n").0.list, Some(Vec::new()));
+    let text = "[[hole]]\nbore = 0\nbroe = 2\n[[hole]]\n[named.a]\nb = 1\n";
+    let (found, reported) = holes(text);
+    let expected = Holes {
+        main: None,
+        list: None,
+        named: None,
+    };
+    assert_eq!(found, expected);
     for part in [
         "b.toml:1: the file has no \"main\", expected the main hole",
         "b.toml:2: \"bore\" is 0",
