@@ -64,6 +64,9 @@ fn limits_of_the_time_constants() {
     assert_eq!(turbine(8.0, 0.5), turbine(8.0, 0.9));
     assert!(turbine(8.0, -5.0) > 0.0);
     assert_eq!(turbine(-8.0, 0.2), turbine(8.0, 0.2));
+    let frozen = TimeScale::Frozen.constants(63.0, 1.0, 8.0, 0.3_f64);
+    assert_eq!(frozen.0, 864_000.0);
+    assert!((frozen.1 - 0.13 * frozen.0).abs() < 1e-6);
     let scale = TimeScale::Hover {
         least_speed: 0.5,
         cap: 0.5,
