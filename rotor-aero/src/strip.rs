@@ -247,14 +247,16 @@ impl Strip {
     ) -> StripJacobian {
         // Dual numbers of the smallest size that holds all inputs: quasi-steady sections in their
         // annulus, and the default section with its five states there.
-        match FLOW + 2 * states.len() {
-            0..=13 => self.dual::<13>(air, flow, states, rates),
-            14..=23 => self.dual::<23>(air, flow, states, rates),
-            _ => self.dual::<INPUTS>(air, flow, states, rates),
+        match states.len() {
+            0..=2 => self.dual::<11, 2>(air, flow, states, rates),
+            3..=7 => self.dual::<16, 7>(air, flow, states, rates),
+            _ => self.dual::<{ FLOW + STATES }, STATES>(air, flow, states, rates),
         }
     }
 
-    fn dual<const N: usize>(
+    /// Derivatives by the flow and the states in N dual numbers, and by the rates in R: the rates
+    /// enter few terms, and numbers without derivatives cost little.
+    fn dual<const N: usize, const R: usize>(
         &self,
         air: ActingAir<'_>,
         flow: &[f64; FLOW],
@@ -268,20 +270,45 @@ impl Strip {
         let mut speeds = unknowns;
         for k in 0..count {
             unknowns[k] = variable(states[k], FLOW + k);
-            speeds[k] = variable(rates[k], FLOW + count + k);
+            speeds[k] = DualSVec64::from_re(rates[k]);
         }
-        let flow = StripFlow::from_numbers(&numbers);
-        let outputs = self.outputs(air, &flow, &unknowns[..count], &speeds[..count]);
+        let numbers = StripFlow::from_numbers(&numbers);
+        let outputs = self.outputs(air, &numbers, &unknowns[..count], &speeds[..count]);
         let mut jacobian = StripJacobian::of_values(outputs.map(|output| output.re));
         for (row, output) in jacobian.by.iter_mut().zip(&outputs) {
-            let Some(slopes) = &output.eps.0 else {
-                continue;
-            };
-            row[..FLOW + count].copy_from_slice(&slopes.as_slice()[..FLOW + count]);
-            row[FLOW + STATES..FLOW + STATES + count]
-                .copy_from_slice(&slopes.as_slice()[FLOW + count..FLOW + 2 * count]);
+            if let Some(slopes) = &output.eps.0 {
+                row[..FLOW + count].copy_from_slice(&slopes.as_slice()[..FLOW + count]);
+            }
+        }
+        if self.states.iter().any(|state| state.has_rate) {
+            self.add_rates::<R>(air, flow, (states, rates), &mut jacobian);
         }
         jacobian
+    }
+
+    /// Writes the derivatives by the rates.
+    fn add_rates<const R: usize>(
+        &self,
+        air: ActingAir<'_>,
+        flow: &[f64; FLOW],
+        (states, rates): (&[f64], &[f64]),
+        jacobian: &mut StripJacobian,
+    ) {
+        let count = states.len();
+        let numbers = StripFlow::from_numbers(&flow.map(DualSVec64::<R>::from_re));
+        let mut unknowns = [DualSVec64::<R>::from_re(0.0); STATES];
+        let mut speeds = unknowns;
+        for k in 0..count {
+            unknowns[k] = DualSVec64::from_re(states[k]);
+            speeds[k] = DualSVec64::from_re(rates[k]).derivative(k);
+        }
+        let outputs = self.outputs(air, &numbers, &unknowns[..count], &speeds[..count]);
+        for (row, output) in jacobian.by.iter_mut().zip(&outputs) {
+            if let Some(slopes) = &output.eps.0 {
+                let rates = &mut row[FLOW + STATES..FLOW + STATES + count];
+                rates.copy_from_slice(&slopes.as_slice()[..count]);
+            }
+        }
     }
 
     /// Loads and rows.

@@ -10,6 +10,7 @@ mod buckling;
 mod case_files;
 mod chain;
 mod control;
+mod damped_by_air;
 mod damped_in_time;
 mod damping;
 #[path = "../common/effort.rs"]
@@ -54,6 +55,7 @@ mod superposed;
 mod swinging;
 mod tm4760;
 mod uniform_beam;
+mod vacuum;
 mod variational_beam;
 mod wind_blades;
 mod without_rotary_inertia;

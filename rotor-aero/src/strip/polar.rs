@@ -1,4 +1,13 @@
 //! The static coefficients of a strip, with their split into attached and separated flow.
+//!
+//! Tables are evaluated with their derivatives by their own variables x alone, and these are
+//! multiplied by the derivatives of the variables:
+//!
+//! ```text
+//! c = c(re x) + c_x (x - re x)
+//! ```
+
+use num_dual::{Dual64, DualSVec64};
 
 use crate::airfoil::{Coefficients, Flow, Section, Separation};
 use crate::real::Real;
@@ -27,15 +36,47 @@ impl StripPolar {
 
 impl Polar for StripPolar {
     fn coefficients<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
-        self.section.at(flow)
+        if is_alone::<T>() {
+            return self.section.at(flow);
+        }
+        let numbers = [flow.alpha, flow.mach, flow.reynolds, flow.flap];
+        let variable = |i: usize| DualSVec64::<4>::from_re(numbers[i].re()).derivative(i);
+        let found = self.section.at(&Flow {
+            alpha: variable(0),
+            mach: variable(1),
+            reynolds: variable(2),
+            flap: variable(3),
+        });
+        let along = |found: DualSVec64<4>| {
+            let mut sum = T::from(found.re);
+            let slopes = found.eps.0.iter().flat_map(|slopes| slopes.iter());
+            for (number, slope) in numbers.iter().zip(slopes) {
+                // Most tables do not depend on most of the numbers.
+                if *slope != 0.0 {
+                    sum += (*number - number.re()) * *slope;
+                }
+            }
+            sum
+        };
+        Coefficients {
+            lift: along(found.lift),
+            drag: along(found.drag),
+            moment: along(found.moment),
+        }
     }
 
     fn attached<T: Real>(&self, alpha: T) -> T {
-        self.separation.attached(alpha)
+        match is_alone::<T>() {
+            true => self.separation.attached(alpha),
+            false => of_angle(|alpha| self.separation.attached(alpha), alpha),
+        }
     }
 
     fn separated_lift<T: Real>(&self, alpha: T) -> T {
-        self.separation.separated_lift(alpha)
+        match is_alone::<T>() {
+            true => self.separation.separated_lift(alpha),
+            false => of_angle(|alpha| self.separation.separated_lift(alpha), alpha),
+        }
     }
 
     fn slope(&self) -> f64 {
@@ -45,4 +86,15 @@ impl Polar for StripPolar {
     fn zero_lift(&self) -> f64 {
         self.separation.zero_lift
     }
+}
+
+/// Whether a number has no derivatives.
+fn is_alone<T: Real>() -> bool {
+    size_of::<T>() == size_of::<f64>()
+}
+
+/// A function of the angle of attack alone, with the derivatives of the angle.
+fn of_angle<T: Real>(of: impl Fn(Dual64) -> Dual64, alpha: T) -> T {
+    let found = of(Dual64::from_re(alpha.re()).derivative());
+    T::from(found.re) + (alpha - alpha.re()) * found.eps
 }

@@ -121,18 +121,34 @@ fn find(
     (worst.part <= HELD).then_some(())
 }
 
-/// Excludes rates that no equation of a scalar contains: the values of these scalars follow from
-/// the equations, and their rates only from the accelerations.
+/// Excludes rates that no equation of a scalar contains, and rates of scalars whose equation would
+/// then have no unknown: the values of these scalars follow from the equations, and their rates
+/// only from the accelerations.
 fn keep_known_rates(tangent: &Tangent, first: usize, is_rate: &mut [bool]) {
-    let mut is_contained = vec![false; is_rate.len()];
     let scalars = first..first + is_rate.len();
-    for (row, column, value) in tangent.by_rates.triplets() {
-        if scalars.contains(&row) && scalars.contains(&column) && value != 0.0 {
-            is_contained[column - first] = true;
-        }
+    let entries = |of: &Sparse| -> Vec<(usize, usize)> {
+        let own = of.triplets().filter(|&(row, column, value)| {
+            scalars.contains(&row) && scalars.contains(&column) && value != 0.0
+        });
+        own.map(|(row, column, _)| (row - first, column - first))
+            .collect()
+    };
+    let (by_rates, by_values) = (entries(&tangent.by_rates), entries(&tangent.by_unknowns));
+    let mut is_contained = vec![false; is_rate.len()];
+    for &(_, column) in &by_rates {
+        is_contained[column] = true;
     }
     for (is_rate, is_contained) in is_rate.iter_mut().zip(is_contained) {
         *is_rate &= is_contained;
+    }
+    let mut has_unknown = vec![false; is_rate.len()];
+    for (entries, wanted) in [(by_rates, true), (by_values, false)] {
+        for (row, column) in entries {
+            has_unknown[row] |= is_rate[column] == wanted;
+        }
+    }
+    for (is_rate, has_unknown) in is_rate.iter_mut().zip(has_unknown) {
+        *is_rate &= has_unknown;
     }
 }
 
