@@ -113,8 +113,8 @@ fn decay(text: &str, near: f64) -> [f64; 2] {
     fitted(&changes, STEP, near)
 }
 
-/// The decay of the runs is the growth of the mode to 1 %, and the frequency to 1e-3, the error of
-/// the scheme: `(w h)^2 / 12`.
+/// The decay of the runs is the growth of the mode to 1 %, and the frequency to 4e-3, the error of
+/// the scheme: 3.3e-3 at this step, 8e-4 at half of it.
 fn compare(wake: &str, section: &str) -> f64 {
     let text = BLADE.replace("WAKE", wake).replace("SECTION", section);
     let ([growth, frequency], number) = mode(&text);
@@ -131,7 +131,7 @@ fn compare(wake: &str, section: &str) -> f64 {
         0.01,
     );
     assert!(error < 0.01, "{case}: {found} {growth}");
-    assert!((rate / frequency - 1.0).abs() < 1e-3, "{rate} {frequency}");
+    assert!((rate / frequency - 1.0).abs() < 4e-3, "{rate} {frequency}");
     growth
 }
 
