@@ -24,7 +24,7 @@ const POSITIONS: [&str; 5] = ["upper", "lower", "web", "front_web", "rear_web"];
 keys! {
     /// The section of a blade to be meshed: a skin around an airfoil, a spar and cores.
     pub(in crate::input) BLADE_FILE = "NAME.blade.toml";
-    /// Units of plain numbers, SI or those of the table; the unit of length is also the unit of
+    /// Units of plain numbers, SI or the units of the table; the unit of length is also the unit of
     /// the mesh.
     UNITS_KEY: ByHand = "units", [Word(&["SI"]), OneTable(&UNITS)], required, "\"SI\"";
     /// The outer contour.

@@ -38,7 +38,7 @@ pub(in crate::input) const MATRICES_FILE: TableSchema = TableSchema {
 keys! {
     /// Name of the section in reports and property files.
     pub(super) NAME: Option<String> = "name", [Text], or "NAME of the file", "\"slice\"";
-    /// Units of plain numbers and of the matrices, SI or those of the table.
+    /// Units of plain numbers and of the matrices, SI or the units of the table.
     UNITS_KEY: ByHand = "units", [Word(&["SI"]), OneTable(&UNITS)], required, "\"SI\"";
     /// CSV file with the header node,y,z and a row for each node, in the order of the unknowns.
     pub(super) NODES: Written = "nodes", [Text]
@@ -56,7 +56,7 @@ keys! {
 
 keys! {
     /// Files in the format of Matrix Market. The unknowns of the face at the smaller x come first,
-    /// then those of the other face: u_x, u_y, u_z of each node.
+    /// then the unknowns of the other face: u_x, u_y, u_z of each node.
     SLICE_TABLE = "[slice]";
     /// Stiffness of the slice.
     pub(super) STIFFNESS: Written = "stiffness", [Text] as "the path of a Matrix Market file",

@@ -62,9 +62,9 @@ pub(super) const BLADE_FILE: TableSchema = TableSchema {
 keys! {
     /// Name in messages and tables.
     pub(super) NAME: Option<String> = "name", [Text], or "NAME of the file", "\"demo\"";
-    /// Units of plain numbers, SI or those of the table.
+    /// Units of plain numbers, SI or the units of the table.
     UNITS_KEY: ByHand = "units", [Word(&["SI"]), OneTable(&UNITS)], required, "\"SI\"";
-    /// Axes of the numbers: those of a tool, or the directions of x, y and z.
+    /// Axes of the numbers: the axes of a tool, or the directions of x, y and z.
     pub(super) FRAME: ByHand = "frame",
         [Word(&FRAMES), Words(&DIRECTIONS)],
         or "required, unless all stations are property files", "\"helicoid\"";
@@ -302,7 +302,8 @@ keys! {
     /// Reference point of this station.
     pub(super) STATION_POINT: ByHand = "reference_point", [Vector(2, Dimension::LENGTH)],
         or "of the file", "[0.1, 0]";
-    /// Angle from the section axes of the line to those of the properties, in the sense of twist.
+    /// Angle from the section axes of the line to the axes of the properties, in the sense of
+    /// twist.
     pub(super) ANGLE: f64 = "angle", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "2";
     /// A property file, from the folder of this file.
     pub(super) SECTION_FILE: String = "file", [Text] as "the name of a property file", required,
