@@ -56,4 +56,5 @@ mod tm4760;
 mod uniform_beam;
 mod variational_beam;
 mod wind_blades;
+mod wings;
 mod without_rotary_inertia;

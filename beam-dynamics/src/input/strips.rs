@@ -1,4 +1,4 @@
-//! Strips in the air: `[blade.aerodynamics]`.
+//! Strips in the air: `[blade.aerodynamics]`; `[[strip]]` is in `cards`.
 //!
 //! The airfoil axes at a station of twist b, with the axes B of the blade (x along the span, y in
 //! the direction of motion, z up, pitch included) and the line of the beam along t:
@@ -15,7 +15,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Vector3};
 use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign};
 use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{Count, Text, Word};
+use shared_geom::document::schema::ValueKind::{Boolean, Count, Text, Word};
 use shared_geom::keys;
 use shared_geom::quadrature;
 
@@ -23,13 +23,15 @@ use super::aerodynamics::{Inflow, StripProblem};
 use super::beam_card::Beam;
 use super::builder::ModelBuilder;
 use crate::case::BladeNodes;
-use crate::elements::strips::{AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+use crate::elements::strips::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
 use crate::model::Node;
 
+mod cards;
 mod files;
 mod line;
 mod stations;
 
+pub(super) use cards::{CARD as STRIP, read as read_cards};
 pub(super) use line::BladeLine;
 
 use stations::{Between, STATIONS, Stations};
@@ -47,6 +49,8 @@ keys! {
         or "\"separation_lag\"" = 2, "\"quasi_steady\"";
     /// Number of strips on each beam, or on each part of a beam between two stations.
     POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
+    /// Whether the flow along the span has friction, with the drag at zero angle of attack.
+    RADIAL_DRAG: bool = "radial_drag", [Boolean], or "false" = false, "true";
     with STATIONS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
         files::SET.schema, files::TWIST_FILE.schema, files::ROOT_RADIUS.schema;
 }
@@ -57,6 +61,7 @@ pub(super) struct BladeAir {
     stations: Stations,
     model: SectionModel,
     points: usize,
+    radial_drag: bool,
     inflow: Option<Inflow>,
 }
 
@@ -85,6 +90,7 @@ pub(super) fn read(
     };
     builder.add_remarks(remarks);
     let (section, points) = (table.get(&SECTION), table.get(&POINTS));
+    let radial_drag = table.get(&RADIAL_DRAG);
     let wanted = table.get(&INFLOW_NAME);
     table.finish();
     let inflow = match wanted? {
@@ -95,6 +101,7 @@ pub(super) fn read(
         stations: stations?,
         model: SectionModel::of_word(SECTIONS.get(section?)?)?,
         points: points?,
+        radial_drag: radial_drag?,
         inflow,
     })
 }
@@ -143,13 +150,18 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
     }
 }
 
-/// A beam by its index, with the arc length from the root at which it begins [m].
+/// A beam by its index, with the arc length of the line at which it begins [m].
 type PlacedBeam = (usize, f64);
 
 /// The beams of a blade, from the root to the tip.
 fn beams(blade: &BladeNodes, builder: &ModelBuilder) -> Vec<PlacedBeam> {
+    placed_beams(builder.beams_of(blade), builder)
+}
+
+/// Beams by their indices in the order of a line, with their arc lengths.
+fn placed_beams(beams: Vec<usize>, builder: &ModelBuilder) -> Vec<PlacedBeam> {
     let mut start = 0.0;
-    let beams = builder.beams_of(blade).into_iter();
+    let beams = beams.into_iter();
     beams
         .map(|index| {
             let placed = (index, start);
@@ -178,18 +190,28 @@ fn add_blade(
         tip_radius: tip.scalar().clone(),
     };
     builder.add_load(Box::new(tip));
+    add_strips(&blade.name, (beams, strips), (Some(&rotor), &air), builder);
+}
+
+/// Adds the strips of a line of beams, of a rotor or without one.
+fn add_strips(
+    name: &str,
+    (beams, strips): (&[PlacedBeam], &[PlacedStrip]),
+    (rotor, air): (Option<&StripRotor>, &Arc<Air>),
+    builder: &mut ModelBuilder,
+) {
     for (number, strip) in strips.iter().enumerate() {
         let Some(&(beam, _)) = beams.get(strip.beam) else {
             continue;
         };
         let beam = &builder.beams()[beam];
         let element = AirStrip::on_beam(
-            format!("{}/strip {}", blade.name, number + 1),
+            format!("{name}/strip {}", number + 1),
             (beam.nodes, beam.geometry, &ends(beam, builder)),
             strip.xi,
             (Arc::clone(&strip.strip), strip.geometry),
-            rotor.clone(),
-            Arc::clone(&air),
+            rotor.cloned(),
+            Arc::clone(air),
         );
         builder.add_load(Box::new(element));
     }
@@ -237,7 +259,7 @@ fn ends<'a>(beam: &Beam, builder: &'a ModelBuilder) -> [&'a Node; 3] {
     beam.nodes.map(|node| &builder.nodes()[node])
 }
 
-/// The strips of a blade, from the root to the tip.
+/// The strips of a line of beams, from its beginning to its end.
 fn strips(
     air: &BladeAir,
     (axes, beams): (&Matrix3<f64>, &[PlacedBeam]),
@@ -245,45 +267,60 @@ fn strips(
     inflow: Option<AnnularInflow>,
 ) -> Vec<PlacedStrip> {
     let mut strips = Vec::new();
-    let limits: Vec<f64> = air.stations.positions().collect();
-    let (Some(first), Some(last)) = (limits.first(), limits.last()) else {
-        return strips;
-    };
     for (number, (beam, start)) in beams.iter().enumerate() {
         let beam = &builder.beams()[*beam];
         let ends = ends(beam, builder);
         let end = start + beam.geometry.length(&ends);
-        let mut cuts = vec![start.max(*first)];
-        cuts.extend(limits.iter().filter(|at| **at > *start && **at < end));
-        cuts.push(end.min(*last));
-        cuts.dedup_by(|b, a| *b - *a <= SHORTEST * (end - start));
-        for pair in cuts.windows(2) {
-            let half = 0.5 * (pair[1] - pair[0]);
-            for (abscissa, weight) in quadrature::line(air.points) {
-                let position = pair[0] + half * (1.0 + abscissa);
-                let Some(between) = air.stations.at(position) else {
-                    continue;
-                };
-                let xi = beam.geometry.position(&ends, position - start);
-                strips.push(PlacedStrip {
-                    beam: number,
-                    xi,
-                    geometry: geometry(&between, axes, (beam, &ends), (xi, weight * half)),
-                    strip: Arc::new(Strip::new(StripDesign {
-                        chord: between.chord,
-                        section: between.airfoil,
-                        model: air.model,
-                        inflow,
-                    })),
-                });
-            }
+        for (position, length, between) in air.points([*start, end]) {
+            let xi = beam.geometry.position(&ends, position - start);
+            strips.push(PlacedStrip {
+                beam: number,
+                xi,
+                geometry: geometry(&between, axes, (beam, &ends), (xi, length)),
+                strip: air.strip(between, inflow),
+            });
         }
     }
     strips
 }
 
-/// Part of a beam below which a piece between two stations has no strip of its own.
+/// Part of a line below which a piece between two stations has no strip of its own.
 const SHORTEST: f64 = 1e-6;
+
+impl BladeAir {
+    /// Strips of the part of a line between two arc lengths: their positions and lengths \[m\].
+    fn points(&self, [start, end]: [f64; 2]) -> Vec<(f64, f64, Between)> {
+        let limits: Vec<f64> = self.stations.positions().collect();
+        let (Some(first), Some(last)) = (limits.first(), limits.last()) else {
+            return Vec::new();
+        };
+        let mut cuts = vec![start.max(*first)];
+        cuts.extend(limits.iter().filter(|at| **at > start && **at < end));
+        cuts.push(end.min(*last));
+        cuts.dedup_by(|b, a| *b - *a <= SHORTEST * (end - start));
+        let mut points = Vec::new();
+        for pair in cuts.windows(2) {
+            let half = 0.5 * (pair[1] - pair[0]);
+            for (abscissa, weight) in quadrature::line(self.points) {
+                let position = pair[0] + half * (1.0 + abscissa);
+                let between = self.stations.at(position);
+                points.extend(between.map(|between| (position, weight * half, between)));
+            }
+        }
+        points
+    }
+
+    /// The strip of a position.
+    fn strip(&self, between: Between, inflow: Option<AnnularInflow>) -> Arc<Strip> {
+        Arc::new(Strip::new(StripDesign {
+            chord: between.chord,
+            section: between.airfoil,
+            model: self.model,
+            inflow,
+            radial_drag: self.radial_drag,
+        }))
+    }
+}
 
 fn geometry(
     between: &Between,
@@ -293,16 +330,28 @@ fn geometry(
 ) -> StripGeometry {
     let (_, tangent) = beam.geometry.line_point(ends, xi);
     let section = beam.geometry.section_axes(ends, xi);
-    let (sin, cos) = between.twist.sin_cos();
-    let forward = blade_axes * Vector3::new(0.0, cos, sin);
-    let x = (forward - tangent * tangent.dot(&forward)).normalize();
-    let axes = Matrix3::from_columns(&[x, tangent.cross(&x), tangent]);
+    let (ahead, axes) = airfoil_axes(between, blade_axes, &tangent);
     let into = section.transpose();
-    // The quarter chord is ahead of the line by (axis - 1/4) chords.
-    let ahead = (between.axis - 0.25) * between.chord;
     StripGeometry {
-        offset: into * (x * ahead),
+        offset: into * ahead,
         axes: into * axes,
         length,
     }
+}
+
+/// The quarter chord from a line along `tangent` \[m\], and the airfoil axes.
+fn airfoil_axes(
+    between: &Between,
+    axes: &Matrix3<f64>,
+    tangent: &Vector3<f64>,
+) -> (Vector3<f64>, Matrix3<f64>) {
+    let (sin, cos) = between.twist.sin_cos();
+    let forward = axes * Vector3::new(0.0, cos, sin);
+    let x = (forward - tangent * tangent.dot(&forward)).normalize();
+    // The quarter chord is ahead of the line by (axis - 1/4) chords.
+    let ahead = x * ((between.axis - 0.25) * between.chord);
+    (
+        ahead,
+        Matrix3::from_columns(&[x, tangent.cross(&x), *tangent]),
+    )
 }

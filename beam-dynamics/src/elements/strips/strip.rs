@@ -64,7 +64,7 @@ pub struct AirStrip {
     length: f64,
     strip: Arc<Strip>,
     air: Arc<Air>,
-    /// Its states, then the radius of the tip.
+    /// Its states, then the radius of the tip if it has a rotor.
     scalars: Vec<Scalar>,
     /// The quarter chord in the undeformed model \[m\].
     start: Vector3<f64>,
@@ -81,13 +81,13 @@ struct Loads {
 }
 
 impl AirStrip {
-    /// A strip on the line of a beam at xi.
+    /// A strip on the line of a beam at xi. Only a strip without an inflow may be without a rotor.
     pub fn on_beam(
         label: impl Into<String>,
         (nodes, geometry, undeformed): ([usize; 3], BeamGeometry, &[&Node; 3]),
         xi: f64,
         strip: (Arc<Strip>, StripGeometry),
-        rotor: StripRotor,
+        rotor: Option<StripRotor>,
         air: Arc<Air>,
     ) -> Self {
         let point = LinePoint::new(geometry, undeformed, xi);
@@ -98,12 +98,13 @@ impl AirStrip {
     }
 
     /// A strip on a body: the carried point is at `offset` from the node, with the axes of the
-    /// node; `undeformed` is the node itself.
+    /// node; `undeformed` is the node itself. Only a strip without an inflow may be without a
+    /// rotor.
     pub fn on_body(
         label: impl Into<String>,
         (node, undeformed, offset): (usize, &Node, Vector3<f64>),
         strip: (Arc<Strip>, StripGeometry),
-        rotor: StripRotor,
+        rotor: Option<StripRotor>,
         air: Arc<Air>,
     ) -> Self {
         let carrier = Carrier::Body(offset, Matrix3::identity());
@@ -117,10 +118,10 @@ impl AirStrip {
         label: String,
         (carrier, mut nodes, undeformed): (Carrier, Vec<usize>, &[NodeMotion]),
         (strip, geometry): (Arc<Strip>, StripGeometry),
-        rotor: StripRotor,
+        rotor: Option<StripRotor>,
         air: Arc<Air>,
     ) -> Self {
-        let hub = rotor.hub.map(|hub| {
+        let hub = rotor.as_ref().and_then(|rotor| rotor.hub).map(|hub| {
             nodes.push(hub);
             nodes.len() - 1
         });
@@ -134,13 +135,14 @@ impl AirStrip {
                 start: ScalarStart::Settled,
             })
         });
-        let mut scalars: Vec<_> = states.collect();
-        scalars.push(rotor.tip_radius);
+        let shaft = rotor.as_ref().map(|rotor| rotor.shaft);
+        let tip = rotor.map(|rotor| rotor.tip_radius);
+        let scalars = states.chain(tip).collect();
         let mount = Mount {
             carrier,
             offset: geometry.offset,
             axes: geometry.axes,
-            shaft: rotor.shaft,
+            shaft,
             hub,
         };
         let start = mount.quarter_chord(undeformed);
@@ -158,9 +160,9 @@ impl AirStrip {
         }
     }
 
-    /// Number of its states: the scalar after them is the radius of the tip.
+    /// Number of its states: the scalar after them, if any, is the radius of the tip.
     fn states(&self) -> usize {
-        self.scalars.len() - 1
+        self.strip.states().len()
     }
 
     /// The flow, and its numbers as the strip takes them.
@@ -170,7 +172,9 @@ impl AirStrip {
             .flow(at, &|point, time| self.air.motion(point, time));
         let mut numbers = [0.0; STRIP_FLOW];
         numbers[..FLOW].copy_from_slice(&flow.numbers);
-        numbers[FLOW] = at.scalars.values[self.states()];
+        if let Some(tip_radius) = at.scalars.values.get(self.states()) {
+            numbers[FLOW] = *tip_radius;
+        }
         (flow, numbers)
     }
 
@@ -269,7 +273,9 @@ impl<'a> Columns<'a> {
                 self.add_scalar((k, true), STRIP_FLOW + STATES + k, out);
             }
         }
-        self.add_scalar((states.len(), false), FLOW, out);
+        if self.strip.scalars.len() > states.len() {
+            self.add_scalar((states.len(), false), FLOW, out);
+        }
     }
 
     /// Adds column `input` of the strip as the derivatives by a scalar or its rate.
