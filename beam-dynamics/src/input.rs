@@ -340,6 +340,7 @@ fn parts(root: &Table<'_>, builder: &mut ModelBuilder) {
     joints::read_joints(root, builder);
     rods::read(root, builder);
     springs::read(root, builder);
+    strips::read_cards(root, builder);
     loads::read(root, builder);
     internal_forces::read(root, builder);
     electrodes::read(root, builder);

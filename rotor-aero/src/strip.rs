@@ -11,16 +11,27 @@
 //! u is the induced velocity against n and v the one against t, see [`crate::momentum`]. By a model of
 //! the disk there is one velocity u against the shaft, of which the section has the components:
 //! `w = w0 + u (s_x, s_y)`.
+//!
+//! Radial drag is the friction of the flow along the span, with the drag at zero angle of attack:
+//! drag of larger angles is due to pressure, which has no component along the span.
+//!
+//! ```text
+//! F_z = - rho/2 c c_d(0) w_z |(w_x, w_y, w_z)|
+//! ```
+//!
+//! References: [Masarati], 5.9.
 
 use num_dual::DualSVec64;
 
-use crate::airfoil::Section;
+use crate::airfoil::{Flow, Section};
 use crate::momentum::Options;
 use crate::real::Real;
-use crate::unsteady::{self, Model, SectionFlow, SectionForce};
+use crate::unsteady::{self, Model, Polar, SectionFlow, SectionForce};
 use crate::wake::TimeScale;
 use crate::wind::Atmosphere;
 
+#[cfg(test)]
+mod friction_tests;
 mod polar;
 mod ring;
 
@@ -171,6 +182,8 @@ pub struct StripDesign {
     pub model: SectionModel,
     /// Inflow; none without.
     pub inflow: Option<StripInflow>,
+    /// Whether the flow along the span has friction.
+    pub radial_drag: bool,
 }
 
 /// A strip of a blade.
@@ -180,6 +193,7 @@ pub struct Strip {
     polar: StripPolar,
     model: SectionModel,
     inflow: Option<StripInflow>,
+    radial_drag: bool,
     states: Vec<StripState>,
     /// Number of unknowns of the inflow, the first ones.
     of_inflow: usize,
@@ -244,6 +258,7 @@ impl Strip {
             polar: StripPolar::new(design.section),
             model: design.model,
             inflow: design.inflow,
+            radial_drag: design.radial_drag,
         }
     }
 
@@ -376,7 +391,7 @@ impl Strip {
         let (induced, own) = states.split_at(self.of_inflow);
         let (induced_rates, own_rates) = rates.split_at(self.of_inflow);
         let axes = plane(&flow.shaft);
-        // The velocity along the span is left out.
+        // The section has no velocity along the span.
         let velocity = [0, 1].map(|i| {
             let annular = |u: &T, v: &T| *u * axes[0][i] + *v * axes[1][i];
             let own = flow.velocity[i];
@@ -396,6 +411,9 @@ impl Strip {
         );
         out[0] = force.along;
         out[1] = force.normal;
+        if self.radial_drag {
+            out[2] = self.friction(air, &[velocity[0], velocity[1], flow.velocity[2]]);
+        }
         out[3] = force.moment;
         // The unknowns that the momentum of the annulus has.
         let (annulus, first) = match &self.inflow {
@@ -414,6 +432,19 @@ impl Strip {
             );
         }
         out
+    }
+
+    /// Friction of the flow along the span, per length [N/m].
+    fn friction<T: Real>(&self, air: ActingAir<'_>, &[x, y, z]: &[T; 3]) -> T {
+        let in_plane = (x * x + y * y + SLOW * SLOW).sqrt();
+        let drag = self.polar.coefficients(&Flow {
+            mach: in_plane / air.still.sound_speed,
+            reynolds: in_plane * (self.chord * air.still.density / air.still.viscosity),
+            alpha: T::from(0.0),
+            flap: T::from(0.0),
+        });
+        let speed = (x * x + y * y + z * z + SLOW * SLOW).sqrt();
+        drag.drag * z * speed * (-0.5 * air.still.density * self.chord * air.part)
     }
 
     /// Forces of the section in the velocity against the air, and the rows of its states.

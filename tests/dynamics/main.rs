@@ -60,4 +60,5 @@ mod uniform_beam;
 mod vacuum;
 mod variational_beam;
 mod wind_blades;
+mod wings;
 mod without_rotary_inertia;

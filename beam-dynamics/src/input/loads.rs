@@ -23,7 +23,7 @@ use crate::model::Drive;
 mod along_beams;
 mod problem;
 
-pub(super) use along_beams::{BEAMS, BLADE, CARD as DISTRIBUTED_LOAD, beams};
+pub(super) use along_beams::{BEAMS, BLADE, CARD as DISTRIBUTED_LOAD, beams, named_beams};
 pub use problem::LoadProblem;
 
 keys! {

@@ -16,7 +16,7 @@ use shared_geom::units::Dimension;
 use super::{
     aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes,
     frames, hub, internal_forces, joints, loads, measured, nodes, periodic, properties, rods,
-    speeds, springs, transient,
+    speeds, springs, strips, transient,
 };
 
 keys! {
@@ -49,6 +49,8 @@ keys! {
     AIRFOILS: ByHand = "airfoils", [NamedTables(&aerodynamics::AIRFOIL)], optional, "";
     /// Velocities that rotors induce.
     INFLOWS: ByHand = "inflow", [Tables(&aerodynamics::INFLOW)], optional, "";
+    /// Strips in the air on bodies and beams.
+    STRIPS: ByHand = "strip", [Tables(&strips::STRIP)], optional, "";
     /// Polar copies of cards.
     REPEATS: ByHand = "repeat", [Tables(&REPEAT)], optional, "";
     /// Gravity.

@@ -1,4 +1,4 @@
-//! Strips in the air: `[blade.aerodynamics]`.
+//! Strips in the air: `[blade.aerodynamics]`; `[[strip]]` is in `cards`.
 //!
 //! The airfoil axes at a station of twist b, with the axes B of the blade (x along the span, y in
 //! the direction of motion, z up, pitch included) and the line of the beam along t:
@@ -15,21 +15,23 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Vector3};
 use rotor_aero::strip::{SectionModel, Strip, StripDesign, StripInflow};
 use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{Count, Text, Word};
+use shared_geom::document::schema::ValueKind::{Boolean, Count, Text, Word};
 use shared_geom::keys;
 use shared_geom::quadrature;
 
 use super::beam_card::Beam;
 use super::builder::ModelBuilder;
 use crate::case::BladeNodes;
-use crate::elements::strips::{AirStrip, RotorDisk, StripGeometry, StripRotor, TipRadius};
+use crate::elements::strips::{Air, AirStrip, RotorDisk, StripGeometry, StripRotor, TipRadius};
 use crate::model::Node;
 
+mod cards;
 mod files;
 mod line;
 mod rotor;
 mod stations;
 
+pub(super) use cards::{CARD as STRIP, read as read_cards};
 pub(super) use line::BladeLine;
 
 use rotor::Rotor;
@@ -48,6 +50,8 @@ keys! {
         or "\"separation_lag\"" = 2, "\"quasi_steady\"";
     /// Number of strips on each beam, or on each part of a beam between two stations.
     POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
+    /// Whether the flow along the span has friction, with the drag at zero angle of attack.
+    RADIAL_DRAG: bool = "radial_drag", [Boolean], or "false" = false, "true";
     with STATIONS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
         files::SET.schema, files::TWIST_FILE.schema, files::ROOT_RADIUS.schema;
 }
@@ -55,10 +59,17 @@ keys! {
 /// Strips of the blades of one card.
 #[derive(Debug)]
 pub(super) struct BladeAir {
+    along: Along,
+    rotor: Rotor,
+}
+
+/// Strips along a line.
+#[derive(Debug)]
+struct Along {
     stations: Stations,
     model: SectionModel,
     points: usize,
-    rotor: Rotor,
+    radial_drag: bool,
 }
 
 /// Reads the table of a `[[blade]]` called `name`, with the line of its beams.
@@ -86,13 +97,17 @@ pub(super) fn read(
     };
     builder.add_remarks(remarks);
     let (section, points) = (table.get(&SECTION), table.get(&POINTS));
+    let radial_drag = table.get(&RADIAL_DRAG);
     let wanted = table.get(&INFLOW_NAME);
     table.finish();
     let rotor = rotor::find(wanted?.as_deref(), table, builder, user);
     Some(BladeAir {
-        stations: stations?,
-        model: SectionModel::of_word(SECTIONS.get(section?)?)?,
-        points: points?,
+        along: Along {
+            stations: stations?,
+            model: SectionModel::of_word(SECTIONS.get(section?)?)?,
+            points: points?,
+            radial_drag: radial_drag?,
+        },
         rotor: rotor?,
     })
 }
@@ -112,26 +127,25 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
         let radius = tip.map_or(0.0, |tip| air.rotor.distance(&tip.position));
         let disk = air.rotor.disk(radius, builder);
         let strips = placed.get_or_insert_with(|| {
-            let first = air.stations.positions().next().unwrap_or_default();
-            let inflow = StripsInflow {
-                model: air
-                    .rotor
-                    .inflow(blades.len(), radius_at(air, &beams, first, builder)),
-                end: air.rotor.end_of_lift(radius),
-            };
-            strips(air, (axes, &beams), builder, &inflow)
+            let inflow = inflow(air, blades.len(), (&beams, radius), builder);
+            strips(&air.along, (axes, &beams), builder, &inflow)
         });
         add_blade((&blade, &air.rotor, disk), (&beams, strips), builder);
     }
 }
 
-/// A beam by its index, with the arc length from the root at which it begins [m].
+/// A beam by its index, with the arc length of the line at which it begins [m].
 type PlacedBeam = (usize, f64);
 
 /// The beams of a blade, from the root to the tip.
 fn beams(blade: &BladeNodes, builder: &ModelBuilder) -> Vec<PlacedBeam> {
+    placed_beams(builder.beams_of(blade), builder)
+}
+
+/// Beams by their indices in the order of a line, with their arc lengths.
+fn placed_beams(beams: Vec<usize>, builder: &ModelBuilder) -> Vec<PlacedBeam> {
     let mut start = 0.0;
-    let beams = builder.beams_of(blade).into_iter();
+    let beams = beams.into_iter();
     beams
         .map(|index| {
             let placed = (index, start);
@@ -161,18 +175,28 @@ fn add_blade(
         disk,
     };
     builder.add_load(Box::new(tip));
+    add_strips(&blade.name, (beams, strips), (Some(&rotor), &air), builder);
+}
+
+/// Adds the strips of a line of beams, of a rotor or without one.
+fn add_strips(
+    name: &str,
+    (beams, strips): (&[PlacedBeam], &[PlacedStrip]),
+    (rotor, air): (Option<&StripRotor>, &Arc<Air>),
+    builder: &mut ModelBuilder,
+) {
     for (number, strip) in strips.iter().enumerate() {
         let Some(&(beam, _)) = beams.get(strip.beam) else {
             continue;
         };
         let beam = &builder.beams()[beam];
         let element = AirStrip::on_beam(
-            format!("{}/strip {}", blade.name, number + 1),
+            format!("{name}/strip {}", number + 1),
             (beam.nodes, beam.geometry, &ends(beam, builder)),
             strip.xi,
             (Arc::clone(&strip.strip), strip.geometry),
-            rotor.clone(),
-            Arc::clone(&air),
+            rotor.cloned(),
+            Arc::clone(air),
         );
         builder.add_load(Box::new(element));
     }
@@ -187,15 +211,34 @@ struct PlacedStrip {
     geometry: StripGeometry,
 }
 
-/// Inflow of the strips of a blade.
+/// Inflow of strips.
+#[derive(Default)]
 struct StripsInflow {
     model: Option<StripInflow>,
-    /// Radius beyond which they have no lift \[m\].
-    end: f64,
+    /// Arc length beyond which they have no lift, if there is one \[m\].
+    end: Option<f64>,
+}
+
+/// Inflow of the strips of one of several blades, whose tips have a radius \[m\].
+fn inflow(
+    air: &BladeAir,
+    blades: usize,
+    (beams, tip): (&[PlacedBeam], f64),
+    builder: &ModelBuilder,
+) -> StripsInflow {
+    let mut positions = air.along.stations.positions();
+    let first = positions.next().unwrap_or_default();
+    let last = positions.last().unwrap_or(first);
+    let radius = |at: f64| radius_at(&air.rotor, beams, at, builder);
+    let end = air.rotor.end_of_lift(tip);
+    StripsInflow {
+        model: air.rotor.inflow(blades, radius(first)),
+        end: (radius(last) > end).then(|| last_inside([first, last], |at| radius(at) <= end)),
+    }
 }
 
 /// Distance from the shaft of a position on the line \[m\].
-fn radius_at(air: &BladeAir, beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> f64 {
+fn radius_at(rotor: &Rotor, beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> f64 {
     let after = beams.partition_point(|(_, start)| *start <= position);
     let Some((beam, start)) = beams.get(after.saturating_sub(1)) else {
         return 0.0;
@@ -203,63 +246,38 @@ fn radius_at(air: &BladeAir, beams: &[PlacedBeam], position: f64, builder: &Mode
     let beam = &builder.beams()[*beam];
     let ends = ends(beam, builder);
     let xi = beam.geometry.position(&ends, position - start);
-    air.rotor.distance(&beam.geometry.line_point(&ends, xi).0)
+    rotor.distance(&beam.geometry.line_point(&ends, xi).0)
 }
 
 fn ends<'a>(beam: &Beam, builder: &'a ModelBuilder) -> [&'a Node; 3] {
     beam.nodes.map(|node| &builder.nodes()[node])
 }
 
-/// The strips of a blade, from the root to the tip.
+/// The strips of a line of beams, from its beginning to its end.
 fn strips(
-    air: &BladeAir,
+    air: &Along,
     (axes, beams): (&Matrix3<f64>, &[PlacedBeam]),
     builder: &ModelBuilder,
     inflow: &StripsInflow,
 ) -> Vec<PlacedStrip> {
     let mut strips = Vec::new();
-    let mut limits: Vec<f64> = air.stations.positions().collect();
-    let (Some(first), Some(last)) = (limits.first().copied(), limits.last().copied()) else {
-        return strips;
-    };
-    let is_inside = |at: f64| radius_at(air, beams, at, builder) <= inflow.end;
-    if !is_inside(last) {
-        limits.push(last_inside([first, last], is_inside));
-        limits.sort_by(f64::total_cmp);
-    }
     for (number, (beam, start)) in beams.iter().enumerate() {
         let beam = &builder.beams()[*beam];
         let ends = ends(beam, builder);
         let end = start + beam.geometry.length(&ends);
-        let mut cuts = vec![start.max(first)];
-        cuts.extend(limits.iter().filter(|at| **at > *start && **at < end));
-        cuts.push(end.min(last));
-        cuts.dedup_by(|b, a| *b - *a <= SHORTEST * (end - start));
-        for pair in cuts.windows(2) {
-            let half = 0.5 * (pair[1] - pair[0]);
-            for (abscissa, weight) in quadrature::line(air.points) {
-                let position = pair[0] + half * (1.0 + abscissa);
-                let Some(between) = air.stations.at(position) else {
-                    continue;
-                };
-                let xi = beam.geometry.position(&ends, position - start);
-                let geometry = geometry(&between, axes, (beam, &ends), (xi, weight * half));
-                let strip = Strip::new(StripDesign {
-                    chord: between.chord,
-                    section: between.airfoil,
-                    model: air.model,
-                    inflow: inflow.model,
-                });
-                strips.push(PlacedStrip {
-                    beam: number,
-                    xi,
-                    geometry,
-                    strip: Arc::new(match is_inside(position) {
-                        true => strip,
-                        false => strip.with_lift(0.0),
-                    }),
-                });
-            }
+        for (position, length, between) in air.points([*start, end], inflow.end) {
+            let xi = beam.geometry.position(&ends, position - start);
+            let geometry = geometry(&between, axes, (beam, &ends), (xi, length));
+            let strip = air.strip(between, inflow.model);
+            strips.push(PlacedStrip {
+                beam: number,
+                xi,
+                geometry,
+                strip: Arc::new(match inflow.end.is_none_or(|end| position <= end) {
+                    true => strip,
+                    false => strip.with_lift(0.0),
+                }),
+            });
         }
     }
     strips
@@ -278,8 +296,46 @@ fn last_inside([mut low, mut high]: [f64; 2], is_inside: impl Fn(f64) -> bool) -
     low
 }
 
-/// Part of a beam below which a piece between two stations has no strip of its own.
+/// Part of a line below which a piece between two stations has no strip of its own.
 const SHORTEST: f64 = 1e-6;
+
+impl Along {
+    /// Strips of the part of a line between two arc lengths, also cut at `cut`: their positions and
+    /// lengths \[m\].
+    fn points(&self, [start, end]: [f64; 2], cut: Option<f64>) -> Vec<(f64, f64, Between)> {
+        let mut limits: Vec<f64> = self.stations.positions().collect();
+        let (Some(&first), Some(&last)) = (limits.first(), limits.last()) else {
+            return Vec::new();
+        };
+        limits.extend(cut);
+        limits.sort_by(f64::total_cmp);
+        let mut cuts = vec![start.max(first)];
+        cuts.extend(limits.iter().filter(|at| **at > start && **at < end));
+        cuts.push(end.min(last));
+        cuts.dedup_by(|b, a| *b - *a <= SHORTEST * (end - start));
+        let mut points = Vec::new();
+        for pair in cuts.windows(2) {
+            let half = 0.5 * (pair[1] - pair[0]);
+            for (abscissa, weight) in quadrature::line(self.points) {
+                let position = pair[0] + half * (1.0 + abscissa);
+                let between = self.stations.at(position);
+                points.extend(between.map(|between| (position, weight * half, between)));
+            }
+        }
+        points
+    }
+
+    /// The strip of a position.
+    fn strip(&self, between: Between, inflow: Option<StripInflow>) -> Strip {
+        Strip::new(StripDesign {
+            chord: between.chord,
+            section: between.airfoil,
+            model: self.model,
+            inflow,
+            radial_drag: self.radial_drag,
+        })
+    }
+}
 
 fn geometry(
     between: &Between,
@@ -289,16 +345,28 @@ fn geometry(
 ) -> StripGeometry {
     let (_, tangent) = beam.geometry.line_point(ends, xi);
     let section = beam.geometry.section_axes(ends, xi);
-    let (sin, cos) = between.twist.sin_cos();
-    let forward = blade_axes * Vector3::new(0.0, cos, sin);
-    let x = (forward - tangent * tangent.dot(&forward)).normalize();
-    let axes = Matrix3::from_columns(&[x, tangent.cross(&x), tangent]);
+    let (ahead, axes) = airfoil_axes(between, blade_axes, &tangent);
     let into = section.transpose();
-    // The quarter chord is ahead of the line by (axis - 1/4) chords.
-    let ahead = (between.axis - 0.25) * between.chord;
     StripGeometry {
-        offset: into * (x * ahead),
+        offset: into * ahead,
         axes: into * axes,
         length,
     }
+}
+
+/// The quarter chord from a line along `tangent` \[m\], and the airfoil axes.
+fn airfoil_axes(
+    between: &Between,
+    axes: &Matrix3<f64>,
+    tangent: &Vector3<f64>,
+) -> (Vector3<f64>, Matrix3<f64>) {
+    let (sin, cos) = between.twist.sin_cos();
+    let forward = axes * Vector3::new(0.0, cos, sin);
+    let x = (forward - tangent * tangent.dot(&forward)).normalize();
+    // The quarter chord is ahead of the line by (axis - 1/4) chords.
+    let ahead = x * ((between.axis - 0.25) * between.chord);
+    (
+        ahead,
+        Matrix3::from_columns(&[x, tangent.cross(&x), *tangent]),
+    )
 }

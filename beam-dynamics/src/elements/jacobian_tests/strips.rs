@@ -118,6 +118,7 @@ fn designs() -> Vec<StripDesign> {
                 section: Section::single(Arc::new(airfoil)),
                 model: SectionModel::of_word(word).expect("a sound sample"),
                 inflow,
+                radial_drag: (number + other).is_multiple_of(2),
             });
         }
     }
@@ -163,7 +164,7 @@ fn strips_on_beams() {
                     ([0, 1, 2], geometry_of_beam, &ends),
                     0.9 * random.number(),
                     (Arc::clone(&strip), geometry(&mut random)),
-                    rotor,
+                    Some(rotor),
                     air(&mut random),
                 );
                 let count = element.nodes().len();
@@ -183,10 +184,45 @@ fn strips_on_bodies() {
             "strip",
             (0, &undeformed[0], random.vector(1.0)),
             (Arc::new(Strip::new(design)), geometry(&mut random)),
-            rotor,
+            Some(rotor),
             air(&mut random),
         );
         check_within(WITHIN, &element, &undeformed, &mut random);
+    }
+}
+
+/// Wings: strips of bodies and beams without a rotor, whose flow has no shaft.
+#[test]
+fn strips_without_a_rotor() {
+    let mut random = Random(65);
+    for design in designs() {
+        if design.inflow.is_some() {
+            continue;
+        }
+        let strip = Arc::new(Strip::new(design));
+        let undeformed = nodes(&mut random, 1);
+        let body = AirStrip::on_body(
+            "strip",
+            (0, &undeformed[0], random.vector(1.0)),
+            (Arc::clone(&strip), geometry(&mut random)),
+            None,
+            gusty_air(&mut random),
+        );
+        assert_eq!(body.scalars().len(), strip.states().len());
+        check_within(WITHIN, &body, &undeformed, &mut random);
+        let undeformed = beam_nodes(&mut random);
+        let ends = [&undeformed[0], &undeformed[1], &undeformed[2]];
+        for geometry_of_beam in geometries(&mut random) {
+            let beam = AirStrip::on_beam(
+                "strip",
+                ([0, 1, 2], geometry_of_beam, &ends),
+                0.9 * random.number(),
+                (Arc::clone(&strip), geometry(&mut random)),
+                None,
+                air(&mut random),
+            );
+            check_within(WITHIN, &beam, &undeformed, &mut random);
+        }
     }
 }
 
@@ -200,7 +236,7 @@ fn strips_in_wind_that_varies() {
             "strip",
             (0, &undeformed[0], random.vector(1.0)),
             (Arc::new(Strip::new(design)), geometry(&mut random)),
-            rotor,
+            Some(rotor),
             gusty_air(&mut random),
         );
         check_within(WITHIN, &element, &undeformed, &mut random);
@@ -268,6 +304,7 @@ fn strips_in_disks() {
         section: Section::single(Arc::new(built_in("naca0012").expect("a sound sample"))),
         model: SectionModel::of_word("separation_lag").expect("a sound sample"),
         inflow: Some(inflow),
+        radial_drag: true,
     };
     for _ in 0..5 {
         for (shaft, disk) in disks(&mut random) {
@@ -288,7 +325,7 @@ fn strips_in_disks() {
                     "strip",
                     (0, &undeformed[0], random.vector(1.0)),
                     (Arc::new(Strip::new(design(inflow))), geometry(&mut random)),
-                    rotor,
+                    Some(rotor),
                     gusty_air(&mut random),
                 );
                 check_within(WITHIN, &element, &undeformed, &mut random);

@@ -54,8 +54,8 @@ pub(super) struct Mount {
     pub offset: Vector3<f64>,
     /// Airfoil axes (columns) in the carried axes.
     pub axes: Matrix3<f64>,
-    /// The shaft of its rotor.
-    pub shaft: Shaft,
+    /// The shaft of its rotor; without a rotor s is e_y and r is zero.
+    pub shaft: Option<Shaft>,
     /// Index among the nodes of the element of the node that carries the shaft; the frame if none.
     pub hub: Option<usize>,
     /// The disk of its rotor, if it has one.
@@ -72,11 +72,10 @@ pub(super) struct Flow<'a> {
     pub axes: Matrix3<f64>,
     /// w [m/s], q [rad/s], s \[-\], r and b \[m\].
     pub numbers: [f64; FLOW],
-    shaft: ShaftState,
+    /// The shaft, and the distance of Q from it.
+    shaft: Option<(ShaftState, Distance)>,
     /// Axes of the disk.
     disk: Option<DiskAxes>,
-    /// Distance of Q from the shaft.
-    distance: Distance,
     /// g [m/s].
     relative: Vector3<f64>,
     /// Angular velocity in space and relative to the frame [rad/s].
@@ -109,16 +108,25 @@ impl Mount {
             .velocity(&position, &(velocity + omega.cross(&arm)))
             - wind;
         let in_space = omega + at.frame.angular_velocity;
-        let shaft = self.shaft.at(self.hub.map(|hub| &at.nodes[hub]));
-        let distance = shaft.distance(&position);
+        let shaft = self.shaft.map(|shaft| {
+            let shaft = shaft.at(self.hub.map(|hub| &at.nodes[hub]));
+            (shaft, shaft.distance(&position))
+        });
         let w = axes.tr_mul(&relative);
-        let s = axes.tr_mul(&shaft.axis);
+        let (s, radius) = match &shaft {
+            Some((shaft, distance)) => (axes.tr_mul(&shaft.axis), distance.radius),
+            None => (Vector3::y(), 0.0),
+        };
         let pitch_rate = axes.column(2).dot(&in_space);
-        let disk = self.disk.as_ref().map(|disk| disk.axes(&shaft));
-        let radius = distance.radius;
-        let [b, c] = disk
-            .as_ref()
-            .map_or([0.0; 2], |disk| disk.components(&distance.from_center));
+        let in_disk = self.disk.as_ref().zip(shaft.as_ref());
+        let in_disk = in_disk.map(|(disk, (shaft, distance))| {
+            let axes = disk.axes(shaft);
+            (axes, axes.components(&distance.from_center))
+        });
+        let (disk, [b, c]) = match in_disk {
+            Some((axes, position)) => (Some(axes), position),
+            None => (None, [0.0; 2]),
+        };
         Flow {
             numbers: [w.x, w.y, w.z, pitch_rate, s.x, s.y, s.z, radius, b, c],
             disk,
@@ -127,7 +135,6 @@ impl Mount {
             arm,
             axes,
             shaft,
-            distance,
             relative,
             turning: [in_space, omega],
             gradient: at.frame.skew() - by_position,
@@ -181,18 +188,21 @@ impl Flow<'_> {
         let transposed = self.axes.transpose();
         let mut g = *velocity;
         let mut rates = *omega;
-        let mut shaft = Matrix3::zeros();
         if let Some(turn) = turn {
             g += skew_times(&self.relative, turn);
             rates += skew_times(&self.turning[0], turn);
-            shaft = transposed * skew_times(&self.shaft.axis, turn);
         }
         let mut out = FlowBlock::zeros();
         out.fixed_view_mut::<3, 3>(0, 0)
             .copy_from(&(transposed * g));
         out.set_row(3, &(transposed.row(2) * rates));
-        out.fixed_view_mut::<3, 3>(4, 0).copy_from(&shaft);
-        out.set_row(7, &(self.distance.by_point * position));
+        if let Some((shaft, distance)) = &self.shaft {
+            if let Some(turn) = turn {
+                let by_turn = transposed * skew_times(&shaft.axis, turn);
+                out.fixed_view_mut::<3, 3>(4, 0).copy_from(&by_turn);
+            }
+            out.set_row(7, &(distance.by_point * position));
+        }
         for (i, axis) in self.across().enumerate() {
             out.set_row(POSITION + i, &(axis.transpose() * position));
         }
@@ -207,21 +217,23 @@ impl Flow<'_> {
     /// Derivatives by the position and the rotation of the node of the shaft.
     pub fn by_hub(&self) -> [(Variable, FlowBlock); 2] {
         let mut by_position = FlowBlock::zeros();
-        by_position.set_row(7, &-self.distance.by_point);
         let mut by_rotation = FlowBlock::zeros();
-        by_rotation
-            .fixed_view_mut::<3, 3>(4, 0)
-            .copy_from(&(-self.axes.transpose() * skew(&self.shaft.axis)));
-        by_rotation.set_row(7, &self.shaft.by_turn(&self.distance));
-        for (i, axis) in self.across().enumerate() {
-            by_position.set_row(POSITION + i, &-axis.transpose());
-            let by_center = axis.transpose() * skew(&self.shaft.offset);
-            by_rotation.set_row(POSITION + i, &by_center);
-        }
-        let turns = self.disk.iter().flat_map(|disk| disk.by_turn);
-        for (i, turn) in turns.enumerate() {
-            let mut row = by_rotation.row_mut(POSITION + i);
-            row += self.distance.from_center.transpose() * turn;
+        if let Some((shaft, distance)) = &self.shaft {
+            by_position.set_row(7, &-distance.by_point);
+            by_rotation
+                .fixed_view_mut::<3, 3>(4, 0)
+                .copy_from(&(-self.axes.transpose() * skew(&shaft.axis)));
+            by_rotation.set_row(7, &shaft.by_turn(distance));
+            for (i, axis) in self.across().enumerate() {
+                by_position.set_row(POSITION + i, &-axis.transpose());
+                let by_center = axis.transpose() * skew(&shaft.offset);
+                by_rotation.set_row(POSITION + i, &by_center);
+            }
+            let turns = self.disk.iter().flat_map(|disk| disk.by_turn);
+            for (i, turn) in turns.enumerate() {
+                let mut row = by_rotation.row_mut(POSITION + i);
+                row += distance.from_center.transpose() * turn;
+            }
         }
         [
             (Variable::Position, by_position),

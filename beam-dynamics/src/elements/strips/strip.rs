@@ -68,7 +68,7 @@ pub struct AirStrip {
     length: f64,
     strip: Arc<Strip>,
     air: Arc<Air>,
-    /// Its states, the radius of the tip, and the unknowns of the disk.
+    /// Its states, the radius of the tip if it has a rotor, and the unknowns of its disk.
     scalars: Vec<Scalar>,
     /// Its disk.
     in_disk: Option<InDisk>,
@@ -90,13 +90,13 @@ struct Loads {
 }
 
 impl AirStrip {
-    /// A strip on the line of a beam at xi.
+    /// A strip on the line of a beam at xi. Only a strip without an inflow may be without a rotor.
     pub fn on_beam(
         label: impl Into<String>,
         (nodes, geometry, undeformed): ([usize; 3], BeamGeometry, &[&Node; 3]),
         xi: f64,
         strip: (Arc<Strip>, StripGeometry),
-        rotor: StripRotor,
+        rotor: Option<StripRotor>,
         air: Arc<Air>,
     ) -> Self {
         let point = LinePoint::new(geometry, undeformed, xi);
@@ -107,12 +107,13 @@ impl AirStrip {
     }
 
     /// A strip on a body: the carried point is at `offset` from the node, with the axes of the
-    /// node; `undeformed` is the node itself.
+    /// node; `undeformed` is the node itself. Only a strip without an inflow may be without a
+    /// rotor.
     pub fn on_body(
         label: impl Into<String>,
         (node, undeformed, offset): (usize, &Node, Vector3<f64>),
         strip: (Arc<Strip>, StripGeometry),
-        rotor: StripRotor,
+        rotor: Option<StripRotor>,
         air: Arc<Air>,
     ) -> Self {
         let carrier = Carrier::Body(offset, Matrix3::identity());
@@ -126,10 +127,10 @@ impl AirStrip {
         label: String,
         (carrier, mut nodes, undeformed): (Carrier, Vec<usize>, &[NodeMotion]),
         (strip, geometry): (Arc<Strip>, StripGeometry),
-        rotor: StripRotor,
+        rotor: Option<StripRotor>,
         air: Arc<Air>,
     ) -> Self {
-        let hub = rotor.hub.map(|hub| {
+        let hub = rotor.as_ref().and_then(|rotor| rotor.hub).map(|hub| {
             nodes.push(hub);
             nodes.len() - 1
         });
@@ -143,9 +144,11 @@ impl AirStrip {
                 start: ScalarStart::Settled,
             })
         });
-        let mut scalars: Vec<_> = states.collect();
-        scalars.push(rotor.tip_radius);
-        let in_disk = rotor.disk.clone();
+        let shaft = rotor.as_ref().map(|rotor| rotor.shaft);
+        let disk = rotor.as_ref().and_then(|rotor| rotor.disk.clone());
+        let tip = rotor.map(|rotor| rotor.tip_radius);
+        let mut scalars: Vec<_> = states.chain(tip).collect();
+        let in_disk = disk.clone();
         let in_disk = in_disk.map(|disk| InDisk::new(disk, scalars.len(), geometry.length));
         let of_disk = in_disk.iter().flat_map(InDisk::scalars);
         scalars.extend(of_disk.cloned());
@@ -153,9 +156,9 @@ impl AirStrip {
             carrier,
             offset: geometry.offset,
             axes: geometry.axes,
-            shaft: rotor.shaft,
+            shaft,
             hub,
-            disk: rotor.disk,
+            disk,
         };
         let start = mount.quarter_chord(undeformed);
         let arms = undeformed.iter().map(|node| (start - node.position).norm());
@@ -173,7 +176,7 @@ impl AirStrip {
         }
     }
 
-    /// Number of its states: the scalar after them is the radius of the tip.
+    /// Number of its states: the scalar after them, if any, is the radius of the tip.
     fn states(&self) -> usize {
         self.strip.states().len()
     }
@@ -185,7 +188,9 @@ impl AirStrip {
             .flow(at, &|point, time| self.air.motion(point, time));
         let mut numbers = [0.0; STRIP_FLOW];
         numbers[..OWN].copy_from_slice(&flow.numbers[..OWN]);
-        numbers[OWN] = at.scalars.values[self.states()];
+        if let Some(tip_radius) = at.scalars.values.get(self.states()) {
+            numbers[OWN] = *tip_radius;
+        }
         (flow, numbers)
     }
 
@@ -285,7 +290,9 @@ impl Columns<'_> {
                 self.add_scalar((k, true), STRIP_FLOW + STATES + k, out);
             }
         }
-        self.add_scalar((states.len(), false), OWN, out);
+        if self.strip.scalars.len() > states.len() {
+            self.add_scalar((states.len(), false), OWN, out);
+        }
         if let Some(in_disk) = self.in_disk {
             in_disk.add_induced(out);
         }

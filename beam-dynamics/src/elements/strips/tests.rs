@@ -11,7 +11,7 @@ use rotor_aero::wind::{
     Wind,
 };
 
-use super::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+use super::{Air, AirStrip, StripGeometry};
 use crate::elements::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Queries};
 use crate::model::{Conditions, Equation, Node, NodeMotion, Scalars};
 
@@ -50,16 +50,7 @@ fn strip(wind: Wind) -> (AirStrip, Node) {
         section: Section::single(Arc::new(built_in("thin").unwrap())),
         model: SectionModel::of_word("quasi_steady").unwrap(),
         inflow: None,
-    };
-    let shaft = Shaft {
-        center: Vector3::zeros(),
-        axis: Vector3::y(),
-    };
-    let rotor = StripRotor {
-        shaft,
-        hub: None,
-        tip_radius: TipRadius::new("tip", 0, shaft, None).scalar().clone(),
-        disk: None,
+        radial_drag: false,
     };
     let geometry = StripGeometry {
         offset: Vector3::zeros(),
@@ -69,7 +60,7 @@ fn strip(wind: Wind) -> (AirStrip, Node) {
     let air = Arc::new(Air::new(Atmosphere::default(), wind));
     let strip = (Arc::new(Strip::new(design)), geometry);
     let placed = (0, &node, Vector3::zeros());
-    (AirStrip::on_body("strip", placed, strip, rotor, air), node)
+    (AirStrip::on_body("strip", placed, strip, None, air), node)
 }
 
 /// The force on the node at a time, and the reason if there is none.

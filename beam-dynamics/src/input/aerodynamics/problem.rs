@@ -72,6 +72,20 @@ pub enum StripProblem {
         /// Number of stations.
         found: usize,
     },
+    /// A line that is neither on a node nor on beams.
+    #[error("a [[strip]] has {found}, expected either \"node\", \"from\" and \"to\", or \"beams\"")]
+    Carrier {
+        /// The keys found, as text.
+        found: &'static str,
+    },
+    /// A line of no length.
+    #[error(
+        "both ends of the line of the strip are the same point, expected a line of some length"
+    )]
+    NoSpan,
+    /// A direction forward along the line.
+    #[error("\"forward\" is along the line of the strip, expected a direction across it")]
+    ForwardAlong,
     /// Positions that do not increase.
     #[error(
         "station {} is at {} m, expected more than {} m, the position of the station before it",
@@ -133,6 +147,11 @@ impl Explain for StripProblem {
             Self::EffectiveRadius { .. } => {
                 Some("usual are 0.95 to 0.98; 1 has no loss at the tips".to_owned())
             }
+            Self::Carrier { .. } => {
+                Some("node = \"wing\", from = [0, 1, 0], to = [0, -1, 0]".to_owned())
+            }
+            Self::NoSpan => Some("give both ends of the span, or beams of an open line".to_owned()),
+            Self::ForwardAlong => Some("\"forward\" points toward the leading edge".to_owned()),
             Self::FewStations { .. } => None,
         }
     }

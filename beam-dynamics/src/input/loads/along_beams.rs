@@ -236,7 +236,12 @@ fn note_unknown_blade(table: &Table<'_>, builder: &ModelBuilder, label: &str, na
     table.note(&BLADE, &problem);
 }
 
-fn named_beams(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Vec<usize>> {
+/// The beams under `beams` of a card, in order along the line.
+pub(in crate::input) fn named_beams(
+    table: &Table<'_>,
+    builder: &ModelBuilder,
+    label: &str,
+) -> Option<Vec<usize>> {
     let mut found: Vec<usize> = Vec::new();
     for name in table.get(&BEAMS)?? {
         let index = builder.beams().iter().position(|beam| beam.label == name);
