@@ -20,9 +20,11 @@ use crate::wake::TimeScale;
 use crate::wind::Atmosphere;
 
 mod polar;
+mod report;
 mod ring;
 
 pub use crate::unsteady::SectionModel;
+pub use report::StripReport;
 
 use polar::StripPolar;
 use ring::Ring;

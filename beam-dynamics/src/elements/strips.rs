@@ -3,6 +3,7 @@
 mod air;
 mod carrier;
 mod kinematics;
+mod observe;
 mod shaft;
 mod strip;
 mod tip;

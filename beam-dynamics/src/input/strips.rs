@@ -21,9 +21,10 @@ use shared_geom::quadrature;
 
 use super::aerodynamics::{Inflow, StripProblem};
 use super::beam_card::Beam;
-use super::builder::ModelBuilder;
+use super::builder::{AirBlade, ModelBuilder};
 use crate::case::BladeNodes;
 use crate::elements::strips::{AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
+use crate::elements::{Element, NO_INFLOW, StripPlace};
 use crate::model::Node;
 
 mod files;
@@ -139,7 +140,8 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
             });
             strips(air, (axes, &beams), builder, inflow)
         });
-        add_blade(&blade, (&beams, strips), builder);
+        let name = air.inflow.as_ref().map(|inflow| inflow.name.as_str());
+        add_blade(&blade, name.unwrap_or(NO_INFLOW), (&beams, strips), builder);
     }
 }
 
@@ -160,17 +162,25 @@ fn beams(blade: &BladeNodes, builder: &ModelBuilder) -> Vec<PlacedBeam> {
         .collect()
 }
 
-/// Adds the strips of one blade.
+/// Adds the strips of one blade of the rotor called `rotor`.
 fn add_blade(
     blade: &BladeNodes,
+    rotor_name: &str,
     (beams, strips): (&[PlacedBeam], &[PlacedStrip]),
     builder: &mut ModelBuilder,
 ) {
-    let (Some(shaft), Some(air)) = (shaft(builder), builder.aerodynamics().air.clone()) else {
+    let air = builder.aerodynamics().air.clone();
+    let (Some(shaft), Some(held), Some(air)) = (shaft(builder), builder.hub().copied(), air) else {
         return;
     };
     let hub = builder.hub_node();
     let tip = blade.nodes.last().copied().unwrap_or_default();
+    let mut placed = AirBlade {
+        name: blade.name.clone(),
+        rotor: rotor_name.to_owned(),
+        tip_radius: held.distance(&builder.nodes()[tip].position),
+        strips: Vec::new(),
+    };
     let tip = TipRadius::new(format!("{} tip", blade.name), tip, shaft, hub);
     let rotor = StripRotor {
         shaft,
@@ -191,8 +201,18 @@ fn add_blade(
             rotor.clone(),
             Arc::clone(&air),
         );
+        let element = element.placed(StripPlace {
+            rotor: rotor_name.to_owned(),
+            blade: blade.name.clone(),
+            number: number + 1,
+            span: strip.span,
+            zero: held.axes().column(0).into_owned(),
+        });
+        let radius = held.distance(element.start());
+        placed.strips.push((element.label().to_owned(), radius));
         builder.add_load(Box::new(element));
     }
+    builder.add_air_blade(placed);
 }
 
 /// The shaft of the rotor: in the frame, or in the axes of the hub's node.
@@ -215,6 +235,8 @@ fn shaft(builder: &ModelBuilder) -> Option<Shaft> {
 struct PlacedStrip {
     /// Number of the beam of the blade, from zero.
     beam: usize,
+    /// Arc length from the root \[m\].
+    span: f64,
     xi: f64,
     strip: Arc<Strip>,
     geometry: StripGeometry,
@@ -267,6 +289,7 @@ fn strips(
                 let xi = beam.geometry.position(&ends, position - start);
                 strips.push(PlacedStrip {
                     beam: number,
+                    span: position,
                     xi,
                     geometry: geometry(&between, axes, (beam, &ends), (xi, weight * half)),
                     strip: Arc::new(Strip::new(StripDesign {

@@ -83,6 +83,11 @@ impl Mount {
         point.position + point.rotation * self.offset
     }
 
+    /// The shaft at the motion of the nodes.
+    pub fn shaft_at(&self, nodes: &[NodeMotion]) -> ShaftState {
+        self.shaft.at(self.hub.map(|hub| &nodes[hub]))
+    }
+
     /// The flow at a state.
     pub fn flow(&self, at: &Local<'_>, air: &AirMotion<'_>) -> Flow<'_> {
         let state = self.carrier.at(at.nodes);
@@ -97,7 +102,7 @@ impl Mount {
             .velocity(&position, &(velocity + omega.cross(&arm)))
             - wind;
         let in_space = omega + at.frame.angular_velocity;
-        let shaft = self.shaft.at(self.hub.map(|hub| &at.nodes[hub]));
+        let shaft = self.shaft_at(at.nodes);
         let distance = shaft.distance(&position);
         let w = axes.tr_mul(&relative);
         let s = axes.tr_mul(&shaft.axis);
@@ -118,6 +123,11 @@ impl Mount {
 }
 
 impl Flow<'_> {
+    /// Angular velocity in space [rad/s].
+    pub fn turning_in_space(&self) -> Vector3<f64> {
+        self.turning[0]
+    }
+
     /// Derivatives by the given variables of node `j` of the carrier.
     pub fn by_node(&self, at: &Local<'_>, j: usize) -> [(Variable, FlowBlock); 4] {
         let share = &self.point.shares[j];

@@ -25,7 +25,7 @@ pub struct Shaft {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ShaftState {
     /// c, model axes [m].
-    center: Vector3<f64>,
+    pub center: Vector3<f64>,
     /// n, model axes \[-\].
     pub axis: Vector3<f64>,
     /// o, model axes [m].
