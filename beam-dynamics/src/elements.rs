@@ -17,6 +17,7 @@ pub mod springs;
 pub mod strips;
 
 mod adapted;
+mod air_state;
 mod capabilities;
 mod carried;
 mod charges;
@@ -30,6 +31,7 @@ mod motion;
 mod observation;
 mod queries;
 mod reading;
+mod rotor_air;
 mod sensor;
 mod signal;
 
@@ -43,6 +45,7 @@ mod rates_tests;
 mod symmetry_tests;
 
 pub use adapted::Adapted;
+pub use air_state::{AirState, NO_INFLOW, RotorMotion, RotorSum, StripPlace, StripQuantity};
 pub(crate) use capabilities::has;
 pub use capabilities::{Constraints, Energetic, Growth, Memory, Reports, Structure};
 pub use charges::{Charges, CircuitState, ElectrodeState, Flow};
@@ -58,6 +61,7 @@ pub use queries::Queries;
 pub use reading::{
     Axes, JointMotion, NodeQuantity, NodeVector, Part, Reading, ReadingRow, SpringVector,
 };
+pub use rotor_air::{Definition, RotorAir, RotorQuantity};
 pub use sensor::{NodeReading, Sensor};
 pub use signal::{Input, Instant, Signal, Smoothness};
 

@@ -1,16 +1,19 @@
 //! Output of results: tables for people and for programs, the comparison with measurements, and the
 //! fan plot. Output only reads results; it computes nothing.
 
+mod air;
 mod airfoil_plot;
 mod airfoil_text;
 mod blade_comparison;
 mod blade_text;
 mod buckling;
+mod color_bar;
 mod comparison;
 mod fan;
 mod files;
 mod folder;
 mod grid;
+mod panels;
 mod performance;
 mod periodic;
 mod rows;
@@ -29,6 +32,7 @@ mod views;
 #[cfg(test)]
 mod samples;
 
+pub use air::DiskPlot;
 pub use airfoil_plot::AirfoilPlot;
 pub use airfoil_text::airfoil_text;
 pub use blade_comparison::blade_comparison;
@@ -40,8 +44,9 @@ pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{result_text, write};
 pub use folder::{ResultLocation, Written};
+pub use panels::PanelPlot;
 pub use performance::{
-    MapPlot, PanelPlot, performance_csv, performance_text, span_load_csv, write_performance,
+    MapPlot, performance_csv, performance_text, span_load_csv, write_performance,
 };
 pub use periodic::{MultiplierPlot, PERIODIC_CONVENTION, PeriodicFiles, periodic_text};
 pub use shapes::{ShapePlot, write_shapes};

@@ -4,6 +4,7 @@ use nalgebra::{Complex, Matrix3};
 
 use crate::case::{ModeStyle, Words};
 
+mod air_columns;
 mod buckling;
 mod columns;
 mod fixed;

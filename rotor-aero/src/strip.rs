@@ -33,9 +33,11 @@ use crate::wind::Atmosphere;
 #[cfg(test)]
 mod friction_tests;
 mod polar;
+mod report;
 mod ring;
 
 pub use crate::unsteady::SectionModel;
+pub use report::StripReport;
 
 use polar::StripPolar;
 use ring::Ring;
@@ -391,17 +393,7 @@ impl Strip {
         let (induced, own) = states.split_at(self.of_inflow);
         let (induced_rates, own_rates) = rates.split_at(self.of_inflow);
         let axes = plane(&flow.shaft);
-        // The section has no velocity along the span.
-        let velocity = [0, 1].map(|i| {
-            let annular = |u: &T, v: &T| *u * axes[0][i] + *v * axes[1][i];
-            let own = flow.velocity[i];
-            match (&self.inflow, induced) {
-                (Some(StripInflow::Disk), [u]) => own + *u * flow.shaft[i],
-                (Some(StripInflow::Annular(_)), [u, v, ..]) => own + annular(u, v),
-                (Some(StripInflow::Skewed(_)), [u, _, v, ..]) => own + annular(u, v),
-                _ => own,
-            }
-        });
+        let velocity = self.velocity(flow, &axes, induced);
         let rows = LOADS + self.of_inflow..LOADS + states.len();
         let force = self.section(
             air,
@@ -445,6 +437,20 @@ impl Strip {
         });
         let speed = (x * x + y * y + z * z + SLOW * SLOW).sqrt();
         drag.drag * z * speed * (-0.5 * air.still.density * self.chord * air.part)
+    }
+
+    /// Velocity of the section against the air, without the velocity along the span.
+    fn velocity<T: Real>(&self, flow: &StripFlow<T>, axes: &[[T; 2]; 2], induced: &[T]) -> [T; 2] {
+        [0, 1].map(|i| {
+            let annular = |u: &T, v: &T| *u * axes[0][i] + *v * axes[1][i];
+            let own = flow.velocity[i];
+            match (&self.inflow, induced) {
+                (Some(StripInflow::Disk), [u]) => own + *u * flow.shaft[i],
+                (Some(StripInflow::Annular(_)), [u, v, ..]) => own + annular(u, v),
+                (Some(StripInflow::Skewed(_)), [u, _, v, ..]) => own + annular(u, v),
+                _ => own,
+            }
+        })
     }
 
     /// Forces of the section in the velocity against the air, and the rows of its states.

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
+mod air_output;
 mod articulated;
 mod beam_statics;
 mod bipendulum;

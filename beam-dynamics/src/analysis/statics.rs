@@ -201,6 +201,7 @@ pub(super) fn static_step(model: &Model, conditions: &Conditions, point: Point) 
         residual: point.residual,
         sections: observed.sections,
         reactions: observed.reactions,
+        air: observed.air,
         electrodes: model.system.electrodes(&point.state, conditions),
     }
 }

@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 
-use crate::elements::{EnergyPart, NodeQuantity, Part, Reading, Signal};
+use crate::elements::{
+    Definition, EnergyPart, NodeQuantity, Part, Reading, RotorQuantity, Signal, StripQuantity,
+};
 use crate::model::Drive;
 
 /// A number that is written for every state, with its name and its unit.
@@ -40,6 +42,22 @@ pub enum Quantity {
         label: String,
         /// The number.
         reading: Reading,
+    },
+    /// A quantity of the air at a strip, or between two strips.
+    Strip {
+        /// Names of the strips, with their weights, of the sum one.
+        strips: Vec<(String, f64)>,
+        /// The quantity.
+        quantity: StripQuantity,
+    },
+    /// A quantity of a rotor.
+    Rotor {
+        /// Names of its strips.
+        strips: Vec<String>,
+        /// The quantity.
+        quantity: RotorQuantity,
+        /// Its definition.
+        definition: Definition,
     },
     /// A quantity of an electrode.
     Electrode {
@@ -93,6 +111,8 @@ pub struct OutputSettings {
     pub netcdf: bool,
     /// Field files: one per this number of rows; `None` without.
     pub vtu: Option<usize>,
+    /// Number of the last revolutions whose air is written; `None` without.
+    pub air: Option<usize>,
     /// How often the state is saved for a restart; `None`: only at the end.
     pub restart: Option<Every>,
 }
@@ -106,6 +126,7 @@ impl Default for OutputSettings {
             csv: true,
             netcdf: true,
             vtu: None,
+            air: None,
             restart: None,
         }
     }

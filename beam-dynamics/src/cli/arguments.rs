@@ -124,6 +124,8 @@ folder DIR:
   NAME.transient.txt     the text as printed: start, remarks, steps, iterations, time by phase
   NAME.transient.png, .svg   all columns over time
   NAME.transient.pvd     with vtu in [output]: the moving model for ParaView, with its folder
+  NAME.transient_air.csv, NAME.disk_1.png, .svg   with air_revolutions in [output]: the air
+                         over span and azimuth
   NAME.restart.json      the state from which --restart continues
 where FILE is NAME.dynamics.toml.";
 

@@ -2,6 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3, Vector6};
 
+use super::air_state::AirState;
+
 /// A beam section at an evaluation point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SectionState {
@@ -130,4 +132,6 @@ pub struct Observations {
     pub joints: Vec<JointState>,
     /// Rods and springs between two ends.
     pub springs: Vec<SpringState>,
+    /// Strips in the air.
+    pub air: Vec<AirState>,
 }

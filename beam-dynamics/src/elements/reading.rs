@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, RowVector3, Vector3};
 
-use super::{EnergyPart, LocalJacobian, Observations};
+use super::{EnergyPart, LocalJacobian, Observations, RotorSum};
 use crate::model::{Equation, Variable};
 
 /// A part of a vector of a node, or of one node relative to another.
@@ -87,6 +87,8 @@ pub enum Reading {
         /// The part of the vector.
         part: Part,
     },
+    /// The share of a strip in a sum over its rotor [N, N m].
+    Rotor(RotorSum),
 }
 
 /// A motion of the second end of a joint relative to the first.
@@ -171,7 +173,7 @@ impl Part {
 impl Reading {
     /// Whether it is a sum over elements, with one common scalar.
     pub fn is_share(&self) -> bool {
-        matches!(self, Self::Energy(_))
+        matches!(self, Self::Energy(_) | Self::Rotor(_))
     }
 
     /// Its value from the observations of the element, in SI units, with the `rotation` of a node;
@@ -195,6 +197,7 @@ impl Reading {
                 all.iter().nth(*component).copied()
             }
             Self::Energy(_) => None,
+            Self::Rotor(sum) => Some(sum.share(observed.air.first()?)),
             Self::Reaction { .. } => self.reaction(observed, rotation),
             Self::Joint { motion, part } => {
                 let joint = observed.joints.first()?;

@@ -5,6 +5,7 @@ mod carrier;
 mod disk;
 mod in_disk;
 mod kinematics;
+mod observe;
 mod shaft;
 mod strip;
 mod tip;

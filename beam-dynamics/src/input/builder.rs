@@ -28,6 +28,7 @@ use crate::elements::laws::Law;
 use crate::elements::{Element, EnergyPart, Reading};
 use crate::model::{Drive, Node, Scalar};
 
+mod air;
 mod blades;
 mod catalogs;
 mod electrodes;
@@ -35,6 +36,7 @@ mod lookup;
 mod remarks;
 mod watch;
 
+pub(super) use air::AirBlade;
 pub(super) use electrodes::{ElectrodeCard, names as electrode_names};
 pub(super) use lookup::LookUp;
 
@@ -78,6 +80,8 @@ pub(super) struct ModelBuilder {
     /// Node of a hub that is not held by the frame.
     hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
+    /// Blades with strips.
+    air_blades: Vec<AirBlade>,
     remarks: Vec<String>,
     labels: BTreeMap<(&'static str, String), usize>,
     /// Readings of elements, by element names, with their scalars.
@@ -119,6 +123,7 @@ impl ModelBuilder {
             electrodes: Vec::new(),
             hub_node: None,
             blades: Vec::new(),
+            air_blades: Vec::new(),
             remarks,
             labels: BTreeMap::new(),
             watched: Vec::new(),
@@ -127,11 +132,6 @@ impl ModelBuilder {
             loose_ends: false,
             broken: false,
         }
-    }
-
-    /// The hub, if it could be read.
-    pub fn hub(&self) -> Option<&Hub> {
-        self.hub.as_ref()
     }
 
     /// Nodes so far.

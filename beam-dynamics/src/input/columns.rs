@@ -33,6 +33,8 @@ keys! {
     NETCDF: bool = "netcdf", [Boolean], or "true" = true, "false";
     /// A field file every this number of rows.
     VTU: Option<usize> = "vtu", [Count(usize::MAX)], optional, "5";
+    /// Write the air at all strips for this number of the last revolutions, with maps of the disk.
+    AIR: Option<usize> = "air_revolutions", [Count(100)], optional, "1";
     /// Interval of the saved states: a number of steps, or a time with its unit.
     RESTART_EVERY: Option<Every> = "restart_every", [Count(usize::MAX), Positive(Dimension::TIME)]
         as "a time above zero, or a number of steps",
@@ -91,6 +93,10 @@ pub(super) fn check(root: &Table<'_>, output: &OutputSettings, run: Option<&Tran
 fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
     let (rows, restart) = (table.get(&EVERY), table.get(&RESTART_EVERY));
     let (csv, netcdf, vtu) = (table.get(&CSV), table.get(&NETCDF), table.get(&VTU));
+    let air = table.get(&AIR);
+    if air.flatten().is_some() && builder.air_blades().is_empty() {
+        table.note(&AIR, &ColumnProblem::NoAir);
+    }
     let columns = column::read(table, builder);
     table.finish_beside(&OF_OUTPUT);
     Some(OutputSettings {
@@ -99,6 +105,7 @@ fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
         csv: csv?,
         netcdf: netcdf?,
         vtu: vtu?,
+        air: air?,
         restart: restart?,
     })
 }

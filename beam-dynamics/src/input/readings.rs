@@ -3,13 +3,15 @@
 use shared_geom::document::{DocumentProblem, Table};
 use shared_geom::units::{Dimension, Unit};
 
+mod air;
 mod keys;
 mod kind;
 mod problem;
 mod reading;
 
 pub(super) use keys::{
-    ANGLES, ELECTRODES, ENERGIES, JOINTS, MOMENTA, NODES, OF_COLUMNS, REACTIONS, SECTIONS, SPRINGS,
+    ANGLES, ELECTRODES, ENERGIES, JOINTS, MOMENTA, NODES, OF_COLUMNS, REACTIONS, ROTORS, SECTIONS,
+    SPRINGS,
 };
 use kind::KINDS;
 pub(super) use kind::{Kind, Source, dimension_of, unit_of};

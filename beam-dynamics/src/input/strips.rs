@@ -20,9 +20,10 @@ use shared_geom::keys;
 use shared_geom::quadrature;
 
 use super::beam_card::Beam;
-use super::builder::ModelBuilder;
+use super::builder::{AirBlade, ModelBuilder};
 use crate::case::BladeNodes;
 use crate::elements::strips::{Air, AirStrip, RotorDisk, StripGeometry, StripRotor, TipRadius};
+use crate::elements::{Element, StripPlace};
 use crate::model::Node;
 
 mod cards;
@@ -167,45 +168,70 @@ fn add_blade(
     };
     let (shaft, hub) = (rotor.shaft, rotor.hub);
     let tip = blade.nodes.last().copied().unwrap_or_default();
+    let tip_radius = rotor.distance(&builder.nodes()[tip].position);
     let tip = TipRadius::new(format!("{} tip", blade.name), tip, shaft, hub);
-    let rotor = StripRotor {
+    let of_strip = StripRotor {
         shaft,
         hub,
         tip_radius: tip.scalar().clone(),
         disk,
     };
     builder.add_load(Box::new(tip));
-    add_strips(&blade.name, (beams, strips), (Some(&rotor), &air), builder);
+    let elements = elements(
+        &blade.name,
+        (beams, strips),
+        (Some(&of_strip), &air),
+        builder,
+    );
+    let mut placed = AirBlade {
+        name: blade.name.clone(),
+        rotor: rotor.name().to_owned(),
+        tip_radius,
+        strips: Vec::new(),
+    };
+    for (number, (element, strip)) in elements.into_iter().zip(strips).enumerate() {
+        let element = element.placed(StripPlace {
+            rotor: placed.rotor.clone(),
+            blade: blade.name.clone(),
+            number: number + 1,
+            span: strip.span,
+            zero: rotor.zero,
+        });
+        let radius = rotor.distance(element.start());
+        placed.strips.push((element.label().to_owned(), radius));
+        builder.add_load(Box::new(element));
+    }
+    builder.add_air_blade(placed);
 }
 
-/// Adds the strips of a line of beams, of a rotor or without one.
-fn add_strips(
+/// The strips of a line of beams, of a rotor or without one.
+fn elements(
     name: &str,
     (beams, strips): (&[PlacedBeam], &[PlacedStrip]),
     (rotor, air): (Option<&StripRotor>, &Arc<Air>),
-    builder: &mut ModelBuilder,
-) {
-    for (number, strip) in strips.iter().enumerate() {
-        let Some(&(beam, _)) = beams.get(strip.beam) else {
-            continue;
-        };
-        let beam = &builder.beams()[beam];
-        let element = AirStrip::on_beam(
+    builder: &ModelBuilder,
+) -> Vec<AirStrip> {
+    let numbered = strips.iter().enumerate();
+    let elements = numbered.filter_map(|(number, strip)| {
+        let beam = &builder.beams()[beams.get(strip.beam)?.0];
+        Some(AirStrip::on_beam(
             format!("{name}/strip {}", number + 1),
             (beam.nodes, beam.geometry, &ends(beam, builder)),
             strip.xi,
             (Arc::clone(&strip.strip), strip.geometry),
             rotor.cloned(),
             Arc::clone(air),
-        );
-        builder.add_load(Box::new(element));
-    }
+        ))
+    });
+    elements.collect()
 }
 
 /// A strip and its position on a beam.
 struct PlacedStrip {
     /// Number of the beam of the blade, from zero.
     beam: usize,
+    /// Arc length from the root \[m\].
+    span: f64,
     xi: f64,
     strip: Arc<Strip>,
     geometry: StripGeometry,
@@ -271,6 +297,7 @@ fn strips(
             let strip = air.strip(between, inflow.model);
             strips.push(PlacedStrip {
                 beam: number,
+                span: position,
                 xi,
                 geometry,
                 strip: Arc::new(match inflow.end.is_none_or(|end| position <= end) {

@@ -5,12 +5,10 @@ mod curves;
 mod files;
 mod loads;
 mod map;
-mod panels;
 mod tables;
 mod text;
 
 pub use files::write_performance;
 pub use map::MapPlot;
-pub use panels::PanelPlot;
 pub use tables::{performance_csv, span_load_csv};
 pub use text::performance_text;

@@ -13,5 +13,5 @@ pub use deformed::DeformedPlot;
 pub use files::write_static;
 pub use forces::ForcePlot;
 pub use path::PathPlot;
-pub use tables::{displacement_csv, electrode_csv, force_csv, reaction_csv};
+pub use tables::{displacement_csv, electrode_csv, force_csv, reaction_csv, static_air_csv};
 pub use text::{STATIC_CONVENTION, static_text};

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::AcceptedStep;
+use super::air_columns::AirColumns;
 use crate::case::{Column, ElectrodeQuantity, Model, OutputSettings, Quantity};
 use crate::elements::{
     ElectrodeState, Instant, JointMotion, NodeReading, Observations, Reading, Signal,
@@ -22,6 +23,8 @@ pub struct ColumnValues<'a> {
     nodes: Vec<(usize, NodeReading)>,
     /// Columns of energy.
     energy: Vec<usize>,
+    /// Columns of the air.
+    air: AirColumns,
     /// Columns of electrodes.
     electrodes: Vec<usize>,
     /// Columns of signals, with the scalars of the model.
@@ -51,6 +54,7 @@ impl<'a> ColumnValues<'a> {
             direct: Vec::new(),
             nodes: Vec::new(),
             energy: Vec::new(),
+            air: AirColumns::default(),
             electrodes: Vec::new(),
             signals: Vec::new(),
             observed: Observations::default(),
@@ -66,6 +70,9 @@ impl<'a> ColumnValues<'a> {
                 }
                 Quantity::Energy(_) => values.energy.push(index),
                 Quantity::Electrode { .. } => values.electrodes.push(index),
+                quantity @ (Quantity::Strip { .. } | Quantity::Rotor { .. }) => {
+                    values.air.add(index, quantity, &model.system);
+                }
                 Quantity::Signal(signal) => {
                     // Scalars that are not unknowns of any element follow at the end and
                     // are zero.
@@ -153,6 +160,7 @@ impl<'a> ColumnValues<'a> {
         self.evaluate_nodes(accepted, out);
         self.evaluate_electrodes(accepted, out);
         self.evaluate_signals(accepted, out);
+        self.air.evaluate(&self.model.system, accepted, out);
         for requested in &self.requested {
             self.observed.sections.clear();
             self.observed.reactions.clear();
@@ -254,6 +262,8 @@ impl<'a> ColumnValues<'a> {
             // These come from nodes and elements.
             Quantity::Node(_)
             | Quantity::Element { .. }
+            | Quantity::Strip { .. }
+            | Quantity::Rotor { .. }
             | Quantity::Electrode { .. }
             | Quantity::Signal(_)
             | Quantity::Energy(_) => f64::NAN,

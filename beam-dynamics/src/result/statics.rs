@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::case::BladeNodes;
-use crate::elements::{ElectrodeState, Reaction, SectionState};
+use crate::elements::{AirState, ElectrodeState, Reaction, SectionState};
 use crate::model::Node;
 
 /// The equilibrium at one factor of the proportional loads.
@@ -25,6 +25,8 @@ pub struct StaticStep {
     pub reactions: Vec<Reaction>,
     /// Voltages and charges of the electrodes.
     pub electrodes: Vec<ElectrodeState>,
+    /// Strips in the air.
+    pub air: Vec<AirState>,
 }
 
 /// A load path: equilibria in the order in which they were reached.

@@ -22,7 +22,7 @@ const PARTS: [Part; 4] = [
     Part::Magnitude,
 ];
 
-fn scalar() -> Scalar {
+pub(super) fn scalar() -> Scalar {
     Sensor::output("sensor", Quantity::new("number", "-", 1.0))
 }
 
@@ -38,11 +38,22 @@ fn adapted(element: Box<dyn Element>, readings: &[Reading], undeformed: &[Node])
 
 /// Checks that the equations of the readings have the values of the columns, then the derivatives.
 fn check_all(element: Adapted, readings: &[Reading], undeformed: &[Node], random: &mut Random) {
+    check_values(&element, readings, undeformed, random);
+    check(&element, undeformed, random);
+}
+
+/// Checks that the equations of the readings have the values of the columns.
+pub(super) fn check_values(
+    element: &Adapted,
+    readings: &[Reading],
+    undeformed: &[Node],
+    random: &mut Random,
+) {
     let motion: Vec<_> = undeformed
         .iter()
         .map(|node| super::moved(random, node))
         .collect();
-    let size = LocalSize::of(&element);
+    let size = LocalSize::of(element);
     let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect::<Vec<_>>();
     let (multipliers, mut values) = (numbers(size.multipliers), numbers(size.scalars));
     let rates = numbers(size.scalars);
@@ -50,7 +61,8 @@ fn check_all(element: Adapted, readings: &[Reading], undeformed: &[Node], random
     let count = known.filter(|scalar| scalar.owner == "sensor").count();
     let first = size.scalars - count;
     values[first..].fill(0.0);
-    let conditions = Conditions::at_rest();
+    let mut conditions = Conditions::at_rest();
+    conditions.loading.air = 1.0;
     let at = Local {
         nodes: &motion,
         multipliers: &multipliers,
@@ -81,7 +93,6 @@ fn check_all(element: Adapted, readings: &[Reading], undeformed: &[Node], random
             element.label()
         );
     }
-    check(&element, undeformed, random);
 }
 
 /// Reactions on nodes in all axes.

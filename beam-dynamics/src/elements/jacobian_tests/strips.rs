@@ -16,10 +16,10 @@ use rotor_aero::wind::{
 use nalgebra::Vector3;
 
 use super::{Random, beam_nodes, check, check_within, geometries, nodes};
-use crate::elements::Element;
 use crate::elements::strips::{
     Air, AirStrip, DiskInflow, Ground, RotorDisk, Shaft, StripGeometry, StripRotor, TipRadius,
 };
+use crate::elements::{Adapted, Element, Reading, RotorSum};
 
 /// Tables of airfoils are continuous with their first derivatives only: a difference across a knot is
 /// off by the step, 1e-6, times half of the jump of the curvature, which is some hundred per square
@@ -330,6 +330,43 @@ fn strips_in_disks() {
                 );
                 check_within(WITHIN, &element, &undeformed, &mut random);
             }
+        }
+    }
+}
+
+/// Thrust and torque as scalars: their values are the ones of the report, their derivatives the
+/// differences.
+#[test]
+fn sums_of_rotors() {
+    let mut random = Random(65);
+    let sums = [RotorSum::Thrust, RotorSum::Torque].map(Reading::Rotor);
+    for design in designs() {
+        let strip = Arc::new(Strip::new(design));
+        let mut undeformed = beam_nodes(&mut random);
+        undeformed.extend(nodes(&mut random, 1));
+        let beams = geometries(&mut random).into_iter().map(Some);
+        for (number, beam) in beams.chain([None]).enumerate() {
+            let hub = (number % 2 == 0).then_some(if beam.is_some() { 3 } else { 1 });
+            let (_, rotor) = rotor(&mut random, 0, hub);
+            let placed = (Arc::clone(&strip), geometry(&mut random));
+            let air = air(&mut random);
+            let element = match beam {
+                Some(beam) => {
+                    let ends = [&undeformed[0], &undeformed[1], &undeformed[2]];
+                    let xi = 0.9 * random.number();
+                    let nodes = ([0, 1, 2], beam, &ends);
+                    AirStrip::on_beam("strip", nodes, xi, placed, Some(rotor), air)
+                }
+                None => {
+                    let node = (0, &undeformed[0], random.vector(1.0));
+                    AirStrip::on_body("strip", node, placed, Some(rotor), air)
+                }
+            };
+            let count = element.nodes().len();
+            let scalars = sums.map(|sum| (sum, super::readings::scalar()));
+            let adapted = Adapted::read(Arc::new(element), scalars.to_vec());
+            check_within(WITHIN, &adapted, &undeformed[..count], &mut random);
+            super::readings::check_values(&adapted, &sums, &undeformed[..count], &mut random);
         }
     }
 }

@@ -27,6 +27,14 @@ pub(super) enum CarrierState<'a> {
 }
 
 impl Carrier {
+    /// Number of its nodes, the first ones of the element.
+    pub fn nodes(&self) -> usize {
+        match self {
+            Self::Body(..) => 1,
+            Self::Beam(_) => 3,
+        }
+    }
+
     /// The carrier at the motion of its nodes, the first ones of `nodes`.
     pub fn at(&self, nodes: &[NodeMotion]) -> CarrierState<'_> {
         match self {

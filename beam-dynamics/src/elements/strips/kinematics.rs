@@ -94,6 +94,12 @@ impl Mount {
         point.position + point.rotation * self.offset
     }
 
+    /// The shaft at the motion of the nodes; `None` without a rotor.
+    pub fn shaft_at(&self, nodes: &[NodeMotion]) -> Option<ShaftState> {
+        let hub = self.hub.map(|hub| &nodes[hub]);
+        self.shaft.map(|shaft| shaft.at(hub))
+    }
+
     /// The flow at a state.
     pub fn flow(&self, at: &Local<'_>, air: &AirMotion<'_>) -> Flow<'_> {
         let state = self.carrier.at(at.nodes);
@@ -108,10 +114,9 @@ impl Mount {
             .velocity(&position, &(velocity + omega.cross(&arm)))
             - wind;
         let in_space = omega + at.frame.angular_velocity;
-        let shaft = self.shaft.map(|shaft| {
-            let shaft = shaft.at(self.hub.map(|hub| &at.nodes[hub]));
-            (shaft, shaft.distance(&position))
-        });
+        let shaft = self
+            .shaft_at(at.nodes)
+            .map(|shaft| (shaft, shaft.distance(&position)));
         let w = axes.tr_mul(&relative);
         let (s, radius) = match &shaft {
             Some((shaft, distance)) => (axes.tr_mul(&shaft.axis), distance.radius),
@@ -143,6 +148,11 @@ impl Mount {
 }
 
 impl Flow<'_> {
+    /// Angular velocity in space [rad/s].
+    pub fn turning_in_space(&self) -> Vector3<f64> {
+        self.turning[0]
+    }
+
     /// Derivatives by the given variables of node `j` of the carrier.
     pub fn by_node(&self, at: &Local<'_>, j: usize) -> [(Variable, FlowBlock); 4] {
         let share = &self.point.shares[j];

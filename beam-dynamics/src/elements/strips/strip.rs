@@ -30,7 +30,7 @@ use super::shaft::Shaft;
 use crate::elements::beams::{BeamGeometry, LinePoint};
 use crate::elements::{
     Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, Motion,
-    Structure, has,
+    Reports, StripPlace, Structure, has,
 };
 use crate::model::{Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
 
@@ -63,11 +63,12 @@ pub struct StripRotor {
 #[derive(Debug, Clone)]
 pub struct AirStrip {
     label: String,
+    pub(super) place: Arc<StripPlace>,
     nodes: Vec<usize>,
-    mount: Mount,
-    length: f64,
-    strip: Arc<Strip>,
-    air: Arc<Air>,
+    pub(super) mount: Mount,
+    pub(super) length: f64,
+    pub(super) strip: Arc<Strip>,
+    pub(super) air: Arc<Air>,
     /// Its states, the radius of the tip if it has a rotor, and the unknowns of its disk.
     scalars: Vec<Scalar>,
     /// Its disk.
@@ -164,6 +165,7 @@ impl AirStrip {
         let arms = undeformed.iter().map(|node| (start - node.position).norm());
         Self {
             label,
+            place: Arc::default(),
             nodes,
             arm: arms.fold(f64::INFINITY, f64::min),
             start,
@@ -176,13 +178,26 @@ impl AirStrip {
         }
     }
 
+    /// The quarter chord in the undeformed model \[m\].
+    pub fn start(&self) -> &Vector3<f64> {
+        &self.start
+    }
+
+    /// With its place in the model, for reports.
+    pub fn placed(self, place: StripPlace) -> Self {
+        Self {
+            place: Arc::new(place),
+            ..self
+        }
+    }
+
     /// Number of its states: the scalar after them, if any, is the radius of the tip.
-    fn states(&self) -> usize {
+    pub(super) fn states(&self) -> usize {
         self.strip.states().len()
     }
 
     /// The flow, and its numbers as the strip takes them.
-    fn flow<'a>(&'a self, at: &Local<'_>) -> (Flow<'a>, [f64; STRIP_FLOW]) {
+    pub(super) fn flow<'a>(&'a self, at: &Local<'_>) -> (Flow<'a>, [f64; STRIP_FLOW]) {
         let flow = self
             .mount
             .flow(at, &|point, time| self.air.motion(point, time));
@@ -192,6 +207,14 @@ impl AirStrip {
             numbers[OWN] = *tip_radius;
         }
         (flow, numbers)
+    }
+
+    /// The air that acts.
+    pub(super) fn acting(&self, at: &Local<'_>) -> ActingAir<'_> {
+        ActingAir {
+            still: &self.air.atmosphere,
+            part: at.loading.air,
+        }
     }
 
     /// Loads at the carried point from the numbers of the strip.
@@ -335,10 +358,7 @@ impl Element for AirStrip {
         let (flow, numbers) = self.flow(at);
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
-        let air = ActingAir {
-            still: &self.air.atmosphere,
-            part: at.loading.air,
-        };
+        let air = self.acting(at);
         let by = match jacobian.is_some() {
             // Models of sections may have forces at any speed.
             _ if numbers.iter().any(|number| !number.is_finite()) => {
@@ -365,7 +385,7 @@ impl Element for AirStrip {
         self.air.wind().next_corner(&self.start, time)
     }
 
-    has!(energetic: Energetic, structure: Structure);
+    has!(energetic: Energetic, structure: Structure, reports: Reports);
 }
 
 impl Structure for AirStrip {

@@ -12,7 +12,9 @@ use rotor_aero::wind::{
 };
 
 use super::{Air, AirStrip, StripGeometry};
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Queries};
+use crate::elements::{
+    Element, Local, LocalJacobian, LocalResidual, LocalSize, Observations, Queries,
+};
 use crate::model::{Conditions, Equation, Node, NodeMotion, Scalars};
 
 /// Speed of the wind \[m/s\].
@@ -63,14 +65,14 @@ fn strip(wind: Wind) -> (AirStrip, Node) {
     (AirStrip::on_body("strip", placed, strip, None, air), node)
 }
 
-/// The force on the node at a time, and the reason if there is none.
-fn force(strip: &AirStrip, node: &Node, time: f64) -> (Vector3<f64>, Option<String>) {
+/// Calls with the strip at rest at a time.
+fn at_rest<T>(strip: &AirStrip, node: &Node, time: f64, call: impl Fn(&Local<'_>) -> T) -> T {
     let mut conditions = Conditions::at_rest();
     conditions.loading.time = time;
     conditions.loading.air = 1.0;
     let motion = [NodeMotion::at_rest(node)];
     let numbers = vec![1.0; strip.scalars().len()];
-    let at = Local {
+    call(&Local {
         nodes: &motion,
         multipliers: &[],
         scalars: Scalars {
@@ -80,13 +82,50 @@ fn force(strip: &AirStrip, node: &Node, time: f64) -> (Vector3<f64>, Option<Stri
         memory: &[],
         frame: &conditions.frame,
         loading: &conditions.loading,
-    };
-    let size = LocalSize::of(strip);
-    let (mut residual, mut jacobian) = (LocalResidual::new(size), LocalJacobian::new(size));
-    strip.evaluate(&at, &mut residual, Some(&mut jacobian));
-    let row = Equation::Force.row();
-    let values = &residual.values()[row..row + 3];
-    (Vector3::from_row_slice(values), strip.without_value(&at))
+    })
+}
+
+/// The force on the node at a time, and the reason if there is none.
+fn force(strip: &AirStrip, node: &Node, time: f64) -> (Vector3<f64>, Option<String>) {
+    at_rest(strip, node, time, |at| {
+        let size = LocalSize::of(strip);
+        let (mut residual, mut jacobian) = (LocalResidual::new(size), LocalJacobian::new(size));
+        strip.evaluate(at, &mut residual, Some(&mut jacobian));
+        let row = Equation::Force.row();
+        let values = &residual.values()[row..row + 3];
+        (Vector3::from_row_slice(values), strip.without_value(at))
+    })
+}
+
+/// In the middle of the gust the flow has the angle `atan(w/U)`; lift and normal load are the force
+/// on the node, and the moment about the origin is the one of the force at x = -3 m.
+#[test]
+fn the_report_has_the_angle_of_the_flow() {
+    let (strip, node) = strip(gust());
+    let (acting, _) = force(&strip, &node, 0.5);
+    let state = at_rest(&strip, &node, 0.5, |at| {
+        let mut out = Observations::default();
+        strip.observe(at, &mut out);
+        out.air.remove(0)
+    });
+    let flow = &state.flow;
+    let (angle, speed) = ((GUST / SPEED).atan(), SPEED.hypot(GUST));
+    assert!((flow.alpha - angle).abs() < 1e-13);
+    // The shaft is along y, the upper surface.
+    assert!((flow.inflow_angle + angle).abs() < 1e-13);
+    assert!((flow.speed - speed).abs() < 1e-12);
+    assert_eq!(flow.induced, [0.0; 2]);
+    // Lift of the thin airfoil, 2 pi alpha within alpha^2 / 6 = 1e-4 of it.
+    let lift = std::f64::consts::TAU * angle;
+    assert!((flow.coefficients[0] / lift - 1.0).abs() < 2e-4);
+    assert!(flow.coefficients[1].abs() < 1e-12 && flow.coefficients[2].abs() < 1e-12);
+    assert!((state.force - acting).norm() < 1e-12 * acting.norm());
+    assert!((state.normal * SPAN - acting.y).abs() < 1e-12 * acting.y);
+    let moment = node.position.cross(&acting);
+    assert!((state.moment - moment).norm() < 1e-12 * moment.norm());
+    assert!((state.radius - 3.0).abs() < 1e-15);
+    assert!((state.azimuth - std::f64::consts::PI).abs() < 1e-15);
+    assert!((state.rotor.velocity.x - SPEED).abs() < 1e-12);
 }
 
 /// Lift of thin airfoil theory, `rho U^2/2 2 pi alpha c b` with `alpha = w/U`: for the angle

@@ -5,11 +5,17 @@ use shared_geom::document::Table;
 
 use super::ModelBuilder;
 use crate::case::BladeNodes;
+use crate::input::hub::Hub;
 
 impl ModelBuilder {
     /// Axes of the blade to which a node belongs.
     pub fn blade_axes(&self, node: usize) -> Option<Matrix3<f64>> {
         self.blade_axes[node]
+    }
+
+    /// The hub, if it could be read.
+    pub fn hub(&self) -> Option<&Hub> {
+        self.hub.as_ref()
     }
 
     /// The node of the hub if the hub moves; `None` if the frame holds it, so that roots

@@ -27,6 +27,9 @@ pub enum ColumnProblem {
     /// The name of the first column.
     #[error("\"time\" is the name of the first column, which every table has")]
     Time,
+    /// Output of the air without blades in it.
+    #[error("the model has no blades in the air, expected a [[blade]] with [blade.aerodynamics]")]
+    NoAir,
     /// More rows than fit on a disk.
     #[error(
         "the run would write {} rows of {numbers} numbers, some {} GB",
@@ -64,6 +67,9 @@ impl Explain for ColumnProblem {
             ),
             Self::ManyFields { .. } => {
                 Some("\"vtu\" is the number of rows per field file".to_owned())
+            }
+            Self::NoAir => {
+                Some("remove \"air_revolutions\", or give a blade stations in the air".to_owned())
             }
             Self::Time => Some("time is always written".to_owned()),
         }

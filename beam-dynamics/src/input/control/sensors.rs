@@ -10,7 +10,8 @@ use shared_geom::keys;
 use crate::case::{ElectrodeQuantity, Quantity};
 use crate::elements::circuits::Circuit;
 use crate::elements::{
-    Axes, EnergyPart, Input, NodeReading, NodeVector, Reading as ElementReading, Sensor,
+    Axes, EnergyPart, Input, NodeReading, NodeVector, Reading as ElementReading, RotorQuantity,
+    RotorSum, Sensor,
 };
 use crate::input::builder::ModelBuilder;
 use crate::input::drives::{self, Measure, Read};
@@ -31,6 +32,7 @@ pub(in crate::input) const CARD: TableSchema = TableSchema {
         readings::ANGLES,
         readings::SPRINGS,
         readings::ELECTRODES,
+        readings::ROTORS,
         readings::ENERGIES,
     ],
 };
@@ -85,6 +87,10 @@ fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     let reason = match kind.1 {
         Source::Drive | Source::Signal => "its name can be used in expressions directly",
         Source::Energy(EnergyPart::Electric) => "the derivatives of this energy are not known",
+        Source::Strip(_) => "the derivatives of quantities of strips are not known",
+        Source::Rotor(quantity) if sum_of(quantity).is_none() => {
+            "of the quantities of rotors only \"thrust\" and \"torque\" are"
+        }
         Source::StepLength | Source::Iterations => "it is not a number of the state",
         Source::Node(NodeVector::Euler(_)) => "the derivatives of these angles are not known",
         Source::Momentum { .. } if !table.has("of") => "the momenta of single nodes are",
@@ -199,10 +205,25 @@ fn attach(
                 element,
             })?;
         }
+        Quantity::Rotor {
+            strips, quantity, ..
+        } => {
+            let sum = sum_of(quantity).ok_or_else(|| not_sensed("it is not a sum over strips"))?;
+            builder.watch_rotor(sum, &strips, name, scalar);
+        }
         // These have been refused as kinds.
         _ => return Err(not_sensed("it is not a number of the state")),
     }
     Ok(())
+}
+
+/// The sum over strips that a quantity is.
+fn sum_of(quantity: RotorQuantity) -> Option<RotorSum> {
+    match quantity {
+        RotorQuantity::Thrust => Some(RotorSum::Thrust),
+        RotorQuantity::Torque => Some(RotorSum::Torque),
+        _ => None,
+    }
 }
 
 /// Whether the axes of a reaction belong to a node on which the element acts.

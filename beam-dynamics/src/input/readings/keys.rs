@@ -1,7 +1,7 @@
 //! The keys of quantities, for columns and sensors.
 
 use nalgebra::Vector3;
-use shared_geom::document::schema::ValueKind::{Count, Text, Vector, Words};
+use shared_geom::document::schema::ValueKind::{Count, NotNegative, Text, Vector, Word, Words};
 use shared_geom::document::schema::{Family, KeySchema, Need, key};
 use shared_geom::units::Dimension;
 use shared_geom::{choice, keys};
@@ -10,6 +10,8 @@ use super::kind::SIX;
 
 /// Components of a vector.
 const PARTS: [&str; 4] = ["x", "y", "z", "magnitude"];
+/// Words of the definitions of coefficients.
+pub(super) const DEFINITIONS: [&str; 3] = ["rotor", "wind", "propeller"];
 /// Angles about three axes.
 const TURNS: [&str; 3] = ["first", "second", "third"];
 
@@ -160,8 +162,15 @@ pub(in crate::input) const ENERGIES: Family = Family {
     )],
 };
 
+/// Sums over the strips of a rotor.
+pub(in crate::input) const ROTORS: Family = Family {
+    name: "rotor",
+    meaning: "Thrust along the axis of the hub and torque about it, of the air on the blades.",
+    keys: &[choice!(QUANTITY, "thrust", "torque"), ROTOR.schema],
+};
+
 /// All quantities of columns.
-pub(in crate::input) const OF_COLUMNS: [Family; 15] = [
+pub(in crate::input) const OF_COLUMNS: [Family; 19] = [
     NODES,
     Family {
         name: "Euler angles",
@@ -192,6 +201,57 @@ pub(in crate::input) const OF_COLUMNS: [Family; 15] = [
     ANGLES,
     SPRINGS,
     ELECTRODES,
+    Family {
+        name: "strip",
+        meaning: "Flow, coefficients and loads at a point of a blade in the air.",
+        keys: &[
+            choice!(
+                QUANTITY,
+                "angle_of_attack",
+                "inflow_angle",
+                "induced_velocity",
+                "induced_swirl",
+                "flow_speed",
+                "lift_coefficient",
+                "drag_coefficient",
+                "moment_coefficient",
+                "mach",
+                "reynolds",
+                "normal_load",
+                "tangential_load",
+                "lift_load",
+                "drag_load",
+                "moment_load"
+            ),
+            of("\"blade 1\"", "The name of a blade with strips."),
+            AT.schema,
+            STRIP.schema,
+        ],
+    },
+    ROTORS,
+    Family {
+        name: "power of a rotor",
+        meaning: "Torque of the air times the speed of rotation: positive for turbines.",
+        keys: &[choice!(QUANTITY, "power"), ROTOR.schema],
+    },
+    Family {
+        name: "coefficient of a rotor",
+        meaning: "Thrust, torque, power and speeds of a rotor as numbers.",
+        keys: &[
+            choice!(
+                QUANTITY,
+                "thrust_coefficient",
+                "torque_coefficient",
+                "power_coefficient",
+                "efficiency",
+                "advance_ratio",
+                "tip_speed_ratio",
+                "figure_of_merit"
+            ),
+            ROTOR.schema,
+            DEFINITION.schema,
+        ],
+    },
     Family {
         name: "drive",
         meaning: "The value of a drive, in the `unit` of the column.",
@@ -240,6 +300,17 @@ keys! {
     /// Evaluation point: 1 is near the first node.
     pub(super) POINT: usize = "point", [Count(2)] as "1 or 2: beams have two evaluation points, 1 near the first node",
         or "1" = 1, "2";
+    /// Position as a part of the radius of the tip, undeformed; linear between two strips. One of
+    /// `at` and `strip` is needed.
+    pub(super) AT: Option<f64> = "at", [NotNegative(Dimension::NUMBER)], optional, "0.75";
+    /// Number of the strip, from the root.
+    pub(super) STRIP: Option<usize> = "strip", [Count(usize::MAX)], optional, "7";
+    /// The name of the inflow of the rotor; `"rotor"` for blades without one.
+    pub(super) ROTOR: Option<String> = "of", [Text], or "the only rotor", "\"rotor\"";
+    /// Field whose definition is used: by the speed of the tip (`rotor`, helicopters), by the wind
+    /// (`wind`, turbines), or by revolutions per second and the diameter (`propeller`).
+    pub(super) DEFINITION: Option<usize> = "definition", [Word(&DEFINITIONS)],
+        or "the first that has the quantity", "\"wind\"";
     /// The node on which the reaction acts.
     pub(super) NODE: Option<String> = "node", [Text], or "the last node of the joint", "\"root\"";
 }

@@ -3,7 +3,9 @@
 use shared_geom::units::{Dimension, Unit, UnitProblem, parse_as};
 
 use crate::case::ElectrodeQuantity;
-use crate::elements::{EnergyPart, JointMotion, NodeVector, SpringVector};
+use crate::elements::{
+    EnergyPart, JointMotion, NodeVector, RotorQuantity, SpringVector, StripQuantity,
+};
 
 /// The word under `quantity`, the source of its numbers, their dimension (of beams for the
 /// first three components), and their default unit.
@@ -33,6 +35,10 @@ pub(in crate::input) enum Source {
     Joint(JointMotion),
     /// A vector of a rod or a spring.
     Spring(SpringVector),
+    /// A quantity of the air at a strip.
+    Strip(StripQuantity),
+    /// A quantity of a rotor.
+    Rotor(RotorQuantity),
     /// A quantity of an electrode.
     Electrode(ElectrodeQuantity),
     /// Value of a drive, with the dimension of its unit.
@@ -103,7 +109,7 @@ pub(in crate::input) fn dimension_of(kind: &Kind, component: Option<&str>) -> Di
 }
 
 /// All quantities.
-pub(in crate::input) const KINDS: [Kind; 36] = [
+pub(in crate::input) const KINDS: [Kind; 61] = [
     (
         "position",
         Source::Node(NodeVector::Position),
@@ -265,6 +271,156 @@ pub(in crate::input) const KINDS: [Kind; 36] = [
         Source::Electrode(ElectrodeQuantity::Current),
         Dimension::CURRENT,
         "A",
+    ),
+    (
+        "angle_of_attack",
+        Source::Strip(StripQuantity::AngleOfAttack),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "inflow_angle",
+        Source::Strip(StripQuantity::InflowAngle),
+        Dimension::ANGLE,
+        "deg",
+    ),
+    (
+        "induced_velocity",
+        Source::Strip(StripQuantity::InducedVelocity),
+        VELOCITY,
+        "m/s",
+    ),
+    (
+        "induced_swirl",
+        Source::Strip(StripQuantity::InducedSwirl),
+        VELOCITY,
+        "m/s",
+    ),
+    (
+        "flow_speed",
+        Source::Strip(StripQuantity::FlowSpeed),
+        VELOCITY,
+        "m/s",
+    ),
+    (
+        "lift_coefficient",
+        Source::Strip(StripQuantity::LiftCoefficient),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "drag_coefficient",
+        Source::Strip(StripQuantity::DragCoefficient),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "moment_coefficient",
+        Source::Strip(StripQuantity::MomentCoefficient),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "mach",
+        Source::Strip(StripQuantity::Mach),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "reynolds",
+        Source::Strip(StripQuantity::Reynolds),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "normal_load",
+        Source::Strip(StripQuantity::NormalLoad),
+        Dimension::FORCE_PER_LENGTH,
+        "N/m",
+    ),
+    (
+        "tangential_load",
+        Source::Strip(StripQuantity::TangentialLoad),
+        Dimension::FORCE_PER_LENGTH,
+        "N/m",
+    ),
+    (
+        "lift_load",
+        Source::Strip(StripQuantity::LiftLoad),
+        Dimension::FORCE_PER_LENGTH,
+        "N/m",
+    ),
+    (
+        "drag_load",
+        Source::Strip(StripQuantity::DragLoad),
+        Dimension::FORCE_PER_LENGTH,
+        "N/m",
+    ),
+    (
+        "moment_load",
+        Source::Strip(StripQuantity::MomentLoad),
+        Dimension::FORCE,
+        "N",
+    ),
+    (
+        "thrust",
+        Source::Rotor(RotorQuantity::Thrust),
+        Dimension::FORCE,
+        "N",
+    ),
+    (
+        "torque",
+        Source::Rotor(RotorQuantity::Torque),
+        Dimension::MOMENT,
+        "N*m",
+    ),
+    (
+        "power",
+        Source::Rotor(RotorQuantity::Power),
+        Dimension::POWER,
+        "W",
+    ),
+    (
+        "thrust_coefficient",
+        Source::Rotor(RotorQuantity::ThrustCoefficient),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "torque_coefficient",
+        Source::Rotor(RotorQuantity::TorqueCoefficient),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "power_coefficient",
+        Source::Rotor(RotorQuantity::PowerCoefficient),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "efficiency",
+        Source::Rotor(RotorQuantity::Efficiency),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "advance_ratio",
+        Source::Rotor(RotorQuantity::AdvanceRatio),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "tip_speed_ratio",
+        Source::Rotor(RotorQuantity::TipSpeedRatio),
+        Dimension::NUMBER,
+        "1",
+    ),
+    (
+        "figure_of_merit",
+        Source::Rotor(RotorQuantity::FigureOfMerit),
+        Dimension::NUMBER,
+        "1",
     ),
     ("drive", Source::Drive, Dimension::NUMBER, "1"),
     ("signal", Source::Signal, Dimension::NUMBER, "1"),

@@ -2,6 +2,8 @@
 
 use shared_geom::error::Explain;
 
+use crate::input::number::short_number;
+
 /// A problem of a column or a sensor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReadingProblem {
@@ -47,6 +49,63 @@ pub enum ReadingProblem {
         /// The element.
         element: String,
     },
+    /// A name of no blade with strips.
+    #[error("\"{name}\" is not a blade with strips, expected one with [blade.aerodynamics]")]
+    NoStrips {
+        /// The name.
+        name: String,
+        /// The blades with strips.
+        known: Vec<String>,
+    },
+    /// Both or none of the positions.
+    #[error("expected one of \"at\" and \"strip\", found {found}")]
+    Position {
+        /// `both` or `none`.
+        found: &'static str,
+    },
+    /// A strip that the blade does not have.
+    #[error("\"strip\" is {found}, expected 1 to {count}: \"{blade}\" has {count} strips")]
+    StripNumber {
+        /// The number found.
+        found: usize,
+        /// Number of strips.
+        count: usize,
+        /// The blade.
+        blade: String,
+    },
+    /// A position beyond the first or the last strip.
+    #[error(
+        "\"at\" is {}, expected {} to {}, between the first and the last strip of \"{blade}\"",
+        short_number(*.found, 6), short_number(.ends[0], 6), short_number(.ends[1], 6)
+    )]
+    OffStrips {
+        /// The part of the radius found.
+        found: f64,
+        /// The parts at the first and the last strip.
+        ends: [f64; 2],
+        /// The blade.
+        blade: String,
+    },
+    /// A rotor that does not exist, or none where there are several.
+    #[error(
+        "{found}, expected the name of the inflow of a rotor whose blades have [blade.aerodynamics]"
+    )]
+    Rotor {
+        /// The unknown name, or the number of rotors, as text.
+        found: String,
+        /// The rotors.
+        known: Vec<String>,
+    },
+    /// A definition without the quantity.
+    #[error("the definition \"{found}\" has no \"{quantity}\"")]
+    Definition {
+        /// The definition.
+        found: &'static str,
+        /// The quantity.
+        quantity: &'static str,
+        /// The definitions that have it.
+        known: Vec<&'static str>,
+    },
     /// Axes that do not belong to a joint.
     #[error("a reaction is sensed in the axes of a node of the joint, a frame, or an end")]
     AxesOfOther,
@@ -59,8 +118,7 @@ impl Explain for ReadingProblem {
                 Some("\"zyx\" is yaw, pitch, roll; \"zxz\" precession, nutation, spin".to_owned())
             }
             Self::NotOfJoint { known, .. } => {
-                let quoted: Vec<_> = known.iter().map(|name| format!("\"{name}\"")).collect();
-                Some(format!("its nodes: {}", quoted.join(", ")))
+                Some(format!("its nodes: {}", listed(known)))
             }
             Self::Several { .. } => Some("choose one \"component\"".to_owned()),
             Self::NotSensed { .. } => {
@@ -71,9 +129,34 @@ impl Explain for ReadingProblem {
                  driven, finite-volume beams and laws by expressions; columns of output can show it"
                     .to_owned(),
             ),
+            Self::NoStrips { known, .. } => Some(match known.is_empty() {
+                true => "no blade of the model has [blade.aerodynamics]".to_owned(),
+                false => format!("blades with strips: {}", listed(known)),
+            }),
+            Self::Position { .. } => Some(
+                "\"at\" is a part of the radius of the tip, \"strip\" a number from the root"
+                    .to_owned(),
+            ),
+            Self::StripNumber { .. } => None,
+            Self::OffStrips { .. } => Some(
+                "strips are at Gauss points; \"strip\" selects the first or the last".to_owned(),
+            ),
+            Self::Rotor { known, .. } => Some(match known.is_empty() {
+                true => "no blade of the model has [blade.aerodynamics]".to_owned(),
+                false => format!("rotors: {}", listed(known)),
+            }),
+            Self::Definition { known, .. } => {
+                Some(format!("definitions with it: {}", listed(known)))
+            }
             Self::AxesOfOther => {
                 Some("or sense three components, and turn them by an expression".to_owned())
             }
         }
     }
+}
+
+/// Names in quotes.
+fn listed(names: &[impl std::fmt::Display]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    quoted.join(", ")
 }

@@ -5,6 +5,7 @@ use shared_geom::document::{DocumentProblem, Table};
 use shared_geom::units::{Dimension, parse};
 use shared_geom::wrench::COMPONENTS;
 
+use super::air;
 use super::keys::{ABOUT, AGAINST, IN, NODE, OF, POINT, SEQUENCE};
 use super::kind::{CURVATURE, Kind, SIX, Source};
 use super::problem::ReadingProblem;
@@ -80,12 +81,32 @@ impl Reading<'_> {
             Source::Joint(motion) => self.of_motion(kind, motion),
             Source::Spring(vector) => self.of_spring(kind, vector),
             Source::Electrode(quantity) => self.of_electrode(kind, quantity),
+            Source::Strip(quantity) => self.worded(
+                kind,
+                air::of_strip((self.table, self.builder), kind, quantity),
+            ),
+            Source::Rotor(quantity) => self.worded(
+                kind,
+                air::of_rotor((self.table, self.builder), kind, quantity),
+            ),
             Source::Drive => self.of_drive(),
             Source::Signal => self.of_signal(),
             Source::Energy(part) => one(Quantity::Energy(part)),
             Source::StepLength => one(Quantity::StepLength),
             Source::Iterations => one(Quantity::Iterations),
         }
+    }
+
+    /// One quantity with its words.
+    fn worded(&self, kind: &Kind, found: Option<(String, Quantity)>) -> Option<Vec<Found>> {
+        let (words, quantity) = found?;
+        Some(vec![Found {
+            word: "",
+            words,
+            quantity,
+            dimension: kind.2,
+            unit: kind.3,
+        }])
     }
 
     /// The object named under `of`, found by `find`.

@@ -19,8 +19,8 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::{
-    Along, POINTS, RADIAL_DRAG, SECTION, SECTIONS, STATIONS, StripsInflow, add_strips,
-    airfoil_axes, ends, placed_beams, stations, strips,
+    Along, POINTS, RADIAL_DRAG, SECTION, SECTIONS, STATIONS, StripsInflow, airfoil_axes, elements,
+    ends, placed_beams, stations, strips,
 };
 use crate::elements::strips::{AirStrip, StripGeometry};
 use crate::input::aerodynamics::StripProblem;
@@ -178,7 +178,9 @@ fn add(
         Line::Beams(beams) => {
             let beams = placed_beams(beams, builder);
             let strips = strips(air, (axes, &beams), builder, &StripsInflow::default());
-            add_strips(label, (&beams, &strips), (None, &still), builder);
+            for element in elements(label, (&beams, &strips), (None, &still), builder) {
+                builder.add_load(Box::new(element));
+            }
         }
         Line::Body(node, [from, to]) => {
             let (span, length) = ((to - from).normalize(), (to - from).norm());

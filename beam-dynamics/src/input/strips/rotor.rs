@@ -8,9 +8,13 @@ use rotor_aero::strip::StripInflow;
 use shared_geom::document::Table;
 
 use super::INFLOW_NAME;
+use crate::elements::NO_INFLOW;
 use crate::elements::strips::{DiskInflow, Ground, RotorDisk, Shaft};
 use crate::input::aerodynamics::{DiskDesign, Inflow, InflowKind, StripProblem};
 use crate::input::builder::ModelBuilder;
+
+/// Smallest sine of the angle between the shaft and the azimuth zero of the hub.
+const ALONG: f64 = 1e-3;
 
 /// The rotor of the blades of a card.
 #[derive(Debug)]
@@ -21,6 +25,8 @@ pub(super) struct Rotor {
     pub hub: Option<usize>,
     /// Point and axis of the shaft in the frame, before the model moves.
     start: [Vector3<f64>; 2],
+    /// Direction of azimuth zero in the frame; its part across the shaft counts.
+    pub zero: Vector3<f64>,
     inflow: Option<Inflow>,
 }
 
@@ -55,9 +61,14 @@ pub(super) fn find(
             axis: node.rotation.tr_mul(&start[1]),
         },
     };
+    let zero = builder.hub()?.axes().column(0).into_owned();
     Some(Rotor {
         shaft,
         hub,
+        zero: match start[1].cross(&zero).norm() > ALONG {
+            true => zero,
+            false => Vector3::ith(start[1].iamin(), 1.0),
+        },
         start,
         inflow,
     })
@@ -81,6 +92,13 @@ fn named(name: &str, table: &Table<'_>, builder: &ModelBuilder, user: String) ->
 }
 
 impl Rotor {
+    /// Its name: of its inflow, if it has one.
+    pub fn name(&self) -> &str {
+        self.inflow
+            .as_ref()
+            .map_or(NO_INFLOW, |inflow| &inflow.name)
+    }
+
     /// Distance of a point from the shaft before the model moves \[m\].
     pub fn distance(&self, point: &Vector3<f64>) -> f64 {
         let [center, axis] = &self.start;

@@ -2,10 +2,10 @@
 
 use super::columns::{
     Column, EFFICIENCY, FIGURE_OF_MERIT, LIFTING_CP, LIFTING_CT, PITCH, POWER, PROPELLER_CP,
-    PROPELLER_CT, ROTOR_SPEED, THRUST, TURBINE_CP, TURBINE_CT, scale,
+    PROPELLER_CT, ROTOR_SPEED, THRUST, TURBINE_CP, TURBINE_CT,
 };
-use super::panels::{Panel, PanelPlot};
 use crate::case::{Abscissa, MachineKind};
+use crate::output::panels::{Panel, PanelPlot, scale};
 use crate::result::{PerformanceResult, PerformanceTable};
 
 /// Part of the largest value by which a quantity must vary to be drawn.

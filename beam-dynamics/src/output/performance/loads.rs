@@ -2,9 +2,8 @@
 
 use rotor_aero::rotor::{Sector, SpanLoad};
 
-use super::columns::scale;
-use super::panels::{Panel, PanelPlot};
 use crate::input::short_number;
+use crate::output::panels::{Panel, PanelPlot, scale};
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable};
 
 /// A quantity along the blade.

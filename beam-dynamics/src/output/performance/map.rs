@@ -1,18 +1,15 @@
 //! Maps of the coefficients of a turbine over tip speed ratio and pitch: colors and contours.
 
 use shared_geom::figure::{
-    Anchor, Axes, BLACK, Drawing, Figure, INK, Label, SMALL, Stroke, TEXT, Ticks, ValueTriangle,
-    WHITE, WIDTH, sequential, tick_label,
+    Anchor, Axes, BLACK, Drawing, Figure, INK, Label, SMALL, Stroke, TEXT, ValueTriangle, WHITE,
+    WIDTH,
 };
 
 use super::columns::{Column, TURBINE_CP, TURBINE_CT};
+use crate::output::color_bar::{CONTOUR, ColorBar};
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable};
 
 const HEIGHT: u32 = 1000;
-/// Number of levels of the contours.
-const LEVELS: usize = 10;
-const CONTOUR: f64 = 2.0;
-const BAR: f64 = 26.0;
 /// Size of the mark of the largest value.
 const MARK: f64 = 9.0;
 
@@ -24,6 +21,15 @@ struct Grid {
     values: Vec<Vec<f64>>,
     /// Largest value.
     high: f64,
+}
+
+impl Grid {
+    /// Colors from zero on.
+    fn bar(&self) -> ColorBar {
+        ColorBar {
+            range: [0.0, self.high],
+        }
+    }
 }
 
 /// Maps of both coefficients.
@@ -95,8 +101,9 @@ impl MapPlot {
                 });
             }
         }
-        drawing.shade(triangles, |value| sequential(value / grid.high));
-        for level in levels(grid.high) {
+        let bar = grid.bar();
+        drawing.shade(triangles, |value| bar.color(value));
+        for level in bar.levels() {
             for cell in self.cells(grid) {
                 for [start, end] in crossings(&cell, level) {
                     let ends = [axes.position(start), axes.position(end)];
@@ -118,12 +125,6 @@ impl MapPlot {
     }
 }
 
-/// Levels of contours up to the largest value; none at zero.
-fn levels(high: f64) -> Vec<f64> {
-    let ticks = Ticks::between(0.0, high, LEVELS);
-    ticks.positions().filter(|level| *level > 0.0).collect()
-}
-
 /// The pieces of a contour in a cell, which is cut into two triangles.
 fn crossings(cell: &[[f64; 3]; 4], level: f64) -> Vec<[[f64; 2]; 2]> {
     let mut pieces = Vec::new();
@@ -143,35 +144,6 @@ fn crossings(cell: &[[f64; 3]; 4], level: f64) -> Vec<[[f64; 2]; 2]> {
         }
     }
     pieces
-}
-
-/// The color bar to the right of a map, with the values of its contours.
-fn draw_bar(drawing: &mut Drawing, axes: &Axes, grid: &Grid) {
-    let [left, right] = [axes.right + 24.0, axes.right + 24.0 + BAR];
-    let height = axes.bottom - axes.top;
-    let steps = 64;
-    for step in 0..steps {
-        let part = |step: i32| f64::from(step) / f64::from(steps);
-        let [low, high] = [part(step), part(step + 1)].map(|part| axes.bottom - part * height);
-        let corners = [[left, low], [right, low], [right, high], [left, high]];
-        drawing.polygon(&corners, sequential(part(step) + 0.5 * part(1)));
-    }
-    let label = Label::new(SMALL).colored(INK);
-    for level in levels(grid.high) {
-        let y = axes.bottom - level / grid.high * height;
-        drawing.line(&[[left, y], [right, y]], CONTOUR, WHITE);
-        drawing.text(&tick_label(level, grid.high), [right + 10.0, y], label);
-    }
-    drawing.outline(
-        &[
-            [left, axes.bottom],
-            [right, axes.bottom],
-            [right, axes.top],
-            [left, axes.top],
-        ],
-        CONTOUR,
-        INK,
-    );
 }
 
 impl Figure for MapPlot {
@@ -211,7 +183,8 @@ impl Figure for MapPlot {
                 let label = Label::new(SMALL).colored(INK).anchored(Anchor::End);
                 drawing.text(&text, [axes.right, axes.top - 36.0], label);
             }
-            draw_bar(drawing, &axes, grid);
+            grid.bar()
+                .draw(drawing, axes.right, [axes.top, axes.bottom]);
             axes.draw(drawing, Some("tip speed ratio [-]"), "pitch [deg]");
         }
     }
@@ -242,11 +215,5 @@ mod tests {
         assert!(crossings(&cell, 2.0).is_empty());
         let broken = cell.map(|[x, y, _]| [x, y, f64::NAN]);
         assert!(crossings(&broken, 0.25).is_empty());
-    }
-
-    #[test]
-    fn levels_are_round_and_positive() {
-        let found = levels(0.48);
-        assert!(found.len() >= 4 && found.iter().all(|it| *it > 0.0 && *it <= 0.48));
     }
 }

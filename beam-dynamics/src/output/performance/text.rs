@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use super::columns::{Column, PROPELLER_CT, TURBINE_CP, columns, scale};
+use super::columns::{Column, PROPELLER_CT, TURBINE_CP, columns};
 use crate::case::{Abscissa, MachineKind};
 use crate::input::short_number;
+use crate::output::panels::scale;
 use crate::output::text::aligned;
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
 

@@ -69,6 +69,7 @@ fn step(factor: f64) -> StaticStep {
         residual: 2e-13,
         sections,
         electrodes: Vec::new(),
+        air: Vec::new(),
         reactions: vec![Reaction {
             joint: "clamp of n0".to_owned(),
             node: 0,

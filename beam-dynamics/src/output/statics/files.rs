@@ -6,9 +6,10 @@ use shared_geom::vtk::Series;
 use super::fields::step_grid;
 use super::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, electrode_csv,
-    force_csv, reaction_csv, static_text,
+    force_csv, reaction_csv, static_air_csv, static_text,
 };
 use crate::output::Written;
+use crate::output::air::span_plot;
 use crate::output::folder::{ResultLocation, Results};
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
@@ -18,6 +19,8 @@ const DISPLACEMENTS: &str = "displacements.csv";
 const FORCES: &str = "forces.csv";
 const REACTIONS: &str = "reactions.csv";
 const ELECTRODES: &str = "electrodes.csv";
+const AIR: &str = "air.csv";
+const AIR_PLOT: [&str; 2] = ["air.png", "air.svg"];
 const DEFORMED: [&str; 2] = ["deformed.png", "deformed.svg"];
 const ALONG: [&str; 2] = ["forces.png", "forces.svg"];
 const PATH: [&str; 2] = ["path.png", "path.svg"];
@@ -26,9 +29,10 @@ const SERIES: &str = "static.pvd";
 const FIELDS: &str = "static";
 
 /// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`, `NAME.reactions.csv`,
-/// with electrodes `NAME.electrodes.csv`, if figures are drawn the plots `NAME.deformed`,
-/// `NAME.forces` and, for three equilibria or more, `NAME.path`, each as PNG and SVG, and the field
-/// files `NAME.static.pvd` with one grid per step in the folder `NAME.static`, all to `location`.
+/// with electrodes `NAME.electrodes.csv`, with blades in the air `NAME.air.csv`, if figures are
+/// drawn the plots `NAME.deformed`, `NAME.forces`, `NAME.air` and, for three equilibria or more,
+/// `NAME.path`, each as PNG and SVG, and the field files `NAME.static.pvd` with one grid per step in
+/// the folder `NAME.static`, all to `location`.
 /// Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
@@ -39,8 +43,16 @@ pub fn write_static(
 ) -> Result<Written, OutputProblem> {
     make_folder(&location.folder)?;
     let mut results = Results::new(location);
-    results.remove([TEXT, DISPLACEMENTS, FORCES, REACTIONS, ELECTRODES, SERIES]);
-    results.remove([DEFORMED, ALONG, PATH].into_iter().flatten());
+    results.remove([
+        TEXT,
+        DISPLACEMENTS,
+        FORCES,
+        REACTIONS,
+        ELECTRODES,
+        AIR,
+        SERIES,
+    ]);
+    results.remove([DEFORMED, ALONG, AIR_PLOT, PATH].into_iter().flatten());
     results.remove_fields(FIELDS);
 
     let text = format!("{}\n{STATIC_CONVENTION}", static_text(result));
@@ -51,8 +63,12 @@ pub fn write_static(
     if result.steps.iter().any(|step| !step.electrodes.is_empty()) {
         results.text(ELECTRODES, &electrode_csv(result))?;
     }
+    if result.steps.iter().any(|step| !step.air.is_empty()) {
+        results.text(AIR, &static_air_csv(result))?;
+    }
     results.figures(DEFORMED, || DeformedPlot::new(result))?;
     results.figures(ALONG, || ForcePlot::new(result))?;
+    results.figures(AIR_PLOT, || span_plot(&result.name, &result.last()?.air))?;
     results.figures(PATH, || PathPlot::new(result))?;
     if !result.steps.is_empty() {
         write_fields(result, &mut results)?;

@@ -3,6 +3,7 @@
 
 use shared_geom::rotation::vector;
 
+use crate::output::air::air_csv;
 use crate::output::rows::{csv_text, number, numbers};
 use crate::output::structure::Structure;
 use crate::result::{StaticResult, StaticStep};
@@ -90,6 +91,12 @@ pub fn electrode_csv(result: &StaticResult) -> String {
         })
     });
     csv_text(ELECTRODES, rows)
+}
+
+/// One row per step and strip in the air: flow, coefficients and loads.
+pub fn static_air_csv(result: &StaticResult) -> String {
+    let groups = steps(result).map(|(lead, step)| (lead.to_vec(), &step.air[..]));
+    air_csv("step,factor [-]", groups)
 }
 
 #[cfg(test)]

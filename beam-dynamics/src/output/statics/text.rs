@@ -7,6 +7,7 @@ use shared_geom::wrench::COMPONENTS;
 use super::floors::{Floors, ROUND_OFF, clean, clean_vector};
 use crate::elements::{ElectrodeState, SectionState};
 use crate::input::short_number;
+use crate::output::air::rotor_text;
 use crate::output::structure::Structure;
 use crate::output::text::{RPM, aligned};
 use crate::result::{StaticResult, StaticStep};
@@ -31,6 +32,9 @@ Convention
   reaction        force of a joint on its node, moments about the node
   voltage         of an electrode relative to ground
   charge          free charge of an electrode
+  air             thrust along the axis of the hub, torque about it and power, of the air on
+                  the blades; coefficients of torque and power of rotors and propellers are
+                  of what the shaft provides
   s               arc position along the undeformed blade or line of beams, from its root
 ";
 
@@ -57,6 +61,7 @@ pub fn static_text(result: &StaticResult) -> String {
             let table = electrode_table(&last.electrodes);
             text.push_str(&format!("\nElectrodes {at}\n\n{table}"));
         }
+        text.push_str(&rotor_text(&last.air));
         if !last.reactions.is_empty() {
             let table = reaction_table(result, (last, &floors));
             text.push_str(&format!("\nReactions {at}\n\n{table}"));

@@ -12,6 +12,7 @@ use super::restart::write_snapshot;
 use super::{Heading, RowWriter, RunFileProblem, TimePlot, TimeTable};
 use crate::case::{Every, Model, OutputSettings};
 use crate::output::Written;
+use crate::output::air::AirRecord;
 use crate::output::folder::{ResultLocation, Results};
 use crate::result::{AcceptedStep, ColumnValues, Recorder, Snapshot};
 
@@ -45,7 +46,8 @@ const MOST_NUMBERS: usize = 20_000_000;
 
 /// Writes `NAME.transient.csv` and `NAME.transient.nc` (a row every `every`), field files in
 /// `NAME.transient` with their series `NAME.transient.pvd`, `NAME.restart.json`, and at the end
-/// `NAME.transient.txt` and, if figures are drawn, a figure of all columns.
+/// `NAME.transient.txt` and, if figures are drawn, a figure of all columns; with blades in the air
+/// and on request `NAME.transient_air.csv` with maps of the disk of each rotor, `NAME.disk_1`.
 #[derive(Debug)]
 pub struct RunFiles<'a> {
     names: &'static Names,
@@ -53,6 +55,7 @@ pub struct RunFiles<'a> {
     results: Results<'a>,
     tables: Vec<Box<dyn RowWriter>>,
     grids: Option<(Grids<'a>, usize)>,
+    air: Option<AirRecord<'a>>,
     rows: Schedule,
     restarts: Option<Schedule>,
     kept: Option<PathBuf>,
@@ -130,6 +133,7 @@ impl<'a> RunFiles<'a> {
             values: ColumnValues::new(model, settings),
             tables: Vec::new(),
             grids: settings.vtu.map(|each| (Grids::new(model), each)),
+            air: settings.air.map(|count| AirRecord::new(model, count)),
             rows: Schedule::new(settings.every, resumed),
             restarts: settings.restart.map(|every| Schedule::new(every, resumed)),
             kept: None,
@@ -144,6 +148,7 @@ impl<'a> RunFiles<'a> {
         };
         files.results.remove(names.plot);
         files.results.remove([names.text]);
+        AirRecord::remove_files(&files.results);
         if resumed.is_none() {
             files.results.remove([names.csv, names.netcdf]);
         }
@@ -211,6 +216,9 @@ impl<'a> RunFiles<'a> {
         )?;
         self.results.written.not_drawn = not_drawn;
         self.results.figures(self.names.plot, || plot)?;
+        if let Some(air) = &self.air {
+            air.write(&mut self.results)?;
+        }
         if self.grids.is_some() && self.results.path(SERIES).exists() {
             let series = self.results.path(SERIES);
             self.results.written.files.push(series);
@@ -242,6 +250,9 @@ impl<'a> RunFiles<'a> {
         self.values.evaluate(accepted, &mut self.row[1..]);
         for table in &mut self.tables {
             table.write(&self.row)?;
+        }
+        if let Some(air) = &mut self.air {
+            air.add(accepted);
         }
         self.written = Some(accepted.step);
         Ok(())

@@ -111,6 +111,22 @@ impl Figure for PanelPlot {
     }
 }
 
+/// A prefix of a unit and its factor, by which the largest of some values has few digits; none for
+/// units in which values are small.
+pub(super) fn scale(unit: &str, values: impl Iterator<Item = f64>) -> (&'static str, f64) {
+    if !matches!(unit, "W" | "N" | "N m" | "N/m") {
+        return ("", 1.0);
+    }
+    let largest = values
+        .filter(|it| it.is_finite())
+        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    match largest {
+        large if large >= 1e6 => ("M", 1e-6),
+        large if large >= 1e3 => ("k", 1e-3),
+        _ => ("", 1.0),
+    }
+}
+
 fn draw_curve(drawing: &mut Drawing, axes: &Axes, curve: &[[f64; 2]], color: Color) {
     for piece in pieces(curve) {
         axes.curve(drawing, piece, Stroke::new(LINE, color));
@@ -119,5 +135,17 @@ fn draw_curve(drawing: &mut Drawing, axes: &Axes, curve: &[[f64; 2]], color: Col
                 drawing.disc(axes.position(*point), POINT, color);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prefixes_follow_the_largest_value() {
+        assert_eq!(scale("W", [5e6, 1.0].into_iter()), ("M", 1e-6));
+        assert_eq!(scale("N", [-2e3, f64::NAN].into_iter()), ("k", 1e-3));
+        assert_eq!(scale("deg", [2e3].into_iter()), ("", 1.0));
     }
 }

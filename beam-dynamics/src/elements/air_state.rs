@@ -1,0 +1,155 @@
+//! Reports of strips in the air.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+use rotor_aero::strip::StripReport;
+
+/// Name of the rotor of blades without an inflow.
+pub const NO_INFLOW: &str = "rotor";
+
+/// The place of a strip in the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StripPlace {
+    /// Name of the rotor: of its inflow, if it has one.
+    pub rotor: String,
+    /// Name of the blade.
+    pub blade: String,
+    /// Number on the blade from the root, from one.
+    pub number: usize,
+    /// Arc length along the blade from its root \[m\].
+    pub span: f64,
+    /// Direction of azimuth zero in the frame of the model; its part across the shaft counts \[-\].
+    pub zero: Vector3<f64>,
+}
+
+impl Default for StripPlace {
+    /// The first strip of a blade without a name.
+    fn default() -> Self {
+        Self {
+            rotor: NO_INFLOW.to_owned(),
+            blade: String::new(),
+            number: 1,
+            span: 0.0,
+            zero: Vector3::x(),
+        }
+    }
+}
+
+/// The rotor of a strip at a state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RotorMotion {
+    /// Direction of the shaft, model axes \[-\].
+    pub axis: Vector3<f64>,
+    /// Angular velocity about the shaft in space: of the hub, else of the section \[rad/s\].
+    pub turning: f64,
+    /// Velocity of the center of the shaft against the air without induction, model axes [m/s].
+    pub velocity: Vector3<f64>,
+    /// Radius of the tip of the blade \[m\].
+    pub tip_radius: f64,
+    /// Density of the air \[kg/m^3\].
+    pub density: f64,
+}
+
+/// A strip in the air.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AirState {
+    /// Its place.
+    pub place: Arc<StripPlace>,
+    /// Distance of the quarter chord from the shaft \[m\].
+    pub radius: f64,
+    /// Azimuth of the quarter chord about the shaft, from zero to a full turn \[rad\].
+    pub azimuth: f64,
+    /// Quarter chord, model axes [m].
+    pub position: Vector3<f64>,
+    /// Flow, coefficients and loads per length.
+    pub flow: StripReport,
+    /// Force per length along the shaft [N/m].
+    pub normal: f64,
+    /// Force per length around the shaft, positive in the direction of rotation [N/m].
+    pub tangential: f64,
+    /// Force, model axes [N].
+    pub force: Vector3<f64>,
+    /// Moment about the center of the shaft, model axes [N m].
+    pub moment: Vector3<f64>,
+    /// Its rotor.
+    pub rotor: RotorMotion,
+}
+
+/// A quantity of a strip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StripQuantity {
+    /// See [`StripReport::alpha`] \[rad\].
+    AngleOfAttack,
+    /// See [`StripReport::inflow_angle`] \[rad\].
+    InflowAngle,
+    /// Against the shaft [m/s].
+    InducedVelocity,
+    /// Around the shaft [m/s].
+    InducedSwirl,
+    /// See [`StripReport::speed`] [m/s].
+    FlowSpeed,
+    /// Of lift \[-\].
+    LiftCoefficient,
+    /// Of drag \[-\].
+    DragCoefficient,
+    /// Of the moment about the quarter chord \[-\].
+    MomentCoefficient,
+    /// \[-\].
+    Mach,
+    /// \[-\].
+    Reynolds,
+    /// Per length along the shaft [N/m].
+    NormalLoad,
+    /// Per length around the shaft [N/m].
+    TangentialLoad,
+    /// Per length [N/m].
+    LiftLoad,
+    /// Per length [N/m].
+    DragLoad,
+    /// Per length, about the quarter chord [N].
+    MomentLoad,
+}
+
+impl StripQuantity {
+    /// Its value in SI units.
+    pub fn of(self, state: &AirState) -> f64 {
+        let flow = &state.flow;
+        match self {
+            Self::AngleOfAttack => flow.alpha,
+            Self::InflowAngle => flow.inflow_angle,
+            Self::InducedVelocity => flow.induced[0],
+            Self::InducedSwirl => flow.induced[1],
+            Self::FlowSpeed => flow.speed,
+            Self::LiftCoefficient => flow.coefficients[0],
+            Self::DragCoefficient => flow.coefficients[1],
+            Self::MomentCoefficient => flow.coefficients[2],
+            Self::Mach => flow.mach,
+            Self::Reynolds => flow.reynolds,
+            Self::NormalLoad => state.normal,
+            Self::TangentialLoad => state.tangential,
+            Self::LiftLoad => flow.lift_and_drag[0],
+            Self::DragLoad => flow.lift_and_drag[1],
+            Self::MomentLoad => flow.moment,
+        }
+    }
+}
+
+/// A sum over the strips of a rotor that sensors read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RotorSum {
+    /// T [N].
+    Thrust,
+    /// Q [N m].
+    Torque,
+}
+
+impl RotorSum {
+    /// The share of a strip [N, N m].
+    pub fn share(self, of: &AirState) -> f64 {
+        match self {
+            Self::Thrust => of.force.dot(&of.rotor.axis),
+            Self::Torque => of.moment.dot(&of.rotor.axis),
+        }
+    }
+}

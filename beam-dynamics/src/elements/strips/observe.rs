@@ -1,0 +1,186 @@
+//! Reports of a strip: its flow and loads for output, and its parts of the thrust and torque of the
+//! rotor as readings.
+//!
+//! With the center c and the direction n of the shaft, the forces F_j and moments M_j on the nodes
+//! at x_j, the parts of thrust and torque and their variations are
+//!
+//! ```text
+//! T   = n . sum F_j                Q   = n . sum ((x_j - c) x F_j + M_j)
+//! d T = n . sum dF_j + theta_h . (n x sum F_j)
+//! d Q = sum ((n x (x_j - c)) . dF_j + n . dM_j + (F_j x n) . dx_j) - (sum F_j x n) . dc
+//!       + theta_h . (n x sum ((x_j - c) x F_j + M_j))
+//! ```
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::shaft::ShaftState;
+use super::strip::AirStrip;
+use crate::elements::{
+    AirState, Charges, Element, Local, LocalResidual, LocalSize, Observations, Reading, ReadingRow,
+    Reports, RotorMotion, RotorSum,
+};
+use crate::model::{Equation, NodeMotion, Variable};
+
+impl AirStrip {
+    /// Flow and loads at a state with the shaft of its rotor.
+    fn state(&self, at: &Local<'_>, shaft: &ShaftState) -> AirState {
+        let (flow, numbers) = self.flow(at);
+        let states = self.states();
+        let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
+        let report = self.strip.report(self.acting(at), &numbers, values, rates);
+        let position = flow.point.position + flow.arm;
+        let per_length = flow.axes * Vector3::from(report.force);
+        let force = per_length * self.length;
+        let own = flow.axes.column(2) * (report.moment * self.length);
+        let hub = self.mount.hub.map(|hub| &at.nodes[hub]);
+        let turning = match hub {
+            Some(hub) => hub.angular_velocity_in_space(at.frame),
+            None => flow.turning_in_space(),
+        };
+        let from_center = position - shaft.center;
+        let around = shaft.axis.cross(&from_center);
+        let tangent = match around.norm() {
+            0.0 => around,
+            length => around / length,
+        };
+        AirState {
+            place: Arc::clone(&self.place),
+            radius: shaft.distance(&position).radius,
+            azimuth: azimuth(&shaft.axis, &self.place.zero, &from_center),
+            position,
+            flow: report,
+            normal: per_length.dot(&shaft.axis),
+            tangential: per_length.dot(&tangent),
+            force,
+            moment: from_center.cross(&force) + own,
+            rotor: RotorMotion {
+                axis: shaft.axis,
+                turning: turning.dot(&shaft.axis),
+                velocity: self.velocity_of_center(shaft, hub, at),
+                tip_radius: at.scalars.values[states],
+                density: self.air.atmosphere.density,
+            },
+        }
+    }
+
+    /// Velocity of the center of the shaft against the air without induction [m/s].
+    fn velocity_of_center(
+        &self,
+        shaft: &ShaftState,
+        hub: Option<&NodeMotion>,
+        at: &Local<'_>,
+    ) -> Vector3<f64> {
+        let own = hub.map_or_else(Vector3::zeros, |hub| {
+            hub.velocity + hub.angular_velocity.cross(&(shaft.center - hub.position))
+        });
+        let (wind, _) = self.air.motion(&shaft.center, at.loading.time);
+        at.frame.velocity(&shaft.center, &own) - wind
+    }
+
+    /// Adds the derivatives of the part of the thrust or torque, whose vector is `sum` [N, N m].
+    fn add_slope(
+        &self,
+        of: RotorSum,
+        at: &Local<'_>,
+        (shaft, forces, sum): (&ShaftState, &LocalResidual, &Vector3<f64>),
+        row: &mut ReadingRow<'_>,
+    ) {
+        let n = shaft.axis;
+        let mut total = Vector3::zeros();
+        for j in 0..self.mount.carrier.nodes() {
+            let force = forces.of(j, Equation::Force);
+            total += force;
+            match of {
+                RotorSum::Thrust => row.by_equation(j, Equation::Force, &n),
+                RotorSum::Torque => {
+                    let arm = at.nodes[j].position - shaft.center;
+                    row.by_equation(j, Equation::Force, &n.cross(&arm));
+                    row.by_equation(j, Equation::Moment, &n);
+                    row.by_node(j, Variable::Position, &force.cross(&n));
+                }
+            }
+        }
+        let Some(hub) = self.mount.hub else { return };
+        let mut by_turn = n.cross(sum);
+        if of == RotorSum::Torque {
+            let along = total.cross(&n);
+            let offset = shaft.center - at.nodes[hub].position;
+            row.by_node(hub, Variable::Position, &-along);
+            by_turn -= offset.cross(&along);
+        }
+        row.by_node(hub, Variable::Rotation, &by_turn);
+    }
+}
+
+/// Angle about an axis from the projection of a direction to the projection of a vector, from zero
+/// to a full turn \[rad\].
+fn azimuth(axis: &Vector3<f64>, zero: &Vector3<f64>, vector: &Vector3<f64>) -> f64 {
+    let across = zero - axis * axis.dot(zero);
+    let angle = axis.cross(&across).dot(vector).atan2(across.dot(vector));
+    // The remainder of a tiny negative angle is a full turn.
+    let turned = angle.rem_euclid(TAU);
+    if turned < TAU { turned } else { 0.0 }
+}
+
+impl Reports for AirStrip {
+    fn report(&self, at: &Local<'_>, out: &mut Observations) {
+        let shaft = self.mount.shaft_at(at.nodes);
+        out.air.extend(shaft.map(|shaft| self.state(at, &shaft)));
+    }
+
+    fn reading(
+        &self,
+        reading: &Reading,
+        at: &Local<'_>,
+        row: Option<&mut ReadingRow<'_>>,
+    ) -> Option<f64> {
+        let Reading::Rotor(of) = *reading else {
+            return None;
+        };
+        let shaft = self.mount.shaft_at(at.nodes)?;
+        let mut forces = LocalResidual::new(LocalSize::of(self));
+        self.evaluate(at, &mut forces, None);
+        let mut sum = Vector3::zeros();
+        for j in 0..self.mount.carrier.nodes() {
+            let force = forces.of(j, Equation::Force);
+            sum += match of {
+                RotorSum::Thrust => force,
+                RotorSum::Torque => {
+                    let arm = at.nodes[j].position - shaft.center;
+                    arm.cross(&force) + forces.of(j, Equation::Moment)
+                }
+            };
+        }
+        if let Some(row) = row {
+            self.add_slope(of, at, (&shaft, &forces, &sum), row);
+        }
+        Some(shaft.axis.dot(&sum))
+    }
+
+    fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Counterclockwise about z from x; the component along the axis is left out.
+    #[test]
+    fn azimuths_are_about_the_axis() {
+        let (axis, zero) = (Vector3::z(), Vector3::new(1.0, 0.0, 3.0));
+        for (vector, degrees) in [
+            ([2.0, 0.0, 5.0], 0.0),
+            ([0.0, 3.0, 0.0], 90.0),
+            ([-1.0, -1.0, 0.0], 225.0),
+            ([1.0, -1e-30, 0.0], 0.0),
+        ] {
+            let found = azimuth(&axis, &zero, &Vector3::from(vector)).to_degrees();
+            assert!((found - degrees).abs() < 1e-12, "{found}");
+        }
+        let found = azimuth(&-axis, &zero, &Vector3::y()).to_degrees();
+        assert!((found - 270.0).abs() < 1e-12, "{found}");
+    }
+}

@@ -1,0 +1,29 @@
+//! Output of the air at the strips of blades: tables, figures over the span, maps of the disk.
+
+mod disk;
+mod record;
+mod span;
+mod tables;
+mod text;
+
+pub use disk::DiskPlot;
+pub(super) use record::AirRecord;
+pub(super) use span::span_plot;
+pub(super) use tables::air_csv;
+pub(super) use text::rotor_text;
+
+use crate::elements::AirState;
+
+/// Names of the rotors of strips, in their order.
+fn rotors<'a>(states: impl IntoIterator<Item = &'a AirState>) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
+    for state in states {
+        if !names.contains(&state.place.rotor.as_str()) {
+            names.push(&state.place.rotor);
+        }
+    }
+    names
+}
+
+#[cfg(test)]
+mod tests;

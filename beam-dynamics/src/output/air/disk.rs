@@ -1,0 +1,172 @@
+//! Maps of the disk of a rotor: quantities of its strips over azimuth and radius.
+//!
+//! The azimuth is zero at the lower end and increases counterclockwise: the disk is seen from the
+//! side to which the axis points, with the reference direction downward.
+
+use shared_geom::figure::{
+    Anchor, Drawing, Figure, INK, LIGHT, Label, SMALL, TEXT, ValueTriangle, WIDTH, fitting,
+};
+
+use crate::elements::{AirState, StripQuantity};
+use crate::output::color_bar::{CONTOUR, ColorBar};
+
+const HEIGHT: u32 = 760;
+/// Name, unit, quantity, and its units in one SI unit.
+type Drawn = (&'static str, &'static str, StripQuantity, f64);
+
+const QUANTITIES: [Drawn; 3] = [
+    (
+        "angle of attack",
+        "deg",
+        StripQuantity::AngleOfAttack,
+        180.0 / std::f64::consts::PI,
+    ),
+    ("normal load", "N/m", StripQuantity::NormalLoad, 1.0),
+    (
+        "induced velocity",
+        "m/s",
+        StripQuantity::InducedVelocity,
+        1.0,
+    ),
+];
+/// Largest change of the azimuth between two times that are joined \[rad\].
+const MOST_TURN: f64 = 0.5;
+
+/// A value at an azimuth and a radius: \[rad, m, unit\].
+pub(super) type Point = [f64; 3];
+
+/// A quantity on the disk.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Map {
+    /// Name and unit.
+    pub title: String,
+    /// At each time the points along a blade.
+    pub rows: Vec<Vec<Point>>,
+}
+
+/// Maps of a rotor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DiskPlot {
+    pub(super) title: String,
+    /// Radius of the tip \[m\].
+    pub(super) radius: f64,
+    pub(super) maps: Vec<Map>,
+}
+
+impl DiskPlot {
+    /// The maps of the strips of a blade at each time; `None` for less than two times or strips.
+    pub(super) fn new(title: String, rows: &[Vec<&AirState>]) -> Option<Self> {
+        if rows.len() < 2 || rows.iter().any(|row| row.len() < 2) {
+            return None;
+        }
+        let map = |(name, unit, quantity, factor): &Drawn| Map {
+            title: format!("{name} [{unit}]"),
+            rows: rows
+                .iter()
+                .map(|row| {
+                    let point = |state: &&AirState| {
+                        [state.azimuth, state.radius, factor * quantity.of(state)]
+                    };
+                    row.iter().map(point).collect()
+                })
+                .collect(),
+        };
+        Some(Self {
+            title,
+            radius: rows.last()?.last()?.rotor.tip_radius,
+            maps: QUANTITIES.iter().map(map).collect(),
+        })
+    }
+}
+
+/// The disk of a map on the sheet.
+struct Disk {
+    center: [f64; 2],
+    /// Figure pixels per meter.
+    scale: f64,
+    /// Radius of the tip \[m\].
+    radius: f64,
+}
+
+impl Disk {
+    fn position(&self, azimuth: f64, radius: f64) -> [f64; 2] {
+        let (sin, cos) = azimuth.sin_cos();
+        let [x, y] = self.center;
+        [x + self.scale * radius * sin, y + self.scale * radius * cos]
+    }
+
+    /// The cells between two times, two triangles each.
+    fn cells(&self, before: &[Point], after: &[Point], triangles: &mut Vec<ValueTriangle>) {
+        for (a, b) in before.windows(2).zip(after.windows(2)) {
+            let corners = [a[0], a[1], b[1], b[0]];
+            // The remainder by a full turn, from minus to plus half of it.
+            let turn = (b[0][0] - a[0][0] + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU);
+            let turn = (turn - std::f64::consts::PI).abs();
+            let is_known = corners.iter().flatten().all(|value| value.is_finite());
+            if !is_known || turn > MOST_TURN {
+                continue;
+            }
+            for three in [[0, 1, 2], [0, 2, 3]] {
+                triangles.push(ValueTriangle {
+                    corners: three.map(|k| self.position(corners[k][0], corners[k][1])),
+                    values: three.map(|k| corners[k][2]),
+                });
+            }
+        }
+    }
+
+    /// Circles at parts of the radius, and the azimuths of the quarters.
+    fn draw_frame(&self, drawing: &mut Drawing) {
+        for (part, color) in [(0.25, LIGHT), (0.5, LIGHT), (0.75, LIGHT), (1.0, INK)] {
+            let points: Vec<_> = (0..=180)
+                .map(|k| self.position(f64::from(2 * k).to_radians(), part * self.radius))
+                .collect();
+            drawing.line(&points, CONTOUR, color);
+        }
+        let label = Label::new(SMALL).colored(INK).anchored(Anchor::Middle);
+        for quarter in 0..4 {
+            let azimuth = f64::from(90 * quarter).to_radians();
+            let [inner, outer] = [0.0, self.radius].map(|radius| self.position(azimuth, radius));
+            drawing.line(&[inner, outer], 1.0, LIGHT);
+            let beside = self.position(azimuth, self.radius + 0.85 * TEXT / self.scale);
+            drawing.text(&format!("{}", 90 * quarter), beside, label);
+        }
+    }
+}
+
+impl Figure for DiskPlot {
+    fn size(&self) -> (u32, u32) {
+        (WIDTH, HEIGHT)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        drawing.title(&self.title, [40.0, 44.0]);
+        let width = f64::from(WIDTH) / self.maps.len().max(1) as f64;
+        for (index, map) in self.maps.iter().enumerate() {
+            let left = width * index as f64;
+            let pixels = 0.5 * (width - 230.0);
+            let disk = Disk {
+                center: [left + 70.0 + pixels, 190.0 + TEXT + pixels],
+                scale: pixels / self.radius,
+                radius: self.radius,
+            };
+            let values = map.rows.iter().flatten().map(|point| point[2]);
+            let title = Label::new(TEXT).colored(INK).anchored(Anchor::Middle);
+            let title = fitting(title, &map.title, 2.0 * pixels);
+            drawing.text(&map.title, [disk.center[0], 140.0], title);
+            if let Some(bar) = ColorBar::of(values) {
+                let mut triangles = Vec::new();
+                for pair in map.rows.windows(2) {
+                    disk.cells(&pair[0], &pair[1], &mut triangles);
+                }
+                drawing.shade(triangles, |value| bar.color(value));
+                let [x, y] = disk.center;
+                bar.draw(drawing, x + pixels + 30.0, [y - pixels, y + pixels]);
+            }
+            disk.draw_frame(drawing);
+        }
+        let note = "azimuth [deg], counterclockwise as seen from the side of the axis";
+        let label = Label::new(SMALL).colored(INK);
+        drawing.text(note, [40.0, f64::from(HEIGHT) - 36.0], label);
+    }
+}

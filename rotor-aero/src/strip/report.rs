@@ -1,0 +1,211 @@
+//! Flow and coefficients of a strip at a state, for output.
+//!
+//! ```text
+//! w     = w0 + u n + v t,  in a disk w0 + u (s_x, s_y)
+//! alpha = atan2(q c/2 - w_y, w_x)                phi = atan2(w . n, -w . t)
+//! l = (f_y w_x - f_x w_y) / |w|                  d = -(f_x w_x + f_y w_y) / |w|
+//! cl = 2 l / (rho w^2 c)       cd = 2 d / (rho w^2 c)       cm = 2 m / (rho w^2 c^2)
+//! ```
+//!
+//! alpha is the angle at three quarters of the chord, by which the coefficients of a table are
+//! taken; lift is normal to the flow at the quarter chord.
+
+use super::{ActingAir, FLOW, INDUCED, LOADS, SLOW, Strip, StripFlow, plane};
+
+/// Flow and loads of a strip.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StripReport {
+    /// Angle of attack at three quarters of the chord \[rad\].
+    pub alpha: f64,
+    /// Angle of the flow at the quarter chord to the plane of the disk: positive if the air passes
+    /// the disk against the shaft \[rad\].
+    pub inflow_angle: f64,
+    /// Induced velocity against the shaft, and around it in the direction of motion \[m/s\].
+    pub induced: [f64; 2],
+    /// Speed of the flow at the quarter chord, without the velocity along the span \[m/s\].
+    pub speed: f64,
+    /// Mach number \[-\].
+    pub mach: f64,
+    /// Reynolds number \[-\].
+    pub reynolds: f64,
+    /// Coefficients of lift, drag and moment of the force that acts, about the quarter chord; zero
+    /// without flow \[-\].
+    pub coefficients: [f64; 3],
+    /// Lift and drag per length \[N/m\].
+    pub lift_and_drag: [f64; 2],
+    /// Moment per length about the quarter chord, nose up \[N\].
+    pub moment: f64,
+    /// Force per length in the airfoil axes \[N/m\].
+    pub force: [f64; 3],
+}
+
+impl Strip {
+    /// Flow and loads for the numbers of a flow, the unknowns and their rates.
+    pub fn report(
+        &self,
+        air: ActingAir<'_>,
+        flow: &[f64; FLOW],
+        states: &[f64],
+        rates: &[f64],
+    ) -> StripReport {
+        let outputs = self.evaluate(air, flow, states, rates);
+        let [along, normal, span, moment] =
+            outputs.first_chunk::<LOADS>().copied().unwrap_or_default();
+        let flow = StripFlow::from_numbers(flow);
+        // A strip whose shaft is along the span has no plane of the disk.
+        let axes = plane(&flow.shaft);
+        let axes = axes.map(|axis| axis.map(|part| if part.is_nan() { 0.0 } else { part }));
+        let [n, t] = axes;
+        let induced = [0, 1].map(|i| self.unknown(INDUCED[i], states));
+        let of_inflow = states.get(..self.of_inflow).unwrap_or_default();
+        let [x, y] = self.velocity(&flow, &axes, of_inflow);
+        let speed = x.hypot(y);
+        let lift_and_drag = match speed > 0.0 {
+            true => [
+                (normal * x - along * y) / speed,
+                -(along * x + normal * y) / speed,
+            ],
+            false => [0.0; 2],
+        };
+        let pressure = 0.5 * air.still.density * speed * speed * self.chord;
+        let over = |load: f64, by: f64| if by > 0.0 { load / by } else { 0.0 };
+        let smooth = speed.hypot(SLOW);
+        StripReport {
+            alpha: (0.5 * self.chord * flow.pitch_rate - y).atan2(x),
+            inflow_angle: (x * n[0] + y * n[1]).atan2(0.0 - (x * t[0] + y * t[1])),
+            induced,
+            speed,
+            mach: smooth / air.still.sound_speed,
+            reynolds: smooth * self.chord * air.still.density / air.still.viscosity,
+            coefficients: [
+                over(lift_and_drag[0], pressure),
+                over(lift_and_drag[1], pressure),
+                over(moment, pressure * self.chord),
+            ],
+            lift_and_drag,
+            moment,
+            force: [along, normal, span],
+        }
+    }
+
+    /// The unknown called `name`; zero without it.
+    fn unknown(&self, name: &str, states: &[f64]) -> f64 {
+        let index = self.states.iter().position(|state| state.name == name);
+        let value = index.and_then(|index| states.get(index));
+        value.copied().unwrap_or(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::airfoil::{Flow, Section, built_in};
+    use crate::strip::{AnnularInflow, SectionModel, StripDesign};
+    use crate::wind::Atmosphere;
+
+    const CHORD: f64 = 0.7;
+
+    fn strip(inflow: Option<AnnularInflow>) -> (Strip, Section) {
+        let section = Section::single(Arc::new(built_in("naca0012").unwrap()));
+        let design = StripDesign {
+            chord: CHORD,
+            section: section.clone(),
+            model: SectionModel::of_word("quasi_steady").unwrap(),
+            inflow: inflow.map(Into::into),
+            radial_drag: false,
+        };
+        (Strip::new(design), section)
+    }
+
+    /// Numbers between -1 and 1 from a linear congruential generator (Knuth, MMIX).
+    fn numbers() -> impl FnMut() -> f64 {
+        let mut state = 7_u64;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005);
+            state = state.wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        }
+    }
+
+    /// Without a pitch rate the coefficients are the ones of the table at the reported angle, Mach
+    /// and Reynolds number: for 500 flows from 20 m/s on. The speed of the loads is smaller by a
+    /// part of `0.01^2 / 2 V^2 < 2e-7`.
+    #[test]
+    fn coefficients_are_the_ones_of_the_table() {
+        let inflow = AnnularInflow {
+            blades: 3,
+            hub_radius: 0.2,
+            options: Default::default(),
+            wake: Default::default(),
+        };
+        let (strip, section) = strip(Some(inflow));
+        let still = Atmosphere::default();
+        let air = ActingAir {
+            still: &still,
+            part: 1.0,
+        };
+        let mut number = numbers();
+        for _ in 0..500 {
+            let angle = std::f64::consts::PI * number();
+            let speed = 75.0 + 40.0 * number();
+            let (w, q) = ([speed * angle.cos(), -speed * angle.sin()], 0.0);
+            let states = [5.0 * number(), 5.0 * number()];
+            // The shaft is along y: n = y, t = -x.
+            let flow = [w[0], w[1], 3.0, q, 0.0, 1.0, 0.0, 4.0, 5.0];
+            let found = strip.report(air, &flow, &states, &[0.0; 2]);
+            let (x, y) = (w[0] - states[1], w[1] + states[0]);
+            assert!((found.alpha - (-y).atan2(x)).abs() < 1e-14);
+            assert!((found.inflow_angle - y.atan2(x)).abs() < 1e-14);
+            assert_eq!(found.induced, states);
+            assert!((found.speed - x.hypot(y)).abs() < 1e-12);
+            let at = Flow {
+                alpha: found.alpha,
+                mach: found.mach,
+                reynolds: found.reynolds,
+                flap: 0.0,
+            };
+            let expected = section.at(&at);
+            let expected = [expected.lift, expected.drag, expected.moment];
+            for (found, expected) in found.coefficients.iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-6 * expected.abs().max(1.0));
+            }
+        }
+    }
+
+    /// A section that turns in a flow along its chord has the angle of the normal velocity q c/2.
+    #[test]
+    fn the_angle_is_the_one_at_three_quarters_of_the_chord() {
+        let (strip, _) = strip(None);
+        let still = Atmosphere::default();
+        let air = ActingAir {
+            still: &still,
+            part: 1.0,
+        };
+        let flow = [50.0, 0.0, 0.0, 2.0, 0.0, 1.0, 0.0, 4.0, 5.0];
+        let found = strip.report(air, &flow, &[], &[]);
+        assert!((found.alpha - (CHORD / 50.0).atan()).abs() < 1e-15);
+        assert_eq!(found.induced, [0.0; 2]);
+        assert!((found.mach - 50.0 / still.sound_speed).abs() < 1e-9);
+        // Lift is normal to the flow at the quarter chord, here along y.
+        assert!((found.lift_and_drag[0] - found.force[1]).abs() < 1e-12);
+        assert!((found.lift_and_drag[1] + found.force[0]).abs() < 1e-12);
+    }
+
+    #[test]
+    fn without_flow_all_is_zero() {
+        let (strip, _) = strip(None);
+        let still = Atmosphere::default();
+        let air = ActingAir {
+            still: &still,
+            part: 1.0,
+        };
+        // A shaft along the span has no plane of the disk.
+        let flow = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 5.0];
+        let found = strip.report(air, &flow, &[], &[]);
+        assert_eq!(found.coefficients, [0.0; 3]);
+        assert_eq!(found.inflow_angle, 0.0);
+        assert_eq!(found.speed, 0.0);
+    }
+}
