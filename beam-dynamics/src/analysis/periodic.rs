@@ -27,9 +27,6 @@ mod march;
 mod shooting;
 mod sizes;
 
-#[cfg(test)]
-mod tests;
-
 pub use failure::PeriodicFailure;
 
 use border::Border;

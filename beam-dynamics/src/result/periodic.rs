@@ -97,7 +97,8 @@ pub struct FloquetTable {
     pub modes: Vec<FloquetMode>,
     /// Products with the linearized period.
     pub products: usize,
-    /// Number of independent states, if the space of all of them was built.
+    /// Dimension of the space of all images of the period, if it was built: at least the number of
+    /// independent states.
     pub states: Option<usize>,
 }
 

@@ -73,7 +73,7 @@ fn passes(result: &PeriodicResult) -> String {
 
 fn multipliers(table: &FloquetTable, period: f64) -> String {
     let found = match table.states {
-        Some(states) => format!("of {states} independent states"),
+        Some(states) => format!("of a complete space of {states} directions"),
         None => "of a part of the space of all states".to_owned(),
     };
     let mut text = format!(
