@@ -49,7 +49,7 @@ fn read(cards: &str) -> Result<input::Input, String> {
     found.map_err(|problems| problems.to_string())
 }
 
-/// Centrifugal forces are radial: along the axis and about it the reactions are those of the air.
+/// Centrifugal forces are radial: along the axis and about it the reactions balance the air.
 /// Newton's iteration ends at a residual of 1e-12 of the largest force, the centrifugal one, which
 /// is some hundred times the thrust.
 #[test]

@@ -97,7 +97,7 @@ fn edgewise(text: &str) -> Vec<f64> {
     run.instants.iter().map(along).collect()
 }
 
-/// The states of the wake and of the section are those of the equilibrium at the start; they take
+/// The states of the wake and of the section are in equilibrium at the start; they take
 /// part after some of their time constants, of at most a second here.
 const SETTLED: usize = 200;
 

@@ -123,7 +123,7 @@ impl Rotor<'_> {
     }
 }
 
-/// The listed thrusts are those of small angles. With all angles divided by 20 the squares of angles are
+/// The listed thrusts belong to small angles. With all angles divided by 20 the squares of angles are
 /// 2e-3 / 400; the mass flow is rounded by 1e-5 of the tip speed, 1e-5 of the thrust. Listed values have
 /// six digits after the point: .9e-3 of the smallest.
 #[test]
@@ -248,8 +248,8 @@ fn in_time(rotor: Rotor<'_>, (end, step): (f64, f64), start: &str) -> Run {
 }
 
 /// An articulated rotor stays in hover: the thrust of the strips is the momentum of the disk in every
-/// step, to the residual at which the iteration ends (1.5e-8 of the thrust seen), and both are those of the closed form. 600 steps a
-/// revolution: the error of the two-step formula is a part of `(Omega h)^2`, 1.1e-4, in velocities.
+/// step, to the residual at which the iteration ends (1.5e-8 of the thrust seen), and both have
+/// the value of the closed form. 600 steps a revolution: the error of the two-step formula is a part of `(Omega h)^2`, 1.1e-4, in velocities.
 #[test]
 fn an_articulated_rotor_stays_in_hover() {
     for kind in ["uniform", "Pitt-Peters"] {

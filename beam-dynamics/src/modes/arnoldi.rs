@@ -34,7 +34,7 @@ pub trait LinearMap {
 pub struct Ritz {
     /// The eigenvalue [-].
     pub value: c64,
-    /// Real and imaginary part of the vector.
+    /// Real and imaginary part of the vector \[-\].
     pub vector: [Vec<f64>; 2],
     /// Residual of a vector of unit length [-].
     pub residual: f64,

@@ -119,7 +119,7 @@ pub struct PeriodicResult {
     pub is_periodic: bool,
     /// Periods that were integrated.
     pub periods: usize,
-    /// Controls: names and values.
+    /// Controls: names and values \[unit of each\].
     pub controls: Vec<(String, f64)>,
     /// Multipliers, if requested.
     pub floquet: Option<FloquetTable>,

@@ -14,7 +14,7 @@
 /// An approximate solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gmres {
-    /// The solution.
+    /// The solution \[unit of the unknowns\].
     pub x: Vec<f64>,
     /// Products with the matrix.
     pub products: usize,
