@@ -64,6 +64,11 @@ fn short(value: f64) -> String {
     }
 }
 
+/// Whether a definition suits a rotor: the one of wind turbines if the air drives it, else the others.
+fn suits(definition: Definition, rotor: &RotorAir) -> bool {
+    (definition == Definition::Wind) == (rotor.power() > 0.0)
+}
+
 /// Thrust, torque, power and speeds.
 fn sums(rotor: &RotorAir) -> String {
     let rows = [
@@ -74,7 +79,7 @@ fn sums(rotor: &RotorAir) -> String {
         ("climb [m/s]", rotor.climb),
         ("radius [m]", rotor.radius),
     ];
-    let others = OTHERS.iter();
+    let others = OTHERS.iter().filter(|other| suits(other.1, rotor));
     let others = others.map(|(name, definition, of)| (*name, rotor.value(*of, *definition)));
     let others = others.filter(|(_, value)| value.is_finite() && *value != 0.0);
     let rows = rows.into_iter().chain(others);
@@ -84,12 +89,13 @@ fn sums(rotor: &RotorAir) -> String {
     aligned(&rows)
 }
 
-/// Coefficients by the definitions that have finite ones.
+/// Coefficients by the definitions that suit the rotor and have finite ones.
 fn coefficients(rotor: &RotorAir) -> String {
     let mut rows = vec![["definition", "CT", "CQ", "CP"].map(str::to_owned).to_vec()];
     for (name, definition) in DEFINITIONS {
         let found = rotor.coefficients(definition);
-        if found.iter().all(|value| value.is_finite()) {
+        let is_finite = found.iter().all(|value| value.is_finite());
+        if suits(definition, rotor) && is_finite {
             let mut row = vec![name.to_owned()];
             row.extend(found.map(short));
             rows.push(row);
