@@ -182,6 +182,9 @@ impl Flapping {
     const OMEGA: f64 = 10.0 * PI;
     const RADIUS: f64 = 5.0;
     const LOCK: f64 = 8.0;
+    /// Dense air makes the chord small: the rotation of a coned section about its span, a part c/(2 R) of
+    /// the angles, is not in the closed form [kg/m^3].
+    const DENSITY: f64 = 1225.0;
     const SCALE: f64 = 20.0;
     /// Pitch at the axis and twist to the tip [deg].
     const PITCH: f64 = 10.0;
@@ -190,7 +193,8 @@ impl Flapping {
 
     fn text(&self) -> String {
         let (radius, slope) = (Self::RADIUS, 5.73);
-        let chord = Self::LOCK * (11.0 * radius.powi(3) / 3.0) / (1.225 * slope * radius.powi(4));
+        let chord = Self::LOCK * (11.0 * radius.powi(3) / 3.0);
+        let chord = chord / (Self::DENSITY * slope * radius.powi(4));
         let station = |at: f64| {
             let angle = (Self::PITCH + Self::TWIST * at / radius) / Self::SCALE;
             format!("{{ at = {at}, chord = {chord}, twist = {angle}, airfoil = \"linear\" }}")
@@ -199,7 +203,7 @@ impl Flapping {
         format!(
             "units = \"SI\"\n[properties.p]\nea = 7e12\ngay = 9e11\ngaz = 9e11\ngj = 8e11\n\
              eiy = 7e11\neiz = 7e11\nm = 11\niy = 0.001\niz = 0.001\n[airfoils.linear]\n\
-             slope = {slope}\n[air]\nwind = [{}, 0, {}]\n[hub]\nmass = 10\n\
+             slope = {slope}\n[air]\ndensity = {}\nwind = [{}, 0, {}]\n[hub]\nmass = 10\n\
              inertia = [1, 1, 1]\nsupport = {{ torsion = 0 }}\n[[joint]]\nname = \"drive\"\n\
              kind = \"spin\"\nnodes = [\"hub\"]\naxis = [0, 0, 1]\nangle = \"= 1800 * t\"\n\
              [[blade]]\nname = \"b\"\nproperties = \"p\"\n\
@@ -207,6 +211,7 @@ impl Flapping {
              elements = 3 }}]\n[blade.aerodynamics]\nsection = \"quasi_steady\"\nstrips = 6\n\
              stations = [{}, {}]\n[transient]\nto = 1.2\nstep = {}\nstart = \"rotating\"\n\
              speed = 300\n",
+            Self::DENSITY,
             self.mu * tip,
             -Self::INFLOW / Self::SCALE * tip,
             station(0.0),

@@ -83,7 +83,8 @@ fn multipliers_of(exponents: &[[f64; 2]], speed: f64) -> Vec<Complex<f64>> {
         .collect()
 }
 
-// Table of the largest growth by the independent integration, five digits.
+// Table of the largest growth by the independent integration, five digits: 5e-6, and as much for the
+// error of 48 steps.
 #[test]
 fn growth_over_speed() {
     const DAMPED: Blades = Blades {
@@ -101,7 +102,7 @@ fn growth_over_speed() {
             let table = outcome.result.floquet.as_ref().unwrap();
             assert!(table.states.is_some() && table.products <= 20, "{table:?}");
             let found = modes(&outcome)[0].exponent.re;
-            assert!((found - growth).abs() < 6e-6, "{speed}: {found} {growth}");
+            assert!((found - growth).abs() < 1e-5, "{speed}: {found} {growth}");
         }
     }
 }

@@ -11,7 +11,7 @@ use rotor_aero::wind::{
     Wind,
 };
 
-use super::{Air, AirStrip, StripGeometry};
+use super::{Air, AirStrip, Shaft, StripGeometry, StripRotor, TipRadius};
 use crate::elements::{
     Element, Local, LocalJacobian, LocalResidual, LocalSize, Observations, Queries,
 };
@@ -42,6 +42,11 @@ fn gust() -> Wind {
 /// A strip of a thin airfoil: leading edge along x, span along z, quarter chord 3 m behind the
 /// origin.
 fn strip(wind: Wind) -> (AirStrip, Node) {
+    strip_of(wind, None)
+}
+
+/// The same of a rotor.
+fn strip_of(wind: Wind, rotor: Option<StripRotor>) -> (AirStrip, Node) {
     let node = Node {
         label: "body".to_owned(),
         position: Vector3::new(-3.0, 0.0, 0.0),
@@ -62,7 +67,7 @@ fn strip(wind: Wind) -> (AirStrip, Node) {
     let air = Arc::new(Air::new(Atmosphere::default(), wind));
     let strip = (Arc::new(Strip::new(design)), geometry);
     let placed = (0, &node, Vector3::zeros());
-    (AirStrip::on_body("strip", placed, strip, None, air), node)
+    (AirStrip::on_body("strip", placed, strip, rotor, air), node)
 }
 
 /// Calls with the strip at rest at a time.
@@ -101,7 +106,17 @@ fn force(strip: &AirStrip, node: &Node, time: f64) -> (Vector3<f64>, Option<Stri
 /// on the node, and the moment about the origin is the one of the force at x = -3 m.
 #[test]
 fn the_report_has_the_angle_of_the_flow() {
-    let (strip, node) = strip(gust());
+    let shaft = Shaft {
+        center: Vector3::zeros(),
+        axis: Vector3::y(),
+    };
+    let rotor = StripRotor {
+        shaft,
+        hub: None,
+        tip_radius: TipRadius::new("tip", 0, shaft, None).scalar().clone(),
+        disk: None,
+    };
+    let (strip, node) = strip_of(gust(), Some(rotor));
     let (acting, _) = force(&strip, &node, 0.5);
     let state = at_rest(&strip, &node, 0.5, |at| {
         let mut out = Observations::default();

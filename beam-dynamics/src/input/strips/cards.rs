@@ -80,7 +80,8 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
     let (section, points) = (table.get(&SECTION), table.get(&POINTS));
     let (radial_drag, forward) = (table.get(&RADIAL_DRAG), table.get(&FORWARD));
     let Some(line) = line else {
-        let _read = table.has(&STATIONS);
+        let airfoils = &builder.aerodynamics().airfoils;
+        stations::read(table, airfoils, (&words, f64::INFINITY));
         return None;
     };
     let (span, length) = line.span(builder);
