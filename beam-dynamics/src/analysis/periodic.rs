@@ -103,7 +103,8 @@ fn find(
         PeriodicMethod::Shooting => shoot(&shooting, &mut flow, state, &mut result.passes),
         PeriodicMethod::March => {
             let at = (state, &algebraic[..], &sizes[..]);
-            march::march(&mut flow, (model, settings), at, &mut result.passes).map(Found::Marched)
+            march::march(&mut flow, (model, settings), at, &mut result.passes)
+                .map(|ends| Found::Marched(Box::new(ends)))
         }
     };
     result.periods = flow.periods;
@@ -118,7 +119,7 @@ fn find(
 
 /// A periodic motion, by either method.
 enum Found {
-    Marched([State; 2]),
+    Marched(Box<[State; 2]>),
     Shot(Box<Orbit>),
 }
 
@@ -126,7 +127,7 @@ impl Found {
     /// Its first state.
     fn first(&self) -> &State {
         match self {
-            Self::Marched([first, _]) => first,
+            Self::Marched(ends) => &ends[0],
             Self::Shot(orbit) => &orbit.state,
         }
     }
@@ -134,7 +135,7 @@ impl Found {
     /// The state a period later, rates and multipliers included.
     fn end(&self) -> &State {
         match self {
-            Self::Marched([_, end]) => end,
+            Self::Marched(ends) => &ends[1],
             Self::Shot(orbit) => &orbit.end,
         }
     }
@@ -232,7 +233,8 @@ fn stability(
     } = *shooting;
     let orbit = match found {
         Found::Shot(orbit) => orbit,
-        Found::Marched([first, _]) => {
+        Found::Marched(ends) => {
+            let [first, _] = *ends;
             let (end, map) = flow.linearized(&first)?;
             let map = map.ok_or(PeriodicFailure::SingularStep)?;
             Box::new(Orbit {

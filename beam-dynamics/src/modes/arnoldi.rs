@@ -26,7 +26,7 @@ pub trait LinearMap {
     fn apply(&self, x: &mut [f64]) -> Option<()>;
 
     /// Replaces any vector by one of the range of the map.
-    fn into_range(&self, x: &mut [f64]) -> Option<()>;
+    fn project(&self, x: &mut [f64]) -> Option<()>;
 }
 
 /// An eigenvalue with its vector; of a pair the one with the positive imaginary part.
@@ -128,7 +128,7 @@ impl Space<'_> {
     /// Adds a vector of the range of the map outside of the basis; returns whether there is one.
     fn renew(&mut self) -> Option<bool> {
         let mut w = self.scattered();
-        self.map.into_range(&mut w)?;
+        self.map.project(&mut w)?;
         let whole = norm(&w);
         orthogonalize(&self.basis, &mut w);
         let rest = norm(&w);
@@ -216,7 +216,7 @@ mod tests {
             Some(())
         }
 
-        fn into_range(&self, _: &mut [f64]) -> Option<()> {
+        fn project(&self, _: &mut [f64]) -> Option<()> {
             Some(())
         }
     }

@@ -63,8 +63,8 @@ impl LinearMap for Monodromy<'_> {
         self.apply_by(x, |d| self.map.apply(d))
     }
 
-    fn into_range(&self, x: &mut [f64]) -> Option<()> {
-        self.apply_by(x, |d| self.map.into_range(d))
+    fn project(&self, x: &mut [f64]) -> Option<()> {
+        self.apply_by(x, |d| self.map.project(d))
     }
 }
 
@@ -160,7 +160,7 @@ fn follow(
     pair: &Ritz,
     principal: Complex<f64>,
     period: f64,
-) -> (Vec<Vec<[Vector3<Complex<f64>>; 2]>>, f64) {
+) -> (Vec<Motions>, f64) {
     let n = monodromy.map.size();
     let start = Mat::from_fn(n, 2, |i, part| pair.vector[part][i] * monodromy.sizes[i]);
     let mut d = start.clone();
@@ -187,8 +187,11 @@ fn follow(
     (motion, residual)
 }
 
-/// Position and rotation of each node in a complex variation, times a factor.
-fn motions(d: &Mat<f64>, nodes: usize, factor: Complex<f64>) -> Vec<[Vector3<Complex<f64>>; 2]> {
+/// Position and rotation of each node in a complex variation.
+type Motions = Vec<[Vector3<Complex<f64>>; 2]>;
+
+/// The motions of a variation, times a factor.
+fn motions(d: &Mat<f64>, nodes: usize, factor: Complex<f64>) -> Motions {
     let value = |i: usize| Complex::new(d[(i, 0)], d[(i, 1)]) * factor;
     let vector = |i: usize| Vector3::new(value(i), value(i + 1), value(i + 2));
     (0..nodes)

@@ -116,7 +116,7 @@ impl PeriodMap {
     }
 
     /// Replaces any vector by a variation of the end that the constraints allow: the last two steps.
-    pub fn into_range(&self, d: &mut [f64]) -> Option<()> {
+    pub fn project(&self, d: &mut [f64]) -> Option<()> {
         for (value, _) in d.iter_mut().zip(&self.algebraic).filter(|(_, is)| **is) {
             *value = 0.0;
         }
