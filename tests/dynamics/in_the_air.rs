@@ -260,11 +260,13 @@ impl Flapping {
 /// ```
 ///
 /// The squares of the angles are below 1e-4. The closed forms leave the second harmonic out: at mu = .1
-/// and .2 its share of b1s is .1 and .5 % (`tests/reference/theory-rotor/flap_closed_form.json`); reverse
-/// flow is a part mu^4 of the loads, and 120 steps a revolution have an error of (Omega h)^2 / 12 = 2e-4.
+/// and .2 it changes the part of b1s that coning makes, which is alone here, by .5 and 2 %
+/// (`tests/reference/theory-rotor/flap_closed_form.json`: 1.5 - 1.2897 against 1.5 - 1.2887, and 1.5 -
+/// 1.1883 against 1.5 - 1.1822). Reverse flow is a part mu^4 of the loads, and 120 steps a revolution
+/// have an error of (Omega h)^2 / 12 = 2e-4.
 #[test]
 fn flapping_in_forward_flight_has_the_harmonics_of_the_closed_form() {
-    for (mu, limit) in [(0.1, 2e-3), (0.2, 6e-3)] {
+    for (mu, limit) in [(0.1, 6e-3), (0.2, 2.5e-2)] {
         let blade = Flapping { mu };
         let pairs = blade.found().into_iter().zip(blade.closed());
         for (name, (found, expected)) in ["b0", "b1c", "b1s"].into_iter().zip(pairs) {
