@@ -152,7 +152,7 @@ fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
         let time = format!("[transient]\nto = {to}\nstep = 2e-6\n");
         run(&(STRIP.replace("FORMULATION", formulation) + &time), |_| {}).outcome
     };
-    let outcome = strip(FINITE_VOLUME, 0.003);
+    let outcome = strip(FINITE_VOLUME, 0.0027);
     assert!(outcome.failure.is_none());
     let reported = gain(&outcome).unwrap();
     println!("{reported}\n{:?}", outcome.energy);
@@ -174,7 +174,7 @@ fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
     assert!(remedy.contains("variational"), "{remedy}");
     let mut remarks = outcome.remarks.iter();
     assert!(!remarks.any(|remark| remark.contains("the energy grows")));
-    let kept = strip("", 0.01);
+    let kept = strip("", 0.005);
     println!("{:?}", kept.energy);
     assert_eq!(gain(&kept), None);
     assert!(kept.failure.is_none());
@@ -338,7 +338,7 @@ fn random_beam(numbers: &mut Numbers) -> String {
     let follower = numbers.one_of(&["true", "false"]);
     let weight = numbers.one_of(&["", "[gravity]\nacceleration = [0, 3, -9.81]\n"]);
     let step = numbers.between(2e-5, 5e-3);
-    let to = 300.0 * step;
+    let to = 200.0 * step;
     let scheme = numbers.one_of(&[
         "two-step",
         "two-step",
@@ -361,12 +361,12 @@ fn random_beam(numbers: &mut Numbers) -> String {
     )
 }
 
-/// No gain is reported for a hundred and fifty beams whose steps resolve some of their waves.
+/// No gain is reported for a hundred beams whose steps resolve some of their waves.
 #[test]
 fn no_beam_is_said_to_gain_energy() {
     let mut numbers = Numbers(7);
     let mut ended = 0;
-    for i in 0..cases(150) {
+    for i in 0..cases(100) {
         let cards = random_beam(&mut numbers);
         let outcome = run(&cards, |_| {}).outcome;
         assert_eq!(
@@ -378,5 +378,5 @@ fn no_beam_is_said_to_gain_energy() {
         ended += usize::from(outcome.failure.is_none());
     }
     println!("{ended} ran to their end");
-    assert!(ended > 140, "{ended}");
+    assert!(ended > cases(93), "{ended}");
 }

@@ -5,12 +5,13 @@ use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::statics::statics;
 use beam_dynamics::input::{self, Input};
 
+use crate::effort::cases;
 use crate::in_time::Run;
 use crate::record;
 use crate::variational_beam::spectra::Random;
 
 /// Random blades.
-const BLADES: usize = 100;
+const BLADES: usize = 25;
 /// Round-off of the equilibrium and of the eigenvalues, relative.
 const TOLERANCE: f64 = 1e-8;
 
@@ -81,7 +82,7 @@ fn air_without_strips_or_without_density_is_vacuum() {
     let mut random = Random(17);
     let sections = ["quasi_steady", "lagged", "separation_lag", "oye", "hgm"];
     let mut largest = [0.0_f64; 3];
-    for number in 0..BLADES {
+    for number in 0..cases(BLADES) {
         let text = blade(&mut random);
         let vacuum = results(&text.replace("STRIPS", ""));
         let cards = |density: &str| {
@@ -96,10 +97,10 @@ fn air_without_strips_or_without_density_is_vacuum() {
         }
     }
     for (word, largest) in ["equilibria", "modes", "runs in time"].iter().zip(largest) {
-        let case = "100 random blades in air without density";
+        let case = format!("{} random blades in air without density", cases(BLADES));
         record::largest(
             "the same blades without air",
-            case,
+            &case,
             word,
             largest,
             TOLERANCE,
