@@ -106,14 +106,15 @@ impl DynamicStall {
         [run, (-shedding + 1.0) * clock / RESET_TIME]
     }
 
-    /// The clock of steady flow, between rest and 2 T_vl.
-    fn steady_clock(&self, pressure: f64) -> f64 {
+    /// The clock of steady flow, between rest and 2 T_vl, where the speed that drives it is a part
+    /// of the one that resets it.
+    fn steady_clock(&self, pressure: f64, part: f64) -> f64 {
         let shedding = self.shedding(pressure);
         let [mut low, mut high] = [0.0, 2.0 * self.constants.passage_time];
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
             let [run, reset] = self.clock(shedding, middle);
-            if run > reset {
+            if part * run > reset {
                 low = middle;
             } else {
                 high = middle;
@@ -188,13 +189,16 @@ impl Model for DynamicStall {
     ) -> Option<()> {
         let states: &mut [f64; 9] = states.try_into().ok()?;
         let local = Local::of(flow);
-        let [y1, y2] = self.lags.steady(flow.normal);
+        let [y1, y2] = self.lags.steady(local.rear);
         let [p, h] = added_mass::momenta(strip, flow);
         let normal = Self::attached(polar, &local, local.angle(local.rear));
-        let part = part_of(polar, normal);
+        // Sources with the speed of loads, over decay with its own: the rows are zero.
+        let driven = local.speed / local.decay;
+        let pressure = driven * normal;
+        let part = 1.0 + driven * (part_of(polar, pressure) - 1.0);
         let feed = normal * (1.0 - kirchhoff(part));
-        let clock = self.steady_clock(normal);
-        *states = [y1, y2, normal, part, feed, 0.0, clock, p, h];
+        let clock = self.steady_clock(pressure, driven);
+        *states = [y1, y2, pressure, part, feed, 0.0, clock, p, h];
         Some(())
     }
 
