@@ -373,6 +373,51 @@ impl Strip {
         })
     }
 
+    /// The flow at the section without a flap, of its velocity against the air.
+    fn rigid<T: Real>(&self, air: ActingAir<'_>, [x, y]: [T; 2], pitch_rate: T) -> SectionFlow<T> {
+        let speed = (x * x + y * y + SLOW * SLOW).sqrt();
+        SectionFlow {
+            mach: speed / air.still.sound_speed,
+            reynolds: speed * (self.chord * air.still.density / air.still.viscosity),
+            ..SectionFlow::rigid(-y, x, pitch_rate, self.chord)
+        }
+    }
+
+    /// The same with the flap deflected, if there is one.
+    fn deflected<T: Real>(&self, flow: SectionFlow<T>, deflection: T) -> SectionFlow<T> {
+        let flap = self.flap.as_ref();
+        flap.map_or(flow, |flap| flap.deflected(&flow, deflection))
+    }
+
+    fn constants(&self, air: ActingAir<'_>) -> unsteady::Strip {
+        unsteady::Strip {
+            chord: self.chord,
+            density: air.still.density,
+        }
+    }
+
+    /// Whether Newton's method needs [`Strip::settle`] to find a steady flow.
+    pub fn needs_start(&self) -> bool {
+        self.model.needs_start()
+    }
+
+    /// Replaces the states of the section by the ones of a steady flow, in the flow and the induced
+    /// velocities given.
+    pub fn settle(&self, air: ActingAir<'_>, flow: &[f64; FLOW], states: &mut [f64]) {
+        let flow = StripFlow::from_numbers(flow);
+        let (induced, own) = states.split_at_mut(self.of_inflow);
+        if air.part == 0.0 {
+            return own.fill(0.0);
+        }
+        let velocity = self.velocity(&flow, &plane(&flow.shaft), induced);
+        let rigid = self.rigid(air, velocity, flow.pitch_rate);
+        let flow = self.deflected(rigid, flow.flap);
+        // The states have the length of the model's list.
+        let _written = self
+            .model
+            .start(&self.constants(air), &self.polar, &flow, own);
+    }
+
     /// Forces of the section in the velocity against the air, and the rows of its states.
     fn section<T: Real>(
         &self,
@@ -381,15 +426,8 @@ impl Strip {
         (states, rates): (&[T], &[T]),
         rows: &mut [T],
     ) -> SectionForce<T> {
-        let [x, y] = velocity;
-        let mut rigid = SectionFlow::rigid(-y, x, pitch_rate, self.chord);
-        let speed = (x * x + y * y + SLOW * SLOW).sqrt();
-        rigid.mach = speed / air.still.sound_speed;
-        rigid.reynolds = speed * (self.chord * air.still.density / air.still.viscosity);
-        let strip = unsteady::Strip {
-            chord: self.chord,
-            density: air.still.density,
-        };
+        let rigid = self.rigid(air, velocity, pitch_rate);
+        let strip = self.constants(air);
         if air.part == 0.0 {
             // Without forces there is nothing that the states could lag behind.
             for ((row, state), rate) in rows.iter_mut().zip(states).zip(rates) {
@@ -401,9 +439,9 @@ impl Strip {
                 moment: T::from(0.0),
             };
         }
-        let flap = self.flap.as_ref();
-        let flow = flap.map_or(rigid, |flap| flap.deflected(&rigid, deflection));
-        let of_flap = flap.map(|flap| flap.moment(&strip, &rigid, deflection) * air.part);
+        let flow = self.deflected(rigid, deflection);
+        let of_flap = self.flap.as_ref();
+        let of_flap = of_flap.map(|flap| flap.moment(&strip, &rigid, deflection) * air.part);
         let force = self
             .model
             .evaluate(&strip, &self.polar, &flow, states, rates, rows);

@@ -41,7 +41,14 @@ use rotor::Rotor;
 use stations::{Between, STATIONS, Stations};
 
 /// Words of the models of sections.
-const SECTIONS: [&str; 5] = ["quasi_steady", "lagged", "separation_lag", "oye", "hgm"];
+const SECTIONS: [&str; 6] = [
+    "quasi_steady",
+    "lagged",
+    "separation_lag",
+    "oye",
+    "hgm",
+    "dynamic_stall",
+];
 
 keys! {
     /// Strips along a blade.

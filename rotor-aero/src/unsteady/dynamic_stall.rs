@@ -180,6 +180,10 @@ impl Model for DynamicStall {
         &STATES
     }
 
+    fn needs_start(&self) -> bool {
+        true
+    }
+
     fn start<P: Polar>(
         &self,
         strip: &Strip,

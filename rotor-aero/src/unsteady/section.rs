@@ -113,6 +113,12 @@ pub trait Model {
     /// Names and units of the states, in their order.
     fn states(&self) -> &'static [StateName];
 
+    /// Whether its rows have no slope far from their solution: Newton's method then finds a steady
+    /// flow only from the states of [`Model::start`].
+    fn needs_start(&self) -> bool {
+        false
+    }
+
     /// Writes the states of a steady flow; their rates are zero.
     ///
     /// Returns `None`, and writes nothing, unless `states` has the length of the list of states.

@@ -30,7 +30,7 @@ use super::shaft::Shaft;
 use crate::elements::beams::{BeamGeometry, LinePoint};
 use crate::elements::{
     Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, Motion,
-    Reports, Signal, StripPlace, Structure, has,
+    Reports, Settling, Signal, StripPlace, Structure, has,
 };
 use crate::model::{Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
 
@@ -420,7 +420,19 @@ impl Element for AirStrip {
         self.air.wind().next_corner(&self.start, time)
     }
 
+    fn settling(&self) -> Option<&dyn Settling> {
+        self.strip.needs_start().then_some(self as &dyn Settling)
+    }
+
     has!(energetic: Energetic, structure: Structure, reports: Reports);
+}
+
+impl Settling for AirStrip {
+    fn settle(&self, at: &Local<'_>, scalars: &mut [f64]) {
+        let (_, numbers) = self.flow(at);
+        let states = &mut scalars[..self.states()];
+        self.strip.settle(self.acting(at), &numbers, states);
+    }
 }
 
 impl Structure for AirStrip {
