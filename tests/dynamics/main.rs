@@ -15,7 +15,6 @@ mod damped_by_air;
 mod damped_in_time;
 mod damping;
 mod disk_inflow;
-mod dynamic_stall;
 #[path = "../common/effort.rs"]
 mod effort;
 mod elastic_pendulums;
