@@ -93,6 +93,14 @@ impl DynamicStall {
         local.gate * (alpha - polar.zero_lift()) * polar.slope()
     }
 
+    /// Pressure and attached part of steady flow at an attached normal coefficient: sources with
+    /// the speed of loads over decay with its own.
+    fn steady<T: Real, P: Polar>(polar: &P, local: &Local<T>, normal: T) -> [T; 2] {
+        let driven = local.speed / local.decay;
+        let pressure = driven * normal;
+        [pressure, driven * (part_of(polar, pressure) - 1.0) + 1.0]
+    }
+
     /// Whether the vortex is shed, from 0 to 1, G_1.
     fn shedding<T: Real>(&self, pressure: T) -> T {
         let size = (pressure * pressure + CORNER * CORNER).sqrt();
@@ -196,12 +204,9 @@ impl Model for DynamicStall {
         let [y1, y2] = self.lags.steady(local.rear);
         let [p, h] = added_mass::momenta(strip, flow);
         let normal = Self::attached(polar, &local, local.angle(local.rear));
-        // Sources with the speed of loads, over decay with its own: the rows are zero.
-        let driven = local.speed / local.decay;
-        let pressure = driven * normal;
-        let part = 1.0 + driven * (part_of(polar, pressure) - 1.0);
+        let [pressure, part] = Self::steady(polar, &local, normal);
         let feed = normal * (1.0 - kirchhoff(part));
-        let clock = self.steady_clock(pressure, driven);
+        let clock = self.steady_clock(pressure, local.speed / local.decay);
         *states = [y1, y2, pressure, part, feed, 0.0, clock, p, h];
         Some(())
     }
@@ -248,7 +253,7 @@ impl Model for DynamicStall {
         let fixed = polar.coefficients(&flow.at(alpha));
         let force = local.force(strip, local.bound(effective), &fixed);
         let angle = alpha - polar.zero_lift();
-        let static_part = part_of(polar, normal);
+        let [_, static_part] = Self::steady(polar, &local, normal);
         let load = local.load(strip);
         let force = self.add_stall(force, strip, load, &it, [normal, angle, static_part]);
         Some(added_mass::add(force, strip, flow, [dp, dh]))

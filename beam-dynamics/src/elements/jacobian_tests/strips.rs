@@ -1,6 +1,7 @@
 //! Jacobians of strips in the air: every model of the section and every inflow, in attached and
 //! stalled flow, on beams of all formulations and on bodies, with and without a moving hub.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use rotor_aero::airfoil::{
@@ -341,7 +342,7 @@ fn strips_in_disks() {
 fn flapped() -> Section {
     let curves = |lift: f64, rise: f64| {
         let of = |flap: f64| {
-            let alpha: Vec<f64> = (-36..=36).map(|k| 0.087 * f64::from(k)).collect();
+            let alpha: Vec<f64> = (-36..=36).map(|k| PI / 36.0 * f64::from(k)).collect();
             Curve {
                 flap: Some(flap),
                 values: alpha.iter().map(|a| lift * a.sin() + rise * flap).collect(),

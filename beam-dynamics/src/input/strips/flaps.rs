@@ -130,7 +130,7 @@ pub(super) fn read(
     });
     let flaps: Vec<_> = flaps.collect();
     let flaps: Vec<Flap> = flaps.into_iter().collect::<Option<_>>()?;
-    for (pair, table) in flaps.windows(2).zip(&tables[1..]) {
+    for (pair, table) in flaps.windows(2).zip(tables.iter().skip(1)) {
         let (found, end) = (pair[1].range[0], pair[0].range[1]);
         if found < end {
             table.note(&FROM, &FlapProblem::Overlap { found, end });

@@ -19,7 +19,7 @@ fn wing(airfoil: &str, flaps: &str, more: &str) -> Result<Input, String> {
     let (sin, cos) = 3_f64.to_radians().sin_cos();
     let text = format!(
         "units = \"SI\"\n{more}[air]\ndensity = 1.2\n\
-         wind = [{:e}, 0, {:e}]\n[[node]]\nname = \"wing\"\n[[body]]\nnode = \"wing\"\nmass = 1\n\
+         wind = [{:e}, 0, {:e}]\n[[node]]\nname = \"wing\"\nposition = [0, 0, 0]\n[[body]]\nnode = \"wing\"\nmass = 1\n\
          inertia = [1, 1, 1]\n[[clamp]]\nnode = \"wing\"\n\
          [[strip]]\nnode = \"wing\"\nfrom = [0, 0, 0]\nto = [0, -{SPAN}, 0]\nforward = [1, 0, 0]\n\
          section = \"quasi_steady\"\n{flaps}\

@@ -44,7 +44,7 @@ fn wing(node: &str, twist: f64) -> String {
 fn pitching() -> Input {
     let angle = format!("= {}*sin({OMEGA}*t)", AMPLITUDE.to_degrees());
     let text = format!(
-        "units = \"SI\"\n[[node]]\nname = \"body\"\n\
+        "units = \"SI\"\n[[node]]\nname = \"body\"\nposition = [0, 0, 0]\n\
          [[body]]\nnode = \"body\"\nmass = 1e-3\ninertia = [1e-6, 1e-6, 1e-6]\n\
          [[joint]]\nname = \"drive\"\nkind = \"revolute\"\nnodes = [\"body\"]\n\
          axis = [0, -1, 0]\nangle = \"{angle}\"\n{}\
@@ -166,7 +166,7 @@ fn steady_states_have_the_loads_of_the_table() {
     for k in 0..=24 {
         let degrees = 7.5 * f64::from(k);
         let text = format!(
-            "units = \"SI\"\n[[node]]\nname = \"body\"\n[[body]]\nnode = \"body\"\nmass = 1\n\
+            "units = \"SI\"\n[[node]]\nname = \"body\"\nposition = [0, 0, 0]\n[[body]]\nnode = \"body\"\nmass = 1\n\
              inertia = [1, 1, 1]\n[[clamp]]\nnode = \"body\"\n{}[static]\n",
             wing("body", degrees)
         );
@@ -199,7 +199,7 @@ fn steady_states_have_the_loads_of_the_table() {
 fn modes_of_a_body_on_a_spring() {
     let of = |section: &str, twist: f64| {
         let text = format!(
-            "units = \"SI\"\n[[node]]\nname = \"ground\"\n[[node]]\nname = \"body\"\n\
+            "units = \"SI\"\n[[node]]\nname = \"ground\"\nposition = [0, 0, 0]\n[[node]]\nname = \"body\"\nposition = [0, 0, 0]\n\
              [[clamp]]\nnode = \"ground\"\n[[body]]\nnode = \"body\"\nmass = 20\n\
              inertia = [3, 3, 3]\n[[hinge]]\nname = \"pivot\"\nnodes = [\"ground\", \"body\"]\n\
              axis = [0, 1, 0]\nstiffness = 2e4\n{}[modes]\nspeeds = [0]\ncount = 1\n",
