@@ -149,11 +149,22 @@ fn a_pitching_body_has_the_loop_of_its_section() {
         }
     }
     for k in 0..2 {
-        assert!(errors[k] < 0.01 * largest[k], "{errors:?} {largest:?}");
+        assert!(errors[k] < 0.003 * largest[k], "{errors:?} {largest:?}");
     }
     // It stalls: the vortex lifts more than the largest static lift.
     let load = 0.5 * Atmosphere::default().density * SPEED * SPEED * CHORD * SPAN;
     assert!(largest[0] > 1.5 * load, "{}", largest[0] / load);
+}
+
+/// A body of a hinge about y with a stiffness [N m/rad] on the ground.
+fn on_a_spring(stiffness: f64, air: &str) -> String {
+    format!(
+        "units = \"SI\"\n[[node]]\nname = \"ground\"\nposition = [0, 0, 0]\n\
+         [[node]]\nname = \"body\"\nposition = [0, 0, 0]\n\
+         [[clamp]]\nnode = \"ground\"\n[[body]]\nnode = \"body\"\nmass = 20\n\
+         inertia = [3, 3, 3]\n[[hinge]]\nname = \"pivot\"\nnodes = [\"ground\", \"body\"]\n\
+         axis = [0, 1, 0]\nstiffness = {stiffness:e}\n{air}"
+    )
 }
 
 /// Steady states from attached flow to deep stall, where the vortex is on the way all the time, and
@@ -165,11 +176,7 @@ fn steady_states_have_the_loads_of_the_table() {
     let load = 0.5 * still.density * SPEED * SPEED * CHORD * SPAN;
     for k in 0..=24 {
         let degrees = 7.5 * f64::from(k);
-        let text = format!(
-            "units = \"SI\"\n[[node]]\nname = \"body\"\nposition = [0, 0, 0]\n[[body]]\nnode = \"body\"\nmass = 1\n\
-             inertia = [1, 1, 1]\n[[clamp]]\nnode = \"body\"\n{}[static]\n",
-            wing("body", degrees)
-        );
+        let text = on_a_spring(1e11, &wing("body", degrees)) + "[static]\n";
         let input = input::parse(&text, "stall.dynamics.toml").unwrap();
         let outcome = statics(&input.model, &input.statics.unwrap());
         assert!(
@@ -177,7 +184,10 @@ fn steady_states_have_the_loads_of_the_table() {
             "{degrees}: {:?}",
             outcome.failure
         );
-        let reaction = &outcome.result.steps[0].reactions[0];
+        // The reactions of the hinge on both nodes cancel.
+        let reactions = outcome.result.steps[0].reactions.iter();
+        let sum = reactions.map(|one| [one.force, one.moment]);
+        let [force, moment] = sum.fold([Vector3::zeros(); 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
         let it = airfoil.at(&Flow {
             alpha: degrees.to_radians(),
             mach: SPEED / still.sound_speed,
@@ -185,9 +195,9 @@ fn steady_states_have_the_loads_of_the_table() {
             flap: 0.0,
         });
         let expected = Vector3::new(-it.drag, 0.0, it.lift) * load;
-        let error = (reaction.force + expected).norm() / load;
+        let error = (force + expected).norm() / load;
         assert!(error < 1e-6, "{degrees}: {error}");
-        let moment = (reaction.moment.y - it.moment * load * CHORD).abs();
+        let moment = (moment.y - it.moment * load * CHORD).abs();
         assert!(moment < 1e-6 * load, "{degrees}: {moment}");
     }
 }
@@ -198,13 +208,8 @@ fn steady_states_have_the_loads_of_the_table() {
 #[test]
 fn modes_of_a_body_on_a_spring() {
     let of = |section: &str, twist: f64| {
-        let text = format!(
-            "units = \"SI\"\n[[node]]\nname = \"ground\"\nposition = [0, 0, 0]\n[[node]]\nname = \"body\"\nposition = [0, 0, 0]\n\
-             [[clamp]]\nnode = \"ground\"\n[[body]]\nnode = \"body\"\nmass = 20\n\
-             inertia = [3, 3, 3]\n[[hinge]]\nname = \"pivot\"\nnodes = [\"ground\", \"body\"]\n\
-             axis = [0, 1, 0]\nstiffness = 2e4\n{}[modes]\nspeeds = [0]\ncount = 1\n",
-            wing("body", twist).replace("dynamic_stall", section)
-        );
+        let air = wing("body", twist).replace("dynamic_stall", section);
+        let text = on_a_spring(2e4, &air) + "[modes]\nspeeds = [0]\ncount = 1\n";
         let input = input::parse(&text, "stall.dynamics.toml").unwrap();
         let outcome = modes(&input.model, &input.modes.unwrap());
         assert!(outcome.failure.is_none(), "{twist}: {:?}", outcome.failure);
