@@ -47,7 +47,7 @@ mod symmetry_tests;
 pub use adapted::Adapted;
 pub use air_state::{AirState, NO_INFLOW, RotorMotion, RotorSum, StripPlace, StripQuantity};
 pub(crate) use capabilities::has;
-pub use capabilities::{Constraints, Energetic, Growth, Memory, Reports, Structure};
+pub use capabilities::{Constraints, Energetic, Growth, Memory, Reports, Settling, Structure};
 pub use charges::{Charges, CircuitState, ElectrodeState, Flow};
 pub use constraint::{ConstraintRates, ConstraintWords, Level, PositionJump};
 pub use energy::{Energy, EnergyPart, EnergySlope};
@@ -153,6 +153,11 @@ pub trait Element: Debug + Send + Sync {
 
     /// Its memory of accepted steps, if it has one.
     fn memory(&self) -> Option<&dyn Memory> {
+        None
+    }
+
+    /// Its scalars that Newton's method does not find, if it has any.
+    fn settling(&self) -> Option<&dyn Settling> {
         None
     }
 

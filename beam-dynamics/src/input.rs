@@ -290,7 +290,8 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
     let weight = gravity
         .as_ref()
         .map_or_else(Vector3::zeros, |found| found.0);
-    builder.set_aerodynamics(aerodynamics::read(&root, &weight));
+    let air = aerodynamics::read(&root, &weight, builder.drives());
+    builder.set_aerodynamics(air);
     parts(&root, &mut builder);
     control::read(control, &mut builder);
     let periodic = periodic::read(&root, periodic_controls, &mut builder);

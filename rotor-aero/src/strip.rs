@@ -21,8 +21,6 @@
 //!
 //! References: [Masarati], 5.9.
 
-use num_dual::DualSVec64;
-
 use crate::airfoil::{Flow, Section};
 use crate::momentum::Options;
 use crate::real::Real;
@@ -30,13 +28,17 @@ use crate::unsteady::{self, Model, Polar, SectionFlow, SectionForce};
 use crate::wake::TimeScale;
 use crate::wind::Atmosphere;
 
+mod derivatives;
+#[cfg(test)]
+mod flap_tests;
 #[cfg(test)]
 mod friction_tests;
 mod polar;
 mod report;
 mod ring;
 
-pub use crate::unsteady::SectionModel;
+pub use crate::unsteady::{Flap, SectionModel};
+pub use derivatives::StripJacobian;
 pub use report::StripReport;
 
 use polar::StripPolar;
@@ -55,10 +57,12 @@ pub struct StripFlow<T> {
     pub radius: T,
     /// Radius of the tip of the blade \[m\].
     pub tip_radius: T,
+    /// Deflection of the flap, trailing edge down positive \[rad\].
+    pub flap: T,
 }
 
 /// Numbers of a [`StripFlow`], in its order.
-pub const FLOW: usize = 9;
+pub const FLOW: usize = 10;
 /// Most unknowns of a strip.
 pub const STATES: usize = 15;
 /// Loads of a strip: force along x, y, z and moment.
@@ -133,26 +137,6 @@ impl From<AnnularInflow> for StripInflow {
     }
 }
 
-/// Outputs of a strip and their derivatives.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StripJacobian {
-    /// Loads, then rows [N/m, N, unit of each row].
-    pub values: [f64; OUTPUTS],
-    /// Derivatives: row of an output; columns: the flow, the unknowns, and from `FLOW + STATES` on
-    /// the rates.
-    pub by: [[f64; INPUTS]; OUTPUTS],
-}
-
-impl StripJacobian {
-    /// Outputs without derivatives.
-    pub fn of_values(values: [f64; OUTPUTS]) -> Self {
-        Self {
-            values,
-            by: [[0.0; INPUTS]; OUTPUTS],
-        }
-    }
-}
-
 impl<T: Real> StripFlow<T> {
     /// The flow from its numbers.
     pub fn from_numbers(of: &[T; FLOW]) -> Self {
@@ -162,6 +146,7 @@ impl<T: Real> StripFlow<T> {
             shaft: [of[4], of[5], of[6]],
             radius: of[7],
             tip_radius: of[8],
+            flap: of[9],
         }
     }
 }
@@ -196,6 +181,7 @@ pub struct Strip {
     model: SectionModel,
     inflow: Option<StripInflow>,
     radial_drag: bool,
+    flap: Option<Flap>,
     states: Vec<StripState>,
     /// Number of unknowns of the inflow, the first ones.
     of_inflow: usize,
@@ -261,6 +247,7 @@ impl Strip {
             model: design.model,
             inflow: design.inflow,
             radial_drag: design.radial_drag,
+            flap: None,
         }
     }
 
@@ -268,6 +255,13 @@ impl Strip {
     #[must_use]
     pub fn with_lift(mut self, part: f64) -> Self {
         self.polar = self.polar.with_lift(part);
+        self
+    }
+
+    /// The same with a flap.
+    #[must_use]
+    pub fn with_flap(mut self, flap: Flap) -> Self {
+        self.flap = Some(flap);
         self
     }
 
@@ -307,80 +301,6 @@ impl Strip {
         self.outputs(air, &StripFlow::from_numbers(flow), states, rates)
     }
 
-    /// The same with derivatives.
-    pub fn linearize(
-        &self,
-        air: ActingAir<'_>,
-        flow: &[f64; FLOW],
-        states: &[f64],
-        rates: &[f64],
-    ) -> StripJacobian {
-        // Dual numbers of the smallest size that holds all inputs: quasi-steady sections in their
-        // annulus, and the default section with its five states there.
-        match states.len() {
-            0..=2 => self.dual::<11, 2>(air, flow, states, rates),
-            3..=7 => self.dual::<16, 7>(air, flow, states, rates),
-            _ => self.dual::<{ FLOW + STATES }, STATES>(air, flow, states, rates),
-        }
-    }
-
-    /// Derivatives by the flow and the states in N dual numbers, and by the rates in R: the rates
-    /// enter few terms, and numbers without derivatives cost little.
-    fn dual<const N: usize, const R: usize>(
-        &self,
-        air: ActingAir<'_>,
-        flow: &[f64; FLOW],
-        states: &[f64],
-        rates: &[f64],
-    ) -> StripJacobian {
-        let count = states.len();
-        let variable = |value: f64, index: usize| DualSVec64::<N>::from_re(value).derivative(index);
-        let numbers: [_; FLOW] = std::array::from_fn(|i| variable(flow[i], i));
-        let mut unknowns = [DualSVec64::<N>::from_re(0.0); STATES];
-        let mut speeds = unknowns;
-        for k in 0..count {
-            unknowns[k] = variable(states[k], FLOW + k);
-            speeds[k] = DualSVec64::from_re(rates[k]);
-        }
-        let numbers = StripFlow::from_numbers(&numbers);
-        let outputs = self.outputs(air, &numbers, &unknowns[..count], &speeds[..count]);
-        let mut jacobian = StripJacobian::of_values(outputs.map(|output| output.re));
-        for (row, output) in jacobian.by.iter_mut().zip(&outputs) {
-            if let Some(slopes) = &output.eps.0 {
-                row[..FLOW + count].copy_from_slice(&slopes.as_slice()[..FLOW + count]);
-            }
-        }
-        if self.states.iter().any(|state| state.has_rate) {
-            self.add_rates::<R>(air, flow, (states, rates), &mut jacobian);
-        }
-        jacobian
-    }
-
-    /// Writes the derivatives by the rates.
-    fn add_rates<const R: usize>(
-        &self,
-        air: ActingAir<'_>,
-        flow: &[f64; FLOW],
-        (states, rates): (&[f64], &[f64]),
-        jacobian: &mut StripJacobian,
-    ) {
-        let count = states.len();
-        let numbers = StripFlow::from_numbers(&flow.map(DualSVec64::<R>::from_re));
-        let mut unknowns = [DualSVec64::<R>::from_re(0.0); STATES];
-        let mut speeds = unknowns;
-        for k in 0..count {
-            unknowns[k] = DualSVec64::from_re(states[k]);
-            speeds[k] = DualSVec64::from_re(rates[k]).derivative(k);
-        }
-        let outputs = self.outputs(air, &numbers, &unknowns[..count], &speeds[..count]);
-        for (row, output) in jacobian.by.iter_mut().zip(&outputs) {
-            if let Some(slopes) = &output.eps.0 {
-                let rates = &mut row[FLOW + STATES..FLOW + STATES + count];
-                rates.copy_from_slice(&slopes.as_slice()[..count]);
-            }
-        }
-    }
-
     /// Loads and rows.
     fn outputs<T: Real>(
         &self,
@@ -397,7 +317,7 @@ impl Strip {
         let rows = LOADS + self.of_inflow..LOADS + states.len();
         let force = self.section(
             air,
-            (velocity, flow.pitch_rate),
+            (velocity, flow.pitch_rate, flow.flap),
             (own, own_rates),
             &mut out[rows],
         );
@@ -453,23 +373,61 @@ impl Strip {
         })
     }
 
+    /// The flow at the section without a flap, of its velocity against the air.
+    fn rigid<T: Real>(&self, air: ActingAir<'_>, [x, y]: [T; 2], pitch_rate: T) -> SectionFlow<T> {
+        let speed = (x * x + y * y + SLOW * SLOW).sqrt();
+        SectionFlow {
+            mach: speed / air.still.sound_speed,
+            reynolds: speed * (self.chord * air.still.density / air.still.viscosity),
+            ..SectionFlow::rigid(-y, x, pitch_rate, self.chord)
+        }
+    }
+
+    /// The same with the flap deflected, if there is one.
+    fn deflected<T: Real>(&self, flow: SectionFlow<T>, deflection: T) -> SectionFlow<T> {
+        let flap = self.flap.as_ref();
+        flap.map_or(flow, |flap| flap.deflected(&flow, deflection))
+    }
+
+    fn constants(&self, air: ActingAir<'_>) -> unsteady::Strip {
+        unsteady::Strip {
+            chord: self.chord,
+            density: air.still.density,
+        }
+    }
+
+    /// Whether Newton's method needs [`Strip::settle`] to find a steady flow.
+    pub fn needs_start(&self) -> bool {
+        self.model.needs_start()
+    }
+
+    /// Replaces the states of the section by the ones of a steady flow, in the flow and the induced
+    /// velocities given.
+    pub fn settle(&self, air: ActingAir<'_>, flow: &[f64; FLOW], states: &mut [f64]) {
+        let flow = StripFlow::from_numbers(flow);
+        let (induced, own) = states.split_at_mut(self.of_inflow);
+        if air.part == 0.0 {
+            return own.fill(0.0);
+        }
+        let velocity = self.velocity(&flow, &plane(&flow.shaft), induced);
+        let rigid = self.rigid(air, velocity, flow.pitch_rate);
+        let flow = self.deflected(rigid, flow.flap);
+        // The states have the length of the model's list.
+        let _written = self
+            .model
+            .start(&self.constants(air), &self.polar, &flow, own);
+    }
+
     /// Forces of the section in the velocity against the air, and the rows of its states.
     fn section<T: Real>(
         &self,
         air: ActingAir<'_>,
-        (velocity, pitch_rate): ([T; 2], T),
+        (velocity, pitch_rate, deflection): ([T; 2], T, T),
         (states, rates): (&[T], &[T]),
         rows: &mut [T],
     ) -> SectionForce<T> {
-        let [x, y] = velocity;
-        let mut flow = SectionFlow::rigid(-y, x, pitch_rate, self.chord);
-        let speed = (x * x + y * y + SLOW * SLOW).sqrt();
-        flow.mach = speed / air.still.sound_speed;
-        flow.reynolds = speed * (self.chord * air.still.density / air.still.viscosity);
-        let strip = unsteady::Strip {
-            chord: self.chord,
-            density: air.still.density,
-        };
+        let rigid = self.rigid(air, velocity, pitch_rate);
+        let strip = self.constants(air);
         if air.part == 0.0 {
             // Without forces there is nothing that the states could lag behind.
             for ((row, state), rate) in rows.iter_mut().zip(states).zip(rates) {
@@ -481,6 +439,9 @@ impl Strip {
                 moment: T::from(0.0),
             };
         }
+        let flow = self.deflected(rigid, deflection);
+        let of_flap = self.flap.as_ref();
+        let of_flap = of_flap.map(|flap| flap.moment(&strip, &rigid, deflection) * air.part);
         let force = self
             .model
             .evaluate(&strip, &self.polar, &flow, states, rates, rows);
@@ -491,7 +452,7 @@ impl Strip {
         SectionForce {
             along: scaled(|force| force.along),
             normal: scaled(|force| force.normal),
-            moment: scaled(|force| force.moment),
+            moment: scaled(|force| force.moment) + of_flap.unwrap_or_else(T::zero),
         }
     }
 }

@@ -11,6 +11,7 @@
 mod added_mass;
 mod constants;
 mod dynamic_stall;
+mod flap;
 mod hgm;
 mod lagged;
 mod lags;
@@ -27,6 +28,7 @@ pub(crate) mod tests;
 
 pub use constants::StallConstants;
 pub use dynamic_stall::DynamicStall;
+pub use flap::Flap;
 pub use hgm::Hgm;
 pub use lagged::Lagged;
 pub use lags::Lags;

@@ -64,7 +64,7 @@ pub use planes::CacheCount;
 pub use problem::WindProblem;
 pub use profile::{MeanWind, Shear};
 pub use summary::{BladedSummary, read_summary};
-pub use table::{Mean, WindTable};
+pub use table::{Mean, WindOverTime, WindTable};
 pub use tower::{Tower, TowerPotential, TowerShadow};
 pub use turbulence::{OutsideGrid, TurbulenceBox};
 pub use uniform_file::read_uniform_wind;

@@ -34,8 +34,9 @@ impl<'a> Balance<'a> {
         system: &'a System,
         solver: &'a LinearSolver,
         conditions: Conditions,
-        state: State,
+        mut state: State,
     ) -> Self {
+        system.settle_scalars(&mut state, &conditions);
         Self {
             system,
             solver,
@@ -47,7 +48,8 @@ impl<'a> Balance<'a> {
     }
 
     /// The same equations under other conditions, starting from another state.
-    pub fn at(&self, conditions: Conditions, state: State) -> Self {
+    pub fn at(&self, conditions: Conditions, mut state: State) -> Self {
+        self.system.settle_scalars(&mut state, &conditions);
         Self {
             conditions,
             state,
@@ -168,6 +170,8 @@ impl Equations for Balance<'_> {
 
     fn correct(&mut self, correction: &[f64]) {
         self.state.correct(correction);
+        self.system
+            .settle_scalars(&mut self.state, &self.conditions);
     }
 }
 

@@ -18,7 +18,9 @@ use super::{
     Local, LocalJacobian, LocalResidual, Motion, Observations, Part, PositionJump, Reading,
     ReadingRow, Signal, SmallMotion,
 };
-use crate::elements::{Constraints, Energetic, Growth, Memory, Queries, Reports, Structure};
+use crate::elements::{
+    Constraints, Energetic, Growth, Memory, Queries, Reports, Settling, Structure,
+};
 use crate::model::{Equation, Loading, NodeMotion, Scalar, Scalars, Variable};
 
 /// Number of multipliers of most elements.
@@ -271,6 +273,11 @@ impl Element for Adapted {
 
     fn memory(&self) -> Option<&dyn Memory> {
         self.element.memory().map(|_| self as &dyn Memory)
+    }
+
+    fn settling(&self) -> Option<&dyn Settling> {
+        // Its scalars are the first ones.
+        self.element.settling()
     }
 
     fn energetic(&self) -> Option<&dyn Energetic> {

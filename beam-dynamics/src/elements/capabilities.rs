@@ -71,6 +71,14 @@ pub trait Memory {
     fn next_change(&self, time: f64) -> f64;
 }
 
+/// Scalars of an element whose equations have no slope far from their solution, so that Newton's
+/// method does not find them.
+pub trait Settling {
+    /// Replaces the values of these scalars, among the element's, by the ones at which their
+    /// equations hold without rates in the present motion, with all other scalars as they are.
+    fn settle(&self, at: &Local<'_>, scalars: &mut [f64]);
+}
+
 /// Energy of an element.
 pub trait Energetic {
     /// See [`super::Queries::energy`].

@@ -3,6 +3,7 @@
 mod air;
 mod carrier;
 mod disk;
+mod driven_wind;
 mod in_disk;
 mod kinematics;
 mod observe;
@@ -15,6 +16,7 @@ mod tests;
 
 pub use air::Air;
 pub use disk::{DiskInflow, Ground, RotorDisk};
+pub use driven_wind::DrivenWind;
 pub use shaft::Shaft;
 pub use strip::{AirStrip, StripGeometry, StripRotor};
 pub use tip::TipRadius;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use shared_geom::document::Table;
 
+use super::drives;
 use crate::elements::strips::Air;
 
 mod air;
@@ -42,9 +43,13 @@ impl Aerodynamics {
 }
 
 /// Reads `[air]`, `[airfoils]` and `[[inflow]]`; `gravity` \[m/s^2\] is opposite to the vertical.
-pub(super) fn read(root: &Table<'_>, gravity: &Vector3<f64>) -> Aerodynamics {
+pub(super) fn read(
+    root: &Table<'_>,
+    gravity: &Vector3<f64>,
+    drives: &drives::Catalog,
+) -> Aerodynamics {
     Aerodynamics {
-        air: air::read(root, gravity).map(Arc::new),
+        air: air::read(root, gravity, drives).map(Arc::new),
         airfoils: airfoils::read(root),
         inflows: inflows::read(root),
     }

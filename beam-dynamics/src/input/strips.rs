@@ -23,11 +23,12 @@ use super::beam_card::Beam;
 use super::builder::{AirBlade, ModelBuilder};
 use crate::case::BladeNodes;
 use crate::elements::strips::{Air, AirStrip, RotorDisk, StripGeometry, StripRotor, TipRadius};
-use crate::elements::{Element, StripPlace};
+use crate::elements::{Element, Signal, StripPlace};
 use crate::model::Node;
 
 mod cards;
 mod files;
+mod flaps;
 mod line;
 mod rotor;
 mod stations;
@@ -35,11 +36,19 @@ mod stations;
 pub(super) use cards::{CARD as STRIP, read as read_cards};
 pub(super) use line::BladeLine;
 
+use flaps::{FLAPS, Flap};
 use rotor::Rotor;
 use stations::{Between, STATIONS, Stations};
 
 /// Words of the models of sections.
-const SECTIONS: [&str; 5] = ["quasi_steady", "lagged", "separation_lag", "oye", "hgm"];
+const SECTIONS: [&str; 6] = [
+    "quasi_steady",
+    "lagged",
+    "separation_lag",
+    "oye",
+    "hgm",
+    "dynamic_stall",
+];
 
 keys! {
     /// Strips along a blade.
@@ -53,7 +62,7 @@ keys! {
     POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
     /// Whether the flow along the span has friction, with the drag at zero angle of attack.
     RADIAL_DRAG: bool = "radial_drag", [Boolean], or "false" = false, "true";
-    with STATIONS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
+    with STATIONS.schema, FLAPS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
         files::SET.schema, files::TWIST_FILE.schema, files::ROOT_RADIUS.schema;
 }
 
@@ -68,6 +77,7 @@ pub(super) struct BladeAir {
 #[derive(Debug)]
 struct Along {
     stations: Stations,
+    flaps: Vec<Flap>,
     model: SectionModel,
     points: usize,
     radial_drag: bool,
@@ -96,6 +106,7 @@ pub(super) fn read(
             stations::read(table, airfoils, (&user, line.length))
         }
     };
+    let flaps = flaps::read(table, stations.as_ref(), builder.drives());
     builder.add_remarks(remarks);
     let (section, points) = (table.get(&SECTION), table.get(&POINTS));
     let radial_drag = table.get(&RADIAL_DRAG);
@@ -105,6 +116,7 @@ pub(super) fn read(
     Some(BladeAir {
         along: Along {
             stations: stations?,
+            flaps: flaps?,
             model: SectionModel::of_word(SECTIONS.get(section?)?)?,
             points: points?,
             radial_drag: radial_drag?,
@@ -214,16 +226,25 @@ fn elements(
     let numbered = strips.iter().enumerate();
     let elements = numbered.filter_map(|(number, strip)| {
         let beam = &builder.beams()[beams.get(strip.beam)?.0];
-        Some(AirStrip::on_beam(
+        let element = AirStrip::on_beam(
             format!("{name}/strip {}", number + 1),
             (beam.nodes, beam.geometry, &ends(beam, builder)),
             strip.xi,
             (Arc::clone(&strip.strip), strip.geometry),
             rotor.cloned(),
             Arc::clone(air),
-        ))
+        );
+        Some(deflected(element, strip.flap.clone()))
     });
     elements.collect()
+}
+
+/// A strip with the deflection of its flap, if it has one.
+fn deflected(strip: AirStrip, flap: Option<Signal>) -> AirStrip {
+    match flap {
+        Some(deflection) => strip.deflected(deflection),
+        None => strip,
+    }
 }
 
 /// A strip and its position on a beam.
@@ -235,6 +256,8 @@ struct PlacedStrip {
     xi: f64,
     strip: Arc<Strip>,
     geometry: StripGeometry,
+    /// Deflection of its flap \[rad\].
+    flap: Option<Signal>,
 }
 
 /// Inflow of strips.
@@ -294,12 +317,13 @@ fn strips(
         for (position, length, between) in air.points([*start, end], inflow.end) {
             let xi = beam.geometry.position(&ends, position - start);
             let geometry = geometry(&between, axes, (beam, &ends), (xi, length));
-            let strip = air.strip(between, inflow.model);
+            let (strip, flap) = air.strip(between, position, inflow.model);
             strips.push(PlacedStrip {
                 beam: number,
                 span: position,
                 xi,
                 geometry,
+                flap,
                 strip: Arc::new(match inflow.end.is_none_or(|end| position <= end) {
                     true => strip,
                     false => strip.with_lift(0.0),
@@ -335,6 +359,7 @@ impl Along {
             return Vec::new();
         };
         limits.extend(cut);
+        limits.extend(self.flaps.iter().flat_map(|flap| flap.range));
         limits.sort_by(f64::total_cmp);
         let mut cuts = vec![start.max(first)];
         cuts.extend(limits.iter().filter(|at| **at > start && **at < end));
@@ -352,15 +377,24 @@ impl Along {
         points
     }
 
-    /// The strip of a position.
-    fn strip(&self, between: Between, inflow: Option<StripInflow>) -> Strip {
-        Strip::new(StripDesign {
+    /// The strip of a position \[m\], and the deflection of its flap.
+    fn strip(
+        &self,
+        between: Between,
+        position: f64,
+        inflow: Option<StripInflow>,
+    ) -> (Strip, Option<Signal>) {
+        let strip = Strip::new(StripDesign {
             chord: between.chord,
             section: between.airfoil,
             model: self.model,
             inflow,
             radial_drag: self.radial_drag,
-        })
+        });
+        match self.flaps.iter().find(|flap| flap.is_at(position)) {
+            Some(flap) => (strip.with_flap(flap.law), Some(flap.deflection.clone())),
+            None => (strip, None),
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::check;
 use super::cubic::Interpolation;
-use super::data::{AirfoilData, Coefficients, Flow};
+use super::data::{AirfoilData, Coefficients, Curve, Flow};
 use super::formula::{FlatPlate, LinearLift};
 use super::problem::{AirfoilProblem, AirfoilRemark};
 use super::table::Table;
@@ -21,6 +21,7 @@ pub struct Airfoil {
     name: String,
     thickness: Option<f64>,
     mach_range: Option<[f64; 2]>,
+    flap_range: Option<[f64; 2]>,
     law: Law,
     remarks: Vec<AirfoilRemark>,
 }
@@ -67,7 +68,8 @@ impl Airfoil {
         Ok(Self {
             name: data.name.clone(),
             thickness: data.thickness,
-            mach_range: mach_range(data),
+            mach_range: range(data, |curve| curve.mach),
+            flap_range: range(data, |curve| curve.flap),
             law: Law::Table(Box::new(tables)),
             remarks: checked.remarks,
         })
@@ -88,6 +90,7 @@ impl Airfoil {
             name: name.to_owned(),
             thickness: Some(0.0),
             mach_range: None,
+            flap_range: None,
             law,
             remarks: Vec::new(),
         }
@@ -107,6 +110,12 @@ impl Airfoil {
     /// single one \[-\].
     pub fn mach_range(&self) -> Option<[f64; 2]> {
         self.mach_range
+    }
+
+    /// Least and largest deflection of the flap in the table; absent if it does not depend on it,
+    /// or has a single one \[rad\].
+    pub fn flap_range(&self) -> Option<[f64; 2]> {
+        self.flap_range
     }
 
     /// Peculiarities of the table that are accepted.
@@ -132,13 +141,13 @@ impl Airfoil {
     }
 }
 
-/// Least and largest Mach number of lift and drag; absent with fewer than two.
-fn mach_range(data: &AirfoilData) -> Option<[f64; 2]> {
+/// Least and largest condition of the curves of lift and drag; absent with fewer than two.
+fn range(data: &AirfoilData, condition: fn(&Curve) -> Option<f64>) -> Option<[f64; 2]> {
     let curves = data.lift.iter().chain(&data.drag);
     let none = [f64::INFINITY, f64::NEG_INFINITY];
     let [low, high] = curves
-        .filter_map(|curve| curve.mach)
-        .fold(none, |[low, high], mach| [low.min(mach), high.max(mach)]);
+        .filter_map(condition)
+        .fold(none, |[low, high], value| [low.min(value), high.max(value)]);
     (low < high).then_some([low, high])
 }
 

@@ -25,7 +25,7 @@ fn section(name: &str) -> Section {
 /// A section without rotation: velocity against the air, shaft along y.
 fn flow(velocity: [f64; 3]) -> [f64; FLOW] {
     let [x, y, z] = velocity;
-    [x, y, z, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0]
+    [x, y, z, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0, 0.0]
 }
 
 /// Velocities of up to 40 m/s in all directions.

@@ -153,7 +153,7 @@ mod tests {
             let (w, q) = ([speed * angle.cos(), -speed * angle.sin()], 0.0);
             let states = [5.0 * number(), 5.0 * number()];
             // The shaft is along y: n = y, t = -x.
-            let flow = [w[0], w[1], 3.0, q, 0.0, 1.0, 0.0, 4.0, 5.0];
+            let flow = [w[0], w[1], 3.0, q, 0.0, 1.0, 0.0, 4.0, 5.0, 0.0];
             let found = strip.report(air, &flow, &states, &[0.0; 2]);
             let (x, y) = (w[0] - states[1], w[1] + states[0]);
             assert!((found.alpha - (-y).atan2(x)).abs() < 1e-14);
@@ -183,7 +183,7 @@ mod tests {
             still: &still,
             part: 1.0,
         };
-        let flow = [50.0, 0.0, 0.0, 2.0, 0.0, 1.0, 0.0, 4.0, 5.0];
+        let flow = [50.0, 0.0, 0.0, 2.0, 0.0, 1.0, 0.0, 4.0, 5.0, 0.0];
         let found = strip.report(air, &flow, &[], &[]);
         assert!((found.alpha - (CHORD / 50.0).atan()).abs() < 1e-15);
         assert_eq!(found.induced, [0.0; 2]);
@@ -202,7 +202,7 @@ mod tests {
             part: 1.0,
         };
         // A shaft along the span has no plane of the disk.
-        let flow = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 5.0];
+        let flow = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 5.0, 0.0];
         let found = strip.report(air, &flow, &[], &[]);
         assert_eq!(found.coefficients, [0.0; 3]);
         assert_eq!(found.inflow_angle, 0.0);

@@ -93,6 +93,14 @@ impl DynamicStall {
         local.gate * (alpha - polar.zero_lift()) * polar.slope()
     }
 
+    /// Pressure and attached part of steady flow at an attached normal coefficient: sources with
+    /// the speed of loads over decay with its own.
+    fn steady<T: Real, P: Polar>(polar: &P, local: &Local<T>, normal: T) -> [T; 2] {
+        let driven = local.speed / local.decay;
+        let pressure = driven * normal;
+        [pressure, driven * (part_of(polar, pressure) - 1.0) + 1.0]
+    }
+
     /// Whether the vortex is shed, from 0 to 1, G_1.
     fn shedding<T: Real>(&self, pressure: T) -> T {
         let size = (pressure * pressure + CORNER * CORNER).sqrt();
@@ -106,14 +114,15 @@ impl DynamicStall {
         [run, (-shedding + 1.0) * clock / RESET_TIME]
     }
 
-    /// The clock of steady flow, between rest and 2 T_vl.
-    fn steady_clock(&self, pressure: f64) -> f64 {
+    /// The clock of steady flow, between rest and 2 T_vl, where the speed that drives it is a part
+    /// of the one that resets it.
+    fn steady_clock(&self, pressure: f64, part: f64) -> f64 {
         let shedding = self.shedding(pressure);
         let [mut low, mut high] = [0.0, 2.0 * self.constants.passage_time];
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
             let [run, reset] = self.clock(shedding, middle);
-            if run > reset {
+            if part * run > reset {
                 low = middle;
             } else {
                 high = middle;
@@ -179,6 +188,10 @@ impl Model for DynamicStall {
         &STATES
     }
 
+    fn needs_start(&self) -> bool {
+        true
+    }
+
     fn start<P: Polar>(
         &self,
         strip: &Strip,
@@ -188,13 +201,13 @@ impl Model for DynamicStall {
     ) -> Option<()> {
         let states: &mut [f64; 9] = states.try_into().ok()?;
         let local = Local::of(flow);
-        let [y1, y2] = self.lags.steady(flow.normal);
+        let [y1, y2] = self.lags.steady(local.rear);
         let [p, h] = added_mass::momenta(strip, flow);
         let normal = Self::attached(polar, &local, local.angle(local.rear));
-        let part = part_of(polar, normal);
+        let [pressure, part] = Self::steady(polar, &local, normal);
         let feed = normal * (1.0 - kirchhoff(part));
-        let clock = self.steady_clock(normal);
-        *states = [y1, y2, normal, part, feed, 0.0, clock, p, h];
+        let clock = self.steady_clock(pressure, local.speed / local.decay);
+        *states = [y1, y2, pressure, part, feed, 0.0, clock, p, h];
         Some(())
     }
 
@@ -240,7 +253,7 @@ impl Model for DynamicStall {
         let fixed = polar.coefficients(&flow.at(alpha));
         let force = local.force(strip, local.bound(effective), &fixed);
         let angle = alpha - polar.zero_lift();
-        let static_part = part_of(polar, normal);
+        let [_, static_part] = Self::steady(polar, &local, normal);
         let load = local.load(strip);
         let force = self.add_stall(force, strip, load, &it, [normal, angle, static_part]);
         Some(added_mass::add(force, strip, flow, [dp, dh]))

@@ -99,7 +99,7 @@ impl Model for Hgm {
     ) -> Option<()> {
         let states: &mut [f64; 4] = states.try_into().ok()?;
         let local = Local::of(flow);
-        let [y1, y2] = self.lags.steady(flow.normal);
+        let [y1, y2] = self.lags.steady(local.rear);
         let alpha = local.angle(local.rear);
         let lift = Self::pressure(strip, polar, &local, alpha, flow.pitch_rate);
         let part = part_of(polar, lift);

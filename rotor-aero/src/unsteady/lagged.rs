@@ -48,7 +48,7 @@ impl Model for Lagged {
         states: &mut [f64],
     ) -> Option<()> {
         let states: &mut [f64; 4] = states.try_into().ok()?;
-        let [y1, y2] = self.lags.steady(flow.normal);
+        let [y1, y2] = self.lags.steady(Local::of(flow).rear);
         let [p, h] = added_mass::momenta(strip, flow);
         *states = [y1, y2, p, h];
         Some(())

@@ -27,7 +27,7 @@ const GATE_OPEN: f64 = 0.766_044_443_118_978;
 pub(super) struct Local<T> {
     /// Velocity along the chord \[m/s\].
     pub along: T,
-    /// Normal velocity of the three-quarter chord \[m/s\].
+    /// Normal velocity of the three-quarter chord, with the camber of a plain flap \[m/s\].
     pub rear: T,
     /// Normal velocity of the quarter chord \[m/s\].
     pub quarter: T,
@@ -43,8 +43,8 @@ impl<T: Real> Local<T> {
     /// From the flow at a section.
     pub fn of(flow: &SectionFlow<T>) -> Self {
         let along = flow.tangential;
-        let rear = flow.normal;
-        let quarter = flow.normal_mid * 2.0 - rear;
+        let rear = flow.normal + flow.camber;
+        let quarter = flow.normal_mid * 2.0 - flow.normal;
         let square = along * along + quarter * quarter;
         let decay = (square + REST * REST).sqrt();
         let cosine = along / (along * along + rear * rear + REST * REST).sqrt();

@@ -47,6 +47,12 @@ macro_rules! models {
                 }
             }
 
+            fn needs_start(&self) -> bool {
+                match self {
+                    $(Self::$name(it) => it.needs_start(),)*
+                }
+            }
+
             fn start<P: Polar>(
                 &self,
                 strip: &Strip,

@@ -17,6 +17,9 @@ pub struct SectionFlow<T> {
     pub normal_mid: T,
     /// Velocity along the chord, `v_x`; positive if the air comes from the leading edge \[m/s\].
     pub tangential: T,
+    /// Normal velocity at the three-quarter chord by the camber of a plain flap, see
+    /// [`super::Flap`] \[m/s\].
+    pub camber: T,
     /// Angular velocity of the section, nose up \[rad/s\].
     pub pitch_rate: T,
     /// Mach number \[-\].
@@ -35,6 +38,7 @@ impl<T: Real> SectionFlow<T> {
             normal: normal_quarter + pitch_rate * (0.5 * chord),
             normal_mid: normal_quarter + pitch_rate * (0.25 * chord),
             tangential,
+            camber: T::zero(),
             pitch_rate,
             mach: T::zero(),
             reynolds: T::zero(),
@@ -108,6 +112,12 @@ pub(crate) const fn state(
 pub trait Model {
     /// Names and units of the states, in their order.
     fn states(&self) -> &'static [StateName];
+
+    /// Whether its rows have no slope far from their solution: Newton's method then finds a steady
+    /// flow only from the states of [`Model::start`].
+    fn needs_start(&self) -> bool {
+        false
+    }
 
     /// Writes the states of a steady flow; their rates are zero.
     ///

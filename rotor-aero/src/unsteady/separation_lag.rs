@@ -58,7 +58,7 @@ impl Model for SeparationLag {
     ) -> Option<()> {
         let states: &mut [f64; 5] = states.try_into().ok()?;
         let local = Local::of(flow);
-        let [y1, y2] = self.lags.steady(flow.normal);
+        let [y1, y2] = self.lags.steady(local.rear);
         let part = polar.attached(local.angle(local.rear));
         let [p, h] = added_mass::momenta(strip, flow);
         *states = [y1, y2, part, p, h];

@@ -79,17 +79,19 @@ impl Wind {
 
     /// Its velocity if it is the same everywhere and at all times \[m/s\].
     pub fn constant(&self) -> Option<Vector3<f64>> {
-        self.variation()
-            .is_none()
-            .then(|| self.velocity(&Vector3::zeros(), 0.0))
+        let changes = matches!(self.mean, Mean::Function(_)) || self.variation().is_some();
+        (!changes).then(|| self.velocity(&Vector3::zeros(), 0.0))
     }
 
-    /// The first part that varies in space or time, as text.
+    /// The first part that varies in space, or in time other than by a function of the mean wind,
+    /// as text.
     pub fn variation(&self) -> Option<&'static str> {
         match &self.mean {
             Mean::Table(_) => return Some("a table over time"),
-            Mean::Steady(mean) if !mean.is_uniform() => return Some("shear or veer"),
-            Mean::Steady(_) => {}
+            Mean::Steady(_) | Mean::Function(_) if !self.mean.at(0.0).is_uniform() => {
+                return Some("shear or veer");
+            }
+            Mean::Steady(_) | Mean::Function(_) => {}
         }
         let parts = [
             (self.events.is_empty(), "an event"),
@@ -102,8 +104,8 @@ impl Wind {
     }
 
     /// The first time after `time` \[s\] at which an event or a gust begins, culminates or ends at
-    /// a point \[m\] of the inertial frame, or the table of the mean wind has a row; infinite
-    /// without one. Planes of turbulence boxes are not among these times.
+    /// a point \[m\] of the inertial frame, or the mean wind has a row of its table or a corner;
+    /// infinite without one. Planes of turbulence boxes are not among these times.
     pub fn next_corner(&self, at: &Vector3<f64>, time: f64) -> f64 {
         let at = self.frame.point(&[at.x, at.y, at.z]);
         let events = self.events.iter().flat_map(Event::corners);

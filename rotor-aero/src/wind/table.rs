@@ -1,15 +1,30 @@
-//! Mean wind that changes with time: linear between the times of a table, constant outside.
+//! Mean wind that changes with time: linear between the times of a table, constant outside, or a
+//! given function of time.
+
+use std::fmt::Debug;
+use std::sync::Arc;
 
 use super::problem::WindProblem;
 use super::profile::{MeanWind, Shear};
 
+/// Mean wind as a function of time.
+pub trait WindOverTime: Debug + Send + Sync {
+    /// The mean wind at a time \[s\].
+    fn at(&self, time: f64) -> MeanWind;
+
+    /// The first time after `time` \[s\] at which it is not smooth; infinite without one.
+    fn next_corner(&self, time: f64) -> f64;
+}
+
 /// Mean wind over time.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub enum Mean {
     /// The same at all times.
     Steady(MeanWind),
     /// Linear between given times.
     Table(WindTable),
+    /// A function of time.
+    Function(Arc<dyn WindOverTime>),
 }
 
 impl Mean {
@@ -18,14 +33,17 @@ impl Mean {
         match self {
             Self::Steady(wind) => *wind,
             Self::Table(table) => table.at(time),
+            Self::Function(of) => of.at(time),
         }
     }
 
-    /// The first row of the table after `time` \[s\]; infinite without one.
+    /// The first row of the table, or corner of the function, after `time` \[s\]; infinite without
+    /// one.
     pub fn next_corner(&self, time: f64) -> f64 {
         match self {
             Self::Steady(_) => f64::INFINITY,
             Self::Table(table) => table.next_row(time),
+            Self::Function(of) => of.next_corner(time),
         }
     }
 }

@@ -62,6 +62,9 @@ pub(super) fn settle(
     }
     let before = (state.scalars.clone(), state.scalar_rates.clone());
     state.scalar_rates.fill(0.0);
+    if settling == Settling::AtRest {
+        system.settle_scalars(state, conditions);
+    }
     if find(system, state, conditions, settling).is_some() {
         return Ok(());
     }
@@ -104,6 +107,9 @@ fn find(
             let of = usize::from(is_rate[i]);
             changes[of][i] = change;
             [&mut state.scalars, &mut state.scalar_rates][of][i] += change;
+        }
+        if settling == Settling::AtRest {
+            system.settle_scalars(state, conditions);
         }
         let of_values = scales.largest(&changes[0], |i| state.scalars[i].abs());
         let of_rates = of_rates.largest(&changes[1], |i| state.scalar_rates[i].abs());

@@ -17,6 +17,7 @@ mod rigid;
 mod sampled;
 mod scalars;
 mod speeds;
+mod stalling;
 mod starting;
 mod unknowing;
 mod variable;

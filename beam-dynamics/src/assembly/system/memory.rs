@@ -1,10 +1,29 @@
-//! Memory of elements of accepted steps.
+//! Memory of elements of accepted steps, and scalars that elements settle themselves.
 
 use super::System;
 use super::layout::Workspace;
 use crate::model::{Conditions, State};
 
 impl System {
+    /// Replaces the scalars that Newton's method does not find by their values at rest in the
+    /// motion of the state.
+    pub fn settle_scalars(&self, state: &mut State, conditions: &Conditions) {
+        let mut values = Vec::new();
+        for (index, element) in self.elements.iter().enumerate() {
+            let Some(settling) = element.settling() else {
+                continue;
+            };
+            values.clear();
+            self.seen(index, state, conditions, |at| {
+                values.extend_from_slice(at.scalars.values);
+                settling.settle(at, &mut values);
+            });
+            for (scalar, value) in self.numbering.scalars_of(index).iter().zip(&values) {
+                state.scalars[*scalar] = *value;
+            }
+        }
+    }
+
     /// Begins the elements' memory of a run in time from `state`.
     pub fn begin_memory(&self, state: &mut State, conditions: &Conditions) {
         let mut memory = std::mem::take(&mut state.memory);

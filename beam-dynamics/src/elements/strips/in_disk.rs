@@ -130,15 +130,16 @@ impl InDiskState<'_> {
         }
     }
 
-    /// Adds the derivatives of the loads by a scalar of the strip, `input` of its kernel.
+    /// Adds the derivatives of the loads by a scalar of the strip, `input` of its kernel with the
+    /// given slope.
     pub fn add_scalar(
         &self,
         (flow, by): (&[f64; FLOW], &StripJacobian),
         column: (usize, bool),
-        input: usize,
+        (input, slope): (usize, f64),
         out: &mut LocalJacobian,
     ) {
-        let force = self.along(flow, by, input);
+        let force = slope * self.along(flow, by, input);
         let row = self.of.first + LOADS;
         let arms = [1.0, self.position[0], self.position[1]];
         for (i, arm) in arms.into_iter().enumerate() {

@@ -30,7 +30,7 @@ use super::shaft::Shaft;
 use crate::elements::beams::{BeamGeometry, LinePoint};
 use crate::elements::{
     Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, Motion,
-    Reports, StripPlace, Structure, has,
+    Reports, Settling, Signal, StripPlace, Structure, has,
 };
 use crate::model::{Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
 
@@ -69,7 +69,10 @@ pub struct AirStrip {
     pub(super) length: f64,
     pub(super) strip: Arc<Strip>,
     pub(super) air: Arc<Air>,
-    /// Its states, the radius of the tip if it has a rotor, and the unknowns of its disk.
+    /// Deflection of its flap, trailing edge down \[rad\].
+    flap: Option<Signal>,
+    /// Its states, the radius of the tip if it has a rotor, the unknowns of its disk, and the ones
+    /// that the deflection reads.
     scalars: Vec<Scalar>,
     /// Its disk.
     in_disk: Option<InDisk>,
@@ -80,7 +83,11 @@ pub struct AirStrip {
 }
 
 /// Numbers of the flow that the kernel takes, before the radius of the tip.
-const OWN: usize = STRIP_FLOW - 1;
+const OWN: usize = STRIP_FLOW - 2;
+/// Index of the radius of the tip.
+const TIP: usize = OWN;
+/// Index of the deflection of the flap.
+const FLAP: usize = TIP + 1;
 
 /// Forces of a strip at a state: F and M at the carried point [N, N m].
 struct Loads {
@@ -173,6 +180,7 @@ impl AirStrip {
             length: geometry.length,
             strip,
             air,
+            flap: None,
             scalars,
             in_disk,
         }
@@ -191,6 +199,12 @@ impl AirStrip {
         }
     }
 
+    /// With a flap, if the strip has one, of a deflection \[rad\], trailing edge down.
+    pub fn deflected(mut self, deflection: Signal) -> Self {
+        self.flap = Some(deflection.bound(&mut self.scalars));
+        self
+    }
+
     /// Number of its states: the scalar after them, if any, is the radius of the tip.
     pub(super) fn states(&self) -> usize {
         self.strip.states().len()
@@ -203,8 +217,11 @@ impl AirStrip {
             .flow(at, &|point, time| self.air.motion(point, time));
         let mut numbers = [0.0; STRIP_FLOW];
         numbers[..OWN].copy_from_slice(&flow.numbers[..OWN]);
-        if let Some(tip_radius) = at.scalars.values.get(self.states()) {
-            numbers[OWN] = *tip_radius;
+        if self.mount.shaft.is_some() {
+            numbers[TIP] = at.scalars.values[self.states()];
+        }
+        if let Some(flap) = &self.flap {
+            numbers[FLAP] = flap.value(&at.instant());
         }
         (flow, numbers)
     }
@@ -270,7 +287,7 @@ impl AirStrip {
                 strip.add_rows((hub, variable), &block, out);
             }
         }
-        strip.add_scalars(out);
+        strip.add_scalars(at, out);
     }
 }
 
@@ -304,34 +321,48 @@ impl Columns<'_> {
         }
     }
 
-    /// Adds the derivatives by the states, their rates and the radius of the tip.
-    fn add_scalars(&self, out: &mut LocalJacobian) {
+    /// Adds the derivatives by the states, their rates, the radius of the tip and the scalars that
+    /// the deflection of the flap reads.
+    fn add_scalars(&self, at: &Local<'_>, out: &mut LocalJacobian) {
         let states = self.strip.strip.states();
         for (k, state) in states.iter().enumerate() {
-            self.add_scalar((k, false), STRIP_FLOW + k, out);
+            self.add_scalar((k, false), (STRIP_FLOW + k, 1.0), out);
             if state.has_rate {
-                self.add_scalar((k, true), STRIP_FLOW + STATES + k, out);
+                self.add_scalar((k, true), (STRIP_FLOW + STATES + k, 1.0), out);
             }
         }
-        if self.strip.scalars.len() > states.len() {
-            self.add_scalar((states.len(), false), OWN, out);
+        if self.strip.mount.shaft.is_some() {
+            self.add_scalar((states.len(), false), (TIP, 1.0), out);
+        }
+        if let Some(flap) = &self.strip.flap {
+            flap.gradient(&at.instant(), |scalar, slope| {
+                self.add_scalar((scalar, false), (FLAP, slope), out);
+            });
         }
         if let Some(in_disk) = self.in_disk {
             in_disk.add_induced(out);
         }
     }
 
-    /// Adds column `input` of the strip as the derivatives by a scalar or its rate.
-    fn add_scalar(&self, column: (usize, bool), input: usize, out: &mut LocalJacobian) {
-        let of = |i: usize| self.size * self.by.by[i][input];
+    /// Adds column `input` of the strip, times the slope of the input, as the derivatives by a
+    /// scalar or its rate.
+    fn add_scalar(
+        &self,
+        column: (usize, bool),
+        (input, slope): (usize, f64),
+        out: &mut LocalJacobian,
+    ) {
+        let of = |i: usize| slope * self.size * self.by.by[i][input];
         let force = self.flow.axes * Vector3::new(of(0), of(1), of(2));
         let moment = self.flow.arm.cross(&force) + self.flow.axes.column(2) * of(3);
         self.flow.point.add_by_scalar(column, &[force, moment], out);
         for row in 0..self.strip.states() {
-            out.add_scalar(row, column.0, self.by.by[LOADS + row][input], column.1);
+            let by = slope * self.by.by[LOADS + row][input];
+            out.add_scalar(row, column.0, by, column.1);
         }
         if let Some(in_disk) = self.in_disk {
-            in_disk.add_scalar((&self.flow.numbers, self.by), column, input, out);
+            let by = (&self.flow.numbers, self.by);
+            in_disk.add_scalar(by, column, (input, slope), out);
         }
     }
 }
@@ -381,11 +412,27 @@ impl Element for AirStrip {
         }
     }
 
+    fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {
+        self.flap.iter().for_each(visit);
+    }
+
     fn next_own_corner(&self, time: f64) -> f64 {
         self.air.wind().next_corner(&self.start, time)
     }
 
+    fn settling(&self) -> Option<&dyn Settling> {
+        self.strip.needs_start().then_some(self as &dyn Settling)
+    }
+
     has!(energetic: Energetic, structure: Structure, reports: Reports);
+}
+
+impl Settling for AirStrip {
+    fn settle(&self, at: &Local<'_>, scalars: &mut [f64]) {
+        let (_, numbers) = self.flow(at);
+        let states = &mut scalars[..self.states()];
+        self.strip.settle(self.acting(at), &numbers, states);
+    }
 }
 
 impl Structure for AirStrip {

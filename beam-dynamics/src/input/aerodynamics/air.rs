@@ -10,6 +10,7 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use crate::elements::strips::Air;
+use crate::input::drives;
 
 mod checks;
 mod event;
@@ -59,7 +60,11 @@ keys! {
 
 /// Reads `[air]`: `None` if it is wrong, standard air at sea level if absent. The default of the
 /// vertical is opposite to `gravity` \[m/s^2\].
-pub(super) fn read(root: &Table<'_>, gravity: &Vector3<f64>) -> Option<Air> {
+pub(super) fn read(
+    root: &Table<'_>,
+    gravity: &Vector3<f64>,
+    drives: &drives::Catalog,
+) -> Option<Air> {
     let Some(table) = root.has("air").then(|| root.table("air")) else {
         return Some(Air::default());
     };
@@ -68,7 +73,7 @@ pub(super) fn read(root: &Table<'_>, gravity: &Vector3<f64>) -> Option<Air> {
         true => -gravity.normalize(),
         false => Vector3::z(),
     };
-    let (atmosphere, wind) = (atmosphere(&table), wind(&table, &up));
+    let (atmosphere, wind) = (atmosphere(&table), wind(&table, &up, drives));
     table.finish();
     Some(Air::new(atmosphere?, wind?))
 }
@@ -102,8 +107,8 @@ fn atmosphere(table: &Table<'_>) -> Option<Atmosphere> {
 }
 
 /// The wind of all tables. Every table is read, so that all problems are noted.
-fn wind(table: &Table<'_>, up: &Vector3<f64>) -> Option<Wind> {
-    let mean = mean_wind(table, up);
+fn wind(table: &Table<'_>, up: &Vector3<f64>, drives: &drives::Catalog) -> Option<Wind> {
+    let mean = mean_wind(table, up, drives);
     let known = mean.as_ref();
     let gusts = gusts::read(&table.tables(&GUSTS), known);
     let towers = towers::read(&table.tables(&TOWERS), known.map(|mean| &mean.frame));
@@ -136,9 +141,9 @@ fn optional<T>(
     }
 }
 
-fn mean_wind(table: &Table<'_>, up: &Vector3<f64>) -> Option<MeanCard> {
+fn mean_wind(table: &Table<'_>, up: &Vector3<f64>, drives: &drives::Catalog) -> Option<MeanCard> {
     if table.is_table(&WIND) {
-        return mean::read(&table.table(&WIND)?, up);
+        return mean::read(&table.table(&WIND)?, up, drives);
     }
     let velocity = match table.has(&WIND) {
         true => table.vector(WIND.name(), Dimension::VELOCITY)?,

@@ -19,8 +19,8 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::{
-    Along, POINTS, RADIAL_DRAG, SECTION, SECTIONS, STATIONS, StripsInflow, airfoil_axes, elements,
-    ends, placed_beams, stations, strips,
+    Along, FLAPS, POINTS, RADIAL_DRAG, SECTION, SECTIONS, STATIONS, StripsInflow, airfoil_axes,
+    deflected, elements, ends, flaps, placed_beams, stations, strips,
 };
 use crate::elements::strips::{AirStrip, StripGeometry};
 use crate::input::aerodynamics::StripProblem;
@@ -43,7 +43,8 @@ keys! {
     /// on beams in the axes of the model. The upper surface is on the side of the direction of the
     /// line times this direction (cross product).
     FORWARD: Vector3<f64> = "forward", [Vector(3, Dimension::NUMBER)], required, "[1, 0, 0]";
-    with BEAMS.schema, SECTION.schema, POINTS.schema, RADIAL_DRAG.schema, STATIONS.schema;
+    with BEAMS.schema, SECTION.schema, POINTS.schema, RADIAL_DRAG.schema, STATIONS.schema,
+        FLAPS.schema;
 }
 
 /// Lines of strips shorter than this part of the distance of their ends from the node are
@@ -82,14 +83,17 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
     let Some(line) = line else {
         let airfoils = &builder.aerodynamics().airfoils;
         stations::read(table, airfoils, (&words, f64::INFINITY));
+        flaps::read(table, None, builder.drives());
         return None;
     };
     let (span, length) = line.span(builder);
     let airfoils = &builder.aerodynamics().airfoils;
     let stations = stations::read(table, airfoils, (&words, length));
+    let flaps = flaps::read(table, stations.as_ref(), builder.drives());
     let axes = axes(table, &span, &forward?)?;
     let air = Along {
         stations: stations?,
+        flaps: flaps?,
         model: SectionModel::of_word(SECTIONS.get(section?)?)?,
         points: points?,
         radial_drag: radial_drag?,
@@ -193,14 +197,15 @@ fn add(
                     axes,
                     length,
                 };
+                let (strip, flap) = air.strip(between, position, None);
                 let element = AirStrip::on_body(
                     format!("{label}/strip {}", number + 1),
                     (node, &builder.nodes()[node], from + span * position),
-                    (Arc::new(air.strip(between, None)), geometry),
+                    (Arc::new(strip), geometry),
                     None,
                     Arc::clone(&still),
                 );
-                builder.add_load(Box::new(element));
+                builder.add_load(Box::new(deflected(element, flap)));
             }
         }
     }

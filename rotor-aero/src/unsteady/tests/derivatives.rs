@@ -88,6 +88,7 @@ fn point(random: &mut Random, regime: &Regime, model: &SectionModel) -> Vec<f64>
         random.between(0.0, 1.1),
         random.between(1e5, 1e6),
         random.between(-0.1, 0.1),
+        normal * random.between(-0.3, 0.3),
     ];
     for state in model.states() {
         list.push(match state.name {
@@ -115,9 +116,10 @@ fn evaluate<T: Real>(model: &SectionModel, list: &[T]) -> Vec<T> {
         mach: list[4],
         reynolds: list[5],
         flap: list[6],
+        camber: list[7],
     };
     let mut rows = vec![T::zero(); size];
-    let (states, rates) = list[7..].split_at(size);
+    let (states, rates) = list[8..].split_at(size);
     let force = model
         .evaluate(&STRIP, &Smooth, &flow, states, rates, &mut rows)
         .unwrap();

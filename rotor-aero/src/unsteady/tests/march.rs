@@ -27,6 +27,7 @@ fn dual(flow: &SectionFlow<f64>) -> SectionFlow<Dual64> {
         normal: flow.normal.into(),
         normal_mid: flow.normal_mid.into(),
         tangential: flow.tangential.into(),
+        camber: flow.camber.into(),
         pitch_rate: flow.pitch_rate.into(),
         mach: flow.mach.into(),
         reynolds: flow.reynolds.into(),

@@ -2,7 +2,7 @@
 //! turbulence boxes.
 
 use nalgebra::Vector3;
-use rotor_aero::wind::OutsideGrid;
+use rotor_aero::wind::{OutsideGrid, WindField};
 use shared_geom::document::Table;
 
 use super::problem::AirProblem;
@@ -16,7 +16,8 @@ use crate::input::short_number;
 const ALONG: f64 = 1e-9;
 
 /// Notes a wind that varies in space or time, or across the axis, if equilibria or modes are
-/// requested at rotor speeds of up to `highest` \[rad/s\] above zero.
+/// requested at rotor speeds of up to `highest` \[rad/s\] above zero. Drives have the value of the
+/// start.
 pub(in crate::input) fn check_steady(
     root: &Table<'_>,
     air: &Air,
@@ -25,16 +26,16 @@ pub(in crate::input) fn check_steady(
     if highest <= 0.0 {
         return;
     }
-    let cause = match (air.wind().variation(), air.constant()) {
-        (Some(part), _) => part.to_owned(),
-        (None, Some(velocity)) => {
+    let cause = match air.wind().variation() {
+        Some(part) => part.to_owned(),
+        None => {
+            let velocity = air.wind().velocity(&Vector3::zeros(), 0.0);
             let across = across(&velocity, &rotation.axis);
             if across <= ALONG * velocity.norm() {
                 return;
             }
             format!("{} m/s across the axis", short_number(across, 6))
         }
-        (None, None) => return,
     };
     let rpm = highest / RPM;
     let problem = AirProblem::GoesRound { cause, rpm };

@@ -1,23 +1,35 @@
 //! Axes of the wind and mean wind: `wind` of `[air]`, a velocity or a table.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
-use rotor_aero::wind::{Mean, MeanWind, Shear, Wind, WindFrame, WindProblem, read_uniform_wind};
-use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text, Vector};
-use shared_geom::document::{Key, Table, read_text};
+use rotor_aero::wind::{
+    Mean, MeanWind, Shear, Wind, WindFrame, WindOverTime, WindProblem, read_uniform_wind,
+};
+use shared_geom::document::schema::ValueKind::{
+    Drive as OneDrive, Positive, Quantity, Text, Vector,
+};
+use shared_geom::document::{ByHand, Key, Table, read_text};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::AirProblem;
+use crate::elements::strips::DrivenWind;
+use crate::input::drives;
+use crate::model::Drive;
 
 keys! {
     /// Mean wind, which is constant or changes with the height, or a table over time. Downwind,
     /// lateral and up are the axes of turbulence boxes, too.
     pub(super) CARD = "[air.wind]";
-    /// Speed at the reference height.
-    SPEED: f64 = "speed", [NotNegative(Dimension::VELOCITY)], or "0" = 0.0, "11.4";
+    /// Speed at the reference height; a drive of time may be below zero, and the wind then blows
+    /// back.
+    SPEED: ByHand = "speed", [OneDrive(Dimension::VELOCITY)], or "0", "11.4";
     /// Direction into which it blows, level, of any length.
     DIRECTION: Vector3<f64> = "direction", [Vector(3, Dimension::NUMBER)],
         or "[1, 0, 0]" = Vector3::x(), "[0, 0, 1]";
+    /// Turn of the direction, clockwise seen from above.
+    TURN: ByHand = "turn", [OneDrive(Dimension::ANGLE)], or "0", "\"= 20*sin(t/10)\"";
     /// Upward direction, of any length.
     UP: Option<Vector3<f64>> = "up", [Vector(3, Dimension::NUMBER)],
         or "opposite to gravity, without it [0, 0, 1]", "[1, 0, 0]";
@@ -34,9 +46,9 @@ keys! {
     /// Change of the direction with the height, clockwise seen from above, per length.
     VEER: f64 = "veer", [Quantity(Dimension::CURVATURE)], or "0" = 0.0, "0.1";
     /// Angle of the wind above the level.
-    UPFLOW: f64 = "upflow", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "8";
+    UPFLOW: ByHand = "upflow", [OneDrive(Dimension::ANGLE)], or "0", "8";
     /// Vertical wind.
-    VERTICAL: f64 = "vertical", [Quantity(Dimension::VELOCITY)], or "0" = 0.0, "0.5";
+    VERTICAL: ByHand = "vertical", [OneDrive(Dimension::VELOCITY)], or "0", "0.5";
     /// Linear shear across: change over the reference length, as part of the speed.
     HORIZONTAL_SHEAR: f64 = "horizontal_shear", [Quantity(Dimension::NUMBER)], or "0" = 0.0, "0.1";
     /// Linear shear over the height: change over the reference length, as part of the speed.
@@ -50,8 +62,9 @@ keys! {
 }
 
 /// Keys of which the table has its own values.
-const IN_TABLE: [&str; 8] = [
+const IN_TABLE: [&str; 9] = [
     SPEED.name(),
+    TURN.name(),
     EXPONENT.name(),
     ROUGHNESS.name(),
     VEER.name(),
@@ -93,15 +106,27 @@ impl MeanCard {
 }
 
 /// Reads the table; `up` is the default of the upward direction.
-pub(super) fn read(table: &Table<'_>, up: &Vector3<f64>) -> Option<MeanCard> {
+pub(super) fn read(
+    table: &Table<'_>,
+    up: &Vector3<f64>,
+    catalog: &drives::Catalog,
+) -> Option<MeanCard> {
     let frame = frame(table, up);
     let [height, length] = [&REFERENCE_HEIGHT, &REFERENCE_LENGTH].map(|key| table.get(key));
-    let (mean, file) = (steady(table), table.get(&TABLE));
+    let (mean, file) = (driven(table, catalog), table.get(&TABLE));
     table.finish();
     let (height, length) = (height?, length?);
     let mean = match file? {
         Some(file) => from_file(table, &file, [height, length]),
-        None => complete(table, mean?, [height, length]).map(Mean::Steady),
+        None => {
+            let mean = mean?;
+            let constant = complete(table, mean.constant, [height, length])?;
+            let mean = DrivenWind { constant, ..mean };
+            Some(match mean.is_steady() {
+                true => Mean::Steady(mean.at(0.0)),
+                false => Mean::Function(Arc::new(mean)),
+            })
+        }
     };
     Some(MeanCard {
         frame: frame?,
@@ -136,18 +161,33 @@ fn frame(table: &Table<'_>, default_up: &Vector3<f64>) -> Option<WindFrame> {
     Some(frame)
 }
 
-/// The constant mean wind without reference height and length.
-fn steady(table: &Table<'_>) -> Option<MeanWind> {
+/// The mean wind without reference height and length.
+fn driven(table: &Table<'_>, catalog: &drives::Catalog) -> Option<DrivenWind> {
+    let driven = [&SPEED, &TURN, &UPFLOW, &VERTICAL];
+    let [speed, turn, upflow, vertical] = driven.map(|key| match table.has(key) {
+        true => drives::read(table, &key.schema, catalog),
+        false => Some(Drive::Constant(0.0)),
+    });
+    let constant = constant(table);
+    let speed = speed?;
+    if speed.constant().is_some_and(|speed| speed < 0.0) {
+        table.wrong(&SPEED, "a speed of zero or more, or a drive");
+        return None;
+    }
+    Some(DrivenWind {
+        constant: constant?,
+        speed,
+        turn: turn?,
+        upflow: upflow?,
+        vertical: vertical?,
+    })
+}
+
+/// The numbers of the mean wind that are constant.
+fn constant(table: &Table<'_>) -> Option<MeanWind> {
     let (exponent, roughness) = (table.get(&EXPONENT), table.get(&ROUGHNESS));
-    let numbers = [
-        &SPEED,
-        &VEER,
-        &UPFLOW,
-        &VERTICAL,
-        &HORIZONTAL_SHEAR,
-        &VERTICAL_SHEAR,
-    ];
-    let [speed, veer, upflow, vertical, across, over_height] = numbers.map(|key| table.get(key));
+    let numbers = [&VEER, &HORIZONTAL_SHEAR, &VERTICAL_SHEAR];
+    let [veer, across, over_height] = numbers.map(|key| table.get(key));
     let shear = match (exponent?, roughness?) {
         (None, None) => Shear::Uniform,
         (Some(exponent), None) => Shear::Power { exponent },
@@ -162,18 +202,15 @@ fn steady(table: &Table<'_>) -> Option<MeanWind> {
         }
     };
     Some(MeanWind {
-        speed: speed?,
         shear,
         veer: veer?,
-        upflow: upflow?,
-        vertical: vertical?,
         horizontal_shear: across?,
         vertical_shear: over_height?,
         ..MeanWind::default()
     })
 }
 
-/// The wind with reference height and length, if it needs them.
+/// The same with reference height and length, if it needs them.
 fn complete(
     table: &Table<'_>,
     mut mean: MeanWind,

@@ -8,6 +8,7 @@ use rotor_aero::wind::{IecTurbine, TurbulenceCategory, WindClass, WindField};
 use shared_geom::document::Document;
 
 use crate::elements::strips::Air;
+use crate::input::drives;
 use crate::input::schema::DYNAMICS_FILE;
 use crate::input::test_files::{STRIP, read_beside, reported};
 use crate::model::{Conditions, State};
@@ -22,7 +23,8 @@ fn read(text: &str) -> Result<Air, String> {
     let air = {
         let root = document.root_of(&DYNAMICS_FILE);
         document.declare_units(&root);
-        super::read(&root, &Vector3::new(0.0, 0.0, -9.81))
+        let drives = drives::read_named(&root);
+        super::read(&root, &Vector3::new(0.0, 0.0, -9.81), &drives)
     };
     document
         .finish(air)
@@ -188,6 +190,107 @@ fn a_table_over_time() {
     let shown = reported(model("0 8 0 0 0 0 0\n1 x 0 0 0 0 0 0\n"));
     for words in ["a.wnd:1", "columns", "a.wnd:2", "\"table\" of [air.wind]"] {
         assert!(shown.contains(words), "{shown}");
+    }
+}
+
+/// Speed, turn, upflow and vertical wind by drives: `V (cos e cos d, -cos e sin d, sin e)`, plus the
+/// vertical wind normal to it, at 200 random times.
+#[test]
+fn a_wind_by_drives() {
+    let text = "[drives.ramp]\nkind = \"ramp\"\nfrom = 8\nto = 12\nstart = 1\nend = 3\n[air.wind]\n\
+                speed = \"ramp\"\nturn = \"= 30*sin(t)\"\nupflow = \"= 2*t\"\nvertical = \"= cos(t)\"\n";
+    let driven = air(text);
+    assert_eq!(driven.constant(), None);
+    let mut seed = 1_u64;
+    for _ in 0..200 {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        let time = 5.0 * (seed >> 11) as f64 / (1_u64 << 53) as f64;
+        let speed = 8.0 + 4.0 * ((time - 1.0) / 2.0).clamp(0.0, 1.0);
+        let (sin, cos) = (30_f64.to_radians() * time.sin()).sin_cos();
+        let (rise, level) = (2.0 * time).to_radians().sin_cos();
+        let along = speed * level - time.cos() * rise;
+        let expected = [along * cos, -along * sin, speed * rise + time.cos() * level];
+        assert_near(velocity(&driven, [3.0, 7.0, -2.0], time), expected);
+    }
+    let corner = |time| driven.wind().next_corner(&Vector3::zeros(), time);
+    assert_eq!([0.0, 1.0, 3.0].map(corner), [1.0, 3.0, f64::INFINITY]);
+    // drives that do not change are a constant wind
+    let constant = air("[air.wind]\nspeed = \"= 2*3\"\ndirection = [0, 0, 1]\nup = [1, 0, 0]\n");
+    assert_near(constant.constant().unwrap().into(), [0.0, 0.0, 6.0]);
+    assert_refused(&[
+        (
+            "[air.wind]\nspeed = \"none\"\n",
+            &["a.toml:3", "unknown drive \"none\""],
+        ),
+        (
+            "[air.wind]\nspeed = \"= 3*t\"\nexponent = 0.2\n",
+            &["\"reference_height\" is missing"],
+        ),
+        (
+            "[air]\nwind = { turn = \"= t\", speed = 0 }\n[air.turbulence]\nfile = \"own.bts\"\n",
+            &["a number that changes", "no mean wind"],
+        ),
+    ]);
+}
+
+/// The corners of the drives end the steps of a run; sensors and drives that end too early are
+/// refused. Steady states of a rotor have the wind of the start, which must be along the axis.
+#[test]
+fn drives_of_the_wind_in_a_model() {
+    let run = "[transient]\nto = 1\nstep = 0.1\n";
+    let ramp = "[drives.d]\nkind = \"ramp\"\nfrom = 0\nto = 1\nstart = 4\nend = 9\n";
+    let wind = "[air.wind]\nspeed = \"d\"\n";
+    let input = model(&format!("{ramp}{wind}"), run);
+    let input = input.unwrap_or_else(|problems| panic!("{problems}"));
+    assert_eq!(input.model.next_corner(1.0), 4.0);
+    let modes = "[modes]\nspeeds = [12]\n";
+    let along = "[air.wind]\nspeed = \"= 8 + t\"\ndirection = [0, 0, 1]\nup = [1, 0, 0]\n";
+    assert!(model(along, modes).is_ok());
+    let shown = reported(model(&format!("{along}turn = \"= 30*cos(t)\"\n"), modes));
+    assert!(shown.contains("4 m/s across the axis"), "{shown}");
+    let sheared = format!("{along}reference_height = 9\nexponent = 0.2\n");
+    let shown = reported(model(&sheared, modes));
+    assert!(shown.contains("shear or veer"), "{shown}");
+    let short = "[drives.d]\nkind = \"table\"\nrows = [[0, 3], [0.5, 4]]\n";
+    let shown = reported(model(&format!("{short}{wind}"), run));
+    assert!(shown.contains("\"speed\""), "{shown}");
+    let sensed = "[sensors.s]\nquantity = \"kinetic_energy\"\n\
+                  [air.wind]\nspeed = \"= s\"\n";
+    let shown = reported(model(sensed, run));
+    assert!(
+        shown.contains("\"speed\"") && shown.contains("\"s\""),
+        "{shown}"
+    );
+}
+
+/// A turning rotor of quasi-steady sections whose wind follows a ramp and turns: its residual at
+/// 200 random times is the one of the constant wind of that time, to round-off.
+#[test]
+fn a_rotor_in_a_wind_by_drives_has_the_constant_wind_of_each_moment() {
+    let run = "[transient]\nto = 1\nstep = 0.1\n";
+    let ramp = "[drives.d]\nkind = \"ramp\"\nfrom = 6\nto = 14\nstart = 0.2\nend = 0.9\n";
+    let driven = format!("{ramp}[air.wind]\nspeed = \"d\"\nturn = \"= 40*t\"\n");
+    let driven = model(&driven, run).unwrap_or_else(|problems| panic!("{problems}"));
+    let residual = |input: &crate::input::Input, time: f64| {
+        let system = &input.model.system;
+        let state = State::at_rest(system.nodes(), system.numbering());
+        let mut conditions = input.model.conditions(3.0, 1.0, 0.0);
+        conditions.loading.time = time;
+        system.residual(&state, &conditions).values
+    };
+    let mut seed = 3_u64;
+    for _ in 0..200 {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        let time = (seed >> 11) as f64 / (1_u64 << 53) as f64;
+        let speed = 6.0 + 8.0 * ((time - 0.2) / 0.7).clamp(0.0, 1.0);
+        let (sin, cos) = (40.0 * time).to_radians().sin_cos();
+        let [x, y] = [speed * cos, -speed * sin];
+        let fixed = model(&format!("[air]\nwind = [{x:e}, {y:e}, 0]\n"), run).unwrap();
+        let [found, expected] = [residual(&driven, time), residual(&fixed, 0.0)];
+        let largest = expected.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() < 1e-12 * largest, "{time}");
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use rotor_aero::wind::{
-    BladedInput, MannInput, OutsideGrid, PlaneOrder, TurbulenceBox, read_bladed, read_bts,
+    BladedInput, MannInput, Mean, OutsideGrid, PlaneOrder, TurbulenceBox, read_bladed, read_bts,
     read_mann, read_summary,
 };
 use shared_geom::document::schema::ValueKind::{
@@ -157,12 +157,16 @@ fn one_file(
 fn with_mean(table: &Table<'_>, mean: Option<&MeanCard>) -> bool {
     let Some(card) = mean else { return false };
     let found = card.mean.at(0.0);
-    if found.speed == 0.0 && found.vertical == 0.0 && card.mean.next_corner(0.0).is_infinite() {
+    let changes = matches!(card.mean, Mean::Function(_)) || card.mean.next_corner(0.0).is_finite();
+    if found.speed == 0.0 && found.vertical == 0.0 && !changes {
         return true;
     }
     let problem = AirProblem::Value {
         key: "speed",
-        found: format!("{} m/s in the wind of [air]", found.speed),
+        found: match changes {
+            true => "a number that changes in the wind of [air]".to_owned(),
+            false => format!("{} m/s in the wind of [air]", found.speed),
+        },
         expected: "no mean wind, since the file contains it".to_owned(),
         help: "keep the directions of [air.wind], and remove its speed, shear and table",
     };

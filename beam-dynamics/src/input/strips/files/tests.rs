@@ -8,7 +8,7 @@ use rotor_aero::airfoil::Flow;
 use shared_geom::document::Document;
 
 use super::*;
-use crate::input::{aerodynamics, strips};
+use crate::input::{aerodynamics, drives, strips};
 
 const AERO: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/aero");
 
@@ -25,7 +25,8 @@ fn stations(
 ) -> Result<(Stations, Vec<String>), String> {
     let document = Document::parse(text, &format!("{folder}/a.toml")).unwrap();
     let root = document.root();
-    let airfoils = aerodynamics::read(&root, &nalgebra::Vector3::zeros()).airfoils;
+    let airfoils =
+        aerodynamics::read(&root, &Vector3::zeros(), &drives::read_named(&root)).airfoils;
     let table = root.table("blade_air").unwrap().described(&strips::CARD);
     let mut remarks = Vec::new();
     let found = read(&table, &airfoils, ("blade \"b\"", line), &mut remarks);
