@@ -21,8 +21,6 @@
 //!
 //! References: [Masarati], 5.9.
 
-use num_dual::DualSVec64;
-
 use crate::airfoil::{Flow, Section};
 use crate::momentum::Options;
 use crate::real::Real;
@@ -32,15 +30,17 @@ use crate::wind::Atmosphere;
 
 #[cfg(test)]
 mod friction_tests;
+mod linear;
 mod polar;
 mod report;
 mod ring;
 
 pub use crate::unsteady::SectionModel;
-pub use report::StripReport;
+pub use report::{ReportNumber, StripReport};
 
+use linear::Numbers;
 use polar::StripPolar;
-use ring::Ring;
+use ring::{Ring, RingFlow};
 
 /// Motion of a section against the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -315,70 +315,12 @@ impl Strip {
         states: &[f64],
         rates: &[f64],
     ) -> StripJacobian {
-        // Dual numbers of the smallest size that holds all inputs: quasi-steady sections in their
-        // annulus, and the default section with its five states there.
-        match states.len() {
-            0..=2 => self.dual::<11, 2>(air, flow, states, rates),
-            3..=7 => self.dual::<16, 7>(air, flow, states, rates),
-            _ => self.dual::<{ FLOW + STATES }, STATES>(air, flow, states, rates),
-        }
-    }
-
-    /// Derivatives by the flow and the states in N dual numbers, and by the rates in R: the rates
-    /// enter few terms, and numbers without derivatives cost little.
-    fn dual<const N: usize, const R: usize>(
-        &self,
-        air: ActingAir<'_>,
-        flow: &[f64; FLOW],
-        states: &[f64],
-        rates: &[f64],
-    ) -> StripJacobian {
-        let count = states.len();
-        let variable = |value: f64, index: usize| DualSVec64::<N>::from_re(value).derivative(index);
-        let numbers: [_; FLOW] = std::array::from_fn(|i| variable(flow[i], i));
-        let mut unknowns = [DualSVec64::<N>::from_re(0.0); STATES];
-        let mut speeds = unknowns;
-        for k in 0..count {
-            unknowns[k] = variable(states[k], FLOW + k);
-            speeds[k] = DualSVec64::from_re(rates[k]);
-        }
-        let numbers = StripFlow::from_numbers(&numbers);
-        let outputs = self.outputs(air, &numbers, &unknowns[..count], &speeds[..count]);
-        let mut jacobian = StripJacobian::of_values(outputs.map(|output| output.re));
-        for (row, output) in jacobian.by.iter_mut().zip(&outputs) {
-            if let Some(slopes) = &output.eps.0 {
-                row[..FLOW + count].copy_from_slice(&slopes.as_slice()[..FLOW + count]);
-            }
-        }
-        if self.states.iter().any(|state| state.has_rate) {
-            self.add_rates::<R>(air, flow, (states, rates), &mut jacobian);
-        }
-        jacobian
-    }
-
-    /// Writes the derivatives by the rates.
-    fn add_rates<const R: usize>(
-        &self,
-        air: ActingAir<'_>,
-        flow: &[f64; FLOW],
-        (states, rates): (&[f64], &[f64]),
-        jacobian: &mut StripJacobian,
-    ) {
-        let count = states.len();
-        let numbers = StripFlow::from_numbers(&flow.map(DualSVec64::<R>::from_re));
-        let mut unknowns = [DualSVec64::<R>::from_re(0.0); STATES];
-        let mut speeds = unknowns;
-        for k in 0..count {
-            unknowns[k] = DualSVec64::from_re(states[k]);
-            speeds[k] = DualSVec64::from_re(rates[k]).derivative(k);
-        }
-        let outputs = self.outputs(air, &numbers, &unknowns[..count], &speeds[..count]);
-        for (row, output) in jacobian.by.iter_mut().zip(&outputs) {
-            if let Some(slopes) = &output.eps.0 {
-                let rates = &mut row[FLOW + STATES..FLOW + STATES + count];
-                rates.copy_from_slice(&slopes.as_slice()[..count]);
-            }
-        }
+        let at = Numbers {
+            flow,
+            states,
+            rates,
+        };
+        self.by_parts(air, &at)
     }
 
     /// Loads and rows.
@@ -407,17 +349,11 @@ impl Strip {
             out[2] = self.friction(air, &[velocity[0], velocity[1], flow.velocity[2]]);
         }
         out[3] = force.moment;
-        // The unknowns that the momentum of the annulus has.
-        let (annulus, first) = match &self.inflow {
-            None => return out,
-            Some(StripInflow::Disk) => (None, 1),
-            Some(StripInflow::Annular(inflow)) => (Some(inflow), 0),
-            Some(StripInflow::Skewed(inflow)) => (Some(inflow), 1),
-        };
+        let (annulus, first) = self.annulus();
         out[LOADS..LOADS + first].copy_from_slice(&induced[..first]);
         if let Some(inflow) = annulus {
             let loads = [force.along, force.normal];
-            let ring = Ring::new(inflow, flow, &axes, (air.still.density, &loads));
+            let ring = Ring::new(inflow, air.still.density, RingFlow::of(flow, &axes, &loads));
             ring.rows(
                 (&induced[first..], &induced_rates[first..]),
                 &mut out[LOADS + first..LOADS + self.of_inflow],
@@ -429,14 +365,14 @@ impl Strip {
     /// Friction of the flow along the span, per length [N/m].
     fn friction<T: Real>(&self, air: ActingAir<'_>, &[x, y, z]: &[T; 3]) -> T {
         let in_plane = (x * x + y * y + SLOW * SLOW).sqrt();
-        let drag = self.polar.coefficients(&Flow {
+        let drag = self.polar.drag(&Flow {
             mach: in_plane / air.still.sound_speed,
             reynolds: in_plane * (self.chord * air.still.density / air.still.viscosity),
             alpha: T::from(0.0),
             flap: T::from(0.0),
         });
         let speed = (x * x + y * y + z * z + SLOW * SLOW).sqrt();
-        drag.drag * z * speed * (-0.5 * air.still.density * self.chord * air.part)
+        drag * z * speed * (-0.5 * air.still.density * self.chord * air.part)
     }
 
     /// Velocity of the section against the air, without the velocity along the span.

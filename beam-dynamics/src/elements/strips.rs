@@ -2,10 +2,12 @@
 
 mod air;
 mod carrier;
+mod columns;
 mod disk;
 mod in_disk;
 mod kinematics;
 mod observe;
+mod quantity;
 mod shaft;
 mod strip;
 mod tip;
