@@ -280,7 +280,7 @@ impl Strip {
     /// each row].
     pub fn sizes(&self, flow: &[f64; FLOW], states: &[f64], rates: &[f64]) -> [f64; STATES] {
         let mut sizes = [0.0; STATES];
-        let speed = flow[0].hypot(flow[1]);
+        let speed = (flow[0] * flow[0] + flow[1] * flow[1]).sqrt();
         let along = (flow[0] * flow[4] + flow[1] * flow[5]).abs();
         let pairs = states.iter().zip(rates).zip(&self.states);
         for (number, (size, ((value, rate), state))) in sizes.iter_mut().zip(pairs).enumerate() {

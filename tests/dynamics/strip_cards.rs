@@ -44,9 +44,11 @@ fn of_bodies() -> String {
     format!(
         "[[repeat]]\nname = \"arm\"\ncount = 2\n\
          [[repeat.node]]\nname = \"root\"\nposition = [0.5, 0, 0]\n\
-         [[repeat.body]]\nnode = \"root\"\nmass = 1\ninertia = [1, 1, 1]\n\
+         [[repeat.node]]\nname = \"arm\"\nposition = [2.5, 0, 0]\n\
+         [[repeat.body]]\nnode = \"arm\"\nmass = 1\ninertia = [1, 1, 1]\n\
          [[repeat.clamp]]\nnode = \"root\"\n\
-         [[repeat.strip]]\nname = \"b\"\nnode = \"root\"\nfrom = [0, 0, 0]\nto = [4, 0, 0]\n\
+         [[repeat.rigid]]\nnodes = [\"root\", \"arm\"]\n\
+         [[repeat.strip]]\nname = \"b\"\nnode = \"arm\"\nfrom = [-2, 0, 0]\nto = [2, 0, 0]\n\
          forward = [0, 1, 0]\ninflow = \"lift\"\n{STATIONS}"
     )
 }
@@ -116,7 +118,7 @@ fn strips_without_a_rotor_have_readings() {
          [[strip]]\nname = \"fin\"\nnode = \"body\"\nfrom = [0.5, 0, -1]\nto = [0.5, 0, 1]\n\
          forward = [-1, 0, 0]\nstations = [{}, {}]\n\
          [sensors.alpha]\nquantity = \"angle_of_attack\"\nof = \"fin\"\nat = 0.4\n\
-         [sensors.lift]\nquantity = \"lift_load\"\nof = \"fin\"\nstrip = 2\n\
+         unit = \"rad\"\n[sensors.lift]\nquantity = \"lift_load\"\nof = \"fin\"\nstrip = 2\n\
          [transient]\nto = 0.2\nstep = 0.005\n\
          [output]\ncolumn = [\n\
          {{ name = \"a\", quantity = \"angle_of_attack\", of = \"fin\", at = 0.4, unit = \"rad\" }},\n\

@@ -78,13 +78,14 @@ impl Columns<'_> {
             false => [RowVector3::zeros(); 4],
         });
         let stack = |k: usize| self.stack(loads.map(|it| it[k]), &own[..rows.count], k, k == 2);
-        let [by_point, by_velocity, by_turn, by_omega] = [0, 1, 2, 3].map(stack);
+        let [mut by_position, by_velocity, mut by_axes, by_omega] = [0, 1, 2, 3].map(stack);
         let (arm, gradient) = (&self.flow.arm, self.flow.gradient());
         let turned = skew_skew(self.flow.turning(), arm);
-        let by_position: Stack = std::array::from_fn(|b| by_point[b] + by_velocity[b] * gradient);
-        let by_axes: Stack = std::array::from_fn(|b| {
-            by_turn[b] - times_skew(&by_position[b], arm) - by_velocity[b] * turned
-        });
+        // K_X and K_T.
+        for b in 0..OF_NODES + rows.count.div_ceil(3) {
+            by_position[b] += by_velocity[b] * gradient;
+            by_axes[b] -= times_skew(&by_position[b], arm) + by_velocity[b] * turned;
+        }
         for j in 0..self.flow.point.count {
             let share = &self.flow.point.shares[j];
             let (n, offset) = (share.weight, share.offset);
