@@ -94,7 +94,7 @@ pub fn strips(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     Some(vec![Row {
         name: format!("strips, {BLADES} blades of {BEAMS} beams"),
         ratio: added / yardstick.time(),
-        limit: 4.5,
+        limit: 4.0,
         meaning: "added, beam and iteration / yardstick",
         time: format!("{:.2} us, beams {:.2}", added / US, alone / US),
         accuracy: format!("{iterations} iterations, {pivotings} pivotings in {STEPS} steps"),
