@@ -27,6 +27,7 @@ pub use builtin::{BUILT_IN, BuiltIn, built_in};
 pub use characteristics::{Characteristics, Extreme};
 pub use cubic::Interpolation;
 pub use data::{AirfoilData, Coefficients, Curve, Flow};
+pub(crate) use evaluated::FlowNumber;
 pub use evaluated::{Airfoil, Profile};
 pub use formula::{FlatPlate, LinearLift};
 pub use naca0012::naca0012;

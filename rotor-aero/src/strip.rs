@@ -28,21 +28,22 @@ use crate::unsteady::{self, Model, Polar, SectionFlow, SectionForce};
 use crate::wake::TimeScale;
 use crate::wind::Atmosphere;
 
-mod derivatives;
 #[cfg(test)]
 mod flap_tests;
 #[cfg(test)]
 mod friction_tests;
+mod linear;
 mod polar;
 mod report;
 mod ring;
 
 pub use crate::unsteady::{Flap, SectionModel};
-pub use derivatives::StripJacobian;
-pub use report::StripReport;
+pub use linear::StripJacobian;
+pub use report::{ReportNumber, StripReport};
 
+use linear::Numbers;
 use polar::StripPolar;
-use ring::Ring;
+use ring::{Ring, RingFlow};
 
 /// Motion of a section against the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -274,7 +275,7 @@ impl Strip {
     /// each row].
     pub fn sizes(&self, flow: &[f64; FLOW], states: &[f64], rates: &[f64]) -> [f64; STATES] {
         let mut sizes = [0.0; STATES];
-        let speed = flow[0].hypot(flow[1]);
+        let speed = (flow[0] * flow[0] + flow[1] * flow[1]).sqrt();
         let along = (flow[0] * flow[4] + flow[1] * flow[5]).abs();
         let pairs = states.iter().zip(rates).zip(&self.states);
         for (number, (size, ((value, rate), state))) in sizes.iter_mut().zip(pairs).enumerate() {
@@ -299,6 +300,22 @@ impl Strip {
         rates: &[f64],
     ) -> [f64; OUTPUTS] {
         self.outputs(air, &StripFlow::from_numbers(flow), states, rates)
+    }
+
+    /// The same with derivatives.
+    pub fn linearize(
+        &self,
+        air: ActingAir<'_>,
+        flow: &[f64; FLOW],
+        states: &[f64],
+        rates: &[f64],
+    ) -> StripJacobian {
+        let at = Numbers {
+            flow,
+            states,
+            rates,
+        };
+        self.by_parts(air, &at)
     }
 
     /// Loads and rows.
@@ -327,17 +344,11 @@ impl Strip {
             out[2] = self.friction(air, &[velocity[0], velocity[1], flow.velocity[2]]);
         }
         out[3] = force.moment;
-        // The unknowns that the momentum of the annulus has.
-        let (annulus, first) = match &self.inflow {
-            None => return out,
-            Some(StripInflow::Disk) => (None, 1),
-            Some(StripInflow::Annular(inflow)) => (Some(inflow), 0),
-            Some(StripInflow::Skewed(inflow)) => (Some(inflow), 1),
-        };
+        let (annulus, first) = self.annulus();
         out[LOADS..LOADS + first].copy_from_slice(&induced[..first]);
         if let Some(inflow) = annulus {
             let loads = [force.along, force.normal];
-            let ring = Ring::new(inflow, flow, &axes, (air.still.density, &loads));
+            let ring = Ring::new(inflow, air.still.density, RingFlow::of(flow, &axes, &loads));
             ring.rows(
                 (&induced[first..], &induced_rates[first..]),
                 &mut out[LOADS + first..LOADS + self.of_inflow],
@@ -349,14 +360,14 @@ impl Strip {
     /// Friction of the flow along the span, per length [N/m].
     fn friction<T: Real>(&self, air: ActingAir<'_>, &[x, y, z]: &[T; 3]) -> T {
         let in_plane = (x * x + y * y + SLOW * SLOW).sqrt();
-        let drag = self.polar.coefficients(&Flow {
+        let drag = self.polar.drag(&Flow {
             mach: in_plane / air.still.sound_speed,
             reynolds: in_plane * (self.chord * air.still.density / air.still.viscosity),
             alpha: T::from(0.0),
             flap: T::from(0.0),
         });
         let speed = (x * x + y * y + z * z + SLOW * SLOW).sqrt();
-        drag.drag * z * speed * (-0.5 * air.still.density * self.chord * air.part)
+        drag * z * speed * (-0.5 * air.still.density * self.chord * air.part)
     }
 
     /// Velocity of the section against the air, without the velocity along the span.

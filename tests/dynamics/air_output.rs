@@ -102,7 +102,19 @@ impl Recorder for Columns<'_> {
     }
 }
 
-/// Sensors of thrust and torque have the values of the columns at every step of a run in which the
+/// The columns of a run at each step.
+pub fn rows(input: input::Input) -> Vec<Vec<f64>> {
+    let mut columns = Columns {
+        values: ColumnValues::new(&input.model, &input.output),
+        rows: Vec::new(),
+    };
+    let settings = input.transient.unwrap();
+    let outcome = transient(&input.model, &settings, None, &mut columns, &|| 0.0);
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    columns.rows
+}
+
+/// Sensors of thrust, torque and an angle of attack have the values of the columns at every step of a run in which the
 /// blades, clamped at rest, are bent by a wind; a position between two strips is interpolated.
 #[test]
 fn sensors_and_columns_in_time() {
@@ -115,6 +127,11 @@ quantity = "thrust"
 [sensors.Q]
 quantity = "torque"
 of = "lift"
+[sensors.A]
+quantity = "angle_of_attack"
+of = "b 1"
+at = 0.4
+unit = "deg"
 [output]
 column = [
   { name = "t", quantity = "thrust" },
@@ -124,26 +141,15 @@ column = [
   { name = "a3", quantity = "angle_of_attack", of = "b 1", strip = 3 },
   { name = "a4", quantity = "angle_of_attack", of = "b 1", strip = 4 },
   { name = "a", quantity = "angle_of_attack", of = "b 1", at = 0.4 },
+  { name = "a_sensed", quantity = "signal", of = "A" },
   { name = "ct", quantity = "thrust_coefficient", definition = "wind" },
 ]
 "#;
-    let input = read(cards).unwrap();
-    let mut columns = Columns {
-        values: ColumnValues::new(&input.model, &input.output),
-        rows: Vec::new(),
-    };
-    let outcome = transient(
-        &input.model,
-        &input.transient.unwrap(),
-        None,
-        &mut columns,
-        &|| 0.0,
-    );
-    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
-    assert!(columns.rows.len() > 50);
-    for row in &columns.rows {
-        let [t, q, sensed_t, sensed_q, a3, a4, a, ct] = row[..] else {
-            panic!("eight columns")
+    let rows = rows(read(cards).unwrap());
+    assert!(rows.len() > 50);
+    for row in &rows {
+        let [t, q, sensed_t, sensed_q, a3, a4, a, sensed_a, ct] = row[..] else {
+            panic!("nine columns")
         };
         assert!(
             t.abs() > 1.0 && (sensed_t - t).abs() < 1e-7 * t.abs(),
@@ -152,6 +158,10 @@ column = [
         assert!(
             (sensed_q - q).abs() < 1e-7 * q.abs().max(1.0),
             "{q} {sensed_q}"
+        );
+        assert!(
+            (a - sensed_a).abs() < 1e-6 * a.abs().max(1.0),
+            "{a} {sensed_a}"
         );
         assert!((a - a3) * (a - a4) <= 1e-12, "{a3} {a} {a4}");
         assert!(ct.is_finite());
@@ -175,7 +185,7 @@ fn wrong_names_and_positions_are_reported() {
         ),
         (
             "quantity = \"mach\", of = \"c\", strip = 1",
-            "\"c\" is not a blade with strips",
+            "\"c\" has no strips",
         ),
         (
             "quantity = \"thrust\", of = \"left\"",
@@ -193,8 +203,12 @@ fn wrong_names_and_positions_are_reported() {
         assert!(shown.contains(expected), "{shown}");
         assert!(shown.contains("climb.dynamics.toml:"), "{shown}");
     }
-    let shown = read("[sensors.a]\nquantity = \"mach\"\nof = \"b 1\"\nstrip = 1\n").unwrap_err();
-    assert!(shown.contains("\"mach\" cannot be sensed"), "{shown}");
+    let sensor = "[sensors.a]\nquantity = \"tangential_load\"\nof = \"b 1\"\nstrip = 1\n";
+    let shown = read(sensor).unwrap_err();
+    assert!(
+        shown.contains("\"tangential_load\" cannot be sensed"),
+        "{shown}"
+    );
     let shown = read("[sensors.a]\nquantity = \"power\"\n").unwrap_err();
     assert!(shown.contains("\"power\" cannot be sensed"), "{shown}");
 }

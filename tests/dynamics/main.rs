@@ -15,6 +15,7 @@ mod damped_by_air;
 mod damped_in_time;
 mod damping;
 mod disk_inflow;
+mod divergence;
 #[path = "../common/effort.rs"]
 mod effort;
 mod elastic_pendulums;
@@ -54,6 +55,7 @@ mod rotor_in_time;
 mod sensed_energy;
 mod spinning_top;
 mod statics;
+mod strip_cards;
 mod superposed;
 mod swinging;
 mod tm4760;

@@ -11,13 +11,13 @@ pub const NO_INFLOW: &str = "rotor";
 /// The place of a strip in the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StripPlace {
-    /// Name of the rotor: of its inflow, if it has one.
-    pub rotor: String,
-    /// Name of the blade.
+    /// Name of the rotor: of its inflow, if it has one; `None` without a rotor.
+    pub rotor: Option<String>,
+    /// Name of the blade, or of the card of strips.
     pub blade: String,
     /// Number on the blade from the root, from one.
     pub number: usize,
-    /// Arc length along the blade from its root \[m\].
+    /// Arc length along the blade from its root, or along the line of the card \[m\].
     pub span: f64,
     /// Direction of azimuth zero in the frame of the model; its part across the shaft counts \[-\].
     pub zero: Vector3<f64>,
@@ -27,7 +27,7 @@ impl Default for StripPlace {
     /// The first strip of a blade without a name.
     fn default() -> Self {
         Self {
-            rotor: NO_INFLOW.to_owned(),
+            rotor: Some(NO_INFLOW.to_owned()),
             blade: String::new(),
             number: 1,
             span: 0.0,
@@ -56,24 +56,24 @@ pub struct RotorMotion {
 pub struct AirState {
     /// Its place.
     pub place: Arc<StripPlace>,
-    /// Distance of the quarter chord from the shaft \[m\].
+    /// Distance of the quarter chord from the shaft; not a number without a rotor \[m\].
     pub radius: f64,
-    /// Azimuth of the quarter chord about the shaft, from zero to a full turn \[rad\].
+    /// Azimuth of the quarter chord about the shaft, from zero to a full turn; not a number without
+    /// a rotor \[rad\].
     pub azimuth: f64,
     /// Quarter chord, model axes [m].
     pub position: Vector3<f64>,
     /// Flow, coefficients and loads per length.
     pub flow: StripReport,
-    /// Force per length along the shaft [N/m].
-    pub normal: f64,
-    /// Force per length around the shaft, positive in the direction of rotation [N/m].
+    /// Force per length around the shaft, positive in the direction of rotation; without a rotor
+    /// along the chord, toward the leading edge [N/m].
     pub tangential: f64,
     /// Force, model axes [N].
     pub force: Vector3<f64>,
-    /// Moment about the center of the shaft, model axes [N m].
+    /// Moment about the center of the shaft, without a rotor about the origin; model axes [N m].
     pub moment: Vector3<f64>,
-    /// Its rotor.
-    pub rotor: RotorMotion,
+    /// Its rotor, if it has one.
+    pub rotor: Option<RotorMotion>,
 }
 
 /// A quantity of a strip.
@@ -99,9 +99,9 @@ pub enum StripQuantity {
     Mach,
     /// \[-\].
     Reynolds,
-    /// Per length along the shaft [N/m].
+    /// Per length along the shaft, without a rotor normal to the chord [N/m].
     NormalLoad,
-    /// Per length around the shaft [N/m].
+    /// Per length around the shaft, see [`AirState::tangential`] [N/m].
     TangentialLoad,
     /// Per length [N/m].
     LiftLoad,
@@ -114,8 +114,13 @@ pub enum StripQuantity {
 impl StripQuantity {
     /// Its value in SI units.
     pub fn of(self, state: &AirState) -> f64 {
-        let flow = &state.flow;
-        match self {
+        self.of_report(&state.flow).unwrap_or(state.tangential)
+    }
+
+    /// Its value in SI units in the report of the section, which does not know the load around the
+    /// shaft.
+    pub fn of_report<T: Copy>(self, flow: &StripReport<T>) -> Option<T> {
+        Some(match self {
             Self::AngleOfAttack => flow.alpha,
             Self::InflowAngle => flow.inflow_angle,
             Self::InducedVelocity => flow.induced[0],
@@ -126,12 +131,12 @@ impl StripQuantity {
             Self::MomentCoefficient => flow.coefficients[2],
             Self::Mach => flow.mach,
             Self::Reynolds => flow.reynolds,
-            Self::NormalLoad => state.normal,
-            Self::TangentialLoad => state.tangential,
+            Self::NormalLoad => flow.along_shaft,
+            Self::TangentialLoad => return None,
             Self::LiftLoad => flow.lift_and_drag[0],
             Self::DragLoad => flow.lift_and_drag[1],
             Self::MomentLoad => flow.moment,
-        }
+        })
     }
 }
 
@@ -145,11 +150,12 @@ pub enum RotorSum {
 }
 
 impl RotorSum {
-    /// The share of a strip [N, N m].
+    /// The share of a strip, none without a rotor [N, N m].
     pub fn share(self, of: &AirState) -> f64 {
-        match self {
-            Self::Thrust => of.force.dot(&of.rotor.axis),
-            Self::Torque => of.moment.dot(&of.rotor.axis),
-        }
+        let vector = match self {
+            Self::Thrust => &of.force,
+            Self::Torque => &of.moment,
+        };
+        of.rotor.map_or(0.0, |rotor| vector.dot(&rotor.axis))
     }
 }

@@ -12,9 +12,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::LocalJacobian;
+use super::{LocalJacobian, LocalResidual};
 use crate::model::Equation::{Force, Moment};
-use crate::model::{NodeMotion, Variable};
+use crate::model::NodeMotion;
 
 /// The part of a load that acts on one node.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -70,23 +70,20 @@ impl CarriedPoint {
         sums
     }
 
-    /// Adds the variation `[force; moment]` of the load with a variable of a node, 3x3 blocks.
-    pub fn add_by_variable(
-        &self,
-        column: (usize, Variable),
-        by: &[Matrix3<f64>; 2],
-        out: &mut LocalJacobian,
-    ) {
-        for (j, share) in self.shares().iter().enumerate() {
-            let LoadShare {
-                force,
-                moment_by_force,
-                moment_by_moment,
-            } = &share.load;
-            out.add((j, Force), column, &(*force * by[0]));
-            let moment = moment_by_force * by[0] + moment_by_moment * by[1];
-            out.add((j, Moment), column, &moment);
+    /// Adds a force and a moment at the point, model axes [N, N m].
+    pub fn add(&self, force: &Vector3<f64>, moment: &Vector3<f64>, out: &mut LocalResidual) {
+        for (j, load) in self.loads() {
+            out.add(j, Force, &(load.force * force));
+            out.add(j, Moment, &(load.moment_by_force * force));
+            out.add(j, Moment, &(load.moment_by_moment * moment));
         }
+    }
+
+    /// The nodes on which loads act, with their parts.
+    pub fn loads(&self) -> impl Iterator<Item = (usize, &LoadShare)> {
+        let loads = self.shares().iter().map(|share| &share.load).enumerate();
+        // Portions of finite volumes are of one node.
+        loads.filter(|(_, load)| **load != LoadShare::default())
     }
 
     /// Adds the variation of force and moment with a scalar of the element, or with its rate.
@@ -96,8 +93,7 @@ impl CarriedPoint {
         by: &[Vector3<f64>; 2],
         out: &mut LocalJacobian,
     ) {
-        for (j, share) in self.shares().iter().enumerate() {
-            let load = &share.load;
+        for (j, load) in self.loads() {
             out.add_by_scalar((j, Force), column, &(load.force * by[0]));
             let moment = load.moment_by_force * by[0] + load.moment_by_moment * by[1];
             out.add_by_scalar((j, Moment), column, &moment);

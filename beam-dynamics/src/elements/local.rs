@@ -293,6 +293,32 @@ impl LocalJacobian {
         self.add_row(self.size.scalar(scalar), column, row);
     }
 
+    /// Adds `d scalar equation / d variable` for at most three scalars, a row of `rows` for each.
+    pub fn add_scalar_rows(
+        &mut self,
+        scalars: &[usize],
+        column: (usize, Variable),
+        rows: &Matrix3<f64>,
+    ) {
+        let n = self.by_unknowns.nrows();
+        let first = n * (NODE_UNKNOWNS * column.0 + column.1.column());
+        let rate = column.1.is_rate();
+        self.touches_rates |= rate;
+        let sums = match rate {
+            true => self.by_rates.as_mut_slice(),
+            false => self.by_unknowns.as_mut_slice(),
+        };
+        for j in 0..3 {
+            for (i, scalar) in scalars.iter().enumerate() {
+                let index = first + n * j + self.size.scalar(*scalar);
+                sums[index] += rows[(i, j)];
+                if !self.touched.is_empty() {
+                    self.touched.as_mut_slice()[index] = true;
+                }
+            }
+        }
+    }
+
     /// Adds `d scalar equation / d scalar`, or the derivative by the scalar's rate.
     pub fn add_scalar(&mut self, row: usize, column: usize, value: f64, rate: bool) {
         let index = (self.size.scalar(row), self.size.scalar(column));

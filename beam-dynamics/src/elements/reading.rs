@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, RowVector3, Vector3};
 
-use super::{EnergyPart, LocalJacobian, Observations, RotorSum};
+use super::{EnergyPart, LocalJacobian, Observations, RotorSum, StripQuantity};
 use crate::model::{Equation, Variable};
 
 /// A part of a vector of a node, or of one node relative to another.
@@ -89,6 +89,8 @@ pub enum Reading {
     },
     /// The share of a strip in a sum over its rotor [N, N m].
     Rotor(RotorSum),
+    /// A quantity of a strip times its weight in a mean \[-\].
+    Strip(StripQuantity, f64),
 }
 
 /// A motion of the second end of a joint relative to the first.
@@ -173,7 +175,7 @@ impl Part {
 impl Reading {
     /// Whether it is a sum over elements, with one common scalar.
     pub fn is_share(&self) -> bool {
-        matches!(self, Self::Energy(_) | Self::Rotor(_))
+        matches!(self, Self::Energy(_) | Self::Rotor(_) | Self::Strip(..))
     }
 
     /// Its value from the observations of the element, in SI units, with the `rotation` of a node;
@@ -198,6 +200,7 @@ impl Reading {
             }
             Self::Energy(_) => None,
             Self::Rotor(sum) => Some(sum.share(observed.air.first()?)),
+            Self::Strip(quantity, weight) => Some(weight * quantity.of(observed.air.first()?)),
             Self::Reaction { .. } => self.reaction(observed, rotation),
             Self::Joint { motion, part } => {
                 let joint = observed.joints.first()?;

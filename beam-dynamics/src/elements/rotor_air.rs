@@ -90,16 +90,17 @@ pub struct RotorAir {
 }
 
 impl RotorAir {
-    /// The sums over strips; `None` if there are none.
+    /// The sums over the strips of a rotor; `None` if there are none.
     pub fn of<'a>(strips: impl IntoIterator<Item = &'a AirState>) -> Option<Self> {
         let (mut count, mut sums, mut last) = (0.0, [0.0; 4], None);
         for strip in strips {
+            let Some(rotor) = &strip.rotor else { continue };
             count += 1.0;
             sums[0] += RotorSum::Thrust.share(strip);
             sums[1] += RotorSum::Torque.share(strip);
-            sums[2] += strip.rotor.turning;
-            sums[3] += strip.rotor.tip_radius;
-            last = Some(&strip.rotor);
+            sums[2] += rotor.turning;
+            sums[3] += rotor.tip_radius;
+            last = Some(rotor);
         }
         let rotor = last?;
         let climb = rotor.velocity.dot(&rotor.axis);

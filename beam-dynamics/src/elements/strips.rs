@@ -2,11 +2,13 @@
 
 mod air;
 mod carrier;
+mod columns;
 mod disk;
 mod driven_wind;
 mod in_disk;
 mod kinematics;
 mod observe;
+mod quantity;
 mod shaft;
 mod strip;
 mod tip;

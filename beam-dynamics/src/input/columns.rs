@@ -94,7 +94,12 @@ fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
     let (rows, restart) = (table.get(&EVERY), table.get(&RESTART_EVERY));
     let (csv, netcdf, vtu) = (table.get(&CSV), table.get(&NETCDF), table.get(&VTU));
     let air = table.get(&AIR);
-    if air.flatten().is_some() && builder.air_blades().is_empty() {
+    if air.flatten().is_some()
+        && builder
+            .air_blades()
+            .iter()
+            .all(|blade| blade.rotor.is_none())
+    {
         table.note(&AIR, &ColumnProblem::NoAir);
     }
     let columns = column::read(table, builder);

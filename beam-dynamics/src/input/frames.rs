@@ -49,7 +49,7 @@ keys! {
 }
 
 /// Cards that may be written in a frame.
-pub(super) const FRAMED: [&str; 10] = [
+pub(super) const FRAMED: [&str; 11] = [
     "node",
     "load",
     "distributed_load",
@@ -58,6 +58,7 @@ pub(super) const FRAMED: [&str; 10] = [
     "hinge",
     "joint",
     "spring",
+    "strip",
     "frame",
     "repeat",
 ];

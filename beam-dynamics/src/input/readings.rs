@@ -11,7 +11,7 @@ mod reading;
 
 pub(super) use keys::{
     ANGLES, ELECTRODES, ENERGIES, JOINTS, MOMENTA, NODES, OF_COLUMNS, REACTIONS, ROTORS, SECTIONS,
-    SPRINGS,
+    SPRINGS, STRIPS,
 };
 use kind::KINDS;
 pub(super) use kind::{Kind, Source, dimension_of, unit_of};

@@ -140,7 +140,10 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
         let radius = tip.map_or(0.0, |tip| air.rotor.distance(&tip.position));
         let disk = air.rotor.disk(radius, builder);
         let strips = placed.get_or_insert_with(|| {
-            let inflow = inflow(air, blades.len(), (&beams, radius), builder);
+            let of = (&air.rotor, &air.along.stations);
+            let inflow = StripsInflow::new(of, (blades.len(), radius), |at| {
+                air.rotor.distance(&point_at(&beams, at, builder))
+            });
             strips(&air.along, (axes, &beams), builder, &inflow)
         });
         add_blade((&blade, &air.rotor, disk), (&beams, strips), builder);
@@ -178,39 +181,61 @@ fn add_blade(
     let Some(air) = builder.aerodynamics().air.clone() else {
         return;
     };
-    let (shaft, hub) = (rotor.shaft, rotor.hub);
     let tip = blade.nodes.last().copied().unwrap_or_default();
-    let tip_radius = rotor.distance(&builder.nodes()[tip].position);
-    let tip = TipRadius::new(format!("{} tip", blade.name), tip, shaft, hub);
-    let of_strip = StripRotor {
-        shaft,
-        hub,
+    let radius = rotor.distance(&builder.nodes()[tip].position);
+    let at_tip = (tip, Vector3::zeros());
+    let of_strip = strip_rotor(&blade.name, (rotor, disk), at_tip, builder);
+    let of = (Some(&of_strip), &air);
+    let elements = elements(&blade.name, (beams, strips), of, builder);
+    let elements = elements
+        .into_iter()
+        .zip(strips.iter().map(|strip| strip.span));
+    place(elements, (&blade.name, Some(rotor)), radius, builder);
+}
+
+/// The rotor of the strips of a blade or a card, with the tip at an offset from a node \[m\]; its
+/// radius becomes an unknown of the model.
+fn strip_rotor(
+    name: &str,
+    (rotor, disk): (&Rotor, Option<Arc<RotorDisk>>),
+    tip: (usize, Vector3<f64>),
+    builder: &mut ModelBuilder,
+) -> StripRotor {
+    let tip = TipRadius::new(format!("{name} tip"), tip, rotor.shaft, rotor.hub);
+    let found = StripRotor {
+        shaft: rotor.shaft,
+        hub: rotor.hub,
         tip_radius: tip.scalar().clone(),
         disk,
     };
     builder.add_load(Box::new(tip));
-    let elements = elements(
-        &blade.name,
-        (beams, strips),
-        (Some(&of_strip), &air),
-        builder,
-    );
+    found
+}
+
+/// Adds the strips of a blade or a card with their positions on its line \[m\]; `length` is the radius
+/// of the tip, without a rotor the length of the line \[m\].
+fn place(
+    strips: impl Iterator<Item = (AirStrip, f64)>,
+    (name, rotor): (&str, Option<&Rotor>),
+    length: f64,
+    builder: &mut ModelBuilder,
+) {
     let mut placed = AirBlade {
-        name: blade.name.clone(),
-        rotor: rotor.name().to_owned(),
-        tip_radius,
+        name: name.to_owned(),
+        rotor: rotor.map(|rotor| rotor.name().to_owned()),
+        length,
         strips: Vec::new(),
     };
-    for (number, (element, strip)) in elements.into_iter().zip(strips).enumerate() {
+    for (number, (element, span)) in strips.enumerate() {
         let element = element.placed(StripPlace {
             rotor: placed.rotor.clone(),
-            blade: blade.name.clone(),
+            blade: name.to_owned(),
             number: number + 1,
-            span: strip.span,
-            zero: rotor.zero,
+            span,
+            zero: rotor.map_or_else(Vector3::x, |rotor| rotor.zero),
         });
-        let radius = rotor.distance(element.start());
-        placed.strips.push((element.label().to_owned(), radius));
+        let position = rotor.map_or(span, |rotor| rotor.distance(element.start()));
+        placed.strips.push((element.label().to_owned(), position));
         builder.add_load(Box::new(element));
     }
     builder.add_air_blade(placed);
@@ -268,34 +293,35 @@ struct StripsInflow {
     end: Option<f64>,
 }
 
-/// Inflow of the strips of one of several blades, whose tips have a radius \[m\].
-fn inflow(
-    air: &BladeAir,
-    blades: usize,
-    (beams, tip): (&[PlacedBeam], f64),
-    builder: &ModelBuilder,
-) -> StripsInflow {
-    let mut positions = air.along.stations.positions();
-    let first = positions.next().unwrap_or_default();
-    let last = positions.last().unwrap_or(first);
-    let radius = |at: f64| radius_at(&air.rotor, beams, at, builder);
-    let end = air.rotor.end_of_lift(tip);
-    StripsInflow {
-        model: air.rotor.inflow(blades, radius(first)),
-        end: (radius(last) > end).then(|| last_inside([first, last], |at| radius(at) <= end)),
+impl StripsInflow {
+    /// Of the strips of one of several blades, whose tips have a radius \[m\]; `radius` is the distance
+    /// from the shaft at a position on the line \[m\].
+    fn new(
+        (rotor, stations): (&Rotor, &Stations),
+        (blades, tip): (usize, f64),
+        radius: impl Fn(f64) -> f64,
+    ) -> Self {
+        let mut positions = stations.positions();
+        let first = positions.next().unwrap_or_default();
+        let last = positions.last().unwrap_or(first);
+        let end = rotor.end_of_lift(tip);
+        Self {
+            model: rotor.inflow(blades, radius(first)),
+            end: (radius(last) > end).then(|| last_inside([first, last], |at| radius(at) <= end)),
+        }
     }
 }
 
-/// Distance from the shaft of a position on the line \[m\].
-fn radius_at(rotor: &Rotor, beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> f64 {
+/// A position on the line of beams \[m\].
+fn point_at(beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> Vector3<f64> {
     let after = beams.partition_point(|(_, start)| *start <= position);
     let Some((beam, start)) = beams.get(after.saturating_sub(1)) else {
-        return 0.0;
+        return Vector3::zeros();
     };
     let beam = &builder.beams()[*beam];
     let ends = ends(beam, builder);
     let xi = beam.geometry.position(&ends, position - start);
-    rotor.distance(&beam.geometry.line_point(&ends, xi).0)
+    beam.geometry.line_point(&ends, xi).0
 }
 
 fn ends<'a>(beam: &Beam, builder: &'a ModelBuilder) -> [&'a Node; 3] {
@@ -317,17 +343,14 @@ fn strips(
         for (position, length, between) in air.points([*start, end], inflow.end) {
             let xi = beam.geometry.position(&ends, position - start);
             let geometry = geometry(&between, axes, (beam, &ends), (xi, length));
-            let (strip, flap) = air.strip(between, position, inflow.model);
+            let (strip, flap) = air.strip(position, between, inflow);
             strips.push(PlacedStrip {
                 beam: number,
                 span: position,
                 xi,
                 geometry,
+                strip,
                 flap,
-                strip: Arc::new(match inflow.end.is_none_or(|end| position <= end) {
-                    true => strip,
-                    false => strip.with_lift(0.0),
-                }),
             });
         }
     }
@@ -380,20 +403,27 @@ impl Along {
     /// The strip of a position \[m\], and the deflection of its flap.
     fn strip(
         &self,
-        between: Between,
         position: f64,
-        inflow: Option<StripInflow>,
-    ) -> (Strip, Option<Signal>) {
+        between: Between,
+        inflow: &StripsInflow,
+    ) -> (Arc<Strip>, Option<Signal>) {
         let strip = Strip::new(StripDesign {
             chord: between.chord,
             section: between.airfoil,
             model: self.model,
-            inflow,
+            inflow: inflow.model,
             radial_drag: self.radial_drag,
         });
+        let strip = match inflow.end.is_none_or(|end| position <= end) {
+            true => strip,
+            false => strip.with_lift(0.0),
+        };
         match self.flaps.iter().find(|flap| flap.is_at(position)) {
-            Some(flap) => (strip.with_flap(flap.law), Some(flap.deflection.clone())),
-            None => (strip, None),
+            Some(flap) => {
+                let strip = Arc::new(strip.with_flap(flap.law));
+                (strip, Some(flap.deflection.clone()))
+            }
+            None => (Arc::new(strip), None),
         }
     }
 }

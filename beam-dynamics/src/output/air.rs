@@ -17,9 +17,9 @@ use crate::elements::AirState;
 /// Names of the rotors of strips, in their order.
 fn rotors<'a>(states: impl IntoIterator<Item = &'a AirState>) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();
-    for state in states {
-        if !names.contains(&state.place.rotor.as_str()) {
-            names.push(&state.place.rotor);
+    for rotor in states.into_iter().flat_map(|state| &state.place.rotor) {
+        if !names.contains(&rotor.as_str()) {
+            names.push(rotor);
         }
     }
     names

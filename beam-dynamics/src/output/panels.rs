@@ -28,6 +28,21 @@ pub(super) struct Panel {
     pub curves: Vec<Vec<[f64; 2]>>,
 }
 
+impl Panel {
+    /// Curves of a quantity, in a multiple of its unit in which the largest value has few digits.
+    pub fn scaled((name, unit): (&str, &str), mut curves: Vec<Vec<[f64; 2]>>) -> Self {
+        let values = curves.iter().flatten().map(|point| point[1]);
+        let (prefix, factor) = scale(unit, values);
+        for point in curves.iter_mut().flatten() {
+            point[1] *= factor;
+        }
+        Self {
+            title: format!("{name} [{prefix}{unit}]"),
+            curves,
+        }
+    }
+}
+
 /// Panels with a common axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PanelPlot {

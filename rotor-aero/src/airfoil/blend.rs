@@ -13,7 +13,7 @@ use std::sync::Arc;
 use shared_geom::error::Explain;
 
 use super::data::{Coefficients, Flow};
-use super::evaluated::{Airfoil, Profile};
+use super::evaluated::{Airfoil, FlowNumber, Profile};
 use crate::real::Real;
 
 /// A reason for which airfoils cannot be blended.
@@ -147,13 +147,39 @@ impl Section {
 
     /// Coefficients in a flow.
     pub fn at<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
-        let mut sum = self.first.at(flow);
+        self.sum(|airfoil| airfoil.at(flow))
+    }
+
+    /// Coefficients in a flow, and their derivatives by its numbers in their order.
+    pub(crate) fn slopes(&self, flow: &Flow<f64>) -> Coefficients<FlowNumber> {
+        self.sum(|airfoil| airfoil.slopes(flow))
+    }
+
+    /// The drag coefficient alone.
+    pub(crate) fn drag(&self, flow: &Flow<f64>) -> f64 {
+        let parts = self.parts();
+        parts
+            .map(|(weight, airfoil)| weight * airfoil.drag(flow))
+            .sum()
+    }
+
+    /// The same with derivatives.
+    pub(crate) fn drag_slopes(&self, flow: &Flow<f64>) -> FlowNumber {
+        let parts = self.parts();
+        parts
+            .map(|(weight, airfoil)| airfoil.drag_slopes(flow) * weight)
+            .sum()
+    }
+
+    /// The sum of the coefficients of all airfoils.
+    fn sum<T: Real>(&self, of: impl Fn(&Airfoil) -> Coefficients<T>) -> Coefficients<T> {
+        let mut sum = of(&self.first);
         if self.others.is_empty() {
             return sum;
         }
         sum = scaled(&sum, self.weight);
         for (weight, airfoil) in &self.others {
-            let part = scaled(&airfoil.at(flow), *weight);
+            let part = scaled(&of(airfoil), *weight);
             sum.lift += part.lift;
             sum.drag += part.drag;
             sum.moment += part.moment;

@@ -1,11 +1,14 @@
 //! The evaluated airfoil.
 
+use nalgebra::Vector4;
+use num_dual::{Derivative, DualSVec64};
+
 use super::check;
 use super::cubic::Interpolation;
 use super::data::{AirfoilData, Coefficients, Curve, Flow};
 use super::formula::{FlatPlate, LinearLift};
 use super::problem::{AirfoilProblem, AirfoilRemark};
-use super::table::Table;
+use super::table::{Slopes, Table};
 use crate::real::Real;
 
 /// Static coefficients of a section in a flow.
@@ -139,6 +142,57 @@ impl Airfoil {
             Law::Linear(lift) => lift.at(flow),
         }
     }
+
+    /// Coefficients in a flow, and their derivatives by its numbers in their order.
+    pub(crate) fn slopes(&self, flow: &Flow<f64>) -> Coefficients<FlowNumber> {
+        let Law::Table(tables) = &self.law else {
+            return self.at(&variables(flow));
+        };
+        Coefficients {
+            lift: number(tables.lift.slopes(flow)),
+            drag: number(tables.drag.slopes(flow)),
+            moment: match &tables.moment {
+                Some(table) => number(table.slopes(flow)),
+                None => FlowNumber::from_re(0.0),
+            },
+        }
+    }
+
+    /// The drag coefficient alone.
+    pub(crate) fn drag(&self, flow: &Flow<f64>) -> f64 {
+        match &self.law {
+            Law::Table(tables) => tables.drag.at(flow),
+            Law::Plate(_) | Law::Linear(_) => self.at(flow).drag,
+        }
+    }
+
+    /// The same with derivatives.
+    pub(crate) fn drag_slopes(&self, flow: &Flow<f64>) -> FlowNumber {
+        match &self.law {
+            Law::Table(tables) => number(tables.drag.slopes(flow)),
+            Law::Plate(_) | Law::Linear(_) => self.at(&variables(flow)).drag,
+        }
+    }
+}
+
+/// A number with its derivatives by angle of attack, Mach number, Reynolds number and deflection.
+pub(crate) type FlowNumber = DualSVec64<4>;
+
+/// The numbers of a flow as variables.
+fn variables(flow: &Flow<f64>) -> Flow<FlowNumber> {
+    let variable = |number: f64, i: usize| FlowNumber::from_re(number).derivative(i);
+    Flow {
+        alpha: variable(flow.alpha, 0),
+        mach: variable(flow.mach, 1),
+        reynolds: variable(flow.reynolds, 2),
+        flap: variable(flow.flap, 3),
+    }
+}
+
+/// A number from its value and derivatives.
+fn number([value, alpha, mach, reynolds, flap]: Slopes) -> FlowNumber {
+    let slopes = Vector4::new(alpha, mach, reynolds, flap);
+    FlowNumber::new(value, Derivative::some(slopes))
 }
 
 /// Least and largest condition of the curves of lift and drag; absent with fewer than two.

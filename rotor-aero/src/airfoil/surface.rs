@@ -98,6 +98,44 @@ impl Surface {
     }
 }
 
+impl Surface {
+    /// The coefficient, and its derivatives by the angle of attack and by the Mach number: the same
+    /// as [`Self::at`] in plain numbers.
+    pub(super) fn slopes(&self, alpha: f64, mach: f64) -> [f64; 3] {
+        let alpha = wrapped(alpha);
+        let i = cubic::interval(&self.alpha, alpha);
+        let v = alpha - self.alpha[i];
+        let first = i * self.mach.len();
+        let last = self.mach.len() - 1;
+        let of = |cubic: &Cubic| [cubic::evaluate(cubic, v), cubic::slope(cubic, v)];
+        let constant = |k: usize| {
+            let [value, slope] = of(&self.values[k]);
+            [value, slope, 0.0]
+        };
+        if last == 0 || mach <= self.mach[0] {
+            return constant(first);
+        }
+        if mach >= self.mach[last] {
+            return constant(first + last);
+        }
+        let j = cubic::interval(&self.mach, mach);
+        let h = self.mach[j + 1] - self.mach[j];
+        let (t, k) = ((mach - self.mach[j]) / h, first + j);
+        let (low, high) = (of(&self.values[k]), of(&self.values[k + 1]));
+        let rise = [0, 1].map(|i| high[i] - low[i]);
+        if self.rises.is_empty() {
+            return [low[0] + t * rise[0], low[1] + t * rise[1], rise[0] / h];
+        }
+        let (g, g_next) = (of(&self.rises[k]), of(&self.rises[k + 1]));
+        let (g, g_next) = (g.map(|g| g * h), g_next.map(|g| g * h));
+        let square = [0, 1].map(|i| rise[i] * 3.0 - g[i] * 2.0 - g_next[i]);
+        let third = [0, 1].map(|i| g[i] + g_next[i] - rise[i] * 2.0);
+        let at = |i: usize| low[i] + t * (g[i] + t * (square[i] + t * third[i]));
+        let by_mach = g[0] + t * (2.0 * square[0] + 3.0 * t * third[0]);
+        [at(0), at(1), by_mach / h]
+    }
+}
+
 /// The angle in the turn from -pi to pi.
 pub(super) fn wrapped<T: Real>(alpha: T) -> T {
     let turns = (alpha.re() / TAU).round();

@@ -46,6 +46,28 @@ impl Table {
     }
 }
 
+/// A coefficient and its derivatives by angle of attack, Mach number, Reynolds number and deflection.
+pub(super) type Slopes = [f64; 5];
+
+impl Table {
+    /// The coefficient in a flow with its derivatives: the same as [`Self::at`] in plain numbers.
+    pub(super) fn slopes(&self, flow: &Flow<f64>) -> Slopes {
+        let of_reynolds = |by_reynolds: &Along<Surface>| {
+            let of_surface = |surface: &Surface| {
+                let [value, by_alpha, by_mach] = surface.slopes(flow.alpha, flow.mach);
+                [value, by_alpha, by_mach, 0.0, 0.0]
+            };
+            let x = || logarithm(flow.reynolds);
+            let mut found = by_reynolds.slopes(x, 3, of_surface);
+            if found[3] != 0.0 {
+                found[3] /= flow.reynolds;
+            }
+            found
+        };
+        self.flaps.slopes(|| flow.flap, 4, of_reynolds)
+    }
+}
+
 /// The logarithm; numbers without one count as the smallest positive number.
 fn logarithm<T: Real>(x: T) -> T {
     if x.re() <= 0.0 {
@@ -87,6 +109,30 @@ impl<C> Along<C> {
         let t = (x - self.knots[i]) / (self.knots[i + 1] - self.knots[i]);
         let low = value(&self.items[i]);
         low + t * (value(&self.items[i + 1]) - low)
+    }
+}
+
+impl<C> Along<C> {
+    /// The value at `x` with its derivatives, the one by `x` at `index`.
+    fn slopes(&self, x: impl Fn() -> f64, index: usize, value: impl Fn(&C) -> Slopes) -> Slopes {
+        let last = self.items.len() - 1;
+        if last == 0 {
+            return value(&self.items[0]);
+        }
+        let x = x();
+        if x <= self.knots[0] {
+            return value(&self.items[0]);
+        }
+        if x >= self.knots[last] {
+            return value(&self.items[last]);
+        }
+        let i = cubic::interval(&self.knots, x);
+        let h = self.knots[i + 1] - self.knots[i];
+        let t = (x - self.knots[i]) / h;
+        let (low, high) = (value(&self.items[i]), value(&self.items[i + 1]));
+        let mut found: Slopes = std::array::from_fn(|k| low[k] + t * (high[k] - low[k]));
+        found[index] = (high[0] - low[0]) / h;
+        found
     }
 }
 

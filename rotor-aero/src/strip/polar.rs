@@ -7,9 +7,9 @@
 //! c = c(re x) + c_x (x - re x)
 //! ```
 
-use num_dual::{Dual64, DualSVec64};
+use num_dual::Dual64;
 
-use crate::airfoil::{Coefficients, Flow, Section, Separation};
+use crate::airfoil::{Coefficients, Flow, FlowNumber, Section, Separation};
 use crate::real::Real;
 use crate::unsteady::Polar;
 
@@ -51,29 +51,18 @@ impl Polar for StripPolar {
                 ..all
             };
         }
-        let numbers = [flow.alpha, flow.mach, flow.reynolds, flow.flap];
-        let variable = |i: usize| DualSVec64::<4>::from_re(numbers[i].re()).derivative(i);
-        let found = self.section.at(&Flow {
-            alpha: variable(0),
-            mach: variable(1),
-            reynolds: variable(2),
-            flap: variable(3),
-        });
-        let along = |found: DualSVec64<4>| {
-            let mut sum = T::from(found.re);
-            let slopes = found.eps.0.iter().flat_map(|slopes| slopes.iter());
-            for (number, slope) in numbers.iter().zip(slopes) {
-                // Most tables do not depend on most of the numbers.
-                if *slope != 0.0 {
-                    sum += (*number - number.re()) * *slope;
-                }
-            }
-            sum
-        };
+        let found = self.section.slopes(&values(flow));
         Coefficients {
-            lift: along(found.lift) * self.lift,
-            drag: along(found.drag),
-            moment: along(found.moment),
+            lift: along(found.lift, flow) * self.lift,
+            drag: along(found.drag, flow),
+            moment: along(found.moment, flow),
+        }
+    }
+
+    fn drag<T: Real>(&self, flow: &Flow<T>) -> T {
+        match is_alone::<T>() {
+            true => T::from(self.section.drag(&values(flow))),
+            false => along(self.section.drag_slopes(&values(flow)), flow),
         }
     }
 
@@ -99,6 +88,30 @@ impl Polar for StripPolar {
     fn zero_lift(&self) -> f64 {
         self.separation.zero_lift
     }
+}
+
+/// The values of a flow.
+fn values<T: Real>(flow: &Flow<T>) -> Flow<f64> {
+    Flow {
+        alpha: flow.alpha.re(),
+        mach: flow.mach.re(),
+        reynolds: flow.reynolds.re(),
+        flap: flow.flap.re(),
+    }
+}
+
+/// A value of a table with the derivatives of a flow.
+fn along<T: Real>(found: FlowNumber, flow: &Flow<T>) -> T {
+    let mut sum = T::from(found.re);
+    let slopes = found.eps.0.iter().flat_map(|slopes| slopes.iter());
+    let numbers = [flow.alpha, flow.mach, flow.reynolds, flow.flap];
+    for (number, slope) in numbers.iter().zip(slopes) {
+        // Most tables do not depend on most of the numbers.
+        if *slope != 0.0 {
+            sum += (*number - number.re()) * *slope;
+        }
+    }
+    sum
 }
 
 /// Whether a number has no derivatives.

@@ -10,34 +10,47 @@
 //! alpha is the angle at three quarters of the chord, by which the coefficients of a table are
 //! taken; lift is normal to the flow at the quarter chord.
 
-use super::{ActingAir, FLOW, INDUCED, LOADS, SLOW, Strip, StripFlow, plane};
+use num_dual::DualSVec64;
+
+use super::{
+    ActingAir, FLOW, INDUCED, INPUTS, LOADS, SLOW, STATES, Strip, StripFlow, StripJacobian, plane,
+};
+use crate::real::{Real, angle};
 
 /// Flow and loads of a strip.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct StripReport {
+pub struct StripReport<T = f64> {
     /// Angle of attack at three quarters of the chord \[rad\].
-    pub alpha: f64,
+    pub alpha: T,
     /// Angle of the flow at the quarter chord to the plane of the disk: positive if the air passes
     /// the disk against the shaft \[rad\].
-    pub inflow_angle: f64,
+    pub inflow_angle: T,
     /// Induced velocity against the shaft, and around it in the direction of motion \[m/s\].
-    pub induced: [f64; 2],
+    pub induced: [T; 2],
     /// Speed of the flow at the quarter chord, without the velocity along the span \[m/s\].
-    pub speed: f64,
+    pub speed: T,
     /// Mach number \[-\].
-    pub mach: f64,
+    pub mach: T,
     /// Reynolds number \[-\].
-    pub reynolds: f64,
+    pub reynolds: T,
     /// Coefficients of lift, drag and moment of the force that acts, about the quarter chord; zero
     /// without flow \[-\].
-    pub coefficients: [f64; 3],
+    pub coefficients: [T; 3],
     /// Lift and drag per length \[N/m\].
-    pub lift_and_drag: [f64; 2],
+    pub lift_and_drag: [T; 2],
     /// Moment per length about the quarter chord, nose up \[N\].
-    pub moment: f64,
+    pub moment: T,
     /// Force per length in the airfoil axes \[N/m\].
-    pub force: [f64; 3],
+    pub force: [T; 3],
+    /// Force per length along the shaft \[N/m\].
+    pub along_shaft: T,
 }
+
+/// Variables of a report: flow, unknowns of the inflow, and loads.
+const REPORTED: usize = FLOW + INDUCED.len() + 1 + LOADS;
+
+/// A number of a report with its derivatives.
+pub type ReportNumber = DualSVec64<REPORTED>;
 
 impl Strip {
     /// Flow and loads for the numbers of a flow, the unknowns and their rates.
@@ -49,34 +62,80 @@ impl Strip {
         rates: &[f64],
     ) -> StripReport {
         let outputs = self.evaluate(air, flow, states, rates);
-        let [along, normal, span, moment] =
-            outputs.first_chunk::<LOADS>().copied().unwrap_or_default();
-        let flow = StripFlow::from_numbers(flow);
+        let loads = outputs.first_chunk().copied().unwrap_or_default();
+        self.report_of(air, &StripFlow::from_numbers(flow), states, loads)
+    }
+
+    /// A number of the report, and its derivatives by the inputs of the strip in the order of
+    /// [`StripJacobian`], whose derivatives at the same state are `by`.
+    pub fn report_slopes(
+        &self,
+        air: ActingAir<'_>,
+        (flow, states): (&[f64; FLOW], &[f64]),
+        by: &StripJacobian,
+        number: impl Fn(&StripReport<ReportNumber>) -> ReportNumber,
+    ) -> (f64, [f64; INPUTS]) {
+        let count = self.of_inflow;
+        let variable = |value: f64, index| ReportNumber::from_re(value).derivative(index);
+        let numbers: [_; FLOW] = std::array::from_fn(|i| variable(flow[i], i));
+        let mut induced = [ReportNumber::from_re(0.0); STATES];
+        for k in 0..count {
+            induced[k] = variable(states[k], FLOW + k);
+        }
+        let loads: [_; LOADS] =
+            std::array::from_fn(|i| variable(by.values[i], REPORTED - LOADS + i));
+        let flow = StripFlow::from_numbers(&numbers);
+        let found = number(&self.report_of(air, &flow, &induced[..count], loads));
+        let mut slopes = [0.0; INPUTS];
+        let Some(own) = &found.eps.0 else {
+            return (found.re, slopes);
+        };
+        slopes[..FLOW + count].copy_from_slice(&own.as_slice()[..FLOW + count]);
+        for (slope, row) in own.as_slice()[REPORTED - LOADS..].iter().zip(&by.by) {
+            for (sum, by) in slopes.iter_mut().zip(row) {
+                *sum += slope * by;
+            }
+        }
+        (found.re, slopes)
+    }
+
+    /// The report for a flow, unknowns and loads.
+    fn report_of<T: Real>(
+        &self,
+        air: ActingAir<'_>,
+        flow: &StripFlow<T>,
+        states: &[T],
+        [along, normal, span, moment]: [T; LOADS],
+    ) -> StripReport<T> {
+        let zero = T::from(0.0);
         // A strip whose shaft is along the span has no plane of the disk.
-        let axes = plane(&flow.shaft);
-        let axes = axes.map(|axis| axis.map(|part| if part.is_nan() { 0.0 } else { part }));
+        let known = |part: T| if part.re().is_nan() { zero } else { part };
+        let axes = plane(&flow.shaft).map(|axis| axis.map(known));
         let [n, t] = axes;
         let induced = [0, 1].map(|i| self.unknown(INDUCED[i], states));
         let of_inflow = states.get(..self.of_inflow).unwrap_or_default();
-        let [x, y] = self.velocity(&flow, &axes, of_inflow);
-        let speed = x.hypot(y);
-        let lift_and_drag = match speed > 0.0 {
+        let [x, y] = self.velocity(flow, &axes, of_inflow);
+        let square = x * x + y * y;
+        let moves = square.re() > 0.0;
+        let speed = if moves { square.sqrt() } else { zero };
+        let lift_and_drag = match moves {
             true => [
                 (normal * x - along * y) / speed,
                 -(along * x + normal * y) / speed,
             ],
-            false => [0.0; 2],
+            false => [zero; 2],
         };
-        let pressure = 0.5 * air.still.density * speed * speed * self.chord;
-        let over = |load: f64, by: f64| if by > 0.0 { load / by } else { 0.0 };
-        let smooth = speed.hypot(SLOW);
+        let pressure = square * (0.5 * air.still.density * self.chord);
+        let over = |load: T, by: T| if by.re() > 0.0 { load / by } else { zero };
+        let smooth = (square + SLOW * SLOW).sqrt();
+        let [s_x, s_y, s_z] = flow.shaft;
         StripReport {
-            alpha: (0.5 * self.chord * flow.pitch_rate - y).atan2(x),
-            inflow_angle: (x * n[0] + y * n[1]).atan2(0.0 - (x * t[0] + y * t[1])),
+            alpha: angle(flow.pitch_rate * (0.5 * self.chord) - y, x),
+            inflow_angle: angle(x * n[0] + y * n[1], zero - (x * t[0] + y * t[1])),
             induced,
             speed,
             mach: smooth / air.still.sound_speed,
-            reynolds: smooth * self.chord * air.still.density / air.still.viscosity,
+            reynolds: smooth * (self.chord * air.still.density / air.still.viscosity),
             coefficients: [
                 over(lift_and_drag[0], pressure),
                 over(lift_and_drag[1], pressure),
@@ -85,14 +144,15 @@ impl Strip {
             lift_and_drag,
             moment,
             force: [along, normal, span],
+            along_shaft: along * s_x + normal * s_y + span * s_z,
         }
     }
 
     /// The unknown called `name`; zero without it.
-    fn unknown(&self, name: &str, states: &[f64]) -> f64 {
+    fn unknown<T: Real>(&self, name: &str, states: &[T]) -> T {
         let index = self.states.iter().position(|state| state.name == name);
         let value = index.and_then(|index| states.get(index));
-        value.copied().unwrap_or(0.0)
+        value.copied().unwrap_or_else(|| T::from(0.0))
     }
 }
 

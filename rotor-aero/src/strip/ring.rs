@@ -32,33 +32,49 @@ pub(super) struct Ring<'a, T> {
     load: [T; 2],
 }
 
-impl<'a, T: Real> Ring<'a, T> {
-    /// The annulus of a flow, with the in-plane axes n and t, the density of the air [kg/m^3] and
-    /// the force per length in the airfoil axes [N/m].
-    pub fn new(
-        inflow: &'a AnnularInflow,
-        flow: &StripFlow<T>,
-        axes: &[[T; 2]; 2],
-        (density, force): (f64, &[T; 2]),
-    ) -> Self {
+/// Flow and forces of the section in an annulus.
+pub(super) struct RingFlow<T> {
+    /// Velocities along n, and against t, without induction [m/s].
+    pub ambient: Ambient<T>,
+    /// Distances of the quarter chord and of the tip from the axis [m].
+    pub radii: [T; 2],
+    /// Force per length along n and t [N/m].
+    pub force: [T; 2],
+}
+
+impl<T: Real> RingFlow<T> {
+    /// Of a strip with the in-plane axes n and t, and the force per length in the airfoil axes [N/m].
+    pub fn of(flow: &StripFlow<T>, axes: &[[T; 2]; 2], force: &[T; 2]) -> Self {
         let along = |axis: &[T; 2], of: [T; 2]| axis[0] * of[0] + axis[1] * of[1];
         let velocity = [flow.velocity[0], flow.velocity[1]];
-        let least = flow.tip_radius * INNERMOST;
-        let radius = match flow.radius.re() > least.re() {
-            true => flow.radius,
-            false => least,
-        };
-        let scale = radius.recip() * (inflow.blades as f64 / (4.0 * PI * density));
         Self {
-            inflow,
             ambient: Ambient {
                 axial: along(&axes[0], velocity),
                 rotation: -along(&axes[1], velocity),
                 skew: T::from(0.0),
             },
+            radii: [flow.radius, flow.tip_radius],
+            force: [0, 1].map(|i| along(&axes[i], *force)),
+        }
+    }
+}
+
+impl<'a, T: Real> Ring<'a, T> {
+    /// The annulus of a flow, with the density of the air [kg/m^3].
+    pub fn new(inflow: &'a AnnularInflow, density: f64, flow: RingFlow<T>) -> Self {
+        let [radius, tip_radius] = flow.radii;
+        let least = tip_radius * INNERMOST;
+        let radius = match radius.re() > least.re() {
+            true => radius,
+            false => least,
+        };
+        let scale = radius.recip() * (inflow.blades as f64 / (4.0 * PI * density));
+        Self {
+            inflow,
+            ambient: flow.ambient,
             radius,
-            tip_radius: flow.tip_radius,
-            load: [0, 1].map(|i| scale * along(&axes[i], *force)),
+            tip_radius,
+            load: flow.force.map(|force| scale * force),
         }
     }
 

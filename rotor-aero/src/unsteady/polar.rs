@@ -11,6 +11,9 @@ pub trait Polar {
     /// The static coefficients.
     fn coefficients<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T>;
 
+    /// The static drag coefficient alone.
+    fn drag<T: Real>(&self, flow: &Flow<T>) -> T;
+
     /// The part of the chord with attached flow, from 0 to 1, at an angle of attack in rad.
     fn attached<T: Real>(&self, alpha: T) -> T;
 
@@ -27,6 +30,10 @@ pub trait Polar {
 impl<P: Polar> Polar for &P {
     fn coefficients<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
         (**self).coefficients(flow)
+    }
+
+    fn drag<T: Real>(&self, flow: &Flow<T>) -> T {
+        (**self).drag(flow)
     }
 
     fn attached<T: Real>(&self, alpha: T) -> T {

@@ -55,9 +55,7 @@ pub(super) fn lift_and_drag_of<T: Real, P: Polar>(
     [part, fixed_part]: [T; 2],
 ) -> Coefficients<T> {
     let it = lift_of(polar, flow, local, alpha, [part, fixed_part]);
-    let least = polar
-        .coefficients(&flow.at(T::from(polar.zero_lift())))
-        .drag;
+    let least = polar.drag(&flow.at(T::from(polar.zero_lift())));
     let roots = part_root(fixed_part) - part_root(part);
     let delay = roots * 0.5 - (fixed_part - part) * 0.25;
     Coefficients {

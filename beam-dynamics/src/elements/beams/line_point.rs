@@ -7,8 +7,8 @@ use super::forces::LineForce;
 use super::interpolation::{NodalKinematics, Shape};
 use super::mass::portion_of;
 use super::strain::SectionPoint;
+use crate::elements::LocalJacobian;
 use crate::elements::carried::{CarriedPoint, Share};
-use crate::elements::{LocalJacobian, LocalResidual};
 use crate::model::{Node, NodeMotion};
 
 /// A point of the line of a beam.
@@ -72,21 +72,6 @@ impl LineState<'_> {
         }
     }
 
-    /// Adds a force and a moment at the point.
-    pub fn add(&self, force: &Vector3<f64>, moment: &Vector3<f64>, out: &mut LocalResidual) {
-        let load = fixed(force, moment);
-        let formulation = self.point.geometry.formulation;
-        let section = self.section();
-        formulation.add_on_line(
-            self.point.portion,
-            &section,
-            &load,
-            |node, equation, value| {
-                out.add(node, equation, value);
-            },
-        );
-    }
-
     /// Adds the variation of the forces on the nodes with the geometry, at fixed force and moment.
     pub fn add_variation(
         &self,
@@ -95,16 +80,12 @@ impl LineState<'_> {
         out: &mut LocalJacobian,
     ) {
         let formulation = self.point.geometry.formulation;
-        let load = fixed(force, moment);
+        // With the axes of the model.
+        let load = LineForce {
+            force: *force,
+            moment: *moment,
+            by_rotation: None,
+        };
         formulation.add_on_line_variation(self.point.portion, &self.section(), &load, out);
-    }
-}
-
-/// A load with the axes of the model.
-fn fixed(force: &Vector3<f64>, moment: &Vector3<f64>) -> LineForce {
-    LineForce {
-        force: *force,
-        moment: *moment,
-        by_rotation: None,
     }
 }

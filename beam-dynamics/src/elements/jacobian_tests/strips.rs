@@ -142,7 +142,7 @@ fn rotor(random: &mut Random, tip: usize, hub: Option<usize>) -> (TipRadius, Str
         center: random.vector(0.5),
         axis: random.vector(1.0).normalize(),
     };
-    let tip = TipRadius::new("tip", tip, shaft, hub);
+    let tip = TipRadius::new("tip", (tip, random.vector(0.3)), shaft, hub);
     let rotor = StripRotor {
         shaft,
         hub,
@@ -318,7 +318,7 @@ fn strips_in_disks() {
             };
             for hub in [None, Some(1)] {
                 let undeformed = nodes(&mut random, 1 + usize::from(hub.is_some()));
-                let tip = TipRadius::new("tip", 0, shaft, None);
+                let tip = TipRadius::new("tip", (0, Vector3::zeros()), shaft, None);
                 let rotor = StripRotor {
                     shaft,
                     hub,
@@ -441,6 +441,61 @@ fn sums_of_rotors() {
             let adapted = Adapted::read(Arc::new(element), scalars.to_vec());
             check_within(WITHIN, &adapted, &undeformed[..count], &mut random);
             super::readings::check_values(&adapted, &sums, &undeformed[..count], &mut random);
+        }
+    }
+}
+
+/// Every quantity of the report as a scalar, with a weight: of strips with and without a rotor, on
+/// beams and bodies, without inflow and in annuli.
+#[test]
+fn quantities_of_strips() {
+    use crate::elements::StripQuantity as Of;
+    let mut random = Random(68);
+    let all = [
+        (Of::AngleOfAttack, 1.0),
+        (Of::InflowAngle, 0.3),
+        (Of::InducedVelocity, 0.7),
+        (Of::InducedSwirl, 0.3),
+        (Of::FlowSpeed, 0.1),
+        (Of::LiftCoefficient, 1.0),
+        (Of::DragCoefficient, 1.0),
+        (Of::MomentCoefficient, 1.0),
+        (Of::Mach, 1.0),
+        (Of::Reynolds, 1e-6),
+        (Of::NormalLoad, 0.01),
+        (Of::LiftLoad, 0.01),
+        (Of::DragLoad, 0.01),
+        (Of::MomentLoad, 0.01),
+    ]
+    .map(|(quantity, weight)| Reading::Strip(quantity, weight));
+    // Five of the designs, among them all inflows.
+    for design in designs().into_iter().step_by(5) {
+        let has_inflow = design.inflow.is_some();
+        let strip = Arc::new(Strip::new(design));
+        let mut undeformed = beam_nodes(&mut random);
+        undeformed.extend(nodes(&mut random, 1));
+        let beam = geometries(&mut random).into_iter().next();
+        for (beam, hub) in [(beam, Some(3)), (None, Some(1)), (None, None)] {
+            let (_, rotor) = rotor(&mut random, 0, hub);
+            let rotor = (has_inflow || hub.is_some()).then_some(rotor);
+            let placed = (Arc::clone(&strip), geometry(&mut random));
+            let air = air(&mut random);
+            let element = match beam {
+                Some(beam) => {
+                    let ends = [&undeformed[0], &undeformed[1], &undeformed[2]];
+                    let nodes = ([0, 1, 2], beam, &ends);
+                    AirStrip::on_beam("strip", nodes, 0.4, placed, rotor, air)
+                }
+                None => {
+                    let node = (0, &undeformed[0], random.vector(1.0));
+                    AirStrip::on_body("strip", node, placed, rotor, air)
+                }
+            };
+            let count = element.nodes().len();
+            let scalars = all.map(|reading| (reading, super::readings::scalar()));
+            let adapted = Adapted::read(Arc::new(element), scalars.to_vec());
+            check_within(WITHIN, &adapted, &undeformed[..count], &mut random);
+            super::readings::check_values(&adapted, &all, &undeformed[..count], &mut random);
         }
     }
 }

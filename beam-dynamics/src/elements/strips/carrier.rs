@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::{skew, skew_skew};
 
+use crate::elements::LocalJacobian;
 use crate::elements::beams::{LinePoint, LineState};
 use crate::elements::carried::{CarriedPoint, LoadShare, Share};
-use crate::elements::{LocalJacobian, LocalResidual};
-use crate::model::Equation::{Force, Moment};
+use crate::model::Equation::Moment;
 use crate::model::{NodeMotion, Variable};
 
 /// A point of a body or of a beam.
@@ -72,18 +72,6 @@ impl CarrierState<'_> {
         match self {
             Self::Body(point) => *point,
             Self::Beam(line) => line.carried(),
-        }
-    }
-
-    /// Adds a force and a moment at the point, model axes [N, N m].
-    pub fn add(&self, force: &Vector3<f64>, moment: &Vector3<f64>, out: &mut LocalResidual) {
-        match self {
-            Self::Body(point) => {
-                out.add(0, Force, force);
-                out.add(0, Moment, &point.shares[0].offset.cross(force));
-                out.add(0, Moment, moment);
-            }
-            Self::Beam(line) => line.add(force, moment, out),
         }
     }
 

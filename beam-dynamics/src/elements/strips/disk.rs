@@ -21,6 +21,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, RowVector3, Vector3};
 use num_dual::DualSVec64;
 use rotor_aero::inflow::{Disk, DiskFlow, DiskLoads, Inflow};
+use rotor_aero::real::Real;
 use shared_geom::rotation::{skew, skew_skew};
 
 use super::air::Air;
@@ -149,14 +150,41 @@ impl RotorDisk {
         self.disk.states().len()
     }
 
-    /// The induced velocity at a position in the disk for the values of its unknowns [m/s], and its
-    /// derivatives; of a strip whose annulus has a mean velocity by the skew of the wake.
-    pub(super) fn induced(
+    /// The induced velocity at a position in the disk for the values of its unknowns \[m/s\]; of a
+    /// strip whose annulus has a mean velocity by the skew of the wake.
+    pub(super) fn induced(&self, position: &[f64; 2], values: &[f64], mean: Option<f64>) -> f64 {
+        let inputs = self.inputs(position, values, mean);
+        self.factor(values) * self.at_position(&inputs, mean.is_some())
+    }
+
+    /// The same with its derivatives.
+    pub(super) fn induced_slopes(
         &self,
         position: &[f64; 2],
         values: &[f64],
         mean: Option<f64>,
-    ) -> InducedVelocity {
+    ) -> InducedSlopes {
+        let inputs = self.inputs(position, values, mean);
+        let of: [_; INDUCED] =
+            std::array::from_fn(|i| DualSVec64::<INDUCED>::from_re(inputs[i]).derivative(i));
+        let found = self.at_position(&of, mean.is_some());
+        let slopes = found.eps.unwrap_generic(nalgebra::Const, nalgebra::Const);
+        InducedSlopes {
+            by: (slopes * self.factor(values)).into(),
+            by_factor: found.re,
+        }
+    }
+
+    /// The factor of the ground.
+    fn factor(&self, values: &[f64]) -> f64 {
+        match self.ground {
+            Some(_) => values[STATES + self.state_count()],
+            None => 1.0,
+        }
+    }
+
+    /// The inputs of the induced velocity.
+    fn inputs(&self, position: &[f64; 2], values: &[f64], mean: Option<f64>) -> [f64; INDUCED] {
         let count = self.state_count();
         let mut inputs = [0.0; INDUCED];
         inputs[..2].copy_from_slice(position);
@@ -165,41 +193,34 @@ impl RotorDisk {
         if let Some(mean) = mean {
             inputs[2 + FLOW] = mean;
         }
-        let of: [_; INDUCED] =
-            std::array::from_fn(|i| DualSVec64::<INDUCED>::from_re(inputs[i]).derivative(i));
+        inputs
+    }
+
+    /// The induced velocity without the factor of the ground; `is_skewed` with the mean velocity of
+    /// an annulus.
+    fn at_position<T: Real>(&self, of: &[T; INDUCED], is_skewed: bool) -> T {
         let (flow, position) = (flow(&of[2..]), [of[0], of[1]]);
-        let states = &of[2 + FLOW..2 + FLOW + count];
-        let found = match mean {
-            Some(_) => Some(self.disk.skewed(&flow, of[2 + FLOW], &position)),
-            None => self.disk.induced(&flow, states, &position),
+        let states = &of[2 + FLOW..2 + FLOW + self.state_count()];
+        let found = match is_skewed {
+            true => Some(self.disk.skewed(&flow, of[2 + FLOW], &position)),
+            false => self.disk.induced(&flow, states, &position),
         };
-        let found = found.unwrap_or_else(|| DualSVec64::from_re(0.0));
-        let factor = match self.ground {
-            Some(_) => values[STATES + count],
-            None => 1.0,
-        };
-        let slopes = found.eps.unwrap_generic(nalgebra::Const, nalgebra::Const);
-        InducedVelocity {
-            value: found.re * factor,
-            by: std::array::from_fn(|i| slopes[i] * factor),
-            by_factor: found.re,
-        }
+        found.unwrap_or_else(|| T::from(0.0))
     }
 }
 
 /// Inputs of the induced velocity: position, flow, states.
 const INDUCED: usize = 2 + FLOW + MOST;
 
-/// An induced velocity [m/s] and its derivatives.
-pub(super) struct InducedVelocity {
-    pub value: f64,
+/// Derivatives of an induced velocity.
+pub(super) struct InducedSlopes {
     /// By the position (2), the flow (4), and the states or the mean of the annulus.
     pub by: [f64; INDUCED],
     /// By the factor of the ground.
     pub by_factor: f64,
 }
 
-impl InducedVelocity {
+impl InducedSlopes {
     /// The derivative by the mean of the annulus.
     pub fn by_mean(&self) -> f64 {
         self.by[2 + FLOW]

@@ -15,10 +15,13 @@ use std::sync::Arc;
 
 use rotor_aero::strip::{FLOW as STRIP_FLOW, LOADS as STRIP_LOADS, StripJacobian};
 
-use super::disk::{LOADS, RotorDisk};
-use super::kinematics::{FLOW, FlowBlock, SHAFT};
+use super::disk::{InducedSlopes, LOADS, RotorDisk};
+use super::kinematics::{FLOW, SHAFT};
 use crate::elements::{LocalJacobian, LocalResidual};
-use crate::model::{Scalar, Variable};
+use crate::model::Scalar;
+
+/// Rows of the loads of a disk.
+pub(super) const OF_DISK: usize = 3;
 
 /// A strip in a disk.
 #[derive(Debug, Clone)]
@@ -32,13 +35,11 @@ pub(super) struct InDisk {
     is_skewed: bool,
 }
 
-/// The strip at a state.
+/// The derivatives of the strip at a state.
 pub(super) struct InDiskState<'a> {
     of: &'a InDisk,
-    /// Derivatives of U by the numbers of the flow at the strip and by the disk's unknowns.
-    by_position: [f64; 2],
-    by_scalars: Vec<f64>,
-    by_mean: f64,
+    /// Derivatives of U.
+    induced: InducedSlopes,
     position: [f64; 2],
     /// `f . s ds`.
     force: f64,
@@ -62,37 +63,48 @@ impl InDisk {
 
     /// Adds the rows at the numbers of the flow, with the scalars of the element and the loads of the
     /// strip.
-    pub fn at(
-        &self,
-        flow: &[f64; FLOW],
-        scalars: &[f64],
-        loads: &[f64],
-        out: &mut LocalResidual,
-    ) -> InDiskState<'_> {
-        let position = [flow[FLOW - 2], flow[FLOW - 1]];
+    pub fn add(&self, flow: &[f64; FLOW], scalars: &[f64], loads: &[f64], out: &mut LocalResidual) {
+        let position = position(flow);
         let values = &scalars[self.first..];
-        let mean = self.is_skewed.then_some(scalars[1]);
-        let induced = self.disk.induced(&position, values, mean);
-        out.add_scalar(0, -induced.value);
-        let shaft = &flow[SHAFT..SHAFT + 3];
-        let along = shaft.iter().zip(loads).map(|(s, f)| s * f);
-        let force = self.length * along.sum::<f64>();
+        let induced = self.disk.induced(&position, values, self.mean(scalars));
+        out.add_scalar(0, -induced);
+        let force = self.force(flow, loads);
         let row = self.first + LOADS;
         out.add_scalar(row, -force);
         for (i, b) in position.iter().enumerate() {
             out.add_scalar(row + 1 + i, -force * b);
         }
-        let count = self.disk.scalars().len();
-        let states = self.disk.state_count();
+    }
+
+    /// Its derivatives at the same state.
+    pub fn at(&self, flow: &[f64; FLOW], scalars: &[f64], loads: &[f64]) -> InDiskState<'_> {
+        let position = position(flow);
+        let values = &scalars[self.first..];
         InDiskState {
             of: self,
-            by_position: [induced.by[0], induced.by[1]],
-            by_mean: induced.by_mean(),
-            by_scalars: (0..count).map(|i| induced.by_scalar(i, states)).collect(),
+            induced: self
+                .disk
+                .induced_slopes(&position, values, self.mean(scalars)),
             position,
-            force,
+            force: self.force(flow, loads),
         }
     }
+
+    /// The mean velocity of its annulus, if it has one.
+    fn mean(&self, scalars: &[f64]) -> Option<f64> {
+        self.is_skewed.then(|| scalars[1])
+    }
+
+    /// `f . s ds`.
+    fn force(&self, flow: &[f64; FLOW], loads: &[f64]) -> f64 {
+        let shaft = &flow[SHAFT..SHAFT + 3];
+        self.length * shaft.iter().zip(loads).map(|(s, f)| s * f).sum::<f64>()
+    }
+}
+
+/// The position in the disk.
+fn position(flow: &[f64; FLOW]) -> [f64; 2] {
+    [flow[FLOW - 2], flow[FLOW - 1]]
 }
 
 impl InDiskState<'_> {
@@ -102,32 +114,28 @@ impl InDiskState<'_> {
         self.of.length * sum
     }
 
-    /// Adds the derivatives by a variable of a node.
-    pub fn add_rows(
-        &self,
-        (flow, by): (&[f64; FLOW], &StripJacobian),
-        column: (usize, Variable),
-        block: &FlowBlock,
-        out: &mut LocalJacobian,
-    ) {
-        let [first, second] = [block.row(FLOW - 2), block.row(FLOW - 1)];
-        let by_position = first * self.by_position[0] + second * self.by_position[1];
-        out.add_scalar_row(0, column, &-by_position);
+    /// Adds the derivatives of the row of u by the numbers of the flow.
+    pub fn add_to_first(&self, row: &mut [f64; FLOW]) {
+        row[FLOW - 2] -= self.induced.by[0];
+        row[FLOW - 1] -= self.induced.by[1];
+    }
+
+    /// The rows of the loads of the disk, and their derivatives by the numbers of the flow.
+    pub fn rows(&self, flow: &[f64; FLOW], by: &StripJacobian) -> [(usize, [f64; FLOW]); OF_DISK] {
         let mut slopes = [0.0; FLOW];
         for (input, slope) in slopes.iter_mut().enumerate().take(FLOW - 2) {
-            *slope = self.along(flow, by, input);
+            *slope = -self.along(flow, by, input);
         }
         for i in 0..3 {
-            slopes[SHAFT + i] += self.of.length * by.values[i];
+            slopes[SHAFT + i] -= self.of.length * by.values[i];
         }
-        let slopes = nalgebra::RowSVector::<f64, FLOW>::from_row_slice(&slopes);
-        let force = slopes * block;
-        let row = self.of.first + LOADS;
-        out.add_scalar_row(row, column, &-force);
-        for (i, place) in [first, second].iter().enumerate() {
-            let moment = force * self.position[i] + place * self.force;
-            out.add_scalar_row(row + 1 + i, column, &-moment);
-        }
+        let first = self.of.first + LOADS;
+        let moment = |i: usize| {
+            let mut slopes = slopes.map(|slope| slope * self.position[i]);
+            slopes[FLOW - 2 + i] -= self.force;
+            (first + 1 + i, slopes)
+        };
+        [(first, slopes), moment(0), moment(1)]
     }
 
     /// Adds the derivatives of the loads by a scalar of the strip, `input` of its kernel with the
@@ -149,13 +157,15 @@ impl InDiskState<'_> {
 
     /// Adds the derivatives of the induced velocity by the unknowns of the disk.
     pub fn add_induced(&self, out: &mut LocalJacobian) {
-        for (i, slope) in self.by_scalars.iter().enumerate() {
-            if !(LOADS..LOADS + 3).contains(&i) {
-                out.add_scalar(0, self.of.first + i, -slope, false);
-            }
+        let states = self.of.disk.state_count();
+        let unknowns =
+            (0..self.of.disk.scalars().len()).filter(|i| !(LOADS..LOADS + 3).contains(i));
+        for i in unknowns {
+            let slope = self.induced.by_scalar(i, states);
+            out.add_scalar(0, self.of.first + i, -slope, false);
         }
         if self.of.is_skewed {
-            out.add_scalar(0, 1, -self.by_mean, false);
+            out.add_scalar(0, 1, -self.induced.by_mean(), false);
         }
     }
 }

@@ -17,7 +17,7 @@
 //! d Q = N_j (d x_j - [f_j]x theta_j) - [a]x theta
 //! d g = N_j (d x'_j - [f_j + a]x d omega_j - [omega_j]x [f_j]x theta_j) - [omega]x [a]x theta
 //!       + ([Omega]x - grad V) d Q
-//! d w = R_a^T (d g + [g]x theta)                 d q = e_z . R_a^T (N_j d omega_j + [omega + Omega]x theta)
+//! d w = R_a^T (d g + [g]x theta)                 d q = e_z . R_a^T (d omega + [omega + Omega]x theta)
 //! d b_i = e_i . d(Q - c) + d . d e_i              (in a disk with the axes e_i)
 //! d s = R_a^T ([n]x theta - [n]x theta_h)        d r = [(d - n (n . d)) . d(Q - c) - (n . d) d . d n] / r
 //! ```
@@ -26,8 +26,8 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Matrix3, SMatrix, Vector3};
-use shared_geom::rotation::{skew, skew_skew, skew_times};
+use nalgebra::{Matrix3, RowVector3, Vector3};
+use shared_geom::rotation::{skew, skew_skew};
 
 use super::carrier::{Carrier, CarrierState};
 use super::disk::{DiskAxes, RotorDisk};
@@ -40,11 +40,10 @@ use crate::model::{NodeMotion, Variable};
 pub(super) const FLOW: usize = 10;
 /// Index of the first component of s.
 pub(super) const SHAFT: usize = 4;
+/// Index of r.
+const RADIUS: usize = 7;
 /// Index of the first component of b.
 const POSITION: usize = 8;
-
-/// Derivatives of the flow by a vector variable of a node.
-pub(super) type FlowBlock = SMatrix<f64, FLOW, 3>;
 
 /// Geometry of a strip.
 #[derive(Debug, Clone)]
@@ -153,70 +152,67 @@ impl Flow<'_> {
         self.turning[0]
     }
 
-    /// Derivatives by the given variables of node `j` of the carrier.
-    pub fn by_node(&self, at: &Local<'_>, j: usize) -> [(Variable, FlowBlock); 4] {
+    /// Angular velocity relative to the frame [rad/s].
+    pub fn turning(&self) -> &Vector3<f64> {
+        &self.turning[1]
+    }
+
+    /// `[Omega]x - grad V` [1/s].
+    pub fn gradient(&self) -> &Matrix3<f64> {
+        &self.gradient
+    }
+
+    /// Derivatives by Q, g, theta and omega of a quantity with derivatives `by` the numbers.
+    pub fn slopes(&self, by: &[f64; FLOW]) -> [RowVector3<f64>; 4] {
+        let velocity = self.axes * Vector3::new(by[0], by[1], by[2]);
+        let omega = self.axes.column(2) * by[3];
+        let mut turn = velocity.cross(&self.relative) + omega.cross(&self.turning[0]);
+        if let Some((shaft, _)) = &self.shaft {
+            turn += self.of_shaft(by).cross(&shaft.axis);
+        }
+        let rows = [velocity, turn, omega].map(|it| it.transpose());
+        [self.by_point(by), rows[0], rows[1], rows[2]]
+    }
+
+    /// Derivatives by the variables of node `j` of the carrier, of a quantity with these derivatives
+    /// by Q, g, theta and omega.
+    pub fn by_node(
+        &self,
+        at: &Local<'_>,
+        j: usize,
+        [point, velocity, turn, omega]: &[RowVector3<f64>; 4],
+    ) -> [(Variable, RowVector3<f64>); 4] {
         let share = &self.point.shares[j];
-        let (n, turn) = (share.weight, &share.turn);
-        let arm = skew(&self.arm);
-        let offset = skew(&share.offset);
-        // d Q and d g by rotation; d g by position is `gradient n`.
-        let position = -n * offset - arm * turn;
-        let omega = &at.nodes[j].angular_velocity;
-        let velocity = -n * skew_skew(omega, &share.offset)
-            - skew_skew(&self.turning[1], &self.arm) * turn
-            + self.gradient * position;
-        let identity = n * Matrix3::identity();
-        let zero = Matrix3::zeros();
+        let (n, offset) = (share.weight, &share.offset);
+        let position = point + velocity * self.gradient;
+        let turned = skew_skew(&self.turning[1], &self.arm);
+        let axes = turn - position * skew(&self.arm) - velocity * turned;
+        let node = skew_skew(&at.nodes[j].angular_velocity, offset);
+        let by_omega = omega - velocity * skew(&(offset + self.arm));
+        let by_offset = position * skew(offset) + velocity * node;
         [
-            (
-                Variable::Position,
-                self.block(&identity, &(n * self.gradient), None, &zero),
-            ),
-            (
-                Variable::Rotation,
-                self.block(&position, &velocity, Some(turn), &zero),
-            ),
-            (
-                Variable::Velocity,
-                self.block(&zero, &identity, None, &zero),
-            ),
-            (
-                Variable::AngularVelocity,
-                self.block(&zero, &(-n * (offset + arm)), None, &identity),
-            ),
+            (Variable::Position, n * position),
+            (Variable::Velocity, n * velocity),
+            (Variable::AngularVelocity, n * by_omega),
+            (Variable::Rotation, axes * share.turn - n * by_offset),
         ]
     }
 
-    /// Derivatives from the derivatives of Q, g, theta and omega.
-    fn block(
-        &self,
-        position: &Matrix3<f64>,
-        velocity: &Matrix3<f64>,
-        turn: Option<&Matrix3<f64>>,
-        omega: &Matrix3<f64>,
-    ) -> FlowBlock {
-        let transposed = self.axes.transpose();
-        let mut g = *velocity;
-        let mut rates = *omega;
-        if let Some(turn) = turn {
-            g += skew_times(&self.relative, turn);
-            rates += skew_times(&self.turning[0], turn);
+    /// The derivative by s, model axes.
+    fn of_shaft(&self, by: &[f64; FLOW]) -> Vector3<f64> {
+        self.axes * Vector3::new(by[SHAFT], by[SHAFT + 1], by[SHAFT + 2])
+    }
+
+    /// The derivative by Q, through r and b.
+    fn by_point(&self, by: &[f64; FLOW]) -> RowVector3<f64> {
+        let mut point = RowVector3::zeros();
+        if let Some((_, distance)) = &self.shaft {
+            point += distance.by_point * by[RADIUS];
         }
-        let mut out = FlowBlock::zeros();
-        out.fixed_view_mut::<3, 3>(0, 0)
-            .copy_from(&(transposed * g));
-        out.set_row(3, &(transposed.row(2) * rates));
-        if let Some((shaft, distance)) = &self.shaft {
-            if let Some(turn) = turn {
-                let by_turn = transposed * skew_times(&shaft.axis, turn);
-                out.fixed_view_mut::<3, 3>(4, 0).copy_from(&by_turn);
-            }
-            out.set_row(7, &(distance.by_point * position));
+        for (axis, slope) in self.across().zip(&by[POSITION..]) {
+            point += axis.transpose() * *slope;
         }
-        for (i, axis) in self.across().enumerate() {
-            out.set_row(POSITION + i, &(axis.transpose() * position));
-        }
-        out
+        point
     }
 
     /// Axes of the disk across the shaft.
@@ -225,29 +221,19 @@ impl Flow<'_> {
     }
 
     /// Derivatives by the position and the rotation of the node of the shaft.
-    pub fn by_hub(&self) -> [(Variable, FlowBlock); 2] {
-        let mut by_position = FlowBlock::zeros();
-        let mut by_rotation = FlowBlock::zeros();
-        if let Some((shaft, distance)) = &self.shaft {
-            by_position.set_row(7, &-distance.by_point);
-            by_rotation
-                .fixed_view_mut::<3, 3>(4, 0)
-                .copy_from(&(-self.axes.transpose() * skew(&shaft.axis)));
-            by_rotation.set_row(7, &shaft.by_turn(distance));
-            for (i, axis) in self.across().enumerate() {
-                by_position.set_row(POSITION + i, &-axis.transpose());
-                let by_center = axis.transpose() * skew(&shaft.offset);
-                by_rotation.set_row(POSITION + i, &by_center);
-            }
-            let turns = self.disk.iter().flat_map(|disk| disk.by_turn);
-            for (i, turn) in turns.enumerate() {
-                let mut row = by_rotation.row_mut(POSITION + i);
-                row += distance.from_center.transpose() * turn;
-            }
+    pub fn slopes_by_hub(&self, by: &[f64; FLOW]) -> [RowVector3<f64>; 2] {
+        let Some((shaft, distance)) = &self.shaft else {
+            return [RowVector3::zeros(); 2];
+        };
+        let mut turn = -self.of_shaft(by).cross(&shaft.axis).transpose();
+        turn += shaft.by_turn(distance) * by[RADIUS];
+        for (axis, slope) in self.across().zip(&by[POSITION..]) {
+            turn += axis.cross(&shaft.offset).transpose() * *slope;
         }
-        [
-            (Variable::Position, by_position),
-            (Variable::Rotation, by_rotation),
-        ]
+        let turns = self.disk.iter().flat_map(|disk| disk.by_turn);
+        for (by_turn, slope) in turns.zip(&by[POSITION..]) {
+            turn += distance.from_center.transpose() * by_turn * *slope;
+        }
+        [-self.by_point(by), turn]
     }
 }

@@ -1,5 +1,5 @@
 //! Reports of a strip: its flow and loads for output, and its parts of the thrust and torque of the
-//! rotor as readings.
+//! rotor as readings; its other quantities are in [`super::quantity`].
 //!
 //! With the center c and the direction n of the shaft, the forces F_j and moments M_j on the nodes
 //! at x_j, the parts of thrust and torque and their variations are
@@ -16,6 +16,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use super::kinematics::Flow;
 use super::shaft::ShaftState;
 use super::strip::AirStrip;
 use crate::elements::{
@@ -25,8 +26,8 @@ use crate::elements::{
 use crate::model::{Equation, NodeMotion, Variable};
 
 impl AirStrip {
-    /// Flow and loads at a state with the shaft of its rotor.
-    fn state(&self, at: &Local<'_>, shaft: &ShaftState) -> AirState {
+    /// Flow and loads at a state.
+    fn state(&self, at: &Local<'_>) -> AirState {
         let (flow, numbers) = self.flow(at);
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
@@ -35,34 +36,43 @@ impl AirStrip {
         let per_length = flow.axes * Vector3::from(report.force);
         let force = per_length * self.length;
         let own = flow.axes.column(2) * (report.moment * self.length);
+        let shaft = self.mount.shaft_at(at.nodes);
+        let from_center = position - shaft.map_or_else(Vector3::zeros, |shaft| shaft.center);
+        let (radius, azimuth, tangent) = match &shaft {
+            Some(shaft) => (
+                shaft.distance(&position).radius,
+                azimuth(&shaft.axis, &self.place.zero, &from_center),
+                shaft.axis.cross(&from_center),
+            ),
+            None => (f64::NAN, f64::NAN, flow.axes.column(0).into_owned()),
+        };
+        let tangent = tangent.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
+        AirState {
+            place: Arc::clone(&self.place),
+            radius,
+            azimuth,
+            position,
+            flow: report,
+            tangential: per_length.dot(&tangent),
+            force,
+            moment: from_center.cross(&force) + own,
+            rotor: shaft.map(|shaft| self.rotor(&shaft, &flow, at)),
+        }
+    }
+
+    /// Its rotor at a state.
+    fn rotor(&self, shaft: &ShaftState, flow: &Flow<'_>, at: &Local<'_>) -> RotorMotion {
         let hub = self.mount.hub.map(|hub| &at.nodes[hub]);
         let turning = match hub {
             Some(hub) => hub.angular_velocity_in_space(at.frame),
             None => flow.turning_in_space(),
         };
-        let from_center = position - shaft.center;
-        let around = shaft.axis.cross(&from_center);
-        let tangent = match around.norm() {
-            0.0 => around,
-            length => around / length,
-        };
-        AirState {
-            place: Arc::clone(&self.place),
-            radius: shaft.distance(&position).radius,
-            azimuth: azimuth(&shaft.axis, &self.place.zero, &from_center),
-            position,
-            flow: report,
-            normal: per_length.dot(&shaft.axis),
-            tangential: per_length.dot(&tangent),
-            force,
-            moment: from_center.cross(&force) + own,
-            rotor: RotorMotion {
-                axis: shaft.axis,
-                turning: turning.dot(&shaft.axis),
-                velocity: self.velocity_of_center(shaft, hub, at),
-                tip_radius: at.scalars.values[states],
-                density: self.air.atmosphere.density,
-            },
+        RotorMotion {
+            axis: shaft.axis,
+            turning: turning.dot(&shaft.axis),
+            velocity: self.velocity_of_center(shaft, hub, at),
+            tip_radius: at.scalars.values[self.states()],
+            density: self.air.atmosphere.density,
         }
     }
 
@@ -78,6 +88,28 @@ impl AirStrip {
         });
         let (wind, _) = self.air.motion(&shaft.center, at.loading.time);
         at.frame.velocity(&shaft.center, &own) - wind
+    }
+
+    /// The part of the thrust or torque.
+    fn sum(&self, of: RotorSum, at: &Local<'_>, row: Option<&mut ReadingRow<'_>>) -> Option<f64> {
+        let shaft = self.mount.shaft_at(at.nodes)?;
+        let mut forces = LocalResidual::new(LocalSize::of(self));
+        self.evaluate(at, &mut forces, None);
+        let mut sum = Vector3::zeros();
+        for j in 0..self.mount.carrier.nodes() {
+            let force = forces.of(j, Equation::Force);
+            sum += match of {
+                RotorSum::Thrust => force,
+                RotorSum::Torque => {
+                    let arm = at.nodes[j].position - shaft.center;
+                    arm.cross(&force) + forces.of(j, Equation::Moment)
+                }
+            };
+        }
+        if let Some(row) = row {
+            self.add_slope(of, at, (&shaft, &forces, &sum), row);
+        }
+        Some(shaft.axis.dot(&sum))
     }
 
     /// Adds the derivatives of the part of the thrust or torque, whose vector is `sum` [N, N m].
@@ -127,8 +159,7 @@ fn azimuth(axis: &Vector3<f64>, zero: &Vector3<f64>, vector: &Vector3<f64>) -> f
 
 impl Reports for AirStrip {
     fn report(&self, at: &Local<'_>, out: &mut Observations) {
-        let shaft = self.mount.shaft_at(at.nodes);
-        out.air.extend(shaft.map(|shaft| self.state(at, &shaft)));
+        out.air.push(self.state(at));
     }
 
     fn reading(
@@ -137,27 +168,11 @@ impl Reports for AirStrip {
         at: &Local<'_>,
         row: Option<&mut ReadingRow<'_>>,
     ) -> Option<f64> {
-        let Reading::Rotor(of) = *reading else {
-            return None;
-        };
-        let shaft = self.mount.shaft_at(at.nodes)?;
-        let mut forces = LocalResidual::new(LocalSize::of(self));
-        self.evaluate(at, &mut forces, None);
-        let mut sum = Vector3::zeros();
-        for j in 0..self.mount.carrier.nodes() {
-            let force = forces.of(j, Equation::Force);
-            sum += match of {
-                RotorSum::Thrust => force,
-                RotorSum::Torque => {
-                    let arm = at.nodes[j].position - shaft.center;
-                    arm.cross(&force) + forces.of(j, Equation::Moment)
-                }
-            };
+        match *reading {
+            Reading::Rotor(of) => self.sum(of, at, row),
+            Reading::Strip(quantity, weight) => self.quantity((quantity, weight), at, row),
+            _ => None,
         }
-        if let Some(row) = row {
-            self.add_slope(of, at, (&shaft, &forces, &sum), row);
-        }
-        Some(shaft.axis.dot(&sum))
     }
 
     fn report_charges(&self, _at: &Local<'_>, _out: &mut Charges) {}

@@ -15,24 +15,24 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Matrix3, SMatrix, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use rotor_aero::strip::{
     ActingAir, FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian,
 };
-use shared_geom::rotation::{skew, skew_skew, skew_times};
 
 use super::air::Air;
 use super::carrier::Carrier;
+use super::columns::{Columns, FLAP, Loads, OWN, TIP};
 use super::disk::RotorDisk;
-use super::in_disk::{InDisk, InDiskState};
-use super::kinematics::{Flow, FlowBlock, Mount};
+use super::in_disk::InDisk;
+use super::kinematics::{Flow, Mount};
 use super::shaft::Shaft;
 use crate::elements::beams::{BeamGeometry, LinePoint};
 use crate::elements::{
     Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, Motion,
     Reports, Settling, Signal, StripPlace, Structure, has,
 };
-use crate::model::{Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
+use crate::model::{Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart};
 
 /// Geometry of a strip on the section or body that carries it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,21 +80,6 @@ pub struct AirStrip {
     start: Vector3<f64>,
     /// Its distance there from the nearest node of the carrier \[m\].
     arm: f64,
-}
-
-/// Numbers of the flow that the kernel takes, before the radius of the tip.
-const OWN: usize = STRIP_FLOW - 2;
-/// Index of the radius of the tip.
-const TIP: usize = OWN;
-/// Index of the deflection of the flap.
-const FLAP: usize = TIP + 1;
-
-/// Forces of a strip at a state: F and M at the carried point [N, N m].
-struct Loads {
-    force: Vector3<f64>,
-    moment: Vector3<f64>,
-    /// The moment about the quarter chord [N m].
-    own: Vector3<f64>,
 }
 
 impl AirStrip {
@@ -246,123 +231,60 @@ impl AirStrip {
         }
     }
 
-    /// Adds the derivatives by the motion of the nodes and by the scalars.
-    fn add_jacobian(
+    /// Adds the loads and the rows from the numbers of the strip; returns the loads.
+    fn add_residual(
         &self,
-        (flow, loads): (&Flow<'_>, &Loads),
-        (by, in_disk): (&StripJacobian, Option<&InDiskState<'_>>),
+        (flow, numbers): (&Flow<'_>, &[f64; STRIP_FLOW]),
         at: &Local<'_>,
-        out: &mut LocalJacobian,
+        values: &[f64; OUTPUTS],
+        out: &mut LocalResidual,
+    ) -> Loads {
+        let loads = self.loads(flow, values);
+        flow.point.add(&loads.force, &loads.moment, out);
+        let states = self.states();
+        let own = (&at.scalars.values[..states], &at.scalars.rates[..states]);
+        let sizes = self.strip.sizes(numbers, own.0, own.1);
+        for row in 0..states {
+            out.add_scalar_sum(row, values[LOADS + row], sizes[row]);
+        }
+        if let Some(in_disk) = &self.in_disk {
+            in_disk.add(&flow.numbers, at.scalars.values, &values[..LOADS], out);
+        }
+        loads
+    }
+
+    /// Visits the scalars that its kernel depends on: the column of each, the input of the kernel
+    /// and its derivative.
+    pub(super) fn each_scalar(
+        &self,
+        at: &Local<'_>,
+        mut visit: impl FnMut((usize, bool), usize, f64),
     ) {
-        flow.state.add_variation(&loads.force, &loads.moment, out);
-        let strip = Columns {
-            strip: self,
-            flow,
-            by,
-            in_disk,
-            size: self.length,
-        };
-        for j in 0..flow.point.count {
-            let turn = flow.point.shares[j].turn;
-            for (variable, block) in flow.by_node(at, j) {
-                let mut forces = strip.loads_by(&block);
-                if variable == Variable::Rotation {
-                    forces[0] -= skew_times(&loads.force, &turn);
-                    let own = skew_times(&loads.own, &turn);
-                    forces[1] -= own;
-                }
-                forces[1] += skew(&flow.arm) * forces[0];
-                if variable == Variable::Rotation {
-                    forces[1] += skew_skew(&loads.force, &flow.arm) * turn;
-                }
-                flow.point.add_by_variable((j, variable), &forces, out);
-                strip.add_rows((j, variable), &block, out);
-            }
-        }
-        if let Some(hub) = self.mount.hub {
-            for (variable, block) in flow.by_hub() {
-                let mut forces = strip.loads_by(&block);
-                forces[1] += skew(&flow.arm) * forces[0];
-                flow.point.add_by_variable((hub, variable), &forces, out);
-                strip.add_rows((hub, variable), &block, out);
-            }
-        }
-        strip.add_scalars(at, out);
-    }
-}
-
-/// Derivatives of the strip, with the axes that make forces of them.
-struct Columns<'a> {
-    strip: &'a AirStrip,
-    flow: &'a Flow<'a>,
-    by: &'a StripJacobian,
-    in_disk: Option<&'a InDiskState<'a>>,
-    size: f64,
-}
-
-impl Columns<'_> {
-    /// `[R_a d f ds; R_a e_z d m ds]` by a variable of a node.
-    fn loads_by(&self, flow: &FlowBlock) -> [Matrix3<f64>; 2] {
-        let by = SMatrix::<f64, LOADS, OWN>::from_fn(|i, k| self.size * self.by.by[i][k]);
-        let local = by * flow.fixed_rows::<OWN>(0);
-        let force = self.flow.axes * local.fixed_rows::<3>(0);
-        [force, self.flow.axes.column(2) * local.row(3)]
-    }
-
-    /// Adds the derivatives of the rows of the states by a variable of a node.
-    fn add_rows(&self, column: (usize, Variable), flow: &FlowBlock, out: &mut LocalJacobian) {
-        for row in 0..self.strip.states() {
-            let by = &self.by.by[LOADS + row];
-            let by = nalgebra::RowSVector::<f64, OWN>::from_column_slice(&by[..OWN]);
-            out.add_scalar_row(row, column, &(by * flow.fixed_rows::<OWN>(0)));
-        }
-        if let Some(in_disk) = self.in_disk {
-            in_disk.add_rows((&self.flow.numbers, self.by), column, flow, out);
-        }
-    }
-
-    /// Adds the derivatives by the states, their rates, the radius of the tip and the scalars that
-    /// the deflection of the flap reads.
-    fn add_scalars(&self, at: &Local<'_>, out: &mut LocalJacobian) {
-        let states = self.strip.strip.states();
+        let states = self.strip.states();
         for (k, state) in states.iter().enumerate() {
-            self.add_scalar((k, false), (STRIP_FLOW + k, 1.0), out);
+            visit((k, false), STRIP_FLOW + k, 1.0);
             if state.has_rate {
-                self.add_scalar((k, true), (STRIP_FLOW + STATES + k, 1.0), out);
+                visit((k, true), STRIP_FLOW + STATES + k, 1.0);
             }
         }
-        if self.strip.mount.shaft.is_some() {
-            self.add_scalar((states.len(), false), (TIP, 1.0), out);
+        if self.mount.shaft.is_some() {
+            visit((states.len(), false), TIP, 1.0);
         }
-        if let Some(flap) = &self.strip.flap {
+        if let Some(flap) = &self.flap {
             flap.gradient(&at.instant(), |scalar, slope| {
-                self.add_scalar((scalar, false), (FLAP, slope), out);
+                visit((scalar, false), FLAP, slope);
             });
         }
-        if let Some(in_disk) = self.in_disk {
-            in_disk.add_induced(out);
-        }
     }
 
-    /// Adds column `input` of the strip, times the slope of the input, as the derivatives by a
-    /// scalar or its rate.
-    fn add_scalar(
-        &self,
-        column: (usize, bool),
-        (input, slope): (usize, f64),
-        out: &mut LocalJacobian,
-    ) {
-        let of = |i: usize| slope * self.size * self.by.by[i][input];
-        let force = self.flow.axes * Vector3::new(of(0), of(1), of(2));
-        let moment = self.flow.arm.cross(&force) + self.flow.axes.column(2) * of(3);
-        self.flow.point.add_by_scalar(column, &[force, moment], out);
-        for row in 0..self.strip.states() {
-            let by = slope * self.by.by[LOADS + row][input];
-            out.add_scalar(row, column.0, by, column.1);
-        }
-        if let Some(in_disk) = self.in_disk {
-            let by = (&self.flow.numbers, self.by);
-            in_disk.add_scalar(by, column, (input, slope), out);
+    /// Adds the derivatives by the states, their rates, the radius of the tip, the scalars that the
+    /// deflection of the flap reads, and the unknowns of the disk.
+    fn add_scalars(&self, columns: &Columns<'_>, at: &Local<'_>, out: &mut LocalJacobian) {
+        self.each_scalar(at, |column, input, slope| {
+            columns.add_scalar(column, (input, slope), out);
+        });
+        if let Some(in_disk) = columns.in_disk {
+            in_disk.add_induced(out);
         }
     }
 }
@@ -390,26 +312,36 @@ impl Element for AirStrip {
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
         let air = self.acting(at);
-        let by = match jacobian.is_some() {
-            // Models of sections may have forces at any speed.
-            _ if numbers.iter().any(|number| !number.is_finite()) => {
-                StripJacobian::of_values([f64::NAN; OUTPUTS])
-            }
-            true => self.strip.linearize(air, &numbers, values, rates),
-            false => StripJacobian::of_values(self.strip.evaluate(air, &numbers, values, rates)),
+        // Models of sections may have forces at any speed.
+        let is_known = numbers.iter().all(|number| number.is_finite());
+        let Some(jacobian) = jacobian else {
+            let found = match is_known {
+                true => self.strip.evaluate(air, &numbers, values, rates),
+                false => [f64::NAN; OUTPUTS],
+            };
+            self.add_residual((&flow, &numbers), at, &found, out);
+            return;
         };
-        let loads = self.loads(&flow, &by.values);
-        flow.state.add(&loads.force, &loads.moment, out);
-        let sizes = self.strip.sizes(&numbers, values, rates);
-        for row in 0..states {
-            out.add_scalar_sum(row, by.values[LOADS + row], sizes[row]);
-        }
+        let by = match is_known {
+            true => self.strip.linearize(air, &numbers, values, rates),
+            false => StripJacobian::of_values([f64::NAN; OUTPUTS]),
+        };
+        let loads = self.add_residual((&flow, &numbers), at, &by.values, out);
+        let scalars = at.scalars.values;
         let in_disk = self.in_disk.as_ref();
-        let in_disk =
-            in_disk.map(|disk| disk.at(&flow.numbers, at.scalars.values, &by.values[..LOADS], out));
-        if let Some(out) = jacobian {
-            self.add_jacobian((&flow, &loads), (&by, in_disk.as_ref()), at, out);
-        }
+        let in_disk = in_disk.map(|disk| disk.at(&flow.numbers, scalars, &by.values[..LOADS]));
+        flow.state
+            .add_variation(&loads.force, &loads.moment, jacobian);
+        let columns = Columns {
+            flow: &flow,
+            loads: &loads,
+            by: &by,
+            in_disk: in_disk.as_ref(),
+            length: self.length,
+            states,
+        };
+        columns.add_nodes(at, self.mount.hub, jacobian);
+        self.add_scalars(&columns, at, jacobian);
     }
 
     fn each_signal<'a>(&'a self, visit: &mut dyn FnMut(&'a Signal)) {

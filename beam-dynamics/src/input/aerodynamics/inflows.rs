@@ -111,7 +111,7 @@ pub(in crate::input) enum InflowKind {
 #[derive(Debug, Clone)]
 pub(in crate::input) struct Annular {
     /// Number of blades, if given.
-    blades: Option<usize>,
+    pub blades: Option<usize>,
     /// Radius at which the blades begin, if given \[m\].
     hub_radius: Option<f64>,
     /// Switches.

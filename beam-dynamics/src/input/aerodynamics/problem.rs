@@ -47,6 +47,17 @@ pub enum StripProblem {
         /// The key that it belongs to, as text.
         needed: String,
     },
+    /// Strips without a blade in an inflow that does not have the number of blades.
+    #[error(
+        "inflow \"{name}\" of strip \"{user}\" has no \"blades\", expected their number: the momentum of \
+         an annulus is the one of all blades"
+    )]
+    Blades {
+        /// Name of the inflow.
+        name: String,
+        /// Name of the card of strips.
+        user: String,
+    },
     /// An effective radius beyond the tip.
     #[error(
         "the effective radius is {} of the radius, expected at most 1",
@@ -143,6 +154,9 @@ impl Explain for StripProblem {
             Self::Useless { needed, key, .. } => {
                 Some(format!("add \"{needed}\", or remove \"{key}\""))
             }
+            Self::Blades { .. } => Some(
+                "add \"blades\" to the inflow, or use a model of the disk as its \"kind\"".into(),
+            ),
             Self::InflowKey { key, .. } => Some(format!("remove \"{key}\", or change that")),
             Self::EffectiveRadius { .. } => {
                 Some("usual are 0.95 to 0.98; 1 has no loss at the tips".to_owned())

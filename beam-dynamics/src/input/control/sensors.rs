@@ -11,7 +11,7 @@ use crate::case::{ElectrodeQuantity, Quantity};
 use crate::elements::circuits::Circuit;
 use crate::elements::{
     Axes, EnergyPart, Input, NodeReading, NodeVector, Reading as ElementReading, RotorQuantity,
-    RotorSum, Sensor,
+    RotorSum, Sensor, StripQuantity,
 };
 use crate::input::builder::ModelBuilder;
 use crate::input::drives::{self, Measure, Read};
@@ -32,6 +32,7 @@ pub(in crate::input) const CARD: TableSchema = TableSchema {
         readings::ANGLES,
         readings::SPRINGS,
         readings::ELECTRODES,
+        readings::STRIPS,
         readings::ROTORS,
         readings::ENERGIES,
     ],
@@ -87,7 +88,9 @@ fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     let reason = match kind.1 {
         Source::Drive | Source::Signal => "its name can be used in expressions directly",
         Source::Energy(EnergyPart::Electric) => "the derivatives of this energy are not known",
-        Source::Strip(_) => "the derivatives of quantities of strips are not known",
+        Source::Strip(StripQuantity::TangentialLoad) => {
+            "the derivatives of the direction around the shaft are not known"
+        }
         Source::Rotor(quantity) if sum_of(quantity).is_none() => {
             "of the quantities of rotors only \"thrust\" and \"torque\" are"
         }
@@ -209,7 +212,12 @@ fn attach(
             strips, quantity, ..
         } => {
             let sum = sum_of(quantity).ok_or_else(|| not_sensed("it is not a sum over strips"))?;
-            builder.watch_rotor(sum, &strips, name, scalar);
+            let of = |strip| (strip, ElementReading::Rotor(sum));
+            builder.watch_strips(strips.into_iter().map(of), name, scalar);
+        }
+        Quantity::Strip { strips, quantity } => {
+            let of = |(strip, weight)| (strip, ElementReading::Strip(quantity, weight));
+            builder.watch_strips(strips.into_iter().map(of), name, scalar);
         }
         // These have been refused as kinds.
         _ => return Err(not_sensed("it is not a number of the state")),

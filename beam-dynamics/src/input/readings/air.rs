@@ -22,7 +22,7 @@ pub(super) fn of_strip(
     kind: &Kind,
     quantity: StripQuantity,
 ) -> Option<Worded> {
-    let name = table.require_text(OF, "the name of a blade with strips");
+    let name = table.require_text(OF, "the name of a blade or [[strip]]");
     let (at, strip) = (table.get(&AT), table.get(&STRIP));
     let (name, at, strip) = (name?, at?, strip?);
     let blades = builder.air_blades();
@@ -36,7 +36,10 @@ pub(super) fn of_strip(
     let (strips, place) = match (at, strip) {
         (Some(at), None) => (
             between(blade, at).map_err(|problem| table.note(&AT, &problem)),
-            format!("{} of the radius of {name}", short_number(at, 6)),
+            match blade.rotor {
+                Some(_) => format!("{} of the radius of {name}", short_number(at, 6)),
+                None => format!("{} of the length of {name}", short_number(at, 6)),
+            },
         ),
         (None, Some(number)) => (
             numbered(blade, number).map_err(|problem| table.note(&STRIP, &problem)),
@@ -68,10 +71,10 @@ fn numbered(blade: &AirBlade, number: usize) -> Result<Vec<(String, f64)>, Readi
     }
 }
 
-/// The strips around a part of the radius of the tip, with their weights.
+/// The strips around a part of the radius of the tip or of the length, with their weights.
 fn between(blade: &AirBlade, at: f64) -> Result<Vec<(String, f64)>, ReadingProblem> {
     let parts = blade.strips.windows(2).find_map(|pair| {
-        let [a, b] = [&pair[0], &pair[1]].map(|strip| strip.1 / blade.tip_radius);
+        let [a, b] = [&pair[0], &pair[1]].map(|strip| strip.1 / blade.length);
         let part = (at - a) / (b - a);
         (0.0..=1.0).contains(&part).then(|| {
             let strips = [(pair[0].0.clone(), 1.0 - part), (pair[1].0.clone(), part)];
@@ -79,8 +82,7 @@ fn between(blade: &AirBlade, at: f64) -> Result<Vec<(String, f64)>, ReadingProbl
         })
     });
     parts.ok_or_else(|| {
-        let part =
-            |strip: Option<&(String, f64)>| strip.map_or(0.0, |one| one.1 / blade.tip_radius);
+        let part = |strip: Option<&(String, f64)>| strip.map_or(0.0, |one| one.1 / blade.length);
         ReadingProblem::OffStrips {
             found: at,
             ends: [part(blade.strips.first()), part(blade.strips.last())],
@@ -102,7 +104,7 @@ pub(super) fn of_rotor(
     };
     let (rotor, definition) = (rotor?, definition?);
     let blades = builder.air_blades().iter();
-    let strips = blades.filter(|blade| blade.rotor == rotor);
+    let strips = blades.filter(|blade| blade.rotor.as_ref() == Some(&rotor));
     let strips = strips.flat_map(|blade| blade.strips.iter().map(|strip| strip.0.clone()));
     let quantity = Quantity::Rotor {
         strips: strips.collect(),
@@ -116,9 +118,9 @@ pub(super) fn of_rotor(
 fn rotor(table: &Table<'_>, builder: &ModelBuilder) -> Option<String> {
     let name = table.get(&ROTOR)?;
     let mut known: Vec<String> = Vec::new();
-    for blade in builder.air_blades() {
-        if !known.contains(&blade.rotor) {
-            known.push(blade.rotor.clone());
+    for rotor in builder.air_blades().iter().flat_map(|blade| &blade.rotor) {
+        if !known.contains(rotor) {
+            known.push(rotor.clone());
         }
     }
     let (key, found) = match name {

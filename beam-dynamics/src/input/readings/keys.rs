@@ -162,6 +162,40 @@ pub(in crate::input) const ENERGIES: Family = Family {
     )],
 };
 
+/// The blade or card of a strip.
+const OF_STRIPS: KeySchema = of(
+    "\"blade 1\"",
+    "The name of a blade with strips, or of a `[[strip]]`.",
+);
+
+/// Strips.
+pub(in crate::input) const STRIPS: Family = Family {
+    name: "strip",
+    meaning: "Flow, coefficients and loads at a point of a blade or of a line of strips in the air.",
+    keys: &[
+        choice!(
+            QUANTITY,
+            "angle_of_attack",
+            "inflow_angle",
+            "induced_velocity",
+            "induced_swirl",
+            "flow_speed",
+            "lift_coefficient",
+            "drag_coefficient",
+            "moment_coefficient",
+            "mach",
+            "reynolds",
+            "normal_load",
+            "lift_load",
+            "drag_load",
+            "moment_load"
+        ),
+        OF_STRIPS,
+        AT.schema,
+        STRIP.schema,
+    ],
+};
+
 /// Sums over the strips of a rotor.
 pub(in crate::input) const ROTORS: Family = Family {
     name: "rotor",
@@ -170,7 +204,7 @@ pub(in crate::input) const ROTORS: Family = Family {
 };
 
 /// All quantities of columns.
-pub(in crate::input) const OF_COLUMNS: [Family; 19] = [
+pub(in crate::input) const OF_COLUMNS: [Family; 20] = [
     NODES,
     Family {
         name: "Euler angles",
@@ -201,29 +235,14 @@ pub(in crate::input) const OF_COLUMNS: [Family; 19] = [
     ANGLES,
     SPRINGS,
     ELECTRODES,
+    STRIPS,
     Family {
-        name: "strip",
-        meaning: "Flow, coefficients and loads at a point of a blade in the air.",
+        name: "load around the shaft",
+        meaning: "Force per length around the shaft of the rotor, without a rotor along the chord, at \
+                  a point of a blade or of a line of strips.",
         keys: &[
-            choice!(
-                QUANTITY,
-                "angle_of_attack",
-                "inflow_angle",
-                "induced_velocity",
-                "induced_swirl",
-                "flow_speed",
-                "lift_coefficient",
-                "drag_coefficient",
-                "moment_coefficient",
-                "mach",
-                "reynolds",
-                "normal_load",
-                "tangential_load",
-                "lift_load",
-                "drag_load",
-                "moment_load"
-            ),
-            of("\"blade 1\"", "The name of a blade with strips."),
+            choice!(QUANTITY, "tangential_load"),
+            OF_STRIPS,
             AT.schema,
             STRIP.schema,
         ],
@@ -300,8 +319,8 @@ keys! {
     /// Evaluation point: 1 is near the first node.
     pub(super) POINT: usize = "point", [Count(2)] as "1 or 2: beams have two evaluation points, 1 near the first node",
         or "1" = 1, "2";
-    /// Position as a part of the radius of the tip, undeformed; linear between two strips. One of
-    /// `at` and `strip` is needed.
+    /// Position as a part of the radius of the tip, undeformed, or of the length of a line of strips
+    /// without a rotor; linear between two strips. One of `at` and `strip` is needed.
     pub(super) AT: Option<f64> = "at", [NotNegative(Dimension::NUMBER)], optional, "0.75";
     /// Number of the strip, from the root.
     pub(super) STRIP: Option<usize> = "strip", [Count(usize::MAX)], optional, "7";

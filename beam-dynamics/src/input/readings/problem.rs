@@ -49,12 +49,12 @@ pub enum ReadingProblem {
         /// The element.
         element: String,
     },
-    /// A name of no blade with strips.
-    #[error("\"{name}\" is not a blade with strips, expected one with [blade.aerodynamics]")]
+    /// A name of no blade or card with strips.
+    #[error("\"{name}\" has no strips, expected a blade with [blade.aerodynamics] or a [[strip]]")]
     NoStrips {
         /// The name.
         name: String,
-        /// The blades with strips.
+        /// The blades and cards with strips.
         known: Vec<String>,
     },
     /// Both or none of the positions.
@@ -130,11 +130,11 @@ impl Explain for ReadingProblem {
                     .to_owned(),
             ),
             Self::NoStrips { known, .. } => Some(match known.is_empty() {
-                true => "no blade of the model has [blade.aerodynamics]".to_owned(),
-                false => format!("blades with strips: {}", listed(known)),
+                true => "the model has no strips in the air".to_owned(),
+                false => format!("with strips: {}", listed(known)),
             }),
             Self::Position { .. } => Some(
-                "\"at\" is a part of the radius of the tip, \"strip\" a number from the root"
+                "\"at\" is a part of the radius or of the length, \"strip\" a number from the root"
                     .to_owned(),
             ),
             Self::StripNumber { .. } => None,

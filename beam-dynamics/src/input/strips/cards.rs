@@ -1,4 +1,4 @@
-//! Strips of bodies and beams without a rotor: `[[strip]]`.
+//! Strips of bodies and beams that are no blade of `[[blade]]`: `[[strip]]`.
 //!
 //! The line of a strip goes along t, from `from` to `to` on a body, or along beams. With the
 //! direction f of `forward`, normal to t,
@@ -18,20 +18,24 @@ use shared_geom::document::schema::ValueKind::{Text, Vector};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use super::rotor::{self, Rotor};
+use super::stations::{self, Between};
 use super::{
-    Along, FLAPS, POINTS, RADIAL_DRAG, SECTION, SECTIONS, STATIONS, StripsInflow, airfoil_axes,
-    deflected, elements, ends, flaps, placed_beams, stations, strips,
+    Along, FLAPS, INFLOW_NAME, POINTS, PlacedBeam, RADIAL_DRAG, SECTION, SECTIONS, STATIONS,
+    StripsInflow, airfoil_axes, deflected, elements, ends, flaps, place, placed_beams, point_at,
+    strip_rotor, strips,
 };
-use crate::elements::strips::{AirStrip, StripGeometry};
+use crate::elements::strips::{Air, AirStrip, StripGeometry, StripRotor};
 use crate::input::aerodynamics::StripProblem;
 use crate::input::builder::ModelBuilder;
 use crate::input::ends::label;
+use crate::input::frames::IN;
 use crate::input::loads::{BEAMS, named_beams};
 
 keys! {
-    /// Strips in the air on a body or on beams, without induced velocity: a wing, a tail.
+    /// Strips in the air on a body or on beams: a wing, a tail, a blade of bodies.
     pub(in crate::input) CARD = "[[strip]]";
-    /// Its name, for messages.
+    /// Its name, for messages and readings.
     NAME: Option<String> = "name", [Text], or "`strip` and its number", "\"tail\"";
     /// The name of a node that carries the strips; either this or `beams`.
     NODE: Option<String> = "node", [Text], optional, "\"fuselage\"";
@@ -40,11 +44,11 @@ keys! {
     /// End of the line of the strips on a node, in its axes.
     TO: Option<Vector3<f64>> = "to", [Vector(3, Dimension::LENGTH)], optional, "[0, -1, 0]";
     /// Direction toward the leading edge at zero twist, of any length, in the axes of the node, or
-    /// on beams in the axes of the model. The upper surface is on the side of the direction of the
+    /// on beams in the axes of the model, or of the frame `in`. The upper surface is on the side of the direction of the
     /// line times this direction (cross product).
     FORWARD: Vector3<f64> = "forward", [Vector(3, Dimension::NUMBER)], required, "[1, 0, 0]";
-    with BEAMS.schema, SECTION.schema, POINTS.schema, RADIAL_DRAG.schema, STATIONS.schema,
-        FLAPS.schema;
+    with INFLOW_NAME.schema, IN.schema, BEAMS.schema, SECTION.schema, POINTS.schema,
+        RADIAL_DRAG.schema, STATIONS.schema, FLAPS.schema;
 }
 
 /// Lines of strips shorter than this part of the distance of their ends from the node are
@@ -57,8 +61,8 @@ const ALONG: f64 = 1e-3;
 enum Line {
     /// A node, and both ends in its axes \[m\].
     Body(usize, [Vector3<f64>; 2]),
-    /// Indices of beams.
-    Beams(Vec<usize>),
+    /// Beams.
+    Beams(Vec<PlacedBeam>),
 }
 
 /// Adds the strips of every `[[strip]]` to the model.
@@ -80,6 +84,7 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
     let line = line(table, (label, &words), builder);
     let (section, points) = (table.get(&SECTION), table.get(&POINTS));
     let (radial_drag, forward) = (table.get(&RADIAL_DRAG), table.get(&FORWARD));
+    let (inflow, frame) = (table.get(&INFLOW_NAME), builder.frames().of(table));
     let Some(line) = line else {
         let airfoils = &builder.aerodynamics().airfoils;
         stations::read(table, airfoils, (&words, f64::INFINITY));
@@ -90,7 +95,16 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
     let airfoils = &builder.aerodynamics().airfoils;
     let stations = stations::read(table, airfoils, (&words, length));
     let flaps = flaps::read(table, stations.as_ref(), builder.drives());
-    let axes = axes(table, &span, &forward?)?;
+    let (forward, frame) = (forward?, frame?);
+    let forward = match line {
+        Line::Body(..) => forward,
+        Line::Beams(_) => frame.direction(&forward),
+    };
+    let axes = axes(table, &span, &forward)?;
+    let rotor = match inflow? {
+        Some(name) => Some(rotor(&name, table, (label, words), builder)?),
+        None => None,
+    };
     let air = Along {
         stations: stations?,
         flaps: flaps?,
@@ -98,7 +112,26 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
         points: points?,
         radial_drag: radial_drag?,
     };
-    add(&air, &axes, (label, line), builder)
+    add((&air, &axes), (label, &line), rotor.as_ref(), builder)
+}
+
+/// The rotor with the inflow of a card.
+fn rotor(
+    name: &str,
+    table: &Table<'_>,
+    (label, words): (&str, String),
+    builder: &mut ModelBuilder,
+) -> Option<Rotor> {
+    let found = rotor::find(Some(name), table, builder, words)?;
+    if let Some(inflow) = found.without_blades() {
+        let problem = StripProblem::Blades {
+            name: inflow.to_owned(),
+            user: label.to_owned(),
+        };
+        table.note(&INFLOW_NAME, &problem);
+        return None;
+    }
+    Some(found)
 }
 
 /// The axes B; notes a direction forward along the line.
@@ -134,7 +167,10 @@ fn line(
             }
             return Some(Line::Body(node, [from, to]));
         }
-        (None, None, None, true) => return named_beams(table, builder, label).map(Line::Beams),
+        (None, None, None, true) => {
+            let beams = named_beams(table, builder, label)?;
+            return Some(Line::Beams(placed_beams(beams, builder)));
+        }
         (None, _, _, false) => "neither \"node\" nor \"beams\"",
         (Some(_), _, _, true) => "both \"node\" and \"beams\"",
         (Some(_), _, _, false) => "\"node\" without both ends",
@@ -154,60 +190,101 @@ impl Line {
                 (along.normalize(), along.norm())
             }
             Self::Beams(beams) => {
-                let lengths = beams.iter().map(|&beam| {
-                    let beam = &builder.beams()[beam];
-                    beam.geometry.length(&ends(beam, builder))
-                });
-                let point = |beam: Option<&usize>, xi: f64| {
-                    beam.map_or_else(Vector3::zeros, |&beam| {
-                        let beam = &builder.beams()[beam];
-                        beam.geometry.line_point(&ends(beam, builder), xi).0
-                    })
-                };
-                let along = point(beams.last(), 1.0) - point(beams.first(), -1.0);
+                let (last, start) = beams.last().copied().unwrap_or_default();
+                let last = &builder.beams()[last];
+                let length = start + last.geometry.length(&ends(last, builder));
+                let along = point_at(beams, length, builder) - point_at(beams, 0.0, builder);
                 let direction = along.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
-                (direction, lengths.sum())
+                (direction, length)
             }
+        }
+    }
+
+    /// The node of its end, and the end in the axes of the node \[m\].
+    fn tip(&self, builder: &ModelBuilder) -> (usize, Vector3<f64>) {
+        match self {
+            Self::Body(node, [_, to]) => (*node, *to),
+            Self::Beams(beams) => {
+                let (last, _) = beams.last().copied().unwrap_or_default();
+                (builder.beams()[last].nodes[2], Vector3::zeros())
+            }
+        }
+    }
+
+    /// A position on it, in the model \[m\].
+    fn point(&self, at: f64, builder: &ModelBuilder) -> Vector3<f64> {
+        match self {
+            Self::Body(node, [from, to]) => {
+                let node = &builder.nodes()[*node];
+                node.position + node.rotation * (from + (to - from).normalize() * at)
+            }
+            Self::Beams(beams) => point_at(beams, at, builder),
         }
     }
 }
 
+/// Adds the strips of a line.
 fn add(
-    air: &Along,
-    axes: &Matrix3<f64>,
-    (label, line): (&str, Line),
+    (air, axes): (&Along, &Matrix3<f64>),
+    (label, line): (&str, &Line),
+    rotor: Option<&Rotor>,
     builder: &mut ModelBuilder,
 ) -> Option<()> {
     let still = builder.aerodynamics().air.clone()?;
-    match line {
-        Line::Beams(beams) => {
-            let beams = placed_beams(beams, builder);
-            let strips = strips(air, (axes, &beams), builder, &StripsInflow::default());
-            for element in elements(label, (&beams, &strips), (None, &still), builder) {
-                builder.add_load(Box::new(element));
-            }
-        }
-        Line::Body(node, [from, to]) => {
-            let (span, length) = ((to - from).normalize(), (to - from).norm());
-            let points = air.points([0.0, length], None).into_iter();
-            for (number, (position, length, between)) in points.enumerate() {
-                let (offset, axes) = airfoil_axes(&between, axes, &span);
-                let geometry = StripGeometry {
-                    offset,
-                    axes,
-                    length,
-                };
-                let (strip, flap) = air.strip(between, position, None);
-                let element = AirStrip::on_body(
-                    format!("{label}/strip {}", number + 1),
-                    (node, &builder.nodes()[node], from + span * position),
-                    (Arc::new(strip), geometry),
-                    None,
-                    Arc::clone(&still),
-                );
-                builder.add_load(Box::new(deflected(element, flap)));
-            }
-        }
+    let (mut length, mut inflow, mut of_strip) =
+        (line.span(builder).1, StripsInflow::default(), None);
+    if let Some(rotor) = rotor {
+        let tip = line.tip(builder);
+        let node = &builder.nodes()[tip.0];
+        length = rotor.distance(&(node.position + node.rotation * tip.1));
+        // The inflow has the number of blades if it needs it.
+        inflow = StripsInflow::new((rotor, &air.stations), (1, length), |at| {
+            rotor.distance(&line.point(at, builder))
+        });
+        let disk = rotor.disk(length, builder);
+        of_strip = Some(strip_rotor(label, (rotor, disk), tip, builder));
     }
+    let of = (of_strip.as_ref(), &still);
+    let strips: Vec<_> = match line {
+        Line::Beams(beams) => {
+            let strips = strips(air, (axes, beams), builder, &inflow);
+            let elements = elements(label, (beams, &strips), of, builder);
+            let spans = strips.iter().map(|strip| strip.span);
+            elements.into_iter().zip(spans).collect()
+        }
+        Line::Body(node, ends) => {
+            on_body((air, axes), (label, *node, ends), (&inflow, of), builder)
+        }
+    };
+    place(strips.into_iter(), (label, rotor), length, builder);
     Some(())
+}
+
+/// The strips of a line on a node, with their positions \[m\].
+fn on_body(
+    (air, axes): (&Along, &Matrix3<f64>),
+    (label, node, [from, to]): (&str, usize, &[Vector3<f64>; 2]),
+    (inflow, (rotor, still)): (&StripsInflow, (Option<&StripRotor>, &Arc<Air>)),
+    builder: &ModelBuilder,
+) -> Vec<(AirStrip, f64)> {
+    let (span, length) = ((to - from).normalize(), (to - from).norm());
+    let points = air.points([0.0, length], inflow.end).into_iter();
+    let strip = |(number, (position, length, between)): (usize, (f64, f64, Between))| {
+        let (offset, axes) = airfoil_axes(&between, axes, &span);
+        let geometry = StripGeometry {
+            offset,
+            axes,
+            length,
+        };
+        let (strip, flap) = air.strip(position, between, inflow);
+        let element = AirStrip::on_body(
+            format!("{label}/strip {}", number + 1),
+            (node, &builder.nodes()[node], from + span * position),
+            (strip, geometry),
+            rotor.cloned(),
+            Arc::clone(still),
+        );
+        (deflected(element, flap), position)
+    };
+    points.enumerate().map(strip).collect()
 }

@@ -99,6 +99,15 @@ impl Rotor {
             .map_or(NO_INFLOW, |inflow| &inflow.name)
     }
 
+    /// The inflow, if it is of annuli and does not have the number of blades.
+    pub fn without_blades(&self) -> Option<&str> {
+        let inflow = self.inflow.as_ref()?;
+        match &inflow.kind {
+            InflowKind::Annular(annular) if annular.blades.is_none() => Some(&inflow.name),
+            _ => None,
+        }
+    }
+
     /// Distance of a point from the shaft before the model moves \[m\].
     pub fn distance(&self, point: &Vector3<f64>) -> f64 {
         let [center, axis] = &self.start;

@@ -10,7 +10,9 @@ use shared_geom::figure::{
 use crate::elements::{AirState, StripQuantity};
 use crate::output::color_bar::{CONTOUR, ColorBar};
 
-const HEIGHT: u32 = 760;
+/// Height of the sheet with one row, and of each further row \[figure pixels\].
+const HEIGHT: f64 = 800.0;
+const ROW: f64 = 660.0;
 /// Name, unit, quantity, and its units in one SI unit.
 type Drawn = (&'static str, &'static str, StripQuantity, f64);
 
@@ -40,40 +42,51 @@ pub(super) type Point = [f64; 3];
 pub(super) struct Map {
     /// Name and unit.
     pub title: String,
-    /// At each time the points along a blade.
-    pub rows: Vec<Vec<Point>>,
+    /// Of each blade, at each time the points along it.
+    pub blades: Vec<Vec<Vec<Point>>>,
 }
 
-/// Maps of a rotor.
+/// The strips of a blade at each time, with its name.
+pub(super) type BladeRows<'a> = (&'a str, Vec<Vec<&'a AirState>>);
+
+/// Maps of a rotor, a row for each blade, with the same colors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiskPlot {
     pub(super) title: String,
     /// Radius of the tip \[m\].
     pub(super) radius: f64,
+    /// Names of the blades.
+    pub(super) names: Vec<String>,
     pub(super) maps: Vec<Map>,
 }
 
 impl DiskPlot {
-    /// The maps of the strips of a blade at each time; `None` for less than two times or strips.
-    pub(super) fn new(title: String, rows: &[Vec<&AirState>]) -> Option<Self> {
-        if rows.len() < 2 || rows.iter().any(|row| row.len() < 2) {
+    /// The maps of the blades of a rotor; `None` for less than two times or strips.
+    pub(super) fn new(title: String, blades: &[BladeRows<'_>]) -> Option<Self> {
+        let is_short =
+            |rows: &[Vec<&AirState>]| rows.len() < 2 || rows.iter().any(|row| row.len() < 2);
+        if blades.is_empty() || blades.iter().any(|blade| is_short(&blade.1)) {
             return None;
         }
-        let map = |(name, unit, quantity, factor): &Drawn| Map {
-            title: format!("{name} [{unit}]"),
-            rows: rows
-                .iter()
-                .map(|row| {
-                    let point = |state: &&AirState| {
-                        [state.azimuth, state.radius, factor * quantity.of(state)]
-                    };
-                    row.iter().map(point).collect()
-                })
-                .collect(),
+        let map = |(name, unit, quantity, factor): &Drawn| {
+            let point =
+                |state: &&AirState| [state.azimuth, state.radius, factor * quantity.of(state)];
+            let points = |row: &Vec<&AirState>| row.iter().map(point).collect();
+            let blades = blades.iter();
+            Map {
+                title: format!("{name} [{unit}]"),
+                blades: blades
+                    .map(|(_, rows)| rows.iter().map(points).collect())
+                    .collect(),
+            }
         };
+        let tips = blades
+            .iter()
+            .filter_map(|(_, rows)| rows.last()?.last()?.rotor);
         Some(Self {
             title,
-            radius: rows.last()?.last()?.rotor.tip_radius,
+            radius: tips.map(|rotor| rotor.tip_radius).fold(0.0, f64::max),
+            names: blades.iter().map(|(name, _)| (*name).to_owned()).collect(),
             maps: QUANTITIES.iter().map(map).collect(),
         })
     }
@@ -136,37 +149,50 @@ impl Disk {
 
 impl Figure for DiskPlot {
     fn size(&self) -> (u32, u32) {
-        (WIDTH, HEIGHT)
+        let further = self.names.len().saturating_sub(1);
+        (WIDTH, (HEIGHT + ROW * further as f64) as u32)
     }
 
     fn draw(&self, drawing: &mut Drawing) {
         drawing.title(&self.title, [40.0, 44.0]);
-        let width = f64::from(WIDTH) / self.maps.len().max(1) as f64;
-        for (index, map) in self.maps.iter().enumerate() {
-            let left = width * index as f64;
-            let pixels = 0.5 * (width - 230.0);
-            let disk = Disk {
-                center: [left + 70.0 + pixels, 190.0 + TEXT + pixels],
-                scale: pixels / self.radius,
-                radius: self.radius,
-            };
-            let values = map.rows.iter().flatten().map(|point| point[2]);
-            let title = Label::new(TEXT).colored(INK).anchored(Anchor::Middle);
-            let title = fitting(title, &map.title, 2.0 * pixels);
-            drawing.text(&map.title, [disk.center[0], 140.0], title);
-            if let Some(bar) = ColorBar::of(values) {
-                let mut triangles = Vec::new();
-                for pair in map.rows.windows(2) {
-                    disk.cells(&pair[0], &pair[1], &mut triangles);
-                }
-                drawing.shade(triangles, |value| bar.color(value));
-                let [x, y] = disk.center;
-                bar.draw(drawing, x + pixels + 30.0, [y - pixels, y + pixels]);
+        let label = Label::new(SMALL).colored(INK);
+        for (blade, name) in self.names.iter().enumerate() {
+            let top = ROW * blade as f64;
+            drawing.text(name, [40.0, top + 100.0], label);
+            for (index, map) in self.maps.iter().enumerate() {
+                self.draw_map(drawing, map, (blade, index));
             }
-            disk.draw_frame(drawing);
         }
         let note = "azimuth [deg], counterclockwise as seen from the side of the axis";
-        let label = Label::new(SMALL).colored(INK);
-        drawing.text(note, [40.0, f64::from(HEIGHT) - 36.0], label);
+        let (_, height) = self.size();
+        drawing.text(note, [40.0, f64::from(height) - 36.0], label);
+    }
+}
+
+impl DiskPlot {
+    /// Draws a map of a blade: its row and column.
+    fn draw_map(&self, drawing: &mut Drawing, map: &Map, (blade, column): (usize, usize)) {
+        let width = f64::from(WIDTH) / self.maps.len().max(1) as f64;
+        let (left, top) = (width * column as f64, 40.0 + ROW * blade as f64);
+        let pixels = 0.5 * (width - 230.0);
+        let disk = Disk {
+            center: [left + 70.0 + pixels, top + 190.0 + TEXT + pixels],
+            scale: pixels / self.radius,
+            radius: self.radius,
+        };
+        let title = Label::new(TEXT).colored(INK).anchored(Anchor::Middle);
+        let title = fitting(title, &map.title, 2.0 * pixels);
+        drawing.text(&map.title, [disk.center[0], top + 140.0], title);
+        let values = map.blades.iter().flatten().flatten();
+        if let Some(bar) = ColorBar::of(values.map(|point| point[2])) {
+            let mut triangles = Vec::new();
+            for pair in map.blades[blade].windows(2) {
+                disk.cells(&pair[0], &pair[1], &mut triangles);
+            }
+            drawing.shade(triangles, |value| bar.color(value));
+            let [x, y] = disk.center;
+            bar.draw(drawing, x + pixels + 30.0, [y - pixels, y + pixels]);
+        }
+        disk.draw_frame(drawing);
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use shared_geom::files::OutputProblem;
 
-use super::disk::DiskPlot;
+use super::disk::{BladeRows, DiskPlot};
 use super::{air_csv, rotors};
 use crate::case::Model;
 use crate::elements::{AirState, Observations};
@@ -72,7 +72,10 @@ impl<'a> AirRecord<'a> {
     }
 
     fn push(&mut self, time: f64, states: Vec<AirState>) {
-        let speed = |states: &[AirState]| states.first().map_or(0.0, |one| one.rotor.turning.abs());
+        let speed = |states: &[AirState]| {
+            let rotor = states.iter().find_map(|state| state.rotor);
+            rotor.map_or(0.0, |rotor| rotor.turning.abs())
+        };
         let turned = match self.rows.back() {
             Some(last) => {
                 let mean = 0.5 * (speed(&last.states) + speed(&states));
@@ -105,28 +108,38 @@ impl<'a> AirRecord<'a> {
         for (index, name) in rotors(&last.states).into_iter().enumerate() {
             let endings = ["png", "svg"].map(|ending| format!("{DISK}{}.{ending}", index + 1));
             results.figures([&endings[0], &endings[1]], || {
-                let revolution = self.last_revolution(name)?;
-                let blade = &revolution.first()?.first()?.place.blade;
-                let title = format!("{}: {name}, last revolution of {blade}", self.model.name);
-                DiskPlot::new(title, &revolution)
+                let title = format!("{}: {name}, last revolution", self.model.name);
+                DiskPlot::new(title, &self.last_revolution(name))
             })?;
         }
         Ok(())
     }
 
-    /// The strips of the first blade of a rotor, from the root to the tip, at each time of the last
+    /// The strips of each blade of a rotor, from the root to the tip, at each time of the last
     /// revolution.
-    fn last_revolution(&self, rotor: &str) -> Option<Vec<Vec<&AirState>>> {
-        let last = self.rows.back()?;
-        let mut states = last.states.iter();
-        let blade = &states.find(|state| state.place.rotor == rotor)?.place.blade;
+    fn last_revolution(&self, rotor: &str) -> Vec<BladeRows<'_>> {
+        let Some(last) = self.rows.back() else {
+            return Vec::new();
+        };
+        let mut names: Vec<&str> = Vec::new();
+        for place in last.states.iter().map(|state| &state.place) {
+            if place.rotor.as_deref() == Some(rotor) && !names.contains(&place.blade.as_str()) {
+                names.push(&place.blade);
+            }
+        }
         let first = last.turned - TAU - ROUND_OFF;
         let count = self.rows.iter().filter(|row| row.turned < first).count();
-        let rows = self.rows.iter().skip(count.saturating_sub(1));
-        let rows = rows.map(|row| {
-            let states = row.states.iter();
-            states.filter(|state| state.place.blade == *blade).collect()
-        });
-        Some(rows.collect())
+        let of_blade = |name: &str| {
+            let rows = self.rows.iter().skip(count.saturating_sub(1));
+            let rows = rows.map(|row| {
+                let states = row.states.iter();
+                states.filter(|state| state.place.blade == name).collect()
+            });
+            rows.collect()
+        };
+        names
+            .into_iter()
+            .map(|name| (name, of_blade(name)))
+            .collect()
     }
 }

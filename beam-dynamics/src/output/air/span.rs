@@ -1,7 +1,7 @@
 //! Flow and loads along the blades.
 
 use crate::elements::{AirState, StripQuantity};
-use crate::output::panels::{Panel, PanelPlot, scale};
+use crate::output::panels::{Panel, PanelPlot};
 
 /// Name, unit, quantity, and its units in one SI unit.
 type Drawn = (&'static str, &'static str, StripQuantity, f64);
@@ -34,24 +34,28 @@ pub(in crate::output) fn span_plot(title: &str, states: &[AirState]) -> Option<P
     let panel = |(name, unit, quantity, factor): &Drawn| {
         let curve = |blade: &&str| {
             let own = states.iter().filter(|state| state.place.blade == *blade);
-            own.map(|state| [state.radius, factor * quantity.of(state)])
+            own.map(|state| [position(state), factor * quantity.of(state)])
                 .collect::<Vec<_>>()
         };
-        let mut curves: Vec<_> = names.iter().map(curve).collect();
-        let values = curves.iter().flatten().map(|point| point[1]);
-        let (prefix, factor) = scale(unit, values);
-        for point in curves.iter_mut().flatten() {
-            point[1] *= factor;
-        }
-        Panel {
-            title: format!("{name} [{prefix}{unit}]"),
-            curves,
-        }
+        Panel::scaled((name, unit), names.iter().map(curve).collect())
     };
+    let count = states.iter().filter(|state| state.rotor.is_some()).count();
     (!states.is_empty()).then(|| PanelPlot {
         title: format!("{title}, air along the blades"),
-        across: "radius [m]".to_owned(),
+        across: match count {
+            0 => "position along the line [m]".to_owned(),
+            count if count == states.len() => "radius [m]".to_owned(),
+            _ => "radius, without a rotor position along the line [m]".to_owned(),
+        },
         names: names.iter().map(|&name| name.to_owned()).collect(),
         panels: QUANTITIES.iter().map(panel).collect(),
     })
+}
+
+/// The radius of a strip, without a rotor its position along the line \[m\].
+fn position(state: &AirState) -> f64 {
+    match state.rotor {
+        Some(_) => state.radius,
+        None => state.place.span,
+    }
 }

@@ -38,7 +38,7 @@ const SUMS: &str = "force x [N],force y [N],force z [N],moment x [N m],moment y 
     moment z [N m],rotor speed [rpm]";
 
 /// One row per strip of each group: its place, its flow and loads, its force and its moment about
-/// the center of the shaft in the axes of the model. `lead` are the headings of the values that
+/// the center of the shaft, without a rotor about the origin, in the axes of the model. `lead` are the headings of the values that
 /// precede a group. Values that are not finite are empty.
 pub(in crate::output) fn air_csv<'a>(
     lead: &str,
@@ -58,7 +58,7 @@ pub(in crate::output) fn air_csv<'a>(
 fn cells(state: &AirState) -> Vec<String> {
     let place = &state.place;
     let mut row = vec![
-        place.rotor.clone(),
+        place.rotor.clone().unwrap_or_default(),
         place.blade.clone(),
         place.number.to_string(),
     ];
@@ -66,7 +66,7 @@ fn cells(state: &AirState) -> Vec<String> {
     values.extend(state.position.iter());
     values.extend(QUANTITIES.map(|(_, quantity, factor)| factor * quantity.of(state)));
     values.extend(state.force.iter().chain(&state.moment));
-    values.push(state.rotor.turning * RPM);
+    values.push(state.rotor.map_or(f64::NAN, |rotor| rotor.turning * RPM));
     let cell = |value: f64| match value.is_finite() {
         true => number(value),
         false => String::new(),

@@ -33,19 +33,19 @@ fn strip(blade: &str, number: usize, azimuth: f64) -> AirState {
         position,
         flow: StripReport {
             alpha: (2.0 + radius * azimuth.cos()).to_radians(),
+            along_shaft: 10.0,
             ..StripReport::default()
         },
-        normal: 10.0,
         tangential: -2.0,
         force,
         moment: position.cross(&force),
-        rotor: RotorMotion {
+        rotor: Some(RotorMotion {
             axis: Vector3::z(),
             turning: SPEED,
             velocity: Vector3::new(3.0, 0.0, 4.0),
             tip_radius: RADIUS,
             density: 1.2,
-        },
+        }),
     }
 }
 
@@ -165,14 +165,24 @@ fn maps_of_the_disk() {
         })
         .collect();
     let rows: Vec<Vec<&AirState>> = rows.iter().map(|row| row.iter().collect()).collect();
-    let plot = DiskPlot::new("made up".to_owned(), &rows).unwrap();
-    let Map { title, rows } = &plot.maps[0];
+    let half = rows[..37].to_vec();
+    let blades = [("b 1", rows), ("b 2", half)];
+    let plot = DiskPlot::new("made up".to_owned(), &blades).unwrap();
+    let Map { title, blades } = &plot.maps[0];
     assert_eq!(title, "angle of attack [deg]");
-    for [azimuth, radius, value] in rows.iter().flatten() {
+    assert_eq!((blades[0].len(), blades[1].len()), (73, 37));
+    for [azimuth, radius, value] in blades.iter().flatten().flatten() {
         assert!((value - 2.0 - radius * azimuth.cos()).abs() < 1e-12);
     }
     let shown = texts(&plot);
-    for text in ["\n0\n", "\n270\n", "normal load [N/m]", "made up"] {
+    for text in [
+        "\n0\n",
+        "\n270\n",
+        "normal load [N/m]",
+        "made up",
+        "\nb 1\n",
+        "\nb 2\n",
+    ] {
         assert!(shown.contains(text), "{shown}");
     }
     let drawing = plot.drawing();

@@ -46,7 +46,9 @@ const OTHERS: [(&str, Definition, RotorQuantity); 5] = [
 pub(in crate::output) fn rotor_text(states: &[AirState]) -> String {
     let mut text = String::new();
     for name in rotors(states) {
-        let own = states.iter().filter(|state| state.place.rotor == name);
+        let own = states
+            .iter()
+            .filter(|state| state.place.rotor.as_deref() == Some(name));
         let Some(rotor) = RotorAir::of(own) else {
             continue;
         };

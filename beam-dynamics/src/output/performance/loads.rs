@@ -3,7 +3,7 @@
 use rotor_aero::rotor::{Sector, SpanLoad};
 
 use crate::input::short_number;
-use crate::output::panels::{Panel, PanelPlot, scale};
+use crate::output::panels::{Panel, PanelPlot};
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable};
 
 /// A quantity along the blade.
@@ -21,18 +21,8 @@ pub(super) fn load_plot(result: &PerformanceResult, table: &PerformanceTable) ->
     let points: Vec<&PerformancePoint> = table.loaded().collect();
     let panel = |(name, unit, value): &Quantity| {
         let curves = points.iter();
-        let mut curves: Vec<_> = curves
-            .map(|point| mean(&point.performance.sectors, *value))
-            .collect();
-        let values = curves.iter().flatten().map(|point| point[1]);
-        let (prefix, factor) = scale(unit, values);
-        for point in curves.iter_mut().flatten() {
-            point[1] *= factor;
-        }
-        Panel {
-            title: format!("{name} [{prefix}{unit}]"),
-            curves,
-        }
+        let curves = curves.map(|point| mean(&point.performance.sectors, *value));
+        Panel::scaled((name, unit), curves.collect())
     };
     let name = |point: &&PerformancePoint| {
         let title = table.abscissa.title();

@@ -18,6 +18,10 @@ impl Polar for Linear {
         }
     }
 
+    fn drag<T: Real>(&self, flow: &Flow<T>) -> T {
+        self.coefficients(flow).drag
+    }
+
     fn attached<T: Real>(&self, _alpha: T) -> T {
         T::one()
     }
@@ -90,6 +94,10 @@ impl Polar for Naca0012 {
         }
     }
 
+    fn drag<T: Real>(&self, flow: &Flow<T>) -> T {
+        self.coefficients(flow).drag
+    }
+
     fn attached<T: Real>(&self, alpha: T) -> T {
         if !self.from_lift {
             return Self::kirchhoff_part(alpha);
@@ -144,6 +152,10 @@ impl Polar for Smooth {
             drag: (-cos * cos + 1.0) * 1.8 + 0.01 + mach * 0.02,
             moment: sin * cos * (-0.2) - flow.flap * 0.3 - flow.reynolds * 1e-9,
         }
+    }
+
+    fn drag<T: Real>(&self, flow: &Flow<T>) -> T {
+        self.coefficients(flow).drag
     }
 
     fn attached<T: Real>(&self, alpha: T) -> T {

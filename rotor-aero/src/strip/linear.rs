@@ -1,0 +1,294 @@
+//! Derivatives of the loads and rows of a strip, by parts with few variables each.
+//!
+//! The section depends on its velocity w against the air, its pitch rate and its own states and
+//! rates; the annulus on the velocities and forces along n and t, on the radii and on its own
+//! unknowns and rates. Each part is differentiated by dual numbers of its own variables, and these
+//! vary with the numbers of the strip (see the module of the strip), `ds_t = t . (ds_x, ds_y)`:
+//!
+//! ```text
+//! dn = t ds_t / |s|                  dt = -n ds_t / |s|
+//! dw = dw0 + n du + t dv + (u t - v n) ds_t / |s|             in a disk dw0 + (s_x, s_y) du + u ds
+//! d(w0 . n) = n . dw0 + w0 . t ds_t / |s|                     d(f . n) = n . df + f . t ds_t / |s|
+//! d(w0 . t) = t . dw0 - w0 . n ds_t / |s|                     d(f . t) = t . df - f . n ds_t / |s|
+//! ```
+
+use num_dual::{Dual64, DualSVec64};
+
+use super::ring::{Ring, RingFlow};
+use super::{
+    ActingAir, AnnularInflow, FLOW, INPUTS, LOADS, OUTPUTS, STATES, Strip, StripFlow, StripInflow,
+    plane,
+};
+use crate::momentum::Ambient;
+
+/// Column of the first component of the shaft.
+const SHAFT: usize = 4;
+/// Column of the radius of the quarter chord; the radius of the tip is next.
+const RADIUS: usize = 7;
+/// Column of the deflection of the flap.
+const FLAP: usize = 9;
+/// Variables of an annulus before its own unknowns: velocities along n and against t, radii, forces.
+const OF_RING: usize = 6;
+/// Variables of a section before its own states: velocity and pitch rate.
+const OF_SECTION: usize = 3;
+
+/// Outputs of a strip and their derivatives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StripJacobian {
+    /// Loads, then rows [N/m, N, unit of each row].
+    pub values: [f64; OUTPUTS],
+    /// Derivatives: row of an output; columns: the flow, the unknowns, and from `FLOW + STATES` on
+    /// the rates.
+    pub by: [[f64; INPUTS]; OUTPUTS],
+}
+
+impl StripJacobian {
+    /// Outputs without derivatives.
+    pub fn of_values(values: [f64; OUTPUTS]) -> Self {
+        Self {
+            values,
+            by: [[0.0; INPUTS]; OUTPUTS],
+        }
+    }
+}
+
+/// The flow, the unknowns and their rates, as numbers.
+pub(super) struct Numbers<'a> {
+    pub flow: &'a [f64; FLOW],
+    pub states: &'a [f64],
+    pub rates: &'a [f64],
+}
+
+/// The velocity of a section against the air, and its derivatives.
+struct Velocity {
+    /// w along x and y [m/s].
+    values: [f64; 2],
+    /// By the components of the shaft along x and y; row of a component of w.
+    by_shaft: [[f64; 2]; 2],
+    /// By the first unknowns of the inflow.
+    by_induced: [[f64; 2]; 3],
+}
+
+impl Velocity {
+    /// Adds a slope by w to the slopes by the numbers of a strip.
+    fn add(&self, [x, y]: [f64; 2], count: usize, row: &mut [f64; INPUTS]) {
+        row[0] += x;
+        row[1] += y;
+        for j in 0..2 {
+            row[SHAFT + j] += x * self.by_shaft[0][j] + y * self.by_shaft[1][j];
+        }
+        let unknowns = row[FLOW..].iter_mut().zip(&self.by_induced);
+        for (slope, by) in unknowns.take(count) {
+            *slope += x * by[0] + y * by[1];
+        }
+    }
+}
+
+/// Values and derivatives of dual numbers with the given numbers as variables.
+fn variables<const N: usize>(numbers: [f64; N]) -> [DualSVec64<N>; N] {
+    std::array::from_fn(|i| DualSVec64::from_re(numbers[i]).derivative(i))
+}
+
+/// The derivatives of a dual number.
+fn slopes<const N: usize>(of: &DualSVec64<N>) -> [f64; N] {
+    of.eps.0.map_or([0.0; N], Into::into)
+}
+
+impl Strip {
+    /// Loads and rows with derivatives.
+    pub(super) fn by_parts(&self, air: ActingAir<'_>, at: &Numbers<'_>) -> StripJacobian {
+        let flow = StripFlow::from_numbers(at.flow);
+        let axes = plane(&flow.shaft);
+        let velocity = self.velocity_slopes(&flow, &axes, at.states);
+        let mut out = StripJacobian::of_values([0.0; OUTPUTS]);
+        // Sections without states, with the five of the default, and with all.
+        match at.states.len() - self.of_inflow {
+            0 => self.add_section::<OF_SECTION>(air, &velocity, at, &mut out),
+            1..=5 => self.add_section::<{ OF_SECTION + 2 * 5 }>(air, &velocity, at, &mut out),
+            _ => self.add_section::<{ OF_SECTION + 2 * 9 }>(air, &velocity, at, &mut out),
+        }
+        if self.radial_drag {
+            let [x, y] = velocity.values;
+            let friction = self.friction(air, &variables([x, y, flow.velocity[2]]));
+            let [x, y, z] = slopes(&friction);
+            out.values[2] = friction.re;
+            out.by[2][2] = z;
+            velocity.add([x, y], self.of_inflow, &mut out.by[2]);
+        }
+        let (annulus, first) = self.annulus();
+        for k in 0..first {
+            out.values[LOADS + k] = at.states[k];
+            out.by[LOADS + k][FLOW + k] = 1.0;
+        }
+        match annulus {
+            Some(inflow) if self.of_inflow - first == 2 => {
+                self.add_ring::<{ OF_RING + 2 }>(air, (inflow, &axes), at, &mut out);
+            }
+            Some(inflow) => self.add_ring::<{ OF_RING + 8 }>(air, (inflow, &axes), at, &mut out),
+            None => {}
+        }
+        if self.flap.is_some() {
+            self.add_flap(air, at, &mut out);
+        }
+        out
+    }
+
+    /// Writes the derivatives by the deflection of the flap, through the whole strip.
+    fn add_flap(&self, air: ActingAir<'_>, at: &Numbers<'_>, out: &mut StripJacobian) {
+        let mut flow = StripFlow::from_numbers(&at.flow.map(Dual64::from_re));
+        flow.flap.eps = 1.0;
+        let numbers = |of: &[f64]| {
+            let mut all = [Dual64::from_re(0.0); STATES];
+            for (to, from) in all.iter_mut().zip(of) {
+                *to = Dual64::from_re(*from);
+            }
+            all
+        };
+        let (states, rates) = (numbers(at.states), numbers(at.rates));
+        let count = at.states.len();
+        let outputs = self.outputs(air, &flow, &states[..count], &rates[..count]);
+        for (row, output) in out.by.iter_mut().zip(&outputs) {
+            row[FLAP] = output.eps;
+        }
+    }
+
+    /// The velocity of the section with its derivatives.
+    fn velocity_slopes(
+        &self,
+        flow: &StripFlow<f64>,
+        axes: &[[f64; 2]; 2],
+        states: &[f64],
+    ) -> Velocity {
+        let induced = &states[..self.of_inflow];
+        let [n, t] = axes;
+        let length = flow.shaft[0].hypot(flow.shaft[1]);
+        let turned =
+            |u: f64, v: f64| [0, 1].map(|i| [0, 1].map(|j| (u * t[i] - v * n[i]) * t[j] / length));
+        let shaft = [flow.shaft[0], flow.shaft[1]];
+        let (by_shaft, by_induced) = match (&self.inflow, induced) {
+            (Some(StripInflow::Disk), [u]) => ([[*u, 0.0], [0.0, *u]], [shaft, [0.0; 2], [0.0; 2]]),
+            (Some(StripInflow::Annular(_)), [u, v, ..]) => (turned(*u, *v), [*n, *t, [0.0; 2]]),
+            (Some(StripInflow::Skewed(_)), [u, _, v, ..]) => (turned(*u, *v), [*n, [0.0; 2], *t]),
+            _ => ([[0.0; 2]; 2], [[0.0; 2]; 3]),
+        };
+        Velocity {
+            values: self.velocity(flow, axes, induced),
+            by_shaft,
+            by_induced,
+        }
+    }
+
+    /// Writes the forces of the section and the rows of its states, in N variables.
+    fn add_section<const N: usize>(
+        &self,
+        air: ActingAir<'_>,
+        velocity: &Velocity,
+        at: &Numbers<'_>,
+        out: &mut StripJacobian,
+    ) {
+        let first = self.of_inflow;
+        let (states, rates) = (&at.states[first..], &at.rates[first..]);
+        let count = states.len();
+        let mut numbers = [0.0; N];
+        numbers[..2].copy_from_slice(&velocity.values);
+        numbers[2] = at.flow[3];
+        numbers[OF_SECTION..OF_SECTION + count].copy_from_slice(states);
+        numbers[OF_SECTION + count..OF_SECTION + 2 * count].copy_from_slice(rates);
+        let of = variables(numbers);
+        let mut rows = [DualSVec64::<N>::from_re(0.0); STATES];
+        let (states, rates) = of[OF_SECTION..].split_at(count);
+        let force = self.section(
+            air,
+            ([of[0], of[1]], of[2], DualSVec64::from_re(at.flow[FLAP])),
+            (states, &rates[..count]),
+            &mut rows[..count],
+        );
+        let forces = [(0, force.along), (1, force.normal), (3, force.moment)];
+        let rows = rows.iter().take(count).enumerate();
+        let rows = rows.map(|(k, row)| (LOADS + first + k, *row));
+        for (index, output) in forces.into_iter().chain(rows) {
+            out.values[index] = output.re;
+            let (slopes, row) = (slopes(&output), &mut out.by[index]);
+            velocity.add([slopes[0], slopes[1]], first, row);
+            row[3] = slopes[2];
+            let (own, rates) = slopes[OF_SECTION..].split_at(count);
+            row[FLOW + first..FLOW + first + count].copy_from_slice(own);
+            row[FLOW + STATES + first..FLOW + STATES + first + count]
+                .copy_from_slice(&rates[..count]);
+        }
+    }
+
+    /// Writes the rows of the annulus, in N variables; the forces are written already.
+    fn add_ring<const N: usize>(
+        &self,
+        air: ActingAir<'_>,
+        (inflow, [n, t]): (&AnnularInflow, &[[f64; 2]; 2]),
+        at: &Numbers<'_>,
+        out: &mut StripJacobian,
+    ) {
+        let (_, first) = self.annulus();
+        let count = self.of_inflow - first;
+        let along = |axis: &[f64; 2], of: &[f64]| axis[0] * of[0] + axis[1] * of[1];
+        let (axial, rotation) = (along(n, at.flow), -along(t, at.flow));
+        let force = [along(n, &out.values), along(t, &out.values)];
+        let mut numbers = [0.0; N];
+        let radii = [at.flow[RADIUS], at.flow[RADIUS + 1]];
+        numbers[..OF_RING]
+            .copy_from_slice(&[axial, rotation, radii[0], radii[1], force[0], force[1]]);
+        numbers[OF_RING..OF_RING + count].copy_from_slice(&at.states[first..self.of_inflow]);
+        // Rates enter the dynamic wake alone.
+        let of_rates = N - OF_RING - count;
+        numbers[OF_RING + count..].copy_from_slice(&at.rates[first..first + of_rates]);
+        let of = variables(numbers);
+        let ring_flow = RingFlow {
+            ambient: Ambient {
+                axial: of[0],
+                rotation: of[1],
+                skew: DualSVec64::from_re(0.0),
+            },
+            radii: [of[2], of[3]],
+            force: [of[4], of[5]],
+        };
+        let ring = Ring::new(inflow, air.still.density, ring_flow);
+        let (induced, rates) = of[OF_RING..].split_at(count);
+        let mut rows = [DualSVec64::<N>::from_re(0.0); 4];
+        ring.rows((induced, rates), &mut rows[..count]);
+        let length = at.flow[SHAFT].hypot(at.flow[SHAFT + 1]);
+        let [along_x, along_y] = [out.by[0], out.by[1]];
+        for (k, output) in rows.iter().take(count).enumerate() {
+            out.values[LOADS + first + k] = output.re;
+            let (by, row) = (slopes(output), &mut out.by[LOADS + first + k]);
+            let [x, y] = [0, 1].map(|i| by[4] * n[i] + by[5] * t[i]);
+            for (slope, (of_x, of_y)) in row.iter_mut().zip(along_x.iter().zip(&along_y)) {
+                *slope = x * of_x + y * of_y;
+            }
+            let turned = by[1] * axial - by[0] * rotation + by[4] * force[1] - by[5] * force[0];
+            for i in 0..2 {
+                row[i] += by[0] * n[i] - by[1] * t[i];
+                row[SHAFT + i] += turned * t[i] / length;
+                row[RADIUS + i] += by[2 + i];
+            }
+            let (own, rates) = by[OF_RING..].split_at(count);
+            for (i, slope) in own.iter().enumerate() {
+                row[FLOW + first + i] += slope;
+            }
+            for (i, slope) in rates.iter().enumerate() {
+                row[FLOW + STATES + first + i] += slope;
+            }
+        }
+    }
+
+    /// The annulus, if there is one, and the number of unknowns before its own.
+    pub(super) fn annulus(&self) -> (Option<&AnnularInflow>, usize) {
+        match &self.inflow {
+            None => (None, 0),
+            Some(StripInflow::Disk) => (None, 1),
+            Some(StripInflow::Annular(inflow)) => (Some(inflow), 0),
+            Some(StripInflow::Skewed(inflow)) => (Some(inflow), 1),
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "linear_tests.rs"]
+mod tests;
