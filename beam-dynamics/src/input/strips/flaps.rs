@@ -142,7 +142,9 @@ pub(super) fn read(
 
 fn flap(table: &Table<'_>, stations: Option<&Stations>, catalog: &Catalog) -> Option<Flap> {
     let range = [table.get(&FROM), table.get(&TO)];
-    let deflection = read_signal(table, &DEFLECTION.schema, catalog);
+    let deflection = table
+        .require_item(&DEFLECTION, &Dimension::ANGLE.to_string())
+        .and_then(|_| read_signal(table, &DEFLECTION.schema, catalog));
     let law = match table.get(&CHORD)? {
         None => Some(FlapLaw::OfTables),
         Some(found) => {

@@ -170,7 +170,7 @@ fn wrong_flaps_are_reported() {
         (
             "thin",
             flap("from = 1, to = 2, chord = 0.2"),
-            ["\"deflection\"", "is missing"],
+            ["has no \"deflection\"", "an angle"],
         ),
         (
             "f",

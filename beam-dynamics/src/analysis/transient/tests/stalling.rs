@@ -119,7 +119,7 @@ fn alone(parts: usize) -> Vec<[f64; LOADS]> {
 
 /// Lift and moment of the run are the ones of the section alone. The momenta of the added mass jump
 /// at the start, where the body begins to turn: the first 20 steps are left out. The step of the run
-/// is 1/400 of a cycle, at which the vortex is shed within some ten steps: 1 % of the largest lift
+/// is 1/400 of a cycle, at which the vortex is shed within some ten steps: 0.3 % of the largest lift
 /// and moment.
 #[test]
 fn a_pitching_body_has_the_loop_of_its_section() {
