@@ -207,6 +207,16 @@ const CHECK_EXAMPLE: &str = "\
 Example:
   beam-dynamics check rotor/swept.dynamics.toml";
 
+const EXPAND: &str = "\
+Prints a dynamics file with the cards for which its rotors stand
+
+Each [[rotor]] is replaced by its frames, nodes, bodies, joints, springs, drives and blades; \
+all other lines stay as they are. The expanded file gives the same results.";
+
+const EXPAND_EXAMPLE: &str = "\
+Example:
+  beam-dynamics expand helicopter.dynamics.toml --out expanded.dynamics.toml";
+
 const DESCRIBE: &str = "\
 Describes the contents of blade files
 
@@ -444,6 +454,15 @@ pub(super) enum Command {
         /// Dynamics files, NAME.dynamics.toml, or blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
+    },
+    #[command(about = first_line(EXPAND), long_about = EXPAND, after_help = EXPAND_EXAMPLE)]
+    Expand {
+        /// A dynamics file, NAME.dynamics.toml
+        #[arg(value_name = "FILE")]
+        file: PathBuf,
+        /// The file to write, in the folder of FILE; default the terminal
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
     },
     #[command(about = first_line(DESCRIBE), long_about = DESCRIBE, after_help = DESCRIBE_EXAMPLE)]
     Describe {
