@@ -12,8 +12,10 @@ use super::convert::ConvertArguments;
 use super::plot::PlotOptions;
 use super::reading_options::ReadingOptions;
 
+mod expand;
 mod periodic;
 
+use expand::{EXPAND, EXPAND_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
 
 const ABOUT: &str = "\
@@ -206,16 +208,6 @@ remedy; prints a summary if there are none.";
 const CHECK_EXAMPLE: &str = "\
 Example:
   beam-dynamics check rotor/swept.dynamics.toml";
-
-const EXPAND: &str = "\
-Prints a dynamics file with the cards for which its rotors stand
-
-Each [[rotor]] is replaced by its frames, nodes, bodies, joints, springs, drives and blades; \
-all other lines stay as they are. The expanded file gives the same results.";
-
-const EXPAND_EXAMPLE: &str = "\
-Example:
-  beam-dynamics expand helicopter.dynamics.toml --out expanded.dynamics.toml";
 
 const DESCRIBE: &str = "\
 Describes the contents of blade files

@@ -51,11 +51,16 @@ pub(super) fn cards(
     (k, yoke): (usize, &str),
     (control, command): (&pitch::Control, &Sum),
 ) -> Vec<Card> {
-    let arm = base.arm(k);
+    let mut arm = base.arm(k);
     let mut cards = vec![base.frame(&arm)];
     let mut inner = yoke.to_owned();
     for (number, hinge) in base.hinges.iter().enumerate() {
         let node = base.of_blade(k, &word(&base.hinges, number));
+        if hinge.kind == PITCH && base.pitch != 0.0 && !arm.is_pitched {
+            // This hinge and the ones outboard of it are turned with the blade.
+            arm = base.pitched(k);
+            cards.push(base.frame(&arm));
+        }
         cards.push(base.node(&node, &arm, Vector3::new(hinge.offset, 0.0, 0.0)));
         let nodes = [inner.as_str(), &node];
         cards.extend(match hinge.kind {

@@ -83,6 +83,8 @@ pub(super) struct Base {
     pub azimuth: f64,
     /// Cone angle of the blades, positive up \[rad\].
     pub precone: f64,
+    /// Pitch of the bearings in the undeformed model \[rad\].
+    pub pitch: f64,
     /// Distance of the cone of the blades below the center \[m\].
     pub undersling: f64,
     /// Distance of the universal joints of a gimbal from the center \[m\].
@@ -108,6 +110,8 @@ pub(super) struct Local {
     origin: Vector3<f64>,
     /// Axes (columns), in the frame of the rotor.
     axes: Matrix3<f64>,
+    /// Whether it has the pitch of the undeformed model.
+    pub is_pitched: bool,
 }
 
 impl Base {
@@ -145,6 +149,7 @@ impl Base {
             name: self.name.clone(),
             origin: Vector3::zeros(),
             axes: Matrix3::identity(),
+            is_pitched: false,
         }
     }
 
@@ -155,6 +160,18 @@ impl Base {
             name: format!("{} arm {}", self.name, k + 1),
             origin: Vector3::z() * -self.undersling,
             axes: turn * vector::to_rotation(&(Vector3::y() * -self.precone)),
+            is_pitched: false,
+        }
+    }
+
+    /// The frame of blade `k`, from zero, with its pitch in the undeformed model.
+    pub fn pitched(&self, k: usize) -> Local {
+        let arm = self.arm(k);
+        Local {
+            name: format!("{} pitched", arm.name),
+            axes: arm.axes * vector::to_rotation(&(Vector3::x() * self.pitch)),
+            is_pitched: true,
+            ..arm
         }
     }
 

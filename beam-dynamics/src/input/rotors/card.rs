@@ -36,6 +36,8 @@ pub(super) struct Rotor {
     hub: &'static HubKind,
     body: Option<Lump>,
     blade: Vec<(String, Content)>,
+    /// Pitch of the blades on their bearings \[rad\].
+    fixed_pitch: f64,
     pitch: Option<Pitch>,
     control: pitch::Control,
     plate: Option<Plate>,
@@ -44,14 +46,7 @@ pub(super) struct Rotor {
 
 /// Reads a rotor; `None` if it is wrong.
 pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
-    let name = table.get(&keys::NAME);
-    let name = name.filter(|name| {
-        let is_right = is_name(name);
-        if !is_right {
-            table.note(&keys::NAME, &RotorProblem::Name { name: name.clone() });
-        }
-        is_right
-    });
+    let name = name(table);
     let hub = table.get(&keys::HUB).map(|index| &HUBS[index]);
     let (carrier, center) = (table.get(&keys::NODE), table.get(&keys::CENTER));
     let axes = axes(table);
@@ -78,6 +73,7 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         count: count?,
         azimuth: azimuth?,
         precone: blade.precone,
+        pitch: 0.0,
         undersling: undersling?,
         link: link?,
         spin: context.moves.then_some(initial),
@@ -86,7 +82,8 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         hinges: hinges?,
         units: units(table.document()),
     };
-    if controls.pitch.is_some() {
+    if let Some(pitch) = &controls.pitch {
+        base.pitch = pitch.built_in * base.units.angle;
         parts::add_bearing(&mut base.hinges, root);
     }
     let rotor = Rotor {
@@ -95,6 +92,7 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         drive,
         hub,
         body: body?,
+        fixed_pitch: blade.pitch,
         blade: blade.keys,
         control: controls.control(hub.tilts),
         pitch: controls.pitch,
@@ -103,6 +101,16 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         base,
     };
     is_sound(&rotor, table).then_some(rotor)
+}
+
+/// The name, which must be a part of names in expressions.
+fn name(table: &Table<'_>) -> Option<String> {
+    let name = table.get(&keys::NAME)?;
+    if is_name(&name) {
+        return Some(name);
+    }
+    table.note(&keys::NAME, &RotorProblem::Name { name });
+    None
 }
 
 fn units(document: &Document) -> Units {
@@ -175,67 +183,56 @@ fn body(table: &Table<'_>, name: &str) -> Option<Option<Lump>> {
 
 /// Whether the parts of a rotor fit each other; notes the first problem.
 fn is_sound(rotor: &Rotor, table: &Table<'_>) -> bool {
-    let (base, hub) = (&rotor.base, rotor.hub);
-    let name = || base.name.clone();
-    let not_of_hub = |key, kinds: &'static [&'static str]| {
-        let is_wrong = table.has(key) && !kinds.contains(&hub.word);
-        is_wrong.then(|| {
-            (
-                key,
-                RotorProblem::NotOfHub {
-                    hub: hub.word,
-                    key,
-                    kinds,
-                },
-            )
-        })
-    };
-    let needs = |reason| {
-        Some((
-            keys::SWASHPLATE.name(),
-            RotorProblem::NeedsLink {
-                name: name(),
-                reason,
-            },
-        ))
-    };
-    let is_cyclic = rotor.pitch.as_ref().is_some_and(Pitch::is_cyclic) && rotor.plate.is_none();
-    let is_prescribed = matches!(rotor.control, pitch::Control::Prescribed);
-    let azimuth = rotor.drive.azimuth(base);
-    let individual = rotor
-        .pitch
-        .as_ref()
-        .map_or(0, |pitch| pitch.individual.len());
-    let found = not_of_hub(keys::UNDERSLING.name(), &["teetering"])
-        .or_else(|| not_of_hub(keys::LINK.name(), &["gimballed"]))
-        .or_else(|| not_of_hub(keys::TILT.name(), &["teetering", "gimballed"]))
-        .or_else(|| not_of_hub(keys::YOKE.name(), &["teetering", "gimballed"]))
-        .or_else(|| (hub.problem)(base).map(|problem| (keys::HUB.name(), problem)))
-        .or_else(|| match (individual, base.count) {
-            (found, expected) if found != 0 && found != expected => Some((
-                keys::SWASHPLATE.name(),
-                RotorProblem::Individual { found, expected },
-            )),
-            _ => None,
-        })
-        .or_else(|| match azimuth {
-            Err(reason) if is_cyclic => {
-                Some((keys::SWASHPLATE.name(), RotorProblem::NoAzimuth { reason }))
-            }
-            _ => None,
-        })
-        .or_else(|| match &rotor.drive {
-            Drive::Torque(_) if is_cyclic && is_prescribed => {
-                needs("its azimuth is a result, whose acceleration is not known")
-            }
-            _ if is_prescribed && hub.tilts => needs("the hub tilts against the swashplate"),
-            _ if is_prescribed && has_spring(base) => needs("its hinge has a spring or damper"),
-            _ => None,
-        });
+    let of_pitch = || Some((keys::SWASHPLATE.name(), pitch_problem(rotor)?));
+    let found = hub_problem(rotor, table).or_else(of_pitch);
     if let Some((key, problem)) = &found {
         table.note(key, problem);
     }
     found.is_none()
+}
+
+/// The first key that the hub does not have, or else its first problem, with the key.
+fn hub_problem(rotor: &Rotor, table: &Table<'_>) -> Option<(&'static str, RotorProblem)> {
+    const TILTING: &[&str] = &["teetering", "gimballed"];
+    let hub = rotor.hub;
+    let keys: [(&str, &[&str]); 4] = [
+        (keys::UNDERSLING.name(), &["teetering"]),
+        (keys::LINK.name(), &["gimballed"]),
+        (keys::TILT.name(), TILTING),
+        (keys::YOKE.name(), TILTING),
+    ];
+    let mut wrong = keys.into_iter();
+    let wrong = wrong.find(|(key, kinds)| table.has(key) && !kinds.contains(&hub.word));
+    if let Some((key, kinds)) = wrong {
+        let hub = hub.word;
+        return Some((key, RotorProblem::NotOfHub { hub, key, kinds }));
+    }
+    Some((keys::HUB.name(), (hub.problem)(&rotor.base)?))
+}
+
+/// The first problem of the pitch.
+fn pitch_problem(rotor: &Rotor) -> Option<RotorProblem> {
+    let base = &rotor.base;
+    let pitch = rotor.pitch.as_ref()?;
+    let (found, expected) = (pitch.individual.len(), base.count);
+    if found != 0 && found != expected {
+        return Some(RotorProblem::Individual { found, expected });
+    }
+    let is_cyclic = pitch.is_cyclic() && rotor.plate.is_none();
+    if let (true, Err(reason)) = (is_cyclic, rotor.drive.azimuth(base)) {
+        return Some(RotorProblem::NoAzimuth { reason });
+    }
+    if !matches!(rotor.control, pitch::Control::Prescribed) {
+        return None;
+    }
+    let reason = match &rotor.drive {
+        Drive::Torque(_) if is_cyclic => "its azimuth is a result, whose acceleration is not known",
+        _ if rotor.hub.tilts => "the hub tilts against the swashplate",
+        _ if has_spring(base) => "its hinge has a spring or damper",
+        _ => return None,
+    };
+    let name = base.name.clone();
+    Some(RotorProblem::NeedsLink { name, reason })
 }
 
 /// Whether the pitch bearing has a spring or damper of its own.
@@ -300,7 +297,9 @@ impl Rotor {
 
     /// The keys of the blade, with the inflow of the rotor.
     fn blade_keys(&self) -> Vec<(String, Content)> {
-        let keys = self.blade.iter().cloned();
+        let pitch = self.fixed_pitch + self.base.pitch;
+        let pitch = (parts::PITCH_KEY.to_owned(), Content::quantity(pitch, "rad"));
+        let keys = self.blade.iter().cloned().chain([pitch]);
         keys.map(|(key, content)| match (key.as_str(), &self.inflow) {
             (parts::AERODYNAMICS, Some(_)) => {
                 let content = content.with("inflow", self.base.name.as_str());

@@ -2,7 +2,7 @@
 
 use shared_geom::document::schema::KeySchema;
 use shared_geom::document::{Content, Item, Table};
-use shared_geom::expression::written;
+use shared_geom::expression::{Expression, Jet, Names, written};
 
 /// What the whole input says about its rotors.
 #[derive(Debug)]
@@ -23,6 +23,20 @@ pub(super) enum Control {
 }
 
 impl Control {
+    /// Its value at time zero in the declared unit, if it is known: it may use the constants.
+    pub fn at_start(&self, constants: &[(String, f64)]) -> Option<f64> {
+        let Self::Text(text) = self else {
+            return None;
+        };
+        let names = Names {
+            variables: &["t"],
+            constants,
+        };
+        let expression = Expression::parse(text, &names).ok()?;
+        let value = expression.at(|_| Jet::constant(0.0)).value;
+        value.is_finite().then_some(value)
+    }
+
     /// The number, if it is one, in the declared unit.
     pub fn number(&self) -> Option<f64> {
         match self {
@@ -179,6 +193,8 @@ pub(super) struct Pitch {
     pub harmonics: Vec<(usize, [Option<Control>; 2])>,
     /// Of each blade; empty if there are none.
     pub individual: Vec<Control>,
+    /// Mean in the undeformed model, in the declared unit.
+    pub built_in: f64,
 }
 
 impl Pitch {
@@ -192,6 +208,8 @@ impl Pitch {
     /// ```text
     /// theta0 + theta1c cos psi + theta1s sin psi + sum (c_n cos n psi + s_n sin n psi) + own
     /// ```
+    ///
+    /// less the pitch that is built in.
     pub fn of_blade(&self, k: usize, azimuth: Option<&str>) -> Sum {
         let mut sum = Sum::default();
         sum.add(self.collective.as_ref(), None);
@@ -208,6 +226,8 @@ impl Pitch {
             }
         }
         sum.add(self.individual.get(k), None);
+        let built_in = (self.built_in != 0.0).then(|| Control::Text(signed(-self.built_in)));
+        sum.add(built_in.as_ref(), None);
         sum
     }
 }

@@ -118,7 +118,7 @@ impl Links {
             if step.abs() < TOLERANCE * 1e-2 {
                 return Some(pitch);
             }
-            if !(step.abs() < TAU) {
+            if step.is_nan() || step.abs() >= TAU {
                 return None;
             }
         }
@@ -226,7 +226,7 @@ mod tests {
         }
     }
 
-    // The prototype has the same plate; its lengths are those of a plate without scissors, whose
+    // The prototype has the same plate; its lengths are the lengths for a plate without scissors, whose
     // rotation vector is in its plane. The tolerance is the round-off of its iteration.
     #[test]
     fn positions_of_the_plate_are_those_of_the_prototype() {

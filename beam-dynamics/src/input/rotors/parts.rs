@@ -19,6 +19,8 @@ use super::plate::Plate;
 use super::problem::RotorProblem;
 use crate::input::moments::moments;
 
+/// The key of the fixed pitch of a blade.
+pub(super) const PITCH_KEY: &str = "pitch";
 /// The key of the strips of a blade.
 pub(super) const AERODYNAMICS: &str = "aerodynamics";
 /// Keys of `[[blade]]` that follow from the rotor.
@@ -46,6 +48,8 @@ pub(super) struct Blade {
     pub radius: f64,
     /// Cone angle \[rad\].
     pub precone: f64,
+    /// Fixed pitch \[rad\].
+    pub pitch: f64,
 }
 
 /// Reads `[rotor.blade]`, whose keys the reader of `[[blade]]` checks.
@@ -72,13 +76,15 @@ pub(super) fn blade(table: &Table<'_>) -> Option<Blade> {
     };
     let radius = number("hub_radius", Dimension::LENGTH);
     let precone = number("precone", Dimension::ANGLE);
-    let keys = keys.into_iter();
+    let pitch = number(PITCH_KEY, Dimension::ANGLE);
+    let keys = keys.into_iter().filter(|key| key != PITCH_KEY);
     Some(Blade {
         keys: keys
             .filter_map(|key| Some((key.clone(), blade.copied(&key)?)))
             .collect(),
         radius: radius?,
         precone: precone?,
+        pitch: pitch?,
     })
 }
 
@@ -304,8 +310,14 @@ fn swashplate(
     });
     let individual = controls::list(table, &INDIVIDUAL.schema, &context.drives);
     let plate = table.nested(&PLATE, |table| plate(table, cone));
+    let collective = collective?;
+    // Links of plates have their undeformed length without pitch.
+    let built_in = collective.as_ref().filter(|_| !table.has(&PLATE));
+    let constants = table.document().parameters();
+    let built_in = built_in.and_then(|control| control.at_start(&constants));
     let pitch = Pitch {
-        collective: collective?,
+        built_in: built_in.unwrap_or(0.0),
+        collective,
         cosine: cosine?,
         sine: sine?,
         harmonics: harmonics?,
@@ -348,6 +360,18 @@ fn plate(table: &Table<'_>, [precone, undersling]: [f64; 2]) -> Option<Plate> {
         table.note(&HORN, &RotorProblem::NoLever);
         return None;
     }
+    let links = Links {
+        below: below?,
+        horn,
+        precone,
+        undersling,
+    };
+    let needed = -links.top(0.0, 0.0).z;
+    if links.below <= needed {
+        let found = links.below;
+        table.note(&BELOW, &RotorProblem::NoLength { found, needed });
+        return None;
+    }
     let (stiffness, damping) = (stiffness?, damping?);
     if stiffness.is_none() && damping != 0.0 {
         let name = table.title().to_owned();
@@ -356,12 +380,7 @@ fn plate(table: &Table<'_>, [precone, undersling]: [f64; 2]) -> Option<Plate> {
         return None;
     }
     Some(Plate {
-        links: Links {
-            below: below?,
-            horn,
-            precone,
-            undersling,
-        },
+        links,
         stiffness,
         damping,
         actuators: actuators?,

@@ -136,6 +136,18 @@ pub enum RotorProblem {
         /// Another key.
         other: &'static str,
     },
+    /// A plate that is not below the ends of its links.
+    #[error(
+        "\"below\" is {} m, expected more than {} m: the ends of the links on the blades are there",
+        short_number(*.found, 6),
+        short_number(*.needed, 6)
+    )]
+    NoLength {
+        /// Distance of the plate \[m\].
+        found: f64,
+        /// Distance of the ends of the links \[m\].
+        needed: f64,
+    },
     /// Links without a lever about the pitch axis.
     #[error("\"horn\" is on the pitch axis, expected a distance ahead or behind")]
     NoLever,

@@ -115,3 +115,29 @@ fn reference(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference");
     std::fs::read_to_string(folder.join(name)).unwrap()
 }
+
+#[test]
+fn zz_write_reference() {
+    std::fs::write(
+        concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../docs/src/dynamics-input-reference.md"
+        ),
+        schema::reference(),
+    )
+    .unwrap();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/src/rotors.md");
+    let page = std::fs::read_to_string(folder).unwrap();
+    let example = page
+        .split("```toml\n")
+        .nth(1)
+        .unwrap()
+        .split("```")
+        .next()
+        .unwrap();
+    std::fs::write("/tmp/expanded.toml", expanded(example)).unwrap();
+    match parse(example, "a.dynamics.toml") {
+        Ok(_) => {}
+        Err(p) => panic!("{p}"),
+    }
+}

@@ -6,123 +6,133 @@ use super::{BLADE, STRIP, refused, text};
 
 const RUN: &str = "[transient]\nto = 0.1\nstep = 1e-3\n";
 
+/// A flap hinge without spring.
+const FLAP: &str = "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n";
+
+/// Kinds and keys of wrong rotors, and the problem of each.
+const WRONG: &[(&str, &str, &str)] = &[
+    (
+        "rigid",
+        "",
+        "rotor \"r\" has no drive, expected \"speed\", \"angle\" or \"torque\"",
+    ),
+    (
+        "rigid",
+        "angle = 1\ntorque = 2",
+        "has \"angle\" and \"torque\"",
+    ),
+    (
+        "rigid",
+        "sped = 1",
+        "unknown key \"sped\" in [[rotor]] number 1",
+    ),
+    (
+        "stiff",
+        "speed = 1",
+        "\"hub\" is \"stiff\", expected one of",
+    ),
+    (
+        "rigid",
+        FLAP,
+        "a hub of the kind \"rigid\" has a flap or lag hinge",
+    ),
+    (
+        "hingeless",
+        FLAP,
+        "has a flap or lag hinge without \"stiffness\"",
+    ),
+    ("articulated", "speed = 1", "has no flap hinge"),
+    ("gimballed", "speed = 1", "has no \"link\""),
+    (
+        "rigid",
+        "speed = 1\nundersling = 1",
+        "the kind \"rigid\" has no \"undersling\"",
+    ),
+    (
+        "rigid",
+        "speed = 1\naft = [0, 0, 1]",
+        "\"aft\" is along the axis",
+    ),
+    (
+        "rigid",
+        "speed = 1\naxis = [0, 0, 0]",
+        "\"axis\" has no direction",
+    ),
+    (
+        "rigid",
+        "speed = 1\ninertia = [1, 1, 1]",
+        "has \"inertia\" without \"mass\"",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.inflow]\nkind = \"uniform\"",
+        "has \"inflow\" without",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.pitch_link]\nstiffness = 1",
+        "has \"pitch_link\" without \"swashplate\"",
+    ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.3\n",
+        "the flap hinge is at 0.3 m from the center of the hub, expected from 0 m to 0.2 m",
+    ),
+    (
+        "rigid",
+        "angle = \"a\"\n[rotor.swashplate]\nsine = 1",
+        "the pitch depends on the azimuth, but \"angle\" is a drive by name",
+    ),
+    (
+        "rigid",
+        "torque = 1\n[rotor.swashplate]\nsine = 1",
+        "the pitch of rotor \"r\" is prescribed at its bearing, but its azimuth is a result",
+    ),
+    (
+        "teetering",
+        "speed = 1\n[rotor.swashplate]\ncollective = 1",
+        "but the hub tilts against the swashplate",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.swashplate]\nindividual = [1, 2]",
+        "\"individual\" lists 2, expected 3: one per blade",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.swashplate]\ncollective = 160\nplate = { below = 0.1, horn = [0, 0.1] }",
+        "no position of the plate gives the pitch",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.swashplate]\nplate = { below = 0.1, horn = [0.1, 0] }",
+        "\"horn\" is on the pitch axis",
+    ),
+    (
+        "teetering",
+        "speed = 1\nundersling = 0.2\n[rotor.swashplate]\nplate = { below = 0.1, horn = [0.1, 0.1] }",
+        "\"below\" is 0.1 m, expected more than 0.2 m",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.swashplate]\ncollective = \"8 m\"",
+        "\"collective\"",
+    ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\nstop = { stiffness = 1 }",
+        "the stop has no angle",
+    ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\ndamper = { rates = [1, 0], moments = [1, 2] }",
+        "the damper has 2 rates and 2 moments",
+    ),
+];
+
 #[test]
 fn wrong_rotors_are_explained() {
-    let flap = "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n";
-    for (kind, keys, expected) in [
-        (
-            "rigid",
-            "",
-            "rotor \"r\" has no drive, expected \"speed\", \"angle\" or \"torque\"",
-        ),
-        (
-            "rigid",
-            "angle = 1\ntorque = 2",
-            "has \"angle\" and \"torque\"",
-        ),
-        (
-            "rigid",
-            "sped = 1",
-            "unknown key \"sped\" in [[rotor]] number 1",
-        ),
-        (
-            "stiff",
-            "speed = 1",
-            "\"hub\" is \"stiff\", expected one of",
-        ),
-        (
-            "rigid",
-            flap,
-            "a hub of the kind \"rigid\" has a flap or lag hinge",
-        ),
-        (
-            "hingeless",
-            flap,
-            "has a flap or lag hinge without \"stiffness\"",
-        ),
-        ("articulated", "speed = 1", "has no flap hinge"),
-        ("gimballed", "speed = 1", "has no \"link\""),
-        (
-            "rigid",
-            "speed = 1\nundersling = 1",
-            "the kind \"rigid\" has no \"undersling\"",
-        ),
-        (
-            "rigid",
-            "speed = 1\naft = [0, 0, 1]",
-            "\"aft\" is along the axis",
-        ),
-        (
-            "rigid",
-            "speed = 1\naxis = [0, 0, 0]",
-            "\"axis\" has no direction",
-        ),
-        (
-            "rigid",
-            "speed = 1\ninertia = [1, 1, 1]",
-            "has \"inertia\" without \"mass\"",
-        ),
-        (
-            "rigid",
-            "speed = 1\n[rotor.inflow]\nkind = \"uniform\"",
-            "has \"inflow\" without",
-        ),
-        (
-            "rigid",
-            "speed = 1\n[rotor.pitch_link]\nstiffness = 1",
-            "has \"pitch_link\" without \"swashplate\"",
-        ),
-        (
-            "articulated",
-            "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.3\n",
-            "the flap hinge is at 0.3 m from the center of the hub, expected from 0 m to 0.2 m",
-        ),
-        (
-            "rigid",
-            "angle = \"a\"\n[rotor.swashplate]\nsine = 1",
-            "the pitch depends on the azimuth, but \"angle\" is a drive by name",
-        ),
-        (
-            "rigid",
-            "torque = 1\n[rotor.swashplate]\nsine = 1",
-            "the pitch of rotor \"r\" is prescribed at its bearing, but its azimuth is a result",
-        ),
-        (
-            "teetering",
-            "speed = 1\n[rotor.swashplate]\ncollective = 1",
-            "but the hub tilts against the swashplate",
-        ),
-        (
-            "rigid",
-            "speed = 1\n[rotor.swashplate]\nindividual = [1, 2]",
-            "\"individual\" lists 2, expected 3: one per blade",
-        ),
-        (
-            "rigid",
-            "speed = 1\n[rotor.swashplate]\ncollective = 160\nplate = { below = 0.1, horn = [0, 0.1] }",
-            "no position of the plate gives the pitch",
-        ),
-        (
-            "rigid",
-            "speed = 1\n[rotor.swashplate]\nplate = { below = 0.1, horn = [0.1, 0] }",
-            "\"horn\" is on the pitch axis",
-        ),
-        (
-            "rigid",
-            "speed = 1\n[rotor.swashplate]\ncollective = \"8 m\"",
-            "\"collective\"",
-        ),
-        (
-            "articulated",
-            "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\nstop = { stiffness = 1 }",
-            "the stop has no angle",
-        ),
-        (
-            "articulated",
-            "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\ndamper = { rates = [1, 0], moments = [1, 2] }",
-            "the damper has 2 rates and 2 moments",
-        ),
-    ] {
+    for (kind, keys, expected) in WRONG {
         let shown = refused(&text(
             kind,
             keys,
@@ -182,7 +192,7 @@ fn files_of_any_content_are_read_or_reported() {
     const WORDS: [&str; 7] = ["-1", "0", "nan", "1e308", "\"= t\"", "[1, 2]", "\"x\""];
     let keys = "speed = 300\nundersling = 0.1\n[rotor.tilt]\nstiffness = 4\n[[rotor.hinge]]\nkind = \"flap\"\n\
                 offset = 0.1\nstop = { lower = -1, stiffness = 3 }\n[rotor.swashplate]\ncollective = 4\n\
-                sine = 2\n[rotor.swashplate.plate]\nbelow = 0.1\nhorn = [0.1, 0.1]\n";
+                sine = 2\n[rotor.swashplate.plate]\nbelow = 0.3\nhorn = [0.1, 0.1]\n";
     let text = text("teetering", keys, RUN);
     let mut seed = 5_u64;
     let mut below = |end: usize| {
