@@ -187,13 +187,13 @@ pub fn expanded(path: &Path) -> Result<String, Diagnostics> {
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
     declare(&document, &document.root_of(&schema::DYNAMICS_FILE));
-    let Some(rotors) = rotors::expand(&mut document) else {
-        return document.finish(None);
-    };
+    // Problems of rotors are reported with all others.
+    let rotors = rotors::expand(&mut document);
     if !frames::repeat(&mut document) {
         return document.finish(None);
     }
-    let input = cards(&document, name, &rotors);
+    let input = cards(&document, name, rotors.as_deref().unwrap_or_default());
+    let input = input.filter(|_| rotors.is_some());
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);

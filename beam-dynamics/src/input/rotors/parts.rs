@@ -1,7 +1,9 @@
 //! The tables of a `[[rotor]]`: blade, hinges, tilt, swashplate and links.
 
+use shared_geom::document::schema::TableSchema;
 use shared_geom::document::{Content, Table};
 use shared_geom::units::Dimension;
+use std::collections::BTreeSet;
 
 use super::arms::PITCH;
 use super::base::{Hinge, Lump, Restraint, Stop};
@@ -17,6 +19,8 @@ use super::keys::{
 use super::pitch::{Control, Link};
 use super::plate::Plate;
 use super::problem::RotorProblem;
+use crate::input::aerodynamics::OF_ROTOR as OF_INFLOW;
+use crate::input::blades::OF_ROTOR as OF_BLADE;
 use crate::input::moments::moments;
 
 /// The key of the fixed pitch of a blade.
@@ -77,15 +81,24 @@ pub(super) fn blade(table: &Table<'_>) -> Option<Blade> {
     let radius = number("hub_radius", Dimension::LENGTH);
     let precone = number("precone", Dimension::ANGLE);
     let pitch = number(PITCH_KEY, Dimension::ANGLE);
-    let keys = keys.into_iter().filter(|key| key != PITCH_KEY);
+    let mut keys = passed_on(&blade, &OF_BLADE);
+    keys.retain(|(key, _)| key != PITCH_KEY);
     Some(Blade {
-        keys: keys
-            .filter_map(|key| Some((key.clone(), blade.copied(&key)?)))
-            .collect(),
+        keys,
         radius: radius?,
         precone: precone?,
         pitch: pitch?,
     })
+}
+
+/// The keys of a table that another card has, which checks their values; notes unknown ones.
+fn passed_on(table: &Table<'_>, of: &'static TableSchema) -> Vec<(String, Content)> {
+    let known: BTreeSet<_> = of.all_keys().map(|key| key.name).collect();
+    let keys = known.into_iter();
+    let found = keys.filter_map(|key| Some((key.to_owned(), table.copied(key)?)));
+    let found = found.collect();
+    table.finish();
+    found
 }
 
 /// Reads `[rotor.inflow]`; `Some(None)` without it.
@@ -113,9 +126,7 @@ pub(super) fn inflow(table: &Table<'_>, name: &str) -> Option<Option<Vec<(String
             other: "inflow of [rotor.blade.aerodynamics]",
         },
         Some(_) => {
-            let keys = inflow.keys().into_iter();
-            let keys = keys.filter_map(|key| Some((key.clone(), inflow.copied(&key)?)));
-            return Some(Some(keys.collect()));
+            return Some(Some(passed_on(&inflow, &OF_INFLOW)));
         }
     };
     table.note(&INFLOW, &problem);

@@ -105,7 +105,7 @@ impl Run {
         let nodes = names.map(|name| self.index(name));
         let instants = self.instants.iter();
         instants
-            .map(|(time, state)| (*time, nodes.map(|node| state.nodes[node].clone())))
+            .map(|(time, state)| (*time, nodes.map(|node| state.nodes[node])))
             .collect()
     }
 }
