@@ -20,6 +20,7 @@ mod blade_options;
 mod compare;
 mod convert;
 mod describe;
+mod expand;
 mod files;
 mod help;
 mod performance;
@@ -133,6 +134,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         }
         Command::Plot { results, options } => plot::plot_files(&results, &options, terminal),
         Command::Check { files } => check_files(&files, terminal),
+        Command::Expand { file, out } => expand::expand(&file, out.as_deref(), terminal),
         Command::Completions { shell } => help::completions(shell, terminal),
         Command::Manual { out } => help::manual(out.as_deref(), terminal),
         Command::Schema { of, format, out } => {

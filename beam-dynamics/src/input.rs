@@ -68,6 +68,7 @@ mod properties;
 mod readings;
 mod rods;
 mod rotor_speed;
+mod rotors;
 pub mod schema;
 mod speeds;
 mod springs;
@@ -105,11 +106,13 @@ pub use performance::{
 pub use periodic::PeriodicProblem;
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
+pub use rotors::RotorProblem;
 pub use summary::Summary;
 pub use transient::TransientProblem;
 
 use analyses::Analyses;
 use builder::ModelBuilder;
+use rotors::PlacedRotor;
 
 /// Ending of the names of dynamics inputs.
 pub const ENDING: &str = ".dynamics.toml";
@@ -167,14 +170,30 @@ pub fn parse(text: &str, path: impl AsRef<Path>) -> Result<Input, Diagnostics> {
     checked(text, &path.display().to_string(), &name_of(path))
 }
 
+/// The text of the dynamics input at `path`, with other cards in place of each `[[rotor]]`.
+///
+/// # Errors
+/// Problems of syntax, of included files and of rotors.
+pub fn expanded(path: &Path) -> Result<String, Diagnostics> {
+    let text = read_text(path)?;
+    FileKind::Dynamics.require(path, &text)?;
+    let document = Document::parse_with_includes(&text, &path.display().to_string())?;
+    declare(&document, &document.root_of(&schema::DYNAMICS_FILE));
+    let expanded = rotors::expanded_text(&document, &text);
+    document.finish(expanded)
+}
+
 /// The input in the text of a file, whose results are called `name`.
 fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
     declare(&document, &document.root_of(&schema::DYNAMICS_FILE));
+    // Problems of rotors are reported with all others.
+    let rotors = rotors::expand(&mut document);
     if !frames::repeat(&mut document) {
         return document.finish(None);
     }
-    let input = cards(&document, name);
+    let input = cards(&document, name, rotors.as_deref().unwrap_or_default());
+    let input = input.filter(|_| rotors.is_some());
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);
@@ -272,10 +291,10 @@ fn declare(document: &Document, root: &Table<'_>) {
 }
 
 /// Reads every card, in an order in which each finds the names that it uses.
-fn cards(document: &Document, default_name: &str) -> Option<Input> {
+fn cards(document: &Document, default_name: &str, rotors: &[PlacedRotor]) -> Option<Input> {
     let root = document.root_of(&schema::DYNAMICS_FILE);
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
-    let _read = ["units", "parameters", "include"].map(|key| root.has(key));
+    let _read = ["units", "parameters", "include", "rotor"].map(|key| root.has(key));
     let mut drives = drives::read_named(&root);
     let control = control::declare(&root, &mut drives);
     let periodic_controls = periodic::declare(&root, &mut drives);
@@ -313,6 +332,7 @@ fn cards(document: &Document, default_name: &str) -> Option<Input> {
         columns::check(&root, output, analyses.transient.as_ref());
     }
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
+    rotors::check(document, rotors, &analyses, builder.hub()?);
     analyses.check(&root, &gravity, &builder.hub()?.frame_rotation());
     check_air(&root, &builder, &analyses);
     let nodes = builder.initial();

@@ -16,6 +16,7 @@ use crate::error::{Diagnostics, Explain, SourceLocation};
 use crate::files::{names_beside, read_bytes};
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
+mod card;
 mod declare;
 mod include;
 mod inner;
@@ -30,6 +31,7 @@ mod syntax;
 mod table;
 mod tree;
 
+pub use card::{Card, Content};
 pub use declare::meaning;
 pub use item::Item;
 pub use key::{ByHand, Declared, Key, Nested, NestedByName, NestedList, Value};

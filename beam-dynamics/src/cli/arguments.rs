@@ -12,8 +12,10 @@ use super::convert::ConvertArguments;
 use super::plot::PlotOptions;
 use super::reading_options::ReadingOptions;
 
+mod expand;
 mod periodic;
 
+use expand::{EXPAND, EXPAND_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
 
 const ABOUT: &str = "\
@@ -444,6 +446,15 @@ pub(super) enum Command {
         /// Dynamics files, NAME.dynamics.toml, or blade files
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
+    },
+    #[command(about = first_line(EXPAND), long_about = EXPAND, after_help = EXPAND_EXAMPLE)]
+    Expand {
+        /// A dynamics file, NAME.dynamics.toml
+        #[arg(value_name = "FILE")]
+        file: PathBuf,
+        /// The file to write, in the folder of FILE; default the terminal
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
     },
     #[command(about = first_line(DESCRIBE), long_about = DESCRIBE, after_help = DESCRIBE_EXAMPLE)]
     Describe {

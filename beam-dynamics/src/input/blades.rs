@@ -10,6 +10,7 @@ use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
 use super::builder::ModelBuilder;
 use super::formulation::{self, FORMULATION, INERTIA, INTERPOLATION, Inertia};
+use super::frames::IN;
 use super::strips::{self, BladeAir, BladeLine};
 use super::transient::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
@@ -66,6 +67,24 @@ pub(super) const CARD: TableSchema = TableSchema {
         ANGULAR_VELOCITY.schema,
         INITIAL_WEIGHT.schema,
         VELOCITY_WEIGHT.schema,
+        IN.schema,
+    ],
+    families: &[pieces::PIECES, stations::STATIONS],
+};
+
+/// The blade of a rotor, without the keys that follow from the rotor.
+pub(super) const OF_ROTOR: TableSchema = TableSchema {
+    title: "[rotor.blade]",
+    meaning: "The blade, of which the rotor has several: keys of `[[blade]]`.",
+    keys: &[
+        mounts::HUB_RADIUS.schema,
+        mounts::PRECONE.schema,
+        mounts::PITCH.schema,
+        FORMULATION.schema,
+        INTERPOLATION.schema,
+        INERTIA.schema,
+        MASS.schema,
+        AERODYNAMICS.schema,
     ],
     families: &[pieces::PIECES, stations::STATIONS],
 };
@@ -98,8 +117,8 @@ struct Card {
     layout: BladeLayout,
     formulation: (Formulation, Inertia),
     root: Root,
-    /// Motion at the start.
-    initial: InitialMotion,
+    /// Motion at the start, and the center about which it turns \[m\].
+    initial: (InitialMotion, Vector3<f64>),
     /// Index of the node that carries it, and the inertia about that node.
     masses: Vec<(usize, RigidInertia)>,
     air: Option<BladeAir>,
@@ -160,7 +179,7 @@ fn card(
     let formulation = formulation::read(table);
     let root = root(table, &name, builder);
     let masses = masses::read(table);
-    let initial = initial_motion(table);
+    let initial = initial(table, builder);
     let source = source::read(table, builder, &name);
     let air = air(table, (&name, source.as_ref()), builder);
     let source = source?;
@@ -254,7 +273,7 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
     if !add_beams(card, mount, &nodes, table, builder) {
         return builder.note_loose_end();
     }
-    set_initial(&card.initial, &nodes, builder);
+    set_initial((&card.initial.0, card.initial.1), &nodes, builder);
     for (number, (node, inertia)) in card.masses.iter().enumerate() {
         let label = format!("{}/mass {}", mount.name, number + 1);
         builder.add_body(label, nodes[*node], *inertia);
@@ -274,12 +293,28 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
     });
 }
 
+/// The motion of a card at the start, and the center about which it turns \[m\].
+fn initial(table: &Table<'_>, builder: &ModelBuilder) -> Option<(InitialMotion, Vector3<f64>)> {
+    let motion = initial_motion(table);
+    let frame = builder.frames().of(table);
+    let center = mounts::hub(table, builder).map(|hub| hub.frame_rotation().center);
+    let (motion, frame) = (motion?, frame?);
+    let turned = |vector: Vector3<f64>| frame.direction(&vector);
+    let motion = InitialMotion {
+        velocity: motion.velocity.map(turned),
+        angular_velocity: motion.angular_velocity.map(turned),
+        ..motion
+    };
+    Some((motion, center.unwrap_or_else(Vector3::zeros)))
+}
+
 /// Gives the nodes of a blade the motion of a rigid body: its velocity at the center of rotation,
 /// and its angular velocity.
-fn set_initial(initial: &InitialMotion, nodes: &[usize], builder: &mut ModelBuilder) {
-    let center = builder
-        .hub()
-        .map_or_else(Vector3::zeros, |hub| hub.frame_rotation().center);
+fn set_initial(
+    (initial, center): (&InitialMotion, Vector3<f64>),
+    nodes: &[usize],
+    builder: &mut ModelBuilder,
+) {
     for &node in nodes {
         let arm = builder.nodes()[node].position - center;
         let spin = initial.angular_velocity;

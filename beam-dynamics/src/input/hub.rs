@@ -80,6 +80,8 @@ pub(super) struct MovingHub {
 pub(super) struct Hub {
     axis: Vector3<f64>,
     center: Vector3<f64>,
+    /// Direction whose part across the axis is azimuth zero.
+    zero: Vector3<f64>,
     /// Its support; `None` for a hub that is held by the frame.
     moving: Option<MovingHub>,
 }
@@ -90,6 +92,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<Hub> {
     let mut hub = Hub {
         axis: default.axis,
         center: default.center,
+        zero: Vector3::x(),
         moving: None,
     };
     if !root.has("hub") {
@@ -115,6 +118,17 @@ fn unit(table: &Table<'_>, axis: Vector3<f64>) -> Option<Vector3<f64>> {
 }
 
 impl Hub {
+    /// A hub that is held at the origin of a frame, with the axis z and azimuth zero along x of its
+    /// axes (columns).
+    pub fn in_frame(origin: Vector3<f64>, axes: &Matrix3<f64>) -> Self {
+        Self {
+            axis: axes.column(2).into_owned(),
+            center: origin,
+            zero: axes.column(0).into_owned(),
+            moving: None,
+        }
+    }
+
     /// Axis and center, in the form of the case.
     pub fn frame_rotation(&self) -> FrameRotation {
         FrameRotation {
@@ -141,10 +155,10 @@ impl Hub {
     /// Axes of a blade (columns) at `azimuth` \[rad\]: x out along the span, z along
     /// the axis, y = z x x in the direction of motion.
     ///
-    /// At azimuth zero x is the projection of the model's x; `None` if the axis points
-    /// along x.
+    /// At azimuth zero x is the projection of the model's x, or of x of the frame of the hub; `None`
+    /// if the axis points along it.
     pub fn blade_axes(&self, azimuth: f64) -> Option<Matrix3<f64>> {
-        let across = Vector3::x() - self.axis * self.axis.x;
+        let across = self.zero - self.axis * self.axis.dot(&self.zero);
         if across.norm() < SMALLEST_SINE {
             return None;
         }
@@ -273,6 +287,7 @@ mod tests {
         let hub = Hub {
             axis: Vector3::z(),
             center: Vector3::new(1.0, 0.0, 0.0),
+            zero: Vector3::x(),
             moving: None,
         };
         let axes = hub.blade_axes(FRAC_PI_2).unwrap();
@@ -287,6 +302,7 @@ mod tests {
         let hub = Hub {
             axis: -Vector3::x(),
             center: Vector3::zeros(),
+            zero: Vector3::x(),
             moving: None,
         };
         assert_eq!(hub.blade_axes(0.0), None);

@@ -16,7 +16,7 @@ use shared_geom::units::Dimension;
 use super::{
     aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes,
     frames, hub, internal_forces, joints, loads, measured, nodes, periodic, properties, rods,
-    speeds, springs, strips, transient,
+    rotors, speeds, springs, strips, transient,
 };
 
 keys! {
@@ -53,6 +53,8 @@ keys! {
     STRIPS: ByHand = "strip", [Tables(&strips::STRIP)], optional, "";
     /// Polar copies of cards.
     REPEATS: ByHand = "repeat", [Tables(&REPEAT)], optional, "";
+    /// Rotors, which stand for other cards.
+    ROTORS: ByHand = "rotor", [Tables(&rotors::CARD)], optional, "";
     /// Gravity.
     GRAVITY: ByHand = "gravity", [Table(&loads::GRAVITY)], optional, "";
     /// Modes at rotor speeds.
@@ -128,7 +130,7 @@ const OPENING: &str = "\
 
 Every key of a dynamics file, `NAME.dynamics.toml`.
 Made by `beam-dynamics schema --format markdown`; do not edit.
-The use of the keys is described in [Dynamics input](dynamics-input.md), [drives, parameters, frames, copies](drives.md), [laws](laws.md), [joints](joints.md), [output of runs in time](time-output.md) and [periodic motion](periodic.md).
+The use of the keys is described in [Dynamics input](dynamics-input.md), [drives, parameters, frames, copies](drives.md), [laws](laws.md), [joints](joints.md), [rotors](rotors.md), [output of runs in time](time-output.md) and [periodic motion](periodic.md).
 
 A *quantity* is a number in the declared units, or a text with its own unit, such as `\"73.1 GPa\"`.
 A *drive* is a quantity, an expression such as `\"= 3*sin(t)\"`, the name of a drive, a sensor or an output, or a table as [`[drives.NAME]`](#drivesname).

@@ -29,6 +29,7 @@ mod netcdf;
 mod performance;
 mod prestress;
 mod robust;
+mod rotors;
 mod schema;
 mod several;
 mod starts;

@@ -90,6 +90,15 @@ const TOGETHER: &[(&str, &str, &str)] = &[
     ("[hub]", "support_damping", "support = { in_plane = 1 }"),
     ("[hub]", "inertia", "support = { in_plane = 1 }"),
     ("[hub]", "mass", "support = { in_plane = 1 }"),
+    ("[[rotor]]", "blade", "hub = \"rigid\"\nspeed = 300"),
+    (
+        "[[rotor]]",
+        "inflow",
+        "hub = \"rigid\"\nspeed = 300\nblade.piece = [{ length = 1, elements = 1 }]\n\
+         blade.aerodynamics.stations = [{ at = 0, chord = 1, airfoil = \"naca0012\" }]",
+    ),
+    ("[rotor.blade]", "temperature", "properties = \"strip\""),
+    ("[rotor.blade]", "imposed", "properties = \"strip\""),
     ("[[frame]]", "axis", "turn = 30"),
     ("[[frame]]", "center", "turn = 30"),
     ("[drives.NAME]", "columns", "file = \"gust.csv\""),

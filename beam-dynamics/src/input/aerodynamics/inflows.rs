@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::Table;
+use shared_geom::document::schema::TableSchema;
 use shared_geom::document::schema::ValueKind::{
     Boolean, Count, NotNegative, Positive, Quantity, Text, Vector, Word,
 };
@@ -65,6 +66,27 @@ keys! {
     /// Coordinate of a level ground along the vertical: ground effect.
     GROUND: Option<f64> = "ground", [Quantity(Dimension::LENGTH)], or "no ground", "-12";
 }
+
+/// The inflow of a rotor, which has its name and its shaft.
+pub(in crate::input) const OF_ROTOR: TableSchema = TableSchema {
+    title: "[rotor.inflow]",
+    meaning: "Velocity that the rotor induces at its blades: keys of `[[inflow]]`.",
+    keys: &[
+        KIND.schema,
+        BLADES.schema,
+        HUB_RADIUS.schema,
+        TIP_LOSS.schema,
+        HUB_LOSS.schema,
+        SWIRL.schema,
+        HIGH_INDUCTION.schema,
+        WAKE.schema,
+        SKEW.schema,
+        RADIUS.schema,
+        EFFECTIVE_RADIUS.schema,
+        GROUND.schema,
+    ],
+    families: &[],
+};
 
 /// Words of the kinds.
 const KINDS: &[&str] = &[

@@ -20,6 +20,8 @@ use std::f64::consts::TAU;
 
 use super::problem::BladeProblem;
 use crate::input::builder::ModelBuilder;
+use crate::input::frames::IN;
+use crate::input::hub::Hub;
 use crate::input::problem::InputProblem;
 
 keys! {
@@ -162,7 +164,7 @@ pub(super) fn read(
     let root = root_position(table, &name);
     let precone = shallow(table, &PRECONE);
     let pitch = table.get(&PITCH);
-    let (hub, named, root) = (builder.hub()?, named?, root?);
+    let (hub, named, root) = (hub(table, builder)?, named?, root?);
     let cone = about(Vector3::new(0.0, -precone?, 0.0));
     let mut mounts = Vec::with_capacity(named.len());
     for (name, azimuth) in named {
@@ -190,6 +192,16 @@ pub(super) fn read(
         });
     }
     Some(mounts)
+}
+
+/// The hub of a card: of `[hub]`, or of the frame in which the card is written.
+pub(super) fn hub(table: &Table<'_>, builder: &ModelBuilder) -> Option<Hub> {
+    if !table.has(&IN) {
+        return builder.hub().copied();
+    }
+    let frame = builder.frames().of(table)?;
+    let axes = frame.axes(&Matrix3::identity());
+    Some(Hub::in_frame(frame.point(&Vector3::zeros()), &axes))
 }
 
 fn root_position(table: &Table<'_>, name: &str) -> Option<RootPosition> {

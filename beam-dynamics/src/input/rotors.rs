@@ -1,0 +1,196 @@
+//! Rotors: `[[rotor]]`, a card that stands for others.
+//!
+//! The cards for which it stands are appended to the document before any card is read, so that
+//! a rotor has no physics of its own; the same cards in a file give the same results.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::{Card, Document, Table};
+
+use super::analyses::Analyses;
+use super::hub::Hub;
+use super::rotor_speed::{RPM, SAME_SPEED};
+use super::schema::DYNAMICS_FILE;
+use crate::case::Start;
+
+mod arms;
+mod base;
+mod card;
+mod controls;
+mod distributor;
+mod hubs;
+mod keys;
+mod parts;
+mod pitch;
+mod plate;
+mod problem;
+mod shaft;
+mod stops;
+
+#[cfg(test)]
+mod tests;
+
+pub(super) use keys::CARD;
+pub use problem::RotorProblem;
+
+use card::Rotor;
+use controls::Context;
+use shaft::Drive;
+
+/// The key of the cards.
+const KEY: &str = "rotor";
+/// Difference of axes, and part of the size of the model, below which axes are the same.
+const SAME_AXIS: f64 = 1e-9;
+
+/// A rotor of an input, for checks of its analyses.
+#[derive(Debug, Clone)]
+pub(super) struct PlacedRotor {
+    name: String,
+    line: usize,
+    center: Vector3<f64>,
+    axes: Matrix3<f64>,
+    /// Its speed, if it is constant [rad/s].
+    speed: Option<f64>,
+}
+
+/// Appends the cards of all rotors; `None` if one is wrong, which has been noted.
+pub(super) fn expand(document: &mut Document) -> Option<Vec<PlacedRotor>> {
+    let rotors = read(document)?;
+    document.append(rotors.iter().flat_map(|(_, cards)| cards));
+    let place = |rotor: Rotor| PlacedRotor {
+        name: rotor.base.name,
+        line: rotor.base.line,
+        center: rotor.center,
+        axes: rotor.axes,
+        speed: match rotor.drive {
+            Drive::Speed(speed) => Some(speed),
+            _ => None,
+        },
+    };
+    Some(rotors.into_iter().map(|(rotor, _)| place(rotor)).collect())
+}
+
+/// The text of a file with the cards of each rotor in its place; `None` if one is wrong, which has
+/// been noted.
+pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String> {
+    let rotors = read(document)?;
+    let text = |cards: &[Card]| {
+        let cards: Vec<_> = cards.iter().map(ToString::to_string).collect();
+        cards.join("\n")
+    };
+    let texts: Vec<_> = rotors.iter().map(|(_, cards)| text(cards)).collect();
+    let replaced = document.replaced(source, KEY, &texts);
+    if replaced.is_none() {
+        let line = rotors.first().map_or(1, |(rotor, _)| rotor.base.line);
+        document.note(line, &RotorProblem::NotInText);
+    }
+    replaced
+}
+
+/// The rotors of a document with their cards.
+fn read(document: &Document) -> Option<Vec<(Rotor, Vec<Card>)>> {
+    let root = document.root_of(&DYNAMICS_FILE);
+    let repeated = note_repeated(&root);
+    if !root.has(KEY) {
+        return (!repeated).then(Vec::new);
+    }
+    let tables = root.tables(KEY);
+    let context = context(&root);
+    let read: Vec<_> = tables
+        .iter()
+        .map(|table| card::read(table, &context))
+        .collect();
+    let rotors: Vec<Rotor> = read.into_iter().collect::<Option<_>>()?;
+    for (number, (rotor, table)) in rotors.iter().zip(&tables).enumerate() {
+        let name = &rotor.base.name;
+        if rotors[..number]
+            .iter()
+            .any(|other| other.base.name == *name)
+        {
+            table.note(
+                &keys::NAME,
+                &RotorProblem::DoubledName { name: name.clone() },
+            );
+            return None;
+        }
+    }
+    let is_alone = rotors.len() == 1 && rotors.iter().all(|rotor| rotor.base.carrier.is_none());
+    let has_hub = root.has("hub") || !is_alone;
+    let expanded: Vec<_> = rotors
+        .into_iter()
+        .map(|rotor| match rotor.cards(has_hub) {
+            Ok(cards) => Some((rotor, cards)),
+            Err(problem) => {
+                document.note(rotor.base.line, &problem);
+                None
+            }
+        })
+        .collect();
+    let expanded: Option<Vec<_>> = expanded.into_iter().collect();
+    expanded.filter(|_| !repeated && tables.len() == root.row_count(KEY).unwrap_or(0))
+}
+
+/// Notes rotors in polar copies; whether there are some.
+fn note_repeated(table: &Table<'_>) -> bool {
+    if !table.is_list("repeat") {
+        return false;
+    }
+    let repeats = table.tables("repeat");
+    let found = repeats.iter().map(|repeat| {
+        let has_one = repeat.has(KEY);
+        if has_one {
+            repeat.note(KEY, &RotorProblem::Repeated);
+        }
+        has_one | note_repeated(repeat)
+    });
+    found.fold(false, |one, other| one | other)
+}
+
+/// The names of drives, and whether runs begin with given velocities.
+fn context(root: &Table<'_>) -> Context {
+    let drives = match root.is_table("drives") {
+        true => root
+            .table("drives")
+            .map_or_else(Vec::new, |drives| drives.keys()),
+        false => Vec::new(),
+    };
+    let is_given = |card: &str| {
+        let run = root.is_table(card).then(|| root.table(card)).flatten();
+        run.is_some_and(|run| {
+            !run.is_text("start") || run.text("start").as_deref() == Some("given")
+        })
+    };
+    Context {
+        drives,
+        moves: ["transient", "periodic"].into_iter().any(is_given),
+    }
+}
+
+/// Notes rotors whose speed or axis is not the one of the turning model.
+pub(super) fn check(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses, hub: &Hub) {
+    let starts = analyses.transient.iter().map(|run| &run.start);
+    let speeds = starts.filter_map(|start| match start {
+        Start::Rotating { speed } => Some(*speed),
+        _ => None,
+    });
+    let speeds: Vec<f64> = speeds.filter(|speed| *speed != 0.0).collect();
+    let turns = analyses.highest_speed() > 0.0 || !speeds.is_empty();
+    let rotation = hub.frame_rotation();
+    for rotor in rotors.iter().filter(|_| turns) {
+        let size = rotor.center.norm().max(rotation.center.norm());
+        let is_apart = hub.distance(&rotor.center) > SAME_AXIS * size
+            || (rotor.axes.column(2) - rotation.axis).norm() > SAME_AXIS;
+        let name = rotor.name.clone();
+        if is_apart {
+            document.note(rotor.line, &RotorProblem::Axes { name });
+            continue;
+        }
+        let differs = |own: f64| {
+            let mut speeds = speeds.iter().copied();
+            speeds.find(|start| (start - own).abs() > SAME_SPEED * own.abs().max(*start))
+        };
+        if let Some((own, start)) = rotor.speed.and_then(|own| Some((own, differs(own)?))) {
+            let [own, start] = [own, start].map(|speed| speed / RPM);
+            document.note(rotor.line, &RotorProblem::Speeds { name, own, start });
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! The blades of a rotor, and the hinges between each and the yoke.
+
+use nalgebra::Vector3;
+use shared_geom::document::{Card, Content};
+use std::f64::consts::FRAC_PI_2;
+
+use super::base::{Base, Hinge, Local};
+use super::controls::Sum;
+use super::keys::KINDS;
+use super::pitch;
+use super::stops;
+
+/// Axes of a positive angle of each kind, in the frame of a blade.
+const AXES: [Vector3<f64>; 3] = [
+    Vector3::new(0.0, -1.0, 0.0),
+    Vector3::new(0.0, 0.0, 1.0),
+    Vector3::new(1.0, 0.0, 0.0),
+];
+/// Rotation vectors that turn the first axis of a blade to them.
+const TURNS: [Vector3<f64>; 3] = [
+    stops::ACROSS,
+    Vector3::new(0.0, -FRAC_PI_2, 0.0),
+    Vector3::new(0.0, 0.0, 0.0),
+];
+/// Index of pitch in the kinds of hinges.
+pub(super) const PITCH: usize = 2;
+
+/// Name of hinge `number` of a blade: by its kind, and its number if another has the kind.
+fn word(hinges: &[Hinge], number: usize) -> String {
+    let kind = hinges[number].kind;
+    let before = hinges[..number]
+        .iter()
+        .filter(|other| other.kind == kind)
+        .count();
+    match before {
+        0 => KINDS[kind].to_owned(),
+        _ => format!("{} {}", KINDS[kind], before + 1),
+    }
+}
+
+/// The node of the blade that turns with its pitch, of blade `k`; `None` without a bearing.
+pub(super) fn feathering(base: &Base, k: usize) -> Option<(String, f64)> {
+    let number = base.hinges.iter().position(|hinge| hinge.kind == PITCH)?;
+    let node = base.of_blade(k, &word(&base.hinges, number));
+    Some((node, base.hinges[number].offset))
+}
+
+/// The frame of blade `k`, the nodes of its hinges and the hinges, from the yoke to the root.
+pub(super) fn cards(
+    base: &Base,
+    (k, yoke): (usize, &str),
+    (control, command): (&pitch::Control, &Sum),
+) -> Vec<Card> {
+    let mut arm = base.arm(k);
+    let mut cards = vec![base.frame(&arm)];
+    let mut inner = yoke.to_owned();
+    for (number, hinge) in base.hinges.iter().enumerate() {
+        let node = base.of_blade(k, &word(&base.hinges, number));
+        if hinge.kind == PITCH && base.pitch != 0.0 && !arm.is_pitched {
+            // This hinge and the ones outboard of it are turned with the blade.
+            arm = base.pitched(k);
+            cards.push(base.frame(&arm));
+        }
+        cards.push(base.node(&node, &arm, Vector3::new(hinge.offset, 0.0, 0.0)));
+        let nodes = [inner.as_str(), &node];
+        cards.extend(match hinge.kind {
+            PITCH => pitch::cards(base, (k, nodes), hinge, (control, command)),
+            kind => vec![base.hinge(&node, nodes, (&arm, AXES[kind]), &hinge.restraint)],
+        });
+        cards.extend(restraints(base, (&node, nodes), &arm, hinge));
+        inner = node;
+    }
+    let root = base.of_blade(k, "root");
+    cards.push(
+        base.listed("rigid")
+            .with("name", base.of_blade(k, "root attachment"))
+            .with("nodes", Content::texts([inner.as_str(), &root])),
+    );
+    cards
+}
+
+fn restraints(
+    base: &Base,
+    (name, nodes): (&str, [&str; 2]),
+    arm: &Local,
+    hinge: &Hinge,
+) -> Vec<Card> {
+    stops::cards(base, (name, nodes), (arm, TURNS[hinge.kind]), hinge)
+}
+
+/// The frame of the blades, if the hub is underslung, and their card.
+pub(super) fn blades(base: &Base, keys: &[(String, Content)]) -> Vec<Card> {
+    let frame = base.frame_of_blades();
+    let mut cards = Vec::new();
+    if frame != base.name {
+        let below = Vector3::z() * -base.undersling;
+        cards.push(
+            base.listed("frame")
+                .with("name", frame.as_str())
+                .with("in", base.name.as_str())
+                .with("position", super::base::lengths(&below)),
+        );
+    }
+    let card = base
+        .listed("blade")
+        .with("name", base.name.as_str())
+        .with("in", frame)
+        .with("azimuth", Content::quantity(base.azimuth, "rad"))
+        .with("count", base.count)
+        .with("clamp_root", false)
+        .with_all(keys.iter().cloned());
+    let spin = base
+        .spin
+        .map(|spin| Content::quantities([0.0, 0.0, spin], "rad/s"));
+    cards.push(card.with_some("angular_velocity", spin));
+    cards
+}

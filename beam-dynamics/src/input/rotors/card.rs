@@ -1,0 +1,312 @@
+//! A `[[rotor]]` as read, and the cards for which it stands.
+
+use nalgebra::{Matrix3, Vector3};
+use shared_geom::document::{Card, Content, Document, Table};
+use shared_geom::expression::is_name;
+use shared_geom::rotation::vector;
+use shared_geom::units::Dimension;
+
+use super::arms;
+use super::base::{Base, Lump, Units, angles, lengths};
+use super::controls::{Context, Pitch, Sum};
+use super::hubs::{HUBS, HubKind};
+use super::keys;
+use super::parts;
+use super::pitch;
+use super::plate::Plate;
+use super::problem::RotorProblem;
+use super::shaft::{self, Drive};
+use crate::input::moments::moments;
+use crate::input::problem::InputProblem;
+
+/// Smallest sine of the angle between the shaft and azimuth zero.
+const ALONG: f64 = 1e-3;
+
+/// A rotor.
+#[derive(Debug)]
+pub(super) struct Rotor {
+    /// Its frames and its hub.
+    pub base: Base,
+    /// Center of the hub \[m\].
+    pub center: Vector3<f64>,
+    /// Axes of the rotor (columns): aft, across, along the shaft.
+    pub axes: Matrix3<f64>,
+    /// Its drive.
+    pub drive: Drive,
+    hub: &'static HubKind,
+    body: Option<Lump>,
+    blade: Vec<(String, Content)>,
+    /// Pitch of the blades on their bearings \[rad\].
+    fixed_pitch: f64,
+    pitch: Option<Pitch>,
+    control: pitch::Control,
+    plate: Option<Plate>,
+    inflow: Option<Vec<(String, Content)>>,
+}
+
+/// Reads a rotor; `None` if it is wrong.
+pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
+    let name = name(table);
+    let hub = table.get(&keys::HUB).map(|index| &HUBS[index]);
+    let (carrier, center) = (table.get(&keys::NODE), table.get(&keys::CENTER));
+    let axes = axes(table);
+    let (azimuth, count) = (table.get(&keys::AZIMUTH), table.get(&keys::BLADES));
+    let shown = name.clone().unwrap_or_default();
+    let drive = drive(table, &shown, context);
+    let body = body(table, &shown);
+    let blade = parts::blade(table);
+    let inflow = parts::inflow(table, &shown);
+    let (undersling, link) = (table.get(&keys::UNDERSLING), table.get(&keys::LINK));
+    let cone =
+        [blade.as_ref().map(|blade| blade.precone), undersling].map(Option::unwrap_or_default);
+    let controls = parts::controls(table, (&shown, cone), context);
+    let (tilt, yoke) = (parts::tilt(table), parts::yoke(table, &shown));
+    let root = blade.as_ref().map_or(f64::INFINITY, |blade| blade.radius);
+    let hinges = parts::hinges(table, root);
+    table.finish();
+    let (hub, (drive, initial), blade) = (hub?, drive?, blade?);
+    let (controls, inflow) = (controls?, inflow?);
+    let mut base = Base {
+        name: name?,
+        line: table.line(),
+        carrier: carrier?,
+        count: count?,
+        azimuth: azimuth?,
+        precone: blade.precone,
+        pitch: 0.0,
+        undersling: undersling?,
+        link: link?,
+        spin: context.moves.then_some(initial),
+        tilt: tilt?.unwrap_or_default(),
+        yoke: yoke?,
+        hinges: hinges?,
+        units: units(table.document()),
+    };
+    if let Some(pitch) = &controls.pitch {
+        base.pitch = pitch.built_in * base.units.angle;
+        parts::add_bearing(&mut base.hinges, root);
+    }
+    let rotor = Rotor {
+        center: center?,
+        axes: axes?,
+        drive,
+        hub,
+        body: body?,
+        fixed_pitch: blade.pitch,
+        blade: blade.keys,
+        control: controls.control(hub.tilts),
+        pitch: controls.pitch,
+        plate: controls.plate,
+        inflow,
+        base,
+    };
+    is_sound(&rotor, table).then_some(rotor)
+}
+
+/// The name, which must be a part of names in expressions.
+fn name(table: &Table<'_>) -> Option<String> {
+    let name = table.get(&keys::NAME)?;
+    if is_name(&name) {
+        return Some(name);
+    }
+    table.note(&keys::NAME, &RotorProblem::Name { name });
+    None
+}
+
+fn units(document: &Document) -> Units {
+    let factor = |dimension| document.factor(dimension);
+    Units {
+        angle: factor(Dimension::ANGLE),
+        length: factor(Dimension::LENGTH),
+        time: factor(Dimension::TIME),
+        moment: factor(Dimension::MOMENT),
+    }
+}
+
+/// Axes of a rotor: aft, across, along the shaft.
+fn axes(table: &Table<'_>) -> Option<Matrix3<f64>> {
+    let (axis, aft) = (table.get(&keys::AXIS), table.get(&keys::AFT));
+    let (axis, aft) = (axis?, aft?);
+    if axis.amax() == 0.0 {
+        table.note(&keys::AXIS, &InputProblem::NoAxis);
+        return None;
+    }
+    let axis = (axis / axis.amax()).normalize();
+    let across = aft - axis * axis.dot(&aft);
+    if across.norm() <= ALONG * aft.norm() {
+        table.note(&keys::AFT, &RotorProblem::AftAlongAxis);
+        return None;
+    }
+    let x = across.normalize();
+    Some(Matrix3::from_columns(&[x, axis.cross(&x), axis]))
+}
+
+/// The drive of the shaft, and the speed at the start \[rad/s\].
+fn drive(table: &Table<'_>, name: &str, context: &Context) -> Option<(Drive, f64)> {
+    let speed = table.get(&keys::SPEED)?;
+    let sum = |key| {
+        let control = super::controls::read(table, key, &context.drives)?;
+        let mut sum = Sum::default();
+        sum.add(control.as_ref(), None);
+        Some(sum)
+    };
+    let (angle, torque) = (sum(&keys::ANGLE.schema)?, sum(&keys::TORQUE.schema)?);
+    let initial = speed.unwrap_or(0.0);
+    let name = name.to_owned();
+    match (angle.is_empty(), torque.is_empty()) {
+        (false, false) => {
+            table.note(&keys::TORQUE, &RotorProblem::TwoDrives { name });
+            None
+        }
+        (false, true) => Some((Drive::Angle(angle.content(), angle.text()), initial)),
+        (true, false) => Some((Drive::Torque(torque.content()), initial)),
+        (true, true) if speed.is_none() => {
+            table.note("", &RotorProblem::NoDrive { name });
+            None
+        }
+        (true, true) => Some((Drive::Speed(initial), initial)),
+    }
+}
+
+/// The body of the hub; `Some(None)` without mass.
+fn body(table: &Table<'_>, name: &str) -> Option<Option<Lump>> {
+    let mass = table.get(&keys::MASS);
+    let inertia = moments(table, name);
+    let (mass, inertia) = (mass?, inertia?);
+    if mass == 0.0 && inertia.amax() > 0.0 {
+        let (name, key, needed) = (name.to_owned(), "inertia", keys::MASS.name());
+        table.note(key, &RotorProblem::Idle { name, key, needed });
+        return None;
+    }
+    Some((mass > 0.0).then_some((mass, inertia)))
+}
+
+/// Whether the parts of a rotor fit each other; notes the first problem.
+fn is_sound(rotor: &Rotor, table: &Table<'_>) -> bool {
+    let of_pitch = || Some((keys::SWASHPLATE.name(), pitch_problem(rotor)?));
+    let found = hub_problem(rotor, table).or_else(of_pitch);
+    if let Some((key, problem)) = &found {
+        table.note(key, problem);
+    }
+    found.is_none()
+}
+
+/// The first key that the hub does not have, or else its first problem, with the key.
+fn hub_problem(rotor: &Rotor, table: &Table<'_>) -> Option<(&'static str, RotorProblem)> {
+    const TILTING: &[&str] = &["teetering", "gimballed"];
+    let hub = rotor.hub;
+    let keys: [(&str, &[&str]); 4] = [
+        (keys::UNDERSLING.name(), &["teetering"]),
+        (keys::LINK.name(), &["gimballed"]),
+        (keys::TILT.name(), TILTING),
+        (keys::YOKE.name(), TILTING),
+    ];
+    let mut wrong = keys.into_iter();
+    let wrong = wrong.find(|(key, kinds)| table.has(key) && !kinds.contains(&hub.word));
+    if let Some((key, kinds)) = wrong {
+        let hub = hub.word;
+        return Some((key, RotorProblem::NotOfHub { hub, key, kinds }));
+    }
+    Some((keys::HUB.name(), (hub.problem)(&rotor.base)?))
+}
+
+/// The first problem of the pitch.
+fn pitch_problem(rotor: &Rotor) -> Option<RotorProblem> {
+    let base = &rotor.base;
+    let pitch = rotor.pitch.as_ref()?;
+    let (found, expected) = (pitch.individual.len(), base.count);
+    if found != 0 && found != expected {
+        return Some(RotorProblem::Individual { found, expected });
+    }
+    let is_cyclic = pitch.is_cyclic() && rotor.plate.is_none();
+    if let (true, Err(reason)) = (is_cyclic, rotor.drive.azimuth(base)) {
+        return Some(RotorProblem::NoAzimuth { reason });
+    }
+    if !matches!(rotor.control, pitch::Control::Prescribed) {
+        return None;
+    }
+    let reason = match &rotor.drive {
+        Drive::Torque(_) if is_cyclic => "its azimuth is a result, whose acceleration is not known",
+        _ if rotor.hub.tilts => "the hub tilts against the swashplate",
+        _ if has_spring(base) => "its hinge has a spring or damper",
+        _ => return None,
+    };
+    let name = base.name.clone();
+    Some(RotorProblem::NeedsLink { name, reason })
+}
+
+/// Whether the pitch bearing has a spring or damper of its own.
+fn has_spring(base: &Base) -> bool {
+    let mut bearings = base.hinges.iter().filter(|hinge| hinge.kind == arms::PITCH);
+    bearings.any(|hinge| hinge.restraint.stiffness != 0.0 || hinge.restraint.damping != 0.0)
+}
+
+impl Rotor {
+    /// All cards; `has_hub` if the input has a `[hub]`, or other rotors.
+    ///
+    /// # Errors
+    /// A pitch that the swashplate cannot give.
+    pub fn cards(&self, has_hub: bool) -> Result<Vec<Card>, RotorProblem> {
+        let base = &self.base;
+        let mut cards = Vec::new();
+        if !has_hub {
+            cards.push(
+                Card::single(["hub"], base.line)
+                    .with(
+                        "axis",
+                        Content::numbers(self.axes.column(2).iter().copied()),
+                    )
+                    .with("center", lengths(&self.center)),
+            );
+        }
+        cards.push(
+            base.listed("frame")
+                .with("name", base.name.as_str())
+                .with("position", lengths(&self.center))
+                .with("orientation", angles(&vector::from_rotation(&self.axes))),
+        );
+        let is_cyclic = self.pitch.as_ref().is_some_and(Pitch::is_cyclic);
+        let senses = is_cyclic && self.plate.is_none();
+        cards.extend(shaft::cards(base, &self.drive, self.body.as_ref(), senses));
+        let (yoke, tilt) = (self.hub.yoke)(base);
+        cards.extend(tilt);
+        let pitch = self.pitch.clone().unwrap_or_default();
+        if let Some(plate) = &self.plate {
+            cards.extend(plate.cards(base, &pitch, &self.drive)?);
+        }
+        for k in 0..base.count {
+            let azimuth = self.drive.azimuth(base).ok();
+            let azimuth = azimuth.map(|text| format!("{text} + {}", base.azimuth_of(k)));
+            let command = pitch.of_blade(k, azimuth.as_deref());
+            cards.extend(arms::cards(base, (k, &yoke), (&self.control, &command)));
+            cards.extend(self.plate.as_ref().and_then(|plate| plate.link(base, k)));
+        }
+        cards.extend(self.inflow.as_ref().map(|keys| {
+            base.listed("inflow")
+                .with("name", base.name.as_str())
+                .with("hub", base.hub())
+                .with(
+                    "axis",
+                    Content::numbers(self.axes.column(2).iter().copied()),
+                )
+                .with_all(keys.iter().cloned())
+        }));
+        cards.extend(arms::blades(base, &self.blade_keys()));
+        Ok(cards)
+    }
+
+    /// The keys of the blade, with the inflow of the rotor.
+    fn blade_keys(&self) -> Vec<(String, Content)> {
+        let pitch = self.fixed_pitch + self.base.pitch;
+        let pitch = (parts::PITCH_KEY.to_owned(), Content::quantity(pitch, "rad"));
+        let keys = self.blade.iter().cloned().chain([pitch]);
+        keys.map(|(key, content)| match (key.as_str(), &self.inflow) {
+            (parts::AERODYNAMICS, Some(_)) => {
+                let content = content.with("inflow", self.base.name.as_str());
+                (key, content)
+            }
+            _ => (key, content),
+        })
+        .collect()
+    }
+}

@@ -1,0 +1,233 @@
+//! Sums of controls, as drives: expressions if all of their terms are, else sums of drives.
+
+use shared_geom::document::schema::KeySchema;
+use shared_geom::document::{Content, Item, Table};
+use shared_geom::expression::{Expression, Jet, Names, written};
+
+/// What the whole input says about its rotors.
+#[derive(Debug)]
+pub(super) struct Context {
+    /// Names of drives.
+    pub drives: Vec<String>,
+    /// Whether nodes have given velocities at the start of a run.
+    pub moves: bool,
+}
+
+/// A number that may change with time, as written.
+#[derive(Debug, Clone)]
+pub(super) enum Control {
+    /// A number, or an expression, in the declared unit of its key.
+    Text(String),
+    /// A drive by its name, or a table.
+    Drive(Content),
+}
+
+impl Control {
+    /// Its value at time zero in the declared unit, if it is known: it may use the constants.
+    pub fn at_start(&self, constants: &[(String, f64)]) -> Option<f64> {
+        let Self::Text(text) = self else {
+            return None;
+        };
+        let names = Names {
+            variables: &["t"],
+            constants,
+        };
+        let expression = Expression::parse(text, &names).ok()?;
+        let value = expression.at(|_| Jet::constant(0.0)).value;
+        value.is_finite().then_some(value)
+    }
+
+    /// The number, if it is one, in the declared unit.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Text(text) => text.trim_matches(['(', ')']).parse().ok(),
+            Self::Drive(_) => None,
+        }
+    }
+}
+
+/// Reads the control under a declared key; `Some(None)` if it is absent.
+pub(super) fn read(
+    table: &Table<'_>,
+    key: &KeySchema,
+    drives: &[String],
+) -> Option<Option<Control>> {
+    let Some(item) = table.item(key.name) else {
+        return Some(None);
+    };
+    control(&item, key, drives, table.copied(key.name)).map(Some)
+}
+
+/// The control of a value of a key; `drives` are the names of drives.
+fn control(
+    item: &Item<'_>,
+    key: &KeySchema,
+    drives: &[String],
+    copied: Option<Content>,
+) -> Option<Control> {
+    let Some(text) = item.text() else {
+        if item.is_table() {
+            return copied.map(Control::Drive);
+        }
+        return number(item, key);
+    };
+    if let Some(text) = written(text) {
+        return Some(Control::Text(format!("({})", text.trim())));
+    }
+    let name = text.trim();
+    let begins = name.chars().next();
+    if begins.is_none_or(|letter| letter.is_ascii_digit() || "+-.".contains(letter)) {
+        return number(item, key);
+    }
+    Some(match drives.iter().any(|own| own == name) {
+        true => Control::Drive(name.into()),
+        // A sensor, an output or an actuator.
+        false => Control::Text(name.to_owned()),
+    })
+}
+
+/// A number in the declared unit.
+fn number(item: &Item<'_>, key: &KeySchema) -> Option<Control> {
+    let found = item.quantity(key.dimension())?;
+    let number = found / item.document().factor(key.dimension());
+    Some(Control::Text(signed(number)))
+}
+
+/// Reads a list of controls under a declared key; empty if it is absent.
+pub(super) fn list(table: &Table<'_>, key: &KeySchema, drives: &[String]) -> Option<Vec<Control>> {
+    let Some(item) = table.item(key.name) else {
+        return Some(Vec::new());
+    };
+    let Some(items) = item.list() else {
+        return item.wrong("a list of drives, one per blade");
+    };
+    let read = items
+        .iter()
+        .map(|item| control(item, key, drives, Some(item.copied())));
+    let read: Vec<_> = read.collect();
+    read.into_iter().collect()
+}
+
+/// A number as a part of an expression.
+pub(super) fn signed(number: f64) -> String {
+    match number < 0.0 {
+        true => format!("({number})"),
+        false => number.to_string(),
+    }
+}
+
+/// A sum of controls times factors.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Sum(Vec<(Control, Option<String>)>);
+
+impl Sum {
+    /// Adds a control, if there is one, times the expression of a factor, one if `None`.
+    pub fn add(&mut self, control: Option<&Control>, factor: Option<String>) {
+        self.0
+            .extend(control.map(|control| (control.clone(), factor)));
+    }
+
+    /// Whether it has no terms.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The sum as an expression; `None` if a term is a drive by name or table.
+    pub fn text(&self) -> Option<String> {
+        let terms = self
+            .0
+            .iter()
+            .map(|(control, factor)| match (control, factor) {
+                (Control::Text(text), Some(factor)) => Some(format!("{text}*{factor}")),
+                (Control::Text(text), None) => Some(text.clone()),
+                (Control::Drive(_), _) => None,
+            });
+        let terms: Option<Vec<_>> = terms.collect();
+        Some(match terms? {
+            terms if terms.is_empty() => "0".to_owned(),
+            terms => terms.join(" + "),
+        })
+    }
+
+    /// The sum as a value of a key.
+    pub fn content(&self) -> Content {
+        // A single name keeps its unit.
+        if let [(Control::Text(text), None)] = self.0.as_slice()
+            && text.starts_with(|letter: char| letter.is_ascii_alphabetic())
+        {
+            return text.as_str().into();
+        }
+        if let Some(text) = self.text() {
+            return format!("= {text}").into();
+        }
+        let terms = self.0.iter().map(|(control, factor)| {
+            let control = match control {
+                Control::Text(text) => format!("= {text}").into(),
+                Control::Drive(drive) => drive.clone(),
+            };
+            match factor {
+                None => control,
+                Some(factor) => Content::table([
+                    ("kind", "product".into()),
+                    (
+                        "factors",
+                        Content::list([control, format!("= {factor}").into()]),
+                    ),
+                ]),
+            }
+        });
+        Content::table([("kind", "sum".into()), ("terms", Content::list(terms))])
+    }
+}
+
+/// Controls of the pitch.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Pitch {
+    /// Mean.
+    pub collective: Option<Control>,
+    /// Factor of the cosine.
+    pub cosine: Option<Control>,
+    /// Factor of the sine.
+    pub sine: Option<Control>,
+    /// Orders of harmonics, with the factors of cosine and sine.
+    pub harmonics: Vec<(usize, [Option<Control>; 2])>,
+    /// Of each blade; empty if there are none.
+    pub individual: Vec<Control>,
+    /// Mean in the undeformed model, in the declared unit.
+    pub built_in: f64,
+}
+
+impl Pitch {
+    /// Whether it depends on the azimuth.
+    pub fn is_cyclic(&self) -> bool {
+        self.cosine.is_some() || self.sine.is_some() || !self.harmonics.is_empty()
+    }
+
+    /// The pitch of blade `k`, from zero, by the expression of its azimuth \[rad\]:
+    ///
+    /// ```text
+    /// theta0 + theta1c cos psi + theta1s sin psi + sum (c_n cos n psi + s_n sin n psi) + own
+    /// ```
+    ///
+    /// less the pitch that is built in.
+    pub fn of_blade(&self, k: usize, azimuth: Option<&str>) -> Sum {
+        let mut sum = Sum::default();
+        sum.add(self.collective.as_ref(), None);
+        if let Some(azimuth) = azimuth {
+            let wave = |name: &str, order: usize| match order {
+                1 => Some(format!("{name}({azimuth})")),
+                _ => Some(format!("{name}({order}*({azimuth}))")),
+            };
+            sum.add(self.cosine.as_ref(), wave("cos", 1));
+            sum.add(self.sine.as_ref(), wave("sin", 1));
+            for (order, [cosine, sine]) in &self.harmonics {
+                sum.add(cosine.as_ref(), wave("cos", *order));
+                sum.add(sine.as_ref(), wave("sin", *order));
+            }
+        }
+        sum.add(self.individual.get(k), None);
+        let built_in = (self.built_in != 0.0).then(|| Control::Text(signed(-self.built_in)));
+        sum.add(built_in.as_ref(), None);
+        sum
+    }
+}

@@ -1,0 +1,225 @@
+//! Plates and links of a swashplate as parts of the model.
+//!
+//! The plate that does not turn slides along the mast and tilts, prescribed or by three actuators;
+//! the other plate turns on it, at the angle of the shaft, or with scissors to the hub; a link joins
+//! it with each blade.
+
+use nalgebra::Vector3;
+use shared_geom::document::{Card, Content};
+
+use super::arms::feathering;
+use super::base::{Base, lengths};
+use super::controls::{Pitch, Sum, signed};
+use super::distributor::{Actuators, Links, Position};
+use super::problem::RotorProblem;
+use super::shaft::Drive;
+
+/// A plate, its actuators and the links to the blades.
+#[derive(Debug, Clone)]
+pub(super) struct Plate {
+    /// Geometry of the links.
+    pub links: Links,
+    /// Stiffness of a link \[N/m\]; `None` for a rigid one.
+    pub stiffness: Option<f64>,
+    /// Damping of a link \[N s/m\].
+    pub damping: f64,
+    /// Actuators; `None` for a prescribed plate.
+    pub actuators: Option<Actuators>,
+}
+
+/// Height and tilts of the plate.
+enum Motion {
+    /// Constant.
+    At(Position),
+    /// In declared units, linear in the controls.
+    Linear([Sum; 3]),
+}
+
+impl Plate {
+    fn motion(&self, base: &Base, pitch: &Pitch) -> Result<Motion, RotorProblem> {
+        let units = &base.units;
+        let controls = [&pitch.collective, &pitch.cosine, &pitch.sine].map(Option::as_ref);
+        let numbers = controls.map(|one| one.map_or(Some(0.0), |one| one.number()));
+        if let [Some(a), Some(b), Some(c)] = numbers {
+            let wanted = [a, b, c].map(|number| number * units.angle);
+            let position = self.links.exact(wanted);
+            return position
+                .map(Motion::At)
+                .map_err(|off| RotorProblem::Unreachable { off });
+        }
+        let linear = self.links.linear();
+        let sum = |row: usize| {
+            let unit = [units.angle / units.length, 1.0, 1.0][row];
+            let mut sum = Sum::default();
+            for (column, control) in controls.iter().enumerate() {
+                let factor = linear[(row, column)] * unit;
+                if factor != 0.0 {
+                    sum.add(*control, Some(signed(factor)));
+                }
+            }
+            sum
+        };
+        Ok(Motion::Linear([0, 1, 2].map(sum)))
+    }
+
+    /// The plates, with the guide or the actuators of the one that does not turn.
+    pub fn cards(
+        &self,
+        base: &Base,
+        pitch: &Pitch,
+        drive: &Drive,
+    ) -> Result<Vec<Card>, RotorProblem> {
+        let motion = self.motion(base, pitch)?;
+        let [plate, turning] = ["plate", "rotating plate"].map(|part| base.part(part));
+        let (local, center) = (base.local(), Vector3::z() * -self.links.below);
+        let mut cards = vec![
+            base.fixed_node(&plate, &local, center),
+            base.node(&turning, &local, center),
+        ];
+        let guide = base
+            .joint_to_mast(&base.part("plate guide"), "total", &plate)
+            .with("locked", Content::texts(["x", "y", "about z"]));
+        match &self.actuators {
+            None => cards.push(prescribed(guide, &motion)),
+            Some(actuators) => {
+                cards.push(guide);
+                cards.extend(self.actuator_cards(base, actuators, &motion)?);
+            }
+        }
+        let bearing = base.joint(&base.part("plate bearing"), "revolute", &[&plate, &turning]);
+        cards.push(
+            bearing
+                .with("in", base.name.as_str())
+                .with("axis", Content::numbers([0.0, 0.0, 1.0]))
+                .with_some("angle", drive.angle(&base.units)),
+        );
+        if let Drive::Torque(_) = drive {
+            let nodes = [base.hub(), turning];
+            let nodes = [nodes[0].as_str(), &nodes[1]];
+            cards.push(
+                base.joint(&base.part("scissors"), "rotation", &nodes)
+                    .with("in", base.name.as_str())
+                    .with("rotation", Content::table([("z", 0.0.into())])),
+            );
+        }
+        Ok(cards)
+    }
+
+    fn actuator_cards(
+        &self,
+        base: &Base,
+        actuators: &Actuators,
+        motion: &Motion,
+    ) -> Result<Vec<Card>, RotorProblem> {
+        let (local, center) = (base.local(), Vector3::z() * -self.links.below);
+        let plate = base.part("plate");
+        let mut cards = Vec::new();
+        for (number, &azimuth) in actuators.azimuths.iter().enumerate() {
+            let name = base.part(&format!("actuator {}", number + 1));
+            let [end, foot] = actuators.ends(azimuth).map(|end| center + end);
+            cards.push(base.fixed_node(&name, &local, end));
+            cards.push(
+                base.listed("rigid")
+                    .with("name", format!("{name} end"))
+                    .with("nodes", Content::texts([plate.as_str(), &name])),
+            );
+            let length = match motion {
+                Motion::At(position) => {
+                    Content::quantity(actuators.length(azimuth, *position), "m")
+                }
+                Motion::Linear(sums) => linear_length(base, actuators, azimuth, sums)?.into(),
+            };
+            // The distance of one node is from the point `at` of the frame.
+            let key = match base.carrier {
+                Some(_) => "from",
+                None => "at",
+            };
+            cards.push(
+                base.joint_to_mast(&name, "distance", &name)
+                    .with(key, lengths(&foot))
+                    .with("length", length),
+            );
+        }
+        Ok(cards)
+    }
+
+    /// The link of blade `k`.
+    pub fn link(&self, base: &Base, k: usize) -> Option<Card> {
+        let (node, offset) = feathering(base, k)?;
+        let turning = base.part("rotating plate");
+        let azimuth = base.azimuth_of(k);
+        let [top, bottom] = [self.links.top(azimuth, 0.0), self.links.bottom(azimuth)];
+        let (name, nodes) = (base.of_blade(k, "pitch link"), [turning.as_str(), &node]);
+        let Some(stiffness) = self.stiffness else {
+            return Some(
+                base.joint(&name, "distance", &nodes)
+                    .with("in", base.name.as_str())
+                    .with("from", lengths(&bottom))
+                    .with("at", lengths(&top)),
+            );
+        };
+        let stiffness = Content::quantity(stiffness, "N/m");
+        let law = match self.damping == 0.0 {
+            true => Content::table([("kind", "linear".into()), ("stiffness", stiffness)]),
+            false => Content::table([
+                ("kind", "viscoelastic".into()),
+                ("stiffness", stiffness),
+                ("viscosity", Content::quantity(self.damping, "N*s/m")),
+            ]),
+        };
+        let center = Vector3::z() * -self.links.below;
+        let [x, y] = self.links.horn;
+        let ends = [bottom - center, Vector3::new(x - offset, y, 0.0)];
+        Some(
+            base.listed("rod")
+                .with("name", name)
+                .with("nodes", Content::texts(nodes))
+                .with("offsets", Content::list(ends.iter().map(lengths)))
+                .with("measure", "elongation")
+                .with("law", law),
+        )
+    }
+}
+
+/// The guide of a prescribed plate.
+fn prescribed(guide: Card, motion: &Motion) -> Card {
+    let [height, x, y] = match motion {
+        Motion::At([height, x, y]) => [
+            Content::quantity(*height, "m"),
+            Content::quantity(*x, "rad"),
+            Content::quantity(*y, "rad"),
+        ],
+        Motion::Linear(sums) => [0, 1, 2].map(|i| sums[i].content()),
+    };
+    guide
+        .with("displacement", Content::table([("z", height)]))
+        .with("rotation", Content::table([("x", x), ("y", y)]))
+}
+
+/// The length of an actuator over the linear motion of the plate:
+///
+/// ```text
+/// L = sqrt((r_s - r_b)^2 + (z_b + h + r_s (a_x sin psi - a_y cos psi))^2)
+/// ```
+fn linear_length(
+    base: &Base,
+    actuators: &Actuators,
+    azimuth: f64,
+    sums: &[Sum; 3],
+) -> Result<String, RotorProblem> {
+    let texts = ["collective", "cosine", "sine"].into_iter().zip(sums);
+    let texts: Result<Vec<_>, _> = texts
+        .map(|(key, sum)| sum.text().ok_or(RotorProblem::NotWritten { key }))
+        .collect();
+    let texts = texts?;
+    let units = &base.units;
+    let (sin, cos) = azimuth.sin_cos();
+    let tilt = actuators.radius * units.angle / units.length;
+    let [x, y] = [tilt * sin, -tilt * cos].map(signed);
+    let foot = actuators.base_below / units.length;
+    let across = (actuators.radius - actuators.base_radius) / units.length;
+    Ok(format!(
+        "= hypot({across}, {foot} + ({}) + {x}*({}) + {y}*({}))",
+        texts[0], texts[1], texts[2]
+    ))
+}

@@ -1,0 +1,244 @@
+//! Problems of rotors.
+
+use shared_geom::error::{Explain, quoted};
+
+use crate::input::short_number;
+
+/// A problem of a `[[rotor]]`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RotorProblem {
+    /// A name that cannot be part of the names of signals.
+    #[error("\"{name}\" is no name of a rotor, expected letters, digits and \"_\"")]
+    Name {
+        /// The name.
+        name: String,
+    },
+    /// Two rotors of a name.
+    #[error("rotor \"{name}\" is already defined, expected one of this name")]
+    DoubledName {
+        /// The name.
+        name: String,
+    },
+    /// A shaft that nothing turns and nothing brakes.
+    #[error("rotor \"{name}\" has no drive, expected \"speed\", \"angle\" or \"torque\"")]
+    NoDrive {
+        /// Name of the rotor.
+        name: String,
+    },
+    /// Two drives of a shaft.
+    #[error("rotor \"{name}\" has \"angle\" and \"torque\", expected one of them")]
+    TwoDrives {
+        /// Name of the rotor.
+        name: String,
+    },
+    /// Azimuth zero along the shaft.
+    #[error("\"aft\" is along the axis of the rotor, expected a direction across it")]
+    AftAlongAxis,
+    /// A hub with hinges that its kind does not have.
+    #[error("a hub of the kind \"{hub}\" {found}, expected {expected}")]
+    Hub {
+        /// Kind of the hub.
+        hub: &'static str,
+        /// Its content, as text.
+        found: String,
+        /// The expected content, as text.
+        expected: &'static str,
+    },
+    /// A key that belongs to another kind of hub.
+    #[error("a hub of the kind \"{hub}\" has no \"{key}\"")]
+    NotOfHub {
+        /// Kind of the hub.
+        hub: &'static str,
+        /// The key.
+        key: &'static str,
+        /// Kinds of hubs that have it.
+        kinds: &'static [&'static str],
+    },
+    /// A key of `[[blade]]` that follows from the rotor.
+    #[error("[rotor.blade] has \"{key}\", which follows from the rotor")]
+    OfBlade {
+        /// The key.
+        key: String,
+    },
+    /// Hinges that are not in order from the hub outward, or beyond the root.
+    #[error(
+        "{hinge} is at {} m from the center of the hub, expected from {} m to {} m",
+        short_number(*.found, 6),
+        short_number(*.from, 6),
+        short_number(*.to, 6)
+    )]
+    HingeOrder {
+        /// The hinge, as text.
+        hinge: String,
+        /// Its offset \[m\].
+        found: f64,
+        /// Offset of the hinge before \[m\].
+        from: f64,
+        /// Radius of the root \[m\].
+        to: f64,
+    },
+    /// A stop without an angle, or with angles in the wrong order.
+    #[error("the stop has {found}, expected \"lower\" below \"upper\", or one of them")]
+    Stop {
+        /// Its angles, as text.
+        found: &'static str,
+    },
+    /// A curve of a damper that is no function of the rate.
+    #[error(
+        "the damper has {rates} rates and {moments} moments, expected as many, at least two, with \
+         ascending rates"
+    )]
+    Curve {
+        /// Number of rates.
+        rates: usize,
+        /// Number of moments.
+        moments: usize,
+    },
+    /// A number of pitches that is not the number of blades.
+    #[error("\"individual\" lists {found}, expected {expected}: one per blade")]
+    Individual {
+        /// Number of drives.
+        found: usize,
+        /// Number of blades.
+        expected: usize,
+    },
+    /// A pitch over the azimuth, where the azimuth is no expression.
+    #[error("the pitch depends on the azimuth, but {reason}")]
+    NoAzimuth {
+        /// The reason, as text.
+        reason: &'static str,
+    },
+    /// A prescribed pitch that needs a link.
+    #[error("the pitch of rotor \"{name}\" is prescribed at its bearing, but {reason}")]
+    NeedsLink {
+        /// Name of the rotor.
+        name: String,
+        /// The reason, as text.
+        reason: &'static str,
+    },
+    /// A table without the one that uses it.
+    #[error("rotor \"{name}\" has \"{key}\" without \"{needed}\"")]
+    Idle {
+        /// Name of the rotor.
+        name: String,
+        /// The key.
+        key: &'static str,
+        /// The other key.
+        needed: &'static str,
+    },
+    /// Two tables that exclude each other.
+    #[error("rotor \"{name}\" has \"{key}\" and \"{other}\", expected one of them")]
+    Both {
+        /// Name of the rotor.
+        name: String,
+        /// A key.
+        key: &'static str,
+        /// Another key.
+        other: &'static str,
+    },
+    /// A plate that is not below the ends of its links.
+    #[error(
+        "\"below\" is {} m, expected more than {} m: the ends of the links on the blades are there",
+        short_number(*.found, 6),
+        short_number(*.needed, 6)
+    )]
+    NoLength {
+        /// Distance of the plate \[m\].
+        found: f64,
+        /// Distance of the ends of the links \[m\].
+        needed: f64,
+    },
+    /// Links without a lever about the pitch axis.
+    #[error("\"horn\" is on the pitch axis, expected a distance ahead or behind")]
+    NoLever,
+    /// A number of actuators other than three.
+    #[error("\"azimuths\" lists {found} actuators, expected three at different azimuths")]
+    Actuators {
+        /// The number.
+        found: usize,
+    },
+    /// A pitch that no position of the plate gives.
+    #[error("no position of the plate gives the pitch: {} m from the nearest", short_number(*.off, 3))]
+    Unreachable {
+        /// Remaining error of the iteration, as a height at the horn \[m\].
+        off: f64,
+    },
+    /// Lengths of actuators whose controls are no expressions.
+    #[error("\"{key}\" is a drive by name or table, expected a number or an expression of t")]
+    NotWritten {
+        /// The key.
+        key: &'static str,
+    },
+    /// A model that turns at another speed than the rotor.
+    #[error(
+        "rotor \"{name}\" turns at {} rpm, but the run starts at {} rpm",
+        short_number(*.own, 6),
+        short_number(*.start, 6)
+    )]
+    Speeds {
+        /// Name of the rotor.
+        name: String,
+        /// Its speed [rpm].
+        own: f64,
+        /// Speed of the start [rpm].
+        start: f64,
+    },
+    /// A model that turns about another axis than the rotor.
+    #[error("the model turns about the axis of [hub], and rotor \"{name}\" has another")]
+    Axes {
+        /// Name of the rotor.
+        name: String,
+    },
+    /// Rotors in polar copies.
+    #[error("[[repeat]] has a rotor, expected [[rotor]] outside of it")]
+    Repeated,
+    /// A rotor in an included file, or as a value.
+    #[error("the rotors cannot be replaced in the text of the file")]
+    NotInText,
+}
+
+impl Explain for RotorProblem {
+    fn help(&self) -> Option<String> {
+        let fixed = match self {
+            Self::NoDrive { .. } => {
+                "a constant \"speed\", an \"angle\" over time, or a \"torque\", which is 0 for a \
+                 rotor that turns freely"
+            }
+            Self::TwoDrives { .. } => "\"speed\" beside \"torque\" is the speed at the start",
+            Self::NotOfHub { kinds, .. } => {
+                return Some(format!("kinds that have it: {}", quoted(kinds)));
+            }
+            Self::OfBlade { key } => return Some(blade_help(key).to_owned()),
+            Self::HingeOrder { .. } => {
+                "list hinges from the hub outward; \"hub_radius\" of [rotor.blade] is the radius of \
+                 the root"
+            }
+            Self::NoAzimuth { .. } => {
+                "give \"speed\", or \"angle\" as an expression, \"= 900*t^2\""
+            }
+            Self::NeedsLink { .. } => {
+                "add [rotor.pitch_link] with the control stiffness, or [rotor.swashplate.plate]"
+            }
+            Self::Speeds { .. } => "give both the same speed",
+            Self::Axes { .. } => {
+                "steady rotation needs the axis and the center of the rotor in [hub], and one rotor; \
+                 compute several in [transient] with start = \"given\""
+            }
+            Self::NotInText => {
+                "write [[rotor]] as a table of the file itself, not of an included one"
+            }
+            _ => return None,
+        };
+        Some(fixed.to_owned())
+    }
+}
+
+fn blade_help(key: &str) -> &'static str {
+    match key {
+        "name" => "the blades are called by the name of the rotor and their number",
+        "count" | "azimuth" | "azimuths" | "names" => "use \"blades\" and \"azimuth\" of [[rotor]]",
+        "hinges" => "use [[rotor.hinge]]",
+        "root" => "use \"hub_radius\"",
+        _ => "remove it: the rotor holds and moves its blades",
+    }
+}

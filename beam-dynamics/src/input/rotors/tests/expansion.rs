@@ -1,0 +1,133 @@
+//! A rotor and its expanded text are the same model, and the model that a user would write.
+
+use crate::analysis::modes::modes;
+
+use super::{STRIP, expanded, read, text};
+
+/// Keys of rotors of each kind that use all of their parts.
+const KINDS: [(&str, &str); 8] = [
+    (
+        "rigid",
+        "speed = 300\n[rotor.swashplate]\ncollective = 8\nsine = \"= -2*t\"\n",
+    ),
+    (
+        "hingeless",
+        "angle = \"= 90*t^2\"\nmass = 3\ninertia = [1, 1, 1]\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n\
+         stiffness = 300\n[rotor.swashplate]\ncollective = \"ramp\"\ncosine = 2\n\
+         individual = [0, 1, \"= sin(t)\"]\nharmonic = [{ order = 2, sine = 0.5 }]\n",
+    ),
+    (
+        "articulated",
+        "speed = 300\naxis = [0.1, 0, 1]\ncenter = [1, 2, 3]\nazimuth = 20\n\
+         [[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\nstop = { lower = -4, upper = 20, stiffness = 9e3, damping = 5 }\n\
+         [[rotor.hinge]]\nkind = \"lag\"\ndamping = 3\ndamper = { rates = [-10, 0, 10], moments = [-5, 0, 5] }\n\
+         [rotor.swashplate]\ncollective = 8\ncosine = 1\n[rotor.pitch_link]\nstiffness = 900\n\
+         damping = 1\ndelta_3 = 20\n",
+    ),
+    (
+        "articulated",
+        "torque = \"= 5*t\"\nspeed = 100\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n\
+         [[rotor.hinge]]\nkind = \"pitch\"\nstiffness = 10\n[rotor.swashplate]\nsine = 8\n\
+         [rotor.pitch_link]\nstiffness = 900\n",
+    ),
+    (
+        "articulated",
+        "speed = 300\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n[rotor.swashplate]\n\
+         collective = 8\ncosine = 1\nsine = -3\n[rotor.swashplate.plate]\nbelow = 0.15\n\
+         horn = [0.05, 0.19]\nactuators = { radius = 0.2, base_radius = 0.2, base_below = 0.3 }\n",
+    ),
+    (
+        "articulated",
+        "torque = 3\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n[rotor.swashplate]\n\
+         collective = \"= 8*t\"\ncosine = 1\nsine = -3\n[rotor.swashplate.plate]\nbelow = 0.15\n\
+         horn = [0.05, -0.19]\nstiffness = 2e5\ndamping = 10\n",
+    ),
+    (
+        "teetering",
+        "speed = 300\nundersling = 0.05\n[rotor.tilt]\nstiffness = 30\ndamping = 1\n\
+         stop = { lower = -8, upper = 8, stiffness = 4e3 }\n[rotor.yoke]\nmass = 2\ninertia = [1, 1, 1]\n\
+         [rotor.swashplate]\ncollective = 4\n[rotor.pitch_link]\nstiffness = 900\n",
+    ),
+    (
+        "gimballed",
+        "speed = 300\nlink = 0.1\n[rotor.tilt]\nstiffness = 30\nstop = { upper = 8, stiffness = 4e3 }\n\
+         [rotor.swashplate]\ncollective = 4\nsine = 1\n[rotor.pitch_link]\nstiffness = 900\ndelta_3 = -15\n",
+    ),
+];
+
+const REST: &str = "
+# the run
+[drives.ramp]
+kind = \"ramp\"
+to = 5
+end = 1
+[transient]
+to = 0.1
+step = 1e-3
+";
+
+// The fingerprint covers nodes and elements with all their numbers, to the last bit.
+#[test]
+fn a_rotor_and_its_expanded_text_are_the_same_model() {
+    for (kind, keys) in KINDS {
+        let text = text(kind, keys, REST);
+        let expanded = expanded(&text);
+        assert!(!expanded.contains("[[rotor]]"), "{expanded}");
+        assert!(expanded.contains("# the run\n"), "{expanded}");
+        let [one, other] = [&text, &expanded].map(|text| read(text));
+        assert_eq!(
+            one.model.fingerprint(),
+            other.model.fingerprint(),
+            "{expanded}"
+        );
+        assert_eq!(one.model.initial, other.model.initial);
+        assert_eq!(one.model.frame_rotation, other.model.frame_rotation);
+    }
+}
+
+/// Frequencies of all modes at all speeds.
+fn frequencies(text: &str) -> Vec<f64> {
+    let input = read(text);
+    let outcome = modes(&input.model, &input.modes.unwrap());
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    let speeds = 0..outcome.table.speeds.len();
+    let points = speeds.flat_map(|speed| outcome.table.at_speed(speed).into_iter());
+    points.map(|(_, point)| point.frequency).collect()
+}
+
+// The blades of a rotor against the blades of a `[[blade]]` on the frame.
+#[test]
+fn rotors_are_the_rotors_of_blade_cards() {
+    const MODES: &str = "[modes]\nspeeds = [0, 300]\ncount = 9\n";
+    let blade = "hub_radius = 0.2\nproperties = \"strip\"\npiece = [{ length = 1, elements = 2 }]\n\
+                 precone = 2\npitch = 6\n";
+    let flap = "kind = \"flap\"\noffset = 0.1\nstiffness = 500\n";
+    let lag = "kind = \"lag\"\noffset = 0.15\nstiffness = 900\ndamping = 2\n";
+    for (kind, listed, tables) in [
+        ("rigid", String::new(), String::new()),
+        (
+            "hingeless",
+            format!(
+                "hinges = [{{ {} }}, {{ {} }}]\n",
+                flap.trim().replace('\n', ", "),
+                lag.trim().replace('\n', ", ")
+            ),
+            format!("[[rotor.hinge]]\n{flap}[[rotor.hinge]]\n{lag}"),
+        ),
+    ] {
+        let by_hand = format!(
+            "units = \"SI\"\n{STRIP}[[blade]]\nname = \"b\"\ncount = 3\n{listed}{blade}{MODES}"
+        );
+        let keys = format!("speed = 300\n{tables}");
+        let rotor = text(kind, &keys, MODES)
+            .replace("[rotor.blade]\n", "[rotor.blade]\nprecone = 2\npitch = 6\n");
+        let [expected, found] = [by_hand, rotor].map(|text| frequencies(&text));
+        assert_eq!(expected.len(), found.len());
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!(
+                (found - expected).abs() < 1e-7 * expected.max(1.0),
+                "{kind}: {found} {expected}"
+            );
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! Wrong rotors, and the problems reported.
+
+use crate::input::parse;
+
+use super::{BLADE, STRIP, refused, text};
+
+const RUN: &str = "[transient]\nto = 0.1\nstep = 1e-3\n";
+
+/// A flap hinge without spring.
+const FLAP: &str = "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n";
+
+/// Kinds and keys of wrong rotors, and the problem of each.
+const WRONG: &[(&str, &str, &str)] = &[
+    (
+        "rigid",
+        "",
+        "rotor \"r\" has no drive, expected \"speed\", \"angle\" or \"torque\"",
+    ),
+    (
+        "rigid",
+        "angle = 1\ntorque = 2",
+        "has \"angle\" and \"torque\"",
+    ),
+    (
+        "rigid",
+        "sped = 1",
+        "unknown key \"sped\" in [[rotor]] number 1",
+    ),
+    (
+        "stiff",
+        "speed = 1",
+        "\"hub\" is \"stiff\", expected one of",
+    ),
+    (
+        "rigid",
+        FLAP,
+        "a hub of the kind \"rigid\" has a flap or lag hinge",
+    ),
+    (
+        "hingeless",
+        FLAP,
+        "has a flap or lag hinge without \"stiffness\"",
+    ),
+    ("articulated", "speed = 1", "has no flap hinge"),
+    ("gimballed", "speed = 1", "has no \"link\""),
+    (
+        "rigid",
+        "speed = 1\nundersling = 1",
+        "the kind \"rigid\" has no \"undersling\"",
+    ),
+    (
+        "rigid",
+        "speed = 1\naft = [0, 0, 1]",
+        "\"aft\" is along the axis",
+    ),
+    (
+        "rigid",
+        "speed = 1\naxis = [0, 0, 0]",
+        "\"axis\" has no direction",
+    ),
+    (
+        "rigid",
+        "speed = 1\ninertia = [1, 1, 1]",
+        "has \"inertia\" without \"mass\"",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.inflow]\nkind = \"uniform\"",
+        "has \"inflow\" without",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.pitch_link]\nstiffness = 1",
+        "has \"pitch_link\" without \"swashplate\"",
+    ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.3\n",
+        "the flap hinge is at 0.3 m from the center of the hub, expected from 0 m to 0.2 m",
+    ),
+    (
+        "rigid",
+        "angle = \"a\"\n[rotor.swashplate]\nsine = 1",
+        "the pitch depends on the azimuth, but \"angle\" is a drive by name",
+    ),
+    (
+        "rigid",
+        "torque = 1\n[rotor.swashplate]\nsine = 1",
+        "the pitch of rotor \"r\" is prescribed at its bearing, but its azimuth is a result",
+    ),
+    (
+        "teetering",
+        "speed = 1\n[rotor.swashplate]\ncollective = 1",
+        "but the hub tilts against the swashplate",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.swashplate]\nindividual = [1, 2]",
+        "\"individual\" lists 2, expected 3: one per blade",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.swashplate]\ncollective = 160\nplate = { below = 0.1, horn = [0, 0.1] }",
+        "no position of the plate gives the pitch",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.swashplate]\nplate = { below = 0.1, horn = [0.1, 0] }",
+        "\"horn\" is on the pitch axis",
+    ),
+    (
+        "teetering",
+        "speed = 1\nundersling = 0.2\n[rotor.swashplate]\nplate = { below = 0.1, horn = [0.1, 0.1] }",
+        "\"below\" is 0.1 m, expected more than 0.2 m",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.swashplate]\ncollective = \"8 m\"",
+        "\"collective\"",
+    ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\nstop = { stiffness = 1 }",
+        "the stop has no angle",
+    ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\ndamper = { rates = [1, 0], moments = [1, 2] }",
+        "the damper has 2 rates and 2 moments",
+    ),
+];
+
+#[test]
+fn wrong_rotors_are_explained() {
+    for (kind, keys, expected) in WRONG {
+        let shown = refused(&text(
+            kind,
+            keys,
+            &format!("{RUN}[drives.a]\nkind = \"ramp\"\nto = 1\nend = 1\n"),
+        ));
+        assert!(shown.contains(expected), "{kind} {keys}\n{shown}");
+        assert!(shown.contains("a.dynamics.toml:"), "{shown}");
+    }
+}
+
+#[test]
+fn wrong_files_are_explained() {
+    let sound = text("rigid", "speed = 300", RUN);
+    let rotor =
+        format!("[[rotor]]\nname = \"r\"\nhub = \"rigid\"\nblades = 3\nspeed = 300\n{BLADE}");
+    let nested = rotor
+        .replace("[rotor", "[repeat.rotor")
+        .replace("[[rotor", "[[repeat.rotor");
+    for (text, expected) in [
+        (format!("{sound}{rotor}"), "rotor \"r\" is already defined"),
+        (
+            sound.replace("name = \"r\"", "name = \"r 1\""),
+            "\"r 1\" is no name of a rotor",
+        ),
+        (
+            sound.replace("[rotor.blade]", "[rotor.blade]\ncount = 3"),
+            "[rotor.blade] has \"count\", which follows from the rotor",
+        ),
+        (
+            sound.replace("hub_radius", "hub_radus"),
+            "unknown key \"hub_radus\"",
+        ),
+        (
+            sound.replace(
+                "step = 1e-3",
+                "step = 1e-3\nstart = \"rotating\"\nspeed = 200",
+            ),
+            "rotor \"r\" turns at 300 rpm, but the run starts at 200 rpm",
+        ),
+        (
+            sound.replace(RUN, "[hub]\naxis = [0, 1, 1]\n[modes]\nspeeds = [0, 300]\n"),
+            "the model turns about the axis of [hub], and rotor \"r\" has another",
+        ),
+        (
+            format!("units = \"SI\"\n{STRIP}[[repeat]]\ncount = 2\n{nested}{RUN}"),
+            "[[repeat]] has a rotor",
+        ),
+    ] {
+        let shown = refused(&text);
+        assert!(shown.contains(expected), "{shown}");
+    }
+}
+
+// Files with lines removed, doubled, exchanged or with another word: read, or reported.
+#[test]
+fn files_of_any_content_are_read_or_reported() {
+    const WORDS: [&str; 7] = ["-1", "0", "nan", "1e308", "\"= t\"", "[1, 2]", "\"x\""];
+    let keys = "speed = 300\nundersling = 0.1\n[rotor.tilt]\nstiffness = 4\n[[rotor.hinge]]\nkind = \"flap\"\n\
+                offset = 0.1\nstop = { lower = -1, stiffness = 3 }\n[rotor.swashplate]\ncollective = 4\n\
+                sine = 2\n[rotor.swashplate.plate]\nbelow = 0.3\nhorn = [0.1, 0.1]\n";
+    let text = text("teetering", keys, RUN);
+    let mut seed = 5_u64;
+    let mut below = |end: usize| {
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (seed >> 33) as usize % end.max(1)
+    };
+    let mut counts = [0; 2];
+    for _ in 0..400 {
+        let mut lines: Vec<_> = text.lines().map(str::to_owned).collect();
+        for _ in 0..=below(2) {
+            let at = 12 + below(lines.len() - 12);
+            match below(4) {
+                0 => drop(lines.remove(at)),
+                1 => lines.insert(at, lines[at].clone()),
+                2 => lines.swap(at, 12),
+                _ => {
+                    if let Some((key, _)) = lines[at].clone().split_once('=') {
+                        lines[at] = format!("{key}= {}", WORDS[below(WORDS.len())]);
+                    }
+                }
+            }
+        }
+        let text = lines.join("\n");
+        match parse(&text, "a.dynamics.toml") {
+            Ok(_) => counts[0] += 1,
+            Err(problems) => {
+                let shown = problems.to_string();
+                assert!(!shown.contains("no reason was noted"), "{shown}\n{text}");
+                counts[1] += 1;
+            }
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 20), "{counts:?}");
+}
