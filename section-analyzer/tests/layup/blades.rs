@@ -23,7 +23,11 @@ fn row<'a>(results: &'a Value, case: &Case) -> Option<&'a Value> {
 /// curvature and without the part that contacts cut.
 fn check_areas(case: &Case, meshed: &MeshedLayup, row: &Value) {
     let total: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
-    for area in meshed.areas.iter().filter(|area| area.meshed > 0.01 * total) {
+    for area in meshed
+        .areas
+        .iter()
+        .filter(|area| area.meshed > 0.01 * total)
+    {
         let expected = &row["areas"][&area.name];
         if expected.is_array() {
             let error = area.meshed / number(&expected[3]) - 1.0;
@@ -41,7 +45,8 @@ fn sections_of_public_blades() {
         let made = case.section.generate();
         if case.name == "iea10 at 1" {
             // layers of 8 mm in a chord of 96 mm
-            let is_named = matches!(&made, Err(LayupProblem::Tight { layer, .. }) if !layer.is_empty());
+            let is_named =
+                matches!(&made, Err(LayupProblem::Tight { layer, .. }) if !layer.is_empty());
             assert!(is_named, "{:?}", made.err());
             continue;
         }
@@ -60,7 +65,11 @@ fn sections_of_public_blades() {
             for source in sources {
                 let error = value / number(&row[*source][*key]) - 1.0;
                 println!("{} {key} {source}: {:.3} %", case.name, 100.0 * error);
-                assert!(error.abs() < tolerance, "{} {key} {source}: {error}", case.name);
+                assert!(
+                    error.abs() < tolerance,
+                    "{} {key} {source}: {error}",
+                    case.name
+                );
             }
         }
     }

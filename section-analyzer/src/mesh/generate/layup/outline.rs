@@ -346,7 +346,8 @@ fn crossing(points: &[[f64; 2]]) -> Option<[usize; 2]> {
         for (j, other) in points.windows(2).enumerate().skip(i + 2) {
             let crosses = side(one[0], one[1], other[0]) * side(one[0], one[1], other[1]) < 0.0
                 && side(other[0], other[1], one[0]) * side(other[0], other[1], one[1]) < 0.0;
-            let is_end = i == 0 && j == last && distance(one[0], other[1]) < 1e-3 * distance(one[0], one[1]);
+            let is_end =
+                i == 0 && j == last && distance(one[0], other[1]) < 1e-3 * distance(one[0], one[1]);
             if crosses && !is_end {
                 return Some([i, j]);
             }
