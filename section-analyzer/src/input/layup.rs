@@ -7,7 +7,7 @@ use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::mesh::Mesh;
 use shared_geom::units::Dimension;
 
-use super::materials;
+use super::materials::{self, MATERIALS};
 use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 
 mod course;
@@ -113,6 +113,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let document = Document::parse(text, &path.display().to_string())?;
     let root = document.root_of(&LAYUP_FILE);
     document.declare_units(&root);
+    let _ = root.require_item(&MATERIALS, &MATERIALS.schema.expected());
     let known: Vec<String> = materials::read(&root)
         .into_iter()
         .map(|material| material.name)

@@ -5,5 +5,6 @@ mod effort;
 
 mod blades;
 mod closed_forms;
+mod files;
 mod random;
 mod sections;

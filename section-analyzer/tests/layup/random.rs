@@ -42,50 +42,60 @@ fn layer(name: &str, thickness: f64, arcs: [f64; 2]) -> Layer {
     }
 }
 
+/// A contour of an airfoil, and its chord.
+fn contour(random: &mut Random) -> (Vec<[f64; 2]>, f64) {
+    let digits = [
+        "0012", "2412", "4415", "0018", "4418", "2421", "0024", "4424", "0030",
+    ];
+    let points = naca(digits[random.below(9)], random.unit() < 0.3).expect("an airfoil");
+    let chord = 10.0_f64.powf(random.range(-1.0, 0.8));
+    let place = |[x, z]: &[f64; 2]| [(0.3 - x) * chord, z * chord];
+    (points.iter().map(place).collect(), chord)
+}
+
+/// One or two webs under the caps.
+fn webs(random: &mut Random, cap: [f64; 2], skin: f64) -> Vec<Web> {
+    let web = |i: usize| {
+        let arc = cap[0] + (cap[1] - cap[0]) * (0.25 + 0.5 * i as f64);
+        let ply = |name: &str, thickness: f64| WebPly {
+            name: format!("web{i}_{name}"),
+            thickness,
+        };
+        let plies = [("fore", 0.5), ("core", 4.0), ("aft", 0.5)];
+        Web {
+            name: format!("web{i}"),
+            arcs: [arc, 1.0 - arc],
+            plies: plies.map(|(name, part)| ply(name, part * skin)).to_vec(),
+        }
+    };
+    (0..=random.below(2)).map(web).collect()
+}
+
 /// A layup that can be built: skins, caps, panels and a reinforcement of the nose that fill at
 /// most two thirds of the space at the nose, and one or two webs under the caps.
 fn valid(seed: u64) -> LayupSection {
     let mut random = Random::new(seed);
-    let digits = [
-        ["0012", "2412", "4415"],
-        ["0018", "4418", "2421"],
-        ["0024", "4424", "0030"],
-    ];
-    let points = naca(
-        digits[random.below(3)][random.below(3)],
-        random.unit() < 0.3,
-    );
-    let chord = 10.0_f64.powf(random.range(-1.0, 0.8));
-    let place = |[x, z]: &[f64; 2]| [(0.3 - x) * chord, z * chord];
-    let contour: Vec<[f64; 2]> = points.expect("an airfoil").iter().map(place).collect();
+    let (contour, chord) = contour(&mut random);
     let thick = |random: &mut Random, low: f64, high: f64| {
         chord * 10.0_f64.powf(random.range(f64::log10(low), f64::log10(high)))
     };
     let cap = [random.range(0.26, 0.32), random.range(0.36, 0.40)];
     let skin = thick(&mut random, 2e-4, 1.2e-3);
+    let caps = [0, 1].map(|_| thick(&mut random, 1e-3, 1e-2));
     let mut layers = vec![
         layer("coat", 0.2 * skin, [0.0, 1.0]),
         layer("outer", skin, [0.0, 1.0]),
-        layer("cap_suction", thick(&mut random, 1e-3, 1e-2), cap),
-        layer(
-            "cap_pressure",
-            thick(&mut random, 1e-3, 1e-2),
-            cap.map(|arc| 1.0 - arc),
-        ),
+        layer("cap_suction", caps[0], cap),
+        layer("cap_pressure", caps[1], [1.0 - cap[1], 1.0 - cap[0]]),
     ];
-    let last = layers.len() - 1;
-    (layers[last].from, layers[last].to) = (layers[last].to, layers[last].from);
     if random.unit() < 0.7 {
         let arcs = [random.range(0.44, 0.48), random.range(0.52, 0.56)];
         layers.push(layer("nose", thick(&mut random, 2e-4, 1e-3), arcs));
     }
     if random.unit() < 0.7 {
         let from = random.range(0.02, 0.15);
-        layers.push(layer(
-            "panel",
-            thick(&mut random, 1e-3, 8e-3),
-            [from, cap[0]],
-        ));
+        let panel = thick(&mut random, 1e-3, 8e-3);
+        layers.push(layer("panel", panel, [from, cap[0]]));
         let core = thick(&mut random, 1e-3, 5e-3);
         layers.push(layer("panel_lower", core, [1.0 - cap[0], 1.0 - from]));
     }
@@ -94,33 +104,17 @@ fn valid(seed: u64) -> LayupSection {
         layers.push(layer("edge", thick(&mut random, 3e-4, 3e-3), [0.0, reach]));
     }
     layers.push(layer("inner", skin * random.range(0.5, 1.5), [0.0, 1.0]));
-    let count = 1 + random.below(2);
-    let webs = (0..count).map(|i| {
-        let arc = cap[0] + (cap[1] - cap[0]) * (0.25 + 0.5 * i as f64);
-        let ply = |name: &str, thickness: f64| WebPly {
-            name: format!("web{i}_{name}"),
-            thickness,
-        };
-        Web {
-            name: format!("web{i}"),
-            arcs: [arc, 1.0 - arc],
-            plies: vec![
-                ply("fore", 0.5 * skin),
-                ply("core", 4.0 * skin),
-                ply("aft", 0.5 * skin),
-            ],
-        }
-    });
+    let webs = webs(&mut random, cap, skin);
     LayupSection {
         contour,
-        webs: webs.collect(),
+        webs,
         layers,
         size: None,
     }
 }
 
-/// At least 99.5 % of 1000 layups that can be built are meshed; the areas of their layers are
-/// within 1 % in 99 % of them where nothing is cut.
+/// At least 99.5 % of the layups that can be built are meshed, and the area of a cap, which
+/// nothing cuts, is within 2 % of its nominal area (cells of 1/120 of the contour).
 #[test]
 fn layups_that_can_be_built_are_meshed() {
     let count = effort::cases(100);
@@ -144,62 +138,53 @@ fn layups_that_can_be_built_are_meshed() {
     assert!(failed.len() as f64 <= 0.005 * count as f64, "{failed:#?}");
 }
 
+/// Changes a layer at random; the result may be valid.
+fn damage_layer(layer: &mut Layer, random: &mut Random) {
+    match random.below(7) {
+        0 => layer.thickness *= 10.0_f64.powf(random.range(-1.5, 1.5)),
+        1 => layer.from += random.range(-0.04, 0.04),
+        2 => std::mem::swap(&mut layer.from, &mut layer.to),
+        3 => layer.to = random.range(0.5, 1.5),
+        4 => layer.from = [f64::NAN, layer.to][random.below(2)],
+        5 => layer.thickness = [0.0, -1.0, f64::NAN, f64::INFINITY][random.below(4)],
+        _ => layer.to = layer.from + 2e-3,
+    }
+}
+
 /// Changes a layup at random; the result may be valid.
 fn damage(section: &mut LayupSection, random: &mut Random) {
-    let (layer, web) = (
-        random.below(section.layers.len()),
-        random.below(section.webs.len().max(1)),
-    );
+    let layer = random.below(section.layers.len());
+    let web = random.below(section.webs.len().max(1));
     let point = random.below(section.contour.len());
-    match random.below(16) {
-        0 => section.layers[layer].thickness *= 10.0_f64.powf(random.range(-1.5, 1.5)),
-        1 => section.layers[layer].from += random.range(-0.04, 0.04),
-        2 => {
-            let layer = &mut section.layers[layer];
-            std::mem::swap(&mut layer.from, &mut layer.to);
-        }
-        3 => section.layers[layer].to = random.range(0.5, 1.5),
-        4 => section.layers[layer].from = f64::NAN,
-        5 => section.layers[layer].to = section.layers[layer].from,
-        6 => {
+    match random.below(12) {
+        0..=4 => damage_layer(&mut section.layers[layer], random),
+        5 => {
             let factor = random.range(0.3, 1.5);
             section
                 .contour
                 .iter_mut()
                 .for_each(|point| point[1] *= factor);
         }
-        7 => section.contour.reverse(),
-        8 => {
+        6 => section.contour.reverse(),
+        7 => {
             let copy = section.contour[point];
             section.contour.insert(point, copy);
         }
-        9 => section.contour[point][1] += random.range(-0.3, 0.3),
-        10 => {
-            section.layers[layer].thickness = [0.0, -1.0, f64::NAN, f64::INFINITY][random.below(4)]
-        }
-        11 => {
+        8 => section.contour[point][1] += random.range(-0.3, 0.3),
+        9 => {
             let name = section.layers[0].name.clone();
             section.layers[layer].name = name;
         }
-        12 => {
-            let thin = |i: usize| Layer {
-                name: format!("thin{i}"),
-                thickness: 1e-4,
-                from: 0.0,
-                to: 1.0,
-                taper: None,
-            };
+        10 => {
+            let thin = |i: usize| self::layer(&format!("thin{i}"), 1e-4, [0.0, 1.0]);
+            let factor = [1e-3, 1.0, 1e3][random.below(3)];
             section.layers.extend((0..60).map(thin));
-        }
-        13 => {
-            let factor = [1e-3, 1e3][random.below(2)];
             section
                 .contour
                 .iter_mut()
                 .flatten()
                 .for_each(|x| *x *= factor);
         }
-        14 => section.layers[layer].to = section.layers[layer].from + 2e-3,
         _ => {
             let moved = [random.range(-0.1, 1.1), random.range(-0.1, 1.1)];
             section

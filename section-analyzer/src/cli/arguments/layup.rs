@@ -33,7 +33,7 @@ Example, two stations; without --eta all at which the file has values:
 pub struct MeshLayupArguments {
     /// Layup file, NAME.layup.toml
     pub file: PathBuf,
-    /// Position along the span, 0 at the root to 1 at the tip
+    /// Position along the span, 0 at the root to 1 at the tip [-]
     #[arg(long, value_name = "PART", default_value_t = 0.0)]
     pub eta: f64,
     /// Mesh file to write
@@ -49,7 +49,7 @@ pub struct MeshLayupArguments {
 pub struct LayupArguments {
     /// Layup file, NAME.layup.toml
     pub file: PathBuf,
-    /// Positions along the span, 0 at the root to 1 at the tip; those of the file if not given
+    /// Positions along the span, 0 at the root to 1 at the tip [-]; the positions of the file if not given
     #[arg(long, value_name = "PARTS", value_delimiter = ',')]
     pub eta: Vec<f64>,
 }

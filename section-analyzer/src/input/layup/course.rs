@@ -73,7 +73,7 @@ impl Course {
         last == 0 || (eta >= self.eta[0] - 1e-12 && eta <= self.eta[last] + 1e-12)
     }
 
-    /// The value at a position; beyond the table that of its end.
+    /// The value at a position; beyond the table the value at its end.
     pub fn at(&self, eta: f64) -> f64 {
         let (x, f) = (&self.eta, &self.value);
         let last = x.len() - 1;

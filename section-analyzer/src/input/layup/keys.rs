@@ -113,10 +113,10 @@ keys! {
     pub(super) FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)],
         or "0" = Angle(0.0), "45";
     /// Where it starts.
-    pub(super) FROM: Place = "from", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE)],
+    pub(super) FROM: Place = "from", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         or "0" = Place::arc(0.0), "0.31";
     /// Where it ends.
-    pub(super) TO: Place = "to", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE)],
+    pub(super) TO: Place = "to", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         or "1" = Place::arc(1.0), "\"cap_suction.start\"";
     /// Length over which its thickness drops to zero at its ends; about the thickness without it.
     pub(super) TAPER: Option<f64> = "taper", [Positive(Dimension::LENGTH)], optional, "\"80 mm\"";
@@ -128,10 +128,10 @@ keys! {
     /// Its name.
     pub(super) WEB_NAME: Name = "name", [Text] as "a name", required, "\"front_web\"";
     /// Its place on the suction side.
-    pub(super) SUCTION: Place = "suction", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE)],
+    pub(super) SUCTION: Place = "suction", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         required, "0.31";
     /// Its place on the pressure side.
-    pub(super) PRESSURE: Place = "pressure", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE)],
+    pub(super) PRESSURE: Place = "pressure", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         required, "0.68";
     /// First and last position along the span.
     pub(super) RANGE: ByHand = "eta", [Numbers(2)], or "[0, 1]", "[0.08, 0.95]";

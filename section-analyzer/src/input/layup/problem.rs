@@ -1,4 +1,4 @@
-//! Problems of layup files, in addition to those of any input file and of the meshing.
+//! Problems of layup files, in addition to the problems of any input file and of the meshing.
 
 use shared_geom::error::{Explain, nearest_name, quoted};
 

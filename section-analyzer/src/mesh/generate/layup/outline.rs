@@ -19,8 +19,9 @@ use super::problem::LayupProblem;
 const OVERLAP: usize = 8;
 /// Steps of the table of arc length.
 const STEPS: usize = 3000;
-/// Turn at a corner of the trailing edge below which the contour is smooth \[rad\].
-const SMOOTH: f64 = 0.7;
+/// A turn at the trailing edge is no corner below the first of these \[rad\], and below the second
+/// \[rad\] or the third times the turns beside it [-].
+const SMOOTH: [f64; 3] = [0.7, 0.035, 3.0];
 /// Parts of the contour, from its ends, within which and at which distance points are kept.
 const ROUNDING: [f64; 2] = [0.01, 1e-3];
 /// Fewest points of a contour.
@@ -61,7 +62,7 @@ impl Outline {
         if is_closed {
             points[last] = points[0];
         }
-        let is_smooth = turn(&points, is_closed) < SMOOTH;
+        let is_smooth = is_smooth(&points, is_closed);
         if !is_smooth {
             points = without_rounding(points, length);
             last = points.len() - 1;
@@ -77,20 +78,7 @@ impl Outline {
             last -= 1;
         }
         let overlap = if is_smooth { OVERLAP.min(last / 2) } else { 0 };
-        let ring = [
-            &points[points.len() - overlap..],
-            &points,
-            &points[..overlap],
-        ]
-        .concat();
-        let mut along = vec![0.0];
-        for pair in ring.windows(2) {
-            along.push(along[along.len() - 1] + distance(pair[0], pair[1]));
-        }
-        let of = |i: usize| {
-            let values: Vec<f64> = ring.iter().map(|point| point[i]).collect();
-            Spline::new(&along, &values)
-        };
+        let (along, [y, z]) = splines(&points, overlap);
         let end = overlap + last;
         let range = match (is_smooth, is_closed) {
             (false, _) => [along[0], along[last]],
@@ -101,8 +89,8 @@ impl Outline {
             }
         };
         let mut outline = Self {
-            y: of(0),
-            z: of(1),
+            y,
+            z,
             start: [range[0], (range[1] - range[0]) / STEPS as f64],
             arcs: Vec::with_capacity(STEPS + 1),
             base,
@@ -238,7 +226,7 @@ impl Outline {
         [self.y.value(i, u), self.z.value(i, u)]
     }
 
-    /// Unit normal into the section; at a corner that of the side.
+    /// Unit normal into the section; at a corner the normal of the side.
     pub fn inward(&self, s: f64) -> [f64; 2] {
         if self.on_base(s).is_some() {
             return self.base_inward();
@@ -269,6 +257,27 @@ impl Outline {
         let [ddy, ddz] = [self.y.bend(i, u), self.z.bend(i, u)];
         (ddy * z - ddz * y) / y.hypot(z).powi(3)
     }
+}
+
+/// The length of the polygon and the splines of both coordinates through points, of which
+/// `overlap` are repeated at both ends.
+fn splines(points: &[[f64; 2]], overlap: usize) -> (Vec<f64>, [Spline; 2]) {
+    let ring = [
+        &points[points.len() - overlap..],
+        points,
+        &points[..overlap],
+    ]
+    .concat();
+    let mut along = vec![0.0];
+    for pair in ring.windows(2) {
+        along.push(along[along.len() - 1] + distance(pair[0], pair[1]));
+    }
+    let of = |i: usize| {
+        let values: Vec<f64> = ring.iter().map(|point| point[i]).collect();
+        Spline::new(&along, &values)
+    };
+    let splines = [of(0), of(1)];
+    (along, splines)
 }
 
 /// Points without those that round the corners of a trailing edge: near both ends only points
@@ -356,22 +365,21 @@ fn crossing(points: &[[f64; 2]]) -> Option<[usize; 2]> {
     None
 }
 
-/// Largest change of direction at the ends of the points \[rad\].
-fn turn(points: &[[f64; 2]], is_closed: bool) -> f64 {
+/// Whether the ends of the points are no corners: the direction changes there about as much as
+/// beside them.
+fn is_smooth(points: &[[f64; 2]], is_closed: bool) -> bool {
     let last = points.len() - 1;
-    let line = |a: [f64; 2], b: [f64; 2]| [b[0] - a[0], b[1] - a[1]];
+    let line = |a: usize, b: usize| [0, 1].map(|i| points[b][i] - points[a][i]);
     let angle = |a: [f64; 2], b: [f64; 2]| {
-        (a[0] * b[1] - a[1] * b[0])
-            .atan2(a[0] * b[0] + a[1] * b[1])
-            .abs()
+        let (sine, cosine) = (a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+        sine.atan2(cosine).abs()
     };
-    let [first, end] = [
-        line(points[0], points[1]),
-        line(points[last - 1], points[last]),
-    ];
-    if is_closed {
-        return angle(end, first);
-    }
-    let base = line(points[last], points[0]);
-    angle(end, base).max(angle(base, first))
+    let [first, end] = [line(0, 1), line(last - 1, last)];
+    let base = line(last, 0);
+    let turn = match is_closed {
+        true => angle(end, first),
+        false => angle(end, base).max(angle(base, first)),
+    };
+    let beside = angle(first, line(1, 2)).max(angle(line(last - 2, last - 1), end));
+    turn < SMOOTH[0] && turn < SMOOTH[1].max(SMOOTH[2] * beside)
 }

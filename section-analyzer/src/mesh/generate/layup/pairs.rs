@@ -7,7 +7,7 @@
 //! a = T_p / cos_p,    b = T_q / cos_q,    g = L - a - b
 //! ```
 //!
-//! of the line between them, of length L, where cos is that of the angle between line and
+//! of the line between them, of length L, where cos is the cosine of the angle between line and
 //! normal. They meet where g < 0: each side owns half of the line, and what the other
 //! side leaves of its half.
 

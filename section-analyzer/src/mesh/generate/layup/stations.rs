@@ -29,7 +29,7 @@ pub(super) struct Stations {
     /// In the order of the contour. On a ring the last one is the first one again, one
     /// length of the contour further.
     pub all: Vec<Station>,
-    /// The pairs, and the part of their direction in that of their columns.
+    /// The pairs, and the part of their direction in the direction of their columns.
     pub pairs: Vec<(Pair, f64)>,
 }
 

@@ -13,13 +13,14 @@ use super::problem::LayupProblem;
 pub struct LayupSection {
     /// Points (y, z) of the contour, y toward the nose, z toward the suction side: from the
     /// trailing edge over the suction side to the nose and back over the pressure side. An
-    /// open end is a flat base.
+    /// open end is a flat base [unit of the mesh].
     pub contour: Vec<[f64; 2]>,
     /// Layers of the shell, from the outside in.
     pub layers: Vec<Layer>,
     /// Webs.
     pub webs: Vec<Web>,
-    /// Largest length of cells along the contour; 1/120 of its length without it.
+    /// Largest length of cells along the contour; 1/120 of its length without it
+    /// [unit of the mesh].
     pub size: Option<f64>,
 }
 
@@ -28,14 +29,14 @@ pub struct LayupSection {
 pub struct Layer {
     /// Its name, and the physical surface of its cells.
     pub name: String,
-    /// Thickness, normal to the surface.
+    /// Thickness, normal to the surface [unit of the mesh].
     pub thickness: f64,
     /// Arc at which it starts [-].
     pub from: f64,
     /// Arc at which it ends [-].
     pub to: f64,
     /// Length over which its thickness drops to zero at its ends; about the thickness
-    /// without it.
+    /// without it [unit of the mesh].
     pub taper: Option<f64>,
 }
 
@@ -55,7 +56,7 @@ pub struct Web {
 pub struct WebPly {
     /// Its name, and the physical surface of its cells.
     pub name: String,
-    /// Thickness.
+    /// Thickness [unit of the mesh].
     pub thickness: f64,
 }
 
@@ -74,9 +75,9 @@ pub struct LayerArea {
     /// Name of the layer.
     pub name: String,
     /// Area of the layer on the curved surface, `int t (1 - k (d + t/2)) ds`, with k the
-    /// curvature and d the depth of its outer face.
+    /// curvature and d the depth of its outer face [unit of the mesh^2].
     pub nominal: f64,
-    /// Area of its cells.
+    /// Area of its cells [unit of the mesh^2].
     pub meshed: f64,
 }
 

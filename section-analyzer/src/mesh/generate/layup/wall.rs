@@ -319,7 +319,7 @@ impl Wall {
         }
     }
 
-    /// Part of the direction of the pair in that of a column: 1 in a contact, `None` far
+    /// Part of the direction of the pair in the direction of a column: 1 in a contact, `None` far
     /// from contacts.
     fn weight(&self, s: f64, x: f64) -> Option<f64> {
         if self.zones.is_empty() || self.outline.is_smooth() {
