@@ -90,7 +90,7 @@ impl Value for Place {
         }
         // a table of positions and values, or of a place
         let inner = table.table(key)?;
-        if inner.has("value") {
+        if inner.has("eta") || inner.has("value") {
             return Course::read(table, key).map(PlaceForm::Arc).map(Self::of);
         }
         let inner = inner.described(&PLACE);
