@@ -20,6 +20,7 @@ mod convert;
 mod figures;
 mod generate;
 mod help;
+mod layup;
 mod load_arguments;
 mod matrices;
 mod report;
@@ -118,6 +119,7 @@ fn dispatch(
         Command::Matrices { file, out, .. } => matrices::analyze_file(&file, out, terminal),
         Command::Convert(arguments) => convert::convert_model(&arguments, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
+        Command::Layup(arguments) => layup::describe(&arguments, terminal),
         Command::Report(arguments) => report::report_files(&arguments, terminal),
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
         Command::Shift(arguments) => change::shift_file(&arguments, terminal),

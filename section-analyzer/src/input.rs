@@ -39,6 +39,7 @@ mod follow;
 mod groups;
 mod imposed;
 mod laminae;
+pub mod layup;
 mod loads;
 mod material_warnings;
 mod materials;

@@ -8,6 +8,7 @@ use shared_geom::mesh::CellKind;
 
 mod analyze;
 mod convert;
+mod layup;
 mod matrices;
 mod property_files;
 mod stress;
@@ -17,6 +18,8 @@ pub(super) use analyze::AnalyzeArguments;
 use analyze::{ANALYZE, ANALYZE_EXAMPLE};
 pub(super) use convert::ConvertArguments;
 use convert::{CONVERT, CONVERT_EXAMPLE};
+use layup::{LAYUP, LAYUP_EXAMPLE, MESH_LAYUP, MESH_LAYUP_EXAMPLE};
+pub(super) use layup::{LayupArguments, MeshLayupArguments};
 use matrices::{MATRICES, MATRICES_EXAMPLE};
 use property_files::{
     COMPARE, COMPARE_EXAMPLE, REPORT, REPORT_EXAMPLE, ROTATE, ROTATE_EXAMPLE, SHIFT, SHIFT_EXAMPLE,
@@ -232,6 +235,8 @@ pub(super) enum Command {
     Convert(ConvertArguments),
     #[command(subcommand, about = first_line(MESH), long_about = MESH)]
     Mesh(Shape),
+    #[command(about = first_line(LAYUP), long_about = LAYUP, after_help = LAYUP_EXAMPLE)]
+    Layup(LayupArguments),
     #[command(about = first_line(REPORT), long_about = REPORT, after_help = REPORT_EXAMPLE)]
     Report(ReportArguments),
     #[command(about = first_line(COMPARE), long_about = COMPARE, after_help = COMPARE_EXAMPLE)]
@@ -273,6 +278,8 @@ pub(super) enum SchemaFile {
     Section,
     /// The file of "mesh blade"
     Blade,
+    /// NAME.layup.toml
+    Layup,
     /// NAME.matrices.toml
     Matrices,
 }
@@ -333,6 +340,8 @@ pub(super) enum Shape {
     },
     #[command(about = first_line(BLADE), long_about = BLADE, after_help = BLADE_EXAMPLE)]
     Blade(BladeArguments),
+    #[command(about = first_line(MESH_LAYUP), long_about = MESH_LAYUP, after_help = MESH_LAYUP_EXAMPLE)]
+    Layup(MeshLayupArguments),
     /// A full ellipse or disk
     #[command(after_help = ELLIPSE_EXAMPLE)]
     Ellipse {

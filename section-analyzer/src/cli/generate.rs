@@ -6,16 +6,17 @@ use shared_geom::files::write_text;
 use shared_geom::gmsh;
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 
-use super::arguments::{BladeArguments, Shape};
+use super::arguments::{BladeArguments, MeshLayupArguments, Shape};
 use super::{Stop, Terminal, WRONG_INPUT};
-use crate::input::blade;
+use crate::input::{blade, layup};
 use crate::mesh::generate::{Ellipse, GenerateProblem, Rectangle, Tube};
-use crate::output::blade_section;
+use crate::output::{blade_section, layup_section};
 
 /// Makes the mesh of `shape` and writes it.
 pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     let (mesh, file) = match made(shape) {
         Made::Blade(blade) => return write_blade(blade, terminal),
+        Made::Layup(layup) => return write_layup(layup, terminal),
         Made::Shape(mesh, file) => (mesh, file),
     };
     let mesh = match mesh {
@@ -63,14 +64,7 @@ fn write_file(mesh: &Mesh, file: &Path, terminal: &mut Terminal<'_>) -> Result<(
 fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     let (out, section) = (&arguments.out, arguments.section.as_deref());
     let blade = blade::read(&arguments.file).map_err(|problems| terminal.report_all(&problems))?;
-    if let Some(section) = section.filter(|section| section.exists()) {
-        let text = format!(
-            "error: \"{}\" exists already, expected the name of a new section file\n  \
-             help: without --section only the mesh is made again",
-            section.display()
-        );
-        return Err(terminal.report_text(&text, WRONG_INPUT));
-    }
+    require_new(section, terminal)?;
     // both files first: nobody may read the report about them
     if let Some(section) = section {
         let text = blade_section(&blade, &name_from(section, out));
@@ -88,6 +82,42 @@ fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Resul
     Ok(())
 }
 
+/// Refuses a section file that exists.
+fn require_new(section: Option<&Path>, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+    let Some(section) = section.filter(|section| section.exists()) else {
+        return Ok(());
+    };
+    let text = format!(
+        "error: \"{}\" exists already, expected the name of a new section file\n  \
+         help: without --section only the mesh is made again",
+        section.display()
+    );
+    Err(terminal.report_text(&text, WRONG_INPUT))
+}
+
+/// Meshes a section of a layup, and writes its section file.
+fn write_layup(arguments: &MeshLayupArguments, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+    let (out, section) = (&arguments.out, arguments.section.as_deref());
+    let layup = layup::read(&arguments.file).map_err(|problems| terminal.report_all(&problems))?;
+    let meshed = layup.mesh(arguments.eta);
+    let meshed = meshed.map_err(|problems| terminal.report_all(&problems))?;
+    require_new(section, terminal)?;
+    // both files first: nobody may read the report about them
+    if let Some(section) = section {
+        let text = layup_section(&layup, &meshed, &name_from(section, out));
+        write_text(section, &text).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
+    }
+    write_file(&meshed.mesh, out, terminal)?;
+    if let Some(section) = section {
+        writeln!(
+            terminal.out,
+            "{}: materials, regions and angles",
+            section.display()
+        )?;
+    }
+    Ok(())
+}
+
 /// Name of the mesh in a section file.
 fn name_from(section: &Path, mesh: &Path) -> String {
     if section.parent() == mesh.parent() {
@@ -102,6 +132,7 @@ fn name_from(section: &Path, mesh: &Path) -> String {
 enum Made<'a> {
     Shape(Result<Mesh, Vec<GenerateProblem>>, &'a Path),
     Blade(&'a BladeArguments),
+    Layup(&'a MeshLayupArguments),
 }
 
 /// The mesh and the file it goes to.
@@ -126,6 +157,7 @@ fn made(shape: &Shape) -> Made<'_> {
             Made::Shape(rectangle.generate(), &common.out)
         }
         Shape::Blade(arguments) => Made::Blade(arguments),
+        Shape::Layup(arguments) => Made::Layup(arguments),
         Shape::Tube {
             outer_radius,
             thickness,

@@ -6,7 +6,7 @@ use shared_geom::files::write_text;
 
 use super::arguments::{SchemaFile, SchemaFormat};
 use super::{Stop, Terminal, WRONG_INPUT};
-use crate::input::schema::{BLADE, MATRICES, SECTION};
+use crate::input::schema::{BLADE, LAYUP, MATRICES, SECTION};
 
 /// Prints the description, or writes it into `out`.
 pub(super) fn write_schema(
@@ -17,6 +17,7 @@ pub(super) fn write_schema(
     let description = match of {
         SchemaFile::Section => SECTION,
         SchemaFile::Blade => BLADE,
+        SchemaFile::Layup => LAYUP,
         SchemaFile::Matrices => MATRICES,
     };
     let text = match format {

@@ -22,7 +22,8 @@ mod problem;
 
 pub use problem::BladeFileProblem;
 
-pub(super) use keys::BLADE_FILE;
+pub(super) use airfoil::parse as airfoil_points;
+pub(super) use keys::{BLADE_FILE, Name};
 
 use keys::{
     AFT, AIRFOIL, CELL, CHORD, CORE, CORE_SIZE, END, FILE, FRONT_WEB, IN_SPAR, MESH, NACA, NOSE,

@@ -14,7 +14,9 @@ pub use shared_geom::document::schema::{
 };
 
 use super::regions::{self, Written};
-use super::{blade, curvature, electrodes, external, imposed, laminae, loads, materials, requests};
+use super::{
+    blade, curvature, electrodes, external, imposed, laminae, layup, loads, materials, requests,
+};
 
 keys! {
     /// A section: its mesh, its materials, and the material of each region of the mesh.
@@ -66,6 +68,21 @@ Made by `section-analyzer schema --of blade --format markdown`; do not edit.
 The use of the keys is described in [Meshes of blades](blade-mesh.md).
 
 A *quantity* is a number in the declared units, or a text with its own unit, such as `\"0.25 in\"`.
+",
+};
+
+/// Files of layups.
+pub const LAYUP: Description = Description {
+    file: &layup::LAYUP_FILE,
+    numbers: Numbers::Plain,
+    opening: "\
+# Layup reference
+
+Every key of a layup file, `NAME.layup.toml`.
+Made by `section-analyzer schema --of layup --format markdown`; do not edit.
+The use of the keys is described in [Layups](layup.md).
+
+A *quantity* is a number in the declared units, or a text with its own unit, such as `\"80 mm\"`; many may change along the span, `{ eta = [...], value = [...] }`.
 ",
 };
 

@@ -45,6 +45,14 @@ const EXAMPLES: &[(&[&str], &str)] = &[
         "section-analyzer convert box.sg box.section.toml --length in",
     ),
     (
+        &["layup", "--help"],
+        "section-analyzer layup blade.layup.toml --eta 0.2,0.4",
+    ),
+    (
+        &["mesh", "layup", "--help"],
+        "section-analyzer mesh layup blade.layup.toml --eta 0.4",
+    ),
+    (
         &["mesh", "rectangle", "--help"],
         "section-analyzer mesh rectangle --width 1",
     ),

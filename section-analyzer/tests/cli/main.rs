@@ -15,6 +15,7 @@ mod electric;
 mod electrodes;
 mod help;
 mod imposed;
+mod layup;
 mod many;
 mod matrices;
 mod mesh_checks;

@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use jsonschema::Validator;
 use section_analyzer::input;
 use section_analyzer::input::schema::{
-    BLADE, Description, Family, KeySchema, MATRICES, SECTION, SECTION_FILE, TableSchema, ValueKind,
+    BLADE, Description, Family, KeySchema, LAYUP, MATRICES, SECTION, SECTION_FILE, TableSchema,
+    ValueKind,
 };
-use section_analyzer::input::{blade, external};
+use section_analyzer::input::{blade, external, layup};
 use shared_geom::error::Diagnostics;
 use shared_geom::units::DECLARABLE;
 use toml::{Table, Value};
@@ -39,7 +40,7 @@ struct Subject {
     referred: &'static [&'static str],
 }
 
-const SUBJECTS: [Subject; 3] = [
+const SUBJECTS: [Subject; 4] = [
     Subject {
         description: SECTION,
         ending: ".section.toml",
@@ -61,6 +62,22 @@ const SUBJECTS: [Subject; 3] = [
             "] needs a",
             "x/c = ",
             "cannot be closed",
+        ],
+        referred: &[],
+    },
+    Subject {
+        description: LAYUP,
+        ending: ".layup.toml",
+        mark: "",
+        page: "layup-reference.md",
+        read: |path| layup::read(path).map(drop),
+        of_examples: &[
+            "no file \"airfoil.dat\"",
+            "is not in the file",
+            "[shape] has 2",
+            "[shape] has 3",
+            "is the name of another",
+            "expected one of \"arc\"",
         ],
         referred: &[],
     },

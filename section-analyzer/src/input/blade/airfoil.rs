@@ -16,7 +16,7 @@ const MOST_REPORTED: usize = 5;
 ///
 /// # Errors
 /// All problems of its rows.
-pub(super) fn parse(text: &str, file: &str) -> Result<Vec<[f64; 2]>, Diagnostics> {
+pub(in crate::input) fn parse(text: &str, file: &str) -> Result<Vec<[f64; 2]>, Diagnostics> {
     let mut problems = Diagnostics::new();
     let mut points: Vec<[f64; 2]> = Vec::new();
     let mut columns = [0, 1];

@@ -241,7 +241,7 @@ impl Value for ChordPart {
 
 /// A name that is valid in meshes and section files.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Name(pub String);
+pub(in crate::input) struct Name(pub String);
 
 impl Declared for Name {}
 

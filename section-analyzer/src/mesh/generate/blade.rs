@@ -11,7 +11,7 @@ use shared_geom::mesh::Mesh;
 mod columns;
 mod contour;
 mod fill;
-mod grid;
+
 mod layers;
 mod naca;
 mod problem;
@@ -25,9 +25,9 @@ pub use naca::naca;
 pub use problem::{BladePart, BladeProblem};
 pub use types::{Blade, Cores, Ply, Sizes, Spar, SparPly};
 
+use super::grid::{self, Grid};
 use columns::Columns;
 use contour::{Half, Straight};
-use grid::Grid;
 use layers::{layers, thickness};
 use spar::WebAt;
 
@@ -82,10 +82,10 @@ impl Blade {
         let mesh = grid.mesh(self.sizes.kind);
         match grid::folded(&mesh) {
             None => Ok(mesh),
-            Some((count, position)) => Err(vec![BladeProblem::Folded {
-                count,
-                part: self.contour.chord_part(position[0]),
-                position,
+            Some(folded) => Err(vec![BladeProblem::Folded {
+                count: folded.count,
+                part: self.contour.chord_part(folded.position[0]),
+                position: folded.position,
             }]),
         }
     }

@@ -12,6 +12,8 @@
 pub mod blade;
 mod builder;
 mod ellipse;
+mod grid;
+pub mod layup;
 mod problem;
 mod rectangle;
 mod tube;

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use nalgebra::Vector3;
 use shared_geom::mesh::{Cell, CellKind, GroupSet, Line, Mesh, Node, PhysicalGroup};
 
-use super::super::super::jacobian::Jacobian;
+use super::super::jacobian::Jacobian;
 
 const CURVE: u8 = 1;
 const SURFACE: u8 = 2;
@@ -203,30 +203,40 @@ fn without_unused(mut mesh: Mesh) -> Mesh {
     mesh
 }
 
-/// Cells whose Jacobian is not positive everywhere: their number, and the center of the
-/// first one.
-pub(super) fn folded(mesh: &Mesh) -> Option<(usize, [f64; 2])> {
+/// Cells whose Jacobian is not positive everywhere.
+pub(super) struct Folded {
+    /// Their number.
+    pub count: usize,
+    /// Center of the first one.
+    pub position: [f64; 2],
+    /// Physical surfaces of the first one.
+    pub groups: GroupSet,
+}
+
+/// The cells that fold, if any.
+pub(super) fn folded(mesh: &Mesh) -> Option<Folded> {
     let jacobian = Jacobian::new();
-    let positions_of = |cell: &Cell| -> Vec<[f64; 2]> {
-        let position = |node: &u32| mesh.nodes[*node as usize].position;
-        let positions = cell.nodes().iter().map(position);
-        positions.map(|position| [position.x, position.y]).collect()
+    let position = |node: &u32| {
+        let position = mesh.nodes[*node as usize].position;
+        [position.x, position.y]
     };
-    let mut found = None;
+    let mut found: Option<Folded> = None;
     for cell in &mesh.cells {
-        let positions = positions_of(cell);
-        if jacobian.extremes(cell.kind, &positions)[0] <= 0.0 {
-            let corners = cell.kind.corner_count();
-            let mean = |i: usize| {
-                positions[..corners]
-                    .iter()
-                    .map(|position| position[i])
-                    .sum::<f64>()
-                    / corners as f64
-            };
-            let (count, position) = found.unwrap_or((0, [mean(0), mean(1)]));
-            found = Some((count + 1, position));
+        let positions: Vec<[f64; 2]> = cell.nodes().iter().map(position).collect();
+        if jacobian.extremes(cell.kind, &positions)[0] > 0.0 {
+            continue;
         }
+        if let Some(found) = &mut found {
+            found.count += 1;
+            continue;
+        }
+        let corners = &positions[..cell.kind.corner_count()];
+        let mean = |i: usize| corners.iter().map(|corner| corner[i]).sum::<f64>();
+        found = Some(Folded {
+            count: 1,
+            position: [0, 1].map(|i| mean(i) / corners.len() as f64),
+            groups: cell.groups.clone(),
+        });
     }
     found
 }

@@ -1,0 +1,55 @@
+//! Arguments and help texts of the commands for layups.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+pub(super) const MESH_LAYUP: &str = "\
+A section of a blade, from its layup
+
+FILE contains the contour, layers along it, webs and materials, all along the span
+(NAME.layup.toml). Columns of cells run through the wall; each layer is a physical
+surface. The mesh is in the unit of length of FILE, y toward the nose. With --section,
+the section file is written too, with all materials and angles.";
+
+pub(super) const MESH_LAYUP_EXAMPLE: &str = "\
+Example:
+  section-analyzer mesh layup blade.layup.toml --eta 0.4 --out at_0.4.msh \\
+    --section at_0.4.section.toml";
+
+pub(super) const LAYUP: &str = "\
+Describes a layup and meshes its sections, without solving them
+
+For each station: the layers and webs with their arcs, thicknesses and areas, given and
+meshed. A section that cannot be meshed is reported with the layer or web; the others
+are described nevertheless.";
+
+pub(super) const LAYUP_EXAMPLE: &str = "\
+Example, two stations; without --eta all at which the file has values:
+  section-analyzer layup blade.layup.toml --eta 0.2,0.4";
+
+/// Arguments of `mesh layup`.
+#[derive(Debug, Args)]
+pub struct MeshLayupArguments {
+    /// Layup file, NAME.layup.toml
+    pub file: PathBuf,
+    /// Position along the span, 0 at the root to 1 at the tip [-]
+    #[arg(long, value_name = "PART", default_value_t = 0.0)]
+    pub eta: f64,
+    /// Mesh file to write
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Section file to write; it must not exist
+    #[arg(long, value_name = "FILE")]
+    pub section: Option<PathBuf>,
+}
+
+/// Arguments of `layup`.
+#[derive(Debug, Args)]
+pub struct LayupArguments {
+    /// Layup file, NAME.layup.toml
+    pub file: PathBuf,
+    /// Positions along the span, 0 at the root to 1 at the tip [-]; the positions of the file if not given
+    #[arg(long, value_name = "PARTS", value_delimiter = ',')]
+    pub eta: Vec<f64>,
+}

@@ -1,0 +1,319 @@
+//! Reads layup files, and meshes the sections that they describe.
+
+use std::path::Path;
+
+use shared_geom::document::{Document, Table, read_text};
+use shared_geom::error::{Diagnostics, SourceLocation};
+use shared_geom::mesh::Mesh;
+use shared_geom::units::Dimension;
+
+use super::materials::{self, MATERIALS};
+use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
+
+mod course;
+mod keys;
+mod place;
+mod problem;
+mod resolve;
+mod shape;
+
+pub use course::Course;
+pub use place::{Place, PlaceForm};
+pub use problem::LayupFileProblem;
+pub use shape::Shape;
+
+pub(super) use keys::LAYUP_FILE;
+
+use keys::{
+    FIBER_ANGLE, FROM, LAYERS, MATERIAL, MESH, NAME, PLIES, PRESSURE, RANGE, SHAPE, SIZE, SUCTION,
+    TAPER, THICKNESS, TO, WEB_NAME, WEBS,
+};
+use resolve::Resolver;
+
+/// A layup along the span, in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layup {
+    /// The contours.
+    pub shape: Shape,
+    /// The layers of the shell, from the outside in.
+    pub layers: Vec<WrittenLayer>,
+    /// The webs.
+    pub webs: Vec<WrittenWeb>,
+    /// Largest length of cells \[m\].
+    pub size: Option<f64>,
+    /// The tables of units and materials as written.
+    pub constants: String,
+    /// The unit of length of the file \[m\].
+    pub unit: f64,
+    file: String,
+    shape_line: usize,
+}
+
+/// A layer of the shell, or a ply of a web.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrittenLayer {
+    /// Its name.
+    pub name: String,
+    /// Name of its material.
+    pub material: String,
+    /// Its thickness \[m\].
+    pub thickness: Course,
+    /// Angle of its fiber from x, toward the leading edge; in webs toward the suction side
+    /// \[rad\].
+    pub fiber_angle: f64,
+    /// Where it starts.
+    pub from: Place,
+    /// Where it ends.
+    pub to: Place,
+    /// Length of the drop of its thickness at its ends \[m\].
+    pub taper: Option<f64>,
+    /// Its line in the file.
+    pub line: usize,
+}
+
+/// A web.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrittenWeb {
+    /// Its name.
+    pub name: String,
+    /// Its places on the suction and the pressure side.
+    pub places: [Place; 2],
+    /// First and last position along the span [-].
+    pub range: [f64; 2],
+    /// Its plies, from the leading edge aft.
+    pub plies: Vec<WrittenLayer>,
+    /// Its line in the file.
+    pub line: usize,
+}
+
+/// The mesh of a section of a layup.
+#[derive(Debug, Clone)]
+pub struct LayupMesh {
+    /// The section, lengths \[m\].
+    pub section: LayupSection,
+    /// The mesh, in the unit of the file.
+    pub mesh: Mesh,
+    /// Areas of the layers \[m^2\].
+    pub areas: Vec<LayerArea>,
+}
+
+/// Reads the layup file at `path`.
+///
+/// # Errors
+/// All problems of the file and of its airfoil files.
+pub fn read(path: &Path) -> Result<Layup, Diagnostics> {
+    parse(&read_text(path)?, path)
+}
+
+/// Reads the text of a layup file, as if it were at `path`.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
+    let document = Document::parse(text, &path.display().to_string())?;
+    let root = document.root_of(&LAYUP_FILE);
+    document.declare_units(&root);
+    let _ = root.require_item(&MATERIALS, &MATERIALS.schema.expected());
+    let known: Vec<String> = materials::read(&root)
+        .into_iter()
+        .map(|material| material.name)
+        .collect();
+    let mut shape_line = 1;
+    let shape = root.nested(&SHAPE, |table| {
+        shape_line = table.line();
+        Shape::read(&document, table)
+    });
+    let layers = root.each(&LAYERS, |table| layer(table, &known, true));
+    let webs = root.each(&WEBS, |table| web(table, &known));
+    let size = root.nested(&MESH, |table| table.get(&SIZE));
+    root.finish();
+    if let (Some(layers), Some(webs)) = (&layers, &webs) {
+        check_names(&document, layers, webs);
+    }
+    let layup = match (shape, layers, webs, size) {
+        (Some(Some(shape)), Some(layers), Some(webs), Some(size)) => Some(Layup {
+            shape,
+            layers,
+            webs,
+            size: size.flatten(),
+            constants: constants(text),
+            unit: document.factor(Dimension::LENGTH),
+            file: path.display().to_string(),
+            shape_line,
+        }),
+        _ => None,
+    };
+    document.finish(layup)
+}
+
+/// Reads a layer; plies of webs have no places.
+fn layer(table: &Table<'_>, known: &[String], of_shell: bool) -> Option<WrittenLayer> {
+    let name = table.get(&NAME);
+    let material = table.get(&MATERIAL);
+    let (thickness, angle) = (table.get(&THICKNESS), table.get(&FIBER_ANGLE));
+    let (from, to, taper) = match of_shell {
+        true => (table.get(&FROM), table.get(&TO), table.get(&TAPER)),
+        false => (Some(Place::arc(0.0)), Some(Place::arc(1.0)), Some(None)),
+    };
+    if let Some(material) = material
+        .as_ref()
+        .filter(|material| !known.contains(material))
+    {
+        let problem = LayupFileProblem::Unknown {
+            kind: "material",
+            found: material.clone(),
+            known: known.to_vec(),
+        };
+        table.note(&MATERIAL, &problem);
+    }
+    Some(WrittenLayer {
+        name: name?.0,
+        material: material?,
+        thickness: thickness?,
+        fiber_angle: angle?.0,
+        from: from?,
+        to: to?,
+        taper: taper?,
+        line: table.line(),
+    })
+}
+
+fn web(table: &Table<'_>, known: &[String]) -> Option<WrittenWeb> {
+    let name = table.get(&WEB_NAME);
+    let places = [table.get(&SUCTION), table.get(&PRESSURE)];
+    let plies = table.each(&PLIES, |ply| layer(ply, known, false));
+    let range = match table.has(&RANGE) {
+        true => table.quantities(RANGE.name(), Dimension::NUMBER),
+        false => Some(vec![0.0, 1.0]),
+    };
+    let name = name?.0;
+    let range = match range?[..] {
+        [from, to] if from >= 0.0 && from < to && to <= 1.0 => [from, to],
+        _ => {
+            table.note(&RANGE, &LayupFileProblem::Range { web: name });
+            return None;
+        }
+    };
+    let [suction, pressure] = places;
+    Some(WrittenWeb {
+        name,
+        places: [suction?, pressure?],
+        range,
+        plies: plies?,
+        line: table.line(),
+    })
+}
+
+/// Notes names that are given twice.
+fn check_names(document: &Document, layers: &[WrittenLayer], webs: &[WrittenWeb]) {
+    let mut known: Vec<(&str, usize)> = Vec::new();
+    let plies = webs.iter().flat_map(|web| &web.plies);
+    let names = layers
+        .iter()
+        .chain(plies)
+        .map(|layer| (layer.name.as_str(), layer.line));
+    for (name, line) in names.chain(webs.iter().map(|web| (web.name.as_str(), web.line))) {
+        match known.iter().find(|one| one.0 == name) {
+            Some((_, first)) => {
+                let name = name.to_owned();
+                document.note(line, &LayupFileProblem::NameTwice { name, line: *first });
+            }
+            None => known.push((name, line)),
+        }
+    }
+}
+
+/// The lines of the tables of units and materials, and of a word of units at the top.
+fn constants(text: &str) -> String {
+    let mut kept = String::new();
+    let (mut is_kept, mut is_top) = (false, true);
+    for line in text.lines() {
+        let start = line.trim_start();
+        if start.starts_with('[') {
+            is_top = false;
+            let name = start.trim_start_matches('[').trim_start();
+            is_kept = name.starts_with("material") || name.starts_with("units");
+        }
+        if is_kept || (is_top && start.starts_with("units")) {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+    }
+    kept
+}
+
+impl Layup {
+    /// The section at a position along the span, 0 at the root to 1 at the tip; lengths in
+    /// meters.
+    ///
+    /// # Errors
+    /// A place or a contour that does not exist there.
+    pub fn section(&self, eta: f64) -> Result<LayupSection, Diagnostics> {
+        let resolved = Resolver::new(self, eta).and_then(|resolver| resolver.section());
+        resolved.map_err(|(line, problem)| self.problem(line, &problem))
+    }
+
+    /// The mesh of the section at a position along the span.
+    ///
+    /// # Errors
+    /// As [`Layup::section`], and a section that cannot be meshed, with the line of its layer.
+    pub fn mesh(&self, eta: f64) -> Result<LayupMesh, Diagnostics> {
+        let section = self.section(eta)?;
+        let made = section.generate().map_err(|problem| {
+            let line = self.line_of(&problem);
+            self.problem(line, &LayupFileProblem::Section { eta, problem })
+        })?;
+        let mut mesh = made.mesh;
+        for node in &mut mesh.nodes {
+            node.position /= self.unit;
+        }
+        Ok(LayupMesh {
+            section,
+            mesh,
+            areas: made.areas,
+        })
+    }
+
+    /// Positions along the span at which a quantity of the file has a value; 0 if all are
+    /// constant.
+    pub fn positions(&self) -> Vec<f64> {
+        let mut all = self.shape.positions();
+        let plies = self.webs.iter().flat_map(|web| &web.plies);
+        for layer in self.layers.iter().chain(plies) {
+            all.extend(layer.thickness.positions());
+            all.extend(layer.from.positions());
+            all.extend(layer.to.positions());
+        }
+        if all.is_empty() {
+            all.push(0.0);
+        }
+        all.sort_by(f64::total_cmp);
+        all.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+        all
+    }
+
+    /// The layer or ply of this name.
+    pub fn layer(&self, name: &str) -> Option<&WrittenLayer> {
+        let plies = self.webs.iter().flat_map(|web| &web.plies);
+        self.layers
+            .iter()
+            .chain(plies)
+            .find(|layer| layer.name == name)
+    }
+
+    fn line_of(&self, problem: &LayupProblem) -> usize {
+        let name = problem.about().unwrap_or_default();
+        let web = || {
+            self.webs
+                .iter()
+                .find(|web| web.name == name)
+                .map(|web| web.line)
+        };
+        let line = self.layer(name).map(|layer| layer.line);
+        line.or_else(web).unwrap_or(self.shape_line)
+    }
+
+    fn problem(&self, line: usize, problem: &LayupFileProblem) -> Diagnostics {
+        Diagnostics::one(SourceLocation::line(&self.file, line), problem)
+    }
+}

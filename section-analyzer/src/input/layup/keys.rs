@@ -1,0 +1,160 @@
+//! The keys of layup files.
+
+use shared_geom::document::schema::ValueKind::{
+    Boolean, Numbers, Positive, Quantity, Table as OneTable, Tables, Text, Word,
+};
+use shared_geom::document::schema::{Family, TableSchema, UNITS};
+use shared_geom::document::{ByHand, Nested, NestedList};
+use shared_geom::keys;
+use shared_geom::units::Dimension;
+
+use super::super::blade::Name;
+use super::super::materials::MATERIALS;
+use super::super::regions::Angle;
+use super::course::{COURSE, Course};
+use super::place::{PLACE, Place};
+
+keys! {
+    /// The layup of a blade, or of one section: its shape, layers, webs and materials.
+    pub(in crate::input) LAYUP_FILE = "NAME.layup.toml";
+    /// Units of plain numbers, SI or the units of the table; the unit of length is also the unit of
+    /// the mesh.
+    UNITS_KEY: ByHand = "units", [Word(&["SI"]), OneTable(&UNITS)], required, "\"SI\"";
+    /// The outer contour.
+    pub(super) SHAPE: Nested = "shape", [OneTable(&SHAPE_TABLE)] as "a table [shape]", required, "";
+    /// The layers of the shell, from the outside in.
+    pub(super) LAYERS: NestedList = "layer", [Tables(&LAYER)] as "one [[layer]] or more", required,
+        "";
+    /// The webs.
+    pub(super) WEBS: NestedList = "web", [Tables(&WEB)], optional, "";
+    /// Sizes of the cells.
+    pub(super) MESH: Nested = "mesh", [OneTable(&MESH_TABLE)], optional, "";
+    with MATERIALS.schema;
+}
+
+const SHAPE_TABLE: TableSchema = TableSchema {
+    title: "[shape]",
+    meaning: "The outer contour of the sections.",
+    keys: &[CHORD.schema, ORIGIN.schema],
+    families: &[
+        Family {
+            name: "naca",
+            meaning: "An airfoil of four digits.",
+            keys: &[NACA.schema],
+        },
+        Family {
+            name: "file",
+            meaning: "Coordinates.",
+            keys: &[FILE.schema],
+        },
+        Family {
+            name: "airfoils",
+            meaning: "Airfoils along the span; between two of them each side is interpolated at \
+                      equal parts of its length, linearly along the span.",
+            keys: &[AIRFOILS.schema],
+        },
+    ],
+};
+
+const AIRFOIL: TableSchema = TableSchema {
+    title: "[[shape.airfoils]]",
+    meaning: "An airfoil at a position along the span.",
+    keys: &[AT_ETA.schema],
+    families: &[
+        Family {
+            name: "naca",
+            meaning: "An airfoil of four digits.",
+            keys: &[NACA.schema],
+        },
+        Family {
+            name: "file",
+            meaning: "Coordinates.",
+            keys: &[FILE.schema],
+        },
+        Family {
+            name: "circle",
+            meaning: "A circle with the chord as diameter.",
+            keys: &[CIRCLE.schema],
+        },
+    ],
+};
+
+keys! {
+    /// Length of the chord.
+    pub(super) CHORD: Course = "chord", [Positive(Dimension::LENGTH), OneTable(&COURSE)], required,
+        "5.7";
+    /// Position of the origin of the section on the chord, 0 at the nose to 1 at the trailing edge.
+    pub(super) ORIGIN: Course = "origin", [Quantity(Dimension::NUMBER), OneTable(&COURSE)],
+        or "0.25" = Course::constant(0.25), "0.4";
+    /// The four digits.
+    pub(super) NACA: String = "naca", [Text], required, "\"4415\"";
+    /// File of x/c and z/c, from the folder of this file, suction side first.
+    pub(super) FILE: String = "file", [Text], required, "\"airfoil.dat\"";
+    /// Airfoils along the span, in its order.
+    pub(super) AIRFOILS: NestedList = "airfoils", [Tables(&AIRFOIL)], required, "";
+    /// Position along the span, 0 at the root to 1 at the tip.
+    pub(super) AT_ETA: f64 = "eta", [Quantity(Dimension::NUMBER)], required, "0.25";
+    /// True for a circle.
+    pub(super) CIRCLE: bool = "circle", [Boolean], required, "true";
+}
+
+keys! {
+    /// A layer of the shell.
+    pub(super) LAYER = "[[layer]]";
+    /// Its name, and the physical surface of its cells.
+    pub(super) NAME: Name = "name", [Text] as "a name", required, "\"cap_suction\"";
+    /// Its material.
+    pub(super) MATERIAL: String = "material", [Text], required, "\"carbon\"";
+    /// Its thickness; below 1e-6 m it is absent.
+    pub(super) THICKNESS: Course = "thickness", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
+        required, "\"3 mm\"";
+    /// Angle of the fiber from x, toward the leading edge on both sides; in webs toward the suction
+    /// side.
+    pub(super) FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)],
+        or "0" = Angle(0.0), "45";
+    /// Where it starts.
+    pub(super) FROM: Place = "from", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
+        or "0" = Place::arc(0.0), "0.31";
+    /// Where it ends.
+    pub(super) TO: Place = "to", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
+        or "1" = Place::arc(1.0), "\"cap_suction.start\"";
+    /// Length over which its thickness drops to zero at its ends; about the thickness without it.
+    pub(super) TAPER: Option<f64> = "taper", [Positive(Dimension::LENGTH)], optional, "\"80 mm\"";
+}
+
+keys! {
+    /// A web between both sides.
+    pub(super) WEB = "[[web]]";
+    /// Its name.
+    pub(super) WEB_NAME: Name = "name", [Text] as "a name", required, "\"front_web\"";
+    /// Its place on the suction side.
+    pub(super) SUCTION: Place = "suction", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
+        required, "0.31";
+    /// Its place on the pressure side.
+    pub(super) PRESSURE: Place = "pressure", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
+        required, "0.68";
+    /// First and last position along the span.
+    pub(super) RANGE: ByHand = "eta", [Numbers(2)], or "[0, 1]", "[0.08, 0.95]";
+    /// Its plies, from the leading edge aft; each is a layer without places.
+    pub(super) PLIES: NestedList = "plies", [Tables(&PLY)] as "a list of plies", required, "";
+}
+
+/// A ply of a web.
+const PLY: TableSchema = TableSchema {
+    title: "plies",
+    meaning: "A ply of a web.",
+    keys: &[
+        NAME.schema,
+        MATERIAL.schema,
+        THICKNESS.schema,
+        FIBER_ANGLE.schema,
+    ],
+    families: &[],
+};
+
+keys! {
+    /// Sizes of the cells.
+    MESH_TABLE = "[mesh]";
+    /// Largest length of the cells along the contour; 1/120 of its length without it.
+    pub(super) SIZE: Option<f64> = "size", [Positive(Dimension::LENGTH)], optional, "\"80 mm\"";
+}

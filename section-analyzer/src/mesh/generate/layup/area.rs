@@ -1,0 +1,82 @@
+//! Areas of the layers: as given on the curved surface, and of their cells.
+
+use shared_geom::mesh::{Cell, Mesh};
+
+use super::types::{LayerArea, LayupSection};
+use super::wall::Wall;
+
+/// Samples of the integral along the contour.
+const SAMPLES: usize = 2000;
+
+/// Areas of the layers and of the plies of webs.
+pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<LayerArea> {
+    let mut areas: Vec<LayerArea> = Vec::new();
+    let nominal = nominal(wall);
+    for (layer, nominal) in section.layers.iter().zip(nominal) {
+        areas.push(LayerArea {
+            name: layer.name.clone(),
+            nominal,
+            meshed: 0.0,
+        });
+    }
+    let plies = section.webs.iter().flat_map(|web| &web.plies);
+    areas.extend(plies.map(|ply| LayerArea {
+        name: ply.name.clone(),
+        nominal: f64::NAN,
+        meshed: 0.0,
+    }));
+    for cell in &mesh.cells {
+        let group = cell.groups.first().and_then(|first| mesh.groups.get(first));
+        let name = group
+            .and_then(|group| group.name.as_deref())
+            .unwrap_or_default();
+        if let Some(area) = areas.iter_mut().find(|area| area.name == name) {
+            area.meshed += area_of(mesh, cell);
+        }
+    }
+    for area in areas.iter_mut().filter(|area| area.nominal.is_nan()) {
+        area.nominal = area.meshed;
+    }
+    areas
+}
+
+/// Areas of the layers of the shell on the curved surface.
+fn nominal(wall: &Wall) -> Vec<f64> {
+    let [from, to] = match wall.edge {
+        super::wall::Edge::Face => wall.ends,
+        _ => [0.0, wall.outline.perimeter()],
+    };
+    let step = (to - from) / SAMPLES as f64;
+    let mut sums = vec![0.0; wall.stack.len()];
+    for i in 0..SAMPLES {
+        let s = from + step * (i as f64 + 0.5);
+        let bend = wall.outline.bend(s);
+        let mut outer = 0.0;
+        for (layer, inner) in wall.stack.depths(s).into_iter().enumerate() {
+            sums[layer] += (inner - outer) * (1.0 - 0.5 * bend * (inner + outer)) * step;
+            outer = inner;
+        }
+    }
+    sums
+}
+
+/// Area of a cell.
+pub(super) fn area_of(mesh: &Mesh, cell: &Cell) -> f64 {
+    let positions = || {
+        cell.nodes()
+            .iter()
+            .map(|node| mesh.nodes[*node as usize].position)
+    };
+    let at = |point: &shared_geom::quadrature::PlanePoint| {
+        let shape = cell.kind.shape(point.r, point.s);
+        let mut j = [[0.0; 2]; 2];
+        for (n, position) in positions().enumerate() {
+            for i in 0..2 {
+                j[i][0] += shape.dr[n] * position[i];
+                j[i][1] += shape.ds[n] * position[i];
+            }
+        }
+        point.weight * (j[0][0] * j[1][1] - j[0][1] * j[1][0])
+    };
+    cell.kind.rule().iter().map(at).sum()
+}

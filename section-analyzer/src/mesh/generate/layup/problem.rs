@@ -1,0 +1,183 @@
+//! Problems of layups to be meshed.
+
+use shared_geom::error::Explain;
+
+use super::super::super::short;
+
+/// A layup that cannot be meshed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LayupProblem {
+    /// Nothing to mesh.
+    #[error("the section has no layers, expected one or more")]
+    NoLayers,
+    /// One name for two layers.
+    #[error("two layers are called \"{layer}\", expected a name of its own for each")]
+    NameTwice {
+        /// The name.
+        layer: String,
+    },
+    /// A thickness that is no length.
+    #[error("the thickness of layer \"{layer}\" is {}, expected a positive length", short(*.thickness))]
+    Thickness {
+        /// The layer.
+        layer: String,
+        /// Its thickness.
+        thickness: f64,
+    },
+    /// A size of cells that is no length.
+    #[error("the size of cells is {}, expected more than {}", short(*.size), short(*.least))]
+    Size {
+        /// The size [unit of the mesh].
+        size: f64,
+        /// The least size [unit of the mesh].
+        least: f64,
+    },
+    /// Arcs that are not in order.
+    #[error("layer \"{layer}\" starts at arc {} and ends at {}, expected 0 <= start < end <= 1", short(.arcs[0]), short(.arcs[1]))]
+    Arcs {
+        /// The layer.
+        layer: String,
+        /// Its arcs [-].
+        arcs: [f64; 2],
+    },
+    /// Arcs of a web that are not in order.
+    #[error("web \"{web}\" stands at arc {} and {}, expected 0 < suction side < pressure side < 1", short(.arcs[0]), short(.arcs[1]))]
+    WebArcs {
+        /// The web.
+        web: String,
+        /// Its arcs [-].
+        arcs: [f64; 2],
+    },
+    /// Points that are no contour.
+    #[error("the contour {why}")]
+    Contour {
+        /// The problem.
+        why: String,
+    },
+    /// No layer at the trailing edge.
+    #[error("no layer reaches the trailing edge: nothing joins the two sides there")]
+    Open,
+    /// Layers thicker than the radius of the largest inscribed circle.
+    #[error("the layers are {} thick at arc {}, where the section leaves {}: layer \"{layer}\" does not fit", short(*.thickness), short(*.arc), short(*.radius))]
+    Tight {
+        /// The innermost layer.
+        layer: String,
+        /// The arc [-].
+        arc: f64,
+        /// Thickness of all layers [unit of the mesh].
+        thickness: f64,
+        /// Radius of the inscribed circle [unit of the mesh].
+        radius: f64,
+    },
+    /// A web that leaves the contour.
+    #[error("web \"{web}\" does not meet the inner face of the {side} side near arc {}", short(*.arc))]
+    WebOutside {
+        /// The web.
+        web: String,
+        /// The side.
+        side: &'static str,
+        /// Its arc [-].
+        arc: f64,
+    },
+    /// A web where the plies of both sides meet.
+    #[error("web \"{web}\" stands at arc {} of the {side} side, where the layers of both sides meet (from arc {} to {})", short(*.arc), short(.contact[0]), short(.contact[1]))]
+    WebInContact {
+        /// The web.
+        web: String,
+        /// The side.
+        side: &'static str,
+        /// Arc of its foot [-].
+        arc: f64,
+        /// Arcs between which the layers meet [-].
+        contact: [f64; 2],
+    },
+    /// Two webs whose feet overlap.
+    #[error("the feet of webs \"{}\" and \"{}\" overlap on the {side} side by {}", .webs[0], .webs[1], short(*.overlap))]
+    WebsOverlap {
+        /// The webs.
+        webs: [String; 2],
+        /// The side.
+        side: &'static str,
+        /// Length of the overlap [unit of the mesh].
+        overlap: f64,
+    },
+    /// Two webs that cross.
+    #[error("webs \"{}\" and \"{}\" cross: they are in another order on the pressure side", .webs[0], .webs[1])]
+    WebsCross {
+        /// The webs.
+        webs: [String; 2],
+    },
+    /// Cells that fold.
+    #[error("{count} cells fold, the first one in layer \"{layer}\" at ({}, {})", short(.position[0]), short(.position[1]))]
+    Folded {
+        /// The layer of the first one.
+        layer: String,
+        /// Their number.
+        count: usize,
+        /// Center of the first one [unit of the mesh].
+        position: [f64; 2],
+    },
+    /// Too many cells.
+    #[error("cells of this size are {found} in all, expected at most {most}")]
+    TooManyCells {
+        /// Their number.
+        found: usize,
+        /// The largest number.
+        most: usize,
+    },
+    /// A mesh that the checks of meshes refuse.
+    #[error("the layers cannot be meshed soundly: {text}")]
+    Unsound {
+        /// The problems of the mesh, which name the layers.
+        text: String,
+    },
+}
+
+impl LayupProblem {
+    /// The layer or web with the problem.
+    pub fn about(&self) -> Option<&str> {
+        match self {
+            Self::NameTwice { layer }
+            | Self::Thickness { layer, .. }
+            | Self::Arcs { layer, .. }
+            | Self::Tight { layer, .. }
+            | Self::Folded { layer, .. } => Some(layer),
+            Self::WebArcs { web, .. }
+            | Self::WebOutside { web, .. }
+            | Self::WebInContact { web, .. } => Some(web),
+            Self::WebsOverlap { webs, .. } | Self::WebsCross { webs } => Some(&webs[0]),
+            _ => None,
+        }
+    }
+
+    /// Whether other cells may solve the problem.
+    pub(super) fn is_of_cells(&self) -> bool {
+        matches!(self, Self::Folded { .. } | Self::Unsound { .. })
+    }
+}
+
+impl Explain for LayupProblem {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::Arcs { .. } => {
+                "arcs grow from the trailing edge over the suction side, the nose and the pressure \
+                 side; a layer through the trailing edge is two layers"
+            }
+            Self::WebArcs { .. } => {
+                "the first arc is on the suction side, the second on the pressure side"
+            }
+            Self::Open => "let a layer run all around, from arc 0 to 1",
+            Self::Tight { .. } => "thinner layers there, or layers that end before it",
+            Self::WebOutside { .. } | Self::WebInContact { .. } => "move the web, or leave it out",
+            Self::WebsOverlap { .. } | Self::WebsCross { .. } => {
+                "move one of them, or leave it out"
+            }
+            Self::Folded { .. } | Self::Unsound { .. } => {
+                "a longer \"taper\" of the layers that end there, thinner layers, or other cells (size)"
+            }
+            Self::TooManyCells { .. } => "larger cells",
+            _ => return None,
+        };
+        Some(help.into())
+    }
+}

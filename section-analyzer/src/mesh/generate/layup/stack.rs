@@ -1,0 +1,220 @@
+//! Thicknesses of the layers over the arc length.
+//!
+//! The thickness of a layer is a trapezoid: constant, with a ramp at each end that is
+//! centered on it, so that its area is exact and two layers that abut have a constant
+//! total thickness. Layers that end at one place have one ramp.
+
+use super::types::Layer;
+
+/// Part of the size of cells within which ends are one place.
+const ONE_PLACE: f64 = 0.1;
+/// Least length of a ramp, in sizes of cells.
+const LEAST_RAMP: f64 = 0.15;
+/// Largest part of the width of a layer that one ramp takes.
+const PART_OF_WIDTH: f64 = 0.35;
+/// Part of the contour from the trailing edge within which a layer reaches it.
+const AT_EDGE: f64 = 1e-3;
+/// Part of its thickness below which a layer is absent.
+const ABSENT: f64 = 0.03;
+
+/// The layers of a section.
+#[derive(Debug, Clone)]
+pub(super) struct Stack {
+    courses: Vec<Course>,
+    perimeter: f64,
+    is_ring: bool,
+}
+
+/// A layer over the arc length.
+#[derive(Debug, Clone)]
+struct Course {
+    name: String,
+    thickness: f64,
+    /// Cells through it.
+    cells: usize,
+    /// Begin and end of the ramps at its start and its end; `None` at a trailing edge.
+    ramps: [Option<[f64; 2]>; 2],
+}
+
+/// An end of a layer.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    layer: usize,
+    which: usize,
+    at: f64,
+    ramp: f64,
+    most: f64,
+}
+
+impl Stack {
+    /// The layers on a contour of this length. On a `ring` layers run through the
+    /// trailing edge, and ramps there are at most `seam` long; else both sides end at
+    /// `edges`.
+    pub fn new(
+        layers: &[Layer],
+        perimeter: f64,
+        size: f64,
+        (is_ring, edges, seam): (bool, [f64; 2], f64),
+    ) -> Self {
+        let mut courses: Vec<Course> = layers
+            .iter()
+            .map(|layer| Course {
+                name: layer.name.clone(),
+                thickness: layer.thickness,
+                cells: (layer.thickness / (2.0 * size)).ceil().clamp(1.0, 50.0) as usize,
+                ramps: [None; 2],
+            })
+            .collect();
+        let mut ends: Vec<End> = Vec::new();
+        let margin = AT_EDGE * perimeter;
+        for (index, layer) in layers.iter().enumerate() {
+            let [from, to] = [layer.from, layer.to].map(|arc| arc * perimeter);
+            let (low, high) = match is_ring {
+                true => (margin, perimeter - margin),
+                false => (edges[0] + margin, edges[1] - margin),
+            };
+            let reaches = [from < low, to > high];
+            if reaches[0] && reaches[1] {
+                continue;
+            }
+            let usual = layer.thickness.clamp(LEAST_RAMP * size, size);
+            let ramp = layer.taper.unwrap_or(usual);
+            for (which, at) in [from, to].into_iter().enumerate() {
+                if reaches[which] && !is_ring {
+                    continue;
+                }
+                let seam_at = [0.0, perimeter][which];
+                let is_seam = reaches[which];
+                let most = PART_OF_WIDTH * (to - from);
+                ends.push(End {
+                    layer: index,
+                    which,
+                    at: if is_seam { seam_at } else { at },
+                    ramp,
+                    most: if is_seam { most.min(seam) } else { most },
+                });
+            }
+        }
+        place(&mut courses, ends, perimeter, size);
+        Self {
+            courses,
+            perimeter,
+            is_ring,
+        }
+    }
+
+    /// Number of layers.
+    pub fn len(&self) -> usize {
+        self.courses.len()
+    }
+
+    /// Cells through a layer.
+    pub fn cells(&self, layer: usize) -> usize {
+        self.courses[layer].cells
+    }
+
+    /// Given thickness of a layer.
+    pub fn full(&self, layer: usize) -> f64 {
+        self.courses[layer].thickness
+    }
+
+    /// Thickness of a layer at an arc length.
+    pub fn thickness(&self, layer: usize, s: f64) -> f64 {
+        let course = &self.courses[layer];
+        let part = match self.is_ring {
+            false => course.part(s),
+            true => {
+                let turns = [s, s + self.perimeter, s - self.perimeter];
+                turns
+                    .into_iter()
+                    .map(|s| course.part(s))
+                    .fold(0.0, f64::max)
+            }
+        };
+        if part < ABSENT {
+            0.0
+        } else {
+            part * course.thickness
+        }
+    }
+
+    /// Depths of the inner faces of the layers at an arc length, the outermost first.
+    pub fn depths(&self, s: f64) -> Vec<f64> {
+        let mut depth = 0.0;
+        let inner = |layer| {
+            depth += self.thickness(layer, s);
+            depth
+        };
+        (0..self.len()).map(inner).collect()
+    }
+
+    /// Thickness of all layers.
+    pub fn total(&self, s: f64) -> f64 {
+        (0..self.len()).map(|layer| self.thickness(layer, s)).sum()
+    }
+
+    /// Name of a layer.
+    pub fn name(&self, layer: usize) -> &str {
+        &self.courses[layer].name
+    }
+
+    /// Name of the innermost layer that is present at an arc length.
+    pub fn innermost(&self, s: f64) -> &str {
+        let mut layers = (0..self.len()).rev();
+        let found = layers.find(|layer| self.thickness(*layer, s) > 0.0);
+        self.name(found.unwrap_or(0))
+    }
+
+    /// Ends of all ramps, from 0 to the length of the contour.
+    pub fn marks(&self) -> Vec<f64> {
+        let ramps = self.courses.iter().flat_map(|course| course.ramps);
+        let ends = ramps.flatten().flatten();
+        let mut marks: Vec<f64> = ends
+            .map(|s| {
+                if self.is_ring {
+                    s.rem_euclid(self.perimeter)
+                } else {
+                    s
+                }
+            })
+            .collect();
+        marks.sort_by(f64::total_cmp);
+        marks.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * self.perimeter);
+        marks
+    }
+}
+
+impl Course {
+    /// Part of the thickness at an arc length.
+    fn part(&self, s: f64) -> f64 {
+        let up = self.ramps[0].map_or(1.0, |[low, high]| (s - low) / (high - low));
+        let down = self.ramps[1].map_or(1.0, |[low, high]| (high - s) / (high - low));
+        up.min(down).clamp(0.0, 1.0)
+    }
+}
+
+/// Groups ends into places, and gives all ends of a place one ramp.
+fn place(courses: &mut [Course], mut ends: Vec<End>, perimeter: f64, size: f64) {
+    // on a ring both ends of the contour are one place, on its own side each
+    let seam = |end: &End| if end.at >= perimeter { 0.0 } else { end.at };
+    ends.sort_by(|a, b| seam(a).total_cmp(&seam(b)));
+    let mut rest = ends.as_slice();
+    while let Some(first) = rest.first() {
+        let reach = seam(first) + ONE_PLACE * size;
+        let count = rest.partition_point(|end| seam(end) <= reach);
+        let (group, after) = rest.split_at(count.max(1));
+        let mean = group.iter().map(seam).sum::<f64>() / group.len() as f64;
+        let longest = group.iter().map(|end| end.ramp).fold(0.0, f64::max);
+        let most = group
+            .iter()
+            .map(|end| end.most)
+            .fold(f64::INFINITY, f64::min);
+        // without a base a seam has no length
+        let half = (0.5 * longest.min(most)).max(1e-6 * size);
+        for end in group {
+            let at = if end.at >= perimeter { perimeter } else { mean };
+            courses[end.layer].ramps[end.which] = Some([at - half, at + half]);
+        }
+        rest = after;
+    }
+}

@@ -1,0 +1,250 @@
+//! The stations along the contour at which columns of cells stand.
+//!
+//! Fixed stations are the ends, the nose, the corners, the boundaries of webs and, in
+//! pairs, the forks of contacts. The ends of ramps and the places at which layers are cut
+//! are stations unless a fixed one is near. The rest is divided by the length of cells
+//! and the turn of the surface; between a web's boundaries nothing is divided.
+
+use super::pairs::Pair;
+use super::wall::{Edge, Wall};
+use super::webs::{NEAR, Standing};
+
+/// Largest turn of the surface along a cell \[rad\]: 8 degrees.
+const TURN: f64 = 0.14;
+/// Samples of the density of stations in an interval.
+const SAMPLES: usize = 24;
+
+/// A station.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Station {
+    /// Arc length.
+    pub s: f64,
+    /// Number of its pair.
+    pub pair: Option<usize>,
+}
+
+/// The stations of a wall.
+#[derive(Debug, Clone)]
+pub(super) struct Stations {
+    /// In the order of the contour. On a ring the last one is the first one again, one
+    /// length of the contour further.
+    pub all: Vec<Station>,
+    /// The pairs, and the part of their direction in the direction of their columns.
+    pub pairs: Vec<(Pair, f64)>,
+}
+
+/// A mark along x.
+#[derive(Debug, Clone, Copy)]
+struct Mark {
+    at: f64,
+    is_fixed: bool,
+}
+
+/// The stations of a wall with its webs.
+pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
+    let mut pairs = Vec::new();
+    let mut fixed: Vec<Station> = Vec::new();
+    for zone in &wall.zones {
+        for mark in zone_marks(wall, webs, *zone) {
+            let s = [0, 1].map(|side| wall.pairs.at(side, mark.at));
+            let pair = Some(pairs.len());
+            let weight = wall.weight_at(mark.at).unwrap_or(0.0);
+            pairs.push((wall.pairs.between(s), weight));
+            fixed.extend(s.map(|s| Station { s, pair }));
+        }
+    }
+    let perimeter = wall.outline.perimeter();
+    let single = |s: f64| Station { s, pair: None };
+    let mut singles = vec![wall.outline.nose()];
+    match wall.edge {
+        Edge::Smooth => {}
+        Edge::Wall | Edge::Face => singles.extend(wall.ends),
+    }
+    let of_webs = webs.iter().flat_map(|web| web.stations.iter().flatten());
+    singles.extend(of_webs);
+    let same = 1e-10 * perimeter;
+    let is_new = |s: &f64, fixed: &[Station]| fixed.iter().all(|known| (known.s - s).abs() > same);
+    for s in singles {
+        if is_new(&s, &fixed) {
+            fixed.push(single(s));
+        }
+    }
+    let near = NEAR * wall.size;
+    let mut all = fixed.clone();
+    for s in wall.stack.marks() {
+        let is_free = zone_of(wall, s).is_none() && foot_of(webs, s, 0.0).is_none();
+        let is_apart = all.iter().all(|known| apart(wall, known.s, s) > near);
+        if is_free && is_apart && is_inside(wall, s) {
+            all.push(single(s));
+        }
+    }
+    all.sort_by(|a, b| a.s.total_cmp(&b.s));
+    if wall.edge != Edge::Face {
+        let first = all[0];
+        all.push(Station {
+            s: first.s + perimeter,
+            ..first
+        });
+    }
+    Stations {
+        all: divided(wall, webs, &all),
+        pairs,
+    }
+}
+
+fn is_inside(wall: &Wall, s: f64) -> bool {
+    wall.edge != Edge::Face || (s > wall.ends[0] && s < wall.ends[1])
+}
+
+fn apart(wall: &Wall, a: f64, b: f64) -> f64 {
+    let distance = (a - b).abs();
+    match wall.edge {
+        Edge::Face => distance,
+        _ => distance.min(wall.outline.perimeter() - distance),
+    }
+}
+
+fn side(wall: &Wall, s: f64) -> usize {
+    usize::from(s > wall.outline.nose())
+}
+
+/// The zone of pairs around a point of the contour.
+fn zone_of(wall: &Wall, s: f64) -> Option<[f64; 2]> {
+    let corners = wall.outline.corners();
+    if wall.edge == Edge::Smooth || s < corners[0] || s > corners[1] {
+        return None;
+    }
+    let x = wall.pairs.x(side(wall, s), s);
+    wall.zones
+        .iter()
+        .copied()
+        .find(|zone| x >= zone[0] && x <= zone[1])
+}
+
+/// The web whose foot is around a point of the contour, or nearer than a length.
+fn foot_of(webs: &[Standing], s: f64, near: f64) -> Option<usize> {
+    let is_under = |web: &&Standing| {
+        (0..2).any(|side| {
+            let [low, high] = web.range(side);
+            s > low - near && s < high + near
+        })
+    };
+    webs.iter().find(is_under).map(|web| web.web)
+}
+
+/// The x of the pairs of a zone.
+fn zone_marks(wall: &Wall, webs: &[Standing], [from, to]: [f64; 2]) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    let is_in = |x: f64| x >= from && x <= to;
+    let mark = |at: f64, is_fixed: bool| Mark { at, is_fixed };
+    for contact in wall.contacts.iter().filter(|one| is_in(one[0])) {
+        marks.extend(contact.map(|x| mark(x, true)));
+        marks.extend(
+            wall.pairs
+                .cuts(&wall.stack, *contact)
+                .into_iter()
+                .map(|x| mark(x, false)),
+        );
+    }
+    let ramps = wall
+        .stack
+        .marks()
+        .into_iter()
+        .filter(|s| zone_of(wall, *s).is_some());
+    for s in ramps {
+        let one = mark(wall.pairs.x(side(wall, s), s), false);
+        marks.extend(Some(one).filter(|one| is_in(one.at)));
+    }
+    marks.extend([mark(from, false), mark(to, to >= 1.0)]);
+    let scale = wall.size / wall.pairs.scale();
+    let mut marks = divided_zone(wall, &thinned(marks, NEAR * scale));
+    let near = NEAR * wall.size;
+    let is_free = |mark: &Mark| {
+        let mut places = (0..2).map(|side| wall.pairs.at(side, mark.at));
+        mark.is_fixed || places.all(|s| foot_of(webs, s, near).is_none())
+    };
+    marks.retain(is_free);
+    marks
+}
+
+/// Marks in order, without soft ones near others, and without doubled ones.
+fn thinned(mut marks: Vec<Mark>, near: f64) -> Vec<Mark> {
+    marks.sort_by(|a, b| a.at.total_cmp(&b.at));
+    let fixed: Vec<f64> = marks
+        .iter()
+        .filter(|mark| mark.is_fixed)
+        .map(|mark| mark.at)
+        .collect();
+    let mut kept: Vec<Mark> = Vec::new();
+    for mark in marks {
+        let last = kept.last().map_or(f64::NEG_INFINITY, |last| last.at);
+        let is_apart = match mark.is_fixed {
+            true => mark.at - last > 1e-10,
+            false => mark.at - last > near && fixed.iter().all(|at| (at - mark.at).abs() > near),
+        };
+        if is_apart {
+            kept.push(mark);
+        }
+    }
+    kept
+}
+
+/// The marks of a zone with those between them.
+fn divided_zone(wall: &Wall, marks: &[Mark]) -> Vec<Mark> {
+    let mut all = Vec::new();
+    for pair in marks.windows(2) {
+        all.push(pair[0]);
+        let [from, to] = [pair[0].at, pair[1].at];
+        let length = |side: usize| (wall.pairs.at(side, from) - wall.pairs.at(side, to)).abs();
+        let cells = (length(0).max(length(1)) / wall.size).ceil().max(1.0);
+        all.extend((1..cells as usize).map(|i| Mark {
+            at: from + (to - from) * i as f64 / cells,
+            is_fixed: false,
+        }));
+    }
+    all.extend(marks.last());
+    all
+}
+
+/// Stations with those that divide the intervals between them.
+fn divided(wall: &Wall, webs: &[Standing], marks: &[Station]) -> Vec<Station> {
+    let mut all = Vec::new();
+    for pair in marks.windows(2) {
+        all.push(pair[0]);
+        let [from, to] = [pair[0].s, pair[1].s];
+        let middle = (0.5 * (from + to)).rem_euclid(wall.outline.perimeter());
+        let is_paired = pair[0].pair.is_some() && pair[1].pair.is_some();
+        let is_contact = || is_paired && wall.column(middle).is_closed;
+        if foot_of(webs, middle, 0.0).is_some() || is_contact() {
+            continue;
+        }
+        all.extend(
+            between(wall, from, to)
+                .into_iter()
+                .map(|s| Station { s, pair: None }),
+        );
+    }
+    all.extend(marks.last());
+    all
+}
+
+/// Stations that divide an interval by lengths and turns.
+fn between(wall: &Wall, from: f64, to: f64) -> Vec<f64> {
+    let perimeter = wall.outline.perimeter();
+    let step = (to - from) / SAMPLES as f64;
+    let mut sums = vec![0.0];
+    for i in 0..SAMPLES {
+        let s = (from + step * (i as f64 + 0.5)).rem_euclid(perimeter);
+        let density = (1.0 / wall.size).max(wall.outline.bend(s).abs() / TURN);
+        sums.push(sums[i] + density * step);
+    }
+    let whole = sums[SAMPLES];
+    let cells = (whole - 1e-9).ceil().clamp(1.0, 1e5);
+    let at = |part: f64| {
+        let target = part * whole;
+        let after = sums.partition_point(|sum| *sum <= target).clamp(1, SAMPLES);
+        let (low, high) = (sums[after - 1], sums[after]);
+        from + step * ((after - 1) as f64 + (target - low) / (high - low))
+    };
+    (1..cells as usize).map(|i| at(i as f64 / cells)).collect()
+}

@@ -1,0 +1,127 @@
+//! A resolved section of a layup, and its mesh.
+
+use shared_geom::mesh::Mesh;
+
+use super::problem::LayupProblem;
+
+/// A section given by its layup. Lengths are in one unit, the unit of the mesh.
+///
+/// Arcs are fractions of the length of the contour: 0 in the middle of the
+/// trailing-edge base, growing over the suction side, about 0.5 at the nose, 1 again in
+/// the middle of the base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LayupSection {
+    /// Points (y, z) of the contour, y toward the nose, z toward the suction side: from the
+    /// trailing edge over the suction side to the nose and back over the pressure side. An
+    /// open end is a flat base [unit of the mesh].
+    pub contour: Vec<[f64; 2]>,
+    /// Layers of the shell, from the outside in.
+    pub layers: Vec<Layer>,
+    /// Webs.
+    pub webs: Vec<Web>,
+    /// Largest length of cells along the contour; 1/120 of its length without it
+    /// [unit of the mesh].
+    pub size: Option<f64>,
+}
+
+/// A layer of the shell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    /// Its name, and the physical surface of its cells.
+    pub name: String,
+    /// Thickness, normal to the surface [unit of the mesh].
+    pub thickness: f64,
+    /// Arc at which it starts [-].
+    pub from: f64,
+    /// Arc at which it ends [-].
+    pub to: f64,
+    /// Length over which its thickness drops to zero at its ends; about the thickness
+    /// without it [unit of the mesh].
+    pub taper: Option<f64>,
+}
+
+/// A web, a stack of plies between two points of the contour.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Web {
+    /// Its name.
+    pub name: String,
+    /// Arcs of its middle line on the suction and the pressure side [-].
+    pub arcs: [f64; 2],
+    /// Its plies, from the leading edge aft.
+    pub plies: Vec<WebPly>,
+}
+
+/// A ply of a web.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WebPly {
+    /// Its name, and the physical surface of its cells.
+    pub name: String,
+    /// Thickness [unit of the mesh].
+    pub thickness: f64,
+}
+
+/// The mesh of a section.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshedLayup {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// Areas of the layers, in the order of the section.
+    pub areas: Vec<LayerArea>,
+}
+
+/// Area of a layer [unit of the mesh^2].
+#[derive(Debug, Clone, PartialEq)]
+pub struct LayerArea {
+    /// Name of the layer.
+    pub name: String,
+    /// Area of the layer on the curved surface, `int t (1 - k (d + t/2)) ds`, with k the
+    /// curvature and d the depth of its outer face [unit of the mesh^2].
+    pub nominal: f64,
+    /// Area of its cells [unit of the mesh^2].
+    pub meshed: f64,
+}
+
+/// Checks names, numbers and arcs.
+pub(super) fn check(section: &LayupSection) -> Result<(), LayupProblem> {
+    let mut names: Vec<&str> = Vec::new();
+    let plies = section.webs.iter().flat_map(|web| &web.plies);
+    let thick = section
+        .layers
+        .iter()
+        .map(|layer| (&layer.name, layer.thickness));
+    let thick = thick.chain(plies.map(|ply| (&ply.name, ply.thickness)));
+    for (name, thickness) in thick {
+        if names.contains(&name.as_str()) {
+            return Err(LayupProblem::NameTwice {
+                layer: name.clone(),
+            });
+        }
+        names.push(name);
+        if !(thickness > 0.0 && thickness.is_finite()) {
+            let layer = name.clone();
+            return Err(LayupProblem::Thickness { layer, thickness });
+        }
+    }
+    if section.layers.is_empty() {
+        return Err(LayupProblem::NoLayers);
+    }
+    for layer in &section.layers {
+        let is_in = |arc: f64| (0.0..=1.0).contains(&arc);
+        if !(is_in(layer.from) && is_in(layer.to) && layer.to - layer.from > 1e-4) {
+            return Err(LayupProblem::Arcs {
+                layer: layer.name.clone(),
+                arcs: [layer.from, layer.to],
+            });
+        }
+    }
+    for web in &section.webs {
+        let [suction, pressure] = web.arcs;
+        if !(suction > 0.0 && pressure < 1.0 && suction < pressure) {
+            return Err(LayupProblem::WebArcs {
+                web: web.name.clone(),
+                arcs: web.arcs,
+            });
+        }
+    }
+    Ok(())
+}

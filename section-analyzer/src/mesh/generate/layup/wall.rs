@@ -1,0 +1,449 @@
+//! The wall of a section: the columns through its layers.
+//!
+//! The direction of a column is the normal, except near corners of the contour and where
+//! the layers of both sides meet:
+//!
+//! ```text
+//! v = (n1 + n2) / (1 + n1 . n2)              at a mitred corner,
+//! v = n + t tan(turn/2) (1 - x/R)            at the distance x < R from it,
+//! v = u / (u . n)                            on the line u of a pair in a contact,
+//! v = (1 - w) n + w u / (u . n)              before and behind the contact,
+//! ```
+//!
+//! all with v . n = 1.
+
+use super::super::super::distance;
+use super::outline::Outline;
+use super::pairs::{FOREMOST, Pair, Pairs};
+use super::problem::LayupProblem;
+use super::stack::Stack;
+use super::types::LayupSection;
+
+/// A base longer than this many times `T tan(turn/2)` is closed by a wall.
+const WALL_BASE: f64 = 2.2;
+/// Length over which the direction fades behind a mitred corner, in `T tan(turn/2)`.
+const FADE: f64 = 2.5;
+/// Reach of a contact, in sizes of cells and in thicknesses.
+const REACH: [f64; 2] = [2.5, 1.5];
+/// Part of the radius of the inscribed circle that layers may fill.
+const FULL: f64 = 0.98;
+/// Samples around the contour in the search for radii.
+const SAMPLES: usize = 500;
+
+/// A factor of the reach of contacts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reach(pub f64);
+
+/// Shape of the wall at its rear end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Edge {
+    /// No corner.
+    Smooth,
+    /// The base is a wall of the same layers.
+    Wall,
+    /// Both sides end, and meet.
+    Face,
+}
+
+/// The wall of a section.
+#[derive(Debug, Clone)]
+pub(super) struct Wall {
+    pub outline: Outline,
+    pub stack: Stack,
+    pub pairs: Pairs,
+    pub edge: Edge,
+    /// Ends of both sides.
+    pub ends: [f64; 2],
+    /// Intervals of x in which the layers meet.
+    pub contacts: Vec<[f64; 2]>,
+    /// Intervals of x with stations in pairs.
+    pub zones: Vec<[f64; 2]>,
+    /// Length of cells along the contour.
+    pub size: f64,
+}
+
+/// A column of cells.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Column {
+    /// Its point on the contour.
+    pub point: [f64; 2],
+    /// Its direction, of unit component along the normal.
+    pub along: [f64; 2],
+    /// Depths of the faces of layers and of the cells in them, from 0.
+    pub depths: Vec<f64>,
+    /// Whether it ends at a contact.
+    pub is_closed: bool,
+}
+
+impl Wall {
+    /// The wall of a section.
+    pub fn new(
+        section: &LayupSection,
+        outline: &Outline,
+        size: f64,
+        reach: Reach,
+    ) -> Result<Self, LayupProblem> {
+        let ring = Self::of_kind(section, outline, size, true);
+        let mut wall = match outline.is_smooth() {
+            true => Self {
+                edge: Edge::Smooth,
+                ..ring
+            },
+            false if ring.has_wall() => ring,
+            false => Self::of_kind(section, outline, size, false),
+        };
+        if wall.edge == Edge::Wall {
+            wall.find_contacts(reach);
+            let meets = |zone: &[f64; 2]| zone[1] >= 1.0 - wall.mitre_reach() / wall.chord();
+            if wall.zones.iter().any(meets) {
+                wall = Self::of_kind(section, outline, size, false);
+            }
+        }
+        if wall.edge == Edge::Face {
+            wall.cut_thin_edge()?;
+            wall.find_contacts(reach);
+        }
+        wall.check_radii()?;
+        Ok(wall)
+    }
+
+    fn of_kind(section: &LayupSection, outline: &Outline, size: f64, is_ring: bool) -> Self {
+        let ends = outline.corners();
+        let seam = match outline.is_smooth() {
+            true => f64::INFINITY,
+            false => 0.8 * outline.base(),
+        };
+        let kind = (is_ring, ends, seam);
+        Self {
+            stack: Stack::new(&section.layers, outline.perimeter(), size, kind),
+            pairs: Pairs::new(outline, ends),
+            outline: outline.clone(),
+            edge: if is_ring { Edge::Wall } else { Edge::Face },
+            ends,
+            contacts: Vec::new(),
+            zones: Vec::new(),
+            size,
+        }
+    }
+
+    fn chord(&self) -> f64 {
+        distance(
+            self.outline.position(self.outline.nose()),
+            self.outline.middle(),
+        )
+    }
+
+    /// Half the tangent of the turn at each corner of the base.
+    fn tangents(&self) -> [f64; 2] {
+        let base = self.outline.base_inward();
+        self.outline.corners().map(|s| {
+            let n = self.outline.inward(s);
+            let (cosine, sine) = (
+                n[0] * base[0] + n[1] * base[1],
+                n[0] * base[1] - n[1] * base[0],
+            );
+            (0.5 * sine.abs().atan2(cosine)).tan()
+        })
+    }
+
+    /// Lengths that the mitre takes of the surfaces at each corner.
+    fn mitres(&self) -> [f64; 2] {
+        let (corners, tangents) = (self.outline.corners(), self.tangents());
+        [0, 1].map(|i| self.stack.total(corners[i]) * tangents[i])
+    }
+
+    fn mitre_reach(&self) -> f64 {
+        self.mitres().into_iter().fold(0.0, f64::max) * FADE
+    }
+
+    /// Whether the base is long enough for a wall.
+    fn has_wall(&self) -> bool {
+        let most = self.mitres().into_iter().fold(0.0, f64::max);
+        self.outline.base() > WALL_BASE * most && most > 0.0
+    }
+
+    /// Cuts off an edge that is too thin for the first layer of both sides.
+    fn cut_thin_edge(&mut self) -> Result<(), LayupProblem> {
+        let first = |s: f64| {
+            let layers = 0..self.stack.len();
+            let mut thick = layers.map(|layer| self.stack.thickness(layer, s));
+            thick.find(|t| *t > 0.0).unwrap_or(0.0)
+        };
+        let excess = |x: f64| {
+            let pair = self.pairs.pair(x);
+            let need = [0, 1].map(|side| first(pair.s[side]) / pair.cosines[side]);
+            let least = (need[0] + need[1]).max(5e-4 * self.outline.perimeter());
+            pair.length - least
+        };
+        if self.ends.iter().any(|s| self.stack.total(*s) <= 0.0) {
+            return Err(LayupProblem::Open);
+        }
+        if excess(1.0) >= 0.0 {
+            return Ok(());
+        }
+        let at = |i: usize| 1.0 - 0.5 * i as f64 / 400.0;
+        let Some(i) = (1..=400).find(|i| excess(at(*i)) >= 0.0) else {
+            let why = "is too thin for the first layer of both sides";
+            return Err(LayupProblem::Contour { why: why.into() });
+        };
+        let (mut thick, mut thin) = (at(i), at(i - 1));
+        for _ in 0..50 {
+            let middle = 0.5 * (thick + thin);
+            if excess(middle) >= 0.0 {
+                thick = middle;
+            } else {
+                thin = middle;
+            }
+        }
+        self.ends = [0, 1].map(|side| self.pairs.at(side, thick));
+        self.pairs = Pairs::new(&self.outline, self.ends);
+        Ok(())
+    }
+
+    /// Finds where the layers meet, and the zones around.
+    fn find_contacts(&mut self, Reach(factor): Reach) {
+        let is_face = self.edge == Edge::Face;
+        self.contacts = self.pairs.contacts(&self.stack, self.size, is_face);
+        let chord = self.chord();
+        let mut zones: Vec<[f64; 2]> = Vec::new();
+        for [from, to] in self.contacts.clone() {
+            let reach = |x: f64| self.reach_at(x) * factor / chord;
+            let zone = [
+                (from - reach(from)).max(FOREMOST),
+                (to + reach(to)).min(1.0),
+            ];
+            match zones.last_mut().filter(|last| last[1] >= zone[0]) {
+                Some(last) => last[1] = zone[1],
+                None => zones.push(zone),
+            }
+        }
+        self.zones = zones;
+    }
+
+    fn reach_at(&self, x: f64) -> f64 {
+        let pair = self.pairs.pair(x);
+        let thick = pair.s.map(|s| self.stack.total(s));
+        (REACH[0] * self.size).max(REACH[1] * thick[0].max(thick[1]))
+    }
+
+    /// Refuses layers that are thicker than the inscribed circles of the nose.
+    fn check_radii(&self) -> Result<(), LayupProblem> {
+        let outline = &self.outline;
+        let (nose, [aft, end]) = (outline.nose(), outline.corners());
+        let at = |i: usize| aft + (end - aft) * i as f64 / SAMPLES as f64;
+        let points: Vec<(f64, [f64; 2])> = (0..=SAMPLES)
+            .map(|i| (at(i), outline.position(at(i))))
+            .collect();
+        for (s, p) in &points {
+            let side = usize::from(*s > nose);
+            let is_checked = outline.is_smooth() || self.pairs.x(side, *s) < FOREMOST;
+            if !is_checked {
+                continue;
+            }
+            let n = outline.inward(*s);
+            let mut radius = 1.0 / outline.bend(*s).max(1e-12);
+            for (other, q) in &points {
+                let d = [q[0] - p[0], q[1] - p[1]];
+                let inward = n[0] * d[0] + n[1] * d[1];
+                if (*other > nose) != (*s > nose) && inward > 0.0 {
+                    radius = radius.min((d[0] * d[0] + d[1] * d[1]) / (2.0 * inward));
+                }
+            }
+            let thickness = self.stack.total(*s);
+            if thickness > FULL * radius {
+                return Err(self.tight(*s, thickness, radius));
+            }
+        }
+        match self.contacts.iter().find(|one| one[0] <= FOREMOST) {
+            None => Ok(()),
+            Some(_) => {
+                let pair = self.pairs.pair(FOREMOST);
+                let thickness = self.stack.total(pair.s[0]);
+                Err(self.tight(pair.s[0], thickness, 0.5 * pair.length))
+            }
+        }
+    }
+
+    fn tight(&self, s: f64, thickness: f64, radius: f64) -> LayupProblem {
+        LayupProblem::Tight {
+            layer: self.stack.innermost(s).to_owned(),
+            arc: s / self.outline.perimeter(),
+            thickness,
+            radius,
+        }
+    }
+
+    /// The column at an arc length.
+    pub fn column(&self, s: f64) -> Column {
+        let s = match self.edge {
+            Edge::Face => s,
+            _ => s.rem_euclid(self.outline.perimeter()),
+        };
+        let point = self.outline.position(s);
+        let side = usize::from(s > self.outline.nose());
+        let x = match self.edge {
+            Edge::Smooth => 0.0,
+            _ => self.pairs.x(side, s).min(1.0),
+        };
+        let Some(weight) = self.weight(s, x) else {
+            let depths = self.depths(s, None);
+            return Column {
+                point,
+                along: self.mitred(s),
+                depths,
+                is_closed: false,
+            };
+        };
+        let partner = self.pairs.at(1 - side, x);
+        let pair = self.pairs.between(if side == 0 {
+            [s, partner]
+        } else {
+            [partner, s]
+        });
+        self.leaned(&pair, side, weight)
+    }
+
+    /// The column of a side of a pair.
+    pub fn leaned(&self, pair: &Pair, side: usize, weight: f64) -> Column {
+        let s = pair.s[side];
+        let (n, sign) = (self.outline.inward(s), [1.0, -1.0][side]);
+        let lean = weight * sign / pair.cosines[side];
+        let along = [0, 1].map(|i| (1.0 - weight) * n[i] + lean * pair.along[i]);
+        let is_closed = weight >= 1.0;
+        let limit = is_closed.then(|| pair.limit(side, &self.stack));
+        Column {
+            point: self.outline.position(s),
+            along,
+            depths: self.depths(s, limit),
+            is_closed,
+        }
+    }
+
+    /// Part of the direction of the pair in the direction of a column: 1 in a contact, `None` far
+    /// from contacts.
+    fn weight(&self, s: f64, x: f64) -> Option<f64> {
+        if self.zones.is_empty() || self.outline.is_smooth() {
+            return None;
+        }
+        let corners = self.outline.corners();
+        if self.edge == Edge::Wall && (s < corners[0] || s > corners[1]) {
+            return None;
+        }
+        self.weight_at(x)
+    }
+
+    /// The same for a pair at x.
+    pub fn weight_at(&self, x: f64) -> Option<f64> {
+        const SAME: f64 = 1e-9;
+        let zone = self
+            .zones
+            .iter()
+            .find(|zone| x >= zone[0] && x <= zone[1] + SAME)?;
+        let mut weight: f64 = 0.0;
+        for contact in self
+            .contacts
+            .iter()
+            .filter(|one| one[0] >= zone[0] && one[1] <= zone[1])
+        {
+            let part = if x < contact[0] - SAME {
+                let from = zone[0];
+                (x - from) / (contact[0] - from)
+            } else if x > contact[1] + SAME {
+                (zone[1] - x) / (zone[1] - contact[1])
+            } else {
+                1.0
+            };
+            weight = weight.max(part.clamp(0.0, 1.0));
+        }
+        Some(if weight >= 1.0 {
+            1.0
+        } else {
+            weight * weight * (3.0 - 2.0 * weight)
+        })
+    }
+
+    /// Direction of a column far from contacts.
+    fn mitred(&self, s: f64) -> [f64; 2] {
+        let n = self.outline.inward(s);
+        if self.edge != Edge::Wall {
+            return n;
+        }
+        let (corners, tangents) = (self.outline.corners(), self.tangents());
+        let mut along = n;
+        for i in 0..2 {
+            let x = s - corners[i];
+            let is_on_base = (i == 0 && x < 0.0) || (i == 1 && x > 0.0);
+            let whole = FADE * self.stack.total(corners[i]) * tangents[i];
+            let reach = if is_on_base {
+                whole.min(0.5 * self.outline.base())
+            } else {
+                whole
+            };
+            let fade = 1.0 - x.abs() / reach;
+            if fade > 0.0 {
+                // t, along the contour, away from the corner on the base, back on the side
+                let t = [-n[1], n[0]];
+                let sign = if (i == 0) == is_on_base { -1.0 } else { 1.0 };
+                along = [0, 1].map(|k| along[k] + sign * tangents[i] * fade * t[k]);
+            }
+        }
+        along
+    }
+
+    /// Depths of the faces of layers and of the cells in them, cut at a limit.
+    fn depths(&self, s: f64, limit: Option<f64>) -> Vec<f64> {
+        let mut faces = self.stack.depths(s);
+        if let Some(limit) = limit {
+            self.cut(&mut faces, limit);
+        }
+        let mut depths = vec![0.0];
+        let mut outer = 0.0;
+        for (layer, inner) in faces.into_iter().enumerate() {
+            let cells = self.stack.cells(layer);
+            let part = |i: usize| outer + (inner - outer) * i as f64 / cells as f64;
+            depths.extend((1..cells).map(part));
+            depths.push(inner);
+            outer = inner;
+        }
+        depths
+    }
+
+    /// Cuts layers at a depth, and stretches the innermost one to it.
+    fn cut(&self, faces: &mut [f64], limit: f64) {
+        const THIN: f64 = 0.03;
+        let count = faces.len();
+        for face in faces.iter_mut() {
+            *face = face.min(limit);
+        }
+        for layer in (0..count).rev() {
+            let outer = if layer == 0 { 0.0 } else { faces[layer - 1] };
+            let rest = faces[layer] - outer;
+            if layer > 0
+                && faces[layer] >= limit
+                && rest > 0.0
+                && rest < THIN * self.stack.full(layer)
+            {
+                faces[layer - 1] = limit;
+            }
+        }
+        let outer = |layer: usize, faces: &[f64]| if layer == 0 { 0.0 } else { faces[layer - 1] };
+        let last = (0..count)
+            .rev()
+            .find(|layer| faces[*layer] > outer(*layer, faces));
+        for face in &mut faces[last.unwrap_or(0)..] {
+            *face = limit;
+        }
+    }
+}
+
+impl Column {
+    /// The point at a depth.
+    pub fn at(&self, depth: f64) -> [f64; 2] {
+        [0, 1].map(|i| self.point[i] + depth * self.along[i])
+    }
+
+    /// Its inner end.
+    pub fn inner(&self) -> [f64; 2] {
+        self.at(self.depths.last().copied().unwrap_or(0.0))
+    }
+}

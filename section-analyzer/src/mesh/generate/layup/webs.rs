@@ -1,0 +1,268 @@
+//! Where webs stand on the inner face of the wall.
+//!
+//! The boundaries of the plies of a web are parallels to the line between its two points
+//! A and B of the contour. The inner ends X of the columns at the arc lengths s with
+//!
+//! ```text
+//! (X(s) - A) . e = o,    e the unit normal of the line, o the offset of the boundary,
+//! ```
+//!
+//! are nodes of the web, so that web and wall share their nodes.
+
+use super::super::super::distance;
+use super::problem::LayupProblem;
+use super::types::{LayupSection, Web};
+use super::wall::{Edge, Wall};
+
+/// Samples of the inner face of each side.
+const SAMPLES: usize = 240;
+/// Part of the size of cells that a column of a web is wide at most.
+const WIDEST: f64 = 0.6;
+/// Part of the size of cells within which boundaries of cells are one.
+pub(super) const NEAR: f64 = 0.03;
+/// Names of the sides.
+pub(super) const SIDES: [&str; 2] = ["suction", "pressure"];
+
+/// A web on the inner faces.
+#[derive(Debug, Clone)]
+pub(super) struct Standing {
+    /// Its number in the section.
+    pub web: usize,
+    /// The ply between each boundary and the next one.
+    pub plies: Vec<usize>,
+    /// Arc lengths of the boundaries on both sides, the foremost first.
+    pub stations: [Vec<f64>; 2],
+}
+
+impl Standing {
+    /// The arc lengths between which it stands on a side.
+    pub fn range(&self, side: usize) -> [f64; 2] {
+        let stations = &self.stations[side];
+        let (first, last) = (stations[0], stations[stations.len() - 1]);
+        [first.min(last), first.max(last)]
+    }
+}
+
+/// The inner face of a side: arc lengths and inner ends of columns.
+type Face = Vec<(f64, [f64; 2])>;
+
+/// A web during the search.
+struct Search<'a> {
+    web: &'a Web,
+    wall: &'a Wall,
+    faces: &'a [Face; 2],
+    origin: [f64; 2],
+    normal: [f64; 2],
+}
+
+/// The webs of a section on its wall.
+pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>, LayupProblem> {
+    if section.webs.iter().all(|web| web.plies.is_empty()) {
+        return Ok(Vec::new());
+    }
+    let nose = wall.outline.nose();
+    let faces = [0, 1].map(|side| {
+        let s = |i: usize| wall.ends[side] + (nose - wall.ends[side]) * i as f64 / SAMPLES as f64;
+        (0..=SAMPLES)
+            .map(|i| (s(i), wall.column(s(i)).inner()))
+            .collect()
+    });
+    let mut all = Vec::new();
+    for (number, web) in section.webs.iter().enumerate() {
+        if web.plies.is_empty() {
+            continue;
+        }
+        let points = web
+            .arcs
+            .map(|arc| wall.outline.position(arc * wall.outline.perimeter()));
+        let height = distance(points[0], points[1]);
+        let line = [0, 1].map(|i| (points[1][i] - points[0][i]) / height);
+        let search = Search {
+            web,
+            wall,
+            faces: &faces,
+            origin: points[0],
+            normal: [-line[1], line[0]],
+        };
+        all.push(search.standing(number)?);
+    }
+    check_order(section, &all)?;
+    Ok(all)
+}
+
+impl Search<'_> {
+    fn standing(&self, number: usize) -> Result<Standing, LayupProblem> {
+        let (offsets, plies) = self.boundaries();
+        let mut standing = Standing {
+            web: number,
+            plies,
+            stations: [self.stations(0, &offsets)?, self.stations(1, &offsets)?],
+        };
+        let added = self.added(&standing, &offsets);
+        if !added.is_empty() {
+            let mut pairs: Vec<(f64, usize)> = offsets
+                .iter()
+                .copied()
+                .zip(standing.plies.iter().copied())
+                .collect();
+            for offset in added {
+                let at = pairs.partition_point(|pair| pair.0 > offset);
+                pairs.insert(at, (offset, pairs[at - 1].1));
+            }
+            let mut offsets_now: Vec<f64> = pairs.iter().map(|pair| pair.0).collect();
+            offsets_now.push(offsets[offsets.len() - 1]);
+            standing.plies = pairs.into_iter().map(|pair| pair.1).collect();
+            standing.stations = [
+                self.stations(0, &offsets_now)?,
+                self.stations(1, &offsets_now)?,
+            ];
+        }
+        self.check_contacts(&standing)?;
+        Ok(standing)
+    }
+
+    /// Offsets of the boundaries of cells, the foremost first, and the ply behind each.
+    fn boundaries(&self) -> (Vec<f64>, Vec<usize>) {
+        let total: f64 = self.web.plies.iter().map(|ply| ply.thickness).sum();
+        let mut offset = 0.5 * total;
+        let (mut offsets, mut plies) = (vec![offset], Vec::new());
+        for (number, ply) in self.web.plies.iter().enumerate() {
+            let cells = (ply.thickness / (WIDEST * self.wall.size))
+                .ceil()
+                .clamp(1.0, 20.0);
+            for i in 1..=cells as usize {
+                offsets.push(offset - ply.thickness * i as f64 / cells);
+                plies.push(number);
+            }
+            offset -= ply.thickness;
+        }
+        (offsets, plies)
+    }
+
+    fn offset(&self, point: [f64; 2]) -> f64 {
+        (0..2)
+            .map(|i| (point[i] - self.origin[i]) * self.normal[i])
+            .sum()
+    }
+
+    /// Offsets of the ends of ramps under the feet, which become boundaries.
+    fn added(&self, standing: &Standing, offsets: &[f64]) -> Vec<f64> {
+        let near = NEAR * self.wall.size;
+        let mut added: Vec<f64> = Vec::new();
+        for side in 0..2 {
+            let [low, high] = standing.range(side);
+            let inside = self
+                .wall
+                .stack
+                .marks()
+                .into_iter()
+                .filter(|s| *s > low && *s < high);
+            for s in inside {
+                let offset = self.offset(self.wall.column(s).inner());
+                let within = offset < offsets[0] && offset > offsets[offsets.len() - 1];
+                let mut known = offsets.iter().chain(&added);
+                if within && known.all(|other| (other - offset).abs() > near) {
+                    added.push(offset);
+                }
+            }
+        }
+        added
+    }
+
+    /// Arc lengths of boundaries on a side.
+    fn stations(&self, side: usize, offsets: &[f64]) -> Result<Vec<f64>, LayupProblem> {
+        let outside = || LayupProblem::WebOutside {
+            web: self.web.name.clone(),
+            side: SIDES[side],
+            arc: self.web.arcs[side],
+        };
+        let stations: Option<Vec<f64>> = offsets
+            .iter()
+            .map(|offset| self.station(side, *offset))
+            .collect();
+        let stations = stations.ok_or_else(outside)?;
+        let sign = [-1.0, 1.0][side];
+        let least = 1e-9 * self.wall.outline.perimeter();
+        let is_in_order = stations
+            .windows(2)
+            .all(|pair| sign * (pair[1] - pair[0]) > least);
+        if is_in_order {
+            Ok(stations)
+        } else {
+            Err(outside())
+        }
+    }
+
+    /// The station of a boundary that is nearest to the web.
+    fn station(&self, side: usize, offset: f64) -> Option<f64> {
+        let face = &self.faces[side];
+        let near = self.web.arcs[side] * self.wall.outline.perimeter();
+        let off = |point: [f64; 2]| self.offset(point) - offset;
+        let crossings = face
+            .windows(2)
+            .filter(|pair| (off(pair[0].1) > 0.0) != (off(pair[1].1) > 0.0));
+        let nearest =
+            crossings.min_by(|a, b| (a[0].0 - near).abs().total_cmp(&(b[0].0 - near).abs()))?;
+        let (mut a, mut b) = (nearest[0].0, nearest[1].0);
+        let at_a = off(nearest[0].1) > 0.0;
+        for _ in 0..45 {
+            let middle = 0.5 * (a + b);
+            if (off(self.wall.column(middle).inner()) > 0.0) == at_a {
+                a = middle;
+            } else {
+                b = middle;
+            }
+        }
+        Some(0.5 * (a + b))
+    }
+
+    /// Refuses feet where the layers of both sides meet.
+    fn check_contacts(&self, standing: &Standing) -> Result<(), LayupProblem> {
+        if self.wall.edge == Edge::Smooth {
+            return Ok(());
+        }
+        for side in 0..2 {
+            let [a, b] = standing.range(side).map(|s| self.wall.pairs.x(side, s));
+            let (low, high) = (a.min(b), a.max(b));
+            let mut contacts = self.wall.contacts.iter();
+            if let Some(contact) = contacts.find(|one| one[0] < high && one[1] > low) {
+                let perimeter = self.wall.outline.perimeter();
+                let mut arcs = contact.map(|x| self.wall.pairs.at(side, x) / perimeter);
+                arcs.sort_by(f64::total_cmp);
+                return Err(LayupProblem::WebInContact {
+                    web: self.web.name.clone(),
+                    side: SIDES[side],
+                    arc: self.web.arcs[side],
+                    contact: arcs,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Refuses webs that overlap or cross.
+fn check_order(section: &LayupSection, all: &[Standing]) -> Result<(), LayupProblem> {
+    let mut order: Vec<&Standing> = all.iter().collect();
+    order.sort_by(|a, b| a.range(0)[0].total_cmp(&b.range(0)[0]));
+    for pair in order.windows(2) {
+        let webs = || [0, 1].map(|i| section.webs[pair[i].web].name.clone());
+        let gaps = [
+            pair[1].range(0)[0] - pair[0].range(0)[1],
+            pair[0].range(1)[0] - pair[1].range(1)[1],
+        ];
+        if pair[0].range(1)[1] < pair[1].range(1)[0] {
+            return Err(LayupProblem::WebsCross { webs: webs() });
+        }
+        for (side, gap) in gaps.into_iter().enumerate() {
+            if gap <= 0.0 {
+                return Err(LayupProblem::WebsOverlap {
+                    webs: webs(),
+                    side: SIDES[side],
+                    overlap: -gap,
+                });
+            }
+        }
+    }
+    Ok(())
+}

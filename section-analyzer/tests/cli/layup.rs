@@ -1,0 +1,166 @@
+//! `section-analyzer layup` and `mesh layup`.
+
+use crate::workplace::Workplace;
+
+/// A layup along the span with all forms of places. Lines are counted in the tests.
+const LAYUP: &str = "\
+[units]
+length = \"mm\"
+stress = \"GPa\"
+
+[shape]
+chord = { eta = [0, 1], value = [500, 300], course = \"linear\" }
+origin = 0.3
+airfoils = [{ eta = 0, naca = \"0024\" }, { eta = 1, naca = \"0018\" }]
+
+[[layer]]
+name = \"skin\"
+material = \"glass\"
+thickness = 0.6
+fiber_angle = \"30 deg\"
+
+[[layer]]
+name = \"cap_upper\"
+material = \"glass\"
+thickness = { eta = [0, 0.8], value = [4, 2] }
+from = { x = 0.45, side = \"suction\" }
+to = { x = 0.2, side = \"suction\" }
+
+[[layer]]
+name = \"cap_lower\"
+material = \"glass\"
+thickness = { eta = [0, 0.8], value = [4, 2] }
+from = { x = 0.2, side = \"pressure\" }
+to = { x = 0.45, side = \"pressure\" }
+
+[[layer]]
+name = \"panel\"
+material = \"foam\"
+thickness = 3
+from = { distance = 60, side = \"suction\" }
+to = \"cap_upper.start\"
+
+[[layer]]
+name = \"inner\"
+material = \"glass\"
+thickness = 0.4
+
+[[web]]
+name = \"web\"
+suction = { at = \"cap_upper.start\", shift = 40 }
+pressure = { at = \"cap_lower.end\", shift = -40 }
+plies = [
+  { name = \"web_fore\", material = \"glass\", thickness = 0.5, fiber_angle = \"45 deg\" },
+  { name = \"web_core\", material = \"foam\", thickness = 5 },
+  { name = \"web_aft\", material = \"glass\", thickness = 0.5 },
+]
+
+[material.glass]
+e1 = 40
+e2 = 10
+g12 = 4
+nu12 = 0.28
+nu23 = 0.4
+density = \"1900 kg/m^3\"
+
+[material.foam]
+young = 0.1
+poisson = 0.3
+density = \"80 kg/m^3\"
+";
+
+/// From a layup to stiffness, by the commands of the book.
+#[test]
+fn a_layup_becomes_a_section() {
+    let workplace = Workplace::new();
+    workplace.write("a.layup.toml", LAYUP);
+    let mesh = [
+        "mesh",
+        "layup",
+        "a.layup.toml",
+        "--eta",
+        "0.5",
+        "--out",
+        "a.msh",
+    ];
+    let run = workplace.run(&[&mesh[..], &["--section", "a.section.toml"]].concat());
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(
+        run.out.contains("materials, regions and angles"),
+        "{}",
+        run.out
+    );
+    let section = workplace.read("a.section.toml");
+    assert!(section.contains("group = \"skin@pressure\"") && section.contains("\"-30 deg\""));
+    let run = workplace.run(&["check", "a.section.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let again = workplace.run(&[&mesh[..], &["--section", "a.section.toml"]].concat());
+    assert_eq!(again.code, 2);
+    assert!(again.err.contains("exists already"), "{}", again.err);
+    let run = workplace.run(&["analyze", "a.section.toml", "--no-figures"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+}
+
+/// Beyond its table the cap is absent, and the place that refers to it remains.
+#[test]
+fn a_layup_is_described_at_its_stations() {
+    let workplace = Workplace::new();
+    workplace.write("a.layup.toml", LAYUP);
+    let run = workplace.run(&["layup", "a.layup.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let stations: Vec<&str> = run
+        .out
+        .split("\n\n")
+        .filter(|part| !part.trim().is_empty())
+        .collect();
+    assert_eq!(stations.len(), 3, "{}", run.out);
+    assert!(stations[0].contains("eta 0: chord 500"), "{}", run.out);
+    assert!(stations[1].contains("cap_upper") && !stations[2].contains("cap_upper"));
+    assert!(stations[2].contains("panel"), "{}", run.out);
+}
+
+#[test]
+fn mistakes_are_reported_with_their_lines() {
+    let cases: [(&str, &str, &str); 8] = [
+        (
+            "material = \"foam\"\nthickness = 3",
+            "material = \"faom\"\nthickness = 3",
+            "error: a.layup.toml:32: material \"faom\" is not in the file\n  help: did you mean \"foam\"?",
+        ),
+        (
+            "to = \"cap_upper.start\"",
+            "to = \"cap_uper.start\"",
+            "a.layup.toml:30: place \"cap_uper.start\" is not in the file\n  help: did you mean \"cap_upper.start\"?",
+        ),
+        (
+            "from = { x = 0.45, side = \"suction\" }",
+            "from = \"panel.end\"",
+            "places go in a circle: panel.end -> cap_upper.start -> panel.end",
+        ),
+        (
+            "name = \"inner\"",
+            "name = \"skin\"",
+            "\"skin\" is the name of another layer or web on line 10",
+        ),
+        (
+            "value = [500, 300]",
+            "value = [500]",
+            "as many values as positions: 2",
+        ),
+        (
+            "eta = [0, 1]",
+            "eta = [0, 0]",
+            "ascending positions from 0 to 1",
+        ),
+        ("naca = \"0024\"", "naca = \"24\"", "is not a NACA airfoil"),
+        ("thickness = 0.6", "thickness = 60", "eta 0: "),
+    ];
+    for (from, to, expected) in cases {
+        let workplace = Workplace::new();
+        assert!(LAYUP.contains(from), "{from}");
+        workplace.write("a.layup.toml", &LAYUP.replacen(from, to, 1));
+        let run = workplace.run(&["layup", "a.layup.toml", "--eta", "0"]);
+        assert!(run.code > 0, "{to}: {}", run.out);
+        assert!(run.err.contains(expected), "{to}: {}", run.err);
+    }
+}

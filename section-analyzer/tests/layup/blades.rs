@@ -1,0 +1,76 @@
+//! Sections of public blades: areas of the layers and properties, compared with an independent
+//! prototype and, for IEA-22, with the published blade.
+
+use section_analyzer::mesh::generate::layup::{LayupProblem, MeshedLayup};
+use serde_json::Value;
+
+use crate::sections::{Case, cases, number, reference, solved};
+
+/// Measures of the reference, in the order of [`solved`].
+const MEASURES: [&str; 5] = ["mass", "EA", "flap", "edge", "GJ"];
+
+/// The results of a case, if the reference has them.
+fn row<'a>(results: &'a Value, case: &Case) -> Option<&'a Value> {
+    let name = |row: &Value| {
+        let blade = row["blade"].as_str().unwrap_or_default().to_owned();
+        format!("{blade} at {}", number(&row["eta"]))
+    };
+    let rows = results["sections"].as_array().expect("sections");
+    rows.iter().find(|row| name(row) == case.name)
+}
+
+/// Layers of more than 1 % of the section: within 0.5 % of thickness times length, with the
+/// curvature and without the part that contacts cut.
+fn check_areas(case: &Case, meshed: &MeshedLayup, row: &Value) {
+    let total: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
+    for area in meshed
+        .areas
+        .iter()
+        .filter(|area| area.meshed > 0.01 * total)
+    {
+        let expected = &row["areas"][&area.name];
+        if expected.is_array() {
+            let error = area.meshed / number(&expected[3]) - 1.0;
+            assert!(error.abs() < 5e-3, "{}: {} {error}", case.name, area.name);
+        }
+    }
+}
+
+/// The prototype has ramps and cells of its own: 0.2 %, torsion 0.5 %. The published blade of
+/// IEA-22 at 0.414 is another program's, on its own mesh: the same.
+#[test]
+fn sections_of_public_blades() {
+    let results = reference("results.json");
+    for case in cases() {
+        let made = case.section.generate();
+        if case.name == "iea10 at 1" {
+            // layers of 8 mm in a chord of 96 mm
+            let is_named =
+                matches!(&made, Err(LayupProblem::Tight { layer, .. }) if !layer.is_empty());
+            assert!(is_named, "{:?}", made.err());
+            continue;
+        }
+        let meshed = made.unwrap_or_else(|problem| panic!("{}: {problem}", case.name));
+        let found = solved(&case, &meshed);
+        let Some(row) = row(&results, &case) else {
+            continue;
+        };
+        check_areas(&case, &meshed, row);
+        let sources: &[&str] = match case.name.as_str() {
+            "iea22 at 0" | "iea22 at 0.414" => &["our", "pub"],
+            _ => &["our"],
+        };
+        for (key, value) in MEASURES.iter().zip(found) {
+            let tolerance = if *key == "GJ" { 5e-3 } else { 2e-3 };
+            for source in sources {
+                let error = value / number(&row[*source][*key]) - 1.0;
+                println!("{} {key} {source}: {:.3} %", case.name, 100.0 * error);
+                assert!(
+                    error.abs() < tolerance,
+                    "{} {key} {source}: {error}",
+                    case.name
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! Sections meshed from their layups: closed forms, public blades, random layups.
+
+#[path = "../../../tests/common/effort.rs"]
+mod effort;
+
+mod blades;
+mod closed_forms;
+mod files;
+mod random;
+mod sections;
