@@ -50,6 +50,7 @@ mod critical;
 mod fewer_modes;
 mod first_order;
 mod growing;
+pub mod identification;
 mod modal_damping;
 pub mod modes;
 pub mod performance;

@@ -23,6 +23,7 @@ mod describe;
 mod expand;
 mod files;
 mod help;
+mod identify;
 mod performance;
 mod periodic;
 mod plot;
@@ -31,6 +32,7 @@ mod reading_options;
 mod result_locations;
 mod schema;
 mod statics;
+mod table_part;
 mod terminal;
 mod transient;
 
@@ -133,6 +135,9 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
             performance::performance_of_files(&files, &results, terminal)
         }
         Command::Plot { results, options } => plot::plot_files(&results, &options, terminal),
+        Command::Identify { results, options } => {
+            identify::identify_files(&results, &options, terminal)
+        }
         Command::Check { files } => check_files(&files, terminal),
         Command::Expand { file, out } => expand::expand(&file, out.as_deref(), terminal),
         Command::Completions { shell } => help::completions(shell, terminal),

@@ -13,6 +13,7 @@ mod fan;
 mod files;
 mod folder;
 mod grid;
+mod identification;
 mod panels;
 mod performance;
 mod periodic;
@@ -44,6 +45,7 @@ pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{result_text, write};
 pub use folder::{ResultLocation, Written};
+pub use identification::{identification_csv, identification_text};
 pub use panels::PanelPlot;
 pub use performance::{
     MapPlot, performance_csv, performance_text, span_load_csv, write_performance,

@@ -9,13 +9,16 @@ use super::airfoil::AirfoilArguments;
 use super::blade_options::BladeOptions;
 use super::compare::CompareArguments;
 use super::convert::ConvertArguments;
+use super::identify::IdentifyOptions;
 use super::plot::PlotOptions;
 use super::reading_options::ReadingOptions;
 
 mod expand;
+mod identify;
 mod periodic;
 
 use expand::{EXPAND, EXPAND_EXAMPLE};
+use identify::{IDENTIFY, IDENTIFY_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
 
 const ABOUT: &str = "\
@@ -440,6 +443,14 @@ pub(super) enum Command {
         results: Vec<PathBuf>,
         #[command(flatten)]
         options: PlotOptions,
+    },
+    #[command(about = first_line(IDENTIFY), long_about = IDENTIFY, after_help = IDENTIFY_EXAMPLE)]
+    Identify {
+        /// Tables of runs in time, NAME.transient.csv or NAME.transient.nc
+        #[arg(required = true, value_name = "RESULT")]
+        results: Vec<PathBuf>,
+        #[command(flatten)]
+        options: IdentifyOptions,
     },
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
     Check {

@@ -6,6 +6,7 @@ use shared_geom::error::Explain;
 use shared_geom::figure::{Drawing, Figure};
 use shared_geom::files::OutputProblem;
 
+use super::table_part::TablePart;
 use super::terminal::Terminal;
 use super::{DONE, NOT_REACHED, WRONG_INPUT};
 use crate::output::{RunFileProblem, TimePlot, TimeTable};
@@ -16,19 +17,11 @@ const ENDINGS: [&str; 2] = ["png", "svg"];
 /// Selected columns and times, and the output file.
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct PlotOptions {
-    /// Columns to draw, joined by commas, with * at the end all that begin with the text; all
-    /// columns if not given
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    columns: Vec<String>,
+    #[command(flatten)]
+    part: TablePart,
     /// Column over which the others are drawn
     #[arg(long = "x", value_name = "NAME", id = "x", default_value = "time")]
     across: String,
-    /// Time from which on rows are drawn; from the first if not given
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
-    from: Option<f64>,
-    /// Time up to which rows are drawn; to the last if not given
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
-    to: Option<f64>,
     /// Title of the figure; the names of the models if not given
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
@@ -36,13 +29,6 @@ pub(super) struct PlotOptions {
     /// first RESULT if not given
     #[arg(long, value_name = "FIGURE")]
     out: Option<PathBuf>,
-}
-
-/// A time.
-fn seconds(text: &str) -> Result<f64, String> {
-    let value: Option<f64> = text.trim().trim_end_matches('s').trim_end().parse().ok();
-    let value = value.filter(|value| value.is_finite());
-    value.ok_or_else(|| "expected a number of seconds".to_owned())
 }
 
 /// `plot RESULT...`
@@ -56,13 +42,7 @@ pub(super) fn plot_files(
         terminal.report(&problem);
         return WRONG_INPUT;
     }
-    if let (Some(from), Some(to)) = (options.from, options.to)
-        && from > to
-    {
-        terminal.report(&Backward { from, to });
-        return WRONG_INPUT;
-    }
-    let Some(tables) = read(results, options, terminal) else {
+    let Some(tables) = options.part.read(results, terminal) else {
         return WRONG_INPUT;
     };
     let plot = match plot_of(&tables, options) {
@@ -88,8 +68,7 @@ pub(super) fn plot_files(
 
 /// The figure, or all wrong names.
 fn plot_of(tables: &[TimeTable], options: &PlotOptions) -> Result<TimePlot, Vec<RunFileProblem>> {
-    let columns = options.columns.iter().map(|name| name.trim().to_owned());
-    let columns: Vec<_> = columns.collect();
+    let columns = options.part.columns();
     let across = options.across.as_str();
     let wanted = columns.iter().map(String::as_str).chain([across]);
     let checks = tables
@@ -105,20 +84,6 @@ fn plot_of(tables: &[TimeTable], options: &PlotOptions) -> Result<TimePlot, Vec<
         Some(title) => plot.titled(title),
         None => plot,
     })
-}
-
-/// A span of time that ends before it begins.
-#[derive(Debug, thiserror::Error)]
-#[error("--from {from} is later than --to {to}: there is no time between them")]
-struct Backward {
-    from: f64,
-    to: f64,
-}
-
-impl Explain for Backward {
-    fn help(&self) -> Option<String> {
-        Some("give --from the earlier of the two".to_owned())
-    }
 }
 
 /// A figure of an unsupported kind.
@@ -144,28 +109,6 @@ fn other_kind(out: &Path) -> Option<OtherKind> {
     let is_other = OTHERS.contains(&ending.to_ascii_lowercase().as_str());
     let file = out.display().to_string();
     is_other.then_some(OtherKind { file, ending })
-}
-
-/// Reads the rows of all tables to draw; reports all problems.
-fn read(
-    results: &[PathBuf],
-    options: &PlotOptions,
-    terminal: &mut Terminal<'_>,
-) -> Option<Vec<TimeTable>> {
-    let tables = results.iter().map(|path| {
-        let table: Result<TimeTable, RunFileProblem> = TimeTable::read(path);
-        table.map_err(|problem| terminal.report(&problem)).ok()
-    });
-    let tables: Vec<_> = tables.collect();
-    let mut tables: Vec<TimeTable> = tables.into_iter().collect::<Option<_>>()?;
-    if options.from.is_some() || options.to.is_some() {
-        let from = options.from.unwrap_or(f64::NEG_INFINITY);
-        let to = options.to.unwrap_or(f64::INFINITY);
-        for table in &mut tables {
-            table.between(from, to);
-        }
-    }
-    Some(tables)
 }
 
 /// Writes the figure into a folder that is made.
