@@ -334,7 +334,7 @@ fn cards(document: &Document, default_name: &str, rotors: &[PlacedRotor]) -> Opt
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
     rotors::check(document, rotors, &analyses, builder.hub()?);
     analyses.check(&root, &gravity, &builder.hub()?.frame_rotation());
-    check_air(&root, &builder, &analyses);
+    check_air(&root, &mut builder, &analyses);
     let nodes = builder.initial();
     let node_locations = nodes.map(|(_, _, line)| document.location(line)).collect();
     let joints = builder.joint_lines();
@@ -374,19 +374,21 @@ fn check_run(document: &Document, builder: &ModelBuilder, times: [f64; 2]) {
 }
 
 /// Notes a wind that does not suit the analyses, and turbulence boxes too small for the blades.
-fn check_air(root: &Table<'_>, builder: &ModelBuilder, analyses: &Analyses) {
+fn check_air(root: &Table<'_>, builder: &mut ModelBuilder, analyses: &Analyses) {
     let (Some(hub), Some(air)) = (builder.hub(), builder.aerodynamics().used_air()) else {
         return;
     };
+    let remarks = strips::mach_remarks(builder, air, analyses.highest_start());
     let rotation = hub.frame_rotation();
     aerodynamics::check_steady(root, air, (&rotation, analyses.highest_speed()));
-    let Some([_, end]) = analyses.times() else {
-        return;
-    };
+    let end = analyses.times().map(|[_, end]| end);
     let nodes = builder.blades().iter().flat_map(|blade| &blade.nodes);
     let radii = nodes.filter_map(|node| Some(hub.distance(&builder.nodes().get(*node)?.position)));
     let radius = radii.fold(0.0, f64::max);
-    aerodynamics::check_boxes(root, air, (&rotation.center, radius), end);
+    if let Some(end) = end {
+        aerodynamics::check_boxes(root, air, (&rotation.center, radius), end);
+    }
+    builder.add_remarks(remarks);
 }
 
 /// The input if the model is complete.

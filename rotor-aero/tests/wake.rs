@@ -289,10 +289,15 @@ fn a_propeller_settles_in_hover_and_descent() {
             let pairs = rotor.strips.iter().zip(targets);
             let rest = pairs.map(|(strip, it)| (strip.wake[0].induced - it.0).abs());
             let rest = rest.fold(0.0, f64::max);
-            println!(
-                "{law:?} {ratio}: {ct} {expected} {} rest {rest}",
-                ct / expected - 1.0
-            );
+            let error = (ct / expected - 1.0).abs();
+            // The tolerance of the reference for steady values; the script has the law of Buhl, from
+            // which the other one differs in descent alone, where annuli are highly loaded.
+            let within = match law {
+                HighInduction::Buhl => 1e-3,
+                _ => 0.05,
+            };
+            assert!(error < within, "{law:?} {ratio}: {ct} {expected}");
+            assert!(rest < 1e-6, "{law:?} {ratio}: {rest:e}");
         }
     }
 }

@@ -125,6 +125,14 @@ impl TransientSettings {
             redundant: Redundant::Error,
         }
     }
+
+    /// Speed of a start in steady rotation [rad/s].
+    pub fn rotating_speed(&self) -> Option<f64> {
+        match self.start {
+            Start::Rotating { speed } => Some(speed),
+            Start::Given | Start::Equilibrium => None,
+        }
+    }
 }
 
 impl Model {

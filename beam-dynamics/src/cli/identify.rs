@@ -85,23 +85,28 @@ pub(super) fn identify_files(
             }
         }
     }
-    for problem in &failed {
-        terminal.report(problem);
+    let mut code = DONE;
+    for of in &failed {
+        terminal.report(of);
+        code = code.max(match of.problem {
+            RecordProblem::NoOscillation | RecordProblem::NoSum => NOT_REACHED,
+            _ => WRONG_INPUT,
+        });
     }
     if found.is_empty() {
         if failed.is_empty() {
             terminal.report_text("error: no column has an oscillation");
         }
-        return NOT_REACHED;
+        return code.max(NOT_REACHED);
     }
     terminal.show(&identification_text(&found));
     let out = options.out.clone().unwrap_or_else(|| target(&results[0]));
     if let Err(problem) = write_text(&out, &identification_csv(&found)) {
         terminal.report(&problem);
-        return NOT_REACHED;
+        return code.max(NOT_REACHED);
     }
     terminal.show(&format!("\nWritten\n  {}\n", out.display()));
-    if failed.is_empty() { DONE } else { NOT_REACHED }
+    code
 }
 
 /// The index of the time and the indices of the columns, or all wrong names.

@@ -146,6 +146,19 @@ impl Analyses {
         speeds.copied().map(f64::abs).fold(0.0, f64::max)
     }
 
+    /// The highest rotor speed of all analyses, with the starts of runs that rotate [rad/s].
+    pub fn highest_start(&self) -> f64 {
+        let periodic = self.periodic.iter();
+        let given = periodic.clone().filter_map(|periodic| periodic.speed);
+        let runs = self
+            .transient
+            .iter()
+            .chain(periodic.map(|periodic| &periodic.start));
+        let starts = runs.filter_map(|run| run.rotating_speed());
+        let speeds = given.chain(starts).map(f64::abs);
+        speeds.fold(self.highest_speed(), f64::max)
+    }
+
     /// Notes gravity across the axis of a rotating model: it has no steady equilibrium. Runs in time
     /// start from the mean of it.
     pub fn check(&self, root: &Table<'_>, gravity: &Vector3<f64>, frame_rotation: &FrameRotation) {

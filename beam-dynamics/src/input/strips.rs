@@ -20,7 +20,7 @@ use shared_geom::keys;
 use shared_geom::quadrature;
 
 use super::beam_card::Beam;
-use super::builder::{AirBlade, ModelBuilder};
+use super::builder::{AirBlade, MachLimit, ModelBuilder};
 use crate::case::BladeNodes;
 use crate::elements::strips::{Air, AirStrip, RotorDisk, StripGeometry, StripRotor, TipRadius};
 use crate::elements::{Element, Signal, StripPlace};
@@ -30,11 +30,13 @@ mod cards;
 mod files;
 mod flaps;
 mod line;
+mod mach;
 mod rotor;
 mod stations;
 
 pub(super) use cards::{CARD as STRIP, read as read_cards};
 pub(super) use line::BladeLine;
+pub(super) use mach::remarks as mach_remarks;
 
 use flaps::{FLAPS, Flap};
 use rotor::Rotor;
@@ -146,7 +148,14 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
             });
             strips(&air.along, (axes, &beams), builder, &inflow)
         });
-        add_blade((&blade, &air.rotor, disk), (&beams, strips), builder);
+        let radius = |at: f64| air.rotor.distance(&point_at(&beams, at, builder));
+        let limits = mach::limits(&air.along.stations, radius);
+        add_blade(
+            (&blade, &air.rotor, disk),
+            (&beams, strips),
+            limits,
+            builder,
+        );
     }
 }
 
@@ -176,6 +185,7 @@ fn placed_beams(beams: Vec<usize>, builder: &ModelBuilder) -> Vec<PlacedBeam> {
 fn add_blade(
     (blade, rotor, disk): (&BladeNodes, &Rotor, Option<Arc<RotorDisk>>),
     (beams, strips): (&[PlacedBeam], &[PlacedStrip]),
+    mach_limits: Vec<MachLimit>,
     builder: &mut ModelBuilder,
 ) {
     let Some(air) = builder.aerodynamics().air.clone() else {
@@ -190,7 +200,8 @@ fn add_blade(
     let elements = elements
         .into_iter()
         .zip(strips.iter().map(|strip| strip.span));
-    place(elements, (&blade.name, Some(rotor)), radius, builder);
+    let of = (blade.name.as_str(), Some(rotor), mach_limits);
+    place(elements, of, radius, builder);
 }
 
 /// The rotor of the strips of a blade or a card, with the tip at an offset from a node \[m\]; its
@@ -216,7 +227,7 @@ fn strip_rotor(
 /// of the tip, without a rotor the length of the line \[m\].
 fn place(
     strips: impl Iterator<Item = (AirStrip, f64)>,
-    (name, rotor): (&str, Option<&Rotor>),
+    (name, rotor, mach_limits): (&str, Option<&Rotor>, Vec<MachLimit>),
     length: f64,
     builder: &mut ModelBuilder,
 ) {
@@ -225,6 +236,7 @@ fn place(
         rotor: rotor.map(|rotor| rotor.name().to_owned()),
         length,
         strips: Vec::new(),
+        mach_limits,
     };
     for (number, (element, span)) in strips.enumerate() {
         let element = element.placed(StripPlace {

@@ -11,6 +11,7 @@ mod electrodes;
 mod exchange;
 mod figures;
 mod help;
+mod identify;
 mod keys;
 
 use std::fs;

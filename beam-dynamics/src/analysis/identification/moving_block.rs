@@ -45,7 +45,7 @@ pub(super) fn mode(record: &Record, frequency: f64) -> Option<IdentifiedMode> {
         .windows(length)
         .map(|window| window.iter().zip(&weights).map(|(y, w)| w * y).sum())
         .collect();
-    let (mut phase, mut last) = (0.0, None);
+    let (mut phase, mut last): (f64, Option<Complex<f64>>) = (0.0, None);
     let (mut sizes, mut phases) = (Vec::new(), Vec::new());
     for (k, block) in blocks.iter().enumerate() {
         if let Some(last) = last {

@@ -115,7 +115,7 @@ fn sums_of_damped_oscillations_are_found() {
 #[test]
 fn the_methods_agree_on_one_motion() {
     let mut random = Random::new(2);
-    for case in 0..300 {
+    for case in 0..100 {
         let (count, length) = (600, 10.0);
         let part = Part {
             frequency: TAU * random.between(8.0, 15.0) / length,
@@ -151,7 +151,7 @@ fn the_methods_agree_on_one_motion() {
 #[test]
 fn samples_at_unequal_times() {
     let mut random = Random::new(3);
-    for case in 0..100 {
+    for case in 0..30 {
         let part = Part {
             frequency: TAU * random.between(3.0, 4.0),
             growth: random.between(-1.0, 0.0),
@@ -217,7 +217,7 @@ fn long_records_are_filtered_and_thinned() {
 #[test]
 fn noise_moves_the_growth_by_its_size() {
     let mut random = Random::new(4);
-    for case in 0..100 {
+    for case in 0..30 {
         let part = Part {
             frequency: TAU * random.between(0.8, 1.5),
             growth: random.between(-0.2, 0.0),
@@ -236,10 +236,7 @@ fn noise_moves_the_growth_by_its_size() {
             ..SETTINGS
         };
         let (modes, residual) = identify(&record, &settings).unwrap();
-        assert!(
-            (modes[0].growth - part.growth).abs() < 2e-3 / 10.0 * 10.0,
-            "{case}"
-        );
+        assert!((modes[0].growth - part.growth).abs() < 2e-3, "{case}");
         assert!(residual < 1e-2, "{case}: {residual}");
     }
 }

@@ -9,7 +9,7 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::airfoil_files;
-use super::changes::{self, Changes, MIRROR, STALL_DELAY, VITERNA};
+use super::changes::{self, COMPRESSIBLE, Changes, MIRROR, STALL_DELAY, VITERNA};
 use super::problem::StripProblem;
 
 keys! {
@@ -30,7 +30,7 @@ keys! {
     DRAG: f64 = "drag", [NotNegative(Dimension::NUMBER)], or "0" = 0.0, "0.01";
     /// Linear lift: coefficient of the moment about the quarter chord.
     MOMENT: f64 = "moment", [Quantity(Dimension::NUMBER)], or "0" = 0.0, "-0.05";
-    with STALL_DELAY.schema, VITERNA.schema, MIRROR.schema;
+    with STALL_DELAY.schema, VITERNA.schema, COMPRESSIBLE.schema, MIRROR.schema;
 }
 
 /// Airfoils by name; wrong ones are `None`.

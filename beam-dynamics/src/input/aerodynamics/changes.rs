@@ -1,4 +1,4 @@
-//! Changes of airfoil tables: stall delay, extension to the full circle, upside down.
+//! Changes of airfoil tables: stall delay, extension to the full circle, compressibility, upside down.
 
 use rotor_aero::airfoil::{AirfoilData, AirfoilProblem, StallDelay, Viterna};
 use shared_geom::document::schema::ValueKind::{
@@ -13,6 +13,9 @@ keys! {
     pub(super) STALL_DELAY: ByHand = "stall_delay", [OneTable(&STALL_DELAY_CARD)], optional, "";
     /// Extension of a table to the full circle by Viterna and Corrigan: `true`, or its constants.
     pub(super) VITERNA: ByHand = "viterna", [Boolean, OneTable(&VITERNA_CARD)], or "false", "true";
+    /// Factor of Prandtl and Glauert on lift and moment of a table without Mach numbers, constant from
+    /// this Mach number on.
+    pub(super) COMPRESSIBLE: Option<f64> = "compressible_to", [Positive(Dimension::NUMBER)], optional, "0.8";
     /// Whether the section is upside down.
     pub(super) MIRROR: bool = "mirror", [Boolean], or "false" = false, "true";
 }
@@ -46,6 +49,7 @@ keys! {
 pub(super) struct Changes {
     stall_delay: Option<StallDelay>,
     viterna: Option<Viterna>,
+    mach_limit: Option<f64>,
     mirror: bool,
 }
 
@@ -68,10 +72,11 @@ pub(super) fn read(table: &Table<'_>) -> Option<Changes> {
             .boolean(VITERNA.name())
             .map(|wanted| wanted.then(|| Viterna::of_aspect_ratio(10.0))),
     };
-    let mirror = table.get(&MIRROR);
+    let (mach_limit, mirror) = (table.get(&COMPRESSIBLE), table.get(&MIRROR));
     Some(Changes {
         stall_delay: stall_delay?,
         viterna: viterna?,
+        mach_limit: mach_limit?,
         mirror: mirror?,
     })
 }
@@ -103,6 +108,7 @@ impl Changes {
         let keys = [
             (self.stall_delay.is_some(), STALL_DELAY.name()),
             (self.viterna.is_some(), VITERNA.name()),
+            (self.mach_limit.is_some(), COMPRESSIBLE.name()),
             (self.mirror, MIRROR.name()),
         ];
         keys.iter().find(|key| key.0).map(|key| key.1)
@@ -118,6 +124,9 @@ impl Changes {
         }
         if let Some(viterna) = &self.viterna {
             data = data.extended(viterna)?;
+        }
+        if let Some(limit) = self.mach_limit {
+            data = data.with_compressibility(limit)?;
         }
         Ok(match self.mirror {
             true => data.mirrored(),

@@ -19,6 +19,19 @@ pub(in crate::input) struct AirBlade {
     /// Names of its strips from the root to the tip, and the radii of their quarter chords; without a
     /// rotor their positions on the line \[m\].
     pub strips: Vec<(String, f64)>,
+    /// Airfoils with tables over the Mach number; none without a rotor.
+    pub mach_limits: Vec<MachLimit>,
+}
+
+/// An airfoil whose table ends at a Mach number.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::input) struct MachLimit {
+    /// Its name.
+    pub airfoil: String,
+    /// Largest Mach number of its table \[-\].
+    pub largest: f64,
+    /// Largest distance from the shaft with this airfoil \[m\].
+    pub radius: f64,
 }
 
 impl ModelBuilder {

@@ -82,6 +82,13 @@ impl Stations {
         self.stations.iter().map(|station| station.at)
     }
 
+    /// The airfoils of the stations, with their positions \[m\].
+    pub fn sections(&self) -> impl Iterator<Item = (f64, &Section)> {
+        self.stations
+            .iter()
+            .map(|station| (station.at, &station.airfoil))
+    }
+
     /// The blade at a position between the first and the last station \[m\].
     pub fn at(&self, position: f64) -> Option<Between> {
         let stations = &self.stations;
