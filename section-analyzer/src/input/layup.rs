@@ -16,9 +16,10 @@ mod place;
 mod problem;
 mod resolve;
 mod shape;
+mod windio;
 
 pub use course::Course;
-pub use place::{Place, PlaceForm};
+pub use place::{Place, PlaceForm, SIDES};
 pub use problem::LayupFileProblem;
 pub use shape::Shape;
 
@@ -45,6 +46,8 @@ pub struct Layup {
     pub constants: String,
     /// The unit of length of the file \[m\].
     pub unit: f64,
+    /// Choices that the reader of a file of another tool made.
+    pub remarks: Vec<String>,
     file: String,
     shape_line: usize,
 }
@@ -97,12 +100,34 @@ pub struct LayupMesh {
     pub areas: Vec<LayerArea>,
 }
 
-/// Reads the layup file at `path`.
+/// Treatment of materials of other tools' files that no material can be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Materials {
+    /// They are errors.
+    #[default]
+    AsGiven,
+    /// Poisson's ratios are reduced until they are possible, which is a remark.
+    Repaired,
+}
+
+/// Reads the layup file, or the turbine file of windIO, at `path`.
 ///
 /// # Errors
 /// All problems of the file and of its airfoil files.
 pub fn read(path: &Path) -> Result<Layup, Diagnostics> {
-    parse(&read_text(path)?, path)
+    read_with(path, Materials::AsGiven)
+}
+
+/// As [`read`], with a treatment of impossible materials of windIO files.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(path: &Path, materials: Materials) -> Result<Layup, Diagnostics> {
+    let text = read_text(path)?;
+    if windio::recognize(&text, path) {
+        return windio::read(&text, path, materials);
+    }
+    parse(&text, path)
 }
 
 /// Reads the text of a layup file, as if it were at `path`.
@@ -128,7 +153,9 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let size = root.nested(&MESH, |table| table.get(&SIZE));
     root.finish();
     if let (Some(layers), Some(webs)) = (&layers, &webs) {
-        check_names(&document, layers, webs);
+        for (line, problem) in doubled_names(layers, webs) {
+            document.note(line, &problem);
+        }
     }
     let layup = match (shape, layers, webs, size) {
         (Some(Some(shape)), Some(layers), Some(webs), Some(size)) => Some(Layup {
@@ -138,6 +165,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
             size: size.flatten(),
             constants: constants(text),
             unit: document.factor(Dimension::LENGTH),
+            remarks: Vec::new(),
             file: path.display().to_string(),
             shape_line,
         }),
@@ -204,9 +232,10 @@ fn web(table: &Table<'_>, known: &[String]) -> Option<WrittenWeb> {
     })
 }
 
-/// Notes names that are given twice.
-fn check_names(document: &Document, layers: &[WrittenLayer], webs: &[WrittenWeb]) {
+/// Names that are given twice, with their lines.
+fn doubled_names(layers: &[WrittenLayer], webs: &[WrittenWeb]) -> Vec<(usize, LayupFileProblem)> {
     let mut known: Vec<(&str, usize)> = Vec::new();
+    let mut problems = Vec::new();
     let plies = webs.iter().flat_map(|web| &web.plies);
     let names = layers
         .iter()
@@ -216,11 +245,12 @@ fn check_names(document: &Document, layers: &[WrittenLayer], webs: &[WrittenWeb]
         match known.iter().find(|one| one.0 == name) {
             Some((_, first)) => {
                 let name = name.to_owned();
-                document.note(line, &LayupFileProblem::NameTwice { name, line: *first });
+                problems.push((line, LayupFileProblem::NameTwice { name, line: *first }));
             }
             None => known.push((name, line)),
         }
     }
+    problems
 }
 
 /// The lines of the tables of units and materials, and of a word of units at the top.

@@ -26,7 +26,7 @@ use crate::error::Diagnostics;
 
 mod assemble;
 mod block;
-mod fields;
+pub mod fields;
 mod into;
 mod mass;
 mod version1;
