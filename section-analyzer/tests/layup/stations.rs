@@ -99,7 +99,8 @@ const MESHER: [(&str, [f64; 5]); 4] = [
 /// Largest differences from the published IEA-22, made with another program on its own mesh.
 const PUBLISHED: [f64; 5] = [6e-3, 4e-3, 1e-2, 1.6e-2, 2e-2];
 
-/// The published matrices of the other blades are not of their layups.
+/// The published matrices of the other blades are not of their layups; at 0.517, beside the end of
+/// a web, the published one is the mean of both sides.
 #[test]
 fn sections_of_public_blades_from_their_files() {
     for [name, file] in BLADES {
@@ -121,7 +122,8 @@ fn sections_of_public_blades_from_their_files() {
                     .all(|(found, most)| found.abs() < *most)
             };
             assert!(is_within(ours, most), "{name} {eta}: {ours:?}");
-            let is_published = name == "iea22" && eta > 0.1 && eta < 0.9;
+            let is_published =
+                name == "iea22" && eta > 0.1 && eta < 0.9 && (eta - 0.517).abs() > 0.01;
             assert!(
                 !is_published || is_within(published, &PUBLISHED),
                 "{name} {eta}: {published:?}"

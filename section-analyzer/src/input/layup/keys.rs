@@ -113,9 +113,10 @@ keys! {
     /// Airfoils along the span, in its order, or of ascending thickness.
     pub(super) AIRFOILS: NestedList = "airfoils", [Tables(&AIRFOIL)], required, "";
     /// Position along the span, 0 at the root to 1 at the tip.
-    pub(super) AT_ETA: f64 = "eta", [Quantity(Dimension::NUMBER)], required, "0.25";
+    pub(super) AT_ETA: Option<f64> = "eta", [Quantity(Dimension::NUMBER)], optional, "0.25";
     /// Thickness over chord, in the place of `eta` if [shape] has a `thickness`.
-    pub(super) AT_THICKNESS: f64 = "thickness", [Quantity(Dimension::NUMBER)], required, "0.36";
+    pub(super) AT_THICKNESS: Option<f64> = "thickness", [Quantity(Dimension::NUMBER)], optional,
+        "0.36";
     /// True for a circle.
     pub(super) CIRCLE: bool = "circle", [Boolean], required, "true";
 }

@@ -28,7 +28,7 @@ keys! {
     /// Where the plane at this distance behind the origin meets a `side`.
     PLANE: Option<Course> = "plane", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
         optional, "\"-0.35 m\"";
-    /// Angle of the plane from the normal of the chord line, its suction side forward.
+    /// Angle of the plane from the normal of the chord line, its suction side aft.
     ANGLE: Course = "angle", [Quantity(Dimension::ANGLE), OneTable(&COURSE)],
         or "0" = Course::constant(0.0), "\"3 deg\"";
     /// A place by its name.

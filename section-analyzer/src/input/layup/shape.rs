@@ -99,10 +99,9 @@ impl Shape {
         let airfoils = match table.has(&AIRFOILS) {
             false => points(document, table).map(|points| vec![(0.0, points)]),
             true => table.each(&AIRFOILS, |one| {
-                let at = match by_thickness {
-                    true => one.get(&AT_THICKNESS),
-                    false => one.get(&AT_ETA),
-                };
+                let key = if by_thickness { &AT_THICKNESS } else { &AT_ETA };
+                let at = one.require_item(key, "a number from 0 to 1");
+                let at = at.and_then(|_| one.get(key)?);
                 let points = points(document, one);
                 Some((at?, points?))
             }),
