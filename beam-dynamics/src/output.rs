@@ -13,7 +13,6 @@ mod fan;
 mod files;
 mod folder;
 mod grid;
-mod panels;
 mod performance;
 mod periodic;
 mod rows;
@@ -44,7 +43,6 @@ pub use comparison::{comparison_csv, comparison_text};
 pub use fan::FanPlot;
 pub use files::{result_text, write};
 pub use folder::{ResultLocation, Written};
-pub use panels::PanelPlot;
 pub use performance::{
     MapPlot, performance_csv, performance_text, span_load_csv, write_performance,
 };

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use shared_geom::line::{Course as LineCourse, LinePoint, ReferenceLine};
+
 use crate::input::layup::{Course, Layup, Place, PlaceForm, SIDES, WrittenLayer};
 
 /// The layup file of `layup`, read from `source`. Lengths are in its unit.
@@ -17,7 +19,13 @@ pub fn layup_file(layup: &Layup, source: &str) -> String {
 
 fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
     let unit = layup.unit;
+    if !layup.stations.is_empty() {
+        writeln!(text, "\nstations = {:?}", layup.stations)?;
+    }
     write!(text, "\n{}", layup.constants)?;
+    if let Some(line) = &layup.line {
+        write_line(text, line, unit)?;
+    }
     let shape = &layup.shape;
     writeln!(text, "\n[shape]")?;
     writeln!(text, "chord = {}", course(&shape.chord, unit))?;
@@ -61,6 +69,40 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
     }
     if let Some(size) = layup.size {
         writeln!(text, "\n[mesh]\nsize = {:?}", size / unit)?;
+    }
+    Ok(())
+}
+
+/// The reference line: its points, or its arcs.
+fn write_line(text: &mut String, line: &ReferenceLine, unit: f64) -> std::fmt::Result {
+    let list = |values: Vec<f64>| format!("{values:?}");
+    let of = |value: &dyn Fn(&LinePoint) -> f64| list(line.points.iter().map(value).collect());
+    writeln!(text, "\n[line]")?;
+    let word = match line.course {
+        LineCourse::Polyline => "polyline",
+        LineCourse::Spline => "spline",
+        LineCourse::Arcs => return write_arcs(text, line, unit),
+    };
+    writeln!(text, "course = {word:?}")?;
+    for (axis, key) in ["x", "y", "z"].into_iter().enumerate() {
+        writeln!(text, "{key} = {}", of(&|point| point.position[axis] / unit))?;
+    }
+    let twists: Vec<String> = line.points.iter().map(|one| angle(one.twist)).collect();
+    writeln!(text, "twist = [{}]", twists.join(", "))
+}
+
+/// The arcs of a line, whose points follow from them.
+fn write_arcs(text: &mut String, line: &ReferenceLine, unit: f64) -> std::fmt::Result {
+    if let Some(root) = line.points.first() {
+        writeln!(text, "twist = {}", angle(root.twist))?;
+    }
+    for (length, curvature) in line.arc_length.iter().zip(&line.curvature) {
+        let rates: Vec<String> = curvature
+            .iter()
+            .map(|rate| format!("\"{rate:?} rad/m\""))
+            .collect();
+        writeln!(text, "\n[[line.arc]]\nlength = {:?}", length / unit)?;
+        writeln!(text, "curvature = [{}]", rates.join(", "))?;
     }
     Ok(())
 }

@@ -55,6 +55,24 @@ fn at(layup: &Layup, eta: f64) -> LayupSection {
         .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
+/// Points of a contour lie on another one, within 0.3 % of its chord.
+fn check_contour(found: &[[f64; 2]], expected: &[[f64; 2]], name: &str) {
+    let outline = Outline::new(found).expect("a contour");
+    let ends = |pick: fn(f64, f64) -> f64| expected.iter().map(|p| p[0]).reduce(pick);
+    let chord = ends(f64::max).expect("points") - ends(f64::min).expect("points");
+    let distance = |p: &[f64; 2]| {
+        let s = (0..2000).map(|i| outline.perimeter() * f64::from(i) / 2000.0);
+        let off = s.map(|s| {
+            let q = outline.position(s);
+            (q[0] - p[0]).hypot(q[1] - p[1])
+        });
+        off.fold(f64::INFINITY, f64::min)
+    };
+    let farthest = expected.iter().map(distance).fold(0.0, f64::max);
+    println!("{}: contour {:.5}", name, farthest / chord);
+    assert!(farthest < 3e-3 * chord, "{}: {}", name, farthest / chord);
+}
+
 /// Ten sections of the four public blades, resolved by an independent program from the files of
 /// version 1: arcs and thicknesses within 2e-4 of the contour, contours within 0.3 % of the chord
 /// (the numbers of the reference have 7 digits; its airfoils are splines over other points).
@@ -70,33 +88,7 @@ fn public_blades_have_the_resolved_sections() {
         };
         let found = at(&blade(file), eta.parse().expect("a number"));
         let expected = &case.section;
-        let outline = Outline::new(&found.contour).expect("a contour");
-        let chord = expected
-            .contour
-            .iter()
-            .map(|p| p[0])
-            .fold(f64::NEG_INFINITY, f64::max)
-            - expected
-                .contour
-                .iter()
-                .map(|p| p[0])
-                .fold(f64::INFINITY, f64::min);
-        let distance = |p: &[f64; 2]| {
-            let s = (0..2000).map(|i| outline.perimeter() * f64::from(i) / 2000.0);
-            let off = s.map(|s| {
-                let q = outline.position(s);
-                (q[0] - p[0]).hypot(q[1] - p[1])
-            });
-            off.fold(f64::INFINITY, f64::min)
-        };
-        let farthest = expected.contour.iter().map(distance).fold(0.0, f64::max);
-        println!("{}: contour {:.5}", case.name, farthest / chord);
-        assert!(
-            farthest < 3e-3 * chord,
-            "{}: {}",
-            case.name,
-            farthest / chord
-        );
+        check_contour(&found.contour, &expected.contour, &case.name);
         for layer in &expected.layers {
             let mut all = found.layers.iter();
             let one = all.find(|one| one.name.eq_ignore_ascii_case(&layer.name));
@@ -192,6 +184,8 @@ fn written_blades_are_read_again() {
             rows.map(str::to_owned).collect()
         };
         assert_eq!(rows(&layup.constants), rows(&again.constants));
+        assert!(layup.line.is_some());
+        assert_eq!(layup.line, again.line);
         for i in 0..=20 {
             let eta = f64::from(i) / 20.0;
             assert_eq!(layup.section(eta).ok(), again.section(eta).ok(), "{eta}");
@@ -200,6 +194,39 @@ fn written_blades_are_read_again() {
             layup_file(&again, "a.yaml").lines().count() + layup.remarks.len(),
             text.lines().count()
         );
+    }
+}
+
+/// Lines of arcs, units, forms of places and stations are written too.
+#[test]
+fn written_layup_files_are_read_again() {
+    let line = "stations = [0, 0.5]\n[line]\ntwist = 0.1\narc = [{ length = 9, curvature = [0.01, 0, 0.02] }]\n";
+    for name in ["wind_blade", "rotor_blade"] {
+        let file = format!("tests/layup/files/{name}.layup.toml");
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        let text = std::fs::read_to_string(&file).expect("a file");
+        let (stations, arcs) = line.split_once('\n').expect("two parts");
+        let text = format!("{stations}\n{text}\n{arcs}");
+        let layup = layup::parse(&text, &file).unwrap_or_else(|problems| panic!("{problems}"));
+        let written = layup_file(&layup, name);
+        let again = layup::parse(&written, Path::new("a.layup.toml"));
+        let again = again.unwrap_or_else(|problems| panic!("{problems}\n{written}"));
+        assert_eq!(layup.stations, again.stations);
+        assert_eq!(layup.line.as_ref().map(|line| line.points.len()), Some(2));
+        let [one, two] = [&layup, &again].map(|layup| layup.line.clone().expect("a line").length());
+        close(one, two, 1e-14, "length");
+        for eta in [0.1, 0.4, 0.8] {
+            let [one, two] = [at(&layup, eta), at(&again, eta)];
+            assert_eq!(one.layers.len(), two.layers.len());
+            for (a, b) in one.layers.iter().zip(&two.layers) {
+                // lengths are divided by the unit and multiplied again
+                close(a.thickness, b.thickness, 1e-14, &a.name);
+                assert!(
+                    (a.from - b.from).abs() + (a.to - b.to).abs() < 1e-9,
+                    "{a:?} {b:?}"
+                );
+            }
+        }
     }
 }
 
@@ -259,70 +286,72 @@ fn places_on_a_circle_are_exact() {
     );
 }
 
+/// Text of the tube, a wrong one, and a part of the message.
+const MISTAKES: [(&str, &str, &str); 14] = [
+    (
+        "material: foam",
+        "material: faom",
+        "a.yaml:76: material of low: found \"faom\", expected a material of the file\n  help: did you mean \"foam\"?",
+    ),
+    (
+        "anchor: {name: cap,",
+        "anchor: {name: cp,",
+        "expected the name of an anchor\n  help: did you mean \"cap\"?",
+    ),
+    (
+        "name: circle, spanwise_position: 0}",
+        "name: circel, spanwise_position: 0}",
+        "a.yaml:16: airfoil of the blade: found \"circel\"",
+    ),
+    (
+        "values: [10, 5]",
+        "values: [10]",
+        "a.yaml:69: n_plies of layer \"cap\": found 1 values, expected 2",
+    ),
+    (
+        "grid: [0.1, 0.8]",
+        "grid: [0.8, 0.1]",
+        "found 0.1 after 0.8, expected increasing positions",
+    ),
+    (
+        "web: main",
+        "web: mian",
+        "found \"mian\", expected the name of a web\n  help: did you mean \"main\"?",
+    ),
+    (
+        "values: [0.6, 0.62]",
+        "values: [0.6, 1.62]",
+        "found 1.62 at 1, expected arcs from 0 to 1",
+    ),
+    (
+        "nu: [0.28, 0.28, 0.4]",
+        "nu: [0.9, 0.9, 0.9]",
+        "--repair-materials",
+    ),
+    ("nu: 0.35", "nu: 0.5", "\"glue\""),
+    ("ply_t: 0.001", "x: 0.001", "which has no ply_t"),
+    ("values: [30, 30]", "values: [30, 20]", "expected one angle"),
+    (
+        "name: web_skin",
+        "name: rear",
+        "\"rear\" is the name of another layer",
+    ),
+    (
+        "{name: TE, handle: start_nd_arc}}\n          end_nd_arc: {grid: *ends, values: [1, 1]}",
+        "{name: rear, handle: start_nd_arc}}\n          end_nd_arc: {grid: *ends, values: [1, 1]}",
+        "rear.start_nd_arc -> rear.start_nd_arc",
+    ),
+    (
+        "components:",
+        "component:",
+        "key \"components\" of the file is missing",
+    ),
+];
+
 /// Wrong files are refused with line, name, value and remedy.
 #[test]
 fn mistakes_are_reported_with_their_lines() {
-    let cases: [(&str, &str, &str); 14] = [
-        (
-            "material: foam",
-            "material: faom",
-            "a.yaml:76: material of low: found \"faom\", expected a material of the file\n  help: did you mean \"foam\"?",
-        ),
-        (
-            "anchor: {name: cap,",
-            "anchor: {name: cp,",
-            "expected the name of an anchor\n  help: did you mean \"cap\"?",
-        ),
-        (
-            "name: circle, spanwise_position: 0}",
-            "name: circel, spanwise_position: 0}",
-            "a.yaml:16: airfoil of the blade: found \"circel\"",
-        ),
-        (
-            "values: [10, 5]",
-            "values: [10]",
-            "a.yaml:69: n_plies of layer \"cap\": found 1 values, expected 2",
-        ),
-        (
-            "grid: [0.1, 0.8]",
-            "grid: [0.8, 0.1]",
-            "found 0.1 after 0.8, expected increasing positions",
-        ),
-        (
-            "web: main",
-            "web: mian",
-            "found \"mian\", expected the name of a web\n  help: did you mean \"main\"?",
-        ),
-        (
-            "values: [0.6, 0.62]",
-            "values: [0.6, 1.62]",
-            "found 1.62 at 1, expected arcs from 0 to 1",
-        ),
-        (
-            "nu: [0.28, 0.28, 0.4]",
-            "nu: [0.9, 0.9, 0.9]",
-            "--repair-materials",
-        ),
-        ("nu: 0.35", "nu: 0.5", "\"glue\""),
-        ("ply_t: 0.001", "x: 0.001", "which has no ply_t"),
-        ("values: [30, 30]", "values: [30, 20]", "expected one angle"),
-        (
-            "name: web_skin",
-            "name: rear",
-            "\"rear\" is the name of another layer",
-        ),
-        (
-            "{name: TE, handle: start_nd_arc}}\n          end_nd_arc: {grid: *ends, values: [1, 1]}",
-            "{name: rear, handle: start_nd_arc}}\n          end_nd_arc: {grid: *ends, values: [1, 1]}",
-            "rear.start_nd_arc -> rear.start_nd_arc",
-        ),
-        (
-            "components:",
-            "component:",
-            "key \"components\" of the file is missing",
-        ),
-    ];
-    for (from, to, expected) in cases {
+    for (from, to, expected) in MISTAKES {
         let problem = changed(&[(from, to)]).err();
         let problem = problem.unwrap_or_else(|| panic!("{to} is read"));
         assert!(problem.contains(expected), "{to}: {problem}");

@@ -1,7 +1,9 @@
 //! The keys of layup files.
 
+use shared_geom::blade::LINE_TABLE;
 use shared_geom::document::schema::ValueKind::{
-    Boolean, FreeMatrix, Numbers, Positive, Quantity, Table as OneTable, Tables, Text, Word,
+    Boolean, FreeMatrix, Numbers, Positive, Quantities, Quantity, Table as OneTable, Tables, Text,
+    Word,
 };
 use shared_geom::document::schema::{Family, TableSchema, UNITS};
 use shared_geom::document::{ByHand, Nested, NestedList};
@@ -27,6 +29,13 @@ keys! {
         "";
     /// The webs.
     pub(super) WEBS: NestedList = "web", [Tables(&WEB)], optional, "";
+    /// The reference line of the blade, on which the origins of the sections are; its length is the
+    /// length of the blade.
+    pub(super) LINE: Nested = "line", [OneTable(&LINE_TABLE)], optional, "";
+    /// Positions along the span of the sections that `blade` solves, as parts of the length of the
+    /// line; it chooses them without this key.
+    pub(super) STATIONS: ByHand = "stations", [Quantities(Dimension::NUMBER)], optional,
+        "[0, 0.25, 1]";
     /// Sizes of the cells.
     pub(super) MESH: Nested = "mesh", [OneTable(&MESH_TABLE)], optional, "";
     with MATERIALS.schema;

@@ -6,7 +6,7 @@ use super::{Layup, WrittenLayer, WrittenWeb};
 use crate::mesh::generate::layup::{Layer, LayupSection, Outline, Web, WebPly};
 
 /// Thickness below which a layer is absent \[m\].
-const ABSENT: f64 = 1e-6;
+pub(super) const ABSENT: f64 = 1e-6;
 /// Width below which a layer is absent \[m\].
 const NARROW: f64 = 1e-3;
 

@@ -119,7 +119,7 @@ pub(super) fn read(text: &str, path: &Path, materials: Materials) -> Result<Layu
         remarks: Vec::new(),
     };
     let layup = match yaml::parse(text) {
-        Ok(root) => blade(&root, file, materials, &mut notes),
+        Ok(root) => blade(&root, (file, text), materials, &mut notes),
         Err((line, problem)) => {
             notes.problems.push(line, &problem);
             None
@@ -131,7 +131,12 @@ pub(super) fn read(text: &str, path: &Path, materials: Materials) -> Result<Layu
         .finish(layup.map(|layup| Layup { remarks, ..layup }))
 }
 
-fn blade(root: &Node, file: String, materials: Materials, notes: &mut Notes) -> Option<Layup> {
+fn blade(
+    root: &Node,
+    (file, text): (String, &str),
+    materials: Materials,
+    notes: &mut Notes,
+) -> Option<Layup> {
     let parts = required(root, "the file", "components", notes)?;
     let blade = required(parts, "components", "blade", notes)?;
     let version = match blade.entry(Version::One.tables()[0]) {
@@ -142,7 +147,7 @@ fn blade(root: &Node, file: String, materials: Materials, notes: &mut Notes) -> 
     let outer = required(blade, "the blade", outer, notes);
     let structure = required(blade, "the blade", structure, notes);
     let shape = outer.and_then(|outer| shape::read(root, outer, version, notes));
-    let tilt = outer.and_then(|outer| Tilt::read(blade, outer, version, notes));
+    let tilt = outer.and_then(|outer| Tilt::read(blade, outer, (version, text), notes));
     let structure = structure?;
     let places = Places::new(structure, version, tilt.as_ref(), notes);
     let (used, parts) = layers::read(structure, root, &places, notes);
@@ -159,6 +164,8 @@ fn blade(root: &Node, file: String, materials: Materials, notes: &mut Notes) -> 
         layers,
         webs,
         size: None,
+        line: tilt.as_ref().map(|tilt| tilt.line.clone()),
+        stations: Vec::new(),
         constants: constants?,
         unit: 1.0,
         remarks: Vec::new(),

@@ -118,6 +118,12 @@ fn parts<'n>(
     for node in &web_nodes {
         is_complete &= bond_lines(node, places, (&mut layers, used), notes).is_some();
     }
+    tell_others(structure, notes);
+    is_complete.then_some((layers, webs))
+}
+
+/// Tells the tables of the structure that are not meshed.
+fn tell_others(structure: &Node, notes: &mut Notes) {
     let others: Vec<&str> = structure
         .keys()
         .into_iter()
@@ -130,7 +136,6 @@ fn parts<'n>(
             .remarks
             .push(format!("line {line}: not meshed: {others}"));
     }
-    is_complete.then_some((layers, webs))
 }
 
 /// A layer of the shell or of a web.

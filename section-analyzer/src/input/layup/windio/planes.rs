@@ -17,8 +17,10 @@
 //!
 //! behind the axis. In version 1, R is the opposite of `rotation`, and d = `offset_y_pa`.
 
-use shared_geom::exchange::windio_fields::{axis, numbers};
+use shared_geom::exchange::reference_line;
+use shared_geom::exchange::windio_fields::{axis, column, numbers};
 use shared_geom::exchange::yaml::Node;
+use shared_geom::line::ReferenceLine;
 
 use super::super::course::Course;
 use super::super::place::PlaceForm;
@@ -29,24 +31,46 @@ pub(super) struct Tilt {
     twist: Course,
     axis: [Course; 3],
     version: Version,
+    /// The reference line, in our axes.
+    pub line: ReferenceLine,
 }
 
 impl Tilt {
-    /// Reads the twist and the axis of a blade.
-    pub fn read(blade: &Node, outer: &Node, version: Version, notes: &mut Notes) -> Option<Self> {
+    /// Reads the twist and the axis of a blade from the text of a file.
+    pub fn read(
+        blade: &Node,
+        outer: &Node,
+        (version, text): (Version, &str),
+        notes: &mut Notes,
+    ) -> Option<Self> {
         let twist = required(outer, "the outer shape", "twist", notes)
-            .and_then(|at| course(at, "twist", notes));
+            .and_then(|at| column(at, "twist", &mut notes.problems));
         let holder = match version {
             Version::One => outer,
             Version::Two => blade,
         };
-        let columns = required(holder, "the blade", "reference_axis", notes)
-            .and_then(|at| axis(at, &mut notes.problems));
-        let factor = version.angle();
+        let node = required(holder, "the blade", "reference_axis", notes);
+        let columns = node.and_then(|at| axis(at, &mut notes.problems));
+        let (mut twist, columns) = (twist?, columns?);
+        for angle in &mut twist.values {
+            *angle *= version.angle();
+        }
+        let line = reference_line(&columns, &twist, text, &mut notes.remarks);
+        let problems = line.problems();
+        if let Some(problem) = problems.first() {
+            let (found, help) = (problem.to_string(), "correct the axis");
+            let place = node.map_or(0, |node| node.line);
+            notes.wrong(
+                place,
+                ["reference_axis", &found, "a line from root to tip", help],
+            );
+            return None;
+        }
         Some(Self {
-            twist: twist?.map(|_, angle| factor * angle),
-            axis: columns?.map(|column| Course::monotone(column.grid, column.values)),
+            twist: Course::monotone(twist.grid, twist.values),
+            axis: columns.map(|column| Course::monotone(column.grid, column.values)),
             version,
+            line,
         })
     }
 
