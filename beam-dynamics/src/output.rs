@@ -14,7 +14,6 @@ mod files;
 mod folder;
 mod grid;
 mod identification;
-mod panels;
 mod performance;
 mod periodic;
 mod rows;
@@ -46,7 +45,6 @@ pub use fan::FanPlot;
 pub use files::{result_text, write};
 pub use folder::{ResultLocation, Written};
 pub use identification::{identification_csv, identification_text};
-pub use panels::PanelPlot;
 pub use performance::{
     MapPlot, performance_csv, performance_text, span_load_csv, write_performance,
 };

@@ -13,6 +13,7 @@ use crate::output::Figures;
 
 mod analyze;
 mod arguments;
+mod blade;
 mod change;
 mod check;
 mod compare;
@@ -26,6 +27,7 @@ mod matrices;
 mod report;
 mod schema;
 mod solved;
+mod strength;
 mod stress;
 
 use arguments::{Arguments, Command};
@@ -120,6 +122,8 @@ fn dispatch(
         Command::Convert(arguments) => convert::convert_model(&arguments, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),
         Command::Layup(arguments) => layup::describe(&arguments, terminal),
+        Command::Blade(arguments) => blade::solve_blade(&arguments, terminal),
+        Command::Strength(arguments) => strength::envelope(&arguments, terminal),
         Command::Report(arguments) => report::report_files(&arguments, terminal),
         Command::Compare(arguments) => compare::compare_files(&arguments, terminal),
         Command::Shift(arguments) => change::shift_file(&arguments, terminal),

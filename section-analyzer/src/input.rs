@@ -52,6 +52,7 @@ mod regions;
 mod requests;
 pub mod schema;
 mod source;
+pub mod span_loads;
 mod stiffness;
 mod strengths;
 mod summary;

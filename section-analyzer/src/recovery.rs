@@ -68,16 +68,19 @@ mod added;
 mod axes;
 mod criteria;
 mod electric;
+mod envelope;
 mod extrapolate;
 mod extremes;
 mod imposed;
 mod locate;
+pub mod rainflow;
 mod recoverer;
 mod resultant;
 mod scale;
 mod state;
 
 pub use criteria::{Criterion, FailureIndex, Mode, failure_indices};
+pub use envelope::{RegionReserve, region_reserves};
 pub use extremes::{
     Extreme, Range, RegionFailure, RegionStresses, STRESS_NAMES, criteria_of, region_failures,
     region_stresses,

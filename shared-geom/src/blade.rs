@@ -57,7 +57,7 @@ pub use compare::BladeDifference;
 pub(crate) use curved::CurvedStation;
 pub(crate) use file::parse_with;
 pub use file::{VERSION, parse, read, write};
-pub use input::{BLADE as BLADE_FILE, InputProblem};
+pub use input::{BLADE as BLADE_FILE, InputProblem, LINE_TABLE, read_line};
 pub use moments::MassMoments;
 pub use problem::BladeProblem;
 pub use reading::Reading;

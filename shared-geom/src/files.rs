@@ -82,6 +82,28 @@ pub fn write_text(file: &Path, text: &str) -> Result<(), OutputProblem> {
     std::fs::write(file, text).map_err(|error| unwritable(file, &error))
 }
 
+/// Writes a text file as a whole: into a file `FILE.part` beside it, which then takes its name, so
+/// that a program that is stopped leaves the earlier file or the new one. A link or device is
+/// written as it is.
+///
+/// # Errors
+/// [`OutputProblem::File`].
+pub fn write_whole(file: &Path, text: &str) -> Result<(), OutputProblem> {
+    let is_other = std::fs::symlink_metadata(file).is_ok_and(|about| !about.is_file());
+    if is_other {
+        return write_text(file, text);
+    }
+    let mut part = file.as_os_str().to_owned();
+    part.push(".part");
+    let part = PathBuf::from(part);
+    let written = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, file));
+    written.map_err(|error| {
+        // A missing file is ignored.
+        let _ = std::fs::remove_file(&part);
+        unwritable(file, &error)
+    })
+}
+
 /// The problem that `file` cannot be written because of `error`.
 pub(crate) fn unwritable(file: &Path, error: &io::Error) -> OutputProblem {
     OutputProblem::File {
@@ -220,6 +242,32 @@ mod tests {
             shown.ends_with("written: its folder does not exist"),
             "{shown}"
         );
+    }
+
+    /// A file that cannot be replaced keeps its content, and no part of the new one remains.
+    #[test]
+    fn whole_files_are_replaced_or_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a.csv");
+        for text in ["one", "two"] {
+            write_whole(&file, text).unwrap();
+            assert_eq!(std::fs::read_to_string(&file).unwrap(), text);
+        }
+        assert_eq!(names_beside(&file), ["a.csv"]);
+        let shown = write_whole(&folder.path().join("no/such"), "x")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            shown.ends_with("written: its folder does not exist"),
+            "{shown}"
+        );
+        #[cfg(unix)]
+        {
+            let link = folder.path().join("b.csv");
+            std::os::unix::fs::symlink(&file, &link).unwrap();
+            write_whole(&link, "three").unwrap();
+            assert_eq!(std::fs::read_to_string(&file).unwrap(), "three");
+        }
     }
 
     /// Files of the same extension are proposed before the others.

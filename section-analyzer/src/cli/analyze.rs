@@ -17,7 +17,8 @@ mod overlap;
 mod progress;
 mod sensitivity;
 
-use one::{Outcome, analyze_one};
+pub(super) use many::solve_all;
+pub(super) use one::{Outcome, Status, analyze_one};
 
 /// Identifies this program by its version and the id of its build, since two builds of
 /// one version may differ.
@@ -29,28 +30,34 @@ const PROGRAM: &str = concat!(
 
 /// A section to analyze, and the folder of its results.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Job {
-    file: PathBuf,
-    folder: PathBuf,
-    name: String,
+pub(super) struct Job {
+    /// The section file.
+    pub file: PathBuf,
+    /// The folder of its results.
+    pub folder: PathBuf,
+    /// The name of the section.
+    pub name: String,
+    /// The section as the table of sections shows it.
+    pub label: String,
 }
 
 impl Job {
     /// The results of `file` go to the folder `out`, or else to the folder `results` next
     /// to the file.
-    fn new(file: &Path, out: Option<&Path>) -> Self {
+    pub fn new(file: &Path, out: Option<&Path>) -> Self {
         let beside = || file.parent().unwrap_or(Path::new("")).join("results");
         Self {
             file: file.to_owned(),
             folder: out.map_or_else(beside, Path::to_owned),
             name: input::name_of(file),
+            label: file.display().to_string(),
         }
     }
 }
 
 /// Settings shared by all sections of a run.
 #[derive(Debug, Clone)]
-struct Run {
+pub(super) struct Run {
     /// Whether sections are solved even if nothing has changed.
     force: bool,
     /// Which figures are drawn.
@@ -62,6 +69,19 @@ struct Run {
     mesh_error: bool,
     /// Driven electrodes that are open.
     open: Vec<String>,
+}
+
+impl Run {
+    /// Properties alone, without figures.
+    pub fn plain(force: bool) -> Self {
+        Self {
+            force,
+            figures: Figures::None,
+            sensitivity: None,
+            mesh_error: false,
+            open: Vec::new(),
+        }
+    }
 }
 
 /// Analyzes sections and writes their results.
@@ -93,7 +113,13 @@ pub(super) fn analyze_files(
     };
     match &jobs[..] {
         [job] => show(analyze_one(job, &run), terminal),
-        jobs => many::analyze_many(jobs, &run, arguments.threads, terminal),
+        jobs => solve_all(
+            jobs,
+            arguments.threads,
+            &|_, job| analyze_one(job, &run),
+            terminal,
+        )?
+        .result(),
     }
 }
 

@@ -11,7 +11,9 @@ mod convert;
 mod layup;
 mod matrices;
 mod property_files;
+mod strength;
 mod stress;
+mod whole_blade;
 
 pub(super) use super::load_arguments::LoadArguments;
 pub(super) use analyze::AnalyzeArguments;
@@ -27,7 +29,11 @@ use property_files::{
 pub(super) use property_files::{
     CompareArguments, Point, PrincipalName, ReportArguments, RotateArguments, ShiftArguments,
 };
+pub(super) use strength::StrengthArguments;
+use strength::{STRENGTH, STRENGTH_EXAMPLE};
 use stress::{STRESS, STRESS_EXAMPLE};
+pub(super) use whole_blade::WholeBladeArguments;
+use whole_blade::{WHOLE_BLADE, WHOLE_BLADE_EXAMPLE};
 
 const ABOUT: &str = "\
 Computes the 6x6 stiffness and mass of a beam section of any shape and material
@@ -183,6 +189,8 @@ impl Command {
     pub fn is_quiet(&self) -> bool {
         match self {
             Self::Analyze(arguments) => arguments.quiet,
+            Self::Blade(arguments) => arguments.quiet,
+            Self::Strength(arguments) => arguments.quiet,
             Self::Stress { quiet, .. } | Self::Matrices { quiet, .. } => *quiet,
             _ => false,
         }
@@ -237,6 +245,10 @@ pub(super) enum Command {
     Mesh(Shape),
     #[command(about = first_line(LAYUP), long_about = LAYUP, after_help = LAYUP_EXAMPLE)]
     Layup(LayupArguments),
+    #[command(about = first_line(WHOLE_BLADE), long_about = WHOLE_BLADE, after_help = WHOLE_BLADE_EXAMPLE)]
+    Blade(WholeBladeArguments),
+    #[command(about = first_line(STRENGTH), long_about = STRENGTH, after_help = STRENGTH_EXAMPLE)]
+    Strength(StrengthArguments),
     #[command(about = first_line(REPORT), long_about = REPORT, after_help = REPORT_EXAMPLE)]
     Report(ReportArguments),
     #[command(about = first_line(COMPARE), long_about = COMPARE, after_help = COMPARE_EXAMPLE)]

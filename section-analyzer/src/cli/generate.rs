@@ -98,7 +98,9 @@ fn require_new(section: Option<&Path>, terminal: &mut Terminal<'_>) -> Result<()
 /// Meshes a section of a layup, and writes its section file.
 fn write_layup(arguments: &MeshLayupArguments, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     let (out, section) = (&arguments.out, arguments.section.as_deref());
-    let layup = layup::read(&arguments.file).map_err(|problems| terminal.report_all(&problems))?;
+    let treatment = super::layup::materials(arguments.repair_materials);
+    let layup = layup::read_with(&arguments.file, treatment)
+        .map_err(|problems| terminal.report_all(&problems))?;
     let meshed = layup.mesh(arguments.eta);
     let meshed = meshed.map_err(|problems| terminal.report_all(&problems))?;
     require_new(section, terminal)?;
@@ -108,6 +110,7 @@ fn write_layup(arguments: &MeshLayupArguments, terminal: &mut Terminal<'_>) -> R
         write_text(section, &text).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     }
     write_file(&meshed.mesh, out, terminal)?;
+    super::layup::write_remarks(&layup, terminal)?;
     if let Some(section) = section {
         writeln!(
             terminal.out,

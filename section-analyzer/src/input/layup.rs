@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use shared_geom::blade::read_line;
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
+use shared_geom::line::ReferenceLine;
 use shared_geom::mesh::Mesh;
 use shared_geom::units::Dimension;
 
@@ -16,17 +18,20 @@ mod place;
 mod problem;
 mod resolve;
 mod shape;
+mod span;
+mod windio;
 
 pub use course::Course;
-pub use place::{Place, PlaceForm};
+pub use place::{Place, PlaceForm, SIDES};
 pub use problem::LayupFileProblem;
 pub use shape::Shape;
+pub use span::{Selection, SpanStation};
 
 pub(super) use keys::LAYUP_FILE;
 
 use keys::{
-    FIBER_ANGLE, FROM, LAYERS, MATERIAL, MESH, NAME, PLIES, PRESSURE, RANGE, SHAPE, SIZE, SUCTION,
-    TAPER, THICKNESS, TO, WEB_NAME, WEBS,
+    FIBER_ANGLE, FROM, LAYERS, LINE, MATERIAL, MESH, NAME, PLIES, PRESSURE, RANGE, SHAPE, SIZE,
+    SUCTION, TAPER, THICKNESS, TO, WEB_NAME, WEBS,
 };
 use resolve::Resolver;
 
@@ -41,10 +46,17 @@ pub struct Layup {
     pub webs: Vec<WrittenWeb>,
     /// Largest length of cells \[m\].
     pub size: Option<f64>,
+    /// The reference line of the blade.
+    pub line: Option<ReferenceLine>,
+    /// Positions along the span at which the blade is to be solved; empty if they are chosen
+    /// [-].
+    pub stations: Vec<f64>,
     /// The tables of units and materials as written.
     pub constants: String,
     /// The unit of length of the file \[m\].
     pub unit: f64,
+    /// Choices that the reader of a file of another tool made.
+    pub remarks: Vec<String>,
     file: String,
     shape_line: usize,
 }
@@ -97,12 +109,34 @@ pub struct LayupMesh {
     pub areas: Vec<LayerArea>,
 }
 
-/// Reads the layup file at `path`.
+/// Treatment of materials of other tools' files that no material can be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Materials {
+    /// They are errors.
+    #[default]
+    AsGiven,
+    /// Poisson's ratios are reduced until they are possible, which is a remark.
+    Repaired,
+}
+
+/// Reads the layup file, or the turbine file of windIO, at `path`.
 ///
 /// # Errors
 /// All problems of the file and of its airfoil files.
 pub fn read(path: &Path) -> Result<Layup, Diagnostics> {
-    parse(&read_text(path)?, path)
+    read_with(path, Materials::AsGiven)
+}
+
+/// As [`read`], with a treatment of impossible materials of windIO files.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(path: &Path, materials: Materials) -> Result<Layup, Diagnostics> {
+    let text = read_text(path)?;
+    if windio::recognize(&text, path) {
+        return windio::read(&text, path, materials);
+    }
+    parse(&text, path)
 }
 
 /// Reads the text of a layup file, as if it were at `path`.
@@ -126,21 +160,30 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let layers = root.each(&LAYERS, |table| layer(table, &known, true));
     let webs = root.each(&WEBS, |table| web(table, &known));
     let size = root.nested(&MESH, |table| table.get(&SIZE));
+    let line = root.nested(&LINE, read_line);
+    let stations = span::stations(&root);
     root.finish();
     if let (Some(layers), Some(webs)) = (&layers, &webs) {
-        check_names(&document, layers, webs);
+        for (line, problem) in doubled_names(layers, webs) {
+            document.note(line, &problem);
+        }
     }
-    let layup = match (shape, layers, webs, size) {
-        (Some(Some(shape)), Some(layers), Some(webs), Some(size)) => Some(Layup {
-            shape,
-            layers,
-            webs,
-            size: size.flatten(),
-            constants: constants(text),
-            unit: document.factor(Dimension::LENGTH),
-            file: path.display().to_string(),
-            shape_line,
-        }),
+    let layup = match (shape, layers, webs, size.zip(line).zip(stations)) {
+        (Some(Some(shape)), Some(layers), Some(webs), Some(((size, line), stations))) => {
+            Some(Layup {
+                shape,
+                layers,
+                webs,
+                size: size.flatten(),
+                line,
+                stations,
+                constants: constants(text),
+                unit: document.factor(Dimension::LENGTH),
+                remarks: Vec::new(),
+                file: path.display().to_string(),
+                shape_line,
+            })
+        }
         _ => None,
     };
     document.finish(layup)
@@ -204,9 +247,10 @@ fn web(table: &Table<'_>, known: &[String]) -> Option<WrittenWeb> {
     })
 }
 
-/// Notes names that are given twice.
-fn check_names(document: &Document, layers: &[WrittenLayer], webs: &[WrittenWeb]) {
+/// Names that are given twice, with their lines.
+fn doubled_names(layers: &[WrittenLayer], webs: &[WrittenWeb]) -> Vec<(usize, LayupFileProblem)> {
     let mut known: Vec<(&str, usize)> = Vec::new();
+    let mut problems = Vec::new();
     let plies = webs.iter().flat_map(|web| &web.plies);
     let names = layers
         .iter()
@@ -216,11 +260,12 @@ fn check_names(document: &Document, layers: &[WrittenLayer], webs: &[WrittenWeb]
         match known.iter().find(|one| one.0 == name) {
             Some((_, first)) => {
                 let name = name.to_owned();
-                document.note(line, &LayupFileProblem::NameTwice { name, line: *first });
+                problems.push((line, LayupFileProblem::NameTwice { name, line: *first }));
             }
             None => known.push((name, line)),
         }
     }
+    problems
 }
 
 /// The lines of the tables of units and materials, and of a word of units at the top.
@@ -229,9 +274,8 @@ fn constants(text: &str) -> String {
     let (mut is_kept, mut is_top) = (false, true);
     for line in text.lines() {
         let start = line.trim_start();
-        if start.starts_with('[') {
+        if let Some(name) = table_name(start) {
             is_top = false;
-            let name = start.trim_start_matches('[').trim_start();
             is_kept = name.starts_with("material") || name.starts_with("units");
         }
         if is_kept || (is_top && start.starts_with("units")) {
@@ -240,6 +284,14 @@ fn constants(text: &str) -> String {
         }
     }
     kept
+}
+
+/// The name in the head of a table; `None` for other lines, such as the rows of a matrix.
+pub fn table_name(line: &str) -> Option<&str> {
+    let name = line.trim_start().strip_prefix('[')?;
+    let name = name.trim_start_matches('[').trim_start();
+    name.starts_with(|letter: char| letter.is_ascii_alphabetic())
+        .then_some(name)
 }
 
 impl Layup {

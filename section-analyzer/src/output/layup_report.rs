@@ -5,6 +5,48 @@ use std::fmt::Write;
 use crate::input::layup::{Layup, LayupMesh};
 use crate::mesh::short;
 
+/// A layer or ply of a web in a meshed section.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LayerRow {
+    /// Its name.
+    pub layer: String,
+    /// The name of its material.
+    pub material: String,
+    /// Arcs at which it starts and ends; of a ply of a web, arcs of the web [-].
+    pub arcs: [f64; 2],
+    /// Its thickness \[m\].
+    pub thickness: f64,
+    /// Its area as given \[m^2\].
+    pub nominal: f64,
+    /// The area of its cells \[m^2\].
+    pub meshed: f64,
+}
+
+/// The layers of a meshed section, then the plies of its webs.
+pub fn layer_rows(layup: &Layup, meshed: &LayupMesh) -> Vec<LayerRow> {
+    let layers = meshed.section.layers.iter();
+    let layers = layers.map(|layer| (&layer.name, [layer.from, layer.to], layer.thickness));
+    let plies = meshed.section.webs.iter().flat_map(|web| {
+        let plies = web.plies.iter();
+        plies.map(|ply| (&ply.name, web.arcs, ply.thickness))
+    });
+    let areas = meshed.areas.iter().map(|area| [area.nominal, area.meshed]);
+    let rows = layers.chain(plies).zip(areas);
+    let row =
+        |((name, arcs, thickness), [nominal, meshed]): ((&String, [f64; 2], f64), [f64; 2])| {
+            let material = layup.layer(name).map(|layer| layer.material.clone());
+            LayerRow {
+                layer: name.clone(),
+                material: material.unwrap_or_default(),
+                arcs,
+                thickness,
+                nominal,
+                meshed,
+            }
+        };
+    rows.map(row).collect()
+}
+
 /// Layers and webs of a meshed section: arcs, thickness, and areas as given and of the cells.
 pub fn layup_report(layup: &Layup, eta: f64, meshed: &LayupMesh) -> String {
     let mut text = String::new();
@@ -33,34 +75,18 @@ fn write_report(
         "  {:<24} {:<16} {:>9} {:>9} {:>12} {:>12} {:>9}",
         "layer", "material", "from arc", "to arc", "thickness", "area", "of nominal"
     )?;
-    let material = |name: &str| {
-        layup
-            .layer(name)
-            .map_or("", |layer| layer.material.as_str())
-    };
-    let mut areas = meshed.areas.iter();
-    let mut row = |text: &mut String, name: &str, arcs: [f64; 2], thickness: f64| {
-        let area = areas.next();
-        let [meshed, nominal] = area.map_or([0.0; 2], |area| [area.meshed, area.nominal]);
+    for row in layer_rows(layup, meshed) {
         writeln!(
             text,
             "  {:<24} {:<16} {:>9.4} {:>9.4} {:>12.5e} {:>12.5e} {:>9.2}%",
-            name,
-            material(name),
-            arcs[0],
-            arcs[1],
-            thickness / unit,
-            meshed / (unit * unit),
-            100.0 * meshed / nominal
-        )
-    };
-    for layer in &meshed.section.layers {
-        row(text, &layer.name, [layer.from, layer.to], layer.thickness)?;
-    }
-    for web in &meshed.section.webs {
-        for ply in &web.plies {
-            row(text, &ply.name, web.arcs, ply.thickness)?;
-        }
+            row.layer,
+            row.material,
+            row.arcs[0],
+            row.arcs[1],
+            row.thickness / unit,
+            row.meshed / (unit * unit),
+            100.0 * row.meshed / row.nominal
+        )?;
     }
     Ok(())
 }

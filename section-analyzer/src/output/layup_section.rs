@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::input::layup::{Layup, LayupMesh};
+use crate::input::layup::{Layup, LayupMesh, table_name};
 
 /// The section file of a meshed layup, whose mesh is called `mesh`.
 pub fn layup_section(layup: &Layup, meshed: &LayupMesh, mesh: &str) -> String {
@@ -12,13 +12,45 @@ pub fn layup_section(layup: &Layup, meshed: &LayupMesh, mesh: &str) -> String {
     text
 }
 
+/// The tables of units and of the materials of this section: another section does not depend on
+/// the constants of the other materials.
+fn constants(layup: &Layup, meshed: &LayupMesh) -> String {
+    let layers = meshed.section.layers.iter().map(|layer| &layer.name);
+    let plies = meshed.section.webs.iter().flat_map(|web| &web.plies);
+    let names = layers.chain(plies.map(|ply| &ply.name));
+    let layers = names.filter_map(|name| layup.layer(name));
+    let materials: Vec<&str> = layers.map(|layer| layer.material.as_str()).collect();
+    let is_used = |head: &str| match head.strip_prefix("material.") {
+        Some(rest) if rest.starts_with(['"', '\'']) => {
+            let quote = &rest[..1];
+            let name = rest[1..].split(quote).next().unwrap_or_default();
+            materials.contains(&name)
+        }
+        Some(rest) => {
+            let end = rest.find(['.', ']', ' ']).unwrap_or(rest.len());
+            materials.contains(&&rest[..end])
+        }
+        None => true,
+    };
+    let mut is_kept = true;
+    let mut kept = String::new();
+    for line in layup.constants.lines() {
+        is_kept = table_name(line).map_or(is_kept, is_used);
+        if is_kept {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+    }
+    kept
+}
+
 fn write_section(
     text: &mut String,
     layup: &Layup,
     meshed: &LayupMesh,
     mesh: &str,
 ) -> std::fmt::Result {
-    writeln!(text, "mesh = {mesh:?}\n{}", layup.constants)?;
+    writeln!(text, "mesh = {mesh:?}\n{}", constants(layup, meshed))?;
     let is_there = |group: &str| {
         let mut groups = meshed.mesh.groups.iter();
         groups.any(|known| known.dimension == 2 && known.name.as_deref() == Some(group))

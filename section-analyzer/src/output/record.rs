@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use shared_geom::files::{OutputProblem, write_text};
+use shared_geom::files::{OutputProblem, write_whole};
 use shared_geom::hash::sha256_of_file;
 
 use super::files::OutputFiles;
@@ -68,7 +68,7 @@ impl AnalysisRecord {
         };
         // strings and lists of strings always have a JSON form
         let text = serde_json::to_string_pretty(&record).unwrap_or_default();
-        write_text(&files.record(), &(text + "\n"))
+        write_whole(&files.record(), &(text + "\n"))
     }
 
     /// Whether a run whose input has the fingerprint `made_from` would write the existing
@@ -103,6 +103,7 @@ fn content_of(files: &OutputFiles, name: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shared_geom::files::write_text;
 
     fn files(folder: &Path) -> OutputFiles {
         OutputFiles::new(folder, "a").unwrap()

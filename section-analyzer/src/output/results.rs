@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use shared_geom::figure::Figure;
-use shared_geom::files::{OutputProblem, write_figure, write_text};
+use shared_geom::files::{OutputProblem, write_figure, write_whole};
 
 use super::files::OutputFiles;
 use super::record::AnalysisRecord;
@@ -92,7 +92,7 @@ impl ResultWriter {
     /// # Errors
     /// [`OutputProblem::File`].
     pub fn text(&mut self, file: PathBuf, text: &str) -> Result<(), OutputProblem> {
-        self.add(file, |file| write_text(file, text))
+        self.add(file, |file| write_whole(file, text))
     }
 
     /// Draws a figure, which is made only if figures are drawn; otherwise the figure of an
@@ -187,6 +187,7 @@ impl ResultWriter {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shared_geom::files::write_text;
 
     /// The second run writes one file less: the file is removed, and the record of the first
     /// run does not exist during the second one.

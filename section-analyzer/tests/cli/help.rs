@@ -49,6 +49,14 @@ const EXAMPLES: &[(&[&str], &str)] = &[
         "section-analyzer layup blade.layup.toml --eta 0.2,0.4",
     ),
     (
+        &["blade", "--help"],
+        "section-analyzer blade rotor.layup.toml --out rotor",
+    ),
+    (
+        &["strength", "--help"],
+        "section-analyzer strength rotor/rotor.span.csv --loads",
+    ),
+    (
         &["mesh", "layup", "--help"],
         "section-analyzer mesh layup blade.layup.toml --eta 0.4",
     ),

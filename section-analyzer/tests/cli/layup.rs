@@ -164,3 +164,60 @@ fn mistakes_are_reported_with_their_lines() {
         assert!(run.err.contains(expected), "{to}: {}", run.err);
     }
 }
+
+/// A turbine file of windIO stands where a layup file stands, and becomes one.
+#[test]
+fn a_turbine_file_becomes_a_layup_file() {
+    let workplace = Workplace::new();
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/layup/files/tube.windio.yaml"
+    );
+    let text = std::fs::read_to_string(file).expect("a file");
+    workplace.write("a.yaml", &text);
+    let run = workplace.run(&["layup", "a.yaml", "--out", "a.layup.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.out.contains("5 layers and 1 webs"), "{}", run.out);
+    assert!(run.out.contains("note: line "), "{}", run.out);
+    let written = workplace.read("a.layup.toml");
+    assert!(
+        written.starts_with("# made of a.yaml\n# line "),
+        "{written}"
+    );
+    let describe = |file: &str| {
+        let run = workplace.run(&["layup", file, "--eta", "0.5"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        let rows = run.out.lines().filter(|row| !row.contains("note: "));
+        rows.map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(describe("a.yaml"), describe("a.layup.toml"));
+    let again = workplace.run(&["layup", "a.yaml", "--out", "a.layup.toml"]);
+    assert_eq!(again.code, 2);
+    assert!(again.err.contains("exists already"), "{}", again.err);
+    let mesh = ["mesh", "layup", "a.yaml", "--eta", "0.5", "--out", "a.msh"];
+    let run = workplace.run(&[&mesh[..], &["--section", "a.section.toml"]].concat());
+    assert_eq!(run.code, 0, "{}", run.err);
+    let run = workplace.run(&["check", "a.section.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+}
+
+/// A material that cannot be is refused, or repaired on demand.
+#[test]
+fn impossible_materials_are_repaired_on_demand() {
+    let workplace = Workplace::new();
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/layup/files/tube.windio.yaml"
+    );
+    let text = std::fs::read_to_string(file).expect("a file");
+    let text = text.replacen("nu: 0.35", "nu: 0.5", 1);
+    let text = text.replacen("nu: [0.28, 0.28, 0.4]", "nu: [0.28, 0.28, 1.1]", 1);
+    workplace.write("a.yaml", &text);
+    let run = workplace.run(&["layup", "a.yaml", "--eta", "0.5"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("--repair-materials"), "{}", run.err);
+    let run = workplace.run(&["layup", "a.yaml", "--eta", "0.5", "--repair-materials"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.out.contains("replaced by 0.49"), "{}", run.out);
+    assert!(run.out.contains("multiplied by 0."), "{}", run.out);
+}

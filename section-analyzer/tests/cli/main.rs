@@ -23,6 +23,8 @@ mod mesh_error;
 mod prestress;
 mod property_files;
 mod sensitivity;
+mod strength;
 mod stress;
 mod unchanged;
+mod whole_blade;
 mod workplace;

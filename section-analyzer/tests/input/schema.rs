@@ -78,6 +78,7 @@ const SUBJECTS: [Subject; 4] = [
             "[shape] has 3",
             "is the name of another",
             "expected one of \"arc\"",
+            "no file \"blade.csv\"",
         ],
         referred: &[],
     },

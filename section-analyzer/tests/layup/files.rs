@@ -21,7 +21,7 @@ fn read(name: &str) -> layup::Layup {
 }
 
 /// The section file of a station, read again.
-fn section(layup: &layup::Layup, eta: f64) -> input::Input {
+pub fn section(layup: &layup::Layup, eta: f64) -> input::Input {
     let meshed = layup
         .mesh(eta)
         .unwrap_or_else(|problems| panic!("{problems}"));

@@ -8,3 +8,5 @@ mod closed_forms;
 mod files;
 mod random;
 mod sections;
+mod stations;
+mod windio;

@@ -20,6 +20,15 @@ pub fn reference(name: &str) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
+/// Checks a number with a relative tolerance.
+pub fn close(found: f64, expected: f64, tolerance: f64, of: &str) {
+    let error = found - expected;
+    assert!(
+        error.abs() <= tolerance * expected.abs(),
+        "{of}: {found}, expected {expected}"
+    );
+}
+
 pub fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }

@@ -14,6 +14,7 @@ use crate::document::{Document, Table, read_text};
 use crate::error::{Diagnostics, SourceLocation};
 use crate::files::name_without;
 use crate::hash::sha256_of;
+use crate::line::ReferenceLine;
 use crate::section::Provenance;
 use crate::units::Dimension;
 
@@ -29,11 +30,22 @@ mod station_file;
 mod stations;
 mod values;
 
-pub use keys::BLADE;
+pub use keys::{BLADE, LINE_TABLE};
 pub use problem::InputProblem;
 
 use frame::Frame;
 use keys::{BLADE_FILE, DAMPING, INTERPOLATION, LINE, NAME, PROPORTIONAL, REFERENCE_POINT, TIMES};
+
+/// Reads the table `[line]` of another input file, in Helicoid's axes; `None` after a problem,
+/// which has been noted.
+pub fn read_line(table: &Table<'_>) -> Option<ReferenceLine> {
+    let line = line::read(table, Some(&Frame::ours()), &Sources::default())?;
+    let problems = line.problems();
+    for problem in &problems {
+        table.note("", problem);
+    }
+    problems.is_empty().then_some(line)
+}
 
 /// The ending of the files that people write.
 const ENDING: &str = ".blade.toml";

@@ -26,7 +26,7 @@ use crate::error::Diagnostics;
 
 mod assemble;
 mod block;
-mod fields;
+pub mod fields;
 mod into;
 mod mass;
 mod version1;
@@ -38,6 +38,7 @@ mod into_tests;
 #[cfg(test)]
 mod tests;
 
+pub use assemble::line as reference_line;
 pub(super) use into::write_into;
 
 /// Table of the matrices of version 1.

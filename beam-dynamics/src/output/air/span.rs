@@ -1,7 +1,8 @@
 //! Flow and loads along the blades.
 
+use shared_geom::figure::{Panel, PanelPlot};
+
 use crate::elements::{AirState, StripQuantity};
-use crate::output::panels::{Panel, PanelPlot};
 
 /// Name, unit, quantity, and its units in one SI unit.
 type Drawn = (&'static str, &'static str, StripQuantity, f64);

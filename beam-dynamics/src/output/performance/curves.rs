@@ -1,11 +1,12 @@
 //! Curves of performance: of turbines over the wind, of propellers over the advance ratio.
 
+use shared_geom::figure::{Panel, PanelPlot, scale};
+
 use super::columns::{
     Column, EFFICIENCY, FIGURE_OF_MERIT, LIFTING_CP, LIFTING_CT, PITCH, POWER, PROPELLER_CP,
     PROPELLER_CT, ROTOR_SPEED, THRUST, TURBINE_CP, TURBINE_CT,
 };
 use crate::case::{Abscissa, MachineKind};
-use crate::output::panels::{Panel, PanelPlot, scale};
 use crate::result::{PerformanceResult, PerformanceTable};
 
 /// Part of the largest value by which a quantity must vary to be drawn.

@@ -1,9 +1,9 @@
 //! Loads along the blades, mean over the azimuth.
 
 use rotor_aero::rotor::{Sector, SpanLoad};
+use shared_geom::figure::{Panel, PanelPlot};
 
 use crate::input::short_number;
-use crate::output::panels::{Panel, PanelPlot};
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable};
 
 /// A quantity along the blade.

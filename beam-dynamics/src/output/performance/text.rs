@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
+use shared_geom::figure::scale;
+
 use super::columns::{Column, PROPELLER_CT, TURBINE_CP, columns};
 use crate::case::{Abscissa, MachineKind};
 use crate::input::short_number;
-use crate::output::panels::scale;
 use crate::output::text::aligned;
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
 

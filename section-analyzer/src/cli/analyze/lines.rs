@@ -20,7 +20,7 @@ pub(super) struct Lines {
 impl Lines {
     /// The table for `jobs`, whose first column holds their files.
     pub fn new(jobs: &[Job]) -> Self {
-        let width = |job: &Job| name(job).chars().count();
+        let width = |job: &Job| job.label.chars().count();
         Self {
             width: jobs
                 .iter()
@@ -47,7 +47,7 @@ impl Lines {
         self.statuses.push(outcome.status);
         let mut line = format!(
             "{:<2$}  {:<STATUS$}",
-            name(job),
+            job.label,
             outcome.status.name(),
             self.width,
         );
@@ -97,9 +97,4 @@ impl Lines {
         let codes = self.statuses.iter().map(|status| status.code());
         codes.max().unwrap_or(0)
     }
-}
-
-/// Name of a section: its file, as given.
-fn name(job: &Job) -> String {
-    job.file.display().to_string()
 }

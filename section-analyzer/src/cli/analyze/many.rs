@@ -1,7 +1,7 @@
 //! Many sections: in parallel, with one line each in the order in which they were
 //! given.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroUsize;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
@@ -9,10 +9,10 @@ use std::time::Duration;
 use rayon::iter::{ParallelBridge, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use super::Job;
 use super::lines::Lines;
-use super::one::{Outcome, analyze_one};
+use super::one::Outcome;
 use super::progress::Progress;
-use super::{Job, Run};
 use crate::cli::{NOT_REACHED, Stop, Terminal};
 
 /// Stack of a thread \[bytes\]: as large as the stack of a main thread, so that a section
@@ -28,17 +28,41 @@ enum Event {
     Ended(usize, Box<Outcome>),
 }
 
-/// Analyzes all sections, each on one of `threads` threads, and reports the outcome of each.
+/// Solves a section, of a given index.
+type Solve<'a> = &'a (dyn Fn(usize, &Job) -> Outcome + Sync);
+
+/// The end of a run with many sections.
+#[derive(Debug)]
+pub(in crate::cli) struct Ended {
+    /// The exit code of the worst section.
+    pub worst: u8,
+    /// Reason for which the terminal accepts no more output.
+    pub closed: Option<std::io::Error>,
+}
+
+impl Ended {
+    /// The result of the command.
+    pub fn result(self) -> Result<(), Stop> {
+        match (self.worst, self.closed) {
+            (0, None) => Ok(()),
+            (0, Some(error)) => Err(Stop::Closed(error)),
+            (code, _) => Err(Stop::Reported(code)),
+        }
+    }
+}
+
+/// Solves all sections by `solve`, each on one of `threads` threads, and reports the outcome of
+/// each.
 ///
 /// The terminal belongs to the calling thread; the others only send it their outcomes. A
 /// section depends only on its own files, so that the results do not depend on the number
 /// of threads.
-pub(super) fn analyze_many(
+pub(in crate::cli) fn solve_all(
     jobs: &[Job],
-    run: &Run,
     threads: Option<NonZeroUsize>,
+    solve: Solve<'_>,
     terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
+) -> Result<Ended, Stop> {
     let threads = threads.or_else(|| std::thread::available_parallelism().ok());
     let threads = threads.map_or(1, NonZeroUsize::get).min(jobs.len());
     let pool = ThreadPoolBuilder::new()
@@ -53,7 +77,7 @@ pub(super) fn analyze_many(
     })?;
     let (sender, receiver) = channel();
     std::thread::scope(|scope| {
-        scope.spawn(|| send_outcomes(&pool, jobs, run, sender));
+        scope.spawn(|| send_outcomes(&pool, jobs, solve, sender));
         let mut listener = Listener::new(jobs, terminal);
         loop {
             match receiver.recv_timeout(TICK) {
@@ -62,18 +86,18 @@ pub(super) fn analyze_many(
                 Err(RecvTimeoutError::Disconnected) => break,
             }
         }
-        listener.finish()
+        Ok(listener.finish())
     })
 }
 
 /// Solves the sections in the order of the list, as threads become free.
-fn send_outcomes(pool: &ThreadPool, jobs: &[Job], run: &Run, sender: Sender<Event>) {
+fn send_outcomes(pool: &ThreadPool, jobs: &[Job], solve: Solve<'_>, sender: Sender<Event>) {
     pool.install(|| {
         let jobs = jobs.iter().enumerate().par_bridge();
         jobs.for_each_with(sender, |sender, (number, job)| {
             // The receiver exists until the last sender is dropped.
             let _ = sender.send(Event::Begun(number));
-            let outcome = Box::new(analyze_one(job, run));
+            let outcome = Box::new(solve(number, job));
             let _ = sender.send(Event::Ended(number, outcome));
         });
     });
@@ -88,6 +112,8 @@ struct Listener<'a, 'b> {
     progress: Progress,
     waiting: BTreeMap<usize, Box<Outcome>>,
     reported: usize,
+    /// Problems that have been shown.
+    known: BTreeSet<String>,
     /// Reason for which the terminal accepts no more output. The run continues.
     closed: Option<std::io::Error>,
 }
@@ -101,6 +127,7 @@ impl<'a, 'b> Listener<'a, 'b> {
             progress: Progress::new(jobs.len()),
             waiting: BTreeMap::new(),
             reported: 0,
+            known: BTreeSet::new(),
             closed: None,
         };
         let heading = listener.lines.heading();
@@ -118,7 +145,11 @@ impl<'a, 'b> Listener<'a, 'b> {
         }
         while let Some(outcome) = self.waiting.remove(&self.reported) {
             let line = self.lines.of(&self.jobs[self.reported], &outcome);
-            self.show(&line, outcome.problems.as_deref());
+            // sections may share a problem
+            let problems = outcome
+                .problems
+                .filter(|text| self.known.insert(text.clone()));
+            self.show(&line, problems.as_deref());
             self.reported += 1;
         }
     }
@@ -140,15 +171,14 @@ impl<'a, 'b> Listener<'a, 'b> {
         self.closed = shown.err();
     }
 
-    /// Shows the totals; the exit code is the exit code of the worst section.
-    fn finish(mut self) -> Result<(), Stop> {
+    /// Shows the totals.
+    fn finish(mut self) -> Ended {
         self.progress.finish();
         let sum = self.lines.sum();
         self.show(&sum, None);
-        match (self.lines.worst(), self.closed) {
-            (0, None) => Ok(()),
-            (0, Some(error)) => Err(Stop::Closed(error)),
-            (code, _) => Err(Stop::Reported(code)),
+        Ended {
+            worst: self.lines.worst(),
+            closed: self.closed,
         }
     }
 }
@@ -190,7 +220,7 @@ mod tests {
         assert_eq!((listener.reported, listener.waiting.len()), (1, 1));
         listener.take(ended(1, Status::Solved));
         assert!(matches!(
-            listener.finish(),
+            listener.finish().result(),
             Err(Stop::Reported(NOT_REACHED))
         ));
         let out = String::from_utf8(out).unwrap();
@@ -232,7 +262,7 @@ mod tests {
             let mut listener = Listener::new(&jobs, &mut terminal);
             (0..3).for_each(|number| listener.take(ended(number, status)));
             assert_eq!(listener.reported, 3);
-            match (listener.finish(), code) {
+            match (listener.finish().result(), code) {
                 (Err(Stop::Closed(error)), None) => {
                     assert_eq!(error.kind(), io::ErrorKind::BrokenPipe);
                 }

@@ -30,7 +30,7 @@ use crate::solution::SectionSolution;
 
 /// Outcome of the analysis of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Status {
+pub(in crate::cli) enum Status {
     /// Solved, and all files written.
     Solved,
     /// Nothing has changed since the files were written.
@@ -72,7 +72,7 @@ impl Status {
 
 /// Complete result of the analysis of a section.
 #[derive(Debug)]
-pub(super) struct Outcome {
+pub(in crate::cli) struct Outcome {
     pub status: Status,
     /// The report, if one is to be shown.
     pub report: String,
@@ -115,7 +115,7 @@ impl Outcome {
 
 /// Reads, solves and writes one section, unless nothing has changed since it was
 /// written.
-pub(super) fn analyze_one(job: &Job, run: &Run) -> Outcome {
+pub(in crate::cli) fn analyze_one(job: &Job, run: &Run) -> Outcome {
     let mut input = match input::read(&job.file) {
         Ok(input) => input,
         Err(problems) => return Outcome::wrong_input(problems.to_string()),

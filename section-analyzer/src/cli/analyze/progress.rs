@@ -4,7 +4,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::Job;
 
-/// Progress of a run, and the sections being solved.
+/// Progress of a run with the time left, and the sections being solved.
 ///
 /// It draws in the calling thread only.
 pub(super) struct Progress {
@@ -16,7 +16,8 @@ impl Progress {
     /// The display of `count` sections; hidden if the stream is not a terminal.
     pub fn new(count: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::stderr());
-        let style = ProgressStyle::with_template("[{elapsed}] {bar:24} {pos}/{len} {wide_msg}");
+        let style =
+            ProgressStyle::with_template("[{elapsed}, {eta} left] {bar:24} {pos}/{len} {wide_msg}");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         Self {
             bar,

@@ -47,7 +47,7 @@ The exit code of several sections is 2 if the input of any is wrong, else 1 if a
 could not be solved or written, else 0.";
 
 /// A number of threads.
-fn count(text: &str) -> Result<NonZeroUsize, &'static str> {
+pub(super) fn count(text: &str) -> Result<NonZeroUsize, &'static str> {
     text.parse()
         .map_err(|_| "expected a whole number, 1 or more")
 }

@@ -8,7 +8,7 @@ pub(super) const MESH_LAYUP: &str = "\
 A section of a blade, from its layup
 
 FILE contains the contour, layers along it, webs and materials, all along the span
-(NAME.layup.toml). Columns of cells run through the wall; each layer is a physical
+(NAME.layup.toml, or a turbine file of windIO). Columns of cells run through the wall; each layer is a physical
 surface. The mesh is in the unit of length of FILE, y toward the nose. With --section,
 the section file is written too, with all materials and angles.";
 
@@ -22,16 +22,19 @@ Describes a layup and meshes its sections, without solving them
 
 For each station: the layers and webs with their arcs, thicknesses and areas, given and
 meshed. A section that cannot be meshed is reported with the layer or web; the others
-are described nevertheless.";
+are described nevertheless. A turbine file of windIO is read too; with --out it is written as
+a layup file, with all that was understood of it.";
 
 pub(super) const LAYUP_EXAMPLE: &str = "\
-Example, two stations; without --eta all at which the file has values:
-  section-analyzer layup blade.layup.toml --eta 0.2,0.4";
+Examples: two stations; without --eta all at which the file has values. A turbine file as
+a layup file:
+  section-analyzer layup blade.layup.toml --eta 0.2,0.4
+  section-analyzer layup turbine.yaml --out blade.layup.toml";
 
 /// Arguments of `mesh layup`.
 #[derive(Debug, Args)]
 pub struct MeshLayupArguments {
-    /// Layup file, NAME.layup.toml
+    /// Layup file, NAME.layup.toml, or turbine file of windIO
     pub file: PathBuf,
     /// Position along the span, 0 at the root to 1 at the tip [-]
     #[arg(long, value_name = "PART", default_value_t = 0.0)]
@@ -42,14 +45,23 @@ pub struct MeshLayupArguments {
     /// Section file to write; it must not exist
     #[arg(long, value_name = "FILE")]
     pub section: Option<PathBuf>,
+    /// Reduce Poisson's ratios of windIO files that no material can have
+    #[arg(long)]
+    pub repair_materials: bool,
 }
 
 /// Arguments of `layup`.
 #[derive(Debug, Args)]
 pub struct LayupArguments {
-    /// Layup file, NAME.layup.toml
+    /// Layup file, NAME.layup.toml, or turbine file of windIO
     pub file: PathBuf,
     /// Positions along the span, 0 at the root to 1 at the tip [-]; the positions of the file if not given
     #[arg(long, value_name = "PARTS", value_delimiter = ',')]
     pub eta: Vec<f64>,
+    /// Layup file to write instead; it must not exist
+    #[arg(long, value_name = "FILE", conflicts_with = "eta")]
+    pub out: Option<PathBuf>,
+    /// Reduce Poisson's ratios of windIO files that no material can have
+    #[arg(long)]
+    pub repair_materials: bool,
 }

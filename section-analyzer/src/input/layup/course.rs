@@ -7,7 +7,14 @@
 //! s = (w_- + w_+) / (w_-/d_- + w_+/d_+),  w_- = 2 h_+ + h_-,  w_+ = h_+ + 2 h_-,  if d_- d_+ > 0
 //! ```
 //!
-//! and s = 0 otherwise; at the ends the slope of the first and the last interval.
+//! and s = 0 otherwise. At the ends, with the nearest intervals h_1 and h_2, it is the slope of the
+//! parabola through three values,
+//!
+//! ```text
+//! s = ((2 h_1 + h_2) d_1 - h_1 d_2) / (h_1 + h_2),
+//! ```
+//!
+//! 0 if its sign is not that of d_1, and at most 3 d_1 if d_1 and d_2 have opposite signs.
 //!
 //! # References
 //! - F. N. Fritsch and J. Butland, "A method for constructing local monotone piecewise cubic
@@ -28,9 +35,12 @@ keys! {
     /// The values there.
     VALUE: ByHand = "value", [FreeMatrix], required, "[3.5, 4.6, 1]";
     /// Between the positions: monotone cubics, straight lines, or the value of the position before.
-    COURSE_KIND: usize = "course", [Word(&["monotone", "linear", "constant"])],
+    COURSE_KIND: usize = "course", [Word(&WORDS)],
         or "\"monotone\"" = 0, "\"linear\"";
 }
+
+/// The words of the kinds, in their order.
+const WORDS: [&str; 3] = ["monotone", "linear", "constant"];
 
 /// How values between positions follow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,6 +77,56 @@ impl Course {
         }
     }
 
+    /// The sum with `factor` times another one: monotone cubics through the sums at the positions
+    /// of both.
+    pub fn plus(&self, other: &Self, factor: f64) -> Self {
+        let mut eta: Vec<f64> = [self.positions(), other.positions()].concat();
+        if eta.is_empty() {
+            return Self::constant(self.value[0] + factor * other.value[0]);
+        }
+        eta.sort_by(f64::total_cmp);
+        eta.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
+        let sum = |eta: &f64| self.at(*eta) + factor * other.at(*eta);
+        let value = eta.iter().map(sum).collect();
+        Self::monotone(eta, value)
+    }
+
+    /// The quantity with other values at the same positions.
+    pub fn map(&self, change: impl Fn(f64, f64) -> f64) -> Self {
+        let pairs = self.eta.iter().zip(&self.value);
+        let value = pairs.map(|(eta, value)| change(*eta, *value)).collect();
+        Self {
+            value,
+            ..self.clone()
+        }
+    }
+
+    /// The part of the table between two positions, with values at both.
+    pub fn within(&self, [from, to]: [f64; 2]) -> Self {
+        let Some(all) = Some(self.positions()).filter(|all| !all.is_empty()) else {
+            return Self::monotone(vec![from, to], vec![self.value[0]; 2]);
+        };
+        let (from, to) = (from.max(all[0]), to.min(all[all.len() - 1]));
+        let inside = all.iter().copied().filter(|eta| *eta > from && *eta < to);
+        let eta: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
+        let value = eta.iter().map(|eta| self.at(*eta)).collect();
+        Self {
+            eta,
+            value,
+            kind: self.kind,
+        }
+    }
+
+    /// The word of the course between positions.
+    pub fn word(&self) -> &'static str {
+        WORDS[self.kind as usize]
+    }
+
+    /// Positions and values.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.eta.iter().copied().zip(self.value.iter().copied())
+    }
+
     /// Whether a position is within the table; one value is everywhere.
     pub fn covers(&self, eta: f64) -> bool {
         let last = self.eta.len() - 1;
@@ -84,35 +144,11 @@ impl Course {
             return f[last];
         }
         let i = x.partition_point(|x| *x <= eta) - 1;
-        let (h, v) = (x[i + 1] - x[i], eta - x[i]);
-        let d = (f[i + 1] - f[i]) / h;
         match self.kind {
             Kind::Constant => f[i],
-            Kind::Linear => f[i] + d * v,
-            Kind::Monotone => {
-                let (a, b) = (self.slope(i), self.slope(i + 1));
-                let square = (3.0 * d - 2.0 * a - b) / h;
-                let cube = (a + b - 2.0 * d) / (h * h);
-                f[i] + v * (a + v * (square + v * cube))
-            }
+            Kind::Linear => f[i] + (f[i + 1] - f[i]) / (x[i + 1] - x[i]) * (eta - x[i]),
+            Kind::Monotone => monotone(x, &|i| f[i], eta),
         }
-    }
-
-    /// Slope of the monotone cubics at a position of the table.
-    fn slope(&self, i: usize) -> f64 {
-        let step = |i: usize| self.eta[i + 1] - self.eta[i];
-        let secant = |i: usize| (self.value[i + 1] - self.value[i]) / step(i);
-        let last = self.eta.len() - 1;
-        if i == 0 || i == last {
-            return secant(i.min(last - 1));
-        }
-        let (before, after) = (secant(i - 1), secant(i));
-        if before * after <= 0.0 {
-            return 0.0;
-        }
-        let (low, high) = (step(i - 1), step(i));
-        let weights = [2.0 * high + low, high + 2.0 * low];
-        (weights[0] + weights[1]) / (weights[0] / before + weights[1] / after)
     }
 
     /// Positions of the table; none for one value.
@@ -122,6 +158,45 @@ impl Course {
             _ => &self.eta,
         }
     }
+}
+
+/// The monotone cubics through two or more values at ascending positions, at a position between
+/// them.
+pub(super) fn monotone(x: &[f64], f: &dyn Fn(usize) -> f64, at: f64) -> f64 {
+    let i = x.partition_point(|x| *x <= at).clamp(1, x.len() - 1) - 1;
+    let (h, v) = (x[i + 1] - x[i], at - x[i]);
+    let d = (f(i + 1) - f(i)) / h;
+    let (a, b) = (slope(x, f, i), slope(x, f, i + 1));
+    let square = (3.0 * d - 2.0 * a - b) / h;
+    let cube = (a + b - 2.0 * d) / (h * h);
+    f(i) + v * (a + v * (square + v * cube))
+}
+
+/// Slope of the monotone cubics at a position of the table.
+fn slope(x: &[f64], f: &dyn Fn(usize) -> f64, i: usize) -> f64 {
+    let step = |i: usize| x[i + 1] - x[i];
+    let secant = |i: usize| (f(i + 1) - f(i)) / step(i);
+    let last = x.len() - 1;
+    if last == 1 {
+        return secant(0);
+    }
+    if i == 0 || i == last {
+        let (near, next) = if i == 0 { (0, 1) } else { (last - 1, last - 2) };
+        let ([h1, h2], [d1, d2]) = ([near, next].map(step), [near, next].map(secant));
+        let slope = ((2.0 * h1 + h2) * d1 - h1 * d2) / (h1 + h2);
+        return match slope * d1 > 0.0 {
+            false => 0.0,
+            true if d1 * d2 < 0.0 && slope.abs() > 3.0 * d1.abs() => 3.0 * d1,
+            true => slope,
+        };
+    }
+    let (before, after) = (secant(i - 1), secant(i));
+    if before * after <= 0.0 {
+        return 0.0;
+    }
+    let (low, high) = (step(i - 1), step(i));
+    let weights = [2.0 * high + low, high + 2.0 * low];
+    (weights[0] + weights[1]) / (weights[0] / before + weights[1] / after)
 }
 
 impl Declared for Course {}

@@ -1,7 +1,9 @@
 //! The keys of layup files.
 
+use shared_geom::blade::LINE_TABLE;
 use shared_geom::document::schema::ValueKind::{
-    Boolean, Numbers, Positive, Quantity, Table as OneTable, Tables, Text, Word,
+    Boolean, FreeMatrix, Numbers, Positive, Quantities, Quantity, Table as OneTable, Tables, Text,
+    Word,
 };
 use shared_geom::document::schema::{Family, TableSchema, UNITS};
 use shared_geom::document::{ByHand, Nested, NestedList};
@@ -27,6 +29,13 @@ keys! {
         "";
     /// The webs.
     pub(super) WEBS: NestedList = "web", [Tables(&WEB)], optional, "";
+    /// The reference line of the blade, on which the origins of the sections are; its length is the
+    /// length of the blade.
+    pub(super) LINE: Nested = "line", [OneTable(&LINE_TABLE)], optional, "";
+    /// Positions along the span of the sections that `blade` solves, as parts of the length of the
+    /// line; it chooses them without this key.
+    pub(super) STATIONS: ByHand = "stations", [Quantities(Dimension::NUMBER)], optional,
+        "[0, 0.25, 1]";
     /// Sizes of the cells.
     pub(super) MESH: Nested = "mesh", [OneTable(&MESH_TABLE)], optional, "";
     with MATERIALS.schema;
@@ -35,7 +44,7 @@ keys! {
 const SHAPE_TABLE: TableSchema = TableSchema {
     title: "[shape]",
     meaning: "The outer contour of the sections.",
-    keys: &[CHORD.schema, ORIGIN.schema],
+    keys: &[CHORD.schema, ORIGIN.schema, OFFSET.schema],
     families: &[
         Family {
             name: "naca",
@@ -48,18 +57,24 @@ const SHAPE_TABLE: TableSchema = TableSchema {
             keys: &[FILE.schema],
         },
         Family {
+            name: "points",
+            meaning: "Coordinates in this file.",
+            keys: &[POINTS.schema],
+        },
+        Family {
             name: "airfoils",
             meaning: "Airfoils along the span; between two of them each side is interpolated at \
-                      equal parts of its length, linearly along the span.",
-            keys: &[AIRFOILS.schema],
+                      equal parts of its length, linearly along the span, or by monotone cubics \
+                      over their relative thicknesses if `thickness` is given.",
+            keys: &[AIRFOILS.schema, RELATIVE_THICKNESS.schema],
         },
     ],
 };
 
 const AIRFOIL: TableSchema = TableSchema {
     title: "[[shape.airfoils]]",
-    meaning: "An airfoil at a position along the span.",
-    keys: &[AT_ETA.schema],
+    meaning: "An airfoil at a position along the span, or at a relative thickness.",
+    keys: &[AT_ETA.schema, AT_THICKNESS.schema],
     families: &[
         Family {
             name: "naca",
@@ -70,6 +85,11 @@ const AIRFOIL: TableSchema = TableSchema {
             name: "file",
             meaning: "Coordinates.",
             keys: &[FILE.schema],
+        },
+        Family {
+            name: "points",
+            meaning: "Coordinates in this file.",
+            keys: &[POINTS.schema],
         },
         Family {
             name: "circle",
@@ -86,14 +106,26 @@ keys! {
     /// Position of the origin of the section on the chord, 0 at the nose to 1 at the trailing edge.
     pub(super) ORIGIN: Course = "origin", [Quantity(Dimension::NUMBER), OneTable(&COURSE)],
         or "0.25" = Course::constant(0.25), "0.4";
+    /// Distance of the chord line from the origin, toward the suction side.
+    pub(super) OFFSET: Course = "offset", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
+        or "0" = Course::constant(0.0), "\"20 mm\"";
+    /// Thickness over chord along the span, for airfoils by their `thickness`.
+    pub(super) RELATIVE_THICKNESS: Option<Course> = "thickness",
+        [Quantity(Dimension::NUMBER), OneTable(&COURSE)], optional,
+        "{ eta = [0, 0.2, 1], value = [1, 0.4, 0.21] }";
     /// The four digits.
     pub(super) NACA: String = "naca", [Text], required, "\"4415\"";
     /// File of x/c and z/c, from the folder of this file, suction side first.
     pub(super) FILE: String = "file", [Text], required, "\"airfoil.dat\"";
-    /// Airfoils along the span, in its order.
+    /// Rows of x/c and z/c, from the trailing edge over the suction side to the nose and back.
+    pub(super) POINTS: ByHand = "points", [FreeMatrix], required, "[[1, 0], [0.9, 0.02]]";
+    /// Airfoils along the span, in its order, or of ascending thickness.
     pub(super) AIRFOILS: NestedList = "airfoils", [Tables(&AIRFOIL)], required, "";
     /// Position along the span, 0 at the root to 1 at the tip.
-    pub(super) AT_ETA: f64 = "eta", [Quantity(Dimension::NUMBER)], required, "0.25";
+    pub(super) AT_ETA: Option<f64> = "eta", [Quantity(Dimension::NUMBER)], optional, "0.25";
+    /// Thickness over chord, in the place of `eta` if [shape] has a `thickness`.
+    pub(super) AT_THICKNESS: Option<f64> = "thickness", [Quantity(Dimension::NUMBER)], optional,
+        "0.36";
     /// True for a circle.
     pub(super) CIRCLE: bool = "circle", [Boolean], required, "true";
 }

@@ -9,7 +9,7 @@ use shared_geom::units::Dimension;
 use super::course::{COURSE, Course};
 
 /// Sides of a contour.
-const SIDES: [&str; 2] = ["suction", "pressure"];
+pub const SIDES: [&str; 2] = ["suction", "pressure"];
 
 keys! {
     /// A place on the contour. As a number it is the part of the contour from the trailing edge
@@ -25,9 +25,15 @@ keys! {
     /// Length along the surface from the trailing edge, on a `side`.
     DISTANCE: Option<Course> = "distance", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
         optional, "\"120 mm\"";
+    /// Where the plane at this distance behind the origin meets a `side`.
+    PLANE: Option<Course> = "plane", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
+        optional, "\"-0.35 m\"";
+    /// Angle of the plane from the normal of the chord line, its suction side aft.
+    ANGLE: Course = "angle", [Quantity(Dimension::ANGLE), OneTable(&COURSE)],
+        or "0" = Course::constant(0.0), "\"3 deg\"";
     /// A place by its name.
     AT: Option<String> = "at", [Text], optional, "\"cap_suction.end\"";
-    /// The side of `x` and `distance`.
+    /// The side of `x`, `distance` and `plane`.
     SIDE: Option<usize> = "side", [Word(&SIDES)], optional, "\"suction\"";
     /// Length along the contour that is added, in its direction.
     SHIFT: Course = "shift", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
@@ -52,6 +58,9 @@ pub enum PlaceForm {
     X(Course, usize),
     /// Length from the trailing edge on a side \[m\].
     Distance(Course, usize),
+    /// The plane at a distance behind the origin \[m\] whose normal is turned by an angle
+    /// \[rad\], on a side.
+    Plane(Course, Course, usize),
     /// The name of a place.
     Named(String),
 }
@@ -62,17 +71,36 @@ impl Place {
         Self::of(PlaceForm::Arc(Course::constant(part)))
     }
 
-    fn of(form: PlaceForm) -> Self {
+    /// A place without a shift.
+    pub fn of(form: PlaceForm) -> Self {
         let shift = Course::constant(0.0);
         Self { form, shift }
+    }
+
+    /// The place shifted by `factor` times a length.
+    pub fn shifted(mut self, by: &Course, factor: f64) -> Self {
+        self.shift = self.shift.plus(by, factor);
+        self
+    }
+
+    /// Whether a position is within its table.
+    pub fn covers(&self, eta: f64) -> bool {
+        match &self.form {
+            PlaceForm::Arc(course)
+            | PlaceForm::X(course, _)
+            | PlaceForm::Distance(course, _)
+            | PlaceForm::Plane(course, ..) => course.covers(eta),
+            PlaceForm::Named(_) => true,
+        }
     }
 
     /// Positions along the span at which its table has values.
     pub fn positions(&self) -> &[f64] {
         match &self.form {
-            PlaceForm::Arc(course) | PlaceForm::X(course, _) | PlaceForm::Distance(course, _) => {
-                course.positions()
-            }
+            PlaceForm::Arc(course)
+            | PlaceForm::X(course, _)
+            | PlaceForm::Distance(course, _)
+            | PlaceForm::Plane(course, ..) => course.positions(),
             PlaceForm::Named(_) => &[],
         }
     }
@@ -97,23 +125,31 @@ impl Value for Place {
         let side = inner.get(&SIDE);
         let (arc, x) = (inner.get(&ARC), inner.get(&X));
         let (distance, at) = (inner.get(&DISTANCE), inner.get(&AT));
+        let (plane, angle) = (inner.get(&PLANE), inner.get(&ANGLE));
         let shift = inner.get(&SHIFT);
         inner.finish();
-        let (arc, x, distance, at) = (arc?, x?, distance?, at?);
         let side = side?;
-        let form = match (arc, x, distance, at) {
-            (Some(arc), None, None, None) => Some(PlaceForm::Arc(arc)),
-            (None, Some(x), None, None) => side.map(|side| PlaceForm::X(x, side)),
-            (None, None, Some(distance), None) => {
-                side.map(|side| PlaceForm::Distance(distance, side))
-            }
-            (None, None, None, Some(at)) => Some(PlaceForm::Named(at)),
-            _ => None,
-        };
+        let angle = angle?;
+        let forms = [
+            arc?.map(PlaceForm::Arc),
+            x?.zip(side).map(|(x, side)| PlaceForm::X(x, side)),
+            distance?
+                .zip(side)
+                .map(|(distance, side)| PlaceForm::Distance(distance, side)),
+            plane?
+                .zip(side)
+                .map(|(plane, side)| PlaceForm::Plane(plane, angle, side)),
+            at?.map(PlaceForm::Named),
+        ];
+        let given = [&ARC, &X, &DISTANCE, &PLANE].iter();
+        let given = given.filter(|key| inner.has(key)).count() + usize::from(inner.has(&AT));
+        let form = forms.into_iter().flatten().next();
+        let form = form.filter(|_| given == 1);
         if form.is_none() {
             table.wrong(
                 key,
-                "one of \"arc\", \"x\", \"distance\" and \"at\"; a \"side\" with \"x\" and \"distance\"",
+                "one of \"arc\", \"x\", \"distance\", \"plane\" and \"at\"; a \"side\" with \"x\", \
+                 \"distance\" and \"plane\"",
             );
         }
         let shift = shift?;

@@ -6,7 +6,7 @@ use super::{Layup, WrittenLayer, WrittenWeb};
 use crate::mesh::generate::layup::{Layer, LayupSection, Outline, Web, WebPly};
 
 /// Thickness below which a layer is absent \[m\].
-const ABSENT: f64 = 1e-6;
+pub(super) const ABSENT: f64 = 1e-6;
 /// Width below which a layer is absent \[m\].
 const NARROW: f64 = 1e-3;
 
@@ -39,9 +39,14 @@ impl<'a> Resolver<'a> {
             let mut places = Vec::new();
             let from = self.arc(layer.line, &layer.from, &mut places)?;
             let to = self.arc(layer.line, &layer.to, &mut places)?;
-            if (to - from).abs() * self.outline.perimeter()
-                < NARROW.min(1e-3 * self.outline.perimeter())
-            {
+            let perimeter = self.outline.perimeter();
+            let width = (to - from) * perimeter;
+            // between other places there may be no room
+            let is_between = [&layer.from, &layer.to]
+                .iter()
+                .any(|place| matches!(place.form, PlaceForm::Named(_)));
+            let is_narrow = width < NARROW.min(1e-3 * perimeter);
+            if is_narrow && (is_between || width > -NARROW) {
                 continue;
             }
             layers.push(Layer {
@@ -89,6 +94,13 @@ impl<'a> Resolver<'a> {
         layer.thickness.covers(self.eta) && layer.thickness.at(self.eta) > ABSENT
     }
 
+    /// The part of the contour at a place, and the length of the contour over the chord.
+    pub fn place(&self, place: &Place) -> Option<[f64; 2]> {
+        let arc = self.arc(0, place, &mut Vec::new()).ok()?;
+        let chord = self.layup.shape.chord.at(self.eta);
+        Some([arc, self.outline.perimeter() / chord])
+    }
+
     /// The part of the contour at a place; `places` are those that led to it.
     fn arc(&self, line: usize, place: &Place, places: &mut Vec<String>) -> Result<f64, Located> {
         let (outline, eta) = (&self.outline, self.eta);
@@ -112,6 +124,13 @@ impl<'a> Resolver<'a> {
                     corner - distance
                 }
             }
+            PlaceForm::Plane(course, angle, side) => {
+                let (distance, (sine, cosine)) = (course.at(eta), angle.at(eta).sin_cos());
+                // the direction behind the plane, y forward and z toward the suction side
+                let ahead = |p: [f64; 2]| -cosine * p[0] - sine * p[1] < distance;
+                let place = outline.first_behind(*side, ahead);
+                place.ok_or_else(|| off(format!("plane = {distance}")))?
+            }
             PlaceForm::Named(name) => self.named(line, name, places)? * perimeter,
         };
         let s = s + place.shift.at(eta);
@@ -122,15 +141,17 @@ impl<'a> Resolver<'a> {
     }
 
     fn named(&self, line: usize, name: &str, places: &mut Vec<String>) -> Result<f64, Located> {
-        if name == "nose" {
-            return Ok(self.outline.nose() / self.outline.perimeter());
+        match name {
+            "nose" => return Ok(self.outline.nose() / self.outline.perimeter()),
+            "leading_edge" => return Ok(self.outline.foremost() / self.outline.perimeter()),
+            _ => {}
         }
         if places.iter().any(|known| known == name) {
             places.push(name.to_owned());
             let places = places.clone();
             return Err((line, LayupFileProblem::Circle { places }));
         }
-        let mut all = vec![("nose".to_owned(), None)];
+        let mut all = vec![("nose".to_owned(), None), ("leading_edge".to_owned(), None)];
         for layer in &self.layup.layers {
             all.push((format!("{}.start", layer.name), Some(&layer.from)));
             all.push((format!("{}.end", layer.name), Some(&layer.to)));

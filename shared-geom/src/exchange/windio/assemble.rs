@@ -47,7 +47,7 @@ pub(super) struct Tables {
 /// The blade of `tables` in Helicoid's axes.
 pub(super) fn reading(tables: Tables, name: String, text: &str) -> Reading {
     let mut remarks = tables.remarks.clone();
-    let line = line(&tables, text, &mut remarks);
+    let line = line(&tables.axis, &tables.twist, text, &mut remarks);
     let length = line.length();
     let (stiff, mass) = (&tables.stiffness, &tables.inertia);
     let parts = union(&[&stiff.grid, &mass.grid]);
@@ -87,9 +87,15 @@ fn damping(times: &[f64; 6]) -> Option<BladeDamping> {
     })
 }
 
-fn line(tables: &Tables, text: &str, remarks: &mut Vec<String>) -> ReferenceLine {
-    let [x, y, z] = &tables.axis;
-    let grids = [&x.grid, &y.grid, &z.grid, &tables.twist.grid];
+/// The line of a reference axis \[m\] and its twist, positive nose down \[rad\]; its course is the
+/// one that `text` states, else a remark tells which is taken.
+pub fn line(
+    [x, y, z]: &[Column; 3],
+    twist: &Column,
+    text: &str,
+    remarks: &mut Vec<String>,
+) -> ReferenceLine {
+    let grids = [&x.grid, &y.grid, &z.grid, &twist.grid];
     let parts = union(&grids);
     let axes = Convention::BeamDyn.axes();
     let point = |&part: &f64| LinePoint {
@@ -114,7 +120,7 @@ fn line(tables: &Tables, text: &str, remarks: &mut Vec<String>) -> ReferenceLine
     let mut line = ReferenceLine::through(points, course);
     let twists: Vec<_> = turns(&line).into_iter().zip(&parts).collect();
     for (point, (turn, &part)) in line.points.iter_mut().zip(twists) {
-        point.twist = turn - tables.twist.at(part);
+        point.twist = turn - twist.at(part);
     }
     line
 }

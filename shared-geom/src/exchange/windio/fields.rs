@@ -10,8 +10,10 @@ pub(super) const SAME: f64 = 1e-12;
 
 /// Values on a grid of parts of the length.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Column {
+pub struct Column {
+    /// Ascending positions from 0 (root) to 1 (tip).
     pub grid: Vec<f64>,
+    /// The values there.
     pub values: Vec<f64>,
 }
 
@@ -49,7 +51,7 @@ pub(super) fn interval(grid: &[f64], part: f64) -> (usize, f64) {
 }
 
 /// The numbers of a list; notes other values.
-pub(super) fn numbers(node: &Node, what: &str, problems: &mut Problems) -> Option<Vec<f64>> {
+pub fn numbers(node: &Node, what: &str, problems: &mut Problems) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
         problems.push(node.line, &not_a_list(node, what));
         return None;
@@ -108,8 +110,8 @@ pub(super) fn grid(node: &Node, what: &str, problems: &mut Problems) -> Option<V
     Some(grid)
 }
 
-/// A table with `grid` and `values` of equal length.
-pub(super) fn column(node: &Node, what: &str, problems: &mut Problems) -> Option<Column> {
+/// A table with `grid` and `values` of equal length; notes problems.
+pub fn column(node: &Node, what: &str, problems: &mut Problems) -> Option<Column> {
     let grid = grid(node, what, problems);
     let at = required(node, what, "values", problems)?;
     let values = numbers(at, &format!("values of {what}"), problems)?;
@@ -141,8 +143,8 @@ pub(super) fn same_length(
     None
 }
 
-/// The columns x, y and z of a reference axis.
-pub(super) fn axis(node: &Node, problems: &mut Problems) -> Option<[Column; 3]> {
+/// The columns x, y and z of a reference axis; notes problems.
+pub fn axis(node: &Node, problems: &mut Problems) -> Option<[Column; 3]> {
     let columns = ["x", "y", "z"].map(|key| {
         let at = required(node, "reference_axis", key, problems)?;
         column(at, &format!("reference_axis.{key}"), problems)

@@ -113,11 +113,16 @@ impl Outline {
             self.arcs.push(next);
         }
         self.perimeter = self.arcs[STEPS] + 0.5 * self.base;
-        let far = |s: f64| distance(self.position(s), self.middle);
+        self.nose = self.farthest(|point| distance(point, self.middle));
+    }
+
+    /// The arc length at which a measure of points is largest, by golden section around the best
+    /// of samples.
+    fn farthest(&self, measure: impl Fn([f64; 2]) -> f64) -> f64 {
+        let far = |s: f64| measure(self.position(s));
         let at = |i: usize| self.perimeter * i as f64 / SAMPLES as f64;
         let best = (1..SAMPLES).max_by(|a, b| far(at(*a)).total_cmp(&far(at(*b))));
         let best = best.unwrap_or(SAMPLES / 2);
-        // the largest distance by golden section
         let (mut a, mut b) = (at(best - 1), at(best + 1));
         for _ in 0..60 {
             let [left, right] = [a + 0.381_966 * (b - a), a + 0.618_034 * (b - a)];
@@ -127,7 +132,7 @@ impl Outline {
                 a = left;
             }
         }
-        self.nose = 0.5 * (a + b);
+        0.5 * (a + b)
     }
 
     /// Length of the spline between two parameters.
@@ -197,9 +202,15 @@ impl Outline {
 
     /// The arc length on a side, 0 suction, 1 pressure, at a coordinate y: the foremost one.
     pub fn at_y(&self, side: usize, y: f64) -> Option<f64> {
+        self.first_behind(side, |point| point[0] > y)
+    }
+
+    /// The arc length on a side, 0 suction, 1 pressure, of the foremost point at which the
+    /// statement `ahead` about points changes.
+    pub fn first_behind(&self, side: usize, ahead: impl Fn([f64; 2]) -> bool) -> Option<f64> {
         let (nose, end) = (self.nose, self.corners()[side]);
         let at = |i: usize| nose + (end - nose) * i as f64 / SAMPLES as f64;
-        let ahead = |s: f64| self.position(s)[0] > y;
+        let ahead = |s: f64| ahead(self.position(s));
         let first = (1..=SAMPLES).find(|i| ahead(at(i - 1)) != ahead(at(*i)))?;
         let (mut fore, mut aft) = (at(first - 1), at(first));
         let is_ahead = ahead(fore);
@@ -212,6 +223,11 @@ impl Outline {
             }
         }
         Some(0.5 * (fore + aft))
+    }
+
+    /// Arc length of the foremost point: the largest y.
+    pub fn foremost(&self) -> f64 {
+        self.farthest(|point| point[0])
     }
 
     /// The point at an arc length.

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! of the line between them, of length L, where cos is the cosine of the angle between line and
-//! normal. They meet where g < 0: each side owns half of the line, and what the other
+//! normal. They meet where g < 0, and before a wall only where the layers of a side are thicker
+//! than the radius of its inscribed circle (lines between steep sides are no measure): each side owns half of the line, and what the other
 //! side leaves of its half.
 
 use super::super::super::distance;
@@ -134,28 +135,37 @@ impl Pairs {
         }
     }
 
-    /// Where the layers meet: intervals of x, foremost first. Sides that end without a
-    /// wall meet at x = 1 in any case if `closed`.
-    pub fn contacts(&self, stack: &Stack, size: f64, closed: bool) -> Vec<[f64; 2]> {
-        let gap = |x: f64| self.pair(x).gap(stack);
+    /// Where the layers meet: intervals of x, foremost first, in which `can_meet` is true of the
+    /// pairs. Sides that end without a wall meet at x = 1 in any case if `closed`.
+    pub fn contacts(
+        &self,
+        stack: &Stack,
+        size: f64,
+        closed: bool,
+        can_meet: &dyn Fn(&Pair) -> bool,
+    ) -> Vec<[f64; 2]> {
+        let meets = |x: f64| {
+            let pair = self.pair(x);
+            pair.gap(stack) < 0.0 && can_meet(&pair)
+        };
         let at = |i: usize| FOREMOST + (1.0 - FOREMOST) * i as f64 / STEPS as f64;
         let mut found: Vec<[f64; 2]> = Vec::new();
-        let mut last = gap(at(0));
-        if last < 0.0 {
+        let mut last = meets(at(0));
+        if last {
             found.push([at(0), at(0)]);
         }
         for i in 1..=STEPS {
-            let next = gap(at(i));
-            if (last < 0.0) != (next < 0.0) {
-                let fork = bisect([at(i - 1), at(i)], last < 0.0, |x| gap(x) < 0.0);
-                match next < 0.0 {
+            let next = meets(at(i));
+            if last != next {
+                let fork = bisect([at(i - 1), at(i)], last, meets);
+                match next {
                     true => found.push([fork, fork]),
                     false => found.last_mut().into_iter().for_each(|one| one[1] = fork),
                 }
             }
             last = next;
         }
-        if let Some(one) = found.last_mut().filter(|_| last < 0.0) {
+        if let Some(one) = found.last_mut().filter(|_| last) {
             one[1] = 1.0;
         } else if closed {
             found.push([1.0, 1.0]);

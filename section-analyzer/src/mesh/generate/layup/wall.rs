@@ -30,6 +30,9 @@ const FULL: f64 = 0.98;
 /// Samples around the contour in the search for radii.
 const SAMPLES: usize = 500;
 
+/// Part of the contour within which two points of it are one.
+const SEAM: f64 = 1e-4;
+
 /// A factor of the reach of contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reach(pub f64);
@@ -203,7 +206,12 @@ impl Wall {
     /// Finds where the layers meet, and the zones around.
     fn find_contacts(&mut self, Reach(factor): Reach) {
         let is_face = self.edge == Edge::Face;
-        self.contacts = self.pairs.contacts(&self.stack, self.size, is_face);
+        let points = self.samples();
+        let is_thick = |s: f64| self.stack.total(s) > self.radius(s, &points);
+        let can_meet = |pair: &Pair| is_face || pair.s.into_iter().any(is_thick);
+        self.contacts = self
+            .pairs
+            .contacts(&self.stack, self.size, is_face, &can_meet);
         let chord = self.chord();
         let mut zones: Vec<[f64; 2]> = Vec::new();
         for [from, to] in self.contacts.clone() {
@@ -226,29 +234,43 @@ impl Wall {
         (REACH[0] * self.size).max(REACH[1] * thick[0].max(thick[1]))
     }
 
+    /// Arc lengths and points of samples of both sides.
+    fn samples(&self) -> Vec<(f64, [f64; 2])> {
+        let [aft, end] = self.outline.corners();
+        let at = |i: usize| aft + (end - aft) * i as f64 / SAMPLES as f64;
+        (0..=SAMPLES)
+            .map(|i| (at(i), self.outline.position(at(i))))
+            .collect()
+    }
+
+    /// Radius of the largest inscribed circle that touches the contour at an arc length, with
+    /// samples of the contour.
+    fn radius(&self, s: f64, points: &[(f64, [f64; 2])]) -> f64 {
+        let outline = &self.outline;
+        let (p, n, nose) = (outline.position(s), outline.inward(s), outline.nose());
+        let mut radius = 1.0 / outline.bend(s).max(1e-12);
+        for (other, q) in points {
+            let d = [q[0] - p[0], q[1] - p[1]];
+            let inward = n[0] * d[0] + n[1] * d[1];
+            // at the seam of a closed contour both sides have one point
+            let is_apart = d[0].hypot(d[1]) > SEAM * outline.perimeter();
+            if (*other > nose) != (s > nose) && inward > 0.0 && is_apart {
+                radius = radius.min((d[0] * d[0] + d[1] * d[1]) / (2.0 * inward));
+            }
+        }
+        radius
+    }
+
     /// Refuses layers that are thicker than the inscribed circles of the nose.
     fn check_radii(&self) -> Result<(), LayupProblem> {
-        let outline = &self.outline;
-        let (nose, [aft, end]) = (outline.nose(), outline.corners());
-        let at = |i: usize| aft + (end - aft) * i as f64 / SAMPLES as f64;
-        let points: Vec<(f64, [f64; 2])> = (0..=SAMPLES)
-            .map(|i| (at(i), outline.position(at(i))))
-            .collect();
-        for (s, p) in &points {
-            let side = usize::from(*s > nose);
+        let (outline, points) = (&self.outline, self.samples());
+        for (s, _) in &points {
+            let side = usize::from(*s > outline.nose());
             let is_checked = outline.is_smooth() || self.pairs.x(side, *s) < FOREMOST;
             if !is_checked {
                 continue;
             }
-            let n = outline.inward(*s);
-            let mut radius = 1.0 / outline.bend(*s).max(1e-12);
-            for (other, q) in &points {
-                let d = [q[0] - p[0], q[1] - p[1]];
-                let inward = n[0] * d[0] + n[1] * d[1];
-                if (*other > nose) != (*s > nose) && inward > 0.0 {
-                    radius = radius.min((d[0] * d[0] + d[1] * d[1]) / (2.0 * inward));
-                }
-            }
+            let radius = self.radius(*s, &points);
             let thickness = self.stack.total(*s);
             if thickness > FULL * radius {
                 return Err(self.tight(*s, thickness, radius));

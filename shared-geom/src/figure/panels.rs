@@ -1,8 +1,11 @@
 //! Curves in panels below each other, over one axis.
 
-use shared_geom::figure::{
-    Axes, Color, Drawing, Figure, Legend, Stroke, TITLE, WIDTH, category, range,
-};
+use super::axes::{Axes, TITLE, range};
+use super::color::{Color, category};
+use super::drawing::Drawing;
+use super::legend::Legend;
+use super::stroke::Stroke;
+use super::{Figure, WIDTH};
 
 /// Height of a panel and the gap below it \[figure pixels\].
 const PANEL: f64 = 420.0;
@@ -21,7 +24,7 @@ const MOST_NAMES: usize = 21;
 
 /// A quantity over the axis.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Panel {
+pub struct Panel {
     /// Name and unit.
     pub title: String,
     /// Points of each curve.
@@ -46,10 +49,14 @@ impl Panel {
 /// Panels with a common axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PanelPlot {
-    pub(super) title: String,
-    pub(super) across: String,
-    pub(super) names: Vec<String>,
-    pub(super) panels: Vec<Panel>,
+    /// The title of the figure.
+    pub title: String,
+    /// Name and unit of the axis.
+    pub across: String,
+    /// Names of the curves of each panel.
+    pub names: Vec<String>,
+    /// The panels, from the top.
+    pub panels: Vec<Panel>,
 }
 
 impl PanelPlot {
@@ -87,7 +94,7 @@ impl PanelPlot {
 }
 
 /// The parts of a curve between points without a value.
-pub(super) fn pieces(points: &[[f64; 2]]) -> impl Iterator<Item = &[[f64; 2]]> {
+fn pieces(points: &[[f64; 2]]) -> impl Iterator<Item = &[[f64; 2]]> {
     let is_gap = |point: &[f64; 2]| !(point[0].is_finite() && point[1].is_finite());
     points.split(is_gap).filter(|piece| !piece.is_empty())
 }
@@ -128,14 +135,15 @@ impl Figure for PanelPlot {
 
 /// A prefix of a unit and its factor, by which the largest of some values has few digits; none for
 /// units in which values are small.
-pub(super) fn scale(unit: &str, values: impl Iterator<Item = f64>) -> (&'static str, f64) {
-    if !matches!(unit, "W" | "N" | "N m" | "N/m") {
+pub fn scale(unit: &str, values: impl Iterator<Item = f64>) -> (&'static str, f64) {
+    if !matches!(unit, "W" | "N" | "N m" | "N/m" | "N m^2") {
         return ("", 1.0);
     }
     let largest = values
         .filter(|it| it.is_finite())
         .fold(0.0, |a: f64, b| a.max(b.abs()));
     match largest {
+        large if large >= 1e9 => ("G", 1e-9),
         large if large >= 1e6 => ("M", 1e-6),
         large if large >= 1e3 => ("k", 1e-3),
         _ => ("", 1.0),
@@ -160,6 +168,7 @@ mod tests {
     #[test]
     fn prefixes_follow_the_largest_value() {
         assert_eq!(scale("W", [5e6, 1.0].into_iter()), ("M", 1e-6));
+        assert_eq!(scale("N m^2", [2e10].into_iter()), ("G", 1e-9));
         assert_eq!(scale("N", [-2e3, f64::NAN].into_iter()), ("k", 1e-3));
         assert_eq!(scale("deg", [2e3].into_iter()), ("", 1.0));
     }

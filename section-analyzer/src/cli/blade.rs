@@ -1,0 +1,234 @@
+//! `section-analyzer blade`: meshes and solves the sections of a blade, and writes the blade.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use shared_geom::error::{Diagnostics, Explain, SourceLocation};
+use shared_geom::files::{OutputProblem, make_folder, write_whole};
+use shared_geom::gmsh;
+use shared_geom::line::Side;
+use shared_geom::section::SectionProperties;
+
+use super::analyze::{Job, Outcome, Run, Status, analyze_one, solve_all};
+use super::arguments::WholeBladeArguments;
+use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, words};
+use crate::input::layup::{self, Layup, Selection, SpanStation};
+use crate::output::{
+    OutputFiles, ResultWriter, SolvedSpan, SolvedStation, SpanFiles, layer_rows, layup_section,
+};
+
+mod results;
+
+/// The ending of layup files.
+const ENDING: &str = ".layup.toml";
+
+/// A layup without a line.
+#[derive(Debug, thiserror::Error)]
+#[error("the layup has no reference line, expected a table [line] with the length of the blade")]
+struct NoLine;
+
+impl Explain for NoLine {
+    fn help(&self) -> Option<String> {
+        let text = "[line] with length = 60, or with span, sweep, prebend and twist; or use \
+                    \"section-analyzer mesh layup\" for one section";
+        Some(text.to_owned())
+    }
+}
+
+/// Sections that are missing in a blade.
+#[derive(Debug, thiserror::Error)]
+#[error("{} of {all} sections are missing: {}", .missing.len(), .missing.join(", "))]
+struct Missing {
+    missing: Vec<String>,
+    all: usize,
+    is_skipped: bool,
+}
+
+impl Explain for Missing {
+    fn help(&self) -> Option<String> {
+        let text = match self.is_skipped {
+            true => "the blade file is linear between the sections that are there",
+            false => {
+                "correct the layup there, or leave these stations out with --stations; \
+                 --skip-failed writes the blade file without them"
+            }
+        };
+        Some(text.to_owned())
+    }
+}
+
+/// Solves the sections of a blade, and writes its results.
+pub(super) fn solve_blade(
+    arguments: &WholeBladeArguments,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let file = &arguments.file;
+    let layup = layup::read(file).map_err(|problems| terminal.report_all(&problems))?;
+    let Some(line) = &layup.line else {
+        let location = SourceLocation::file(file.display().to_string());
+        return Err(terminal.report_all(&Diagnostics::one(location, &NoLine)));
+    };
+    let name = name_of(file);
+    let beside = || file.parent().unwrap_or(Path::new("")).join("results");
+    let folder = arguments.out.clone().unwrap_or_else(beside);
+    let files = SpanFiles::new(&folder, &name);
+    make_folder(&files.sections()).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
+    let plan = Plan::new(&layup, &files, arguments);
+    let solve = |number: usize, job: &Job| plan.solve(number, job);
+    let ended = solve_all(&plan.jobs, arguments.threads, &solve, terminal)?;
+    let missing = plan.missing();
+    let span = SolvedSpan {
+        name: &name,
+        line,
+        stations: plan
+            .solved
+            .into_iter()
+            .filter_map(OnceLock::into_inner)
+            .collect(),
+    };
+    let is_written = missing.is_empty() || arguments.skip_failed;
+    let written = results::write(&span, &files, is_written, arguments, terminal);
+    if !missing.is_empty() {
+        let missing = Missing {
+            missing,
+            all: plan.jobs.len(),
+            is_skipped: arguments.skip_failed,
+        };
+        terminal.report(&missing, NOT_REACHED);
+        written?;
+        return Err(Stop::Reported(NOT_REACHED));
+    }
+    written?;
+    match ended.worst {
+        0 => ended.result(),
+        _ => Err(Stop::Reported(NOT_REACHED)),
+    }
+}
+
+/// The name of a blade: of its file, without its ending.
+fn name_of(file: &Path) -> String {
+    let whole = file.file_name().unwrap_or_default().to_string_lossy();
+    let stem = || {
+        file.file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned()
+    };
+    whole
+        .strip_suffix(ENDING)
+        .filter(|name| !name.is_empty())
+        .map_or_else(stem, str::to_owned)
+}
+
+/// The sections to solve, and the solved ones.
+struct Plan<'a> {
+    layup: &'a Layup,
+    stations: Vec<SpanStation>,
+    jobs: Vec<Job>,
+    run: Run,
+    /// Parallel to `jobs`.
+    solved: Vec<OnceLock<SolvedStation>>,
+}
+
+impl<'a> Plan<'a> {
+    fn new(layup: &'a Layup, files: &SpanFiles, arguments: &WholeBladeArguments) -> Self {
+        let selection = match (arguments.count, &arguments.stations[..]) {
+            (Some(count), _) => Selection::Equal(count),
+            (None, []) => Selection::Chosen,
+            (None, given) => Selection::Given(given.to_vec()),
+        };
+        let stations = layup.span_stations(&selection);
+        let folder = files.sections();
+        let names = SpanStation::names(&stations);
+        let jobs = names.iter().zip(&stations).map(|(name, station)| Job {
+            file: folder.join(format!("{name}.section.toml")),
+            folder: folder.clone(),
+            name: name.clone(),
+            label: label(station),
+        });
+        Self {
+            layup,
+            jobs: jobs.collect(),
+            run: Run::plain(arguments.force),
+            solved: stations.iter().map(|_| OnceLock::new()).collect(),
+            stations,
+        }
+    }
+
+    /// Meshes a section, writes its files, and solves it unless they are as before.
+    fn solve(&self, number: usize, job: &Job) -> Outcome {
+        let station = match self.write_section(number, job) {
+            Ok(station) => station,
+            Err(problems) => {
+                // results of an earlier run
+                if let Ok(files) = OutputFiles::new(&job.folder, &job.name) {
+                    ResultWriter::new(files).abandon();
+                }
+                return Outcome {
+                    problems: Some(problems),
+                    ..Outcome::new(Status::NotReached)
+                };
+            }
+        };
+        let outcome = analyze_one(job, &self.run);
+        if let Some(properties) = outcome.properties.clone() {
+            // each section is solved once
+            let _ = self.solved[number].set(station(properties));
+        }
+        outcome
+    }
+
+    /// Writes the section file and the mesh of a section; returns the station for its properties.
+    fn write_section(
+        &self,
+        number: usize,
+        job: &Job,
+    ) -> Result<impl FnOnce(SectionProperties) -> SolvedStation, String> {
+        let at = self.stations[number];
+        let eta = at.meshed_at();
+        let meshed = self
+            .layup
+            .mesh(eta)
+            .map_err(|problems| problems.to_string())?;
+        let mesh = format!("{}.msh", job.name);
+        let section = layup_section(self.layup, &meshed, &mesh);
+        renew(&job.folder.join(&mesh), &gmsh::write(&meshed.mesh))
+            .and_then(|()| renew(&job.file, &section))
+            .map_err(|problem| words(&problem))?;
+        let (chord, layers) = (
+            self.layup.shape.chord.at(eta),
+            layer_rows(self.layup, &meshed),
+        );
+        Ok(move |properties| SolvedStation {
+            eta: at.eta,
+            chord,
+            properties,
+            layers,
+        })
+    }
+
+    /// The sections without a result.
+    fn missing(&self) -> Vec<String> {
+        let all = self.jobs.iter().zip(&self.solved);
+        let missing = all.filter(|(_, solved)| solved.get().is_none());
+        missing.map(|(job, _)| job.label.clone()).collect()
+    }
+}
+
+/// A station as tables show it.
+fn label(station: &SpanStation) -> String {
+    let side = match station.side {
+        None => "",
+        Some(Side::Inner) => " inner",
+        Some(Side::Outer) => " outer",
+    };
+    format!("eta {}{side}", crate::mesh::short(station.eta))
+}
+
+/// Writes a file unless it has this content.
+fn renew(file: &Path, text: &str) -> Result<(), OutputProblem> {
+    match std::fs::read_to_string(file) {
+        Ok(known) if known == text => Ok(()),
+        _ => write_whole(file, text),
+    }
+}

@@ -1,0 +1,150 @@
+//! The files of a blade.
+
+use std::path::PathBuf;
+
+use shared_geom::blade::{self, Blade};
+use shared_geom::error::Explain;
+use shared_geom::exchange::{self, Format};
+use shared_geom::figure::Figure;
+use shared_geom::files::{OutputProblem, make_folder, write_figure, write_whole};
+
+use crate::cli::arguments::WholeBladeArguments;
+use crate::cli::{NOT_REACHED, Stop, Terminal, list};
+use crate::output::{Figures, SolvedSpan, SpanFiles, layers_csv, span_csv, span_plots, span_text};
+
+/// A blade whose sections do not make one.
+#[derive(Debug, thiserror::Error)]
+#[error("the blade is not written: {0}")]
+struct Unsound(String);
+
+impl Explain for Unsound {
+    fn help(&self) -> Option<String> {
+        None
+    }
+}
+
+/// Writes the tables and figures of the solved sections, and the blade in all formats if
+/// `is_written`; otherwise blades of an earlier run are removed.
+pub(super) fn write(
+    span: &SolvedSpan<'_>,
+    files: &SpanFiles,
+    is_written: bool,
+    arguments: &WholeBladeArguments,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let figures = Figures::requested(arguments.no_figures, arguments.svg);
+    let blade = span.blade();
+    let problems = match is_written {
+        true => blade.problems(),
+        false => Vec::new(),
+    };
+    let is_written = is_written && problems.is_empty();
+    if is_written {
+        write!(terminal.out, "\n{}", span_text(&blade))?;
+    }
+    let mut written = Vec::new();
+    let mut lost = Vec::new();
+    let done = write_tables(span, files, figures, &mut written).and_then(|()| match is_written {
+        true => write_blade(
+            &blade,
+            span.name,
+            files,
+            arguments,
+            (&mut written, &mut lost),
+        ),
+        false => Ok(remove_blade(&blade, span.name, files)),
+    });
+    for text in &lost {
+        writeln!(terminal.out, "  {text}")?;
+    }
+    list("Written", &written, terminal)?;
+    let mut end = Ok(());
+    for problem in problems {
+        end = Err(terminal.report(&Unsound(problem.to_string()), NOT_REACHED));
+    }
+    done.map_err(|problem| terminal.report(&problem, NOT_REACHED))?;
+    end
+}
+
+fn write_tables(
+    span: &SolvedSpan<'_>,
+    files: &SpanFiles,
+    figures: Figures,
+    written: &mut Vec<PathBuf>,
+) -> Result<(), OutputProblem> {
+    for (file, text) in [
+        (files.span(), span_csv(span)),
+        (files.layers(), layers_csv(span)),
+    ] {
+        write_whole(&file, &text)?;
+        written.push(file);
+    }
+    let wanted = [figures.are_drawn(), figures == Figures::PngAndSvg];
+    for (name, plot) in span_plots(span) {
+        let file = files.figure(name);
+        let vector = file.with_extension("svg");
+        for (file, is_wanted) in [file, vector].into_iter().zip(wanted) {
+            match is_wanted && !span.stations.is_empty() {
+                true => {
+                    write_figure(&file, &plot.drawing())?;
+                    written.push(file);
+                }
+                // A missing file is ignored.
+                false => drop(std::fs::remove_file(file)),
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Writes the blade file and the formats; notes properties that formats cannot hold.
+fn write_blade(
+    blade: &Blade,
+    name: &str,
+    files: &SpanFiles,
+    arguments: &WholeBladeArguments,
+    (written, lost): (&mut Vec<PathBuf>, &mut Vec<String>),
+) -> Result<(), OutputProblem> {
+    write_whole(&files.blade(), &blade::write(blade))?;
+    written.push(files.blade());
+    let wanted = arguments.format.iter().flat_map(|formats| &formats.0);
+    for format in wanted {
+        let Ok(writing) = exchange::write(blade, *format, name) else {
+            continue;
+        };
+        let folder = files.format(format.name());
+        make_folder(&folder)?;
+        for (file, text) in &writing.files {
+            let file = folder.join(file);
+            write_whole(&file, text)?;
+            written.push(file);
+        }
+        lost.extend(
+            writing
+                .lost
+                .iter()
+                .map(|one| format!("{} cannot hold: {one}", format.name())),
+        );
+    }
+    Ok(())
+}
+
+/// Removes the blades of an earlier run, which had other sections.
+fn remove_blade(blade: &Blade, name: &str, files: &SpanFiles) {
+    let mut old = vec![files.blade()];
+    for format in Format::ALL
+        .into_iter()
+        .filter(|_| blade.problems().is_empty())
+    {
+        let names = exchange::write(blade, format, name).map_or_else(|_| Vec::new(), |it| it.files);
+        old.extend(
+            names
+                .iter()
+                .map(|(file, _)| files.format(format.name()).join(file)),
+        );
+    }
+    for file in old {
+        // A missing file is ignored.
+        let _ = std::fs::remove_file(file);
+    }
+}

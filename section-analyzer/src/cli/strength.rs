@@ -1,0 +1,211 @@
+//! `section-analyzer strength`: reserve factors of the plies of a blade, and fatigue loads.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use nalgebra::Vector6;
+use shared_geom::error::{Diagnostics, Explain, SourceLocation};
+use shared_geom::files::{make_folder, write_whole};
+use shared_geom::wrench::COMPONENTS;
+
+use super::analyze::{Job, Outcome, Status, solve_all};
+use super::arguments::StrengthArguments;
+use super::solved::solve;
+use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
+use crate::input;
+use crate::input::span_loads::{
+    ListedStation, LoadInstant, LoadPositions, read_loads, read_stations,
+};
+use crate::output::{FatigueRow, ReserveRow, fatigue_csv, strength_csv, strength_text};
+use crate::recovery::rainflow::{cycles, equivalent_range};
+use crate::recovery::{Recoverer, region_reserves};
+
+/// The ending of tables of stations.
+const ENDING: &str = ".span.csv";
+
+/// A reason for which there are no reserve factors.
+#[derive(Debug, thiserror::Error)]
+enum NoStrength {
+    #[error("no material of the sections has limits, expected [material.NAME.strength]")]
+    Limits,
+    #[error("the table has no station beyond the root")]
+    Length,
+}
+
+impl Explain for NoStrength {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::Limits => "add strengths to the layup, and run \"section-analyzer blade\" again",
+            Self::Length => "name the table NAME.span.csv that \"section-analyzer blade\" wrote",
+        };
+        Some(text.to_owned())
+    }
+}
+
+/// Finds and writes reserve factors and fatigue loads.
+pub(super) fn envelope(
+    arguments: &StrengthArguments,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let span = &arguments.span;
+    let wrong = |problem: NoStrength| {
+        Diagnostics::one(SourceLocation::file(span.display().to_string()), &problem)
+    };
+    let stations = read_stations(span).map_err(|problems| terminal.report_all(&problems))?;
+    let outer = stations.iter().rev().find(|station| station.eta > 0.0);
+    let Some(outer) = outer else {
+        return Err(terminal.report_all(&wrong(NoStrength::Length)));
+    };
+    let positions = LoadPositions {
+        length: outer.arc_length / outer.eta,
+        member: arguments.member.clone(),
+        named: arguments.at.clone(),
+    };
+    let loads = read_loads(&arguments.loads, &positions);
+    let loads = loads.map_err(|problems| terminal.report_all(&problems))?;
+    let folder = span.parent().unwrap_or(Path::new(""));
+    let job = |station: &ListedStation| Job {
+        label: format!("eta {}", crate::mesh::short(station.eta)),
+        ..Job::new(
+            &folder
+                .join("sections")
+                .join(format!("{}.section.toml", station.section)),
+            None,
+        )
+    };
+    let jobs: Vec<Job> = stations.iter().map(job).collect();
+    let found: Vec<OnceLock<Vec<ReserveRow>>> = jobs.iter().map(|_| OnceLock::new()).collect();
+    let work = |number: usize, job: &Job| match reserves(&stations[number], job, &loads) {
+        Ok((nodes, rows)) => {
+            // each station is solved once
+            let _ = found[number].set(rows);
+            Outcome {
+                nodes: Some(nodes),
+                ..Outcome::new(Status::Solved)
+            }
+        }
+        Err(problems) => Outcome {
+            problems: Some(problems),
+            ..Outcome::new(Status::NotReached)
+        },
+    };
+    let ended = solve_all(&jobs, arguments.threads, &work, terminal)?;
+    let is_solved = found.iter().any(|rows| rows.get().is_some());
+    let rows: Vec<ReserveRow> = found
+        .into_iter()
+        .filter_map(OnceLock::into_inner)
+        .flatten()
+        .collect();
+    write(
+        arguments,
+        (&rows, &fatigue(&stations, &loads, arguments)),
+        terminal,
+    )?;
+    if rows.is_empty() && is_solved {
+        return Err(terminal.report_all(&wrong(NoStrength::Limits)));
+    }
+    ended.result()
+}
+
+/// Solves a section; returns its number of nodes and the reserve factors of its plies.
+fn reserves(
+    station: &ListedStation,
+    job: &Job,
+    loads: &[LoadInstant],
+) -> Result<(usize, Vec<ReserveRow>), String> {
+    let input = input::read(&job.file).map_err(|problems| problems.to_string())?;
+    let failed = |failure: crate::failure::Failure| {
+        let location = SourceLocation::file(job.file.display().to_string());
+        Diagnostics::one(location, &failure).to_string()
+    };
+    let (names, forces): (Vec<&str>, Vec<Vector6<f64>>) = loads
+        .iter()
+        .filter_map(|load| Some((load.name.as_str(), load.at(station.eta)?)))
+        .unzip();
+    let solved = solve(&input, false).map_err(failed)?;
+    let section = &input.section;
+    let recoverer = Recoverer::new(section, &solved.solution);
+    let found = region_reserves(section, &input.limits, &recoverer, &forces).map_err(failed)?;
+    let row = |found: crate::recovery::RegionReserve| ReserveRow {
+        eta: station.eta,
+        section: station.section.clone(),
+        ply: section.mesh.groups[found.group].clone(),
+        material: section.materials[found.material].name.clone(),
+        worst: found.worst,
+        instant: names[found.force].to_owned(),
+        position: found.position,
+    };
+    Ok((
+        section.mesh.nodes.len(),
+        found.into_iter().map(row).collect(),
+    ))
+}
+
+/// Damage-equivalent ranges of each component at each station; none without times.
+fn fatigue(
+    stations: &[ListedStation],
+    loads: &[LoadInstant],
+    arguments: &StrengthArguments,
+) -> Vec<FatigueRow> {
+    let times: Vec<f64> = loads.iter().filter_map(|load| load.time).collect();
+    let (Some(first), Some(last)) = (times.first(), times.last()) else {
+        return Vec::new();
+    };
+    let equal = arguments.cycles.unwrap_or(last - first);
+    let mut rows = Vec::new();
+    for station in stations {
+        for (i, component) in COMPONENTS.iter().enumerate() {
+            let history = loads
+                .iter()
+                .filter_map(|load| Some(load.at(station.eta)?[i]));
+            let counted = cycles(history);
+            let largest = counted
+                .iter()
+                .fold(0.0, |most: f64, one| most.max(one.range));
+            let unit = if i < 3 { "N" } else { "N m" };
+            rows.extend(arguments.exponents.iter().map(|&exponent| FatigueRow {
+                eta: station.eta,
+                section: station.section.clone(),
+                component: format!("{component} [{unit}]"),
+                cycles: counted.iter().map(|one| one.count).sum(),
+                largest,
+                exponent,
+                equivalent: equivalent_range(&counted, exponent, equal),
+            }));
+        }
+    }
+    rows
+}
+
+fn write(
+    arguments: &StrengthArguments,
+    (reserves, fatigue): (&[ReserveRow], &[FatigueRow]),
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let span = &arguments.span;
+    let beside = || span.parent().unwrap_or(Path::new("")).to_owned();
+    let folder = arguments.out.clone().unwrap_or_else(beside);
+    if !folder.as_os_str().is_empty() {
+        make_folder(&folder).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
+    }
+    let whole = span.file_name().unwrap_or_default().to_string_lossy();
+    let name = whole.strip_suffix(ENDING).unwrap_or(&whole);
+    if !reserves.is_empty() {
+        write!(terminal.out, "\n{}", strength_text(reserves))?;
+    }
+    let mut written = Vec::new();
+    for (ending, text, is_there) in [
+        ("strength.csv", strength_csv(reserves), !reserves.is_empty()),
+        ("fatigue.csv", fatigue_csv(fatigue), !fatigue.is_empty()),
+    ] {
+        let file = folder.join(format!("{name}.{ending}"));
+        if is_there {
+            write_whole(&file, &text).map_err(|problem| terminal.report(&problem, NOT_REACHED))?;
+            written.push(file);
+        } else {
+            // of an earlier run; a missing file is ignored
+            let _ = std::fs::remove_file(file);
+        }
+    }
+    list("Written", &written, terminal)
+}

@@ -1,0 +1,333 @@
+//! Layers and webs of windIO files.
+
+use shared_geom::exchange::text::number;
+use shared_geom::exchange::yaml::{Node, Value};
+
+use super::super::course::Course;
+use super::super::place::Place;
+use super::super::{WrittenLayer, WrittenWeb};
+use super::places::Places;
+use super::{Notes, Version, course, items, required, word};
+
+/// Parts of a web or an angle that differ by less are equal [-] or \[rad\].
+const SAME: f64 = 1e-6;
+/// Tables of the structure that are read, or that do not belong to a section.
+const KNOWN: [&str; 8] = [
+    "anchors",
+    "webs",
+    "layers",
+    "joint",
+    "root",
+    "elastic_properties",
+    "reference_axis",
+    "lofted_shape",
+];
+
+/// The layers of the shell and the webs of a blade.
+pub(super) type Parts = (Vec<WrittenLayer>, Vec<WrittenWeb>);
+
+/// The first use of a material.
+pub(super) struct Used {
+    pub material: String,
+    pub line: usize,
+    pub layer: String,
+}
+
+impl Used {
+    /// Adds the material of a layer if it is new.
+    fn note(all: &mut Vec<Self>, holder: &Node, layer: &str) {
+        let Some(node) = holder.entry("material") else {
+            return;
+        };
+        let material = node.text().unwrap_or_default().to_owned();
+        if all.iter().all(|known| known.material != material) {
+            all.push(Self {
+                material,
+                line: node.line,
+                layer: layer.to_owned(),
+            });
+        }
+    }
+}
+
+/// Reads the materials that a structure uses, and its layers and webs if all are right.
+pub(super) fn read<'n>(
+    structure: &'n Node,
+    root: &Node,
+    places: &Places<'n>,
+    notes: &mut Notes,
+) -> (Vec<Used>, Option<Parts>) {
+    let mut used = Vec::new();
+    let parts = parts((structure, root), places, &mut used, notes);
+    (used, parts)
+}
+
+fn parts<'n>(
+    (structure, root): (&'n Node, &Node),
+    places: &Places<'n>,
+    used: &mut Vec<Used>,
+    notes: &mut Notes,
+) -> Option<Parts> {
+    let what = "the structure";
+    let list = required(structure, what, "layers", notes).and_then(|at| items(at, "layers", notes));
+    let web_nodes = match structure.entry("webs") {
+        Some(node) => items(node, "webs", notes)?,
+        None => Vec::new(),
+    };
+    let mut is_complete = true;
+    let mut webs: Vec<WrittenWeb> = Vec::new();
+    for node in &web_nodes {
+        match web(node, places, notes) {
+            Some(web) => webs.push(web),
+            None => is_complete = false,
+        }
+    }
+    let names: Vec<&str> = web_nodes
+        .iter()
+        .filter_map(|node| node.entry("name")?.text())
+        .collect();
+    let mut layers = Vec::new();
+    for item in list? {
+        let Some(name) = word(item, "a layer", "name", notes) else {
+            is_complete = false;
+            continue;
+        };
+        Used::note(used, item, name);
+        let read = layer(item, name, root, places, notes);
+        let Some(web) = item.entry("web") else {
+            layers.extend(read);
+            is_complete &= layers.last().is_some_and(|layer| layer.name == name);
+            continue;
+        };
+        let found = web.text().unwrap_or_default();
+        if !names.contains(&found) {
+            let expected = ["the name of a web", &names.join("\n")];
+            notes.unknown(
+                web.line,
+                &format!("web of layer \"{name}\""),
+                found,
+                expected,
+            );
+        }
+        let of_web = webs.iter_mut().find(|web| web.name == found);
+        match (read, of_web) {
+            (Some(ply), Some(web)) => web.plies.push(ply),
+            _ => is_complete = false,
+        }
+    }
+    for node in &web_nodes {
+        is_complete &= bond_lines(node, places, (&mut layers, used), notes).is_some();
+    }
+    tell_others(structure, notes);
+    is_complete.then_some((layers, webs))
+}
+
+/// Tells the tables of the structure that are not meshed.
+fn tell_others(structure: &Node, notes: &mut Notes) {
+    let others: Vec<&str> = structure
+        .keys()
+        .into_iter()
+        .filter(|key| !KNOWN.contains(key))
+        .collect();
+    if !others.is_empty() {
+        let line = structure.line;
+        let others = others.join(", ");
+        notes
+            .remarks
+            .push(format!("line {line}: not meshed: {others}"));
+    }
+}
+
+/// A layer of the shell or of a web.
+fn layer<'n>(
+    item: &'n Node,
+    name: &str,
+    root: &Node,
+    places: &Places<'n>,
+    notes: &mut Notes,
+) -> Option<WrittenLayer> {
+    let what = format!("layer \"{name}\"");
+    let material = word(item, &what, "material", notes);
+    let thickness = thickness(item, &what, root, notes);
+    let fiber_angle = fiber_angle(item, &what, places.version, notes);
+    let range =
+        ["start_nd_grid", "end_nd_grid"].map(|key| item.entry(key)?.text().and_then(number));
+    let arcs = match item.entry("web") {
+        None => places.of(item, &what, notes),
+        Some(_) => Some([Place::arc(0.0), Place::arc(1.0)]),
+    };
+    let thickness = thickness?.within([range[0].unwrap_or(0.0), range[1].unwrap_or(1.0)]);
+    let [from, to] = arcs?;
+    Some(WrittenLayer {
+        name: name.to_owned(),
+        material: material?.to_owned(),
+        thickness,
+        fiber_angle: fiber_angle?,
+        from,
+        to,
+        taper: None,
+        line: item.line,
+    })
+}
+
+/// The thickness, also by the number of plies of the thickness of the material.
+fn thickness(item: &Node, of: &str, root: &Node, notes: &mut Notes) -> Option<Course> {
+    let plies = item.entry("n_plies");
+    let (key, factor) = match (item.entry("thickness"), plies) {
+        (None, Some(plies)) => {
+            let material = item
+                .entry("material")
+                .and_then(Node::text)
+                .unwrap_or_default();
+            let known = super::materials::named(root, material)
+                .and_then(|material| material.entry("ply_t"))
+                .and_then(|ply| ply.text().and_then(number));
+            if known.is_none() {
+                let found = format!("a number of plies of \"{material}\", which has no ply_t");
+                let help = "give ply_t of the material, or the thickness of the layer";
+                notes.wrong(
+                    plies.line,
+                    [&format!("thickness of {of}"), &found, "a thickness", help],
+                );
+            }
+            ("n_plies", known?)
+        }
+        _ => ("thickness", 1.0),
+    };
+    let node = required(item, of, key, notes)?;
+    let is_list = |node: &Node| matches!(&node.value, Value::List(_));
+    let is_plane = node
+        .entry("values")
+        .is_some_and(|values| match &values.value {
+            Value::List(list) => list.first().is_some_and(|item| is_list(item)),
+            _ => false,
+        });
+    let what = format!("{key} of {of}");
+    if is_plane {
+        let found = "a table along the span and the arc";
+        let help = "split the layer into layers of one thickness each";
+        notes.wrong(node.line, [&what, found, "a table along the span", help]);
+        return None;
+    }
+    let read = course(node, &what, notes)?;
+    if let Some((eta, value)) = read.points().find(|(_, value)| *value < 0.0) {
+        let found = format!("{value} at {eta}");
+        notes.wrong(
+            node.line,
+            [&what, &found, "0 or more", "0 where the layer is absent"],
+        );
+        return None;
+    }
+    Some(read.map(|_, value| factor * value))
+}
+
+/// The angle of the fibers, toward the leading edge \[rad\].
+fn fiber_angle(item: &Node, of: &str, version: Version, notes: &mut Notes) -> Option<f64> {
+    let Some(node) = item.entry("fiber_orientation") else {
+        return Some(0.0);
+    };
+    let what = format!("fiber_orientation of {of}");
+    let read = course(node, &what, notes)?;
+    let first = read.at(0.0);
+    if let Some((eta, other)) = read
+        .points()
+        .find(|(_, angle)| (angle - first).abs() > SAME)
+    {
+        let found = format!("{first} at the root and {other} at {eta}");
+        let help = "split the layer into layers of one angle each";
+        notes.wrong(node.line, [&what, &found, "one angle", help]);
+        return None;
+    }
+    Some(version.angle() * first)
+}
+
+/// A web without its plies; it is absent outside of the tables of its places.
+fn web<'n>(node: &'n Node, places: &Places<'n>, notes: &mut Notes) -> Option<WrittenWeb> {
+    let name = word(node, "a web", "name", notes)?;
+    let what = format!("web \"{name}\"");
+    let pair = places.of(node, &what, notes)?;
+    let mut range = [0.0_f64, 1.0];
+    for place in &pair {
+        if let [first, .., last] = place.positions() {
+            range = [range[0].max(*first), range[1].min(*last)];
+        }
+    }
+    for (i, key) in ["start_nd_grid", "end_nd_grid"].into_iter().enumerate() {
+        let given = node.entry(key).and_then(Node::text).and_then(number);
+        range[i] = match (given, i) {
+            (Some(given), 0) => range[0].max(given),
+            (Some(given), _) => range[1].min(given),
+            (None, _) => range[i],
+        };
+    }
+    if range[0] >= range[1] {
+        let found = format!("from {} to {}", range[0], range[1]);
+        let help = "compare the grids of its places";
+        notes.wrong(node.line, [&what, &found, "a range along the span", help]);
+        return None;
+    }
+    full_height(node, &what, notes)?;
+    Some(WrittenWeb {
+        name: name.to_owned(),
+        places: pair,
+        range,
+        plies: Vec::new(),
+        line: node.line,
+    })
+}
+
+/// Refuses places along a web that are not its whole height.
+fn full_height(node: &Node, of: &str, notes: &mut Notes) -> Option<()> {
+    let Some(anchors) = node.entry("anchors") else {
+        return Some(());
+    };
+    for anchor in items(anchors, &format!("anchors of {of}"), notes)? {
+        for (key, end) in [("start_nd_arc", 0.0), ("end_nd_arc", 1.0)] {
+            let Some(at) = anchor.entry(key) else {
+                continue;
+            };
+            let what = format!("{key} of an anchor of {of}");
+            let read = course(at, &what, notes)?;
+            if let Some((eta, part)) = read.points().find(|(_, part)| (part - end).abs() > SAME) {
+                let found = format!("{part} at {eta}");
+                let help = "plies of webs have the whole height of the web";
+                notes.wrong(at.line, [&what, &found, &end.to_string(), help]);
+                return None;
+            }
+        }
+    }
+    Some(())
+}
+
+/// Bond lines of the flanges of a web, which are the innermost layers of the shell.
+fn bond_lines<'n>(
+    web: &'n Node,
+    places: &Places<'n>,
+    (layers, used): (&mut Vec<WrittenLayer>, &mut Vec<Used>),
+    notes: &mut Notes,
+) -> Option<()> {
+    let Some(flanges) = web.entry("flanges") else {
+        return Some(());
+    };
+    let name = web.entry("name").and_then(Node::text).unwrap_or_default();
+    let of = format!("a flange of web \"{name}\"");
+    for (index, flange) in items(flanges, &of, notes)?.into_iter().enumerate() {
+        let bond = required(flange, &of, "bondline", notes)?;
+        Used::note(used, bond, &of);
+        let material = word(bond, &of, "material", notes);
+        let thickness = required(bond, &of, "thickness", notes)
+            .and_then(|at| course(at, &format!("bond line of {of}"), notes));
+        let [from, to] = places.of(flange, &of, notes)?;
+        layers.push(WrittenLayer {
+            name: format!("{name}_bond_{}", index + 1),
+            material: material?.to_owned(),
+            thickness: thickness?,
+            fiber_angle: 0.0,
+            from,
+            to,
+            taper: None,
+            line: flange.line,
+        });
+    }
+    Some(())
+}

@@ -1,0 +1,242 @@
+//! Materials of windIO files as tables of layup files.
+//!
+//! Axis 1 is along the fiber, 2 in the ply, 3 through it; E, G and nu are lists of 11, 22, 33, of
+//! 12, 13, 23, and of 12, 13, 23. A law is possible if
+//!
+//! ```text
+//! D = 1 - nu12^2 E2/E1 - nu13^2 E3/E1 - nu23^2 E3/E2 - 2 nu12 nu13 nu23 E3/E1 > 0
+//! ```
+//!
+//! and nu_ij^2 < E_i/E_j.
+
+use std::fmt::Write;
+
+use shared_geom::document::Document;
+use shared_geom::exchange::text::number;
+use shared_geom::exchange::windio_fields::numbers;
+use shared_geom::exchange::yaml::{Node, Value};
+
+use super::super::super::materials;
+use super::super::Materials;
+use super::layers::Used;
+use super::{Notes, items, required};
+
+/// Name of the text of the materials in messages, which are rewritten.
+const TEXT: &str = "materials of the turbine file";
+/// Step of the factor of Poisson's ratios through the thickness, and the least D that it gives.
+const REPAIR: [f64; 2] = [0.05, 0.05];
+/// Poisson's ratio in the place of larger ones of isotropic materials.
+const LARGEST: f64 = 0.49;
+
+/// Keys of the three lists, in the order of the lists.
+const KEYS: [(&str, [&str; 3]); 3] = [
+    ("E", ["e1", "e2", "e3"]),
+    ("G", ["g12", "g13", "g23"]),
+    ("nu", ["nu12", "nu13", "nu23"]),
+];
+
+/// The material of a name.
+pub(super) fn named<'n>(root: &'n Node, name: &str) -> Option<&'n Node> {
+    let Value::List(list) = &root.entry("materials")?.value else {
+        return None;
+    };
+    let is_it = |node: &&Node| node.entry("name").and_then(Node::text) == Some(name);
+    list.iter().map(AsRef::as_ref).find(is_it)
+}
+
+/// The tables of the materials that are used, with their units; notes problems.
+pub(super) fn constants(
+    root: &Node,
+    used: &[Used],
+    treatment: Materials,
+    notes: &mut Notes,
+) -> Option<String> {
+    let list = required(root, "the file", "materials", notes)?;
+    let known: Vec<&str> = items(list, "materials", notes)?
+        .into_iter()
+        .filter_map(|node| node.entry("name")?.text())
+        .collect();
+    // with the line of the file for each line of the text
+    let mut text = String::from("units = \"SI\"\n");
+    let mut lines = vec![list.line];
+    let mut is_complete = true;
+    for one in used {
+        let name = &one.material;
+        let Some(node) = named(root, name) else {
+            let expected = ["a material of the file", &known.join("\n")];
+            let what = format!("material of {}", one.layer);
+            notes.unknown(one.line, &what, name, expected);
+            is_complete = false;
+            continue;
+        };
+        match table(node, name, treatment, notes) {
+            Some(table) => text.push_str(&table),
+            None => is_complete = false,
+        }
+        lines.resize(text.lines().count(), node.line);
+    }
+    if !is_complete {
+        return None;
+    }
+    let checked = Document::parse(&text, TEXT).and_then(|document| {
+        let root = document.root();
+        document.declare_units(&root);
+        let _ = materials::read(&root);
+        document.finish(Some(()))
+    });
+    let rewritten = checked.map_err(|problems| {
+        problems.rewritten(TEXT, |problem| {
+            let line = problem.location.line.and_then(|line| lines.get(line - 1));
+            problem.location.line = line.copied();
+            problem.location.file = notes.file.clone();
+            let repair = "--repair-materials takes smaller Poisson's ratios";
+            problem.help = Some(match problem.help.take() {
+                Some(help) => format!("{help}; {repair}"),
+                None => repair.to_owned(),
+            });
+        })
+    });
+    notes.problems.keep(rewritten).map(|()| text)
+}
+
+/// The table of a material.
+fn table(node: &Node, name: &str, treatment: Materials, notes: &mut Notes) -> Option<String> {
+    let of = format!("material \"{name}\"");
+    let density = required(node, &of, "rho", notes).and_then(|at| values::<1>(at, &of, notes));
+    let is_orthotropic = matches!(node.entry("E").map(|e| &e.value), Some(Value::List(_)));
+    let mut text = format!("\n[material.{name:?}]\n");
+    let law = match is_orthotropic {
+        true => orthotropic(node, &of, treatment, notes),
+        false => isotropic(node, &of, treatment, notes),
+    };
+    text += &law?;
+    // writing to a string cannot fail
+    let _ = writeln!(text, "density = {:?}", density?[0]);
+    text += &strength(node, name, is_orthotropic, notes);
+    Some(text)
+}
+
+fn isotropic(node: &Node, of: &str, treatment: Materials, notes: &mut Notes) -> Option<String> {
+    let [young, poisson] = ["E", "nu"].map(|key| {
+        let at = required(node, of, key, notes)?;
+        values::<1>(at, &format!("{key} of {of}"), notes)
+    });
+    let ([young], [mut poisson]) = (young?, poisson?);
+    if treatment == Materials::Repaired && poisson > LARGEST {
+        notes.remarks.push(format!(
+            "line {}: {of}: Poisson's ratio {poisson} is replaced by {LARGEST}",
+            node.line
+        ));
+        poisson = LARGEST;
+    }
+    Some(format!("young = {young:?}\npoisson = {poisson:?}\n"))
+}
+
+fn orthotropic(node: &Node, of: &str, treatment: Materials, notes: &mut Notes) -> Option<String> {
+    let lists = KEYS.map(|(key, _)| {
+        let at = required(node, of, key, notes)?;
+        values::<3>(at, &format!("{key} of {of}"), notes)
+    });
+    let [e, g, nu] = lists;
+    let (e, g, mut nu) = (e?, g?, nu?);
+    if treatment == Materials::Repaired && !is_possible(e, nu, 0.0) {
+        let steps = (1..20).map(|i| 1.0 - REPAIR[0] * f64::from(i));
+        let changed = |factor: f64| [nu[0], factor * nu[1], factor * nu[2]];
+        let mut factors = steps.filter(|factor| is_possible(e, changed(*factor), REPAIR[1]));
+        if let Some(factor) = factors.next() {
+            nu = changed(factor);
+            notes.remarks.push(format!(
+                "line {}: {of}: no material can have these constants; nu13 and nu23 are \
+                 multiplied by {factor:.2}",
+                node.line
+            ));
+        }
+    }
+    let rows = KEYS.iter().zip([e, g, nu]);
+    let row = |((_, keys), values): (&(&str, [&str; 3]), [f64; 3])| {
+        let pairs = keys.iter().zip(values);
+        pairs
+            .map(|(key, value)| format!("{key} = {value:?}\n"))
+            .collect::<String>()
+    };
+    Some(rows.map(row).collect())
+}
+
+/// Whether D is larger than a bound, and each pair of directions is possible.
+fn is_possible([e1, e2, e3]: [f64; 3], [nu12, nu13, nu23]: [f64; 3], least: f64) -> bool {
+    let squares = [
+        nu12 * nu12 * e2 / e1,
+        nu13 * nu13 * e3 / e1,
+        nu23 * nu23 * e3 / e2,
+    ];
+    let determinant = 1.0 - squares.iter().sum::<f64>() - 2.0 * nu12 * nu13 * nu23 * e3 / e1;
+    determinant > least && squares.iter().all(|square| *square < 1.0)
+}
+
+/// The table of strengths, if the file has all that are needed.
+fn strength(node: &Node, name: &str, is_orthotropic: bool, notes: &mut Notes) -> String {
+    let head = format!("\n[material.{name:?}.strength]\n");
+    let mut read = |key: &str| -> Vec<f64> {
+        let Some(at) = node.entry(key) else {
+            return Vec::new();
+        };
+        match &at.value {
+            Value::List(_) => numbers(at, key, &mut notes.problems).unwrap_or_default(),
+            _ => at.text().and_then(number).into_iter().collect(),
+        }
+    };
+    let [tension, compression, shear] = ["Xt", "Xc", "S"].map(&mut read);
+    let at = |list: &[f64], i: usize| list.get(i).copied().filter(|value| *value > 0.0);
+    let row = |key: &str, value: f64| format!("{key} = {value:?}\n");
+    if !is_orthotropic {
+        let all = [&tension, &compression, &shear].map(|list| at(list, 0));
+        let [Some(tension), Some(compression), Some(shear)] = all else {
+            return String::new();
+        };
+        return head
+            + &row("tension", tension)
+            + &row("compression", compression)
+            + &row("shear", shear);
+    }
+    let needed = [
+        ("xt", at(&tension, 0)),
+        ("xc", at(&compression, 0)),
+        ("yt", at(&tension, 1)),
+        ("yc", at(&compression, 1)),
+        ("s12", at(&shear, 0)),
+    ];
+    if needed.iter().any(|(_, value)| value.is_none()) {
+        return String::new();
+    }
+    let others = [
+        ("zt", at(&tension, 2)),
+        ("zc", at(&compression, 2)),
+        ("s13", at(&shear, 1)),
+        ("s23", at(&shear, 2)),
+    ];
+    let rows = needed.into_iter().chain(others);
+    let rows = rows.filter_map(|(key, value)| value.map(|value| row(key, value)));
+    head + &rows.collect::<String>()
+}
+
+/// `N` numbers: one value, or a list; notes others.
+fn values<const N: usize>(node: &Node, what: &str, notes: &mut Notes) -> Option<[f64; N]> {
+    let list = match &node.value {
+        Value::List(_) => numbers(node, what, &mut notes.problems)?,
+        _ => node.text().and_then(number).into_iter().collect(),
+    };
+    let found = match list.len() {
+        0 => node.kind(),
+        count => format!("{count} numbers"),
+    };
+    let values = list.try_into().ok();
+    if values.is_none() {
+        let expected = match N {
+            1 => "a number".to_owned(),
+            _ => format!("a list of {N} numbers"),
+        };
+        let help = "E, G and nu are numbers, or lists of 3 of an orthotropic material";
+        notes.wrong(node.line, [what, &found, &expected, help]);
+    }
+    values
+}

@@ -1,0 +1,203 @@
+//! The outer shape of a windIO blade.
+
+use shared_geom::exchange::windio_fields::numbers;
+use shared_geom::exchange::yaml::Node;
+
+use super::super::course::Course;
+use super::super::shape::{Points, Shape};
+use super::airfoil::contour;
+use super::{Notes, Version, course, items, required};
+
+/// Thicknesses that differ by less are one [-].
+const SAME: f64 = 1e-6;
+
+/// An airfoil of the blade.
+struct Placed {
+    name: String,
+    line: usize,
+    thickness: f64,
+    points: Points,
+}
+
+/// Reads the contours of a blade: chord, place of the axis, relative thickness and airfoils.
+pub(super) fn read(
+    root: &Node,
+    outer: &Node,
+    version: Version,
+    notes: &mut Notes,
+) -> Option<Shape> {
+    let what = "the outer shape";
+    let chord = required(outer, what, "chord", notes).and_then(|at| course(at, "chord", notes));
+    let optional = |key: &str, notes: &mut Notes| match outer.entry(key) {
+        Some(node) => course(node, key, notes).map(Some),
+        None => Some(None),
+    };
+    let thickness = optional("rthick", notes);
+    let offset = optional("section_offset_x", notes);
+    let key = match version {
+        Version::One => "pitch_axis",
+        Version::Two => "section_offset_y",
+    };
+    let origin = required(outer, what, key, notes).and_then(|at| course(at, key, notes));
+    let labels = match version {
+        Version::One => labels_1(outer, notes),
+        Version::Two => labels_2(outer, notes),
+    };
+    let airfoils = placed(root, labels?, notes)?;
+    let (chord, origin) = (chord?, origin?);
+    let origin = match version {
+        Version::One => origin,
+        // at the positions of both tables
+        Version::Two => {
+            let both = origin.plus(&chord, 0.0);
+            both.map(|eta, offset| offset / chord.at(eta))
+        }
+    };
+    let thickness = match thickness? {
+        Some(thickness) => thickness,
+        None => by_position(&airfoils)?,
+    };
+    let offset = offset?.unwrap_or_else(|| Course::constant(0.0));
+    let points = by_thickness(airfoils, notes);
+    let made = Shape::new([chord, origin, offset], Some(thickness), points);
+    let note = |problem: super::super::LayupFileProblem| {
+        let help = "correct the points of the airfoils";
+        let found = problem.to_string();
+        notes.wrong(outer.line, ["airfoils", &found, "closed contours", help]);
+    };
+    made.map_err(note).ok()
+}
+
+/// Positions and names of version 1.
+fn labels_1<'n>(outer: &'n Node, notes: &mut Notes) -> Option<Vec<(f64, &'n Node)>> {
+    let what = "airfoil_position";
+    let table = required(outer, "the outer shape", what, notes)?;
+    let grid = required(table, what, "grid", notes)
+        .and_then(|at| numbers(at, "grid of airfoil_position", &mut notes.problems));
+    let labels = required(table, what, "labels", notes).and_then(|at| items(at, "labels", notes));
+    let (grid, labels) = (grid?, labels?);
+    if grid.len() != labels.len() {
+        let found = format!("{} positions and {} labels", grid.len(), labels.len());
+        let expected = "a label for each position";
+        notes.wrong(table.line, [what, &found, expected, "complete the list"]);
+        return None;
+    }
+    Some(grid.into_iter().zip(labels).collect())
+}
+
+/// Positions and names of version 2.
+fn labels_2<'n>(outer: &'n Node, notes: &mut Notes) -> Option<Vec<(f64, &'n Node)>> {
+    let list = required(outer, "the outer shape", "airfoils", notes)?;
+    let airfoils = items(list, "airfoils", notes)?;
+    let one = |item: &'n Node| {
+        let what = "an airfoil of the outer shape";
+        let at = required(item, what, "spanwise_position", notes)
+            .and_then(|at| one_number(at, "spanwise_position", notes));
+        let name = required(item, what, "name", notes);
+        Some((at?, name?))
+    };
+    let all: Vec<_> = airfoils.into_iter().map(one).collect();
+    all.into_iter().collect()
+}
+
+fn one_number(node: &Node, what: &str, notes: &mut Notes) -> Option<f64> {
+    let value = node.text().and_then(shared_geom::exchange::text::number);
+    if value.is_none() {
+        notes.wrong(
+            node.line,
+            [what, &node.kind(), "a number", "write a number"],
+        );
+    }
+    value
+}
+
+/// The airfoils at positions along the span, by their names.
+fn placed(root: &Node, labels: Vec<(f64, &Node)>, notes: &mut Notes) -> Option<Vec<(f64, Placed)>> {
+    let list = required(root, "the file", "airfoils", notes)?;
+    let known = items(list, "airfoils", notes)?;
+    let name_of = |item: &Node| item.entry("name").and_then(Node::text).map(str::to_owned);
+    let names: Vec<String> = known.iter().filter_map(|item| name_of(item)).collect();
+    let mut all: Vec<(f64, Placed)> = Vec::new();
+    let mut is_complete = !labels.is_empty();
+    for (at, label) in labels {
+        let name = label.text().unwrap_or_default();
+        let Some(item) = known
+            .iter()
+            .find(|item| name_of(item).as_deref() == Some(name))
+        else {
+            let expected = ["the name of an airfoil of the file", &names.join("\n")];
+            notes.unknown(label.line, "airfoil of the blade", name, expected);
+            is_complete = false;
+            continue;
+        };
+        match airfoil(item, name, notes) {
+            Some(one) => all.push((at, one)),
+            None => is_complete = false,
+        }
+    }
+    is_complete.then_some(all)
+}
+
+fn airfoil(item: &Node, name: &str, notes: &mut Notes) -> Option<Placed> {
+    let of = format!("airfoil \"{name}\"");
+    let key = match item.entry("rthick") {
+        Some(_) => "rthick",
+        None => "relative_thickness",
+    };
+    let thickness = required(item, &of, key, notes)
+        .and_then(|at| one_number(at, &format!("{key} of {of}"), notes));
+    let coordinates = required(item, &of, "coordinates", notes)?;
+    let [x, y] = ["x", "y"].map(|key| {
+        let node = required(coordinates, &of, key, notes)?;
+        numbers(node, &format!("{key} of {of}"), &mut notes.problems)
+    });
+    let points = match contour(&x?, &y?) {
+        Ok(points) => points,
+        Err([found, expected, help]) => {
+            notes.wrong(coordinates.line, [&of, &found, &expected, &help]);
+            return None;
+        }
+    };
+    Some(Placed {
+        name: name.to_owned(),
+        line: item.line,
+        thickness: thickness?,
+        points,
+    })
+}
+
+/// Relative thickness over the span if the file has no table of it: those of the airfoils at
+/// their positions.
+fn by_position(airfoils: &[(f64, Placed)]) -> Option<Course> {
+    let mut points: Vec<(f64, f64)> = airfoils
+        .iter()
+        .map(|(at, one)| (at.clamp(0.0, 1.0), one.thickness))
+        .collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points.dedup_by(|a, b| a.0 <= b.0);
+    let (eta, value): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();
+    match eta.len() {
+        0 => None,
+        1 => Some(Course::constant(value[0])),
+        _ => Some(Course::monotone(eta, value)),
+    }
+}
+
+/// The airfoils in ascending order of their thicknesses, one of each.
+fn by_thickness(airfoils: Vec<(f64, Placed)>, notes: &mut Notes) -> Vec<(f64, Points)> {
+    let mut all: Vec<Placed> = airfoils.into_iter().map(|(_, one)| one).collect();
+    all.sort_by(|a, b| a.thickness.total_cmp(&b.thickness));
+    all.dedup_by(|next, kept| {
+        let is_same = next.thickness - kept.thickness < SAME;
+        if is_same && next.name != kept.name {
+            notes.remarks.push(format!(
+                "line {}: airfoils \"{}\" and \"{}\" have one thickness: the first is taken",
+                next.line, kept.name, next.name
+            ));
+        }
+        is_same
+    });
+    all.into_iter()
+        .map(|one| (one.thickness, one.points))
+        .collect()
+}

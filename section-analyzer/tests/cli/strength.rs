@@ -1,0 +1,261 @@
+//! `section-analyzer strength`: many loads on a blade, against single recoveries and the example
+//! of the standard of counting.
+
+use std::fmt::Write;
+
+use crate::whole_blade::LAYUP;
+use crate::workplace::{Run, Workplace};
+
+const STRENGTHS: &str = "\
+[material.glass.strength]
+xt = 1.1
+xc = 0.7
+yt = 0.04
+yc = 0.14
+s12 = 0.07
+";
+
+/// A solved blade of three stations, with strengths of one material.
+fn solved() -> Workplace {
+    let workplace = Workplace::new();
+    workplace.write("a.layup.toml", &format!("{LAYUP}\n{STRENGTHS}"));
+    let blade = ["blade", "a.layup.toml", "--out", "b", "--no-figures"];
+    let run = workplace.run(&[&blade[..], &["--stations", "0.1,0.5,0.9"]].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    workplace
+}
+
+fn strength(workplace: &Workplace, loads: &str, more: &[&str]) -> Run {
+    workplace.write("loads.csv", loads);
+    let command = ["strength", "b/a.span.csv", "--loads", "loads.csv"];
+    workplace.run(&[&command[..], more].concat())
+}
+
+/// The rows of a table, by the names of its columns.
+fn rows(workplace: &Workplace, file: &str) -> Vec<std::collections::BTreeMap<String, String>> {
+    let text = workplace.read(file);
+    let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned));
+    let names: Vec<String> = lines.next().unwrap().collect();
+    lines
+        .map(|cells| names.iter().cloned().zip(cells).collect())
+        .collect()
+}
+
+/// A force at the tip in two steps, as `beam-dynamics static` writes it, in kN m: at each station
+/// the second, larger step governs, and its reserve factor is the least of all points, plies and
+/// criteria of `stress` under the moment there.
+#[test]
+fn loads_along_the_blade_are_those_of_single_recoveries() {
+    let workplace = solved();
+    let span = rows(&workplace, "b/a.span.csv");
+    let length: f64 = {
+        let last = span.last().unwrap();
+        last["arc_length [m]"].parse::<f64>().unwrap() / 0.9
+    };
+    let mut table = "step,factor [-],member,arc [m],shear z [N],bending y [kN m]\n".to_owned();
+    for step in 0..3 {
+        let force = [100.0, 400.0, -50.0][step];
+        for arc in [0.3, 2.0, 3.5, 4.8] {
+            let moment = -force * (length - arc) / 1e3;
+            writeln!(table, "{step},1,blade,{arc},{force},{moment}").unwrap();
+        }
+    }
+    let run = strength(&workplace, &table, &[]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let found = rows(&workplace, "b/a.strength.csv");
+    for row in &span {
+        let (name, arc) = (
+            &row["section"],
+            row["arc_length [m]"].parse::<f64>().unwrap(),
+        );
+        let own: Vec<_> = found.iter().filter(|one| &one["section"] == name).collect();
+        assert!(own.iter().all(|one| one["material"] == "glass"), "{own:?}");
+        let least = own
+            .iter()
+            .min_by(|a, b| {
+                let factor = |one: &&&std::collections::BTreeMap<String, String>| {
+                    one["reserve_factor [-]"].parse::<f64>().unwrap()
+                };
+                factor(a).total_cmp(&factor(b))
+            })
+            .unwrap();
+        assert_eq!(least["instant"], "step 1");
+        let moment = (-400.0 * (length - arc)).to_string();
+        let section = format!("b/sections/{name}.section.toml");
+        let load = [
+            "--shear-z",
+            "400",
+            "--bending-y",
+            &moment,
+            "--out",
+            "s",
+            "--no-figures",
+        ];
+        let run = workplace.run(&[&["stress", &section], &load[..]].concat());
+        assert_eq!(run.code, 0, "{}", run.err);
+        let points = rows(&workplace, &format!("s/{name}.load.stress.csv"));
+        let factors = points.iter().flat_map(|point| {
+            let factors = point
+                .iter()
+                .filter(|(column, _)| column.contains("reserve_factor"));
+            factors.filter_map(|(_, value)| value.parse::<f64>().ok())
+        });
+        let single = factors.fold(f64::INFINITY, f64::min);
+        let factor: f64 = least["reserve_factor [-]"].parse().unwrap();
+        // six digits in the table of stresses
+        assert!(
+            (factor / single - 1.0).abs() < 1e-5,
+            "{name}: {factor} {single}"
+        );
+    }
+    assert!(run.out.contains("Critical: ply \""), "{}", run.out);
+    assert!(!workplace.path("b/a.fatigue.csv").exists());
+}
+
+/// The history of the example of ASTM E1049, figure 6, as a moment in kN m: half a range of 3, one
+/// and a half of 4, half of 6, one of 8, half of 9 make the damage of 23 at the exponent 1.
+#[test]
+fn histories_are_counted_by_the_standard() {
+    let workplace = solved();
+    let history = [-2.0, 1.0, -3.0, 5.0, -1.0, 3.0, -4.0, 4.0, -2.0];
+    let mut table = "time [s],root_bending_y [kN*m],root_axial [N]\n".to_owned();
+    for (time, moment) in history.iter().enumerate() {
+        writeln!(table, "{time},{moment},1000").unwrap();
+    }
+    let options = ["--at", "root=0.1", "--exponents", "1,2", "--cycles", "1"];
+    let run = strength(&workplace, &table, &options);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let found = rows(&workplace, "b/a.fatigue.csv");
+    let row = |component: &str, exponent: &str| {
+        let is_it = |row: &&std::collections::BTreeMap<String, String>| {
+            row["section"] == "eta_0.1000"
+                && row["component"] == component
+                && row["exponent [-]"] == exponent
+        };
+        let row = found.iter().find(is_it).unwrap();
+        ["cycles [-]", "largest_range", "equivalent_range"]
+            .map(|key| row[key].parse::<f64>().unwrap())
+    };
+    let [cycles, largest, equivalent] = row("bending y [N m]", "1e0");
+    assert_eq!((cycles, largest), (4.0, 9000.0));
+    assert!((equivalent / 23e3 - 1.0).abs() < 1e-12, "{equivalent}");
+    let [.., equivalent] = row("bending y [N m]", "2e0");
+    let squares: f64 = 0.5 * 9.0 + 1.5 * 16.0 + 0.5 * 36.0 + 64.0 + 0.5 * 81.0;
+    assert!(
+        (equivalent / (1e3 * squares.sqrt()) - 1.0).abs() < 1e-12,
+        "{equivalent}"
+    );
+    assert_eq!(row("axial [N]", "1e0"), [0.0; 3]);
+    // at a single position, only the station there has loads
+    let stations = rows(&workplace, "b/a.strength.csv");
+    assert!(stations.iter().all(|row| row["section"] == "eta_0.1000"));
+    assert!(
+        stations.iter().all(|row| row["instant"] == "time 3"),
+        "{stations:?}"
+    );
+}
+
+#[test]
+fn wrong_tables_are_refused_with_their_line() {
+    let workplace = solved();
+    for (table, more, expected) in [
+        (
+            "arc [m],bending x [N m]\n1,2\n",
+            &[][..],
+            "loads.csv:1: the table has no column \"bending_y\"",
+        ),
+        (
+            "arc [s],bending y [N m]\n1,2\n",
+            &[],
+            "loads.csv:1: column \"arc\": ",
+        ),
+        (
+            "arc [m],bending y [N m]\n1,2\n2,x\n",
+            &[],
+            "loads.csv:3: column \"bending_y\": found \"x\", expected a number",
+        ),
+        (
+            "arc,bending y\n1,nan\n",
+            &[],
+            "loads.csv:2: column \"bending_y\": found \"nan\"",
+        ),
+        ("bending y [N m]\n1\n", &[], "has no column \"arc_length\""),
+        (
+            "arc,member,axial\n1,a,2\n1,b,2\n",
+            &[],
+            "the table has the members \"a\", \"b\", expected one",
+        ),
+        (
+            "arc,member,axial\n1,a,2\n",
+            &["--member", "c"],
+            "no rows of member \"c\"",
+        ),
+        ("arc,axial\n", &[], "loads.csv:1: the table has no rows"),
+        ("", &[], "the table has no rows"),
+        (
+            "time,tip_axial\n0,1\n",
+            &["--at", "root=0"],
+            "no column \"root_bending_y\"",
+        ),
+    ] {
+        let run = strength(&workplace, table, more);
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{table}");
+        assert!(run.err.contains(expected), "{table}: {}", run.err);
+    }
+    let run = strength(&workplace, "", &["--at", "root"]);
+    assert!(
+        run.code == 2 && run.err.contains("expected NAME=ETA"),
+        "{}",
+        run.err
+    );
+    // 200 tables with a changed byte: done or refused
+    let table = "time [s],eta [-],axial [N],bending y [N m]\n0,0.1,1,2\n0,0.9,1,2\n1,0.1,3,4\n";
+    for number in 0..200 {
+        let mut bytes = table.as_bytes().to_vec();
+        let at = (number * 37) % bytes.len();
+        bytes[at] = b"\",[]x\n-9.# "[number % 11];
+        let positions = section_analyzer::input::span_loads::LoadPositions {
+            length: 5.0,
+            member: None,
+            named: Vec::new(),
+        };
+        workplace.write("loads.csv", &String::from_utf8(bytes).unwrap());
+        let path = workplace.path("loads.csv");
+        if let Err(problems) = section_analyzer::input::span_loads::read_loads(&path, &positions) {
+            assert!(
+                problems.to_string().contains("loads.csv"),
+                "{number}: {problems}"
+            );
+        }
+    }
+}
+
+/// A blade without strengths: fatigue loads are written, and the table that is missing is named.
+#[test]
+fn strengths_are_needed() {
+    let workplace = solved();
+    workplace.write("a.layup.toml", LAYUP);
+    let blade = [
+        "blade",
+        "a.layup.toml",
+        "--out",
+        "b",
+        "--no-figures",
+        "--stations",
+        "0.5",
+    ];
+    assert_eq!(workplace.run(&blade).code, 0);
+    let run = strength(
+        &workplace,
+        "time,eta,axial\n0,0.4,1\n0,0.6,1\n1,0.4,2\n1,0.6,2\n",
+        &[],
+    );
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("expected [material.NAME.strength]"),
+        "{}",
+        run.err
+    );
+    assert!(workplace.path("b/a.fatigue.csv").exists());
+    assert!(!workplace.path("b/a.strength.csv").exists());
+}
