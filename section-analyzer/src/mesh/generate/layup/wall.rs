@@ -30,6 +30,9 @@ const FULL: f64 = 0.98;
 /// Samples around the contour in the search for radii.
 const SAMPLES: usize = 500;
 
+/// Part of the contour within which two points of it are one.
+const SEAM: f64 = 1e-4;
+
 /// A factor of the reach of contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reach(pub f64);
@@ -245,8 +248,11 @@ impl Wall {
             for (other, q) in &points {
                 let d = [q[0] - p[0], q[1] - p[1]];
                 let inward = n[0] * d[0] + n[1] * d[1];
-                if (*other > nose) != (*s > nose) && inward > 0.0 {
-                    radius = radius.min((d[0] * d[0] + d[1] * d[1]) / (2.0 * inward));
+                let square = d[0] * d[0] + d[1] * d[1];
+                // at the seam of a closed contour both sides have one point
+                let is_apart = square.sqrt() > SEAM * outline.perimeter();
+                if (*other > nose) != (*s > nose) && inward > 0.0 && is_apart {
+                    radius = radius.min(square / (2.0 * inward));
                 }
             }
             let thickness = self.stack.total(*s);
