@@ -52,7 +52,10 @@ pub(super) fn write(
             arguments,
             (&mut written, &mut lost),
         ),
-        false => Ok(remove_blade(&blade, span.name, files)),
+        false => {
+            remove_blade(&blade, span.name, files);
+            Ok(())
+        }
     });
     for text in &lost {
         writeln!(terminal.out, "  {text}")?;
