@@ -41,12 +41,12 @@ pub(super) fn read(
         ["length"] => straight(table, frame),
         ["arc"] => arcs(table, frame),
         ["file"] => {
-            // A known key, even if the file cannot be read.
-            table.has(&COURSE);
+            // Noted if it is absent, even if the file cannot be read.
+            let course = table.get(&COURSE);
             let columns = Columns::read(table, &KEYS.map(str::to_owned), sources);
             let line = columns.as_ref().and_then(|columns| {
                 let lists = Lists::File(columns);
-                through(table, &lists, frame)
+                through(table, (&lists, course), frame)
             });
             if let Some(columns) = columns {
                 columns.finish(sources);
@@ -58,7 +58,8 @@ pub(super) fn read(
             for key in KEYS {
                 table.has(key);
             }
-            through(table, &Lists::Inline(table), frame)
+            let course = table.get(&COURSE);
+            through(table, (&Lists::Inline(table), course), frame)
         }
         [one, other, ..] => {
             let problem = InputProblem::Both {
@@ -160,9 +161,13 @@ impl Lists<'_> {
     }
 }
 
-/// A line through points: coordinates in the frame, or span, sweep and prebend.
-fn through(table: &Table<'_>, lists: &Lists<'_>, frame: Option<&Frame>) -> Option<ReferenceLine> {
-    let course = table.get(&COURSE);
+/// A line through points: coordinates in the frame, or span, sweep and prebend; with its course
+/// between them.
+fn through(
+    table: &Table<'_>,
+    (lists, course): (&Lists<'_>, Option<usize>),
+    frame: Option<&Frame>,
+) -> Option<ReferenceLine> {
     // In axes by their names, or as words; the first that exists counts the points.
     let by_axes = AXES.iter().any(|axis| lists.has(axis));
     let keys = if by_axes { AXES } else { WORDS };
