@@ -174,7 +174,7 @@ fn every_wake_has_the_equilibrium_of_momentum() {
 
 /// All models of sections have the steady forces of their tables, on elastic blades in their annuli.
 /// Reference: the quasi-steady section of the case. Drag and moment of delayed separation are
-/// those of the table at the angle of the lagged flow, which is the steady one.
+/// the ones of the table at the angle of the lagged flow, which is the steady one.
 #[test]
 fn every_section_has_the_steady_forces_of_its_table() {
     let state = PUBLISHED[RATED];

@@ -29,7 +29,7 @@ pub struct IdentificationSettings {
 /// [`crate::result::Identification`]).
 ///
 /// The moving block is taken at the frequencies of Prony's modes; the decrement belongs to the
-/// largest of them, and is absent if the extremes are not those of one oscillation.
+/// largest of them, and is absent if the extremes do not belong to one oscillation.
 ///
 /// # Errors
 /// [`RecordProblem`]: a record without oscillations.

@@ -16,10 +16,12 @@ use super::reading_options::ReadingOptions;
 mod expand;
 mod identify;
 mod periodic;
+mod plot;
 
 use expand::{EXPAND, EXPAND_EXAMPLE};
 use identify::{IDENTIFY, IDENTIFY_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
+use plot::{PLOT, PLOT_EXAMPLE};
 
 const ABOUT: &str = "\
 Analyzes blades, rotors and mechanisms: frequencies, loads, buckling, motion in time
@@ -186,21 +188,6 @@ Example, the curves of a propeller over the advance ratio from the file of its g
   advance_ratio = { from = 0, to = 0.6, steps = 25 }
   END
   beam-dynamics performance fan.rotor.toml";
-
-const PLOT: &str = "\
-Draws columns of runs in time
-
-Reads tables that `transient` wrote, NAME.transient.csv or NAME.transient.nc, and draws their \
-columns over time or over another column, with a panel for each unit. Several tables are drawn \
-over each other.";
-
-const PLOT_EXAMPLE: &str = "\
-Examples:
-  beam-dynamics plot results/top.transient.csv
-  beam-dynamics plot results/top.transient.nc --columns tip_x,tip_y --out figures/tip
-  beam-dynamics plot results/top.transient.nc --columns 'tip*' --from 0.6 --to 0.8
-  beam-dynamics plot results/top.transient.csv --x tip_x --columns tip_y --out path.svg
-  beam-dynamics plot coarse.transient.csv fine.transient.csv --columns 'energy*'";
 
 const CHECK: &str = "\
 Reads and checks dynamics files without analyzing them

@@ -1,4 +1,4 @@
-//! Kaimal spectra and exponential coherence of IEC 61400-1 ed. 3, annex B.2.
+//! Kaimal spectra [Kaimal1972] and exponential coherence of IEC 61400-1 ed. 3, annex B.2.
 //!
 //! ```text
 //! f S_k(f)/sigma_k^2 = 4 f L_k/V / (1 + 6 f L_k/V)^(5/3)

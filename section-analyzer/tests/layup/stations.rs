@@ -48,7 +48,7 @@ fn worst_area(layup: &Layup, station: &Value) -> Result<(String, f64), String> {
     Ok(worst.unwrap_or((String::new(), 0.0)))
 }
 
-/// Differences of the measures of a station from those of a source of the reference.
+/// Differences of the measures of a station from the ones of a source of the reference.
 fn differences(layup: &Layup, station: &Value, sources: [&str; 2]) -> [[f64; 5]; 2] {
     let eta = number(&station["eta"]);
     let solution = analyze(&section(layup, eta).section).expect("a solution");

@@ -19,7 +19,7 @@ const LEAST: usize = 5;
 /// the extremes belong to several motions \[-\].
 const OTHER: f64 = 0.05;
 
-/// The mode of the extremes; `None` if they are not those of one oscillation of about the frequency
+/// The mode of the extremes; `None` if they do not belong to one oscillation of about the frequency
 /// given \[rad/s\].
 pub(super) fn mode(record: &Record, frequency: f64) -> Option<IdentifiedMode> {
     let extremes = extremes(record);

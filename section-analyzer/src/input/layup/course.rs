@@ -14,7 +14,7 @@
 //! s = ((2 h_1 + h_2) d_1 - h_1 d_2) / (h_1 + h_2),
 //! ```
 //!
-//! 0 if its sign is not that of d_1, and at most 3 d_1 if d_1 and d_2 have opposite signs.
+//! 0 if its sign differs from d_1, and at most 3 d_1 if d_1 and d_2 have opposite signs.
 //!
 //! # References
 //! - F. N. Fritsch and J. Butland, "A method for constructing local monotone piecewise cubic

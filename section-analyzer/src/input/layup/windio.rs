@@ -37,7 +37,7 @@ mod shape;
 use places::Places;
 use planes::Tilt;
 
-/// Largest difference of two rules for one place that is not told, in chords.
+/// Largest difference of two rules for one place that is not reported, in chords.
 const SAME_PLACE: f64 = 0.02;
 /// Stations at which two rules are compared.
 const COMPARED: usize = 20;
@@ -96,6 +96,15 @@ impl Version {
             Self::Two => PI / 180.0,
         }
     }
+}
+
+/// The material of a name.
+fn named<'n>(root: &'n Node, name: &str) -> Option<&'n Node> {
+    let Value::List(list) = &root.entry("materials")?.value else {
+        return None;
+    };
+    let is_it = |node: &&Node| node.entry("name").and_then(Node::text) == Some(name);
+    list.iter().map(AsRef::as_ref).find(is_it)
 }
 
 /// Whether a text is a turbine file with a blade.
@@ -176,7 +185,7 @@ fn blade(
     Some(layup)
 }
 
-/// Tells where two rules for one place differ.
+/// Reports where two rules for one place differ.
 fn compare(layup: &Layup, places: &Places<'_>, notes: &mut Notes) {
     let doubts = places.doubts.take();
     if doubts.is_empty() {
@@ -186,7 +195,7 @@ fn compare(layup: &Layup, places: &Places<'_>, notes: &mut Notes) {
     let resolvers: Vec<_> = etas
         .filter_map(|eta| Some((eta, Resolver::new(layup, eta).ok()?)))
         .collect();
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     for doubt in doubts {
         let mut worst = [0.0, 0.0];
         for (eta, resolver) in &resolvers {
@@ -204,17 +213,17 @@ fn compare(layup: &Layup, places: &Places<'_>, notes: &mut Notes) {
             }
         }
         if worst[0] > SAME_PLACE {
-            told.push(format!(
+            reported.push(format!(
                 "{} (line {}) {:.2} at eta {}",
                 doubt.what, doubt.line, worst[0], worst[1]
             ));
         }
     }
-    if !told.is_empty() {
+    if !reported.is_empty() {
         notes.remarks.push(format!(
             "arcs are used where they differ from the plane or width of the same place, in parts \
              of the chord: {}",
-            told.join("; ")
+            reported.join("; ")
         ));
     }
 }

@@ -88,7 +88,7 @@ fn damping(times: &[f64; 6]) -> Option<BladeDamping> {
 }
 
 /// The line of a reference axis \[m\] and its twist, positive nose down \[rad\]; its course is the
-/// one that `text` states, else a remark tells which is taken.
+/// one that `text` states, else a remark states which is taken.
 pub fn line(
     [x, y, z]: &[Column; 3],
     twist: &Column,

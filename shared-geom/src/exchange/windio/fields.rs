@@ -11,9 +11,9 @@ pub(super) const SAME: f64 = 1e-12;
 /// Values on a grid of parts of the length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
-    /// Ascending positions from 0 (root) to 1 (tip).
+    /// Ascending positions from 0 (root) to 1 (tip) [-].
     pub grid: Vec<f64>,
-    /// The values there.
+    /// The values there [unit of the quantity].
     pub values: Vec<f64>,
 }
 

@@ -118,12 +118,12 @@ fn parts<'n>(
     for node in &web_nodes {
         is_complete &= bond_lines(node, places, (&mut layers, used), notes).is_some();
     }
-    tell_others(structure, notes);
+    report_others(structure, notes);
     is_complete.then_some((layers, webs))
 }
 
-/// Tells the tables of the structure that are not meshed.
-fn tell_others(structure: &Node, notes: &mut Notes) {
+/// Reports the tables of the structure that are not meshed.
+fn report_others(structure: &Node, notes: &mut Notes) {
     let others: Vec<&str> = structure
         .keys()
         .into_iter()
@@ -179,7 +179,7 @@ fn thickness(item: &Node, of: &str, root: &Node, notes: &mut Notes) -> Option<Co
                 .entry("material")
                 .and_then(Node::text)
                 .unwrap_or_default();
-            let known = super::materials::named(root, material)
+            let known = super::named(root, material)
                 .and_then(|material| material.entry("ply_t"))
                 .and_then(|ply| ply.text().and_then(number));
             if known.is_none() {

@@ -19,7 +19,7 @@ use shared_geom::exchange::yaml::{Node, Value};
 use super::super::super::materials;
 use super::super::Materials;
 use super::layers::Used;
-use super::{Notes, items, required};
+use super::{Notes, items, named, required};
 
 /// Name of the text of the materials in messages, which are rewritten.
 const TEXT: &str = "materials of the turbine file";
@@ -34,15 +34,6 @@ const KEYS: [(&str, [&str; 3]); 3] = [
     ("G", ["g12", "g13", "g23"]),
     ("nu", ["nu12", "nu13", "nu23"]),
 ];
-
-/// The material of a name.
-pub(super) fn named<'n>(root: &'n Node, name: &str) -> Option<&'n Node> {
-    let Value::List(list) = &root.entry("materials")?.value else {
-        return None;
-    };
-    let is_it = |node: &&Node| node.entry("name").and_then(Node::text) == Some(name);
-    list.iter().map(AsRef::as_ref).find(is_it)
-}
 
 /// The tables of the materials that are used, with their units; notes problems.
 pub(super) fn constants(

@@ -84,7 +84,7 @@ impl<'n> Places<'n> {
         pair.map(|pair| wrapped(pair, what, item.line, notes))
     }
 
-    /// The end of another layer, if its anchor is that of a place.
+    /// The end of another layer, if its anchor is the anchor of a place.
     fn end_of_layer(&self, item: &Node, node: &Node) -> Option<Place> {
         let named = |node: &'_ Node| {
             let anchor = node.entry("anchor")?;

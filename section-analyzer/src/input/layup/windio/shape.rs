@@ -166,7 +166,7 @@ fn airfoil(item: &Node, name: &str, notes: &mut Notes) -> Option<Placed> {
     })
 }
 
-/// Relative thickness over the span if the file has no table of it: those of the airfoils at
+/// Relative thickness over the span if the file has no table of it: of the airfoils at
 /// their positions.
 fn by_position(airfoils: &[(f64, Placed)]) -> Option<Course> {
     let mut points: Vec<(f64, f64)> = airfoils
