@@ -76,6 +76,7 @@ const SUBJECTS: [Subject; 4] = [
             "is not in the file",
             "[shape] has 2",
             "[shape] has 3",
+            "[[shape.airfoils]] number 1 has no \"thickness\"",
             "is the name of another",
             "expected one of \"arc\"",
             "no file \"blade.csv\"",

@@ -77,11 +77,12 @@ fn corner(points: &[[f64; 2]]) -> usize {
 mod tests {
     use super::contour;
 
-    /// An ellipse of a third of its length, with `base` points of a flat base at its rear.
+    /// An ellipse as thick as a sixth of its length, with `base` points of a flat base at its rear,
+    /// where it turns by 55 deg.
     fn points(base: usize) -> [Vec<f64>; 2] {
         let at = |i: usize| {
             let angle = 0.2 + (std::f64::consts::TAU - 0.4) * i as f64 / 80.0;
-            [0.5 + 0.5 * angle.cos(), angle.sin() / 6.0]
+            [0.5 + 0.5 * angle.cos(), angle.sin() / 12.0]
         };
         let rear = at(0);
         let up = (0..base).map(|i| [rear[0], rear[1] * i as f64 / base as f64]);
