@@ -163,10 +163,6 @@ fn of_column(
 
 /// The table next to a result.
 fn target(result: &Path) -> PathBuf {
-    let name = result.file_name().unwrap_or_default().to_string_lossy();
-    let stem = [".transient.csv", ".transient.nc", ".csv", ".nc"]
-        .iter()
-        .find_map(|ending| name.strip_suffix(ending))
-        .unwrap_or(&name);
+    let stem = TimeTable::run_name(result);
     result.with_file_name(format!("{stem}.identified.csv"))
 }

@@ -125,11 +125,7 @@ fn save(drawing: &Drawing, path: &Path) -> Result<(), OutputProblem> {
 /// Files to write: one if its ending is given, else both kinds.
 fn targets(result: &Path, out: Option<&Path>) -> Vec<PathBuf> {
     let Some(out) = out else {
-        let name = result.file_name().unwrap_or_default().to_string_lossy();
-        let stem = [".transient.csv", ".transient.nc", ".csv", ".nc"]
-            .iter()
-            .find_map(|ending| name.strip_suffix(ending))
-            .unwrap_or(&name);
+        let stem = TimeTable::run_name(result);
         return ENDINGS
             .map(|ending| result.with_file_name(format!("{stem}.plot.{ending}")))
             .to_vec();

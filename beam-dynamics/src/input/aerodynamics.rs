@@ -13,6 +13,7 @@ mod airfoil_files;
 mod airfoils;
 mod changes;
 mod inflows;
+mod mach;
 mod problem;
 
 pub use air::AirProblem;
@@ -22,6 +23,7 @@ pub(super) use air::{CARD as AIR, check_boxes, check_steady};
 pub(super) use airfoil_files::checked as checked_airfoil;
 pub(super) use airfoils::{Airfoils, CARD as AIRFOIL, read as read_airfoils};
 pub(super) use inflows::{CARD as INFLOW, DiskDesign, Disks, Inflow, InflowKind, OF_ROTOR};
+pub(super) use mach::{MachLimit, mach_limits};
 
 /// The air, the airfoils and the inflows of a model.
 #[derive(Debug, Clone, Default)]

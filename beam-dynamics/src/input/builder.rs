@@ -36,7 +36,7 @@ mod lookup;
 mod remarks;
 mod watch;
 
-pub(super) use air::{AirBlade, MachLimit};
+pub(super) use air::AirBlade;
 pub(super) use electrodes::{ElectrodeCard, names as electrode_names};
 pub(super) use lookup::LookUp;
 

@@ -19,8 +19,9 @@ use shared_geom::document::schema::ValueKind::{Boolean, Count, Text, Word};
 use shared_geom::keys;
 use shared_geom::quadrature;
 
+use super::aerodynamics::MachLimit;
 use super::beam_card::Beam;
-use super::builder::{AirBlade, MachLimit, ModelBuilder};
+use super::builder::{AirBlade, ModelBuilder};
 use crate::case::BladeNodes;
 use crate::elements::strips::{Air, AirStrip, RotorDisk, StripGeometry, StripRotor, TipRadius};
 use crate::elements::{Element, Signal, StripPlace};
@@ -130,7 +131,7 @@ pub(super) fn read(
 /// Adds the strips of the blades of a card, by their names and axes (columns, pitch included). The
 /// blades are equal: their strips are, too.
 pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut ModelBuilder) {
-    let mut placed: Option<Vec<PlacedStrip>> = None;
+    let mut placed: Option<(Vec<PlacedStrip>, Vec<MachLimit>)> = None;
     for (name, axes) in blades {
         let found = builder.blades().iter().find(|blade| blade.name == *name);
         // A blade that could not be added is noted already.
@@ -141,19 +142,18 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
         let tip = blade.nodes.last().map(|node| &builder.nodes()[*node]);
         let radius = tip.map_or(0.0, |tip| air.rotor.distance(&tip.position));
         let disk = air.rotor.disk(radius, builder);
-        let strips = placed.get_or_insert_with(|| {
-            let of = (&air.rotor, &air.along.stations);
-            let inflow = StripsInflow::new(of, (blades.len(), radius), |at| {
-                air.rotor.distance(&point_at(&beams, at, builder))
-            });
-            strips(&air.along, (axes, &beams), builder, &inflow)
+        let (strips, limits) = placed.get_or_insert_with(|| {
+            let stations = &air.along.stations;
+            let distance = |at: f64| air.rotor.distance(&point_at(&beams, at, builder));
+            let inflow =
+                StripsInflow::new((&air.rotor, stations), (blades.len(), radius), distance);
+            let strips = strips(&air.along, (axes, &beams), builder, &inflow);
+            (strips, stations.mach_limits(distance))
         });
-        let radius = |at: f64| air.rotor.distance(&point_at(&beams, at, builder));
-        let limits = mach::limits(&air.along.stations, radius);
         add_blade(
             (&blade, &air.rotor, disk),
             (&beams, strips),
-            limits,
+            limits.clone(),
             builder,
         );
     }

@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use super::{ModelBuilder, boxed};
 use crate::elements::Reading;
 use crate::elements::control::{Matrices, StateSpace};
+use crate::input::aerodynamics::MachLimit;
 use crate::model::Scalar;
 
 /// A blade or a card of strips, undeformed.
@@ -21,17 +22,6 @@ pub(in crate::input) struct AirBlade {
     pub strips: Vec<(String, f64)>,
     /// Airfoils with tables over the Mach number; none without a rotor.
     pub mach_limits: Vec<MachLimit>,
-}
-
-/// An airfoil whose table ends at a Mach number.
-#[derive(Debug, Clone, PartialEq)]
-pub(in crate::input) struct MachLimit {
-    /// Its name.
-    pub airfoil: String,
-    /// Largest Mach number of its table \[-\].
-    pub largest: f64,
-    /// Largest distance from the shaft with this airfoil \[m\].
-    pub radius: f64,
 }
 
 impl ModelBuilder {

@@ -6,6 +6,7 @@ use shared_geom::document::Table;
 
 use super::problem::PerformanceProblem;
 use crate::case::{OperatingSetting, PerformancePart, PerformanceRequest};
+use crate::input::aerodynamics::mach_limits;
 
 /// Notes each airfoil whose tables end below the Mach numbers of the points, which are formed
 /// without induction; `sound_speed` \[m/s\].
@@ -15,9 +16,11 @@ pub(super) fn check(
     parts: &[PerformancePart],
     sound_speed: f64,
 ) {
-    for (airfoil, largest, radius) in limited(rotor) {
+    let stations = rotor.stations.iter();
+    let limits = mach_limits(stations.map(|station| (station.radius, &station.section)));
+    for limit in limits {
         let of_part = |part: &PerformancePart| {
-            let speed = |at: &OperatingSetting| at.speed.hypot(at.omega * radius);
+            let speed = |at: &OperatingSetting| at.speed.hypot(at.omega * limit.radius);
             let speeds = fastest(part).into_iter().map(|at| speed(&at));
             (speeds.fold(0.0, f64::max) / sound_speed, part.name.clone())
         };
@@ -25,33 +28,16 @@ pub(super) fn check(
         let Some((found, part)) = parts.max_by(|a, b| a.0.total_cmp(&b.0)) else {
             continue;
         };
-        if found > largest {
+        if found > limit.largest {
             let problem = PerformanceProblem::Mach {
-                airfoil,
-                largest,
+                airfoil: limit.airfoil,
+                largest: limit.largest,
                 found,
                 part,
             };
             table.note(key, &problem);
         }
     }
-}
-
-/// Airfoils with tables over the Mach number: name, largest number, largest radius \[m\].
-fn limited(rotor: &RigidRotor<Section>) -> Vec<(String, f64, f64)> {
-    let mut found: Vec<(String, f64, f64)> = Vec::new();
-    for station in &rotor.stations {
-        for (_, airfoil) in station.section.parts() {
-            let Some([_, largest]) = airfoil.mach_range() else {
-                continue;
-            };
-            match found.iter_mut().find(|known| known.0 == airfoil.name()) {
-                Some(known) => known.2 = known.2.max(station.radius),
-                None => found.push((airfoil.name().to_owned(), largest, station.radius)),
-            }
-        }
-    }
-    found
 }
 
 /// Points among which the fastest is; of a power curve a bound.

@@ -18,7 +18,6 @@ use shared_geom::document::schema::ValueKind::{Text, Vector};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use super::mach;
 use super::rotor::{self, Rotor};
 use super::stations::{self, Between};
 use super::{
@@ -257,8 +256,10 @@ fn add(
             on_body((air, axes), (label, *node, ends), (&inflow, of), builder)
         }
     };
-    let limits = rotor
-        .map(|rotor| mach::limits(&air.stations, |at| rotor.distance(&line.point(at, builder))));
+    let limits = rotor.map(|rotor| {
+        let radius = |at| rotor.distance(&line.point(at, builder));
+        air.stations.mach_limits(radius)
+    });
     let of = (label, rotor, limits.unwrap_or_default());
     place(strips.into_iter(), of, length, builder);
     Some(())

@@ -1,34 +1,7 @@
 //! Mach numbers of strips beyond the tables of their airfoils.
 
-use super::stations::Stations;
 use crate::elements::strips::Air;
-use crate::input::builder::{MachLimit, ModelBuilder};
-
-/// Airfoils with tables over the Mach number; `radius` is the distance from the shaft at a position
-/// on the line \[m\].
-pub(super) fn limits(stations: &Stations, radius: impl Fn(f64) -> f64) -> Vec<MachLimit> {
-    let mut limits: Vec<MachLimit> = Vec::new();
-    for (position, section) in stations.sections() {
-        for (_, airfoil) in section.parts() {
-            let Some([_, largest]) = airfoil.mach_range() else {
-                continue;
-            };
-            let radius = radius(position);
-            let known = limits
-                .iter_mut()
-                .find(|known| known.airfoil == airfoil.name());
-            match known {
-                Some(known) => known.radius = known.radius.max(radius),
-                None => limits.push(MachLimit {
-                    airfoil: airfoil.name().to_owned(),
-                    largest,
-                    radius,
-                }),
-            }
-        }
-    }
-    limits
-}
+use crate::input::builder::ModelBuilder;
 
 /// Remarks on the airfoils whose tables end below the Mach number of a rotor of this speed
 /// [rad/s], without induction: beyond them the last table is used.

@@ -6,7 +6,7 @@ use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
-use crate::input::aerodynamics::{Airfoils, StripProblem};
+use crate::input::aerodynamics::{Airfoils, MachLimit, StripProblem, mach_limits};
 
 keys! {
     /// Stations from the root to the tip, unless there is a `file`; linear between them.
@@ -82,11 +82,11 @@ impl Stations {
         self.stations.iter().map(|station| station.at)
     }
 
-    /// The airfoils of the stations, with their positions \[m\].
-    pub fn sections(&self) -> impl Iterator<Item = (f64, &Section)> {
-        self.stations
-            .iter()
-            .map(|station| (station.at, &station.airfoil))
+    /// Largest Mach numbers of the tables; `radius` is the distance from the shaft at a position
+    /// \[m\].
+    pub fn mach_limits(&self, radius: impl Fn(f64) -> f64) -> Vec<MachLimit> {
+        let stations = self.stations.iter();
+        mach_limits(stations.map(|station| (radius(station.at), &station.airfoil)))
     }
 
     /// The blade at a position between the first and the last station \[m\].

@@ -55,6 +55,13 @@ impl TimeTable {
         }
     }
 
+    /// The name of the run whose table is at `path`: of the file, without the endings of results.
+    pub fn run_name(path: &Path) -> String {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let stem = ENDINGS.iter().find_map(|ending| name.strip_suffix(ending));
+        stem.unwrap_or(&name).to_owned()
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, Vec::len)
@@ -148,7 +155,7 @@ fn parse_csv(bytes: &[u8], path: &Path) -> Result<TimeTable, RunFileProblem> {
     let title = netcdf_table::title(&path.with_extension("nc"));
     Ok(TimeTable {
         file: path.display().to_string(),
-        title: title.unwrap_or_else(|| stem(path)),
+        title: title.unwrap_or_else(|| TimeTable::run_name(path)),
         headings,
         columns,
     })
@@ -177,17 +184,10 @@ fn parse_netcdf(bytes: &[u8], path: &Path) -> Result<TimeTable, RunFileProblem> 
     Ok(TimeTable {
         file: path.display().to_string(),
         title: match content.title.is_empty() {
-            true => stem(path),
+            true => TimeTable::run_name(path),
             false => content.title,
         },
         headings: content.headings,
         columns: content.columns,
     })
-}
-
-/// The name of the file at `path` without the endings common to all results.
-pub(super) fn stem(path: &Path) -> String {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let stem = ENDINGS.iter().find_map(|ending| name.strip_suffix(ending));
-    stem.unwrap_or(&name).to_owned()
 }

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use crate::output::TimeTable;
-use crate::output::transient::table::stem;
 
 /// Largest number of models in a title.
 const MOST_TITLES: usize = 3;
@@ -29,20 +28,20 @@ pub(super) fn title(tables: &[TimeTable]) -> String {
 pub(super) fn runs(tables: &[TimeTable]) -> Vec<String> {
     let paths: Vec<_> = tables.iter().map(|table| Path::new(&table.file)).collect();
     let depth = paths.iter().map(|path| path.components().count()).max();
-    let mut names: Vec<_> = paths.iter().map(|path| stem(path)).collect();
+    let mut names: Vec<_> = paths.iter().map(|path| TimeTable::run_name(path)).collect();
     for folders in 0..depth.unwrap_or(0) {
         if is_distinct(&names) {
             return names;
         }
         let of_folders = |path: &Path| match folders {
             0 => path.file_name().unwrap_or_default().into(),
-            _ => last_folders(path, folders).join(stem(path)),
+            _ => last_folders(path, folders).join(TimeTable::run_name(path)),
         };
         let found = paths.iter().map(|path| of_folders(path));
         names = found.map(|path| path.display().to_string()).collect();
     }
     if !is_distinct(&names) {
-        names = paths.iter().map(|path| stem(path)).collect();
+        names = paths.iter().map(|path| TimeTable::run_name(path)).collect();
     }
     names
 }
