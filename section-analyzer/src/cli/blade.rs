@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use shared_geom::error::{Diagnostics, Explain, SourceLocation};
-use shared_geom::files::{OutputProblem, make_folder, write_whole};
+use shared_geom::files::{OutputProblem, make_folder, name_without, write_whole};
 use shared_geom::gmsh;
 use shared_geom::line::Side;
 use shared_geom::section::SectionProperties;
@@ -107,17 +107,15 @@ pub(super) fn solve_blade(
 
 /// The name of a blade: of its file, without its ending.
 fn name_of(file: &Path) -> String {
-    let whole = file.file_name().unwrap_or_default().to_string_lossy();
-    let stem = || {
-        file.file_stem()
+    match file.extension() == Some("toml".as_ref()) {
+        true => name_without(file, ENDING),
+        // turbine files of windIO
+        false => file
+            .file_stem()
             .unwrap_or_default()
             .to_string_lossy()
-            .into_owned()
-    };
-    whole
-        .strip_suffix(ENDING)
-        .filter(|name| !name.is_empty())
-        .map_or_else(stem, str::to_owned)
+            .into_owned(),
+    }
 }
 
 /// The sections to solve, and the solved ones.
