@@ -33,6 +33,7 @@ mod schema;
 mod statics;
 mod terminal;
 mod transient;
+mod trim;
 
 use arguments::{Arguments, Command, Results};
 use blade_options::BladeOptions;
@@ -129,6 +130,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Periodic { files, results } => {
             periodic::periodic_of_files(&files, &results, terminal)
         }
+        Command::Trim { files, results } => trim::trim_of_files(&files, &results, terminal),
         Command::Performance { files, results } => {
             performance::performance_of_files(&files, &results, terminal)
         }
