@@ -80,7 +80,9 @@ fn wrong_cards_are_reported_with_their_remedy() {
     let beside = oscillator("steady") + "[modes]\nspeeds = [0]\n";
     let problems = beam_dynamics::input::parse(&beside, "x.dynamics.toml").unwrap_err();
     assert!(
-        problems.to_string().contains("which [modes] does not find"),
+        problems
+            .to_string()
+            .contains("beside [modes], which does not find"),
         "{problems}"
     );
     let start = oscillator("steady").replace("[periodic]", "[periodic]\nstart = \"rotating\"");

@@ -65,8 +65,8 @@ keys! {
     pub(super) VALUE: f64 = "value", [Quantity(Dimension::NUMBER)], required, "700";
     /// Size relative to which its error is measured.
     pub(super) TARGET_SCALE: f64 = "scale", [Positive(Dimension::NUMBER)], or "1" = 1.0, "700";
-    /// Harmonic of a revolution, or without rotor speed of the period; 0 is the mean.
-    pub(super) HARMONIC: usize = "harmonic", [Count(MOST)], or "0" = 0, "1";
+    /// Harmonic of a revolution, or without rotor speed of the period, in place of the mean.
+    pub(super) HARMONIC: usize = "harmonic", [Count(MOST)], or "the mean" = 0, "1";
     /// Factor of the cosine or of the sine, from the first instant of the period.
     pub(super) PART: usize = "part", [Word(&["cosine", "sine"])], or "\"cosine\"" = 0, "\"sine\"";
 }
