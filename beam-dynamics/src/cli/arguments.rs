@@ -16,10 +16,14 @@ use super::reading_options::ReadingOptions;
 mod expand;
 mod identify;
 mod periodic;
+mod plot;
+mod trim;
 
 use expand::{EXPAND, EXPAND_EXAMPLE};
 use identify::{IDENTIFY, IDENTIFY_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
+use plot::{PLOT, PLOT_EXAMPLE};
+use trim::{TRIM, TRIM_EXAMPLE};
 
 const ABOUT: &str = "\
 Analyzes blades, rotors and mechanisms: frequencies, loads, buckling, motion in time
@@ -187,21 +191,6 @@ Example, the curves of a propeller over the advance ratio from the file of its g
   END
   beam-dynamics performance fan.rotor.toml";
 
-const PLOT: &str = "\
-Draws columns of runs in time
-
-Reads tables that `transient` wrote, NAME.transient.csv or NAME.transient.nc, and draws their \
-columns over time or over another column, with a panel for each unit. Several tables are drawn \
-over each other.";
-
-const PLOT_EXAMPLE: &str = "\
-Examples:
-  beam-dynamics plot results/top.transient.csv
-  beam-dynamics plot results/top.transient.nc --columns tip_x,tip_y --out figures/tip
-  beam-dynamics plot results/top.transient.nc --columns 'tip*' --from 0.6 --to 0.8
-  beam-dynamics plot results/top.transient.csv --x tip_x --columns tip_y --out path.svg
-  beam-dynamics plot coarse.transient.csv fine.transient.csv --columns 'energy*'";
-
 const CHECK: &str = "\
 Reads and checks dynamics files without analyzing them
 
@@ -368,6 +357,7 @@ impl Command {
             | Self::Buckling { results, .. }
             | Self::Performance { results, .. }
             | Self::Periodic { results, .. }
+            | Self::Trim { results, .. }
             | Self::Transient { results, .. } => results.quiet,
             _ => false,
         }
@@ -418,6 +408,14 @@ pub(super) enum Command {
     },
     #[command(about = first_line(PERIODIC), long_about = PERIODIC, after_help = PERIODIC_EXAMPLE)]
     Periodic {
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        results: Results,
+    },
+    #[command(about = first_line(TRIM), long_about = TRIM, after_help = TRIM_EXAMPLE)]
+    Trim {
         /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
