@@ -6,8 +6,8 @@ use super::table::trim_csv;
 use super::text::trim_text;
 use crate::output::Written;
 use crate::output::folder::{ResultLocation, Results};
-use crate::output::panels::{Panel, PanelPlot};
 use crate::result::{TrimPoint, TrimResult};
+use shared_geom::figure::{Panel, PanelPlot};
 
 const TABLE: &str = "trim.csv";
 const TEXT: &str = "trim.txt";
