@@ -63,17 +63,7 @@ pub(super) fn envelope(
     };
     let loads = read_loads(&arguments.loads, &positions);
     let loads = loads.map_err(|problems| terminal.report_all(&problems))?;
-    let folder = span.parent().unwrap_or(Path::new(""));
-    let job = |station: &ListedStation| Job {
-        label: format!("eta {}", crate::mesh::short(station.eta)),
-        ..Job::new(
-            &folder
-                .join("sections")
-                .join(format!("{}.section.toml", station.section)),
-            None,
-        )
-    };
-    let jobs: Vec<Job> = stations.iter().map(job).collect();
+    let jobs = jobs_of(&stations, span.parent().unwrap_or(Path::new("")));
     let found: Vec<OnceLock<Vec<ReserveRow>>> = jobs.iter().map(|_| OnceLock::new()).collect();
     let work = |number: usize, job: &Job| match reserves(&stations[number], job, &loads) {
         Ok((nodes, rows)) => {
@@ -105,6 +95,19 @@ pub(super) fn envelope(
         return Err(terminal.report_all(&wrong(NoStrength::Limits)));
     }
     ended.result()
+}
+
+/// The section files of stations, below `folder`.
+fn jobs_of(stations: &[ListedStation], folder: &Path) -> Vec<Job> {
+    let folder = folder.join("sections");
+    let job = |station: &ListedStation| Job {
+        label: format!("eta {}", crate::mesh::short(station.eta)),
+        ..Job::new(
+            &folder.join(format!("{}.section.toml", station.section)),
+            None,
+        )
+    };
+    stations.iter().map(job).collect()
 }
 
 /// Solves a section; returns its number of nodes and the reserve factors of its plies.

@@ -35,11 +35,11 @@ pub struct FatigueRow {
     pub component: String,
     /// Number of cycles [-].
     pub cycles: f64,
-    /// The largest range, in the unit of the component.
+    /// The largest range [unit of the component].
     pub largest: f64,
     /// Woehler exponent [-].
     pub exponent: f64,
-    /// Range of equal damage, in the unit of the component.
+    /// Range of equal damage [unit of the component].
     pub equivalent: f64,
 }
 

@@ -14,9 +14,9 @@
 /// Equal cycles, or half of one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
-    /// Largest minus smallest value.
+    /// Largest minus smallest value [unit of the history].
     pub range: f64,
-    /// Mean of both.
+    /// Mean of both [unit of the history].
     pub mean: f64,
     /// One, or a half [-].
     pub count: f64,

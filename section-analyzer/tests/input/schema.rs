@@ -79,6 +79,8 @@ const SUBJECTS: [Subject; 4] = [
             "is the name of another",
             "expected one of \"arc\"",
             "no file \"blade.csv\"",
+            "\"twist\" lists 4",
+            "a splined line leads outward",
         ],
         referred: &[],
     },

@@ -27,7 +27,7 @@ const MOST_NAMES: usize = 21;
 pub struct Panel {
     /// Name and unit.
     pub title: String,
-    /// Points of each curve.
+    /// Points of each curve: position on the axis and value [unit of the axis, unit of the title].
     pub curves: Vec<Vec<[f64; 2]>>,
 }
 

@@ -70,7 +70,7 @@ impl SpanStation {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Selection {
     /// The stations of the file, or else chosen ones: all positions at which the layup has
-    /// values, at most [`MOST`], none farther than [`STEP`] from the next one.
+    /// values, at most 60, none farther from the next one than a twentieth of the length.
     Chosen,
     /// So many, at equal distances, and all jumps.
     Equal(usize),

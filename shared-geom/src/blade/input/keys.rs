@@ -94,7 +94,7 @@ keys! {
     pub(super) STATIONS: Nested = "stations", [OneTable(&STATIONS_TABLE)], required, "";
 }
 
-/// The table `[line]`, which [`read_line`](super::read_line) reads.
+/// The table `[line]`, which `read_line` reads.
 pub const LINE_TABLE: TableSchema = TableSchema {
     title: "[line]",
     meaning: "The reference line, in the root axes of the blade.",
