@@ -47,6 +47,7 @@ mod bending;
 mod branches;
 pub mod buckling;
 mod critical;
+mod effects;
 mod fewer_modes;
 mod first_order;
 mod growing;
@@ -58,6 +59,7 @@ pub mod periodic;
 pub mod statics;
 pub mod steady;
 pub mod transient;
+pub mod trim;
 
 mod arc;
 mod balance;

@@ -11,6 +11,7 @@ mod mode_style;
 mod performance;
 mod periodic;
 mod transient;
+mod trim;
 
 pub use columns::{Column, ElectrodeQuantity, Every, OutputSettings, Quantity};
 pub use mode_style::{FrequencyUnit, ModeStyle, Words};
@@ -18,10 +19,11 @@ pub use performance::{
     Abscissa, MachineKind, OperatingSetting, PerformanceCase, PerformancePart, PerformanceRequest,
     PowerCurve, RatedPower, RotorSpeedLaw, linear_between,
 };
-pub use periodic::{FloquetSettings, PeriodicMethod, PeriodicSettings, PeriodicTarget};
+pub use periodic::{FloquetSettings, PeriodicMethod, PeriodicSettings};
 pub use transient::{
     InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientSettings,
 };
+pub use trim::{AutoPilot, TrimControl, TrimMethod, TrimSettings, TrimSweep, TrimTarget};
 
 /// Rotation of the model's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]

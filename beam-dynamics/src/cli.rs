@@ -35,6 +35,7 @@ mod statics;
 mod table_part;
 mod terminal;
 mod transient;
+mod trim;
 
 use arguments::{Arguments, Command, Results};
 use blade_options::BladeOptions;
@@ -131,6 +132,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Periodic { files, results } => {
             periodic::periodic_of_files(&files, &results, terminal)
         }
+        Command::Trim { files, results } => trim::trim_of_files(&files, &results, terminal),
         Command::Performance { files, results } => {
             performance::performance_of_files(&files, &results, terminal)
         }

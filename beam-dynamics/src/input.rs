@@ -16,7 +16,7 @@ use shared_geom::files::name_without;
 use crate::assembly::{massless, mechanism};
 use crate::case::{
     BucklingSettings, Model, ModesSettings, OutputSettings, PeriodicSettings, StaticSettings,
-    TransientSettings,
+    TransientSettings, TrimMethod, TrimSettings,
 };
 use crate::elements::Element;
 use crate::result::Measured;
@@ -75,6 +75,7 @@ mod springs;
 mod strips;
 mod summary;
 mod transient;
+mod trim;
 
 #[cfg(test)]
 mod frame_tests;
@@ -109,6 +110,7 @@ pub use readings::ReadingProblem;
 pub use rotors::RotorProblem;
 pub use summary::Summary;
 pub use transient::TransientProblem;
+pub use trim::TrimProblem;
 
 use analyses::Analyses;
 use builder::ModelBuilder;
@@ -134,6 +136,8 @@ pub struct Input {
     pub transient: Option<TransientSettings>,
     /// The requested periodic motion; `None` without `[periodic]`.
     pub periodic: Option<PeriodicSettings>,
+    /// The requested trim; `None` without `[trim]`.
+    pub trim: Option<TrimSettings>,
     /// Measurements to compare with the result; empty if there are none.
     pub measured: Measured,
     /// Names of the joints without a spring, whose motion only inertia and loads resist.
@@ -155,9 +159,17 @@ pub struct Input {
 /// values, impossible geometry; and if there are none of these, the ways in which the model
 /// can move freely.
 pub fn read(path: &Path) -> Result<Input, Diagnostics> {
+    read_with(path, &[])
+}
+
+/// Reads it with other values of the parameters that are `given`, each in the declared unit.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(path: &Path, given: &[(String, f64)]) -> Result<Input, Diagnostics> {
     let text = read_text(path)?;
     FileKind::Dynamics.require(path, &text)?;
-    checked(&text, &path.display().to_string(), &name_of(path))
+    checked(&text, (&path.display().to_string(), &name_of(path)), given)
 }
 
 /// Reads and checks the text of a dynamics input, as if it were at `path`: the paths of its files
@@ -166,8 +178,20 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 /// # Errors
 /// As [`read`].
 pub fn parse(text: &str, path: impl AsRef<Path>) -> Result<Input, Diagnostics> {
+    parse_with(text, path, &[])
+}
+
+/// Reads it with other values of the parameters that are `given`, each in the declared unit.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse_with(
+    text: &str,
+    path: impl AsRef<Path>,
+    given: &[(String, f64)],
+) -> Result<Input, Diagnostics> {
     let path = path.as_ref();
-    checked(text, &path.display().to_string(), &name_of(path))
+    checked(text, (&path.display().to_string(), &name_of(path)), given)
 }
 
 /// The text of the dynamics input at `path`, with other cards in place of each `[[rotor]]`.
@@ -178,15 +202,20 @@ pub fn expanded(path: &Path) -> Result<String, Diagnostics> {
     let text = read_text(path)?;
     FileKind::Dynamics.require(path, &text)?;
     let document = Document::parse_with_includes(&text, &path.display().to_string())?;
-    declare(&document, &document.root_of(&schema::DYNAMICS_FILE));
+    declare(&document, &document.root_of(&schema::DYNAMICS_FILE), &[]);
     let expanded = rotors::expanded_text(&document, &text);
     document.finish(expanded)
 }
 
-/// The input in the text of a file, whose results are called `name`.
-fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
+/// The input in the text of a file, whose results are called `name`, with other values of the
+/// parameters that are `given`.
+fn checked(
+    text: &str,
+    (file, name): (&str, &str),
+    given: &[(String, f64)],
+) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
-    declare(&document, &document.root_of(&schema::DYNAMICS_FILE));
+    declare(&document, &document.root_of(&schema::DYNAMICS_FILE), given);
     // Problems of rotors are reported with all others.
     let rotors = rotors::expand(&mut document);
     if !frames::repeat(&mut document) {
@@ -197,7 +226,8 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
     let mobility = mechanism::find(&input.model.system);
-    let is_held = input.statics.is_some() || input.buckling.is_some();
+    let is_trimmed = (input.trim.as_ref()).is_some_and(|own| own.method == TrimMethod::Equilibrium);
+    let is_held = input.statics.is_some() || input.buckling.is_some() || is_trimmed;
     let is_in_time = input.transient.is_some() || input.periodic.is_some();
     let only_in_time = is_in_time && input.modes.is_none() && !is_held;
     let is_free = input.modes.as_ref().is_some_and(|modes| modes.free);
@@ -227,7 +257,7 @@ fn checked(text: &str, file: &str, name: &str) -> Result<Input, Diagnostics> {
     if is_free {
         input.remarks.extend(free_parts(&mobility.mechanisms));
     }
-    if input.modes.is_some() || input.statics.is_some() || input.buckling.is_some() {
+    if input.modes.is_some() || is_held {
         input.remarks.extend(sampled(&input.model));
     }
     input.free_hinges = mobility.free_hinges;
@@ -285,9 +315,9 @@ pub fn name_of(path: &Path) -> String {
 }
 
 /// Declares the units of numbers and the parameters.
-fn declare(document: &Document, root: &Table<'_>) {
+fn declare(document: &Document, root: &Table<'_>, given: &[(String, f64)]) {
     document.declare_units(root);
-    document.declare_parameters(root);
+    document.declare_parameters_as(root, given);
 }
 
 /// Reads every card, in an order in which each finds the names that it uses.
@@ -297,7 +327,7 @@ fn cards(document: &Document, default_name: &str, rotors: &[PlacedRotor]) -> Opt
     let _read = ["units", "parameters", "include", "rotor"].map(|key| root.has(key));
     let mut drives = drives::read_named(&root);
     let control = control::declare(&root, &mut drives);
-    let periodic_controls = periodic::declare(&root, &mut drives);
+    let trim = trim::declare(&root, &mut drives);
     let properties = properties::read(&root, &drives);
     let hub = hub::read(&root);
 
@@ -313,8 +343,10 @@ fn cards(document: &Document, default_name: &str, rotors: &[PlacedRotor]) -> Opt
     builder.set_aerodynamics(air);
     parts(&root, &mut builder);
     control::read(control, &mut builder);
-    let periodic = periodic::read(&root, periodic_controls, &mut builder);
-    let analyses = analyses::read(&root, periodic);
+    let mut periodic = periodic::read(&root);
+    let of_period = periodic.as_mut().and_then(Option::as_mut);
+    let trim = trim::read(&root, trim, of_period, &mut builder);
+    let analyses = analyses::read(&root, periodic, trim);
     let measured = measured::read(&root);
     let output = columns::read(&root, &builder);
     root.finish_beside(&misplaced_keys::OF_FILE);
@@ -410,6 +442,7 @@ fn finish(
         output: OutputSettings::default(),
         transient: analyses.transient,
         periodic: analyses.periodic,
+        trim: analyses.trim,
         measured,
         free_hinges: Vec::new(),
         node_locations: Vec::new(),

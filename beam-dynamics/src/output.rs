@@ -27,6 +27,7 @@ mod table_modes;
 mod table_text;
 mod text;
 mod transient;
+mod trim;
 mod views;
 
 #[cfg(test)]
@@ -48,7 +49,9 @@ pub use identification::{identification_csv, identification_text};
 pub use performance::{
     MapPlot, performance_csv, performance_text, span_load_csv, write_performance,
 };
-pub use periodic::{MultiplierPlot, PERIODIC_CONVENTION, PeriodicFiles, periodic_text};
+pub use periodic::{
+    MultiplierPlot, PERIODIC_CONVENTION, PeriodicFiles, periodic_text, rotor_harmonics_text,
+};
 pub use shapes::{ShapePlot, write_shapes};
 pub use statics::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,
@@ -62,3 +65,4 @@ pub use transient::{
     Heading, RunFileProblem, RunFiles, TimePlot, TimeTable, effort_text, not_drawn_text,
     parse_snapshot, read_snapshot, write_snapshot,
 };
+pub use trim::{trim_csv, trim_text, write_trim};

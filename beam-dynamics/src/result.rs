@@ -13,6 +13,7 @@ mod performance;
 mod periodic;
 mod statics;
 mod transient;
+mod trim;
 
 pub use buckling::{BucklingMode, BucklingResult};
 pub use columns::ColumnValues;
@@ -22,6 +23,7 @@ pub use performance::{PerformancePoint, PerformanceResult, PerformanceTable, Poi
 pub use periodic::{FloquetMode, FloquetTable, Harmonics, PeriodicPass, PeriodicResult, Stability};
 pub use statics::{StaticResult, StaticStep};
 pub use transient::{AcceptedStep, Effort, Recorder, Snapshot};
+pub use trim::{TrimPoint, TrimResult};
 
 /// Least share of the kinetic energy for which a mode is named by one kind.
 const PURE_SHARE: f64 = 0.6;

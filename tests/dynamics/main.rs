@@ -59,6 +59,7 @@ mod strip_cards;
 mod superposed;
 mod swinging;
 mod tm4760;
+mod trim;
 mod uniform_beam;
 mod vacuum;
 mod variational_beam;

@@ -15,7 +15,7 @@ use crate::elements::Queries;
 use crate::integrator::Dae;
 use crate::model::State;
 use crate::modes::Largest;
-use crate::result::{AcceptedStep, FloquetTable, PeriodicPass, PeriodicResult, Recorder};
+use crate::result::{AcceptedStep, FloquetTable, PeriodicResult, Recorder};
 
 mod border;
 mod content;
@@ -24,6 +24,7 @@ mod floquet;
 mod flow;
 mod map;
 mod march;
+mod pilot;
 mod shooting;
 mod sizes;
 
@@ -43,6 +44,8 @@ const LEAST_STEPS: usize = 8;
 pub struct PeriodicOutcome {
     /// The result.
     pub result: PeriodicResult,
+    /// The first state of the motion, or the last state of the search.
+    pub state: Option<State>,
     /// Reason if no periodic motion was found.
     pub failure: Option<PeriodicFailure>,
 }
@@ -54,6 +57,20 @@ pub fn periodic(
     settings: &PeriodicSettings,
     recorder: &mut dyn Recorder,
 ) -> PeriodicOutcome {
+    let mut outcome = periodic_from(model, settings, None);
+    let state = outcome.state.as_ref().filter(|_| outcome.failure.is_none());
+    if let Some(Err(failure)) = state.map(|state| record(model, settings, state, recorder)) {
+        outcome.failure = Some(failure);
+    }
+    outcome
+}
+
+/// The same from a state of the model, if one is given, and without a recorder.
+pub fn periodic_from(
+    model: &Model,
+    settings: &PeriodicSettings,
+    from: Option<&State>,
+) -> PeriodicOutcome {
     let mut result = PeriodicResult {
         name: model.name.clone(),
         period: settings.period,
@@ -63,17 +80,25 @@ pub fn periodic(
         is_periodic: false,
         periods: 0,
         controls: Vec::new(),
+        targets: Vec::new(),
         floquet: None,
         remarks: Vec::new(),
     };
-    let failure = find(model, settings, recorder, &mut result).err();
-    PeriodicOutcome { result, failure }
+    let mut state = from.cloned();
+    let failure = find(model, settings, &mut state, &mut result).err();
+    PeriodicOutcome {
+        result,
+        state,
+        failure,
+    }
 }
 
+/// Finds the motion from a state, if one is given, and leaves its first state, or the last state of the
+/// search, in its place.
 fn find(
     model: &Model,
     settings: &PeriodicSettings,
-    recorder: &mut dyn Recorder,
+    place: &mut Option<State>,
     result: &mut PeriodicResult,
 ) -> Result<(), PeriodicFailure> {
     check_memory(model, settings)?;
@@ -85,34 +110,54 @@ fn find(
             &shared.model
         }
     };
-    let Started { state, remarks, .. } = start(model, &settings.start)?;
-    result.remarks.extend(remarks);
+    let is_given = place.is_some();
+    if !is_given {
+        let Started { state, remarks, .. } = start(model, &settings.start)?;
+        result.remarks.extend(remarks);
+        *place = Some(state);
+    }
+    let Some(state) = place.as_mut() else {
+        return Ok(());
+    };
     let border = Border::new(model, settings)?;
-    let mut flow = Flow::new(model, settings, settings.steps, &state);
+    let mut flow = Flow::new(model, settings, settings.steps, state);
     note_corners(&flow, result);
     let conditions = model.conditions_at(settings.start.from);
-    let algebraic = algebraic(model, &state);
-    let sizes = sizes::sizes(model, (&state, &conditions), &algebraic, settings.period);
+    let algebraic = algebraic(model, state);
+    let sizes = sizes::sizes(model, (state, &conditions), &algebraic, settings.period);
     let shooting = Shooting {
         model,
         settings,
         border: &border,
         sizes: &sizes,
     };
-    let found = match settings.method {
-        PeriodicMethod::Shooting => shoot(&shooting, &mut flow, state, &mut result.passes),
-        PeriodicMethod::March => {
-            let at = (state, &algebraic[..], &sizes[..]);
-            march::march(&mut flow, (model, settings), at, &mut result.passes)
-                .map(|ends| Found::Marched(Box::new(ends)))
+    let marched = |ends: [State; 2]| Found::Marched(Box::new(ends));
+    let settle = if is_given { 0 } else { settings.settle };
+    let passes = &mut result.passes;
+    let found = match (settings.method, settings.pilot) {
+        (_, Some(own)) => settled(&mut flow, state, settle)
+            .and_then(|()| pilot::pilot(&shooting, &mut flow, (state, own), passes))
+            .map(marched),
+        (PeriodicMethod::Shooting, None) => settled(&mut flow, state, settle)
+            .and_then(|()| shooting.solve(&mut flow, state, passes))
+            .map(|orbit| Found::Shot(Box::new(orbit))),
+        (PeriodicMethod::March, None) => {
+            let at = (state.clone(), &algebraic[..], &sizes[..]);
+            march::march(&mut flow, (model, settings), at, passes).map(marched)
         }
     };
     result.periods = flow.periods;
+    let names = settings.controls.iter().map(|control| control.name.clone());
+    result.controls = names.zip(border.values(state)).collect();
     let found = found?;
     result.is_periodic = true;
-    result.controls = border.values(found.first());
-    record(&mut flow, &found, recorder)?;
-    result.periods = flow.periods;
+    state.copy_from(found.first());
+    result
+        .controls
+        .iter_mut()
+        .zip(border.values(state))
+        .for_each(|(own, value)| own.1 = value);
+    result.targets = border.reached(found.end());
     result.floquet = stability(&shooting, &mut flow, found)?;
     Ok(())
 }
@@ -142,7 +187,8 @@ impl Found {
 }
 
 fn check_memory(model: &Model, settings: &PeriodicSettings) -> Result<(), PeriodicFailure> {
-    let is_linearized = settings.method == PeriodicMethod::Shooting || settings.floquet.is_some();
+    let is_marched = settings.method == PeriodicMethod::March && settings.pilot.is_none();
+    let is_linearized = !is_marched || settings.floquet.is_some();
     let mut elements = model.system.elements();
     match elements.find(|element| is_linearized && element.memory_size() > 0) {
         None => Ok(()),
@@ -170,31 +216,32 @@ fn algebraic(model: &Model, state: &State) -> Vec<bool> {
     dae.algebraic().to_vec()
 }
 
-/// Marches some periods, then shoots.
-fn shoot(
-    shooting: &Shooting<'_>,
-    flow: &mut Flow<'_>,
-    mut state: State,
-    passes: &mut Vec<PeriodicPass>,
-) -> Result<Found, PeriodicFailure> {
-    for _ in 0..shooting.settings.settle {
-        state = flow.run(&state, &mut |_| true)?;
+/// Marches some periods from a state, which becomes the last one.
+fn settled(flow: &mut Flow<'_>, state: &mut State, periods: usize) -> Result<(), PeriodicFailure> {
+    for _ in 0..periods {
+        *state = flow.run(state, &mut |_| true)?;
     }
-    let orbit = shooting.solve(flow, state, passes)?;
-    Ok(Found::Shot(Box::new(orbit)))
+    Ok(())
 }
 
-/// Passes the states of the period to the recorder: the first is the end of the period before.
-fn record(
-    flow: &mut Flow<'_>,
-    found: &Found,
+/// Passes the states of the period that begins at `state` to the recorder: the first is the end of the
+/// period before, with its rates.
+///
+/// # Errors
+/// A step that fails, or a recorder that ends the run.
+pub fn record(
+    model: &Model,
+    settings: &PeriodicSettings,
+    state: &State,
     recorder: &mut dyn Recorder,
 ) -> Result<(), PeriodicFailure> {
-    let mut goes_on = flow.first(found.end(), &mut |passed| {
-        recorder.record(&accepted(passed))
-    });
+    let shared = independent(model, &settings.start)?;
+    let model = shared.as_ref().map_or(model, |shared| &shared.model);
+    let flow = &mut Flow::new(model, settings, settings.steps, state);
+    let end = flow.run(state, &mut |_| true)?;
+    let mut goes_on = flow.first(&end, &mut |passed| recorder.record(&accepted(passed)));
     if goes_on {
-        flow.run(found.first(), &mut |passed| {
+        flow.run(state, &mut |passed| {
             goes_on = recorder.record(&accepted(passed));
             goes_on
         })?;
@@ -284,7 +331,7 @@ fn coarse(
     }
     let mut flow = Flow::new(shooting.model, shooting.settings, steps, state);
     let orbit = shooting
-        .solve(&mut flow, state.clone(), &mut Vec::new())
+        .solve(&mut flow, &mut state.clone(), &mut Vec::new())
         .ok()?;
     let map = &orbit.map;
     floquet::multipliers(&Monodromy { map, ..*fine }, settings.count)

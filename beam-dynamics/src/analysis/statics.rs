@@ -53,7 +53,7 @@ use super::bending::bending;
 use super::critical::critical_part;
 use super::first_order::first_order;
 use super::path::{Point, Walker};
-use super::steady::{NoEquilibrium, equilibrium};
+use super::steady::{Equilibrium, NoEquilibrium, equilibrium};
 
 pub use super::path::PathEnd;
 
@@ -107,15 +107,7 @@ const OF_FIRST_ORDER: &str = "the limit point may be caused by the table of pres
 
 /// Equilibria of `model` up to the load factor requested by `settings`.
 pub fn statics(model: &Model, settings: &StaticSettings) -> StaticOutcome {
-    let mut result = StaticResult {
-        name: model.name.clone(),
-        speed: settings.speed,
-        nodes: model.system.nodes().to_vec(),
-        beams: model.beams.clone(),
-        blades: model.blades.clone(),
-        steps: Vec::new(),
-        remarks: Vec::new(),
-    };
+    let mut result = StaticResult::new(model, settings.speed);
     let failure = run(model, settings, &mut result).err();
     result.remarks.extend(limits_passed(&result.steps));
     let last = result.last();
@@ -181,12 +173,17 @@ pub(super) fn base(
 ) -> Result<Point, Box<NoEquilibrium>> {
     let rest: State = model.system.rest();
     let found = equilibrium(model, solver, (&Conditions::at_rest(), &rest), conditions)?;
-    Ok(Point {
+    Ok(point(conditions, found))
+}
+
+/// An equilibrium as a point of a path.
+pub(super) fn point(conditions: &Conditions, found: Equilibrium) -> Point {
+    Point {
         factor: conditions.loading.proportional,
         state: found.state,
         iterations: found.iterations,
         residual: found.residual,
-    })
+    }
 }
 
 /// A point of a path with all its output.

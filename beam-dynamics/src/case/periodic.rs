@@ -1,6 +1,6 @@
 //! The requested periodic motion.
 
-use super::TransientSettings;
+use super::{AutoPilot, TransientSettings, TrimControl, TrimTarget};
 
 /// Search of a periodic motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,19 +21,6 @@ pub struct FloquetSettings {
     pub near: Vec<f64>,
     /// Whether the error of the steps is estimated by a second analysis with half their number.
     pub estimates_error: bool,
-}
-
-/// A mean over the period that must have a value.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PeriodicTarget {
-    /// Name.
-    pub name: String,
-    /// Label of the element that integrates the quantity.
-    pub integral: String,
-    /// The required mean [unit of the quantity].
-    pub value: f64,
-    /// Size relative to which errors are measured [unit of the quantity].
-    pub scale: f64,
 }
 
 /// The requested periodic motion.
@@ -64,10 +51,12 @@ pub struct PeriodicSettings {
     pub harmonics: usize,
     /// The requested multipliers.
     pub floquet: Option<FloquetSettings>,
-    /// Names of the controls and labels of the elements of which they are the state.
-    pub controls: Vec<(String, String)>,
-    /// Targets, as many as controls.
-    pub targets: Vec<PeriodicTarget>,
+    /// Controls that are found with the motion.
+    pub controls: Vec<TrimControl>,
+    /// Means over the period: the targets of the controls, then others, which are only computed.
+    pub targets: Vec<TrimTarget>,
+    /// The auto-pilot that finds the controls, in place of `method`.
+    pub pilot: Option<AutoPilot>,
 }
 
 impl PeriodicSettings {
@@ -91,7 +80,14 @@ impl PeriodicSettings {
             floquet: None,
             controls: Vec::new(),
             targets: Vec::new(),
+            pilot: None,
         }
+    }
+
+    /// Revolutions of the rotor in a period, if it has a speed.
+    pub fn revolutions(&self) -> Option<usize> {
+        let turns = self.speed?.abs() * self.period / std::f64::consts::TAU;
+        Some((turns.round() as usize).max(1))
     }
 
     /// Number of stages of a step.

@@ -17,11 +17,13 @@ mod expand;
 mod identify;
 mod periodic;
 mod plot;
+mod trim;
 
 use expand::{EXPAND, EXPAND_EXAMPLE};
 use identify::{IDENTIFY, IDENTIFY_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
 use plot::{PLOT, PLOT_EXAMPLE};
+use trim::{TRIM, TRIM_EXAMPLE};
 
 const ABOUT: &str = "\
 Analyzes blades, rotors and mechanisms: frequencies, loads, buckling, motion in time
@@ -355,6 +357,7 @@ impl Command {
             | Self::Buckling { results, .. }
             | Self::Performance { results, .. }
             | Self::Periodic { results, .. }
+            | Self::Trim { results, .. }
             | Self::Transient { results, .. } => results.quiet,
             _ => false,
         }
@@ -405,6 +408,14 @@ pub(super) enum Command {
     },
     #[command(about = first_line(PERIODIC), long_about = PERIODIC, after_help = PERIODIC_EXAMPLE)]
     Periodic {
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        results: Results,
+    },
+    #[command(about = first_line(TRIM), long_about = TRIM, after_help = TRIM_EXAMPLE)]
+    Trim {
         /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,

@@ -6,10 +6,12 @@ use std::path::PathBuf;
 use super::arguments::Results;
 use super::terminal::Terminal;
 use super::{DONE, MissingTable, NOT_REACHED, WRONG_INPUT, add_remarks, statics};
-use crate::analysis::periodic::periodic;
+use crate::analysis::periodic::{periodic_from, record};
 use crate::case::PeriodicSettings;
 use crate::input::Input;
+use crate::model::State;
 use crate::output::{self, PeriodicFiles, ResultLocation, RunFileProblem, not_drawn_text};
+use crate::result::PeriodicResult;
 
 /// `periodic FILE...`
 pub(super) fn periodic_of_files(
@@ -37,6 +39,34 @@ fn periodic_of(
     location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
+    let outcome = periodic_from(&input.model, settings, None);
+    let mut result = outcome.result;
+    let failure = outcome.failure.as_ref();
+    let shown = failure.map(|failure| failure as &dyn Display);
+    add_remarks(&mut result.remarks, input, shown);
+    let mut code = DONE;
+    if let Some(failure) = failure {
+        let (name, remedy) = (&location.name, failure.remedy());
+        terminal.report_text(&format!("error: {name}: {failure}\n  help: {remedy}"));
+        code = NOT_REACHED;
+    }
+    let state = outcome.state.filter(|_| failure.is_none());
+    code.max(write_period(
+        (input, settings),
+        (result, state.as_ref()),
+        location,
+        terminal,
+    ))
+}
+
+/// Writes a period of the motion that begins at a state, if there is one, and its report, and prints
+/// this; returns the exit code.
+pub(super) fn write_period(
+    (input, settings): (&Input, &PeriodicSettings),
+    (result, state): (PeriodicResult, Option<&State>),
+    location: &ResultLocation,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
     let mut files = match PeriodicFiles::new(&input.model, &input.output, location) {
         Ok(files) => files,
         Err(problem) => {
@@ -47,23 +77,25 @@ fn periodic_of(
             };
         }
     };
-    let outcome = periodic(&input.model, settings, &mut files);
-    let mut result = outcome.result;
-    let failure = outcome.failure.as_ref();
-    let shown = failure.map(|failure| failure as &dyn Display);
-    add_remarks(&mut result.remarks, input, shown);
-    let text = output::periodic_text(&result);
     let mut code = DONE;
-    if files.problem().is_none()
-        && let Some(failure) = failure
-    {
+    let recorded = state.map(|state| record(&input.model, settings, state, &mut files));
+    if let (Some(Err(failure)), None) = (recorded, files.problem()) {
         let (name, remedy) = (&location.name, failure.remedy());
         terminal.report_text(&format!("error: {name}: {failure}\n  help: {remedy}"));
         code = NOT_REACHED;
     }
+    let found = files.harmonics(settings.harmonics);
+    let blades = input.model.blades.len();
+    let of_rotor = match settings.revolutions() {
+        Some(revolutions) if blades > 1 => {
+            output::rotor_harmonics_text(&input.output.columns, &found, [blades, revolutions])
+        }
+        _ => String::new(),
+    };
+    let text = output::periodic_text(&result) + &of_rotor;
     let whole = format!("{text}\n{}", output::PERIODIC_CONVENTION);
     terminal.show(&whole);
-    match files.finish(&result, (&whole, settings.harmonics)) {
+    match files.finish(&result, (&whole, &found)) {
         Ok(written) => {
             terminal.show("\nWritten\n");
             for file in &written.files {

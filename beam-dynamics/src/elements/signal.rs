@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use shared_geom::expression::{Expression, Jet};
 
-use crate::model::{Drive, DriveValue, Scalar, Scalars};
+use crate::model::{Drive, DriveValue, Scalar, ScalarStart, Scalars};
 
 /// The instant at which signals are evaluated. Missing scalars are zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -250,10 +250,10 @@ impl Signal {
         let Self::Sensing { of, .. } = self else {
             return None;
         };
-        let rough = |scalar: &&Scalar| match needed {
-            Smoothness::Value => false,
-            Smoothness::Rate => !scalar.has_rate,
-            Smoothness::Acceleration => scalar.rate.is_none(),
+        let rough = |scalar: &&Scalar| match (needed, scalar.start) {
+            (Smoothness::Value, _) | (_, ScalarStart::Constant(_)) => false,
+            (Smoothness::Rate, _) => !scalar.has_rate,
+            (Smoothness::Acceleration, _) => scalar.rate.is_none(),
         };
         of.inputs.iter().map(|input| &input.scalar).find(rough)
     }

@@ -12,7 +12,7 @@ use super::speeds;
 use super::transient;
 use crate::case::{
     BucklingSettings, FrameRotation, ModesSettings, PeriodicSettings, StaticSettings,
-    TransientSettings,
+    TransientSettings, TrimMethod, TrimSettings,
 };
 
 keys! {
@@ -63,12 +63,14 @@ pub(super) struct Analyses {
     pub buckling: Option<BucklingSettings>,
     pub transient: Option<TransientSettings>,
     pub periodic: Option<PeriodicSettings>,
+    pub trim: Option<TrimSettings>,
 }
 
-/// Reads the cards of all analyses; `periodic` is the card that is read with the model.
+/// Reads the cards of all analyses; `periodic` and `trim` are read with the model.
 pub(super) fn read(
     root: &Table<'_>,
     periodic: Option<Option<PeriodicSettings>>,
+    trim: Option<Option<TrimSettings>>,
 ) -> Option<Analyses> {
     let modes = match root.has("modes") {
         true => speeds::read(root).map(Some),
@@ -82,6 +84,7 @@ pub(super) fn read(
         buckling: buckling?,
         transient: transient?,
         periodic: periodic?,
+        trim: trim?,
     })
 }
 
@@ -122,10 +125,19 @@ fn buckling(root: &Table<'_>) -> Option<Option<BucklingSettings>> {
 }
 
 impl Analyses {
+    /// The trim of an equilibrium, if one is requested.
+    pub fn trimmed_equilibrium(&self) -> Option<&TrimSettings> {
+        let trim = self.trim.as_ref();
+        trim.filter(|trim| trim.method == TrimMethod::Equilibrium)
+    }
+
     /// The first and the last time at which drives are evaluated \[s\]: equilibria and
     /// modes are at time zero.
     pub fn times(&self) -> Option<[f64; 2]> {
-        let at_rest = self.modes.is_some() || self.statics.is_some() || self.buckling.is_some();
+        let at_rest = self.modes.is_some()
+            || self.statics.is_some()
+            || self.buckling.is_some()
+            || self.trimmed_equilibrium().is_some();
         let periodic = self.periodic.as_ref().map(|periodic| &periodic.start);
         let runs = self.transient.iter().chain(periodic);
         let runs = runs.map(|run| [run.from, run.to]);
@@ -142,7 +154,8 @@ impl Analyses {
         let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());
         let of_statics = self.statics.iter().map(|statics| &statics.speed);
         let of_buckling = self.buckling.iter().map(|buckling| &buckling.speed);
-        let speeds = of_modes.chain(of_statics).chain(of_buckling);
+        let of_trim = self.trimmed_equilibrium().map(|trim| &trim.speed);
+        let speeds = of_modes.chain(of_statics).chain(of_buckling).chain(of_trim);
         speeds.copied().map(f64::abs).fold(0.0, f64::max)
     }
 

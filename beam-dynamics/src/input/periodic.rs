@@ -5,23 +5,15 @@ use std::f64::consts::TAU;
 use shared_geom::document::Table;
 use shared_geom::error::Explain;
 
-use super::builder::ModelBuilder;
-use super::drives::{self, Catalog, Measure, Read};
 use super::transient::{FROM, REDUNDANT, START};
-use crate::case::{
-    FloquetSettings, PeriodicMethod, PeriodicSettings, PeriodicTarget, Redundant, Start,
-};
-use crate::elements::Input;
-use crate::elements::control::Kept;
-use crate::model::Scalar;
+use crate::case::{FloquetSettings, PeriodicMethod, PeriodicSettings, Redundant, Start};
 
 mod keys;
 
 pub(super) use keys::PERIODIC;
 use keys::{
-    CONTROL, COUNT, ERROR, FLOQUET, GUESS, HARMONICS, ITERATIONS, METHOD, NAME, NEAR, PERIOD,
-    PERIODS, REVOLUTIONS, SCALE, SETTLE, SIGNAL, SPEED, STAGES, STEPS, TARGET, TARGET_NAME,
-    TARGET_SCALE, TOLERANCE, VALUE,
+    COUNT, ERROR, FLOQUET, HARMONICS, ITERATIONS, METHOD, NEAR, PERIOD, PERIODS, REVOLUTIONS,
+    SETTLE, SPEED, STAGES, STEPS, TOLERANCE,
 };
 
 /// Least number of steps in a period: shorter periods of the motion are not seen with fewer.
@@ -42,23 +34,6 @@ pub enum PeriodicProblem {
     /// A start without speed.
     #[error("\"start\" is \"rotating\", but there is no \"speed\"")]
     NoSpeed,
-    /// Controls and targets differ in number.
-    #[error("there are {controls} controls and {targets} targets, expected as many of each")]
-    Counts {
-        /// Number of controls.
-        controls: usize,
-        /// Number of targets.
-        targets: usize,
-    },
-    /// Controls with a march.
-    #[error("controls are found by shooting, but \"method\" is \"march\"")]
-    MarchedControls,
-    /// Controls beside an analysis without time.
-    #[error("[periodic] has controls, which [{card}] does not find")]
-    Beside {
-        /// The other card.
-        card: &'static str,
-    },
 }
 
 impl Explain for PeriodicProblem {
@@ -67,158 +42,25 @@ impl Explain for PeriodicProblem {
             Self::Ways { .. } => "write period = \"0.2 s\", or speed = \"300 rpm\"",
             Self::AtRest => "write the speed, or \"period\" for a model without rotor",
             Self::NoSpeed => "add \"speed\", or write start = \"equilibrium\"",
-            Self::Counts { .. } => "give each [[periodic.control]] one [[periodic.target]]",
-            Self::MarchedControls => "write method = \"shooting\"",
-            Self::Beside { .. } => {
-                "write the analyses into two files, which include the same model: replace the \
-                 controls by parameters in the other one"
-            }
         };
         Some(text.to_owned())
     }
 }
 
-/// A control with its table.
-pub(super) struct Control {
-    name: String,
-    state: Scalar,
-    guess: f64,
-}
-
-/// Makes the controls readable by expressions.
-pub(super) fn declare(root: &Table<'_>, drives: &mut Catalog) -> Vec<Control> {
-    let table = match root.has("periodic") {
-        true => root.table("periodic"),
-        false => None,
-    };
-    let tables = table.filter(|table| table.has(&CONTROL));
-    let tables = tables
-        .map(|table| table.tables(&CONTROL))
-        .unwrap_or_default();
-    let control = |card: &Table<'_>| {
-        let (name, guess, scale) = (card.get(&NAME), card.get(&GUESS), card.get(&SCALE));
-        card.finish();
-        let name = name?;
-        if !drives.is_free(&name, card, NAME.name()) {
-            return None;
-        }
-        let (guess, scale) = (guess?, scale?);
-        let state = Kept::state(&control_label(&name), &name, guess, scale);
-        let input = Input {
-            scalar: state.clone(),
-            unit: 1.0,
-        };
-        let read = Read {
-            input,
-            measure: Measure::Plain,
-        };
-        drives.add_readable(name.clone(), Some(read));
-        Some(Control { name, state, guess })
-    };
-    tables.iter().filter_map(control).collect()
-}
-
-/// Label of the element of a control.
-fn control_label(name: &str) -> String {
-    format!("control {name}")
-}
-
-/// Reads `[periodic]`, and adds its controls and targets to the model; `Some(None)` without the
-/// card.
-pub(super) fn read(
-    root: &Table<'_>,
-    controls: Vec<Control>,
-    builder: &mut ModelBuilder,
-) -> Option<Option<PeriodicSettings>> {
+/// Reads `[periodic]`; `Some(None)` without the card.
+pub(super) fn read(root: &Table<'_>) -> Option<Option<PeriodicSettings>> {
     if !root.has("periodic") {
         return Some(None);
     }
     let table = root.table("periodic")?;
-    let count = match table.has(&CONTROL) {
-        true => table.tables(&CONTROL).len(),
-        false => 0,
-    };
-    let is_complete = count == controls.len();
-    let pairs = controls.iter().map(|control| {
-        let label = control_label(&control.name);
-        (control.name.clone(), label)
-    });
-    let pairs: Vec<_> = pairs.collect();
-    for control in controls {
-        builder.add_control(Box::new(Kept::new(
-            control.state,
-            control.guess,
-            Vec::new(),
-        )));
-    }
-    let targets = targets(&table, builder);
-    let settings = settings(&table);
-    let floquet = floquet(&table);
+    let (settings, floquet) = (settings(&table), floquet(&table));
     table.finish();
-    let (targets, mut settings) = (targets?, settings?);
-    if count != targets.len() {
-        let (controls, targets) = (count, targets.len());
-        let key = if controls > 0 { &CONTROL } else { &TARGET };
-        table.note(key, &PeriodicProblem::Counts { controls, targets });
-        return None;
-    }
-    if count > 0 && settings.method == PeriodicMethod::March {
-        table.note(&METHOD, &PeriodicProblem::MarchedControls);
-        return None;
-    }
-    if count > 0 {
-        let mut others = ["modes", "static", "buckling"].into_iter();
-        if let Some(card) = others.find(|card| root.has(card)) {
-            table.note(&CONTROL, &PeriodicProblem::Beside { card });
-            return None;
-        }
-    }
-    (settings.controls, settings.targets, settings.floquet) = (pairs, targets, floquet?);
-    is_complete.then_some(Some(settings))
+    let mut settings = settings?;
+    settings.floquet = floquet?;
+    Some(Some(settings))
 }
 
-/// Adds the integrals of the targets to the model.
-fn targets(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<Vec<PeriodicTarget>> {
-    let cards = match table.has(&TARGET) {
-        true => table.tables(&TARGET),
-        false => Vec::new(),
-    };
-    let mut complete = true;
-    let mut targets = Vec::new();
-    for card in cards {
-        let found = target(&card, builder);
-        card.finish();
-        complete &= found.is_some();
-        targets.extend(found);
-    }
-    complete.then_some(targets)
-}
-
-fn target(card: &Table<'_>, builder: &mut ModelBuilder) -> Option<PeriodicTarget> {
-    let name = card.get(&TARGET_NAME);
-    let has_signal = card
-        .require_item(&SIGNAL, &SIGNAL.schema.expected())
-        .is_some();
-    let signal = match has_signal {
-        true => drives::read_signal(card, &SIGNAL.schema, builder.drives()),
-        false => None,
-    };
-    let (value, scale) = (card.get(&VALUE), card.get(&TARGET_SCALE));
-    let name = name?;
-    let is_new = builder.take_label("target", &name, card);
-    let (signal, value, scale) = (signal?, value?, scale?);
-    let integral = format!("target {name}");
-    let state = Kept::state(&integral, &name, 0.0, scale);
-    builder.add_control(Box::new(Kept::new(state, 0.0, vec![signal])));
-    is_new.then_some(PeriodicTarget {
-        name,
-        integral,
-        value,
-        scale,
-    })
-}
-
-/// Everything but controls, targets and multipliers.
+/// Everything but the multipliers.
 fn settings(table: &Table<'_>) -> Option<PeriodicSettings> {
     let from = table.get(&FROM);
     let period = period(table);

@@ -37,6 +37,8 @@ impl Quantity {
 pub enum ScalarStart {
     /// Given, or an initial guess for a scalar without rate [unit of the scalar].
     Value(f64),
+    /// Given, and constant in time: its rate and its second derivative are zero [unit of the scalar].
+    Constant(f64),
     /// At rest: its equation holds with a rate of zero.
     Settled,
 }

@@ -121,6 +121,8 @@ pub struct PeriodicResult {
     pub periods: usize,
     /// Controls: names and values \[unit of each\].
     pub controls: Vec<(String, f64)>,
+    /// Means of the targets over the period \[unit of each\]; empty without a motion that repeats.
+    pub targets: Vec<f64>,
     /// Multipliers, if requested.
     pub floquet: Option<FloquetTable>,
     /// Remarks.

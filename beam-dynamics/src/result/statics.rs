@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::case::BladeNodes;
+use crate::case::{BladeNodes, Model};
 use crate::elements::{AirState, ElectrodeState, Reaction, SectionState};
 use crate::model::Node;
 
@@ -49,6 +49,19 @@ pub struct StaticResult {
 }
 
 impl StaticResult {
+    /// Without steps, at a rotor speed \[rad/s\].
+    pub fn new(model: &Model, speed: f64) -> Self {
+        Self {
+            name: model.name.clone(),
+            speed,
+            nodes: model.system.nodes().to_vec(),
+            beams: model.beams.clone(),
+            blades: model.blades.clone(),
+            steps: Vec::new(),
+            remarks: Vec::new(),
+        }
+    }
+
     /// The last equilibrium that was reached.
     pub fn last(&self) -> Option<&StaticStep> {
         self.steps.last()

@@ -30,6 +30,11 @@ impl Document {
     /// `"0.5 in"`, which are converted to the declared unit, and expressions of other
     /// parameters, in any order.
     pub fn declare_parameters(&self, root: &Table<'_>) {
+        self.declare_parameters_as(root, &[]);
+    }
+
+    /// The same with other values of the parameters that are `given`, each in the declared unit.
+    pub fn declare_parameters_as(&self, root: &Table<'_>, given: &[(String, f64)]) {
         if !root.has("parameters") {
             return;
         }
@@ -45,6 +50,10 @@ impl Document {
             if !is_name(name) {
                 let name = name.to_owned();
                 self.note_in(value, &DocumentProblem::ParameterName { name });
+            }
+            if let Some((_, number)) = given.iter().find(|own| own.0 == name) {
+                known[index].1 = *number;
+                continue;
             }
             match self.parameter(name, value, &known) {
                 Some(Parameter::Number(number)) => known[index].1 = number,

@@ -66,8 +66,8 @@ fn the_torque_of_a_free_shaft() {
                  unit = \"m\"\n";
     let settings = format!(
         "settle = 1\n[periodic.floquet]\ncount = 4\n\
-         [[periodic.control]]\nname = \"torque\"\nguess = 1\n\
-         [[periodic.target]]\nname = \"azimuth\"\nsignal = \"= 2*side*cos({SPEED:?}*t)\"\n\
+         [[trim.control]]\nname = \"torque\"\nguess = 1\n\
+         [[trim.target]]\nname = \"azimuth\"\nsignal = \"= 2*side*cos({SPEED:?}*t)\"\n\
          value = 0\n"
     );
     let (outcome, kept) = analyzed(&hoop(shaft, &settings));

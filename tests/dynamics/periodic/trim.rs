@@ -19,13 +19,13 @@ fn oscillator(force: &str) -> String {
          [sensors.x]\nquantity = \"position\"\nof = \"mass\"\ncomponent = \"x\"\nunit = \"m\"\n\
          [[load]]\nnode = \"mass\"\nforce = [1, 0, 0]\ndrive = \"= {force}\"\n\
          [periodic]\nperiod = {:?}\n\
-         [[periodic.control]]\nname = \"steady\"\n\
-         [[periodic.control]]\nname = \"cosine\"\n\
-         [[periodic.control]]\nname = \"sine\"\n\
-         [[periodic.target]]\nname = \"mean\"\nsignal = \"= x\"\nvalue = 0.3\nscale = 0.1\n\
-         [[periodic.target]]\nname = \"first cosine\"\nsignal = \"= 2*x*cos(4*t)\"\nvalue = 0.1\n\
+         [[trim.control]]\nname = \"steady\"\n\
+         [[trim.control]]\nname = \"cosine\"\n\
+         [[trim.control]]\nname = \"sine\"\n\
+         [[trim.target]]\nname = \"mean\"\nsignal = \"= x\"\nvalue = 0.3\nscale = 0.1\n\
+         [[trim.target]]\nname = \"first cosine\"\nsignal = \"= 2*x*cos(4*t)\"\nvalue = 0.1\n\
          scale = 0.1\n\
-         [[periodic.target]]\nname = \"first sine\"\nsignal = \"= 2*x*sin(4*t)\"\nvalue = -0.05\n\
+         [[trim.target]]\nname = \"first sine\"\nsignal = \"= 2*x*sin(4*t)\"\nvalue = -0.05\n\
          scale = 0.1\n",
         TAU / 4.0
     )
@@ -71,7 +71,7 @@ fn wrong_cards_are_reported_with_their_remedy() {
         "{problems}"
     );
     let few = oscillator("steady");
-    let end = few.rfind("[[periodic.target]]").unwrap();
+    let end = few.rfind("[[trim.target]]").unwrap();
     let problems = beam_dynamics::input::parse(&few[..end], "x.dynamics.toml").unwrap_err();
     assert!(
         problems.to_string().contains("3 controls and 2 targets"),
@@ -80,7 +80,9 @@ fn wrong_cards_are_reported_with_their_remedy() {
     let beside = oscillator("steady") + "[modes]\nspeeds = [0]\n";
     let problems = beam_dynamics::input::parse(&beside, "x.dynamics.toml").unwrap_err();
     assert!(
-        problems.to_string().contains("which [modes] does not find"),
+        problems
+            .to_string()
+            .contains("beside [modes], which does not find"),
         "{problems}"
     );
     let start = oscillator("steady").replace("[periodic]", "[periodic]\nstart = \"rotating\"");

@@ -14,15 +14,18 @@
 use nalgebra::DMatrix;
 
 use super::failure::PeriodicFailure;
-use crate::case::{Model, PeriodicSettings, PeriodicTarget};
+use crate::analysis::effects;
+use crate::case::{Model, PeriodicSettings, TrimControl, TrimTarget};
 use crate::model::State;
 
 /// The unknowns of the controls and integrals.
 pub(super) struct Border {
-    /// Controls and integrals, in pairs.
-    pairs: Vec<[usize; 2]>,
-    controls: Vec<String>,
-    targets: Vec<PeriodicTarget>,
+    /// Unknowns of the controls.
+    controls: Vec<usize>,
+    /// Unknowns of the integrals: those of the targets of the controls come first.
+    integrals: Vec<usize>,
+    of_controls: Vec<TrimControl>,
+    of_targets: Vec<TrimTarget>,
     /// The first scalar among the unknowns.
     first: usize,
     period: f64,
@@ -32,33 +35,28 @@ impl Border {
     /// Of the controls and targets of `settings`.
     ///
     /// # Errors
-    /// The model has no such elements, or their numbers differ.
+    /// The model has no such elements, or there are fewer targets than controls.
     pub fn new(model: &Model, settings: &PeriodicSettings) -> Result<Self, PeriodicFailure> {
         let first = model.system.numbering().first_scalar();
         let [controls, targets] = [settings.controls.len(), settings.targets.len()];
-        if controls != targets {
+        if controls > targets {
             return Err(PeriodicFailure::Counts { controls, targets });
         }
-        let index = |label: &str| {
+        let index = |label: &String| {
             let mut scalars = model.system.scalars().iter();
-            let found = scalars.position(|scalar| scalar.has_rate && scalar.owner == label);
+            let found = scalars.position(|scalar| scalar.has_rate && scalar.owner == *label);
             let missing = || PeriodicFailure::NoState {
-                label: label.to_owned(),
+                label: label.clone(),
             };
             found.map(|index| first + index).ok_or_else(missing)
         };
-        let labels = settings.controls.iter().zip(&settings.targets);
-        let pairs = labels.map(|((_, control), target)| -> Result<_, PeriodicFailure> {
-            Ok([index(control)?, index(&target.integral)?])
-        });
+        let controls = settings.controls.iter().map(|one| index(&one.label));
+        let integrals = settings.targets.iter().map(|one| index(&one.label));
         Ok(Self {
-            pairs: pairs.collect::<Result<_, _>>()?,
-            controls: settings
-                .controls
-                .iter()
-                .map(|(name, _)| name.clone())
-                .collect(),
-            targets: settings.targets.clone(),
+            controls: controls.collect::<Result<_, _>>()?,
+            integrals: integrals.collect::<Result<_, _>>()?,
+            of_controls: settings.controls.clone(),
+            of_targets: settings.targets.clone(),
             first,
             period: settings.period,
         })
@@ -66,91 +64,153 @@ impl Border {
 
     /// All their unknowns: those without a part in the modes.
     pub fn unknowns(&self) -> Vec<usize> {
-        self.pairs.iter().flatten().copied().collect()
+        self.controls
+            .iter()
+            .chain(&self.integrals)
+            .copied()
+            .collect()
+    }
+
+    /// Unknowns of controls with those of their integrals, and their targets.
+    fn pairs(&self) -> impl Iterator<Item = (usize, usize, &TrimTarget)> {
+        let pairs = self.controls.iter().zip(&self.integrals);
+        pairs
+            .zip(&self.of_targets)
+            .map(|((u, i), target)| (*u, *i, target))
     }
 
     /// Sets the integrals of a first state to zero.
     pub fn begin(&self, state: &mut State) {
-        for [_, integral] in &self.pairs {
+        for integral in &self.integrals {
             state.scalars[integral - self.first] = 0.0;
         }
     }
 
-    /// Names and values of the controls at a state.
-    pub fn values(&self, state: &State) -> Vec<(String, f64)> {
-        let pairs = self.controls.iter().zip(&self.pairs);
-        pairs
-            .map(|(name, [u, _])| (name.clone(), state.scalars[u - self.first]))
-            .collect()
+    /// Values of the controls at a state.
+    pub fn values(&self, state: &State) -> Vec<f64> {
+        let values = self.controls.iter();
+        values.map(|u| state.scalars[u - self.first]).collect()
+    }
+
+    /// The integrals at a state.
+    pub fn integrals(&self, state: &State) -> Vec<f64> {
+        let values = self.integrals.iter();
+        values.map(|i| state.scalars[i - self.first]).collect()
+    }
+
+    /// The means of all targets over the period that ends at a state.
+    pub fn reached(&self, end: &State) -> Vec<f64> {
+        let integrals = self.integrals(end).into_iter();
+        integrals.map(|integral| integral / self.period).collect()
     }
 
     /// Replaces the rows of controls and integrals in the residual `y(T) - y(0)`.
     pub fn complete(&self, residual: &mut [f64], end: &State) {
-        for ([u, integral], target) in self.pairs.iter().zip(&self.targets) {
-            residual[*u] = end.scalars[integral - self.first] / self.period - target.value;
-            residual[*integral] = 0.0;
+        for (u, integral, target) in self.pairs() {
+            residual[u] = end.scalars[integral - self.first] / self.period - target.value;
         }
+        self.integrals.iter().for_each(|i| residual[*i] = 0.0);
     }
 
     /// Replaces them in the product `d - M d`, given d and `M d`.
     pub fn product(&self, [d, later]: [&[f64]; 2], product: &mut [f64]) {
-        for [u, integral] in &self.pairs {
-            product[*u] = -later[*integral] / self.period;
-            product[*integral] = d[*integral];
+        for (u, integral, _) in self.pairs() {
+            product[u] = -later[integral] / self.period;
         }
+        self.integrals.iter().for_each(|i| product[*i] = d[*i]);
     }
 
     /// Sizes of the rows: of the unknowns, and of the targets in the rows of the controls.
     pub fn sizes(&self, sizes: &[f64]) -> Vec<f64> {
         let mut rows = sizes.to_vec();
-        for ([u, _], target) in self.pairs.iter().zip(&self.targets) {
-            rows[*u] = target.scale;
+        for (u, _, target) in self.pairs() {
+            rows[u] = target.scale;
         }
         rows
     }
 
     /// The target of a row, if it is one.
-    pub fn target(&self, row: usize) -> Option<&PeriodicTarget> {
-        let pair = self.pairs.iter().position(|[u, _]| *u == row)?;
-        self.targets.get(pair)
+    pub fn target(&self, row: usize) -> Option<&TrimTarget> {
+        let pair = self.controls.iter().position(|u| *u == row)?;
+        self.of_targets.get(pair)
     }
 
-    /// The control that acts least and the target that is reached least, from the response of the
-    /// means (rows, of size one) to the controls (columns); `None` if all act.
-    pub fn idle(&self, response: &DMatrix<f64>) -> Option<[String; 2]> {
-        const IDLE: f64 = 1e-9;
-        if response.is_empty() {
-            return None;
+    /// Shortens a correction `d` of a state so that no control changes by more than its step or leaves
+    /// its bounds; returns the control, with its bound, that is at the bound and would leave it.
+    pub fn limit(&self, d: &mut [f64], state: &State) -> Option<(&TrimControl, f64)> {
+        let all = || self.controls.iter().zip(&self.of_controls);
+        let parts = all().map(|(u, control)| control.step / d[*u].abs());
+        let part = parts.fold(1.0, f64::min);
+        d.iter_mut().for_each(|d| *d *= part);
+        let mut blocked = None;
+        for (u, control) in all() {
+            let value = state.scalars[u - self.first];
+            let [lower, upper] = control.bounds;
+            let next = (value + d[*u]).clamp(lower, upper);
+            if next != value + d[*u] && next == value {
+                blocked = Some((control, next));
+            }
+            d[*u] = next - value;
         }
-        let largest = response.amax();
-        let found = response.clone().svd(true, true);
-        let (least, value) = found.singular_values.argmin();
-        if value > IDLE * largest.max(IDLE) {
-            return None;
+        blocked
+    }
+
+    /// Sets the controls of a state to the values nearest to given ones within their bounds.
+    pub fn set(&self, state: &mut State, values: &[f64]) {
+        let own = self.controls.iter().zip(&self.of_controls);
+        for ((u, control), value) in own.zip(values) {
+            let [lower, upper] = control.bounds;
+            state.scalars[u - self.first] = value.clamp(lower, upper);
         }
-        let (u, v_t) = (found.u?, found.v_t?);
-        let (target, control) = (u.column(least).iamax(), v_t.row(least).transpose().iamax());
-        Some([
-            self.controls.get(control)?.clone(),
-            self.targets.get(target)?.name.clone(),
-        ])
+    }
+
+    /// The first control that is at one of its bounds, with it.
+    pub fn at_bound(&self, state: &State) -> Option<(&TrimControl, f64)> {
+        let values = self.values(state);
+        let mut own = self.of_controls.iter().zip(values);
+        own.find(|(control, value)| control.bounds.contains(value))
+    }
+
+    /// Why the controls do not determine the targets, from the response of the means (rows, of size
+    /// one) to the controls (columns); `None` if they do.
+    pub fn idle(&self, response: &DMatrix<f64>) -> Option<String> {
+        let controls: Vec<_> = self
+            .of_controls
+            .iter()
+            .map(|one| one.name.clone())
+            .collect();
+        let targets: Vec<_> = self.of_targets.iter().map(|one| one.name.clone()).collect();
+        effects::idle(response, &controls, &targets)
     }
 
     /// Number of controls.
     pub fn count(&self) -> usize {
-        self.pairs.len()
+        self.controls.len()
     }
 
     /// Unknown of a control.
     pub fn control(&self, index: usize) -> usize {
-        self.pairs[index][0]
+        self.controls[index]
     }
 
-    /// Changes of the means in a variation a period later, of size one.
+    /// Changes of the means of the controls' targets in a variation a period later, of size one.
     pub fn means(&self, later: &[f64]) -> Vec<f64> {
-        let pairs = self.pairs.iter().zip(&self.targets);
+        let pairs = self.pairs();
         pairs
-            .map(|([_, i], target)| later[*i] / self.period / target.scale)
+            .map(|(_, i, target)| later[i] / self.period / target.scale)
             .collect()
+    }
+
+    /// Errors of the controls' targets, of size one, given means or momentary values.
+    pub fn errors(&self, values: &[f64]) -> Vec<f64> {
+        let pairs = values.iter().zip(self.pairs());
+        pairs
+            .map(|(value, (_, _, target))| (value - target.value) / target.scale)
+            .collect()
+    }
+
+    /// Scales of the controls.
+    pub fn scales(&self) -> impl Iterator<Item = f64> {
+        self.of_controls.iter().map(|control| control.scale)
     }
 }

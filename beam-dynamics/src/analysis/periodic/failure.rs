@@ -1,6 +1,7 @@
 //! Reasons why no periodic motion was found.
 
 use crate::analysis::transient::TransientFailure;
+use crate::case::TrimControl;
 use crate::integrator::StepFailure;
 
 /// Reason why no periodic motion was found.
@@ -53,6 +54,16 @@ pub enum PeriodicFailure {
     /// The matrix of a step is singular.
     #[error("the matrix of a step is singular at the periodic motion")]
     SingularStep,
+    /// A control is at a bound.
+    #[error("the control \"{control}\" reaches its bound {bound}, and {worst}")]
+    Bound {
+        /// Name of the control.
+        control: String,
+        /// The bound \[unit of the control\].
+        bound: f64,
+        /// The target that is not met, as text.
+        worst: String,
+    },
     /// Controls without targets.
     #[error("{controls} controls and {targets} targets, expected as many targets as controls")]
     Counts {
@@ -76,6 +87,16 @@ pub enum PeriodicFailure {
 }
 
 impl PeriodicFailure {
+    /// The failure of a control at a bound, given the worst equation as text.
+    pub(super) fn bound(control: &TrimControl, bound: f64, worst: String) -> Self {
+        let control = control.name.clone();
+        Self::Bound {
+            control,
+            bound,
+            worst,
+        }
+    }
+
     /// The likeliest remedy.
     pub fn remedy(&self) -> String {
         let text = match self {
@@ -105,6 +126,9 @@ impl PeriodicFailure {
             Self::Singular { .. } => {
                 "a motion that nothing resists has no definite position: hold it, give it a spring, \
                  or prescribe the speed of the shaft; a control must act on a target"
+            }
+            Self::Bound { .. } => {
+                "move the bound, ask for another value of the target, or replace the control"
             }
             Self::SingularStep => "use more \"steps\"",
             Self::Counts { .. } => "give each control one target",

@@ -142,6 +142,24 @@ impl<'a> Flow<'a> {
         Ok(self.dae.state().clone())
     }
 
+    /// The state a period after `start`, where `act` may change the state after each step.
+    pub fn piloted(
+        &mut self,
+        start: &State,
+        act: &mut dyn FnMut(&mut State),
+    ) -> Result<State, StepFailure> {
+        let mut state = start.clone();
+        for step in 1..=self.steps {
+            self.dae.begin_at(&state);
+            self.converge(step)?;
+            self.dae.accept(self.step.stages() - 1);
+            state.copy_from(self.dae.state());
+            act(&mut state);
+        }
+        self.periods += 1;
+        Ok(state)
+    }
+
     /// The state a period after `start`, and the derivative of this map; `None` instead of the
     /// derivative if the matrix of a step is singular.
     pub fn linearized(&mut self, start: &State) -> Result<(State, Option<PeriodMap>), StepFailure> {

@@ -28,6 +28,8 @@ const SINGULAR: f64 = 1e-3;
 const FARTHEST: f64 = 0.3;
 /// Largest number of products of a correction.
 const MOST: usize = 400;
+/// Iterations in which a control would leave the bound at which it is, after which it is given up.
+const BLOCKED: usize = 3;
 
 /// A periodic motion.
 pub(super) struct Orbit {
@@ -49,54 +51,68 @@ pub(super) struct Shooting<'a> {
 }
 
 impl Shooting<'_> {
-    /// The periodic motion of `flow` near the first state `state`; iterations are added to `passes`.
+    /// The periodic motion of `flow` near the first state `state`, which becomes the last state of the
+    /// iteration; iterations are added to `passes`.
     pub fn solve(
         &self,
         flow: &mut Flow<'_>,
-        mut state: State,
+        state: &mut State,
         passes: &mut Vec<PeriodicPass>,
     ) -> Result<Orbit, PeriodicFailure> {
-        self.border.begin(&mut state);
+        self.border.begin(state);
         let rows = self.border.sizes(self.sizes);
-        let mut iterations = 0;
+        let (mut iterations, mut blocked) = (0, 0);
         loop {
-            let (end, map) = flow.linearized(&state)?;
+            let (end, map) = flow.linearized(state)?;
             let map = map.ok_or(PeriodicFailure::SingularStep)?;
-            let mut residual = seen(&end, &state, map.algebraic());
-            self.border.complete(&mut residual, &end);
-            let (index, part) = worst(&residual, &rows);
-            let name = self.name(index, part, rows[index]);
-            let mut pass = PeriodicPass {
+            let (residual, (index, part)) = self.residual(state, (&end, map.algebraic()), &rows);
+            let worst = self.name(index, part, rows[index]);
+            passes.push(PeriodicPass {
                 residual: part,
-                worst: name.clone(),
+                worst: worst.clone(),
                 products: 0,
                 part: 0.0,
-            };
+            });
             if part <= self.settings.tolerance {
-                passes.push(pass);
+                let state = state.clone();
                 return Ok(Orbit { state, end, map });
             }
             if iterations >= self.settings.iterations || !part.is_finite() {
-                passes.push(pass);
-                return Err(PeriodicFailure::NotConverged {
-                    iterations,
-                    worst: name,
-                });
+                return Err(PeriodicFailure::NotConverged { iterations, worst });
             }
             let found = self.correction(&map, &residual, &rows);
-            let found = found.filter(|found| found.residual < SINGULAR);
-            let Some(found) = found else {
-                passes.push(pass);
-                return Err(self.singular(&map, name));
+            let Some(found) = found.filter(|found| found.residual < SINGULAR) else {
+                return Err(self.singular(&map, worst));
             };
             let mut d: Vec<_> = found.x.iter().zip(self.sizes).map(|(x, s)| x * s).collect();
-            (pass.products, pass.part) = (found.products, self.part(&d));
-            d.iter_mut().for_each(|d| *d *= pass.part);
-            passes.push(pass);
-            state = end_rates(state, &end);
+            let applied = self.part(&d);
+            d.iter_mut().for_each(|d| *d *= applied);
+            if let Some(pass) = passes.last_mut() {
+                (pass.products, pass.part) = (found.products, applied);
+            }
+            let limited = self.border.limit(&mut d, state);
+            blocked = limited.map_or(0, |_| blocked + 1);
+            if let Some((control, bound)) = limited.filter(|_| blocked >= BLOCKED) {
+                return Err(PeriodicFailure::bound(control, bound, worst));
+            }
+            *state = end_rates(state.clone(), &end);
             state.correct(&d);
             iterations += 1;
         }
+    }
+
+    /// The change of a state in a period with the errors of the targets, and the index and the size of
+    /// its largest entry relative to the sizes of the `rows`.
+    pub fn residual(
+        &self,
+        state: &State,
+        (end, algebraic): (&State, &[bool]),
+        rows: &[f64],
+    ) -> (Vec<f64>, (usize, f64)) {
+        let mut residual = seen(end, state, algebraic);
+        self.border.complete(&mut residual, end);
+        let worst = worst(&residual, rows);
+        (residual, worst)
     }
 
     /// The solution in sizes of the unknowns; `None` if it is not finite.
@@ -133,7 +149,8 @@ impl Shooting<'_> {
         }
     }
 
-    fn name(&self, index: usize, part: f64, size: f64) -> String {
+    /// The unknown or the target of the largest entry, as text.
+    pub fn name(&self, index: usize, part: f64, size: f64) -> String {
         match self.border.target(index) {
             Some(target) => format!(
                 "the mean of \"{}\" is off by {:.3e}",
@@ -147,21 +164,14 @@ impl Shooting<'_> {
     /// The reason of a singular correction: a control that does not act, or the motion that does not
     /// repeat.
     fn singular(&self, map: &PeriodMap, name: String) -> PeriodicFailure {
-        let idle = self
-            .response(map)
-            .and_then(|response| self.border.idle(&response));
-        let reason = match idle {
-            Some([control, target]) => format!(
-                "the controls do not determine the targets; \"{control}\" acts least, and \
-                 \"{target}\" is reached least"
-            ),
-            None => format!("nothing determines {name}"),
-        };
+        let response = self.response(map);
+        let idle = response.and_then(|response| self.border.idle(&response));
+        let reason = idle.unwrap_or_else(|| format!("nothing determines {name}"));
         PeriodicFailure::Singular { reason }
     }
 
     /// The change of the means in the periodic motion by each control of unit size.
-    fn response(&self, map: &PeriodMap) -> Option<DMatrix<f64>> {
+    pub fn response(&self, map: &PeriodMap) -> Option<DMatrix<f64>> {
         let count = self.border.count();
         let held = self.border.unknowns();
         let mut response = DMatrix::zeros(count, count);

@@ -32,7 +32,7 @@ pub(super) enum Settling {
 pub(super) fn begin(system: &System, state: &mut State) {
     for (value, scalar) in state.scalars.iter_mut().zip(system.scalars()) {
         *value = match scalar.start {
-            ScalarStart::Value(value) => value,
+            ScalarStart::Value(value) | ScalarStart::Constant(value) => value,
             ScalarStart::Settled => 0.0,
         };
     }

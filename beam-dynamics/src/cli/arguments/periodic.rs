@@ -5,8 +5,8 @@ Finds motion that repeats, and its stability
 
 Reads the dynamics files and the files that they name, finds the motion that repeats after the \
 period of [periodic] by Newton's method or by period after period, and with [periodic.floquet] the \
-multipliers and exponents of small motions about it. With [[periodic.control]] it finds numbers for \
-which means have given values: the trim. Prints iterations and multipliers, and writes into the \
+multipliers and exponents of small motions about it. With [trim] it finds the controls, too; the \
+command trim reports these. Prints iterations and multipliers, and writes into the \
 folder DIR:
   NAME.periodic.csv      a row for each step of a period: the columns of [output]
   NAME.periodic.nc       the same as NetCDF, which Python reads with names and units

@@ -112,7 +112,7 @@ impl Actuator {
             })
         };
         let of_rate = match start {
-            ScalarStart::Value(_) => ScalarStart::Value(0.0),
+            ScalarStart::Value(_) | ScalarStart::Constant(_) => ScalarStart::Value(0.0),
             ScalarStart::Settled => ScalarStart::Settled,
         };
         let rate = scalar(["rate", "1/s", "acceleration", "1/s^2"], None, of_rate);

@@ -147,7 +147,7 @@ fn element(card: &Named<'_>, builder: &ModelBuilder) -> Option<(Box<dyn Element>
         }
         Some((sampling, limits)) => {
             let start = start.into_iter().map(|start| match start {
-                ScalarStart::Value(value) => value,
+                ScalarStart::Value(value) | ScalarStart::Constant(value) => value,
                 ScalarStart::Settled => 0.0,
             });
             let outputs = outputs.into_iter().zip(limits).collect();

@@ -2,7 +2,7 @@
 
 use shared_geom::document::ByHand;
 use shared_geom::document::schema::ValueKind::{
-    Boolean, Count, Drive, Positive, Quantities, Quantity, Table, Tables, Text, Word,
+    Boolean, Count, Positive, Quantities, Quantity, Table, Word,
 };
 use shared_geom::keys;
 use shared_geom::units::Dimension;
@@ -50,10 +50,6 @@ keys! {
     pub(super) HARMONICS: usize = "harmonics", [Count(MOST_HARMONICS)], or "8" = 8, "4";
     /// Multipliers, exponents and frequencies of small motions about the periodic one.
     pub(super) FLOQUET: ByHand = "floquet", [Table(&FLOQUET_TABLE)], optional, "";
-    /// Numbers that are found so that means have given values.
-    pub(super) CONTROL: ByHand = "control", [Tables(&CONTROL_CARD)], optional, "";
-    /// The values of the means, one for each control.
-    pub(super) TARGET: ByHand = "target", [Tables(&TARGET_CARD)], optional, "";
     with FROM.schema, START.schema, REDUNDANT.schema;
 }
 
@@ -68,28 +64,4 @@ keys! {
         "[\"1.2 Hz\", \"3 Hz\"]";
     /// Whether to estimate the errors of the exponents by an analysis with half the steps.
     pub(super) ERROR: bool = "error_estimate", [Boolean], or "true" = true, "false";
-}
-
-keys! {
-    /// A number that expressions read, constant in time, that is found by the periodic motion.
-    CONTROL_CARD = "[[periodic.control]]";
-    /// Its name.
-    pub(super) NAME: String = "name", [Text], required, "\"collective\"";
-    /// First guess, and its value in runs in time.
-    pub(super) GUESS: f64 = "guess", [Quantity(Dimension::NUMBER)], or "0" = 0.0, "0.1";
-    /// Size relative to which changes are measured.
-    pub(super) SCALE: f64 = "scale", [Positive(Dimension::NUMBER)], or "1" = 1.0, "0.1";
-}
-
-keys! {
-    /// A mean over the period that has a given value. The mean of `2*q*cos(w*t)` is a harmonic of q.
-    TARGET_CARD = "[[periodic.target]]";
-    /// Its name.
-    pub(super) TARGET_NAME: String = "name", [Text], required, "\"thrust\"";
-    /// The quantity: an expression of sensors and outputs.
-    pub(super) SIGNAL: ByHand = "signal", [Drive(Dimension::NUMBER)], required, "\"= thrust_sensor\"";
-    /// The mean.
-    pub(super) VALUE: f64 = "value", [Quantity(Dimension::NUMBER)], required, "700";
-    /// Size relative to which its error is measured.
-    pub(super) TARGET_SCALE: f64 = "scale", [Positive(Dimension::NUMBER)], or "1" = 1.0, "700";
 }

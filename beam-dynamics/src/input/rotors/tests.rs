@@ -63,7 +63,7 @@ fn refused(text: &str) -> String {
 /// The expanded text of a text.
 fn expanded(text: &str) -> String {
     let document = Document::parse_with_includes(text, "a.dynamics.toml").unwrap();
-    declare(&document, &document.root_of(&schema::DYNAMICS_FILE));
+    declare(&document, &document.root_of(&schema::DYNAMICS_FILE), &[]);
     let expanded = super::expanded_text(&document, text);
     document.finish(expanded).unwrap()
 }

@@ -51,28 +51,34 @@ impl<'a> PeriodicFiles<'a> {
         self.run.problem()
     }
 
-    /// Writes everything else, with `text` as the report, and lists all files; `harmonics` is the
-    /// number of harmonics of each column.
+    /// A number of harmonics of each column; empty without a period.
+    pub fn harmonics(&self, count: usize) -> Vec<Harmonics> {
+        // The state at the end of the period is its start: the last row comes first.
+        let Some((last, before)) = self.rows.split_last() else {
+            return Vec::new();
+        };
+        let of_column = |index: usize| {
+            let rows = std::iter::once(last).chain(before);
+            let values: Vec<_> = rows.map(|row| row[index]).collect();
+            Harmonics::of(&values, count)
+        };
+        (0..self.columns.len()).map(of_column).collect()
+    }
+
+    /// Writes everything else, with `text` as the report and the harmonics of each column, and lists all
+    /// files.
     ///
     /// # Errors
     /// [`RunFileProblem`]: the one that ended the recording, or a file that cannot be written.
     pub fn finish(
         self,
         result: &PeriodicResult,
-        (text, harmonics): (&str, usize),
+        (text, found): (&str, &[Harmonics]),
     ) -> Result<Written, RunFileProblem> {
         let mut written = self.run.finish(&result.name, text)?;
         let mut results = Results::new(self.location);
-        if !self.rows.is_empty() {
-            // The state at the end of the period is its start: the last row comes first.
-            let of_column = |index: usize| {
-                let last = self.rows.last().into_iter();
-                let rows = last.chain(&self.rows[..self.rows.len() - 1]);
-                let values: Vec<_> = rows.map(|row| row[index]).collect();
-                Harmonics::of(&values, harmonics)
-            };
-            let found: Vec<_> = (0..self.columns.len()).map(of_column).collect();
-            results.text(HARMONICS, &harmonics_csv(self.columns, &found))?;
+        if !found.is_empty() {
+            results.text(HARMONICS, &harmonics_csv(self.columns, found))?;
         }
         if let Some(table) = &result.floquet {
             results.text(FLOQUET, &floquet_csv(table, result.period))?;

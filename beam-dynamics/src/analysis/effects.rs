@@ -1,0 +1,73 @@
+//! Controls that do not determine their targets, from the response of the targets to the controls.
+//!
+//! With the response C, targets of size one by controls of size one, and its singular values
+//! `C = U S V^T`, a singular value of zero has the controls in its column of V that have no effect, or
+//! the same one, and the targets in its column of U that no control reaches.
+
+use nalgebra::DMatrix;
+
+/// Singular value relative to the largest one, or the least size of that, up to which it is zero.
+const IDLE: f64 = 1e-7;
+const LEAST: f64 = 1e-9;
+/// Part of a singular vector from which a control has a part in it.
+const TAKES_PART: f64 = 0.3;
+
+/// Why controls (columns of the response) do not determine targets (rows), as text; `None` if they do.
+pub(super) fn idle(
+    response: &DMatrix<f64>,
+    controls: &[String],
+    targets: &[String],
+) -> Option<String> {
+    if response.is_empty() {
+        return None;
+    }
+    let largest = response.amax();
+    let found = response.clone().svd(true, true);
+    let (least, value) = found.singular_values.argmin();
+    if value > (IDLE * largest).max(IDLE * LEAST) {
+        return None;
+    }
+    let (u, v_t) = (found.u?, found.v_t?);
+    let direction = v_t.row(least).transpose();
+    let (target, control) = (u.column(least).iamax(), direction.iamax());
+    let sharing = (0..controls.len()).filter(|i| direction[*i].abs() > TAKES_PART);
+    let sharing: Vec<_> = sharing.map(|i| format!("\"{}\"", controls[i])).collect();
+    let why = match sharing.as_slice() {
+        [one] => format!("{one} has no effect on any target"),
+        several => format!(
+            "{} have the same effect on all targets",
+            several.join(" and ")
+        ),
+    };
+    Some(format!(
+        "the controls do not determine the targets: \"{}\" acts least, and \"{}\" is reached least; {why}",
+        controls.get(control)?,
+        targets.get(target)?
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(rows: &[f64]) -> Option<String> {
+        let names = |letters: [&str; 2]| letters.map(str::to_owned);
+        let response = DMatrix::from_row_slice(2, 2, rows);
+        idle(&response, &names(["a", "b"]), &names(["p", "q"]))
+    }
+
+    // Columns of zeros and columns in proportion; a regular response of small numbers is none of these.
+    #[test]
+    fn the_reason_is_named() {
+        let none = text(&[1.0, 0.0, 2.0, 0.0]).unwrap();
+        assert!(none.contains("\"b\" has no effect"), "{none}");
+        let same = text(&[1.0, 2.0, 3.0, 6.0]).unwrap();
+        assert!(
+            same.contains("\"a\" and \"b\" have the same effect"),
+            "{same}"
+        );
+        let unreached = text(&[1.0, 2.0, 0.0, 0.0]).unwrap();
+        assert!(unreached.contains("\"q\" is reached least"), "{unreached}");
+        assert_eq!(text(&[1e-5, 2e-5, 2e-5, 1e-5]), None);
+    }
+}

@@ -1,0 +1,114 @@
+//! Controls by an auto-pilot: the motion is integrated, and the controls follow the errors of the
+//! targets.
+//!
+//! With the momentary values m of the targets, their means over a step, a filter of first order, and the
+//! derivative J of the means over a period by the controls at the start,
+//!
+//! ```text
+//! tau m_f' = m - m_f ,     u' = -G J^-1 ( m_f - m* )                              (D-322)
+//! ```
+//!
+//! with tau and 1/G in periods. The integral over a step is exact, so that the targets need no sensors
+//! of their own. A control is constant within a step.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::failure::PeriodicFailure;
+use super::flow::Flow;
+use super::shooting::Shooting;
+use crate::case::AutoPilot;
+use crate::model::State;
+use crate::result::PeriodicPass;
+
+/// The filter and the controls.
+struct Pilot<'a> {
+    shooting: &'a Shooting<'a>,
+    settings: AutoPilot,
+    /// J^-1, of sizes one.
+    inverse: DMatrix<f64>,
+    /// Length of a step, in periods.
+    step: f64,
+    /// m_f.
+    filtered: Vec<f64>,
+    /// Integrals after the step before.
+    before: Vec<f64>,
+}
+
+impl Pilot<'_> {
+    /// The action after a step.
+    fn act(&mut self, state: &mut State) {
+        let border = self.shooting.border;
+        let integrals = border.integrals(state);
+        let length = self.step * self.shooting.settings.period;
+        let part = 1.0 - (-self.step / self.settings.filter).exp();
+        let changes = integrals.iter().zip(&self.before);
+        for (filtered, (now, before)) in self.filtered.iter_mut().zip(changes) {
+            *filtered += part * ((now - before) / length - *filtered);
+        }
+        self.before = integrals;
+        let errors = DVector::from_vec(border.errors(&self.filtered));
+        let change = &self.inverse * errors * (-self.settings.gain * self.step);
+        let mut values = border.values(state);
+        for (value, (change, scale)) in values.iter_mut().zip(change.iter().zip(border.scales())) {
+            *value += change * scale;
+        }
+        border.set(state, &values);
+    }
+}
+
+/// Marches from `state`, which becomes the last state, until the targets are met and the motion repeats;
+/// returns the first state of the last period, and its end.
+pub(super) fn pilot(
+    shooting: &Shooting<'_>,
+    flow: &mut Flow<'_>,
+    (state, settings): (&mut State, AutoPilot),
+    passes: &mut Vec<PeriodicPass>,
+) -> Result<[State; 2], PeriodicFailure> {
+    let border = shooting.border;
+    border.begin(state);
+    let (end, map) = flow.linearized(state)?;
+    let map = map.ok_or(PeriodicFailure::SingularStep)?;
+    let singular = |reason: Option<String>| PeriodicFailure::Singular {
+        reason: reason.unwrap_or_else(|| "nothing determines the motion".to_owned()),
+    };
+    let response = shooting.response(&map).ok_or_else(|| singular(None))?;
+    if let Some(reason) = border.idle(&response) {
+        return Err(singular(Some(reason)));
+    }
+    let mut pilot = Pilot {
+        shooting,
+        settings,
+        inverse: response.try_inverse().ok_or_else(|| singular(None))?,
+        step: 1.0 / flow.steps() as f64,
+        filtered: border.reached(&end),
+        before: Vec::new(),
+    };
+    *state = end;
+    let rows = border.sizes(shooting.sizes);
+    loop {
+        border.begin(state);
+        pilot.before = border.integrals(state);
+        let end = flow.piloted(state, &mut |state| pilot.act(state))?;
+        let (_, (index, part)) = shooting.residual(state, (&end, map.algebraic()), &rows);
+        let worst = shooting.name(index, part, rows[index]);
+        passes.push(PeriodicPass {
+            residual: part,
+            worst: worst.clone(),
+            products: 0,
+            part: 1.0,
+        });
+        let first = std::mem::replace(state, end);
+        if part <= settings.tolerance {
+            return Ok([first, state.clone()]);
+        }
+        if passes.len() >= shooting.settings.periods || !part.is_finite() {
+            return Err(match border.at_bound(state) {
+                Some((control, bound)) => PeriodicFailure::bound(control, bound, worst),
+                None => PeriodicFailure::NotConverged {
+                    iterations: passes.len(),
+                    worst,
+                },
+            });
+        }
+    }
+}

@@ -1,0 +1,383 @@
+//! Trim: numbers that are found so that means of the motion, or quantities of an equilibrium, have given
+//! values, and sweeps of them.
+//!
+//! 1. For each value of the sweep the file is read with this value.
+//! 2. Controls that are unknowns of the model are found with its periodic motion or its equilibrium,
+//!    from the last solution.
+//! 3. Controls that are parameters of the file are found around that, by Broyden's method.
+
+use shared_geom::error::Diagnostics;
+
+use crate::analysis::effects;
+use crate::analysis::periodic::periodic_from;
+use crate::analysis::statics::{point, static_step};
+use crate::case::{TrimControl, TrimMethod, TrimSettings};
+use crate::input::{Input, short_number};
+use crate::model::State;
+use crate::result::{PeriodicResult, StaticResult, TrimPoint, TrimResult};
+
+mod balanced;
+mod broyden;
+
+use broyden::{Range, Stop};
+
+/// Reads the file with other values of parameters.
+pub type Reader<'a> = &'a dyn Fn(&[(String, f64)]) -> Result<Input, Diagnostics>;
+
+/// The motion or the equilibrium of a trim.
+#[derive(Debug)]
+pub enum Trimmed {
+    /// A motion.
+    Periodic(PeriodicResult),
+    /// An equilibrium.
+    Static(StaticResult),
+}
+
+/// The model at the end of a trim, with its state.
+#[derive(Debug)]
+pub struct TrimEnd {
+    /// The input with the parameters at the end.
+    pub input: Input,
+    /// The first state of the motion, or the equilibrium; the last one that was found.
+    pub state: Option<State>,
+    /// The motion or the equilibrium; `None` if there is no equilibrium.
+    pub found: Option<Trimmed>,
+}
+
+/// Result of a trim, and its last model.
+#[derive(Debug)]
+pub struct TrimOutcome {
+    /// The points.
+    pub result: TrimResult,
+    /// The last model.
+    pub end: Option<TrimEnd>,
+}
+
+/// The solution of one model with given parameters.
+struct Solved {
+    end: TrimEnd,
+    controls: Vec<f64>,
+    /// Values found and required.
+    targets: Vec<[f64; 2]>,
+    iterations: usize,
+    residual: f64,
+    failure: Option<[String; 2]>,
+}
+
+/// The trim requested by `settings`, of the file that `read` reads.
+pub fn trim(name: &str, settings: &TrimSettings, read: Reader<'_>) -> TrimOutcome {
+    let all = || settings.controls.iter().chain(&settings.parameters);
+    let sweep = settings.sweep.as_ref();
+    let places: Vec<_> = match sweep {
+        None => vec![None],
+        Some(sweep) => sweep.values.iter().copied().map(Some).collect(),
+    };
+    let mut result = TrimResult {
+        name: name.to_owned(),
+        method: match settings.method {
+            TrimMethod::Shooting => "periodic motion by shooting",
+            TrimMethod::AutoPilot => "periodic motion by an auto-pilot",
+            TrimMethod::Equilibrium => "equilibrium in the turning frame",
+        },
+        sweep: sweep.map(|sweep| sweep.parameter.clone()),
+        requested: places.len(),
+        controls: all().map(|control| control.name.clone()).collect(),
+        targets: settings
+            .targets
+            .iter()
+            .map(|target| target.name.clone())
+            .collect(),
+        points: Vec::new(),
+        remarks: Vec::new(),
+    };
+    let mut search = Search {
+        settings,
+        read,
+        given: Vec::new(),
+        parameters: None,
+        from: None,
+    };
+    let mut end = None;
+    for at in places {
+        search.given = sweep
+            .zip(at)
+            .map(|(sweep, value)| (sweep.parameter.clone(), value))
+            .into_iter()
+            .collect();
+        let (point, last) = search.point(at);
+        let is_met = point.failure.is_none();
+        result.points.push(point);
+        end = last.or(end);
+        search.from = end.as_ref().and_then(|end| end.state.clone());
+        if !is_met {
+            break;
+        }
+    }
+    TrimOutcome { result, end }
+}
+
+/// The search at one point, with the results of the point before.
+struct Search<'a> {
+    settings: &'a TrimSettings,
+    read: Reader<'a>,
+    /// The parameter of the sweep with its value.
+    given: Vec<(String, f64)>,
+    /// Values of the controls that are parameters.
+    parameters: Option<Vec<f64>>,
+    /// The last state.
+    from: Option<State>,
+}
+
+impl Search<'_> {
+    /// The point, and its model unless the file cannot be read.
+    fn point(&mut self, at: Option<f64>) -> (TrimPoint, Option<TrimEnd>) {
+        let (solved, failure, outer) = match self.settings.parameters.is_empty() {
+            true => match self.solved(&[]) {
+                Ok(solved) => (Some(solved), None, 0),
+                Err(failure) => (None, Some(failure), 0),
+            },
+            false => self.around(),
+        };
+        let empty = TrimPoint {
+            at,
+            controls: Vec::new(),
+            targets: Vec::new(),
+            iterations: outer,
+            residual: f64::NAN,
+            failure: None,
+        };
+        let Some(solved) = solved else {
+            return (TrimPoint { failure, ..empty }, None);
+        };
+        let mut controls = solved.controls;
+        controls.extend(self.parameters.iter().flatten());
+        let point = TrimPoint {
+            controls,
+            targets: solved.targets,
+            iterations: outer + solved.iterations,
+            residual: solved.residual,
+            failure: failure.or(solved.failure),
+            ..empty
+        };
+        (point, Some(solved.end))
+    }
+
+    /// Finds the parameters around the solutions of the models.
+    fn around(&mut self) -> (Option<Solved>, Option<[String; 2]>, usize) {
+        let parameters = &self.settings.parameters;
+        let ranges: Vec<_> = parameters.iter().map(range).collect();
+        let begun = match self.parameters.clone() {
+            Some(known) => Ok(known),
+            None => (self.read)(&self.given)
+                .map_err(unread)
+                .map(|input| guesses(&input)),
+        };
+        let mut x = match begun {
+            Ok(x) => x,
+            Err(failure) => return (None, Some(failure), 0),
+        };
+        let mut last = None;
+        let limits = (self.settings.tolerance, self.settings.iterations);
+        let (stop, iterations) = {
+            let mut evaluate = |x: &[f64]| {
+                let solved = self.solved(x)?;
+                if let Some(failure) = &solved.failure {
+                    let failure = failure.clone();
+                    last = Some(solved);
+                    return Err(failure);
+                }
+                self.from = solved.end.state.clone().or(self.from.take());
+                let errors = self.errors(&solved);
+                last = Some(solved);
+                Ok(errors)
+            };
+            broyden::solve(&mut evaluate, &mut x, &ranges, limits)
+        };
+        let failure = self.failure(stop, last.as_ref());
+        self.parameters = Some(x);
+        (last, failure, iterations)
+    }
+
+    /// Errors of the targets of the parameters, in their sizes.
+    fn errors(&self, solved: &Solved) -> Vec<f64> {
+        let first = self.settings.controls.len();
+        let own = solved
+            .targets
+            .iter()
+            .zip(&self.settings.targets)
+            .skip(first);
+        own.map(|([found, required], target)| (found - required) / target.scale)
+            .collect()
+    }
+
+    /// The reason of an end without a solution, with its remedy.
+    fn failure(&self, stop: Stop<[String; 2]>, last: Option<&Solved>) -> Option<[String; 2]> {
+        let settings = self.settings;
+        let first = settings.controls.len();
+        let targets = &settings.targets[first..];
+        let worst = || {
+            let errors = last.map(|last| self.errors(last)).unwrap_or_default();
+            let pairs = errors.into_iter().zip(targets);
+            let worst = pairs.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+            worst.map_or_else(String::new, |(error, target)| {
+                let off = short_number(error * target.scale, 4);
+                format!("\"{}\" is off by {off}", target.name)
+            })
+        };
+        let text = match stop {
+            Stop::Met => return None,
+            Stop::Failed(failure) => return Some(failure),
+            Stop::Bound(index, bound) => {
+                let name = &settings.parameters[index].name;
+                format!(
+                    "the control \"{name}\" reaches its bound {bound}, and {}",
+                    worst()
+                )
+            }
+            Stop::Singular(response) => {
+                let controls = settings.parameters.iter().map(|one| one.name.clone());
+                let targets = targets.iter().map(|one| one.name.clone());
+                let names: [Vec<_>; 2] = [controls.collect(), targets.collect()];
+                let idle = effects::idle(&response, &names[0], &names[1]);
+                idle.unwrap_or_else(|| {
+                    format!("the controls do not lead to the targets: {}", worst())
+                })
+            }
+            Stop::Iterations => format!(
+                "the targets are not met after {} iterations: {}",
+                settings.iterations,
+                worst()
+            ),
+        };
+        let remedy = "give first guesses nearer to the trim, replace a control, or move its bound";
+        Some([text, remedy.to_owned()])
+    }
+
+    /// The solution with given values of the parameters, from the last state, or else from the start of
+    /// the file.
+    fn solved(&self, parameters: &[f64]) -> Result<Solved, [String; 2]> {
+        let names = self.settings.parameters.iter().map(|one| one.name.clone());
+        let given = self
+            .given
+            .iter()
+            .cloned()
+            .chain(names.zip(parameters.iter().copied()));
+        let given: Vec<_> = given.collect();
+        let again = || (self.read)(&given).map_err(unread);
+        let found = solve(again()?, self.from.as_ref());
+        match found.failure.is_some() && self.from.is_some() {
+            true => Ok(solve(again()?, None)),
+            false => Ok(found),
+        }
+    }
+}
+
+/// The first guesses of the parameters of a file.
+fn guesses(input: &Input) -> Vec<f64> {
+    let settings = input.trim.as_ref();
+    settings.map_or_else(Vec::new, |settings| settings.guesses.clone())
+}
+
+/// The failure of a file with other parameters.
+fn unread(problems: Diagnostics) -> [String; 2] {
+    let remedy =
+        "choose values of the parameters for which the file is sound, or bounds of controls";
+    [problems.to_string(), remedy.to_owned()]
+}
+
+fn range(control: &TrimControl) -> Range {
+    Range {
+        scale: control.scale,
+        bounds: control.bounds,
+        step: control.step,
+    }
+}
+
+/// Finds the controls that are unknowns of the model.
+fn solve(input: Input, from: Option<&State>) -> Solved {
+    let is_static = input
+        .trim
+        .as_ref()
+        .is_some_and(|own| own.method == TrimMethod::Equilibrium);
+    let from = from.filter(|state| state.scalars.len() == input.model.system.scalars().len());
+    match is_static {
+        true => in_equilibrium(input, from),
+        false => in_motion(input, from),
+    }
+}
+
+/// By the periodic motion.
+fn in_motion(input: Input, from: Option<&State>) -> Solved {
+    let mut solved = Solved::nothing(input);
+    let end = &mut solved.end;
+    let Some(settings) = &end.input.periodic else {
+        return solved;
+    };
+    let outcome = periodic_from(&end.input.model, settings, from);
+    let result = outcome.result;
+    solved.controls = result.controls.iter().map(|own| own.1).collect();
+    let required = settings.targets.iter().map(|target| target.value);
+    let found = result.targets.iter().copied();
+    solved.targets = found
+        .zip(required)
+        .map(|(found, required)| [found, required])
+        .collect();
+    solved.iterations = result.passes.len().saturating_sub(1);
+    solved.residual = result.passes.last().map_or(f64::NAN, |pass| pass.residual);
+    solved.failure = outcome
+        .failure
+        .map(|failure| [failure.to_string(), failure.remedy()]);
+    (end.state, end.found) = (outcome.state, Some(Trimmed::Periodic(result)));
+    solved
+}
+
+/// By the equilibrium.
+fn in_equilibrium(input: Input, from: Option<&State>) -> Solved {
+    let mut solved = Solved::nothing(input);
+    let end = &mut solved.end;
+    let (model, Some(settings)) = (&end.input.model, &end.input.trim) else {
+        return solved;
+    };
+    match balanced::balanced(model, settings, from) {
+        Err(failure) => {
+            solved.failure = Some([failure.to_string(), failure.remedy().to_owned()]);
+        }
+        Ok(found) => {
+            let labels = settings.controls.iter().map(|control| &control.label);
+            solved.controls = balanced::values(model, &found.state, labels);
+            let labels = settings.targets.iter().map(|target| &target.label);
+            let values = balanced::values(model, &found.state, labels).into_iter();
+            let required = settings.targets.iter().map(|target| target.value);
+            solved.targets = values
+                .zip(required)
+                .map(|(found, required)| [found, required])
+                .collect();
+            (solved.iterations, solved.residual) = (found.iterations, found.residual);
+            end.state = Some(found.state.clone());
+            let conditions = balanced::conditions(model, settings);
+            let mut result = StaticResult::new(model, settings.speed);
+            let step = static_step(model, &conditions, point(&conditions, found));
+            result.steps.push(step);
+            end.found = Some(Trimmed::Static(result));
+        }
+    }
+    solved
+}
+
+impl Solved {
+    /// Without a solution.
+    fn nothing(input: Input) -> Self {
+        Self {
+            end: TrimEnd {
+                input,
+                state: None,
+                found: None,
+            },
+            controls: Vec::new(),
+            targets: Vec::new(),
+            iterations: 0,
+            residual: f64::NAN,
+            failure: None,
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! The trim of an equilibrium: the equations of the controls are the ones of the targets (D-321), so
+//! that the equilibrium of the first guesses leads to the trim as any change of the conditions does.
+
+use nalgebra::DMatrix;
+
+use crate::analysis::balance::Balance;
+use crate::analysis::effects;
+use crate::analysis::steady::{Equilibrium, NoEquilibrium, equilibrium};
+use crate::case::{Model, TrimSettings};
+use crate::model::{Conditions, State};
+use crate::solver::LinearSolver;
+
+/// Reason why an equilibrium is not trimmed.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum NotBalanced {
+    /// No equilibrium of the first guesses.
+    #[error("the first guesses: {0}")]
+    Guess(Box<NoEquilibrium>),
+    /// The equilibrium does not reach the targets.
+    #[error("the targets are not reached: {0}")]
+    Targets(Box<NoEquilibrium>),
+    /// The controls do not determine the targets.
+    #[error("{0}")]
+    Idle(String),
+    /// A control is beyond a bound.
+    #[error(
+        "the control \"{control}\" is {value} where the targets are met, beyond its bound {bound}"
+    )]
+    Bound {
+        control: String,
+        value: f64,
+        bound: f64,
+    },
+}
+
+impl NotBalanced {
+    /// The likeliest remedy.
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::Guess(_) => "give first guesses at which the model has an equilibrium",
+            Self::Targets(_) => {
+                "give first guesses nearer to the trim, or targets that the model can reach"
+            }
+            Self::Idle(_) => "replace a control, or a target",
+            Self::Bound { .. } => {
+                "move the bound, ask for another value of the target, or replace the control"
+            }
+        }
+    }
+}
+
+/// The index of the scalar of an element among all scalars.
+pub(super) fn scalar(model: &Model, label: &str) -> Option<usize> {
+    let mut scalars = model.system.scalars().iter();
+    scalars.position(|scalar| scalar.owner == label)
+}
+
+/// Values of the scalars of elements at a state; NaN for others.
+pub(super) fn values<'a>(
+    model: &Model,
+    state: &State,
+    labels: impl Iterator<Item = &'a String>,
+) -> Vec<f64> {
+    let value = |label| scalar(model, label).map_or(f64::NAN, |index| state.scalars[index]);
+    labels.map(|label| value(label)).collect()
+}
+
+/// The conditions of a trim.
+pub(super) fn conditions(model: &Model, settings: &TrimSettings) -> Conditions {
+    model.conditions(settings.speed, 1.0, 1.0)
+}
+
+/// The trimmed equilibrium, from the trimmed state of a similar model if one is given.
+pub(super) fn balanced(
+    model: &Model,
+    settings: &TrimSettings,
+    from: Option<&State>,
+) -> Result<Equilibrium, NotBalanced> {
+    let solver = LinearSolver::new(model.system.pattern());
+    let full = conditions(model, settings);
+    let near = from.map(|state| equilibrium(model, &solver, (&full, state), &full));
+    let found = match near {
+        Some(Ok(found)) => found,
+        _ => from_guesses(model, settings, (&solver, &full))?,
+    };
+    let controls = &settings.controls;
+    let labels = controls.iter().map(|control| &control.label);
+    for (control, value) in controls.iter().zip(values(model, &found.state, labels)) {
+        let bound = value.clamp(control.bounds[0], control.bounds[1]);
+        if value != bound {
+            let control = control.name.clone();
+            return Err(NotBalanced::Bound {
+                control,
+                value,
+                bound,
+            });
+        }
+    }
+    Ok(found)
+}
+
+fn from_guesses(
+    model: &Model,
+    settings: &TrimSettings,
+    (solver, full): (&LinearSolver, &Conditions),
+) -> Result<Equilibrium, NotBalanced> {
+    let mut guesses = *full;
+    guesses.loading.released = 1.0;
+    let rest = model.system.rest();
+    let first = equilibrium(model, solver, (&Conditions::at_rest(), &rest), &guesses);
+    let first = first.map_err(NotBalanced::Guess)?;
+    let found = equilibrium(model, solver, (&guesses, &first.state), full);
+    let iterations = first.iterations;
+    match found {
+        Ok(found) => Ok(Equilibrium {
+            iterations: iterations + found.iterations,
+            ..found
+        }),
+        Err(failure) => {
+            let balance = Balance::new(&model.system, solver, guesses, first.state);
+            let idle = response(model, settings, &balance).and_then(|response| {
+                let controls = settings.controls.iter().map(|one| one.name.clone());
+                let targets = settings.targets.iter().map(|one| one.name.clone());
+                let names: [Vec<_>; 2] = [controls.collect(), targets.collect()];
+                effects::idle(&response, &names[0], &names[1])
+            });
+            Err(idle.map_or(NotBalanced::Targets(failure), NotBalanced::Idle))
+        }
+    }
+}
+
+/// The change of the targets (rows, of size one) by each control of size one about the equilibrium of
+/// the first guesses.
+fn response(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Option<DMatrix<f64>> {
+    let factors = balance.factorize()?;
+    let first = model.system.numbering().first_scalar();
+    let count = settings.controls.len();
+    let mut response = DMatrix::zeros(count, count);
+    for (column, control) in settings.controls.iter().enumerate() {
+        // The equation of a control is (u - u_0)/s there.
+        let mut change = vec![0.0; model.system.numbering().unknowns()];
+        change[first + scalar(model, &control.label)?] = 1.0;
+        factors.solve(&mut change)?;
+        for (row, target) in settings.targets.iter().take(count).enumerate() {
+            let index = first + scalar(model, &target.label)?;
+            response[(row, column)] = change[index] / target.scale;
+        }
+    }
+    Some(response)
+}

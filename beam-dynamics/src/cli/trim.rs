@@ -1,0 +1,124 @@
+//! `trim`: finds the controls of each file, prints them, and writes the results.
+
+use std::path::{Path, PathBuf};
+
+use super::arguments::Results;
+use super::blade_options::BladeOptions;
+use super::periodic::write_period;
+use super::terminal::Terminal;
+use super::{DONE, MissingTable, NOT_REACHED, WRONG_INPUT, files, read_with_locations};
+use crate::analysis::trim::{TrimEnd, Trimmed, trim};
+use crate::case::TrimSettings;
+use crate::input;
+use crate::output::{self, ResultLocation};
+use crate::result::TrimResult;
+
+/// `trim FILE...`
+pub(super) fn trim_of_files(
+    paths: &[PathBuf],
+    results: &Results,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let blades = BladeOptions::default();
+    let Some((inputs, locations)) = read_with_locations(paths, results, &blades, terminal) else {
+        return WRONG_INPUT;
+    };
+    let mut jobs = Vec::new();
+    for ((path, input), location) in paths.iter().zip(&inputs).zip(&locations) {
+        match &input.trim {
+            Some(settings) => jobs.push((path, input, settings, location)),
+            None => terminal.report(&MissingTable {
+                file: path.display().to_string(),
+                table: "trim",
+                example: "[[trim.control]] and [[trim.target]]",
+            }),
+        }
+    }
+    if jobs.len() < inputs.len() {
+        return WRONG_INPUT;
+    }
+    files::worst_of(
+        &jobs,
+        terminal,
+        |(path, input, settings, location), terminal| {
+            let names = (input.model.name.as_str(), input.remarks.as_slice());
+            trim_of(path, names, settings, location, terminal)
+        },
+    )
+}
+
+fn trim_of(
+    path: &Path,
+    (name, remarks): (&str, &[String]),
+    settings: &TrimSettings,
+    location: &ResultLocation,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let read = |given: &[(String, f64)]| input::read_with(path, given);
+    let outcome = trim(name, settings, &read);
+    let mut result = outcome.result;
+    result.remarks.splice(0..0, remarks.iter().cloned());
+    let mut code = report_failure(&result, location, terminal);
+    let text = output::trim_text(&result);
+    terminal.show(&text);
+    match output::write_trim(&result, location) {
+        Ok(written) => {
+            terminal.show("\nWritten\n");
+            for file in &written.files {
+                terminal.show(&format!("  {}\n", file.display()));
+            }
+        }
+        Err(problem) => {
+            terminal.report(&problem);
+            code = NOT_REACHED;
+        }
+    }
+    if let Some(end) = outcome.end {
+        code = code.max(write_end(end, location, terminal));
+    }
+    code
+}
+
+/// Reports the reason of a failed point.
+fn report_failure(
+    result: &TrimResult,
+    location: &ResultLocation,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let failed = result
+        .points
+        .iter()
+        .find_map(|point| Some((point, point.failure.as_ref()?)));
+    let Some((point, [reason, remedy])) = failed else {
+        return DONE;
+    };
+    let place = match (&result.sweep, point.at) {
+        (Some(sweep), Some(at)) => format!(" at {sweep} = {}", input::short_number(at, 6)),
+        _ => String::new(),
+    };
+    let name = &location.name;
+    terminal.report_text(&format!("error: {name}{place}: {reason}\n  help: {remedy}"));
+    NOT_REACHED
+}
+
+/// Writes the motion or the equilibrium at the end, also of a failed search.
+fn write_end(end: TrimEnd, location: &ResultLocation, terminal: &mut Terminal<'_>) -> u8 {
+    let TrimEnd {
+        input,
+        state,
+        found,
+    } = end;
+    match (found, &input.periodic, state) {
+        (Some(Trimmed::Periodic(result)), Some(settings), Some(state)) => write_period(
+            (&input, settings),
+            (result, Some(&state)),
+            location,
+            terminal,
+        ),
+        (Some(Trimmed::Static(result)), ..) => {
+            terminal.show(&format!("\n{}", output::static_text(&result)));
+            super::finish(None, output::write_static(&result, location), terminal)
+        }
+        _ => DONE,
+    }
+}

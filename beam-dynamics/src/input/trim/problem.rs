@@ -1,0 +1,115 @@
+//! Problems of `[trim]`.
+
+use shared_geom::error::{Explain, nearest_name};
+
+/// A problem of `[trim]`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TrimProblem {
+    /// Controls and targets differ in number.
+    #[error("there are {controls} controls and {targets} targets, expected as many of each")]
+    Counts {
+        /// Number of controls.
+        controls: usize,
+        /// Number of targets.
+        targets: usize,
+    },
+    /// No periodic motion.
+    #[error("\"method\" is \"{method}\", which needs [periodic]")]
+    NoPeriod {
+        /// The method.
+        method: &'static str,
+    },
+    /// A march of the periodic motion.
+    #[error("the controls are found by shooting, but \"method\" of [periodic] is \"march\"")]
+    Marched,
+    /// Another analysis, which does not find the controls.
+    #[error("[trim] with this \"method\" is beside [{card}], which does not find the controls")]
+    Beside {
+        /// The other card.
+        card: &'static str,
+    },
+    /// A key of another method.
+    #[error("\"{key}\" has no effect with this \"method\"")]
+    Idle {
+        /// The key.
+        key: &'static str,
+    },
+    /// A first guess outside of the bounds.
+    #[error("the first guess {guess} of \"{name}\" is not between its bounds {lower} and {upper}")]
+    Bounds {
+        /// Name of the control.
+        name: String,
+        /// The guess.
+        guess: f64,
+        /// Least value.
+        lower: f64,
+        /// Largest value.
+        upper: f64,
+    },
+    /// A guess of a parameter.
+    #[error("\"guess\" of \"{name}\", whose value in [parameters] is the first guess")]
+    GuessOfParameter {
+        /// Name of the control.
+        name: String,
+    },
+    /// A harmonic of an equilibrium.
+    #[error("harmonic {harmonic} of an equilibrium, which does not change with time")]
+    Harmonic {
+        /// Its number.
+        harmonic: usize,
+    },
+    /// A sweep over a name that is no parameter.
+    #[error("\"{name}\" is not one of the [parameters]")]
+    NoParameter {
+        /// The name.
+        name: String,
+        /// The names of the parameters.
+        known: Vec<String>,
+    },
+    /// A sweep over a control.
+    #[error("the sweep gives values to \"{name}\", which is a control too")]
+    SweptControl {
+        /// The name.
+        name: String,
+    },
+    /// The values of a sweep are not given, or twice.
+    #[error(
+        "the values of the sweep are given by {found}, expected \"values\" or \"from\", \"to\" and \"steps\""
+    )]
+    Ways {
+        /// The keys found, as text.
+        found: &'static str,
+    },
+}
+
+impl Explain for TrimProblem {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::Counts { .. } => "give each [[trim.control]] one [[trim.target]]",
+            Self::NoPeriod { .. } => {
+                "add [periodic] with the speed of the rotor, or write method = \"equilibrium\""
+            }
+            Self::Marched => "write method = \"autopilot\" in [trim], or leave out the march",
+            Self::Beside { .. } => {
+                "write the analyses into two files, which include the same model: replace the \
+                 controls by parameters in the other one"
+            }
+            Self::Idle { key: "speed" } => "the speed of the periodic motion is in [periodic]",
+            Self::Idle { .. } => "remove it, or write the method to which it belongs",
+            Self::Bounds { .. } => "write lower < upper, and a guess between them",
+            Self::GuessOfParameter { .. } => "change the parameter",
+            Self::Harmonic { .. } => "use the mean, or method = \"shooting\"",
+            Self::NoParameter { name, known } => {
+                let known = known.iter().map(String::as_str);
+                return Some(match nearest_name(name, known.clone()) {
+                    Some(nearest) => format!("did you mean \"{nearest}\"?"),
+                    None => "add it to [parameters], and use it in expressions of other numbers"
+                        .to_owned(),
+                });
+            }
+            Self::SweptControl { .. } => "remove the control and its target, or the sweep",
+            Self::Ways { .. } => "write values = [0, 0.1, 0.2]",
+        };
+        Some(text.to_owned())
+    }
+}

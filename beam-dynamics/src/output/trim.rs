@@ -1,0 +1,9 @@
+//! Output of a trim: controls and targets, over the sweep.
+
+mod files;
+mod table;
+mod text;
+
+pub use files::write_trim;
+pub use table::trim_csv;
+pub use text::trim_text;

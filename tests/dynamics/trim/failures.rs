@@ -1,0 +1,153 @@
+//! Trims that fail name the reason, and wrong cards are reported with their remedy.
+
+use super::{attempt, reason};
+
+/// Two forces on a mass on a spring, in the plane.
+fn plate(first: &str, second: &str, settings: &str) -> String {
+    format!(
+        "[[node]]\nname = \"mass\"\nposition = [0, 0, 0]\n\
+         [[body]]\nname = \"mass\"\nnode = \"mass\"\nmass = 2\ninertia = [1, 1, 1]\n\
+         [[spring]]\nname = \"spring\"\nnode = \"mass\"\nstiffness = [50, 50, 50]\n\
+         rotational_stiffness = [1, 1, 1]\ndamping = [4, 4, 4]\nrotational_damping = [1, 1, 1]\n\
+         [sensors.x]\nquantity = \"position\"\nof = \"mass\"\ncomponent = \"x\"\nunit = \"m\"\n\
+         [sensors.y]\nquantity = \"position\"\nof = \"mass\"\ncomponent = \"y\"\nunit = \"m\"\n\
+         [[load]]\nnode = \"mass\"\nforce = [1, 0, 0]\ndrive = \"= {first}\"\n\
+         [[load]]\nnode = \"mass\"\nforce = [0, 1, 0]\ndrive = \"= {second}\"\n\
+         {settings}\
+         [[trim.control]]\nname = \"a\"\n[[trim.control]]\nname = \"b\"\nupper = 40\n\
+         [[trim.target]]\nname = \"to the right\"\nsignal = \"x\"\nvalue = 0.3\n\
+         [[trim.target]]\nname = \"ahead\"\nsignal = \"y\"\nvalue = 0.5\n"
+    )
+}
+
+const METHODS: [&str; 3] = [
+    "[periodic]\nperiod = 1\nsteps = 8\n[trim]\n",
+    "[periodic]\nperiod = 1\nsteps = 8\nperiods = 400\n[trim]\nmethod = \"autopilot\"\n",
+    "[trim]\nmethod = \"equilibrium\"\n",
+];
+
+// All methods: a control without effect, two controls with the same effect, a target that no control
+// reaches, and a bound, which is 40 of the 25 and 50 that are needed.
+#[test]
+fn reasons_are_named() {
+    for method in METHODS {
+        let [idle, _] = reason(&plate("a", "a + 0*b", method));
+        assert!(
+            idle.contains("\"b\" has no effect on any target"),
+            "{method}: {idle}"
+        );
+        let [same, _] = reason(&plate("a + 2*b", "2*a + 4*b", method));
+        assert!(
+            same.contains("\"a\" and \"b\" have the same effect"),
+            "{method}: {same}"
+        );
+        let [unreached, _] = reason(&plate("a + b", "0*a", method));
+        assert!(
+            unreached.contains("\"ahead\" is reached least"),
+            "{method}: {unreached}"
+        );
+        let [bound, remedy] = reason(&plate("a", "b/2", method));
+        assert!(
+            bound.contains("the control \"b\"") && bound.contains("bound 40"),
+            "{method}: {bound}"
+        );
+        assert!(remedy.contains("bound"), "{remedy}");
+        let text = plate("a", "b", method);
+        let point = &attempt(&text).result.points[0];
+        assert_eq!(point.failure, None, "{method}");
+        for (found, expected) in point.controls.iter().zip([15.0, 25.0]) {
+            assert!((found - expected).abs() < 1e-3, "{method}: {point:?}");
+        }
+    }
+}
+
+// The last point of a sweep is beyond the bound: the points before are kept, and so is the last state.
+#[test]
+fn a_failed_point_keeps_the_others() {
+    let settings = "[parameters]\nmore = 1\n[trim]\nmethod = \"equilibrium\"\n\
+                    [trim.sweep]\nparameter = \"more\"\nvalues = [1, 2, 4, 5]\n";
+    let text = plate("a", "b", settings).replace("value = 0.5", "value = \"= 0.3*more\"");
+    let outcome = attempt(&text);
+    let points = &outcome.result.points;
+    assert_eq!((points.len(), outcome.result.requested), (3, 4));
+    for (point, expected) in points.iter().zip([15.0, 30.0]) {
+        assert!(point.failure.is_none() && (point.controls[1] - expected).abs() < 1e-9);
+    }
+    let [text, _] = points[2].failure.clone().unwrap();
+    assert!(text.contains("\"b\" is 60"), "{text}");
+    assert!(outcome.end.unwrap().state.is_some() || points[1].failure.is_none());
+}
+
+#[test]
+fn wrong_cards_are_reported() {
+    let sound = plate("a", "b", METHODS[2]);
+    let problems = |from: &str, to: &str| {
+        assert!(sound.contains(from), "{from}");
+        let text = format!("units = \"SI\"\n{}", sound.replace(from, to));
+        let found = beam_dynamics::input::parse(&text, "x.dynamics.toml");
+        found.unwrap_err().to_string()
+    };
+    for (from, to, expected) in [
+        (
+            "[trim]\n",
+            "[trim]\nfilter = 2\n",
+            "\"filter\" has no effect",
+        ),
+        (
+            "method = \"equilibrium\"",
+            "speed = 3",
+            "\"speed\" has no effect",
+        ),
+        (
+            "method = \"equilibrium\"",
+            "iterations = 9",
+            "which needs [periodic]",
+        ),
+        (
+            "upper = 40",
+            "upper = -1",
+            "is not between its bounds -inf and -1",
+        ),
+        (
+            "value = 0.5\n",
+            "value = 0.5\nharmonic = 2\n",
+            "harmonic 2 of an equilibrium",
+        ),
+        (
+            "name = \"ahead\"",
+            "name = \"to the right\"",
+            "to the right",
+        ),
+        ("name = \"a\"\n", "name = \"x\"\n", "x"),
+        (
+            "[trim]\n",
+            "[modes]\nspeeds = [0]\n[trim]\n",
+            "beside [modes]",
+        ),
+        (
+            "[trim]\n",
+            "[trim]\nsweep = { parameter = \"q\", values = [1] }\n",
+            "not one of the [parameters]",
+        ),
+        (
+            "[trim]\n",
+            "[parameters]\nq = 1\n[trim]\nsweep = { parameter = \"q\" }\n",
+            "given by nothing",
+        ),
+        (
+            "[trim]\n",
+            "[parameters]\na = 1\n[trim]\nsweep = { parameter = \"a\", values = [1] }\n",
+            "which is a control too",
+        ),
+        ("[trim]\n", "[trim]\nsped = 2\n", "sped"),
+    ] {
+        let found = problems(from, to);
+        assert!(found.contains(expected), "{expected}: {found}");
+    }
+    let end = sound.rfind("[[trim.target]]").unwrap();
+    let text = format!("units = \"SI\"\n{}", &sound[..end]);
+    let found = beam_dynamics::input::parse(&text, "x.dynamics.toml")
+        .unwrap_err()
+        .to_string();
+    assert!(found.contains("2 controls and 1 targets"), "{found}");
+}
