@@ -1,8 +1,115 @@
 //! Trim of thrust and flapping.
 
+use std::f64::consts::TAU;
+
+use beam_dynamics::analysis::trim::Trimmed;
+use nalgebra::Complex;
+
 use super::flapping::{Flapping, controls, target};
-use super::{numbers, reference, trimmed};
+use super::{attempt, numbers, reference, trimmed};
 use crate::record;
+
+const SOURCE: &str = "Trim of a flapping rotor by an ODE of its own";
+
+/// The targets of thrust and of flapping in multiblade coordinates.
+fn three_targets(values: &[f64], sizes: [f64; 2]) -> String {
+    let wave = |name: &str| {
+        let term = |k: usize| format!("b{}*{name}(t + {:?})", k + 1, TAU * k as f64 / 3.0);
+        format!("2/3*({})", [0, 1, 2].map(term).join(" + "))
+    };
+    let [thrust, flap] = sizes;
+    target("thrust", "ct", [values[0], thrust])
+        + &target("tilt forward", &wave("cos"), [values[1], flap])
+        + &target("tilt sideward", &wave("sin"), [values[2], flap])
+}
+
+fn rotor(advance: f64) -> Flapping {
+    Flapping {
+        blades: 3,
+        lock: 8.0,
+        sigma_a: 0.5,
+        twist: -0.14,
+        advance,
+        inflow: None,
+        steps: 48,
+    }
+}
+
+// Three blades with a state of the inflow at three advance ratios, against controls and exponents of
+// an ODE in minimal coordinates (`theory-periodic/trim_flap.json`): controls to 1e-8, multipliers by
+// exponents to 1e-7, at most five iterations from a start without cyclic pitch. A sweep over the
+// advance ratio would hide a wrong start: each begins anew.
+#[test]
+fn thrust_and_flapping_of_three_blades() {
+    for row in reference("theory-periodic/trim_flap.json")["trim"]
+        .as_array()
+        .unwrap()
+    {
+        let advance = row["mu"].as_f64().unwrap();
+        let targets = three_targets(&numbers(&row["targets"]), [0.01, 0.1]);
+        let cards = rotor(advance).cards()
+            + &controls([0.2, 0.0, 0.0])
+            + &targets
+            + "[periodic.floquet]\ncount = 7\nerror_estimate = false\n";
+        let outcome = attempt(&cards);
+        let point = &outcome.result.points[0];
+        assert_eq!(point.failure, None);
+        assert!(point.iterations <= 5, "{point:?}");
+        let expected = numbers(&row["controls_ode"]);
+        for (i, name) in ["collective", "cosine", "sine"].into_iter().enumerate() {
+            let [found, expected] = [point.controls[i], expected[i]];
+            let error = (found - expected).abs();
+            let case = format!("advance ratio {advance}");
+            record::value(SOURCE, &case, name, [found, expected], error, 1e-8);
+            assert!(error < 1e-8, "{case}: {name} {found} {expected}");
+        }
+        let Some(Trimmed::Periodic(motion)) = outcome.end.and_then(|end| end.found) else {
+            panic!("no motion");
+        };
+        for exponent in row["exponents_ode"].as_array().unwrap() {
+            let pair = numbers(exponent);
+            let expected = (Complex::new(pair[0], pair[1].abs()) * TAU).exp();
+            let modes = motion.floquet.as_ref().unwrap().modes.iter();
+            let off = |mu: Complex<f64>| (mu - expected).norm().min((mu.conj() - expected).norm());
+            let least = modes
+                .map(|mode| off(mode.multiplier))
+                .fold(f64::INFINITY, f64::min);
+            assert!(least < 1e-7, "{advance}: {pair:?} {least:e}");
+        }
+    }
+}
+
+// Small controls, of which thrust and flapping of the linear ODE are known: the trim finds the controls
+// again. The closed form (rotor theory of a rigid blade) without inflow's second harmonic is exact in
+// hover. Nonlinear terms are 1e-8 of the controls.
+#[test]
+fn small_controls_by_the_linear_response() {
+    let it = &reference("theory-periodic/trim_flap.json")["small_angle"];
+    let scale = it["scale"].as_f64().unwrap();
+    let expected = numbers(&it["controls_per_unit"]);
+    for row in it["rows"].as_array().unwrap() {
+        let response: Vec<_> = numbers(&row["ode"])
+            .iter()
+            .map(|value| value * scale)
+            .collect();
+        let small = Flapping {
+            twist: it["twist"].as_f64().unwrap() * scale,
+            inflow: Some(it["inflow"].as_f64().unwrap() * scale),
+            ..rotor(row["mu"].as_f64().unwrap())
+        };
+        let targets = three_targets(&response, [0.1 * scale, scale]);
+        let settings = "[trim]\n";
+        let cards = small.cards() + settings + &controls([0.0; 3]) + &targets;
+        let cards = cards.replace("steps = 48", "steps = 48\ntolerance = 1e-11");
+        let point = &trimmed(&cards)[0];
+        for (found, expected) in point.controls.iter().zip(&expected) {
+            assert!(
+                (found / scale - expected).abs() < 2e-6,
+                "{row:?}: {found} {expected}"
+            );
+        }
+    }
+}
 
 /// A single blade in a uniform flow, with all inputs small, so that it is the linear blade of
 /// `theory-rotor/flap_closed_form.json`, whose flapping is in degrees.
