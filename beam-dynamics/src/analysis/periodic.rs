@@ -15,7 +15,7 @@ use crate::elements::Queries;
 use crate::integrator::Dae;
 use crate::model::State;
 use crate::modes::Largest;
-use crate::result::{AcceptedStep, FloquetTable, PeriodicResult, Recorder};
+use crate::result::{AcceptedStep, FloquetTable, PeriodicPass, PeriodicResult, Recorder};
 
 mod border;
 mod content;
@@ -131,21 +131,13 @@ fn find(
         border: &border,
         sizes: &sizes,
     };
-    let marched = |ends: [State; 2]| Found::Marched(Box::new(ends));
     let settle = if is_given { 0 } else { settings.settle };
-    let passes = &mut result.passes;
-    let found = match (settings.method, settings.pilot) {
-        (_, Some(own)) => settled(&mut flow, state, settle)
-            .and_then(|()| pilot::pilot(&shooting, &mut flow, (state, own), passes))
-            .map(marched),
-        (PeriodicMethod::Shooting, None) => settled(&mut flow, state, settle)
-            .and_then(|()| shooting.solve(&mut flow, state, passes))
-            .map(|orbit| Found::Shot(Box::new(orbit))),
-        (PeriodicMethod::March, None) => {
-            let at = (state.clone(), &algebraic[..], &sizes[..]);
-            march::march(&mut flow, (model, settings), at, passes).map(marched)
-        }
-    };
+    let found = search(
+        (&shooting, &algebraic),
+        &mut flow,
+        (state, settle),
+        &mut result.passes,
+    );
     result.periods = flow.periods;
     let names = settings.controls.iter().map(|control| control.name.clone());
     result.controls = names.zip(border.values(state)).collect();
@@ -160,6 +152,33 @@ fn find(
     result.targets = border.reached(found.end());
     result.floquet = stability(&shooting, &mut flow, found)?;
     Ok(())
+}
+
+/// Finds the motion by the requested method from a state, which becomes the last state of the search,
+/// after some periods that are marched.
+fn search(
+    (shooting, algebraic): (&Shooting<'_>, &[bool]),
+    flow: &mut Flow<'_>,
+    (state, settle): (&mut State, usize),
+    passes: &mut Vec<PeriodicPass>,
+) -> Result<Found, PeriodicFailure> {
+    let marched = |ends: [State; 2]| Found::Marched(Box::new(ends));
+    let settings = shooting.settings;
+    match (settings.method, settings.pilot) {
+        (_, Some(own)) => {
+            settled(flow, state, settle)?;
+            pilot::pilot(shooting, flow, (state, own), passes).map(marched)
+        }
+        (PeriodicMethod::Shooting, None) => {
+            settled(flow, state, settle)?;
+            let orbit = shooting.solve(flow, state, passes)?;
+            Ok(Found::Shot(Box::new(orbit)))
+        }
+        (PeriodicMethod::March, None) => {
+            let at = (state.clone(), algebraic, shooting.sizes);
+            march::march(flow, (shooting.model, settings), at, passes).map(marched)
+        }
+    }
 }
 
 /// A periodic motion, by either method.

@@ -78,6 +78,62 @@ fn a_failed_point_keeps_the_others() {
     assert!(outcome.end.unwrap().state.is_some() || points[1].failure.is_none());
 }
 
+/// Changes of a sound file, and a part of the message.
+const WRONG: &[(&str, &str, &str)] = &[
+    (
+        "[trim]\n",
+        "[trim]\nfilter = 2\n",
+        "\"filter\" has no effect",
+    ),
+    (
+        "method = \"equilibrium\"",
+        "speed = 3",
+        "\"speed\" has no effect",
+    ),
+    (
+        "method = \"equilibrium\"",
+        "iterations = 9",
+        "which needs [periodic]",
+    ),
+    (
+        "upper = 40",
+        "upper = -1",
+        "is not between its bounds -inf and -1",
+    ),
+    (
+        "value = 0.5\n",
+        "value = 0.5\nharmonic = 2\n",
+        "harmonic 2 of an equilibrium",
+    ),
+    (
+        "name = \"ahead\"",
+        "name = \"to the right\"",
+        "to the right",
+    ),
+    ("name = \"a\"\n", "name = \"x\"\n", "x"),
+    (
+        "[trim]\n",
+        "[modes]\nspeeds = [0]\n[trim]\n",
+        "beside [modes]",
+    ),
+    (
+        "[trim]\n",
+        "[trim]\nsweep = { parameter = \"q\", values = [1] }\n",
+        "not one of the [parameters]",
+    ),
+    (
+        "[trim]\n",
+        "[parameters]\nq = 1\n[trim]\nsweep = { parameter = \"q\" }\n",
+        "given by nothing",
+    ),
+    (
+        "[trim]\n",
+        "[parameters]\na = 1\n[trim]\nsweep = { parameter = \"a\", values = [1] }\n",
+        "which is a control too",
+    ),
+    ("[trim]\n", "[trim]\nsped = 2\n", "sped"),
+];
+
 #[test]
 fn wrong_cards_are_reported() {
     let sound = plate("a", "b", METHODS[2]);
@@ -87,60 +143,7 @@ fn wrong_cards_are_reported() {
         let found = beam_dynamics::input::parse(&text, "x.dynamics.toml");
         found.unwrap_err().to_string()
     };
-    for (from, to, expected) in [
-        (
-            "[trim]\n",
-            "[trim]\nfilter = 2\n",
-            "\"filter\" has no effect",
-        ),
-        (
-            "method = \"equilibrium\"",
-            "speed = 3",
-            "\"speed\" has no effect",
-        ),
-        (
-            "method = \"equilibrium\"",
-            "iterations = 9",
-            "which needs [periodic]",
-        ),
-        (
-            "upper = 40",
-            "upper = -1",
-            "is not between its bounds -inf and -1",
-        ),
-        (
-            "value = 0.5\n",
-            "value = 0.5\nharmonic = 2\n",
-            "harmonic 2 of an equilibrium",
-        ),
-        (
-            "name = \"ahead\"",
-            "name = \"to the right\"",
-            "to the right",
-        ),
-        ("name = \"a\"\n", "name = \"x\"\n", "x"),
-        (
-            "[trim]\n",
-            "[modes]\nspeeds = [0]\n[trim]\n",
-            "beside [modes]",
-        ),
-        (
-            "[trim]\n",
-            "[trim]\nsweep = { parameter = \"q\", values = [1] }\n",
-            "not one of the [parameters]",
-        ),
-        (
-            "[trim]\n",
-            "[parameters]\nq = 1\n[trim]\nsweep = { parameter = \"q\" }\n",
-            "given by nothing",
-        ),
-        (
-            "[trim]\n",
-            "[parameters]\na = 1\n[trim]\nsweep = { parameter = \"a\", values = [1] }\n",
-            "which is a control too",
-        ),
-        ("[trim]\n", "[trim]\nsped = 2\n", "sped"),
-    ] {
+    for (from, to, expected) in WRONG.iter().copied() {
         let found = problems(from, to);
         assert!(found.contains(expected), "{expected}: {found}");
     }

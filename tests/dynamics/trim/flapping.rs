@@ -68,7 +68,7 @@ impl Flapping {
              [sensors.b{i}]\nquantity = \"joint_angle\"\nof = \"hinge {i}\"\nunit = \"rad\"\n\
              [sensors.b{i}_rate]\nquantity = \"angular_velocity\"\nof = \"blade {i}\"\n\
              against = \"hub\"\nin = \"blade {i}\"\ncomponent = \"y\"\nunit = \"rad/s\"\n\
-             [[load]]\nname = \"lift {i}\"\nnode = \"blade {i}\"\nmoment = [0, -1, 0]\n\
+             [[load]]\nname = \"lift {i}\"\nnode = \"blade {i}\"\nmoment = {axis}\n\
              follower = true\ndrive = \"= {:?}*({})\"\n",
             0.5 * cos,
             0.5 * sin,
