@@ -15,6 +15,9 @@ const DIFFERENCE: f64 = 1e-3;
 /// Largest number of halvings of a step.
 const HALVINGS: usize = 4;
 
+/// Residuals of numbers, in the sizes of their targets.
+type Errors<'a, E> = dyn FnMut(&[f64]) -> Result<Vec<f64>, E> + 'a;
+
 /// Limits of a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
@@ -43,7 +46,7 @@ pub(super) enum Stop<E> {
 
 /// Finds `x` near the given one, within its ranges; returns the end and the number of iterations.
 pub(super) fn solve<E>(
-    evaluate: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>, E>,
+    evaluate: &mut Errors<'_, E>,
     x: &mut [f64],
     ranges: &[Range],
     (tolerance, most): (f64, usize),
@@ -58,7 +61,7 @@ pub(super) fn solve<E>(
 }
 
 fn iterate<E>(
-    evaluate: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>, E>,
+    evaluate: &mut Errors<'_, E>,
     x: &mut [f64],
     ranges: &[Range],
     (tolerance, most, iterations): (f64, usize, &mut usize),
@@ -126,7 +129,7 @@ fn limited(x: &[f64], dx: &DVector<f64>, ranges: &[Range]) -> (Vec<f64>, Option<
 
 /// The step to `next`, halved until the evaluation succeeds, with its residual.
 fn shortened<E>(
-    evaluate: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>, E>,
+    evaluate: &mut Errors<'_, E>,
     x: &[f64],
     mut next: Vec<f64>,
 ) -> Result<(Vec<f64>, DVector<f64>), E> {
@@ -145,7 +148,7 @@ fn shortened<E>(
 }
 
 fn derivative<E>(
-    evaluate: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>, E>,
+    evaluate: &mut Errors<'_, E>,
     (x, r): (&[f64], &DVector<f64>),
     ranges: &[Range],
 ) -> Result<DMatrix<f64>, E> {
