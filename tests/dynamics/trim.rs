@@ -7,6 +7,8 @@ use beam_dynamics::result::TrimPoint;
 mod equilibrium;
 mod failures;
 mod flapping;
+mod free_flight;
+mod puma;
 mod wind_tunnel;
 
 /// The trim of a file in radians and SI units.

@@ -145,7 +145,7 @@ fn note_repeated(table: &Table<'_>) -> bool {
     found.fold(false, |one, other| one | other)
 }
 
-/// The names of drives, and whether runs begin with given velocities.
+/// The names of drives, whether runs begin with given velocities, and first guesses of a trim.
 fn context(root: &Table<'_>) -> Context {
     let drives = match root.is_table("drives") {
         true => root
@@ -162,6 +162,7 @@ fn context(root: &Table<'_>) -> Context {
     Context {
         drives,
         moves: ["transient", "periodic"].into_iter().any(is_given),
+        guesses: super::trim::guesses(root),
     }
 }
 

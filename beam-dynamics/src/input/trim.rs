@@ -58,6 +58,21 @@ pub(super) fn declare(root: &Table<'_>, drives: &mut Catalog) -> Option<Declared
     Some(Declared { method, controls })
 }
 
+/// Names and first guesses of the controls, without those that are wrong.
+pub(super) fn guesses(root: &Table<'_>) -> Vec<(String, f64)> {
+    let table = root.is_table("trim").then(|| root.table("trim")).flatten();
+    let cards = table
+        .filter(|table| table.is_list(CONTROL.name()))
+        .map_or_else(Vec::new, |table| table.tables(&CONTROL));
+    let named = |card: Table<'_>| {
+        let name = card
+            .is_text(NAME.name())
+            .then(|| card.text(NAME.name()))??;
+        Some((name, card.get(&GUESS)?))
+    };
+    cards.into_iter().filter_map(named).collect()
+}
+
 fn named(card: &Table<'_>, method: TrimMethod, drives: &mut Catalog) -> Option<Named> {
     let (name, guess, scale) = (card.get(&NAME), card.get(&GUESS), card.get(&SCALE));
     let (lower, upper, step) = (card.get(&LOWER), card.get(&UPPER), card.get(&STEP));

@@ -11,6 +11,8 @@ pub(super) struct Context {
     pub drives: Vec<String>,
     /// Whether nodes have given velocities at the start of a run.
     pub moves: bool,
+    /// First guesses of numbers that a trim finds, by their names.
+    pub guesses: Vec<(String, f64)>,
 }
 
 /// A number that may change with time, as written.

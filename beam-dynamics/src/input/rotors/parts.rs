@@ -324,7 +324,8 @@ fn swashplate(
     let collective = collective?;
     // Links of plates have their undeformed length without pitch.
     let built_in = collective.as_ref().filter(|_| !table.has(&PLATE));
-    let constants = table.document().parameters();
+    let mut constants = table.document().parameters().clone();
+    constants.extend(context.guesses.iter().cloned());
     let built_in = built_in.and_then(|control| control.at_start(&constants));
     let pitch = Pitch {
         built_in: built_in.unwrap_or(0.0),
