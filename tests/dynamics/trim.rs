@@ -9,6 +9,7 @@ mod failures;
 mod flapping;
 mod free_flight;
 mod puma;
+mod turbine;
 mod wind_tunnel;
 
 /// The trim of a file in radians and SI units.

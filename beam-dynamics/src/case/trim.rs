@@ -75,7 +75,7 @@ pub struct TrimSettings {
     pub controls: Vec<TrimControl>,
     /// Controls that are parameters of the file, which is read again for each of their values.
     pub parameters: Vec<TrimControl>,
-    /// Their values in the file.
+    /// Their values in the file \[any unit\].
     pub guesses: Vec<f64>,
     /// Targets: the ones of the controls, then the ones of the parameters.
     pub targets: Vec<TrimTarget>,

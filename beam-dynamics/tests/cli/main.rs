@@ -35,6 +35,7 @@ mod schema;
 mod several;
 mod starts;
 mod transient;
+mod trim;
 
 /// A blade of a strip with properties from a file.
 const BLADE: &str = "\

@@ -61,7 +61,7 @@ struct Aircraft {
 
 impl Aircraft {
     /// Lift and drag of a surface in the plane of its axes x and z, or x and y; `across` is the velocity
-    /// against the air along the second, and the one along x is that of the fuselage.
+    /// against the air along the second; along x the fuselage has the same.
     fn surface(&self, name: &str, node: &str, at: [f64; 3], of: (f64, &str, &str, bool)) -> String {
         let (area, across, incidence, is_level) = of;
         let v = self.speed;
@@ -200,41 +200,18 @@ fn random_starts_lead_to_the_same_flight() {
     }
 }
 
-/// The helicopter of `theory-rotor/free_flight_trim.json` at a speed [m/s]: loads of a rotor by closed
-/// forms (rotor theory of a rigid blade) as expressions. Axes: x forward, y right, z down.
-fn helicopter(it: &serde_json::Value, speed: f64) -> String {
-    let of = |name: &str| it["inputs"][name].as_f64().unwrap();
-    let (weight, density, radius, tip) = (of("W_N"), of("rho"), of("R"), of("tip_speed"));
-    let area = std::f64::consts::PI * radius * radius;
-    let twist = of("twist_deg_per_R").to_radians();
+/// Thrust, flapping, torque and inflow of a rigid blade by closed forms, as outputs of their names.
+fn closed_forms(ratio: f64) -> String {
     let output = |name: &str, input: &str| {
         format!(
             "[[state_space]]\nname = \"{name}\"\noutputs = [\"{name}\"]\nd = [[1]]\n\
              inputs = [\"= {input}\"]\n"
         )
     };
-    let parameters = format!(
-        "[parameters]\nweight = {weight:?}\nsa = {:?}\ntw = {twist:?}\nlock = {:?}\nk = {:?}\n\
-         size = {:?}\ndrag = {:?}\nprofile = {:?}\nlt = {:?}\n",
-        of("sigma") * of("a"),
-        of("gamma"),
-        of("hub_moment_Nm_per_rad"),
-        density * area * tip * tip,
-        0.5 * density * speed * speed * of("flat_plate_area_m2"),
-        of("sigma") * of("cd") / 8.0,
-        of("tail_arm_m"),
-    );
-    let mut text = parameters
-        + "[gravity]\nacceleration = [0, 0, 9.81]\n[trim]\nmethod = \"equilibrium\"\n"
-        + &held(["[0, 1, 0]", "[1, 0, 0]"], [weight, weight * radius])
-        + &format!(
-            "[[body]]\nname = \"fuselage\"\nnode = \"fuselage\"\nmass = {:?}\n\
-             inertia = [1e4, 4e4, 3e4]\n",
-            weight / 9.81
-        );
+    let mut text = String::new();
     for (name, input) in [
-        ("mu", format!("{:?}*cos(pitch)", speed / tip)),
-        ("axial", format!("{:?}*sin(pitch)", -speed / tip)),
+        ("mu", format!("{ratio:?}*cos(pitch)")),
+        ("axial", format!("{:?}*sin(pitch)", -ratio)),
         (
             "ct",
             "sa/2*(t0/3*(1 + 1.5*mu^2) + tw/4*(1 + mu^2) + mu/2*t1s - inflow/2)".to_owned(),
@@ -255,6 +232,36 @@ fn helicopter(it: &serde_json::Value, speed: f64) -> String {
     text += "[[state_space]]\nname = \"inflow\"\noutputs = [\"inflow\"]\na = [[0]]\nb = [[1]]\n\
              c = [[1]]\nstart = [0.05]\n\
              inputs = [\"= ct - 2*(inflow - axial)*sqrt(mu^2 + inflow^2 + 1e-12)\"]\n";
+    text
+}
+
+/// The helicopter of `theory-rotor/free_flight_trim.json` at a speed [m/s]: loads of a rotor by closed
+/// forms (rotor theory of a rigid blade) as expressions. Axes: x forward, y right, z down.
+fn helicopter(it: &serde_json::Value, speed: f64) -> String {
+    let of = |name: &str| it["inputs"][name].as_f64().unwrap();
+    let (weight, density, radius, tip) = (of("W_N"), of("rho"), of("R"), of("tip_speed"));
+    let area = std::f64::consts::PI * radius * radius;
+    let twist = of("twist_deg_per_R").to_radians();
+    let parameters = format!(
+        "[parameters]\nweight = {weight:?}\nsa = {:?}\ntw = {twist:?}\nlock = {:?}\nk = {:?}\n\
+         size = {:?}\ndrag = {:?}\nprofile = {:?}\nlt = {:?}\n",
+        of("sigma") * of("a"),
+        of("gamma"),
+        of("hub_moment_Nm_per_rad"),
+        density * area * tip * tip,
+        0.5 * density * speed * speed * of("flat_plate_area_m2"),
+        of("sigma") * of("cd") / 8.0,
+        of("tail_arm_m"),
+    );
+    let mut text = parameters
+        + "[gravity]\nacceleration = [0, 0, 9.81]\n[trim]\nmethod = \"equilibrium\"\n"
+        + &held(["[0, 1, 0]", "[1, 0, 0]"], [weight, weight * radius])
+        + &format!(
+            "[[body]]\nname = \"fuselage\"\nnode = \"fuselage\"\nmass = {:?}\n\
+             inertia = [1e4, 4e4, 3e4]\n",
+            weight / 9.81
+        );
+    text += &closed_forms(speed / tip);
     let hub = [0.0, 0.0, -of("hub_above_cg_m")];
     let tail = [-of("tail_arm_m"), 0.0, -of("tail_height_m")];
     text += &force(

@@ -22,7 +22,7 @@ use crate::model::State;
 pub(super) struct Border {
     /// Unknowns of the controls.
     controls: Vec<usize>,
-    /// Unknowns of the integrals: those of the targets of the controls come first.
+    /// Unknowns of the integrals, first of the targets of the controls.
     integrals: Vec<usize>,
     of_controls: Vec<TrimControl>,
     of_targets: Vec<TrimTarget>,
@@ -71,7 +71,7 @@ impl Border {
             .collect()
     }
 
-    /// Unknowns of controls with those of their integrals, and their targets.
+    /// Unknowns of controls and of their integrals, with their targets.
     fn pairs(&self) -> impl Iterator<Item = (usize, usize, &TrimTarget)> {
         let pairs = self.controls.iter().zip(&self.integrals);
         pairs

@@ -6,7 +6,7 @@ use super::table::trim_csv;
 use super::text::trim_text;
 use crate::output::Written;
 use crate::output::folder::{ResultLocation, Results};
-use crate::result::{TrimPoint, TrimResult};
+use crate::result::TrimResult;
 use shared_geom::figure::{Panel, PanelPlot};
 
 const TABLE: &str = "trim.csv";
@@ -30,30 +30,27 @@ pub fn write_trim(
     Ok(results.written)
 }
 
-/// Controls and targets over the sweep; `None` for less than two points.
+/// Controls over the sweep; `None` for less than two points. The targets have their values at all
+/// points that are met.
 fn plot(result: &TrimResult) -> Option<PanelPlot> {
     let sweep = result.sweep.as_ref()?;
     if result.met().count() < 2 {
         return None;
     }
-    let curve = |value: &dyn Fn(&TrimPoint) -> f64| {
-        let points = result.met();
-        points
-            .map(|point| [point.at.unwrap_or(f64::NAN), value(point)])
-            .collect::<Vec<_>>()
-    };
-    let panel = |title: &String, points| Panel {
-        title: title.clone(),
-        curves: vec![points],
-    };
     let controls = result.controls.iter().enumerate();
-    let controls = controls.map(|(i, name)| panel(name, curve(&|point| point.controls[i])));
-    let targets = result.targets.iter().enumerate();
-    let targets = targets.map(|(i, name)| panel(name, curve(&|point| point.targets[i][0])));
+    let panel = |(i, name): (usize, &String)| Panel {
+        title: name.clone(),
+        curves: vec![
+            result
+                .met()
+                .map(|point| [point.at.unwrap_or(f64::NAN), point.controls[i]])
+                .collect(),
+        ],
+    };
     Some(PanelPlot {
         title: format!("{}: trim", result.name),
         across: sweep.clone(),
         names: Vec::new(),
-        panels: controls.chain(targets).collect(),
+        panels: controls.map(panel).collect(),
     })
 }

@@ -6,7 +6,7 @@ use crate::result::{TrimPoint, TrimResult};
 /// Digits of numbers.
 const DIGITS: usize = 9;
 /// Width of a column of numbers.
-const WIDTH: usize = 15;
+const WIDTH: usize = 17;
 
 /// Controls and targets of all points, and remarks.
 pub fn trim_text(result: &TrimResult) -> String {

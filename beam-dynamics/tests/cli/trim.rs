@@ -1,0 +1,72 @@
+//! `trim`: files, reports and exit codes.
+
+use crate::Folder;
+
+/// A mass on a spring of 900 N/m that a force pulls, with a parameter.
+fn model(trim: &str) -> String {
+    format!(
+        "units = \"SI\"\n[parameters]\nplace = 1.5\n\
+         [[node]]\nname = \"mass\"\nposition = [1, 0, 0]\n\
+         [[body]]\nname = \"mass\"\nnode = \"mass\"\nmass = 2\ninertia = [1, 1, 1]\n\
+         [[joint]]\nname = \"guide\"\nkind = \"prismatic\"\nnodes = [\"mass\"]\naxis = [1, 0, 0]\n\
+         [[spring]]\nname = \"spring\"\nnode = \"mass\"\nstiffness = [900, 0, 0]\n\
+         [sensors.x]\nquantity = \"position\"\nof = \"mass\"\ncomponent = \"x\"\n\
+         [[load]]\nnode = \"mass\"\nforce = [1, 0, 0]\ndrive = \"= pull\"\n{trim}"
+    )
+}
+
+const TRIM: &str = "[trim]\nmethod = \"equilibrium\"\n\
+    [[trim.control]]\nname = \"pull\"\nguess = 10\nscale = 100\nupper = 1000\n\
+    [[trim.target]]\nname = \"place of the mass\"\nsignal = \"x\"\nvalue = \"= place\"\n";
+
+#[test]
+fn controls_of_a_sweep() {
+    let folder = Folder::new();
+    let sweep = "[trim.sweep]\nparameter = \"place\"\nfrom = 1\nto = 2\nsteps = 5\n";
+    folder.write("mass.dynamics.toml", &model(&format!("{TRIM}{sweep}")));
+    let run = folder.run(&["trim", "mass.dynamics.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    for words in ["at 5 of 5 points", "mass.trim.csv", "mass.trim.svg"] {
+        assert!(run.out.contains(words), "{words}: {}", run.out);
+    }
+    let table = folder.read("mass.trim.csv");
+    for (k, row) in table.lines().skip(1).enumerate() {
+        let number = |column: usize| row.split(',').nth(column).unwrap().parse::<f64>().unwrap();
+        // F = k (x - 1), to the residual of the equilibrium.
+        assert!((number(1) - 225.0 * k as f64).abs() < 1e-5, "{table}");
+    }
+    assert_eq!(table.lines().count(), 6);
+    // A mass beyond the reach of the force ends the sweep and keeps the points before.
+    let far = sweep.replace("to = 2", "to = 3");
+    folder.write("mass.dynamics.toml", &model(&format!("{TRIM}{far}")));
+    let run = folder.run(&["trim", "mass.dynamics.toml"]);
+    assert_eq!(run.code, 1, "{}", run.err);
+    for words in [
+        "mass at place = 2.5",
+        "beyond its bound 1000",
+        "help: move the bound",
+    ] {
+        assert!(run.err.contains(words), "{words}: {}", run.err);
+    }
+    assert!(run.out.contains("at 3 of 5 points"), "{}", run.out);
+    assert_eq!(folder.read("mass.trim.csv").lines().count(), 5);
+}
+
+#[test]
+fn a_single_trim_and_wrong_files() {
+    let folder = Folder::new();
+    folder.write("mass.dynamics.toml", &model(TRIM));
+    let run = folder.run(&["trim", "mass.dynamics.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.out.contains("pull = 450"), "{}", run.out);
+    assert!(run.out.contains("the targets are met"), "{}", run.out);
+    folder.write("without.dynamics.toml", &model("").replace("= pull", "= 1"));
+    let run = folder.run(&["trim", "without.dynamics.toml"]);
+    assert_eq!(run.code, 2, "{}", run.err);
+    assert!(run.err.contains("[[trim.control]]"), "{}", run.err);
+    let wrong = model(&TRIM.replace("signal = \"x\"", "signal = \"y\""));
+    folder.write("wrong.dynamics.toml", &wrong);
+    let run = folder.run(&["trim", "wrong.dynamics.toml"]);
+    assert_eq!(run.code, 2, "{}", run.err);
+    assert!(run.err.contains("wrong.dynamics.toml:"), "{}", run.err);
+}
