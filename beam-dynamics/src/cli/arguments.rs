@@ -17,12 +17,14 @@ mod expand;
 mod identify;
 mod periodic;
 mod plot;
+mod stability;
 mod trim;
 
 use expand::{EXPAND, EXPAND_EXAMPLE};
 use identify::{IDENTIFY, IDENTIFY_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
 use plot::{PLOT, PLOT_EXAMPLE};
+use stability::{STABILITY, STABILITY_EXAMPLE};
 use trim::{TRIM, TRIM_EXAMPLE};
 
 const ABOUT: &str = "\
@@ -358,6 +360,7 @@ impl Command {
             | Self::Performance { results, .. }
             | Self::Periodic { results, .. }
             | Self::Trim { results, .. }
+            | Self::Stability { results, .. }
             | Self::Transient { results, .. } => results.quiet,
             _ => false,
         }
@@ -416,6 +419,18 @@ pub(super) enum Command {
     },
     #[command(about = first_line(TRIM), long_about = TRIM, after_help = TRIM_EXAMPLE)]
     Trim {
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        results: Results,
+    },
+    #[command(
+        about = first_line(STABILITY),
+        long_about = STABILITY,
+        after_help = STABILITY_EXAMPLE
+    )]
+    Stability {
         /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
