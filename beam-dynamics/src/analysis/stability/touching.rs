@@ -19,7 +19,7 @@ const BESIDE: f64 = 1e-3;
 const ZERO: f64 = 1e-8;
 
 /// The top of the parabola through three points; `None` if they have no maximum between them.
-pub fn parabola([p, q, r]: [[f64; 2]; 3]) -> Option<[f64; 2]> {
+fn parabola([p, q, r]: [[f64; 2]; 3]) -> Option<[f64; 2]> {
     let (left, right) = (q[0] - p[0], q[0] - r[0]);
     let (fall, rise) = (q[1] - r[1], q[1] - p[1]);
     let below = left * fall - right * rise;
@@ -112,11 +112,11 @@ pub(super) fn touching(
                 continue;
             };
             let ends = [left.1.growth(), right.1.growth()];
-            let stable = match () {
-                () if ends.iter().all(|growth| *growth < -10.0 * zero) => StableSide::Both,
-                () if ends.iter().all(|growth| *growth > 10.0 * zero) => StableSide::None,
-                () => continue,
-            };
+            let decays = !root.is_unstable() && ends.iter().all(|end| *end < -10.0 * zero);
+            let grows = root.is_unstable() && ends.iter().all(|end| *end > 10.0 * zero);
+            if !decays && !grows {
+                continue;
+            }
             // Several values may be as near to zero.
             let near = curve[index..]
                 .iter()
@@ -130,7 +130,10 @@ pub(super) fn touching(
                 frequency: root.frequency(),
                 growth: root.growth(),
                 name: name.clone(),
-                stable,
+                stable: match decays {
+                    true => StableSide::Both,
+                    false => StableSide::None,
+                },
                 unstable: [left.0.unstable(), right.0.unstable()],
             });
         }
