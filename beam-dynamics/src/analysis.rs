@@ -56,6 +56,7 @@ mod modal_damping;
 pub mod modes;
 pub mod performance;
 pub mod periodic;
+pub mod stability;
 pub mod statics;
 pub mod steady;
 pub mod transient;

@@ -10,6 +10,8 @@ mod columns;
 mod mode_style;
 mod performance;
 mod periodic;
+mod stability;
+mod sweep;
 mod transient;
 mod trim;
 
@@ -20,10 +22,12 @@ pub use performance::{
     PowerCurve, RatedPower, RotorSpeedLaw, linear_between,
 };
 pub use periodic::{FloquetSettings, PeriodicMethod, PeriodicSettings};
+pub use stability::{StabilityMethod, StabilitySettings};
+pub use sweep::Sweep;
 pub use transient::{
     InitialMotion, Redundant, Start, StartAccelerations, StartShape, TransientSettings,
 };
-pub use trim::{AutoPilot, TrimControl, TrimMethod, TrimSettings, TrimSweep, TrimTarget};
+pub use trim::{AutoPilot, TrimControl, TrimMethod, TrimSettings, TrimTarget};
 
 /// Rotation of the model's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]

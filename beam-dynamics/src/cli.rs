@@ -31,6 +31,7 @@ mod progress;
 mod reading_options;
 mod result_locations;
 mod schema;
+mod stability;
 mod statics;
 mod table_part;
 mod terminal;
@@ -133,6 +134,9 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
             periodic::periodic_of_files(&files, &results, terminal)
         }
         Command::Trim { files, results } => trim::trim_of_files(&files, &results, terminal),
+        Command::Stability { files, results } => {
+            stability::stability_of_files(&files, &results, terminal)
+        }
         Command::Performance { files, results } => {
             performance::performance_of_files(&files, &results, terminal)
         }
@@ -233,6 +237,11 @@ fn modes_of_files(
     };
     let mut all_settings = Vec::with_capacity(inputs.len());
     for (file, input) in files.iter().zip(&inputs) {
+        if input.trim.is_some() && input.modes.is_some() {
+            let file = file.display().to_string();
+            terminal.report(&stability::ModesOfTrim { file });
+            continue;
+        }
         match &input.modes {
             Some(settings) => {
                 let mut settings = settings.clone();

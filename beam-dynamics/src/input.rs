@@ -15,8 +15,8 @@ use shared_geom::files::name_without;
 
 use crate::assembly::{massless, mechanism};
 use crate::case::{
-    BucklingSettings, Model, ModesSettings, OutputSettings, PeriodicSettings, StaticSettings,
-    TransientSettings, TrimMethod, TrimSettings,
+    BucklingSettings, Model, ModesSettings, OutputSettings, PeriodicSettings, StabilitySettings,
+    StaticSettings, TransientSettings, TrimMethod, TrimSettings,
 };
 use crate::elements::Element;
 use crate::result::Measured;
@@ -72,8 +72,10 @@ mod rotors;
 pub mod schema;
 mod speeds;
 mod springs;
+mod stability;
 mod strips;
 mod summary;
+mod sweep;
 mod transient;
 mod trim;
 
@@ -108,7 +110,9 @@ pub use periodic::PeriodicProblem;
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
 pub use rotors::RotorProblem;
+pub use stability::StabilityProblem;
 pub use summary::Summary;
+pub use sweep::SweepProblem;
 pub use transient::TransientProblem;
 pub use trim::TrimProblem;
 
@@ -138,6 +142,8 @@ pub struct Input {
     pub periodic: Option<PeriodicSettings>,
     /// The requested trim; `None` without `[trim]`.
     pub trim: Option<TrimSettings>,
+    /// The requested stability over a parameter; `None` without `[stability]`.
+    pub stability: Option<StabilitySettings>,
     /// Measurements to compare with the result; empty if there are none.
     pub measured: Measured,
     /// Names of the joints without a spring, whose motion only inertia and loads resist.
@@ -443,6 +449,7 @@ fn finish(
         transient: analyses.transient,
         periodic: analyses.periodic,
         trim: analyses.trim,
+        stability: analyses.stability,
         measured,
         free_hinges: Vec::new(),
         node_locations: Vec::new(),

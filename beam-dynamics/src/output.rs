@@ -18,6 +18,7 @@ mod performance;
 mod periodic;
 mod rows;
 mod shapes;
+mod stability;
 mod statics;
 mod structure;
 mod table_changes;
@@ -53,6 +54,7 @@ pub use periodic::{
     MultiplierPlot, PERIODIC_CONVENTION, PeriodicFiles, periodic_text, rotor_harmonics_text,
 };
 pub use shapes::{ShapePlot, write_shapes};
+pub use stability::{boundary_csv, stability_csv, stability_text, write_stability};
 pub use statics::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,
     reaction_csv, static_text, write_static,

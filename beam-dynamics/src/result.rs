@@ -11,6 +11,7 @@ mod fixed;
 mod identification;
 mod performance;
 mod periodic;
+mod stability;
 mod statics;
 mod transient;
 mod trim;
@@ -21,6 +22,9 @@ pub use fixed::{CriticalSpeed, FixedLine, FixedPoint, FixedTable};
 pub use identification::{Identification, IdentificationMethod, IdentifiedMode};
 pub use performance::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
 pub use periodic::{FloquetMode, FloquetTable, Harmonics, PeriodicPass, PeriodicResult, Stability};
+pub use stability::{
+    BoundaryKind, StabilityBoundary, StabilityPoint, StabilityResult, StabilityRoot, StableSide,
+};
 pub use statics::{StaticResult, StaticStep};
 pub use transient::{AcceptedStep, Effort, Recorder, Snapshot};
 pub use trim::{TrimPoint, TrimResult};

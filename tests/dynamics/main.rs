@@ -54,6 +54,7 @@ mod rotor;
 mod rotor_in_time;
 mod sensed_energy;
 mod spinning_top;
+mod stability;
 mod statics;
 mod strip_cards;
 mod superposed;

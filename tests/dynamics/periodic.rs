@@ -6,8 +6,8 @@ use beam_dynamics::result::{AcceptedStep, FloquetMode, Recorder};
 use nalgebra::{Complex, DMatrix};
 
 mod linear;
-mod mathieu;
-mod rotor;
+pub mod mathieu;
+pub mod rotor;
 mod shafts;
 mod trim;
 
@@ -96,10 +96,10 @@ fn monodromy(a: impl Fn(f64) -> DMatrix<f64>, period: f64, steps: usize) -> DMat
 }
 
 /// Pseudorandom numbers between -1 and 1.
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)

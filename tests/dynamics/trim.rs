@@ -39,13 +39,13 @@ fn reason(cards: &str) -> [String; 2] {
 }
 
 /// A reference of a folder of `tests/reference`.
-fn reference(name: &str) -> serde_json::Value {
+pub fn reference(name: &str) -> serde_json::Value {
     let path = format!("{}/tests/reference/{name}", env!("CARGO_MANIFEST_DIR"));
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
 /// Numbers of a list.
-fn numbers(of: &serde_json::Value) -> Vec<f64> {
+pub fn numbers(of: &serde_json::Value) -> Vec<f64> {
     let list = of.as_array().unwrap().iter();
     list.map(|number| number.as_f64().unwrap()).collect()
 }

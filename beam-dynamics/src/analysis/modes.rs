@@ -65,7 +65,8 @@ struct Modes {
     speed: f64,
     state: State,
     found: Vec<Mode>,
-    unstable: Vec<f64>,
+    /// Real eigenvalues that were found [1/s], with their motions.
+    real: Vec<(f64, ModeMotion)>,
     /// Remarks on oscillations that grow.
     growing: Vec<String>,
     /// The reason for fewer modes than requested.
@@ -267,7 +268,9 @@ fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
             case.settings.count
         ));
     }
-    if let Some(worst) = modes.unstable.last() {
+    let unstable = modes.real.iter().map(|own| own.0);
+    let worst = unstable.filter(|growth| *growth > 0.0).next_back();
+    if let Some(worst) = worst {
         found.push(format!(
             "{at} the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
         ));
@@ -333,6 +336,7 @@ fn at_equilibrium(
         point: point(pair),
         slope: None,
     };
+    let of_real = |value: &f64| (*value, ModeMotion::new(&problem.real_pair(*value), &mass));
     let own = &pairs[..pairs.len().min(case.settings.count)];
     let at = format!("at {}", rpm(speed));
     Ok(Modes {
@@ -341,25 +345,58 @@ fn at_equilibrium(
         state: steady.state.clone(),
         found: pairs.iter().zip(motions).map(mode).collect(),
         why_no_more: why_no_more(&lowest),
-        unstable: real
-            .iter()
-            .copied()
-            .filter(|growth| *growth > 0.0)
-            .collect(),
+        real: real.iter().map(of_real).collect(),
         residual: residual.fold(steady_residual, larger),
     })
 }
 
+/// The lowest `count` modes of `model` about an equilibrium at a rotor speed \[rad/s\], described, and
+/// the real eigenvalues that were found.
+///
+/// # Errors
+/// [`Failure::Singular`].
+pub(super) fn modes_about(
+    (model, speed): (&Model, f64),
+    steady: &Equilibrium,
+    count: usize,
+) -> Result<Vec<(ModePoint, ModeMotion)>, Failure> {
+    let rotor = Rotor::new(&model.blades);
+    let case = Case {
+        model,
+        settings: &ModesSettings::new(vec![speed], count),
+        rotor: rotor.as_ref(),
+        is_symmetric: true,
+    };
+    let solver = LinearSolver::new(model.system.pattern());
+    let found = at_equilibrium(&case, &solver, speed, steady)?;
+    let real = found.real.into_iter().map(|(growth, motion)| Mode {
+        motion,
+        point: point_of(growth, 0.0),
+        slope: None,
+    });
+    let mut all: Vec<_> = found.found.into_iter().chain(real).collect();
+    all.iter_mut().for_each(|mode| case.describe(mode));
+    Ok(all
+        .into_iter()
+        .map(|mode| (mode.point, mode.motion))
+        .collect())
+}
+
 /// A mode that nothing is known of but its pair.
 fn point(pair: &Eigenpair) -> ModePoint {
-    let magnitude = pair.growth.hypot(pair.angular_frequency);
+    point_of(pair.growth, pair.angular_frequency)
+}
+
+/// The same of a growth \[1/s\] and an angular frequency \[rad/s\].
+fn point_of(growth: f64, angular_frequency: f64) -> ModePoint {
+    let magnitude = growth.hypot(angular_frequency);
     ModePoint {
-        frequency: pair.angular_frequency / (2.0 * std::f64::consts::PI),
+        frequency: angular_frequency / TAU,
         damping_ratio: match magnitude > 0.0 {
-            true => -pair.growth / magnitude,
+            true => -growth / magnitude,
             false => 0.0,
         },
-        growth: pair.growth,
+        growth,
         shares: [0.0; 4],
         lateral: 0.0,
         whirl: None,

@@ -116,6 +116,23 @@ pub fn trim(name: &str, settings: &TrimSettings, read: Reader<'_>) -> TrimOutcom
     TrimOutcome { result, end }
 }
 
+/// The trim at one value of a parameter, from a state of a similar model and values of the controls that
+/// are parameters, if they are known; and its model unless the file cannot be read.
+pub(super) fn trim_at(
+    (settings, read): (&TrimSettings, Reader<'_>),
+    given: (&str, f64),
+    (from, parameters): (Option<&State>, Option<&[f64]>),
+) -> (TrimPoint, Option<TrimEnd>) {
+    let mut search = Search {
+        settings,
+        read,
+        given: vec![(given.0.to_owned(), given.1)],
+        parameters: parameters.map(<[f64]>::to_vec),
+        from: from.cloned(),
+    };
+    search.point(Some(given.1))
+}
+
 /// The search at one point, with the results of the point before.
 struct Search<'a> {
     settings: &'a TrimSettings,
@@ -279,7 +296,7 @@ fn guesses(input: &Input) -> Vec<f64> {
 }
 
 /// The failure of a file with other parameters.
-fn unread(problems: Diagnostics) -> [String; 2] {
+pub(super) fn unread(problems: Diagnostics) -> [String; 2] {
     let remedy =
         "choose values of the parameters for which the file is sound, or bounds of controls";
     [problems.to_string(), remedy.to_owned()]

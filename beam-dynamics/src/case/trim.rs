@@ -1,5 +1,7 @@
 //! The requested trim: numbers that are found so that quantities have given values.
 
+use super::Sweep;
+
 /// Search of the controls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TrimMethod {
@@ -51,15 +53,6 @@ pub struct AutoPilot {
     pub tolerance: f64,
 }
 
-/// Values of a parameter at which the trim is found in turn.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TrimSweep {
-    /// Name of the parameter.
-    pub parameter: String,
-    /// Its values \[its unit\].
-    pub values: Vec<f64>,
-}
-
 /// The requested trim.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrimSettings {
@@ -80,5 +73,5 @@ pub struct TrimSettings {
     /// Targets: the ones of the controls, then the ones of the parameters.
     pub targets: Vec<TrimTarget>,
     /// The sweep, if one is requested.
-    pub sweep: Option<TrimSweep>,
+    pub sweep: Option<Sweep>,
 }

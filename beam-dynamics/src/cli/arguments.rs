@@ -15,14 +15,20 @@ use super::reading_options::ReadingOptions;
 
 mod expand;
 mod identify;
+mod modes;
 mod periodic;
 mod plot;
+mod stability;
+mod transient;
 mod trim;
 
 use expand::{EXPAND, EXPAND_EXAMPLE};
 use identify::{IDENTIFY, IDENTIFY_EXAMPLE};
+use modes::{MODES, MODES_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
 use plot::{PLOT, PLOT_EXAMPLE};
+use stability::{STABILITY, STABILITY_EXAMPLE};
+use transient::{TRANSIENT, TRANSIENT_EXAMPLE};
 use trim::{TRIM, TRIM_EXAMPLE};
 
 const ABOUT: &str = "\
@@ -65,32 +71,6 @@ Example, a uniform blade from nothing:
 
 Exit codes: 0 done; 1 ran but did not reach its goal; 2 wrong input or command line.";
 
-const MODES: &str = "\
-Finds frequencies and modes over rotor speed
-
-Reads the dynamics files and the files that they name, reports all their problems \
-at once, finds equilibrium and modes at each speed, prints the tables, and writes into the \
-folder DIR:
-  NAME.frequencies.csv   a row for each speed and mode
-  NAME.frequencies.txt   the tables as printed
-  NAME.comparison.csv    measured and computed frequencies, where there are measurements
-  NAME.modes.csv         damping, growth, shares of the energy and whirl of each mode
-  NAME.fan.png, .svg     frequencies over rotor speed, with multiples of the speed; damping
-  NAME.campbell.csv, .png, .svg   the same in the fixed system, for rotors and shafts
-  NAME.critical_speeds.csv   speeds at which a frequency is a multiple of the rotor speed
-  NAME.shapes_at_*.png, .svg   shapes along the span at the first and the last speed
-  NAME.modes/            with --vtu: a series .pvd of field files for each mode
-where FILE is NAME.dynamics.toml.
-
-A FILE can also be a blade file, in any of the known formats: the blade is clamped at its \
-root and at rest, unless the options state otherwise.";
-
-const MODES_EXAMPLE: &str = "\
-Examples:
-  beam-dynamics modes rotor/straight.dynamics.toml rotor/swept.dynamics.toml --out rotor/results
-  beam-dynamics modes nrel5mw.blade.json
-  beam-dynamics modes NREL_5MW_BeamDyn.dat --speeds 0,6.9,12.1 --hub-radius 1.5 --blades 3";
-
 const STATIC: &str = "\
 Finds equilibria under loads
 
@@ -120,49 +100,6 @@ into the folder DIR, named by FILE, which is NAME.dynamics.toml.";
 const BUCKLING_EXAMPLE: &str = "\
 Example:
   beam-dynamics buckling frame.dynamics.toml";
-
-const TRANSIENT: &str = "\
-Follows the motion in time
-
-Reads the dynamics files and the files that they name, finds an initial state that fulfills all \
-joints, and integrates over the time of [transient]. Tables grow while it runs, so that a \
-run that is stopped keeps its rows. Prints steps, iterations and times, and writes into the \
-folder DIR:
-  NAME.transient.csv     a row for each time: the columns of [output]
-  NAME.transient.nc      the same as NetCDF, which Python reads with names and units
-  NAME.transient.txt     the text as printed: start, remarks, steps, iterations, time by phase
-  NAME.transient.png, .svg   all columns over time
-  NAME.transient.pvd     with vtu in [output]: the moving model for ParaView, with its folder
-  NAME.transient_air.csv, NAME.disk_1.png, .svg   with air_revolutions in [output]: the air
-                         over span and azimuth
-  NAME.restart.json      the state from which --restart continues
-where FILE is NAME.dynamics.toml.";
-
-const TRANSIENT_EXAMPLE: &str = "\
-Examples:
-  cat >> blade.dynamics.toml <<'END'
-  [gravity]
-  acceleration = [0, 0, -9.81]
-  [transient]
-  to = 2
-  step = \"1 ms\"
-  [output]
-  every = 5
-  restart_every = \"0.5 s\"
-  [[output.column]]
-  name = \"tip\"
-  quantity = \"displacement\"
-  of = \"blade/tip\"
-  unit = \"mm\"
-  END
-  beam-dynamics transient blade.dynamics.toml
-  beam-dynamics plot results/blade.transient.csv --columns tip_z
-
-Several files side by side, on two threads and without figures:
-  RAYON_NUM_THREADS=2 beam-dynamics transient stiff.dynamics.toml soft.dynamics.toml --no-figures
-
-A stopped run continues from its restart file:
-  beam-dynamics transient blade.dynamics.toml --restart results/blade.restart.json";
 
 const PERFORMANCE: &str = "\
 Computes power, thrust and loads of rigid rotors
@@ -358,6 +295,7 @@ impl Command {
             | Self::Performance { results, .. }
             | Self::Periodic { results, .. }
             | Self::Trim { results, .. }
+            | Self::Stability { results, .. }
             | Self::Transient { results, .. } => results.quiet,
             _ => false,
         }
@@ -416,6 +354,18 @@ pub(super) enum Command {
     },
     #[command(about = first_line(TRIM), long_about = TRIM, after_help = TRIM_EXAMPLE)]
     Trim {
+        /// Dynamics files, NAME.dynamics.toml; several run side by side
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        results: Results,
+    },
+    #[command(
+        about = first_line(STABILITY),
+        long_about = STABILITY,
+        after_help = STABILITY_EXAMPLE
+    )]
+    Stability {
         /// Dynamics files, NAME.dynamics.toml; several run side by side
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,

@@ -1,7 +1,7 @@
 //! `static` and `buckling`: analyzes each file, writes its results and prints them.
 
 use std::fmt::Display;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::arguments::Results;
 use super::blade_options::BladeOptions;
@@ -63,6 +63,23 @@ pub(super) fn each<Q: Sync>(
     (settings, requested): (impl Fn(&Input) -> Option<&Q>, MissingTable),
     answer: fn(&Input, &Q, &ResultLocation, &mut Terminal<'_>) -> u8,
 ) -> u8 {
+    let analysis =
+        |_: &Path,
+         input: &Input,
+         settings: &Q,
+         location: &ResultLocation,
+         terminal: &mut Terminal<'_>| { answer(input, settings, location, terminal) };
+    each_again(paths, results, terminal, (settings, requested), analysis)
+}
+
+/// Analyzes every file, which the analysis may read again; returns the largest exit code.
+pub(super) fn each_again<Q: Sync>(
+    paths: &[PathBuf],
+    results: &Results,
+    terminal: &mut Terminal<'_>,
+    (settings, requested): (impl Fn(&Input) -> Option<&Q>, MissingTable),
+    answer: impl Fn(&Path, &Input, &Q, &ResultLocation, &mut Terminal<'_>) -> u8 + Sync,
+) -> u8 {
     let Some((inputs, locations)) =
         read_with_locations(paths, results, &BladeOptions::default(), terminal)
     else {
@@ -83,13 +100,17 @@ pub(super) fn each<Q: Sync>(
     if !complete {
         return WRONG_INPUT;
     }
-    let requested = inputs.iter().zip(&locations);
+    let requested = paths.iter().zip(&inputs).zip(&locations);
     let jobs: Vec<_> = requested
-        .filter_map(|(input, location)| Some((input, settings(input)?, location)))
+        .filter_map(|((path, input), location)| Some((path, input, settings(input)?, location)))
         .collect();
-    files::worst_of(&jobs, terminal, |(input, settings, location), terminal| {
-        answer(input, settings, location, terminal)
-    })
+    files::worst_of(
+        &jobs,
+        terminal,
+        |(path, input, settings, location), terminal| {
+            answer(path, input, settings, location, terminal)
+        },
+    )
 }
 
 fn static_of(

@@ -3,13 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::arguments::Results;
-use super::blade_options::BladeOptions;
 use super::periodic::write_period;
 use super::terminal::Terminal;
-use super::{DONE, MissingTable, NOT_REACHED, WRONG_INPUT, files, read_with_locations};
+use super::{DONE, MissingTable, NOT_REACHED, finish, statics};
 use crate::analysis::trim::{TrimEnd, Trimmed, trim};
 use crate::case::TrimSettings;
-use crate::input;
+use crate::input::{self, Input};
 use crate::output::{self, ResultLocation};
 use crate::result::TrimResult;
 
@@ -19,60 +18,36 @@ pub(super) fn trim_of_files(
     results: &Results,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let blades = BladeOptions::default();
-    let Some((inputs, locations)) = read_with_locations(paths, results, &blades, terminal) else {
-        return WRONG_INPUT;
+    let requested = MissingTable {
+        file: String::new(),
+        table: "trim",
+        example: "[[trim.control]] and [[trim.target]]",
     };
-    let mut jobs = Vec::new();
-    for ((path, input), location) in paths.iter().zip(&inputs).zip(&locations) {
-        match &input.trim {
-            Some(settings) => jobs.push((path, input, settings, location)),
-            None => terminal.report(&MissingTable {
-                file: path.display().to_string(),
-                table: "trim",
-                example: "[[trim.control]] and [[trim.target]]",
-            }),
-        }
-    }
-    if jobs.len() < inputs.len() {
-        return WRONG_INPUT;
-    }
-    files::worst_of(
-        &jobs,
+    statics::each_again(
+        paths,
+        results,
         terminal,
-        |(path, input, settings, location), terminal| {
-            let names = (input.model.name.as_str(), input.remarks.as_slice());
-            trim_of(path, names, settings, location, terminal)
-        },
+        (|input| input.trim.as_ref(), requested),
+        trim_of,
     )
 }
 
 fn trim_of(
     path: &Path,
-    (name, remarks): (&str, &[String]),
+    input: &Input,
     settings: &TrimSettings,
     location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let read = |given: &[(String, f64)]| input::read_with(path, given);
-    let outcome = trim(name, settings, &read);
+    let outcome = trim(&input.model.name, settings, &read);
     let mut result = outcome.result;
-    result.remarks.splice(0..0, remarks.iter().cloned());
+    result.remarks.splice(0..0, input.remarks.iter().cloned());
     let mut code = report_failure(&result, location, terminal);
     let text = output::trim_text(&result);
     terminal.show(&text);
-    match output::write_trim(&result, location) {
-        Ok(written) => {
-            terminal.show("\nWritten\n");
-            for file in &written.files {
-                terminal.show(&format!("  {}\n", file.display()));
-            }
-        }
-        Err(problem) => {
-            terminal.report(&problem);
-            code = NOT_REACHED;
-        }
-    }
+    let written = output::write_trim(&result, location);
+    code = code.max(finish(None, written, terminal));
     if let Some(end) = outcome.end {
         code = code.max(write_end(end, location, terminal));
     }
@@ -117,7 +92,7 @@ fn write_end(end: TrimEnd, location: &ResultLocation, terminal: &mut Terminal<'_
         ),
         (Some(Trimmed::Static(result)), ..) => {
             terminal.show(&format!("\n{}", output::static_text(&result)));
-            super::finish(None, output::write_static(&result, location), terminal)
+            finish(None, output::write_static(&result, location), terminal)
         }
         _ => DONE,
     }

@@ -9,10 +9,11 @@ use shared_geom::units::Dimension;
 use super::loads::LoadProblem;
 use super::rotor_speed::RPM;
 use super::speeds;
+use super::stability;
 use super::transient;
 use crate::case::{
-    BucklingSettings, FrameRotation, ModesSettings, PeriodicSettings, StaticSettings,
-    TransientSettings, TrimMethod, TrimSettings,
+    BucklingSettings, FrameRotation, ModesSettings, PeriodicSettings, StabilitySettings,
+    StaticSettings, TransientSettings, TrimMethod, TrimSettings,
 };
 
 keys! {
@@ -64,6 +65,7 @@ pub(super) struct Analyses {
     pub transient: Option<TransientSettings>,
     pub periodic: Option<PeriodicSettings>,
     pub trim: Option<TrimSettings>,
+    pub stability: Option<StabilitySettings>,
 }
 
 /// Reads the cards of all analyses; `periodic` and `trim` are read with the model.
@@ -78,14 +80,22 @@ pub(super) fn read(
     };
     let (statics, buckling) = (statics(root), buckling(root));
     let transient = transient::read(root);
-    Some(Analyses {
+    let mut analyses = Analyses {
         modes: modes?,
         statics: statics?,
         buckling: buckling?,
         transient: transient?,
         periodic: periodic?,
         trim: trim?,
-    })
+        stability: None,
+    };
+    let others = stability::Others {
+        modes: analyses.modes.as_ref(),
+        periodic: analyses.periodic.as_ref(),
+        trim: analyses.trim.as_ref(),
+    };
+    analyses.stability = stability::read(root, others)?;
+    Some(analyses)
 }
 
 /// Reads `[static]`; `Some(None)` without the card.

@@ -16,7 +16,7 @@ use shared_geom::units::Dimension;
 use super::{
     aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes,
     frames, hub, internal_forces, joints, loads, measured, nodes, periodic, properties, rods,
-    rotors, speeds, springs, strips, transient, trim,
+    rotors, speeds, springs, stability, strips, transient, trim,
 };
 
 keys! {
@@ -69,6 +69,8 @@ keys! {
     PERIODIC: ByHand = "periodic", [Table(&periodic::PERIODIC)], optional, "";
     /// Trim.
     TRIM: ByHand = "trim", [Table(&trim::TRIM)], optional, "";
+    /// Stability over a parameter.
+    STABILITY: ByHand = "stability", [Table(&stability::STABILITY)], optional, "";
     /// Output of runs in time.
     OUTPUT: ByHand = "output", [Table(&columns::CARD)], optional, "";
     /// Measured frequencies.
@@ -132,7 +134,7 @@ const OPENING: &str = "\
 
 Every key of a dynamics file, `NAME.dynamics.toml`.
 Made by `beam-dynamics schema --format markdown`; do not edit.
-The use of the keys is described in [Dynamics input](dynamics-input.md), [drives, parameters, frames, copies](drives.md), [laws](laws.md), [joints](joints.md), [rotors](rotors.md), [output of runs in time](time-output.md), [periodic motion](periodic.md) and [trim](trim.md).
+The use of the keys is described in [Dynamics input](dynamics-input.md), [drives, parameters, frames, copies](drives.md), [laws](laws.md), [joints](joints.md), [rotors](rotors.md), [output of runs in time](time-output.md), [periodic motion](periodic.md), [trim](trim.md) and [stability](stability.md).
 
 A *quantity* is a number in the declared units, or a text with its own unit, such as `\"73.1 GPa\"`.
 A *drive* is a quantity, an expression such as `\"= 3*sin(t)\"`, the name of a drive, a sensor or an output, or a table as [`[drives.NAME]`](#drivesname).

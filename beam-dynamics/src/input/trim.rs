@@ -7,8 +7,9 @@ use shared_geom::document::Table;
 
 use super::builder::ModelBuilder;
 use super::drives::{Catalog, Measure, Read};
+use super::sweep;
 use crate::case::{
-    AutoPilot, PeriodicMethod, PeriodicSettings, TrimControl, TrimMethod, TrimSettings,
+    AutoPilot, PeriodicMethod, PeriodicSettings, Sweep, TrimControl, TrimMethod, TrimSettings,
 };
 use crate::elements::Input;
 use crate::elements::control::{Balanced, Kept};
@@ -16,7 +17,6 @@ use crate::model::{Scalar, ScalarStart};
 
 mod keys;
 mod problem;
-mod sweep;
 mod targets;
 
 pub(super) use keys::TRIM;
@@ -157,7 +157,7 @@ pub(super) fn read(
     let is_possible = fits(root, &table, method, periodic.as_deref());
     let (own, pilot) = (settings(&table, method), pilot(&table, method));
     let asked = targets::read(&table, (method, periodic.as_deref()), builder);
-    let sweep = sweep::read(&table);
+    let sweep = sweep(&table);
     let _declared = table.has(&CONTROL);
     table.finish();
     let counts = [controls.len(), asked.len()];
@@ -187,6 +187,17 @@ pub(super) fn read(
     is_possible.then_some(Some(settings))
 }
 
+/// Reads `[trim.sweep]`; `Some(None)` without it.
+fn sweep(table: &Table<'_>) -> Option<Option<Sweep>> {
+    if !table.has(&SWEEP) {
+        return Some(None);
+    }
+    let table = table.table(&SWEEP)?;
+    let found = sweep::read(&table);
+    table.finish();
+    found.map(Some)
+}
+
 /// Whether the other analyses of the file suit the method; notes the first that does not.
 fn fits(
     root: &Table<'_>,
@@ -203,7 +214,10 @@ fn fits(
         .iter()
         .find(|own| own.0 == method)
         .map_or("", |own| own.1);
-    let beside = others.iter().find(|card| root.has(card));
+    // The command `stability` finds the controls before the modes.
+    let is_suited = |card: &str| is_static && card == "modes" && root.has("stability");
+    let mut others = others.iter().filter(|card| !is_suited(card));
+    let beside = others.find(|card| root.has(card));
     let is_marched = periodic.is_some_and(|own| own.method == PeriodicMethod::March);
     let problem = match beside {
         Some(card) => TrimProblem::Beside { card },

@@ -207,6 +207,19 @@ impl<'a> EigenProblem<'a> {
         real
     }
 
+    /// The pair of a real value [1/s] that [`Self::lowest`] found.
+    pub fn real_pair(&self, value: f64) -> Eigenpair {
+        let beside = c64::new(value * (1.0 + BESIDE), 0.0);
+        let pair = self.vectors_beside(beside, 1).into_iter().next();
+        pair.unwrap_or_else(|| {
+            Eigenpair::new(
+                c64::new(value, 0.0),
+                &vec![c64::new(0.0, 0.0); self.size],
+                0.0,
+            )
+        })
+    }
+
     /// The values nearest to the shift, as many as hold `count` oscillations, where real
     /// ones of overdamped motions do not use up too many; and how many motions without
     /// stiffness there are; whether they are all that the system has; and the space of their

@@ -51,6 +51,11 @@ impl ModeMotion {
         }
     }
 
+    /// The motion, six complex entries a node, and its momentum.
+    pub fn parts(&self) -> [&[Complex<f64>]; 2] {
+        [&self.motion, &self.momentum]
+    }
+
     /// `q_a^H M q_b`.
     pub(super) fn product(&self, other: &Self) -> Complex<f64> {
         let terms = self.motion.iter().zip(&other.momentum);

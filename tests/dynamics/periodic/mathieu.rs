@@ -14,6 +14,11 @@ use super::{Random, analyzed, modes, monodromy, multipliers, off_by_sums};
 
 /// A bar of mass one at the distance 0.5 from its hinge about y.
 fn bar(delta: f64, epsilon: f64, settings: &str) -> String {
+    bar_of(&format!("{delta:?}"), epsilon, settings)
+}
+
+/// The same with an expression of the mean stiffness.
+pub fn bar_of(delta: &str, epsilon: f64, settings: &str) -> String {
     format!(
         "[[node]]\nname = \"bar\"\nposition = [0, 0, -0.5]\n\
          [[body]]\nname = \"bar\"\nnode = \"bar\"\nmass = 1\ninertia = [0.5, 0.75, 0.5]\n\
@@ -21,7 +26,7 @@ fn bar(delta: f64, epsilon: f64, settings: &str) -> String {
          axis = [0, 1, 0]\n\
          [sensors.tilt]\nquantity = \"rotation\"\nof = \"bar\"\ncomponent = \"y\"\nunit = \"rad\"\n\
          [[load]]\nnode = \"bar\"\nmoment = [0, -1, 0]\n\
-         drive = \"= ({delta:?} + {epsilon:?}*cos(t))*tilt\"\n\
+         drive = \"= ({delta} + {epsilon:?}*cos(t))*tilt\"\n\
          [periodic]\nperiod = {TAU:?}\n{settings}\n"
     )
 }

@@ -12,25 +12,26 @@ use nalgebra::Complex;
 use super::{analyzed, farthest, modes, multipliers};
 
 /// Masses of the blades, and their lag dampers [kg, N m s].
-struct Blades {
+pub struct Blades {
     masses: [f64; 3],
     dampers: [f64; 3],
 }
 
-const EQUAL: Blades = Blades {
+pub const EQUAL: Blades = Blades {
     masses: [40.0; 3],
     dampers: [400.0; 3],
 };
-const ISOTROPIC: [f64; 4] = [1.1e6, 1.1e6, 3000.0, 3000.0];
-const ANISOTROPIC: [f64; 4] = [1.1e6, 2.0e6, 3000.0, 3800.0];
+pub const ISOTROPIC: [f64; 4] = [1.1e6, 1.1e6, 3000.0, 3000.0];
+pub const ANISOTROPIC: [f64; 4] = [1.1e6, 2.0e6, 3000.0, 3800.0];
 
-/// The rotor at rest in the axes of the cards; `angle` is the prescribed rotation of the hub.
-fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: f64) -> String {
+/// The rotor with the speed of an expression, zero in the axes of the cards; `angle` is the prescribed
+/// rotation of the hub.
+pub fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: &str) -> String {
     // The frame of a run in time does not turn, the frame of the modes does.
-    let fixed = if speed == 0.0 { "world" } else { "frame" };
+    let fixed = if speed == "0" { "world" } else { "frame" };
     let mut text = format!(
         "[[node]]\nname = \"mast\"\nposition = [0, 0, 0]\n\
-         [[node]]\nname = \"hub\"\nposition = [0, 0, 0]\nangular_velocity = [0, 0, {speed:?}]\n\
+         [[node]]\nname = \"hub\"\nposition = [0, 0, 0]\nangular_velocity = [0, 0, \"= {speed}\"]\n\
          [[body]]\nname = \"mast\"\nnode = \"mast\"\nmass = 3199\ninertia = [9, 9, 9]\n\
          [[body]]\nname = \"hub\"\nnode = \"hub\"\nmass = 1\ninertia = [1, 1, 1]\n\
          [[joint]]\nname = \"support\"\nkind = \"total\"\nnodes = [\"mast\"]\n\
@@ -48,7 +49,7 @@ fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: f64) -
         let (name, hinge, center) = (format!("blade {k}"), 0.35, 2.75);
         text += &format!(
             "[[node]]\nname = \"{name}\"\nposition = [{:?}, {:?}, 0]\n\
-             velocity = [{:?}, {:?}, 0]\nangular_velocity = [0, 0, {speed:?}]\n\
+             velocity = [\"= {:?}*{speed}\", \"= {:?}*{speed}\", 0]\nangular_velocity = [0, 0, \"= {speed}\"]\n\
              [[body]]\nname = \"{name}\"\nnode = \"{name}\"\nmass = {mass:?}\n\
              inertia = [{inertia:?}, {inertia:?}, {inertia:?}]\n\
              [[joint]]\nname = \"lag {k}\"\nkind = \"revolute\"\nnodes = [\"hub\", \"{name}\"]\n\
@@ -57,8 +58,8 @@ fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: f64) -
              at = [{:?}, {:?}, 0]\nrotational_damping = [0, 0, {damper:?}]\n",
             center * x,
             center * y,
-            -center * y * speed,
-            center * x * speed,
+            -center * y,
+            center * x,
             hinge * x,
             hinge * y,
             hinge * x,
@@ -69,7 +70,12 @@ fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: f64) -
 }
 
 fn turning(support: [f64; 4], blades: &Blades, speed: f64, settings: &str) -> String {
-    let text = rotor(support, blades, &format!("= {speed:?}*t"), speed);
+    let text = rotor(
+        support,
+        blades,
+        &format!("= {speed:?}*t"),
+        &format!("{speed:?}"),
+    );
     format!("{text}[periodic]\nspeed = {speed:?}\n{settings}")
 }
 
@@ -137,7 +143,7 @@ fn modes_and_multipliers_of_an_isotropic_hub_are_the_same() {
         let text = format!(
             "[units]\nangle = \"rad\"\nrotation_speed = \"rad/s\"\n{}[transient]\nto = 1\nstep = 1\n\
              [modes]\nspeeds = [{speed:?}]\ncount = 5\n",
-            rotor(ISOTROPIC, &EQUAL, "= 0", 0.0)
+            rotor(ISOTROPIC, &EQUAL, "= 0", "0")
         );
         let input = beam_dynamics::input::parse(&text, "rotor.dynamics.toml")
             .unwrap_or_else(|problems| panic!("{problems}"));

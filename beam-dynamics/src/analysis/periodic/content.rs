@@ -32,6 +32,18 @@ const MOST: i32 = 24;
 pub(super) struct Content {
     /// Number m of each harmonic, its share, and the dominant motion in it.
     pub shares: Vec<(i32, f64, String)>,
+    tracks: Vec<Track>,
+}
+
+impl Content {
+    /// The harmonic m of all parts, three entries of each, times the roots of their masses.
+    pub fn shape(&self, m: i32) -> Vec<Complex<f64>> {
+        let part = |track: &Track| {
+            let of = harmonic(&track.values, m) * Complex::from(track.weight.sqrt());
+            [of.x, of.y, of.z]
+        };
+        self.tracks.iter().flat_map(part).collect()
+    }
 }
 
 /// A group of three components of the motion over the period.
@@ -86,7 +98,10 @@ impl Observer<'_> {
             .iter_mut()
             .for_each(|own| own.1 /= whole.max(f64::MIN_POSITIVE));
         energies.sort_by(|a, b| b.1.total_cmp(&a.1));
-        Content { shares: energies }
+        Content {
+            shares: energies,
+            tracks,
+        }
     }
 
     fn tracks(&self, u: &[Vec<[Motion; 2]>]) -> Vec<Track> {

@@ -138,6 +138,10 @@ fn mode(
         .shares
         .iter()
         .filter(|own| own.0 != branch && own.1 > LISTED);
+    let mut shape = content.shape(branch);
+    if principal.im + f64::from(branch) * base < 0.0 {
+        shape.iter_mut().for_each(|entry| *entry = entry.conj());
+    }
     FloquetMode {
         multiplier,
         exponent: Complex::new(principal.re, frequency(branch)),
@@ -149,6 +153,7 @@ fn mode(
         name: chosen
             .or(content.shares.first())
             .map_or_else(String::new, |own| own.2.clone()),
+        shape,
         is_neutral: (multiplier - 1.0).norm() < NEUTRAL,
     }
 }

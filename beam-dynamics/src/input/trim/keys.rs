@@ -2,10 +2,12 @@
 
 use shared_geom::document::ByHand;
 use shared_geom::document::schema::ValueKind::{
-    Count, Drive, NotNegative, Positive, Quantities, Quantity, Table, Tables, Text, Word,
+    Count, Drive, NotNegative, Positive, Quantity, Table, Tables, Text, Word,
 };
 use shared_geom::keys;
 use shared_geom::units::Dimension;
+
+use super::super::sweep::TRIM_SWEEP;
 
 /// Largest number of iterations, harmonics or steps.
 const MOST: usize = 100_000;
@@ -32,7 +34,7 @@ keys! {
     /// The values of quantities, one for each control.
     pub(super) TARGET: ByHand = "target", [Tables(&TARGET_CARD)], required, "";
     /// Values of a parameter at which the trim is found.
-    pub(super) SWEEP: ByHand = "sweep", [Table(&SWEEP_TABLE)], optional, "";
+    pub(super) SWEEP: ByHand = "sweep", [Table(&TRIM_SWEEP)], optional, "";
 }
 
 keys! {
@@ -69,21 +71,4 @@ keys! {
     pub(super) HARMONIC: usize = "harmonic", [Count(MOST)], or "the mean" = 0, "1";
     /// Factor of the cosine or of the sine, from the first instant of the period.
     pub(super) PART: usize = "part", [Word(&["cosine", "sine"])], or "\"cosine\"" = 0, "\"sine\"";
-}
-
-keys! {
-    /// Values of a parameter, each trimmed from the solution before: a list, or equal distances from
-    /// and to.
-    SWEEP_TABLE = "[trim.sweep]";
-    /// One of the `[parameters]`.
-    pub(super) PARAMETER: String = "parameter", [Text], required, "\"advance_ratio\"";
-    /// The values, in this order.
-    pub(super) VALUES: Option<Vec<f64>> = "values", [Quantities(Dimension::NUMBER)], optional,
-        "[0, 0.1, 0.2]";
-    /// First value.
-    pub(super) FROM: Option<f64> = "from", [Quantity(Dimension::NUMBER)], optional, "0";
-    /// Last value.
-    pub(super) TO: Option<f64> = "to", [Quantity(Dimension::NUMBER)], optional, "0.35";
-    /// Number of values, both ends included.
-    pub(super) STEPS: Option<usize> = "steps", [Count(MOST)], optional, "8";
 }

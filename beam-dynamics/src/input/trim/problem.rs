@@ -1,6 +1,6 @@
 //! Problems of `[trim]`.
 
-use shared_geom::error::{Explain, nearest_name};
+use shared_geom::error::Explain;
 
 /// A problem of `[trim]`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -58,27 +58,11 @@ pub enum TrimProblem {
         /// Its number.
         harmonic: usize,
     },
-    /// A sweep over a name that is no parameter.
-    #[error("\"{name}\" is not one of the [parameters]")]
-    NoParameter {
-        /// The name.
-        name: String,
-        /// The names of the parameters.
-        known: Vec<String>,
-    },
     /// A sweep over a control.
     #[error("the sweep gives values to \"{name}\", which is a control too")]
     SweptControl {
         /// The name.
         name: String,
-    },
-    /// The values of a sweep are not given, or twice.
-    #[error(
-        "the values of the sweep are given by {found}, expected \"values\" or \"from\", \"to\" and \"steps\""
-    )]
-    Ways {
-        /// The keys found, as text.
-        found: &'static str,
     },
 }
 
@@ -99,16 +83,7 @@ impl Explain for TrimProblem {
             Self::Bounds { .. } => "write lower < upper, and a guess between them",
             Self::GuessOfParameter { .. } => "change the parameter",
             Self::Harmonic { .. } => "use the mean, or method = \"shooting\"",
-            Self::NoParameter { name, known } => {
-                let known = known.iter().map(String::as_str);
-                return Some(match nearest_name(name, known.clone()) {
-                    Some(nearest) => format!("did you mean \"{nearest}\"?"),
-                    None => "add it to [parameters], and use it in expressions of other numbers"
-                        .to_owned(),
-                });
-            }
             Self::SweptControl { .. } => "remove the control and its target, or the sweep",
-            Self::Ways { .. } => "write values = [0, 0.1, 0.2]",
         };
         Some(text.to_owned())
     }

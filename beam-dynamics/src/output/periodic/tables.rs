@@ -71,6 +71,7 @@ mod tests {
     #[test]
     fn a_row_a_multiplier() {
         let mode = FloquetMode {
+            shape: Vec::new(),
             multiplier: Complex::new(0.3, 0.4),
             exponent: Complex::new(-0.6, 0.8 * TAU),
             branch: 0,

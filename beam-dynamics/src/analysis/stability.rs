@@ -1,0 +1,64 @@
+//! Stability over a parameter of the file: roots at its values, modes that are followed, boundaries.
+//!
+//! 1. For each value the file is read with this value, and the controls of a trim are found.
+//! 2. The roots are the eigenvalues about the equilibrium of the turning frame, or the multipliers
+//!    of the periodic motion.
+//! 3. The scan adds values where they are needed, and finds the boundaries.
+
+mod crossing;
+pub mod follow;
+pub mod refine;
+mod request;
+mod scan;
+mod source;
+mod touching;
+
+pub use request::{Evaluate, ScanSettings};
+pub use scan::{Scan, scan};
+
+use super::trim::Reader;
+use crate::case::{StabilityMethod, StabilitySettings, TrimSettings};
+use crate::result::StabilityResult;
+use source::Source;
+
+/// The stability requested by `settings`, of the file that `read` reads, trimmed as `trim` requests.
+pub fn stability(
+    name: &str,
+    settings: &StabilitySettings,
+    trim: Option<&TrimSettings>,
+    read: Reader<'_>,
+) -> StabilityResult {
+    let values = settings.sweep.values.clone();
+    let requested = values.len();
+    let mut of_scan = ScanSettings {
+        values,
+        boundaries: settings.boundaries,
+        tolerance: 0.0,
+    };
+    of_scan.tolerance = settings.tolerance * of_scan.range();
+    let mut source = Source::new(settings, trim, read);
+    let found = scan(&of_scan, &mut |at| source.roots(at));
+    let mut points = found.points;
+    for point in &mut points {
+        point.controls = source.controls(point.at);
+    }
+    let controls = trim.map_or_else(Vec::new, |trim| {
+        let all = trim.controls.iter().chain(&trim.parameters);
+        all.map(|control| control.name.clone()).collect()
+    });
+    StabilityResult {
+        name: name.to_owned(),
+        method: match settings.method {
+            StabilityMethod::Modes => "eigenvalues about the equilibrium of the turning frame",
+            StabilityMethod::Floquet => "multipliers of the periodic motion",
+        },
+        parameter: settings.sweep.parameter.clone(),
+        requested,
+        controls,
+        modes: found.modes,
+        points,
+        boundaries: found.boundaries,
+        failures: found.failures,
+        remarks: found.remarks,
+    }
+}

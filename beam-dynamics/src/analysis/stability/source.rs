@@ -1,0 +1,357 @@
+//! The roots of the model at a value of the parameter.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Complex;
+use shared_geom::error::Diagnostics;
+
+use crate::analysis::modes::modes_about;
+use crate::analysis::periodic::periodic_from;
+use crate::analysis::steady::{Equilibrium, equilibrium};
+use crate::analysis::trim::{Reader, Trimmed, trim_at, unread};
+use crate::case::{
+    FloquetSettings, ModesSettings, StabilityMethod, StabilitySettings, TrimSettings, Words,
+};
+use crate::input::Input;
+use crate::model::State;
+use crate::modes::ModeMotion;
+use crate::result::{
+    BoundaryKind, FloquetMode, FloquetTable, ModePoint, PeriodicResult, StabilityRoot, Whirl,
+};
+use crate::solver::LinearSolver;
+
+/// Multipliers above this size are shown.
+const SHOWN: f64 = 0.9;
+/// Least number of roots by multipliers.
+const LEAST: usize = 10;
+/// First and largest number of computed multipliers.
+const COMPUTED: [usize; 2] = [20, 400];
+/// Growth of an oscillation, relative to its exponent, that is round-off.
+const ROUND_OFF: f64 = 1e-8;
+/// Part of the energy at the chosen frequency above which another frequency is as good.
+const AS_GOOD: f64 = 0.8;
+/// Growth in estimated errors up to which it is not known.
+const DOUBTFUL: f64 = 2.0;
+
+/// A failure: reason and remedy.
+type Failed = [String; 2];
+
+/// A solution at a value.
+struct Known {
+    at: f64,
+    state: State,
+    /// Values of the controls.
+    controls: Vec<f64>,
+}
+
+/// The models of all values, with the solutions that are known.
+pub(super) struct Source<'a> {
+    settings: &'a StabilitySettings,
+    trim: Option<&'a TrimSettings>,
+    read: Reader<'a>,
+    known: Vec<Known>,
+    /// Number of multipliers to compute.
+    count: usize,
+}
+
+impl<'a> Source<'a> {
+    pub fn new(
+        settings: &'a StabilitySettings,
+        trim: Option<&'a TrimSettings>,
+        read: Reader<'a>,
+    ) -> Self {
+        Self {
+            settings,
+            trim,
+            read,
+            known: Vec::new(),
+            count: settings.count.unwrap_or(COMPUTED[0]),
+        }
+    }
+
+    /// Values of the controls at a value that was evaluated.
+    pub fn controls(&self, at: f64) -> Vec<f64> {
+        let known = self.known.iter().find(|known| known.at == at);
+        known.map_or_else(Vec::new, |known| known.controls.clone())
+    }
+
+    /// The roots at a value.
+    pub fn roots(&mut self, at: f64) -> Result<Vec<StabilityRoot>, Failed> {
+        let mut roots = match self.settings.method {
+            StabilityMethod::Modes => self.of_modes(at)?,
+            StabilityMethod::Floquet => self.of_period(at)?,
+        };
+        roots.sort_by(|a, b| b.growth().total_cmp(&a.growth()));
+        if let Some(count) = self.settings.count {
+            let mut sum = 0;
+            roots.retain(|root| {
+                sum += root.kind.roots();
+                sum <= count.max(root.kind.roots())
+            });
+        }
+        Ok(roots)
+    }
+
+    /// The known solution nearest to a value.
+    fn nearest(&self, at: f64) -> Option<&Known> {
+        let off = |known: &&Known| (known.at - at).abs();
+        let known = self.known.iter();
+        known.min_by(|a, b| off(a).total_cmp(&off(b)))
+    }
+
+    fn keep(&mut self, at: f64, state: &State, controls: Vec<f64>) {
+        if !self.known.iter().any(|known| known.at == at) {
+            self.known.push(Known {
+                at,
+                state: state.clone(),
+                controls,
+            });
+        }
+    }
+
+    /// The trimmed model at a value, its state and the controls.
+    fn trimmed(&mut self, at: f64, trim: &TrimSettings) -> Result<(Input, Trimmed), Failed> {
+        let count = self.count;
+        let read = |given: &[(String, f64)]| -> Result<Input, Diagnostics> {
+            let mut input = (self.read)(given)?;
+            analyze_period(&mut input, count);
+            Ok(input)
+        };
+        let near = self.nearest(at);
+        let first = trim.controls.len();
+        let parameters = near.map(|near| near.controls.get(first..).unwrap_or(&[]));
+        let from = (near.map(|near| &near.state), parameters);
+        let given = (self.settings.sweep.parameter.as_str(), at);
+        let (point, end) = trim_at((trim, &read), given, from);
+        if let Some(failure) = point.failure {
+            return Err(failure);
+        }
+        let end = end.and_then(|end| Some((end.input, end.found?, end.state?)));
+        let (input, found, state) = end.ok_or_else(|| nothing("the trim has no solution"))?;
+        self.keep(at, &state, point.controls);
+        Ok((input, found))
+    }
+
+    fn input(&self, at: f64) -> Result<Input, Failed> {
+        (self.read)(&[(self.settings.sweep.parameter.clone(), at)]).map_err(unread)
+    }
+
+    /// By the eigenvalues about the equilibrium.
+    fn of_modes(&mut self, at: f64) -> Result<Vec<StabilityRoot>, Failed> {
+        let (input, steady) = match self.trim {
+            Some(trim) => {
+                let (input, _) = self.trimmed(at, trim)?;
+                let mut conditions = input.model.conditions(trim.speed, 1.0, 1.0);
+                // Controls that follow their targets at once are not those of small motions.
+                conditions.loading.released = 1.0;
+                let known = self.known.iter().find(|known| known.at == at);
+                let state = known.map(|known| known.state.clone());
+                let steady = state.map(|state| Equilibrium {
+                    state,
+                    conditions,
+                    iterations: 0,
+                    residual: 0.0,
+                });
+                (
+                    input,
+                    steady.ok_or_else(|| nothing("the trim has no state"))?,
+                )
+            }
+            None => {
+                let input = self.input(at)?;
+                let steady = self.steady(at, &input)?;
+                (input, steady)
+            }
+        };
+        let settings = input
+            .modes
+            .as_ref()
+            .ok_or_else(|| nothing("[modes] is missing"))?;
+        let speed = settings.speeds.first().copied().unwrap_or(0.0);
+        let count = self.settings.count.unwrap_or(0).max(settings.count);
+        let found = modes_about((&input.model, speed), &steady, count);
+        let found = found.map_err(|failure| {
+            let remedy = "hold the motion by a stiffness, or choose other values of the parameter";
+            [failure.to_string(), remedy.to_owned()]
+        })?;
+        let root = |(point, motion): &(ModePoint, ModeMotion)| root(point, motion, speed, settings);
+        Ok(found.iter().map(root).collect())
+    }
+
+    /// The equilibrium, from the nearest known one.
+    fn steady(&mut self, at: f64, input: &Input) -> Result<Equilibrium, Failed> {
+        let model = &input.model;
+        let speed = input
+            .modes
+            .as_ref()
+            .and_then(|own| own.speeds.first().copied());
+        let conditions = model.conditions(speed.unwrap_or(0.0), 1.0, 1.0);
+        let rest = model.system.rest();
+        let nothing = model.conditions(0.0, 1.0, 1.0);
+        let near = self.nearest(at).map(|near| &near.state);
+        let near = near.filter(|state| fits(state, &rest));
+        let solver = LinearSolver::new(model.system.pattern());
+        let from = |known, state| equilibrium(model, &solver, (known, state), &conditions);
+        let found = near.map(|state| from(&conditions, state));
+        let found = match found {
+            Some(Ok(found)) => Ok(found),
+            _ => from(&nothing, &rest),
+        };
+        let steady = found.map_err(|failure| {
+            let remedy = "choose values of the parameter at which the model has an equilibrium";
+            [failure.to_string(), remedy.to_owned()]
+        })?;
+        self.keep(at, &steady.state, Vec::new());
+        Ok(steady)
+    }
+
+    /// By the multipliers of the periodic motion, as many as are needed.
+    fn of_period(&mut self, at: f64) -> Result<Vec<StabilityRoot>, Failed> {
+        loop {
+            let result = match self.trim {
+                Some(trim) => match self.trimmed(at, trim)?.1 {
+                    Trimmed::Periodic(result) => result,
+                    Trimmed::Static(_) => return Err(nothing("the trim has no periodic motion")),
+                },
+                None => self.periodic(at)?,
+            };
+            let period = result.period;
+            let table = result
+                .floquet
+                .ok_or_else(|| nothing("there are no multipliers"))?;
+            let is_complete = self.settings.count.is_some()
+                || self.count >= COMPUTED[1]
+                || shows_all(&table, self.count);
+            if is_complete {
+                return Ok(self.shown(&table, period));
+            }
+            self.count = (2 * self.count).min(COMPUTED[1]);
+        }
+    }
+
+    /// The periodic motion from the nearest known one, or from the start of the file.
+    fn periodic(&mut self, at: f64) -> Result<PeriodicResult, Failed> {
+        let mut input = self.input(at)?;
+        analyze_period(&mut input, self.count);
+        let settings = input
+            .periodic
+            .as_ref()
+            .ok_or_else(|| nothing("[periodic] is missing"))?;
+        let rest = input.model.system.rest();
+        let near = self.nearest(at).map(|near| &near.state);
+        let near = near.filter(|state| fits(state, &rest));
+        let mut outcome = periodic_from(&input.model, settings, near);
+        if outcome.failure.is_some() && near.is_some() {
+            outcome = periodic_from(&input.model, settings, None);
+        }
+        match (outcome.failure, outcome.state) {
+            (Some(failure), _) => Err([failure.to_string(), failure.remedy()]),
+            (None, None) => Err(nothing("there is no periodic motion")),
+            (None, Some(state)) => {
+                self.keep(at, &state, Vec::new());
+                Ok(outcome.result)
+            }
+        }
+    }
+
+    /// The roots of the large multipliers, or all if their number is given.
+    fn shown(&self, table: &FloquetTable, period: f64) -> Vec<StabilityRoot> {
+        let mut sum = 0;
+        let modes = table.modes.iter().filter(|mode| {
+            let is_shown =
+                self.settings.count.is_some() || sum < LEAST || mode.multiplier.norm() > SHOWN;
+            sum += roots_of(mode);
+            is_shown
+        });
+        modes.map(|mode| root_of_period(mode, period)).collect()
+    }
+}
+
+/// Requests `count` multipliers of the periodic motion.
+fn analyze_period(input: &mut Input, count: usize) {
+    if let Some(settings) = &mut input.periodic {
+        let own = settings.floquet.take();
+        settings.floquet = Some(FloquetSettings {
+            count,
+            near: own.as_ref().map_or_else(Vec::new, |own| own.near.clone()),
+            estimates_error: own.is_some_and(|own| own.estimates_error),
+        });
+    }
+}
+
+/// Whether no multiplier above the shown size is missing in a table of `count`.
+fn shows_all(table: &FloquetTable, count: usize) -> bool {
+    let found: usize = table.modes.iter().map(roots_of).sum();
+    let smallest = table.modes.iter().map(|mode| mode.multiplier.norm());
+    found < count || smallest.fold(f64::INFINITY, f64::min) < SHOWN
+}
+
+fn roots_of(mode: &FloquetMode) -> usize {
+    if mode.multiplier.im == 0.0 { 1 } else { 2 }
+}
+
+/// Whether two states are of models with the same unknowns.
+fn fits(state: &State, other: &State) -> bool {
+    let sizes = |state: &State| (state.nodes.len(), state.scalars.len());
+    sizes(state) == sizes(other)
+}
+
+fn nothing(reason: &str) -> Failed {
+    let remedy = "let the cards of the analyses not depend on the parameter";
+    [reason.to_owned(), remedy.to_owned()]
+}
+
+/// A mode of the turning frame, as seen from the fixed frame.
+fn root(
+    point: &ModePoint,
+    motion: &ModeMotion,
+    speed: f64,
+    settings: &ModesSettings,
+) -> StabilityRoot {
+    let words: Words = settings.style.words;
+    let whirl = point.whirl.filter(Whirl::is_pure);
+    let seen = whirl.map_or(point.frequency, |whirl| {
+        whirl.in_fixed_system(point.frequency, speed / TAU).0
+    });
+    let pattern = whirl.filter(|whirl| whirl.blades > 0 || whirl.harmonic != 0);
+    let pattern = pattern.map_or_else(String::new, |w| format!(" {}", w.word_in(words)));
+    let is_real = point.frequency == 0.0;
+    let frequency = if is_real { 0.0 } else { TAU * seen };
+    StabilityRoot {
+        kind: match is_real {
+            true => BoundaryKind::Divergence,
+            false => BoundaryKind::Flutter,
+        },
+        doubt: match is_real {
+            true => 0.0,
+            false => ROUND_OFF * point.growth.hypot(TAU * point.frequency),
+        },
+        name: format!("{}{pattern}", point.kind().word_in(words)),
+        shape: motion.parts().map(<[_]>::to_vec),
+        ..StabilityRoot::new(Complex::new(point.growth, frequency))
+    }
+}
+
+/// A multiplier of the periodic motion.
+fn root_of_period(mode: &FloquetMode, period: f64) -> StabilityRoot {
+    let kind = match mode.multiplier {
+        own if own.im != 0.0 => BoundaryKind::Flutter,
+        own if own.re > 0.0 => BoundaryKind::Divergence,
+        _ => BoundaryKind::HalfRate,
+    };
+    let floor = ROUND_OFF * mode.exponent.norm().max(1.0 / period);
+    let others = mode
+        .others
+        .iter()
+        .filter(|own| own.1 > AS_GOOD * mode.share);
+    StabilityRoot {
+        multiplier: Some(mode.multiplier),
+        kind,
+        doubt: floor.max(DOUBTFUL * mode.error.unwrap_or(0.0)),
+        is_neutral: mode.is_neutral,
+        others: others.map(|own| own.0).collect(),
+        name: mode.name.clone(),
+        shape: [mode.shape.clone(), mode.shape.clone()],
+        ..StabilityRoot::new(mode.exponent)
+    }
+}

@@ -1,0 +1,27 @@
+//! The requested stability over a parameter.
+
+use super::Sweep;
+
+/// The motion whose stability is analyzed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StabilityMethod {
+    /// Eigenvalues about the equilibrium of the turning frame.
+    Modes,
+    /// Multipliers of the periodic motion.
+    Floquet,
+}
+
+/// The requested stability.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilitySettings {
+    /// The parameter; its values increase or decrease.
+    pub sweep: Sweep,
+    /// The method.
+    pub method: StabilityMethod,
+    /// Whether boundaries of stability are searched between the values.
+    pub boundaries: bool,
+    /// Largest error of a boundary as a part of the range of the values [-].
+    pub tolerance: f64,
+    /// Number of roots, the least damped first; `None`: as many as the method gives.
+    pub count: Option<usize>,
+}

@@ -1,0 +1,73 @@
+//! `stability`: finds roots and boundaries over a parameter of each file, and writes the results.
+
+use std::path::{Path, PathBuf};
+
+use shared_geom::error::Explain;
+
+use super::arguments::Results;
+use super::terminal::Terminal;
+use super::{MissingTable, finish, statics};
+use crate::analysis::stability::stability;
+use crate::case::StabilitySettings;
+use crate::input::{self, Input};
+use crate::output::{self, ResultLocation};
+
+/// Modes of a trimmed model without its trim.
+#[derive(Debug, thiserror::Error)]
+#[error("{file}: has [trim], whose controls the command modes does not find")]
+pub(super) struct ModesOfTrim {
+    pub file: String,
+}
+
+impl Explain for ModesOfTrim {
+    fn help(&self) -> Option<String> {
+        let text =
+            "use the command stability, or replace the controls by parameters in another file";
+        Some(text.to_owned())
+    }
+}
+
+/// `stability FILE...`
+pub(super) fn stability_of_files(
+    files: &[PathBuf],
+    results: &Results,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let requested = MissingTable {
+        file: String::new(),
+        table: "stability",
+        example: "parameter = \"rpm\", from = 100, to = 400 and steps = 13",
+    };
+    statics::each_again(
+        files,
+        results,
+        terminal,
+        (|input| input.stability.as_ref(), requested),
+        stability_of,
+    )
+}
+
+fn stability_of(
+    path: &Path,
+    input: &Input,
+    settings: &StabilitySettings,
+    location: &ResultLocation,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let read = |given: &[(String, f64)]| input::read_with(path, given);
+    let mut result = stability(&input.model.name, settings, input.trim.as_ref(), &read);
+    result.remarks.splice(0..0, input.remarks.iter().cloned());
+    terminal.show(&output::stability_text(&result));
+    let failures = result.failures.iter().map(|(at, [reason, remedy])| {
+        let (name, parameter) = (&location.name, &result.parameter);
+        let at = input::short_number(*at, 9);
+        format!("error: {name} at {parameter} = {at}: {reason}\n  help: {remedy}")
+    });
+    let failures: Vec<_> = failures.collect();
+    let failure = (!failures.is_empty()).then(|| failures.join("\n"));
+    finish(
+        failure,
+        output::write_stability(&result, location),
+        terminal,
+    )
+}

@@ -1,0 +1,184 @@
+//! The requested stability over a parameter: `[stability]`.
+
+use shared_geom::document::Table;
+use shared_geom::document::schema::ValueKind::{Boolean, Count, Positive, Word};
+use shared_geom::error::Explain;
+use shared_geom::keys;
+use shared_geom::units::Dimension;
+
+use super::rotor_speed::RPM;
+use super::sweep::{self, FROM, PARAMETER, STEPS, TO, VALUES};
+use crate::case::{
+    ModesSettings, PeriodicSettings, StabilityMethod, StabilitySettings, TrimMethod, TrimSettings,
+};
+
+/// Largest number of roots: the dimension of the space of multipliers.
+const MOST: usize = 400;
+/// Relative difference up to which two rotor speeds are the same.
+const SAME: f64 = 1e-12;
+
+keys! {
+    /// Roots over a parameter: growth, frequency, and the boundaries of stability.
+    pub(super) STABILITY = "[stability]";
+    /// Small motions about the equilibrium of `[modes]` or about the periodic motion of
+    /// `[periodic]`.
+    BY: usize = "by", [Word(&["modes", "Floquet"])], or "\"modes\"" = 0, "\"Floquet\"";
+    /// Whether to search the boundaries of stability between the values.
+    BOUNDARIES: bool = "boundaries", [Boolean], or "true" = true, "false";
+    /// Largest error of a boundary, as a part of the range of the values.
+    TOLERANCE: f64 = "tolerance", [Positive(Dimension::NUMBER)], or "1e-8" = 1e-8, "1e-6";
+    /// Roots, the least damped first; a pair counts as two. Without it: the modes of `[modes]`,
+    /// or all multipliers larger than 0.9 and at least ten.
+    ROOTS: Option<usize> = "count", [Count(MOST)], optional, "12";
+    with PARAMETER.schema, VALUES.schema, FROM.schema, TO.schema, STEPS.schema;
+}
+
+/// A problem of `[stability]`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StabilityProblem {
+    /// The analysis of one value is missing.
+    #[error("\"by\" is \"{by}\", which needs [{card}]")]
+    NoAnalysis {
+        /// The word of the method.
+        by: &'static str,
+        /// The card that defines the analysis of one value.
+        card: &'static str,
+    },
+    /// Several rotor speeds.
+    #[error("\"by\" is \"modes\", but [modes] has {count} speeds, expected one")]
+    Speeds {
+        /// Their number.
+        count: usize,
+    },
+    /// Modes of a trim at another speed.
+    #[error(
+        "[modes] has the speed {} rpm, but the equilibrium of [trim] has {} rpm, expected the same",
+        .modes / RPM, .trim / RPM
+    )]
+    OtherSpeed {
+        /// Of `[modes]` [rad/s].
+        modes: f64,
+        /// Of `[trim]` [rad/s].
+        trim: f64,
+    },
+    /// Values that turn back, or a single one.
+    #[error(
+        "the values are {first} and then {second}, expected values that all increase or all decrease"
+    )]
+    NotInOrder {
+        /// A value [unit of the parameter].
+        first: f64,
+        /// The value after it [unit of the parameter].
+        second: f64,
+    },
+    /// A single value.
+    #[error("\"values\" has 1 value, expected at least 2")]
+    OneValue,
+    /// The parameter is a control.
+    #[error("the parameter \"{name}\" is a control of [trim] too")]
+    Control {
+        /// Its name.
+        name: String,
+    },
+}
+
+impl Explain for StabilityProblem {
+    fn help(&self) -> Option<String> {
+        let text = match self {
+            Self::NoAnalysis { card: "modes", .. } => {
+                "add [modes] with speeds = [300], or write by = \"Floquet\""
+            }
+            Self::NoAnalysis { .. } => {
+                "add [periodic] with the speed of the rotor, or write by = \"modes\""
+            }
+            Self::Speeds { .. } => {
+                "write one speed; to vary it, make it an expression of the parameter: \
+                 speeds = [\"= rpm\"]"
+            }
+            Self::OtherSpeed { .. } => "write one speed in both, or one parameter for both",
+            Self::NotInOrder { .. } => "sort the values, and write each once",
+            Self::OneValue => "add a value, or use the command modes or periodic",
+            Self::Control { .. } => {
+                "remove the control and its target, or choose another parameter"
+            }
+        };
+        Some(text.to_owned())
+    }
+}
+
+/// The other analyses of the file.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Others<'a> {
+    pub modes: Option<&'a ModesSettings>,
+    pub periodic: Option<&'a PeriodicSettings>,
+    pub trim: Option<&'a TrimSettings>,
+}
+
+/// Reads `[stability]` of a file with other analyses; `Some(None)` without the card.
+pub(super) fn read(root: &Table<'_>, others: Others<'_>) -> Option<Option<StabilitySettings>> {
+    if !root.has("stability") {
+        return Some(None);
+    }
+    let table = root.table("stability")?;
+    let (by, boundaries) = (table.get(&BY), table.get(&BOUNDARIES));
+    let (tolerance, count) = (table.get(&TOLERANCE), table.get(&ROOTS));
+    let sweep = sweep::read(&table);
+    table.finish();
+    let settings = StabilitySettings {
+        sweep: sweep?,
+        method: [StabilityMethod::Modes, StabilityMethod::Floquet][by?],
+        boundaries: boundaries?,
+        tolerance: tolerance?,
+        count: count?,
+    };
+    let problem = of_values(&settings).or_else(|| of_others(&settings, others));
+    if let Some((key, problem)) = problem {
+        table.note(key, &problem);
+        return None;
+    }
+    Some(Some(settings))
+}
+
+/// The first problem of the values, and its key.
+fn of_values(settings: &StabilitySettings) -> Option<(&'static str, StabilityProblem)> {
+    let values = &settings.sweep.values;
+    if values.len() < 2 {
+        return Some((VALUES.name(), StabilityProblem::OneValue));
+    }
+    let rises = values[1] > values[0];
+    let mut pairs = values.windows(2);
+    let turned = pairs.find(|pair| pair[0] == pair[1] || (pair[1] > pair[0]) != rises)?;
+    let (first, second) = (turned[0], turned[1]);
+    Some(("", StabilityProblem::NotInOrder { first, second }))
+}
+
+/// The first problem with the other analyses of the file, and its key.
+fn of_others(
+    settings: &StabilitySettings,
+    others: Others<'_>,
+) -> Option<(&'static str, StabilityProblem)> {
+    let trim = others.trim;
+    let swept = &settings.sweep.parameter;
+    if trim.is_some_and(|trim| trim.parameters.iter().any(|own| own.name == *swept)) {
+        let name = swept.clone();
+        return Some((PARAMETER.name(), StabilityProblem::Control { name }));
+    }
+    let missing = |by, card| Some((BY.name(), StabilityProblem::NoAnalysis { by, card }));
+    match (settings.method, others.modes, others.periodic) {
+        (StabilityMethod::Floquet, _, None) => missing("Floquet", "periodic"),
+        (StabilityMethod::Floquet, ..) => None,
+        (StabilityMethod::Modes, None, _) => missing("modes", "modes"),
+        (StabilityMethod::Modes, Some(modes), _) => {
+            let &[speed] = &modes.speeds[..] else {
+                let count = modes.speeds.len();
+                return Some((BY.name(), StabilityProblem::Speeds { count }));
+            };
+            let trim = trim
+                .filter(|trim| trim.method == TrimMethod::Equilibrium)?
+                .speed;
+            let is_same = (speed - trim).abs() <= SAME * speed.abs().max(trim.abs());
+            let problem = StabilityProblem::OtherSpeed { modes: speed, trim };
+            (!is_same).then_some((BY.name(), problem))
+        }
+    }
+}

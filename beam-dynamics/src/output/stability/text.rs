@@ -1,0 +1,95 @@
+//! The report of stability over a parameter.
+
+use std::f64::consts::TAU;
+
+use crate::input::short_number;
+use crate::output::text::aligned;
+use crate::result::{StabilityResult, StabilityRoot};
+
+/// Digits of values of the parameter, and of boundaries.
+const DIGITS: [usize; 2] = [7, 10];
+
+/// Boundaries, the stability of each value with its least damped mode, and remarks.
+pub fn stability_text(result: &StabilityResult) -> String {
+    let (name, parameter) = (&result.name, &result.parameter);
+    let mut text = format!("{name}: stability over {parameter}, {}\n", result.method);
+    for remark in &result.remarks {
+        text.push_str(&format!("  note: {remark}\n"));
+    }
+    text.push_str(&boundaries(result));
+    text.push_str("\nLeast damped mode of each value\n");
+    let heading = ["", "unstable", "growth [1/s]", "frequency [Hz]", "mode"];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    rows[0][0].clone_from(parameter);
+    for point in result.points.iter().filter(|point| point.is_requested) {
+        let mut counted = point.roots.iter().zip(&point.modes);
+        let worst = counted.find(|(root, _)| !root.is_neutral);
+        let mut row = vec![
+            short_number(point.at, DIGITS[0]),
+            point.unstable().to_string(),
+        ];
+        if let Some((root, mode)) = worst {
+            row.extend(numbers(root));
+            row.push(result.modes[*mode].clone());
+        }
+        rows.push(row);
+    }
+    text.push_str(&aligned(&rows));
+    let points = result.points.iter();
+    let found = points.filter(|point| point.is_requested).count();
+    let requested = result.requested;
+    let added = result.points.len() - found;
+    text + &format!("{found} of {requested} values were analyzed, and {added} between them\n")
+}
+
+fn numbers(root: &StabilityRoot) -> [String; 2] {
+    let growth = format!("{:.6e}", root.growth());
+    [growth, format!("{:.6}", root.frequency() / TAU)]
+}
+
+fn boundaries(result: &StabilityResult) -> String {
+    if result.boundaries.is_empty() {
+        return "\nNo boundary was found\n".to_owned();
+    }
+    let heading = [
+        "",
+        "type",
+        "frequency [Hz]",
+        "stable",
+        "unstable below, above",
+        "mode",
+    ];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    rows[0][0].clone_from(&result.parameter);
+    for own in &result.boundaries {
+        rows.push(vec![
+            short_number(own.at, DIGITS[1]),
+            own.kind.word().to_owned(),
+            format!("{:.6}", own.frequency / TAU),
+            own.stable.word().to_owned(),
+            format!("{}, {}", own.unstable[0], own.unstable[1]),
+            own.name.clone(),
+        ]);
+    }
+    format!("\nBoundaries\n{}", aligned(&rows))
+}
+
+/// All roots of all values.
+pub(super) fn roots_text(result: &StabilityResult) -> String {
+    let heading = ["", "growth [1/s]", "frequency [Hz]", "damping [%]", "mode"];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    rows[0][0].clone_from(&result.parameter);
+    for point in &result.points {
+        for (root, mode) in point.roots.iter().zip(&point.modes) {
+            let mut row = vec![short_number(point.at, DIGITS[0])];
+            row.extend(numbers(root));
+            let ratio = root
+                .damping_ratio()
+                .map(|ratio| format!("{:.4}", 100.0 * ratio));
+            row.push(ratio.unwrap_or_default());
+            row.push(result.modes[*mode].clone());
+            rows.push(row);
+        }
+    }
+    format!("\nAll roots\n{}", aligned(&rows))
+}

@@ -1,0 +1,220 @@
+//! Results of stability over a parameter.
+
+use nalgebra::Complex;
+
+/// A root: a mode of small motions with its exponent; of a pair the one with the positive frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilityRoot {
+    /// Growth, and frequency as seen from the fixed frame as the imaginary part [1/s].
+    pub exponent: Complex<f64>,
+    /// The multiplier of a period, if the motion is periodic [-].
+    pub multiplier: Option<Complex<f64>>,
+    /// The boundary that it passes where its growth changes its sign.
+    pub kind: BoundaryKind,
+    /// Growth up to which it is treated as zero: round-off and error of the steps [1/s].
+    pub doubt: f64,
+    /// Whether it is the free choice of the azimuth or of the time.
+    pub is_neutral: bool,
+    /// Other frequencies with nearly as much energy [rad/s].
+    pub others: Vec<f64>,
+    /// The motion as text.
+    pub name: String,
+    /// Motion and momentum of the mode, for comparisons; empty if they are not known.
+    pub shape: [Vec<Complex<f64>>; 2],
+}
+
+impl StabilityRoot {
+    /// A root whose motion is not known: a real one at frequency zero, else a pair.
+    pub fn new(exponent: Complex<f64>) -> Self {
+        Self {
+            exponent,
+            multiplier: None,
+            kind: match exponent.im == 0.0 {
+                true => BoundaryKind::Divergence,
+                false => BoundaryKind::Flutter,
+            },
+            doubt: 0.0,
+            is_neutral: false,
+            others: Vec::new(),
+            name: String::new(),
+            shape: [Vec::new(), Vec::new()],
+        }
+    }
+
+    /// Growth \[1/s\].
+    pub fn growth(&self) -> f64 {
+        self.exponent.re
+    }
+
+    /// Frequency \[rad/s\].
+    pub fn frequency(&self) -> f64 {
+        self.exponent.im
+    }
+
+    /// Damping ratio; `None` at frequency zero.
+    pub fn damping_ratio(&self) -> Option<f64> {
+        (self.exponent.im != 0.0).then(|| -self.exponent.re / self.exponent.norm())
+    }
+
+    /// Whether it grows.
+    pub fn is_unstable(&self) -> bool {
+        !self.is_neutral && self.growth() > self.doubt
+    }
+
+    /// Number of unstable roots that it represents: two for an unstable pair.
+    pub fn unstable(&self) -> usize {
+        usize::from(self.is_unstable()) * self.kind.roots()
+    }
+
+    /// The modal assurance criterion with another root, of the motion or its conjugate [-]; `None` if a
+    /// motion is not known.
+    ///
+    /// ```text
+    /// MAC = |q_a^H p_b| |q_b^H p_a| / (|q_a^H p_a| |q_b^H p_b|)
+    /// ```
+    pub fn assurance(&self, other: &Self) -> Option<f64> {
+        let [a, b] = [&self.shape, &other.shape];
+        let mut lengths = a.iter().chain(b).map(Vec::len);
+        if a[0].is_empty() || lengths.any(|length| length != a[0].len()) {
+            return None;
+        }
+        let product = |q: &[Complex<f64>], p: &[Complex<f64>], conjugate: bool| {
+            let terms = q.iter().zip(p).map(|(q, p)| match conjugate {
+                true => q * p,
+                false => q.conj() * p,
+            });
+            terms.sum::<Complex<f64>>().norm()
+        };
+        let own = product(&a[0], &a[1], false) * product(&b[0], &b[1], false);
+        let cross =
+            |conjugate| product(&a[0], &b[1], conjugate) * product(&b[0], &a[1], conjugate) / own;
+        (own > 0.0).then(|| f64::max(cross(false), cross(true)))
+    }
+}
+
+/// The way in which stability is lost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BoundaryKind {
+    /// A pair of roots: an oscillation grows.
+    Flutter,
+    /// A real root, or a multiplier of one: the motion leaves without oscillation.
+    Divergence,
+    /// A multiplier of minus one: an oscillation of twice the period.
+    HalfRate,
+}
+
+impl BoundaryKind {
+    /// Number of roots that pass together.
+    pub fn roots(self) -> usize {
+        match self {
+            Self::Flutter => 2,
+            Self::Divergence | Self::HalfRate => 1,
+        }
+    }
+
+    /// As text.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Flutter => "flutter",
+            Self::Divergence => "divergence",
+            Self::HalfRate => "half rate",
+        }
+    }
+}
+
+/// The side of a boundary on which the mode decays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StableSide {
+    /// At smaller values of the parameter.
+    Below,
+    /// At larger values.
+    Above,
+    /// At both: the growth touches zero.
+    Both,
+    /// At none: the growth touches zero from above.
+    None,
+}
+
+impl StableSide {
+    /// As text.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Below => "below",
+            Self::Above => "above",
+            Self::Both => "both, touches",
+            Self::None => "none, touches",
+        }
+    }
+}
+
+/// A value of the parameter at which the growth of a mode is zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilityBoundary {
+    /// The value \[its unit\].
+    pub at: f64,
+    /// The way in which stability is lost.
+    pub kind: BoundaryKind,
+    /// Frequency of the mode [rad/s].
+    pub frequency: f64,
+    /// Growth that is left [1/s].
+    pub growth: f64,
+    /// Name of the mode.
+    pub name: String,
+    /// The side on which the mode decays.
+    pub stable: StableSide,
+    /// Numbers of unstable roots at the last known values below and above.
+    pub unstable: [usize; 2],
+}
+
+/// The roots at one value of the parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilityPoint {
+    /// The value \[its unit\].
+    pub at: f64,
+    /// Whether the value was requested, not added for the search.
+    pub is_requested: bool,
+    /// The roots, by falling growth.
+    pub roots: Vec<StabilityRoot>,
+    /// Index of the mode of each root among [`StabilityResult::modes`].
+    pub modes: Vec<usize>,
+    /// Values of the controls of the trim \[unit of each\].
+    pub controls: Vec<f64>,
+}
+
+impl StabilityPoint {
+    /// Number of unstable roots, two for a pair.
+    pub fn unstable(&self) -> usize {
+        self.roots.iter().map(StabilityRoot::unstable).sum()
+    }
+
+    /// The root of a mode, if it was found.
+    pub fn root_of(&self, mode: usize) -> Option<&StabilityRoot> {
+        let index = self.modes.iter().position(|own| *own == mode)?;
+        self.roots.get(index)
+    }
+}
+
+/// Stability over a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilityResult {
+    /// Name of the model.
+    pub name: String,
+    /// The analysis of each value as text.
+    pub method: &'static str,
+    /// Name of the parameter.
+    pub parameter: String,
+    /// Number of requested values.
+    pub requested: usize,
+    /// Names of the controls of the trim.
+    pub controls: Vec<String>,
+    /// Names of the modes that were followed.
+    pub modes: Vec<String>,
+    /// The values that succeeded, ascending.
+    pub points: Vec<StabilityPoint>,
+    /// The boundaries, ascending.
+    pub boundaries: Vec<StabilityBoundary>,
+    /// Values that failed \[unit of the parameter\], with the reason and the remedy.
+    pub failures: Vec<(f64, [String; 2])>,
+    /// Remarks.
+    pub remarks: Vec<String>,
+}
