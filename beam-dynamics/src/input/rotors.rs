@@ -3,6 +3,8 @@
 //! The cards for which it stands are appended to the document before any card is read, so that
 //! a rotor has no physics of its own; the same cards in a file give the same results.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::{Card, Document, Table};
 
@@ -166,8 +168,28 @@ fn context(root: &Table<'_>) -> Context {
     }
 }
 
-/// Notes rotors whose speed or axis is not the one of the turning model.
+/// Notes rotors that are not where they were after a period.
+fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses) {
+    let Some(periodic) = &analyses.periodic else {
+        return;
+    };
+    for rotor in rotors {
+        let turns = rotor.speed.unwrap_or_default() * periodic.period / TAU;
+        if (turns - turns.round()).abs() > SAME_SPEED * turns.abs().max(1.0) {
+            let problem = RotorProblem::Period {
+                name: rotor.name.clone(),
+                turns,
+                period: periodic.period,
+            };
+            document.note(rotor.line, &problem);
+        }
+    }
+}
+
+/// Notes rotors whose speed or axis is not the one of the turning model, or that do not turn as often
+/// as a period needs.
 pub(super) fn check(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses, hub: &Hub) {
+    check_period(document, rotors, analyses);
     let starts = analyses.transient.iter().map(|run| &run.start);
     let speeds = starts.filter_map(|start| match start {
         Start::Rotating { speed } => Some(*speed),

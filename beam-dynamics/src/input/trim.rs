@@ -48,14 +48,17 @@ pub(super) fn declare(root: &Table<'_>, drives: &mut Catalog) -> Option<Declared
         true => root.table("trim")?,
         false => return None,
     };
-    let (method, _) = METHODS[table.get(&METHOD)?];
+    let method = table.get(&METHOD).map(|index| METHODS[index].0);
     let cards = match table.has(&CONTROL) {
         true => table.tables(&CONTROL),
         false => Vec::new(),
     };
     let controls = cards.iter().map(|card| named(card, method, drives));
     let controls = controls.collect();
-    Some(Declared { method, controls })
+    Some(Declared {
+        method: method?,
+        controls,
+    })
 }
 
 /// Names and first guesses of the controls, without those that are wrong.
@@ -73,7 +76,8 @@ pub(super) fn guesses(root: &Table<'_>) -> Vec<(String, f64)> {
     cards.into_iter().filter_map(named).collect()
 }
 
-fn named(card: &Table<'_>, method: TrimMethod, drives: &mut Catalog) -> Option<Named> {
+/// A control; expressions may read the name of a wrong one, too.
+fn named(card: &Table<'_>, method: Option<TrimMethod>, drives: &mut Catalog) -> Option<Named> {
     let (name, guess, scale) = (card.get(&NAME), card.get(&GUESS), card.get(&SCALE));
     let (lower, upper, step) = (card.get(&LOWER), card.get(&UPPER), card.get(&STEP));
     card.finish();
@@ -83,7 +87,12 @@ fn named(card: &Table<'_>, method: TrimMethod, drives: &mut Catalog) -> Option<N
     if parameter.is_none() && !drives.is_free(&name, card, NAME.name()) {
         return None;
     }
-    let (guess, scale) = (guess?, scale?);
+    let (Some(guess), Some(scale), Some(method)) = (guess, scale, method) else {
+        if parameter.is_none() {
+            drives.add_readable(name, None);
+        }
+        return None;
+    };
     let lower = lower?.unwrap_or(f64::NEG_INFINITY);
     let upper = upper?.unwrap_or(f64::INFINITY);
     if parameter.is_some() && card.has(&GUESS) {

@@ -61,6 +61,36 @@ fn reasons_are_named() {
     }
 }
 
+// A force that has a largest value, and none beyond it: the step toward the target is halved, and then
+// the target is named with the last control.
+#[test]
+fn targets_beyond_the_last_motion_are_named() {
+    let [text, remedy] = reason(&plate("10 - sqrt(1 - a)", "b", METHODS[0]));
+    assert!(text.contains("\"to the right\" is off by"), "{text}");
+    assert!(
+        text.contains("no motion nearer to the targets than with a = 0."),
+        "{text}"
+    );
+    assert!(
+        remedy.contains("targets that the model can reach"),
+        "{remedy}"
+    );
+}
+
+// Names of wrong controls are known to expressions: one message each.
+#[test]
+fn a_wrong_control_is_one_problem() {
+    for (from, to) in [
+        ("name = \"a\"\n", "name = \"a\"\nguess = \"two\"\n"),
+        ("method = \"equilibrium\"", "method = \"equilibrum\""),
+    ] {
+        let text = plate("a", "b", METHODS[2]).replace(from, to);
+        let found = beam_dynamics::input::parse(&text, "x.dynamics.toml").unwrap_err();
+        let found = found.to_string();
+        assert_eq!(found.matches("error:").count(), 1, "{found}");
+    }
+}
+
 // The last point of a sweep is beyond the bound: the points before are kept, and so is the last state.
 #[test]
 fn a_failed_point_keeps_the_others() {

@@ -92,6 +92,13 @@ impl Border {
         values.map(|u| state.scalars[u - self.first]).collect()
     }
 
+    /// The controls with their values at a state, as text.
+    pub fn written(&self, state: &State) -> String {
+        let values = self.of_controls.iter().zip(self.values(state));
+        let texts = values.map(|(own, value)| format!("{} = {value:.6}", own.name));
+        texts.collect::<Vec<_>>().join(", ")
+    }
+
     /// The integrals at a state.
     pub fn integrals(&self, state: &State) -> Vec<f64> {
         let values = self.integrals.iter();

@@ -45,6 +45,16 @@ pub enum PeriodicFailure {
         /// The unknown with the largest change, as text.
         worst: String,
     },
+    /// No motion between the last values of the controls and the targets.
+    #[error("{worst}, and there is no motion nearer to the targets than with {controls}: {step}")]
+    Unreached {
+        /// The target that is not met, as text.
+        worst: String,
+        /// The last controls with their values, as text.
+        controls: String,
+        /// The step that fails beyond them.
+        step: Box<StepFailure>,
+    },
     /// The equations of the shooting are singular.
     #[error("the equations of the periodic motion are singular: {reason}")]
     Singular {
@@ -122,6 +132,10 @@ impl PeriodicFailure {
             Self::NotConverged { .. } => {
                 "start nearer to the periodic motion: start = \"rotating\", or a larger \
                  \"settle\"; check that the period is a multiple of all periods of drives and rotors"
+            }
+            Self::Unreached { .. } => {
+                "ask for values of the targets that the model can reach (stall limits thrust), or give \
+                 first guesses nearer to them"
             }
             Self::Singular { .. } => {
                 "a motion that nothing resists has no definite position: hold it, give it a spring, \

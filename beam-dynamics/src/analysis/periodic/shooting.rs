@@ -16,6 +16,7 @@ use super::flow::Flow;
 use super::map::PeriodMap;
 use super::sizes::{seen, worst};
 use crate::case::{Model, PeriodicSettings};
+use crate::integrator::StepFailure;
 use crate::model::{NODE_UNKNOWNS, State};
 use crate::result::PeriodicPass;
 use crate::solver::{Gmres, gmres};
@@ -30,6 +31,8 @@ const FARTHEST: f64 = 0.3;
 const MOST: usize = 400;
 /// Iterations in which a control would leave the bound at which it is, after which it is given up.
 const BLOCKED: usize = 3;
+/// Largest number of halvings of a correction after which the period has no solution.
+const HALVINGS: usize = 4;
 
 /// A periodic motion.
 pub(super) struct Orbit {
@@ -39,6 +42,15 @@ pub(super) struct Orbit {
     pub end: State,
     /// The linearized period.
     pub map: PeriodMap,
+}
+
+/// The last correction of a state.
+struct Tried {
+    base: State,
+    d: Vec<f64>,
+    halvings: usize,
+    /// The largest error before it, as text.
+    worst: String,
 }
 
 /// Newton's method.
@@ -62,8 +74,15 @@ impl Shooting<'_> {
         self.border.begin(state);
         let rows = self.border.sizes(self.sizes);
         let (mut iterations, mut blocked) = (0, 0);
+        let mut tried: Option<Tried> = None;
         loop {
-            let (end, map) = flow.linearized(state)?;
+            let (end, map) = match flow.linearized(state) {
+                Ok(found) => found,
+                Err(failure) => {
+                    self.step_back(state, tried.as_mut(), failure)?;
+                    continue;
+                }
+            };
             let map = map.ok_or(PeriodicFailure::SingularStep)?;
             let (residual, (index, part)) = self.residual(state, (&end, map.algebraic()), &rows);
             let worst = self.name(index, part, rows[index]);
@@ -95,10 +114,47 @@ impl Shooting<'_> {
             if let Some((control, bound)) = limited.filter(|_| blocked >= BLOCKED) {
                 return Err(PeriodicFailure::bound(control, bound, worst));
             }
-            *state = end_rates(state.clone(), &end);
+            let base = end_rates(state.clone(), &end);
+            *state = base.clone();
             state.correct(&d);
+            tried = Some(Tried {
+                base,
+                d,
+                halvings: 0,
+                worst,
+            });
             iterations += 1;
         }
+    }
+
+    /// Halves the last correction, from which the period has no solution.
+    ///
+    /// # Errors
+    /// The failure of the period, if there was no correction or it was halved often enough.
+    fn step_back(
+        &self,
+        state: &mut State,
+        tried: Option<&mut Tried>,
+        failure: StepFailure,
+    ) -> Result<(), PeriodicFailure> {
+        let Some(tried) = tried else {
+            return Err(failure.into());
+        };
+        state.copy_from(&tried.base);
+        if tried.halvings == HALVINGS {
+            return Err(match self.border.count() {
+                0 => failure.into(),
+                _ => PeriodicFailure::Unreached {
+                    worst: tried.worst.clone(),
+                    controls: self.border.written(state),
+                    step: Box::new(failure),
+                },
+            });
+        }
+        tried.halvings += 1;
+        tried.d.iter_mut().for_each(|d| *d *= 0.5);
+        state.correct(&tried.d);
+        Ok(())
     }
 
     /// The change of a state in a period with the errors of the targets, and the index and the size of

@@ -80,7 +80,8 @@ mod tests {
     // Closed forms; superlinear on smooth functions, 14 values for 1e-10 of the interval.
     #[test]
     fn roots_of_smooth_functions() {
-        let cases: [(fn(f64) -> f64, [f64; 2], f64); 4] = [
+        type Case = (fn(f64) -> f64, [f64; 2], f64);
+        let cases: [Case; 4] = [
             (|x| x * x - 2.0, [0.0, 2.0], 2.0_f64.sqrt()),
             (|x| x.exp() - 3.0, [0.0, 3.0], 3.0_f64.ln()),
             (|x| 1.0 - x, [0.0, 4.0], 1.0),

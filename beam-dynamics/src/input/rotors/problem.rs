@@ -183,6 +183,21 @@ pub enum RotorProblem {
         /// Speed of the start [rpm].
         start: f64,
     },
+    /// A period in which the rotor does not turn a whole number of times.
+    #[error(
+        "rotor \"{name}\" turns {} times in the period of {} s of [periodic], expected a whole number \
+         of turns",
+        short_number(*.turns, 6),
+        short_number(*.period, 6)
+    )]
+    Period {
+        /// Name of the rotor.
+        name: String,
+        /// Its turns [-].
+        turns: f64,
+        /// The period [s].
+        period: f64,
+    },
     /// A model that turns about another axis than the rotor.
     #[error("the model turns about the axis of [hub], and rotor \"{name}\" has another")]
     Axes {
@@ -220,6 +235,9 @@ impl Explain for RotorProblem {
                 "add [rotor.pitch_link] with the control stiffness, or [rotor.swashplate.plate]"
             }
             Self::Speeds { .. } => "give both the same speed",
+            Self::Period { .. } => {
+                "give [periodic] the \"speed\" of the rotor, or the common period of all rotors"
+            }
             Self::Axes { .. } => {
                 "steady rotation needs the axis and the center of the rotor in [hub], and one rotor; \
                  compute several in [transient] with start = \"given\""

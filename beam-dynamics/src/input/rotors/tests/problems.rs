@@ -4,6 +4,21 @@ use crate::input::parse;
 
 use super::{BLADE, STRIP, refused, text};
 
+/// A period of another speed: the blades are not where they were.
+#[test]
+fn periods_are_whole_turns() {
+    let periodic = |speed: &str| format!("[periodic]\nspeed = {speed}\n");
+    let found = refused(&text("rigid", "speed = 1", &periodic("1.01")));
+    assert!(
+        found.contains("rotor \"r\" turns 0.990099 times in the period"),
+        "{found}"
+    );
+    for speed in ["1", "0.5"] {
+        let sound = text("rigid", "speed = 1", &periodic(speed));
+        parse(&sound, "r.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+    }
+}
+
 const RUN: &str = "[transient]\nto = 0.1\nstep = 1e-3\n";
 
 /// A flap hinge without spring.
