@@ -268,9 +268,8 @@ fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
             case.settings.count
         ));
     }
-    let unstable = modes.real.iter().map(|own| own.0);
-    let worst = unstable.filter(|growth| *growth > 0.0).next_back();
-    if let Some(worst) = worst {
+    let mut real = modes.real.iter().map(|own| own.0);
+    if let Some(worst) = real.rfind(|growth| *growth > 0.0) {
         found.push(format!(
             "{at} the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
         ));
