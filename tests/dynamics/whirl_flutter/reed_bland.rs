@@ -10,7 +10,7 @@
 //! ```
 //!
 //! with strips of the lift slope a, windmilling without lift, averaged over the azimuth. The strips of
-//! the program have the angle of attack of the quarter chord; those of the model the one of three
+//! the program have the angle of attack of the quarter chord, the strips of the model the one of three
 //! quarters, so that they are compared with chords of a thousandth and a density of a thousand times.
 
 use std::f64::consts::TAU;
