@@ -64,6 +64,7 @@ mod trim;
 mod uniform_beam;
 mod vacuum;
 mod variational_beam;
+mod whirl_flutter;
 mod wind_blades;
 mod wings;
 mod without_rotary_inertia;

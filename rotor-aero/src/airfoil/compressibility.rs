@@ -1,4 +1,4 @@
-//! Compressibility of tables without Mach numbers.
+//! Compressibility of tables without Mach numbers, and of linear lift.
 //!
 //! ```text
 //! c_l(M) = c_l (1 + w (1/sqrt(1 - M^2) - 1)),   c_m likewise
@@ -13,7 +13,7 @@
 //!   Royal Society A 118, 1928.
 
 use super::data::{AirfoilData, Curve};
-use super::formula::{MACH_LARGEST, faded};
+use super::formula::{LinearLift, MACH_LARGEST, faded};
 use super::problem::AirfoilProblem;
 
 /// Angles at which the fade of the factor begins and ends \[deg\].
@@ -36,14 +36,7 @@ impl AirfoilData {
             let airfoil = self.name.clone();
             problems.push(AirfoilProblem::HasMach { airfoil });
         }
-        if !(mach_limit > 0.0 && mach_limit <= MACH_LARGEST) {
-            problems.push(AirfoilProblem::Condition {
-                curve: format!("compressibility of \"{}\"", self.name),
-                variable: "limit of the Mach number",
-                value: mach_limit,
-                expected: "a number above 0, and 0.95 or less",
-            });
-        }
+        problems.extend(wrong_limit(&self.name, mach_limit));
         if !problems.is_empty() {
             return Err(problems);
         }
@@ -53,6 +46,33 @@ impl AirfoilData {
             ..self.clone()
         })
     }
+}
+
+impl LinearLift {
+    /// The lift with the Prandtl-Glauert factor up to a Mach number, of the airfoil `name`.
+    ///
+    /// # Errors
+    /// A limit that is not between 0 and 0.95.
+    pub fn with_compressibility(self, name: &str, mach_limit: f64) -> Result<Self, AirfoilProblem> {
+        match wrong_limit(name, mach_limit) {
+            Some(problem) => Err(problem),
+            None => Ok(Self {
+                mach_limit: Some(mach_limit),
+                ..self
+            }),
+        }
+    }
+}
+
+/// The problem of a limit of the Mach number, if it has one.
+fn wrong_limit(name: &str, limit: f64) -> Option<AirfoilProblem> {
+    let is_wrong = !(limit > 0.0 && limit <= MACH_LARGEST);
+    is_wrong.then(|| AirfoilProblem::Condition {
+        curve: format!("compressibility of \"{name}\""),
+        variable: "limit of the Mach number",
+        value: limit,
+        expected: "a number above 0, and 0.95 or less",
+    })
 }
 
 /// The curves at all Mach numbers.

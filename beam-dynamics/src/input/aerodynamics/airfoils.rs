@@ -76,7 +76,7 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     let useless = match (&file, slope) {
         (_, None) if has_linear.is_some() => has_linear.map(|key| (key, SLOPE.name())),
         (None, _) if of_file.is_some() => Some((AIRFOIL.name(), FILE.name())),
-        (_, Some(_)) => changes.first().map(|key| (key, FILE.name())),
+        (_, Some(_)) => changes.of_table().map(|key| (key, FILE.name())),
         _ => None,
     };
     if let Some((key, needed)) = useless {
@@ -91,18 +91,28 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     if let Some(wanted) = built_in {
         let at = (table, BUILT_IN_NAME.name());
         let found = named_built_in(&wanted, at, &format!("airfoil \"{name}\""))?;
-        return match changes.first() {
-            None => Some(found.airfoil()),
-            Some(_) => changed(found.data(), &changes, at, remarks),
+        return match changes.is_any() {
+            false => Some(found.airfoil()),
+            true => changed(found.data(), &changes, at, remarks),
         };
     }
-    Some(Airfoil::linear(LinearLift {
+    let lift = LinearLift {
         slope: slope?,
         zero_lift: zero_lift?,
         drag_0: drag?,
         moment: moment?,
         ..LinearLift::default()
-    }))
+    };
+    let Some(limit) = changes.mach_limit() else {
+        return Some(Airfoil::linear(lift));
+    };
+    match lift.with_compressibility(&name, limit) {
+        Ok(lift) => Some(Airfoil::linear(lift)),
+        Err(problem) => {
+            airfoil_files::note(&name, problem, (table, COMPRESSIBLE.name()));
+            None
+        }
+    }
 }
 
 /// The airfoil of a changed table; problems are noted under a key.

@@ -13,8 +13,8 @@ keys! {
     pub(super) STALL_DELAY: ByHand = "stall_delay", [OneTable(&STALL_DELAY_CARD)], optional, "";
     /// Extension of a table to the full circle by Viterna and Corrigan: `true`, or its constants.
     pub(super) VITERNA: ByHand = "viterna", [Boolean, OneTable(&VITERNA_CARD)], or "false", "true";
-    /// Factor of Prandtl and Glauert on lift and moment of a table without Mach numbers, constant from
-    /// this Mach number on.
+    /// Factor of Prandtl and Glauert on lift and moment of a table without Mach numbers, or on linear
+    /// lift, constant from this Mach number on.
     pub(super) COMPRESSIBLE: Option<f64> = "compressible_to", [Positive(Dimension::NUMBER)], optional, "0.8";
     /// Whether the section is upside down.
     pub(super) MIRROR: bool = "mirror", [Boolean], or "false" = false, "true";
@@ -103,12 +103,21 @@ fn stall_delay(table: &Table<'_>) -> Option<StallDelay> {
 }
 
 impl Changes {
-    /// The key of the first change that the table has, if any.
-    pub fn first(&self) -> Option<&'static str> {
+    /// Whether the table has a change.
+    pub fn is_any(&self) -> bool {
+        self.of_table().is_some() || self.mach_limit.is_some()
+    }
+
+    /// The Mach number from which the factor of compressibility is constant, if it is wanted.
+    pub fn mach_limit(&self) -> Option<f64> {
+        self.mach_limit
+    }
+
+    /// The key of the first change that linear lift does not have, if any.
+    pub fn of_table(&self) -> Option<&'static str> {
         let keys = [
             (self.stall_delay.is_some(), STALL_DELAY.name()),
             (self.viterna.is_some(), VITERNA.name()),
-            (self.mach_limit.is_some(), COMPRESSIBLE.name()),
             (self.mirror, MIRROR.name()),
         ];
         keys.iter().find(|key| key.0).map(|key| key.1)
