@@ -103,16 +103,12 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
         moment: moment?,
         ..LinearLift::default()
     };
-    let Some(limit) = changes.mach_limit() else {
-        return Some(Airfoil::linear(lift));
+    let lift = match changes.mach_limit() {
+        Some(limit) => lift.with_compressibility(&name, limit),
+        None => Ok(lift),
     };
-    match lift.with_compressibility(&name, limit) {
-        Ok(lift) => Some(Airfoil::linear(lift)),
-        Err(problem) => {
-            airfoil_files::note(&name, problem, (table, COMPRESSIBLE.name()));
-            None
-        }
-    }
+    let note = |problem| airfoil_files::note(&name, problem, (table, COMPRESSIBLE.name()));
+    lift.map(Airfoil::linear).map_err(note).ok()
 }
 
 /// The airfoil of a changed table; problems are noted under a key.
