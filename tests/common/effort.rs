@@ -1,4 +1,4 @@
-//! Number of random cases of a property.
+//! Number of random cases of a property, and the long form of slow tests.
 
 /// Setting of the environment that asks for the long form of random tests.
 const LONG: &str = "HELICOID_LONG_TESTS";
@@ -9,8 +9,13 @@ const FACTOR: usize = 10;
 /// Number of random cases: `usual`, or ten times as many if `HELICOID_LONG_TESTS` is set, as
 /// before a release.
 pub fn cases(usual: usize) -> usize {
-    match std::env::var_os(LONG) {
-        Some(_) => FACTOR * usual,
-        None => usual,
+    match is_long() {
+        true => FACTOR * usual,
+        false => usual,
     }
+}
+
+/// Whether the long form is asked for.
+pub fn is_long() -> bool {
+    std::env::var_os(LONG).is_some()
 }

@@ -105,12 +105,7 @@ fn named(card: &Table<'_>, method: Option<TrimMethod>, drives: &mut Catalog) -> 
         .is_none()
         .then(|| state(&name, method, (guess, scale)));
     if let Some(state) = &state {
-        let input = Input {
-            scalar: state.clone(),
-            unit: 1.0,
-        };
-        let measure = Measure::Plain;
-        drives.add_readable(name.clone(), Some(Read { input, measure }));
+        drives.add_readable(name.clone(), Some(readable(state)));
     }
     // The value of a wrong parameter is not a number.
     if !is_within && !guess.is_nan() {
@@ -123,13 +118,12 @@ fn named(card: &Table<'_>, method: Option<TrimMethod>, drives: &mut Catalog) -> 
         card.note(if card.has(&LOWER) { &LOWER } else { &UPPER }, &problem);
         return None;
     }
-    let label = match state {
-        Some(_) => format!("control {name}"),
-        None => name.clone(),
-    };
     let control = TrimControl {
+        label: match state {
+            Some(_) => format!("control {name}"),
+            None => name.clone(),
+        },
         name,
-        label,
         scale,
         bounds: [lower, upper],
         step: step?.unwrap_or(f64::INFINITY),
@@ -139,6 +133,17 @@ fn named(card: &Table<'_>, method: Option<TrimMethod>, drives: &mut Catalog) -> 
         guess,
         state,
     })
+}
+
+/// The unknown of a control in expressions.
+fn readable(state: &Scalar) -> Read {
+    Read {
+        input: Input {
+            scalar: state.clone(),
+            unit: 1.0,
+        },
+        measure: Measure::Plain,
+    }
 }
 
 /// The unknown of a control.

@@ -38,7 +38,7 @@ pub struct FloquetMode {
     /// The dominant motion as text.
     pub name: String,
     /// Motion of all parts at the chosen frequency, which is positive, in the fixed frame: three
-    /// entries of each, times the roots of their masses.
+    /// entries of each, times the roots of their masses \[any unit\].
     pub shape: Vec<Complex<f64>>,
     /// Whether it is the free choice of the azimuth or of the time: a multiplier of one.
     pub is_neutral: bool,

@@ -19,7 +19,7 @@ pub struct StabilityRoot {
     pub others: Vec<f64>,
     /// The motion as text.
     pub name: String,
-    /// Motion and momentum of the mode, for comparisons; empty if they are not known.
+    /// Motion and momentum of the mode, for comparisons; empty if they are not known \[any unit\].
     pub shape: [Vec<Complex<f64>>; 2],
 }
 

@@ -53,6 +53,17 @@ struct Tried {
     worst: String,
 }
 
+impl Tried {
+    fn new(base: State, d: Vec<f64>, worst: String) -> Self {
+        Self {
+            base,
+            d,
+            halvings: 0,
+            worst,
+        }
+    }
+}
+
 /// Newton's method.
 pub(super) struct Shooting<'a> {
     pub model: &'a Model,
@@ -117,12 +128,7 @@ impl Shooting<'_> {
             let base = end_rates(state.clone(), &end);
             *state = base.clone();
             state.correct(&d);
-            tried = Some(Tried {
-                base,
-                d,
-                halvings: 0,
-                worst,
-            });
+            tried = Some(Tried::new(base, d, worst));
             iterations += 1;
         }
     }

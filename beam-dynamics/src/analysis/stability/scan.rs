@@ -56,6 +56,7 @@ pub fn scan(settings: &ScanSettings, evaluate: Evaluate<'_>) -> Scan {
             let ends = [&scan.points[index - 1], &scan.points[index]];
             match crossing::crossings(ends, &scan.modes, settings.tolerance, &mut *evaluate) {
                 Ok(own) => found.extend(own),
+                Err(failure) if scan.failures.iter().any(|own| own.0 == failure.0) => {}
                 Err(failure) => scan.failures.push(failure),
             }
         }
@@ -75,6 +76,9 @@ struct Scanner<'a, 'b> {
 impl Scanner<'_, '_> {
     /// Adds a value in its place; returns whether it succeeded.
     fn add(&mut self, at: f64, is_requested: bool) -> bool {
+        if self.scan.failures.iter().any(|failed| failed.0 == at) {
+            return false;
+        }
         let mut roots = match (self.evaluate)(at) {
             Ok(roots) => roots,
             Err(failure) => {

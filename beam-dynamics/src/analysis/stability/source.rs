@@ -142,7 +142,7 @@ impl<'a> Source<'a> {
             Some(trim) => {
                 let (input, _) = self.trimmed(at, trim)?;
                 let mut conditions = input.model.conditions(trim.speed, 1.0, 1.0);
-                // Controls that follow their targets at once are not those of small motions.
+                // In small motions the controls are constant.
                 conditions.loading.released = 1.0;
                 let known = self.known.iter().find(|known| known.at == at);
                 let state = known.map(|known| known.state.clone());
