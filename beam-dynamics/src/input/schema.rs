@@ -90,7 +90,7 @@ keys! {
         frames::CENTER.schema, frames::IN.schema, FRAMES.schema, NODES.schema, BLADES.schema,
         BEAMS.schema, CLAMPS.schema, BODIES.schema, HINGES.schema, RIGIDS.schema, JOINTS.schema,
         RODS.schema, SPRINGS.schema, LOADS.schema, DISTRIBUTED_LOADS.schema, IMPOSED.schema,
-        INTERNAL_FORCES.schema, ELECTRODES.schema;
+        INTERNAL_FORCES.schema, ELECTRODES.schema, STRIPS.schema;
 }
 
 keys! {

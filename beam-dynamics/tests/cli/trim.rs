@@ -29,7 +29,7 @@ fn controls_of_a_sweep() {
     for words in ["at 5 of 5 points", "mass.trim.csv", "mass.trim.svg"] {
         assert!(run.out.contains(words), "{words}: {}", run.out);
     }
-    let table = folder.read("mass.trim.csv");
+    let table = folder.read("results/mass.trim.csv");
     for (k, row) in table.lines().skip(1).enumerate() {
         let number = |column: usize| row.split(',').nth(column).unwrap().parse::<f64>().unwrap();
         // F = k (x - 1), to the residual of the equilibrium.
@@ -49,7 +49,7 @@ fn controls_of_a_sweep() {
         assert!(run.err.contains(words), "{words}: {}", run.err);
     }
     assert!(run.out.contains("at 3 of 5 points"), "{}", run.out);
-    assert_eq!(folder.read("mass.trim.csv").lines().count(), 5);
+    assert_eq!(folder.read("results/mass.trim.csv").lines().count(), 5);
 }
 
 #[test]
