@@ -5,7 +5,7 @@ use std::fs;
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::case::TransientSettings;
 
-use crate::effort::cases;
+use crate::effort::{cases, is_long};
 use crate::in_time::{Run, gain};
 use crate::record;
 
@@ -148,23 +148,26 @@ fn modes_with_negative_damping_are_reported_beyond_those_listed() {
 /// a locked mechanism. A remark reports it before.
 #[test]
 fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
-    let strip = |formulation: &str, to: f64| {
-        let time = format!("[transient]\nto = {to}\nstep = 2e-6\n");
+    let strip = |formulation: &str, [to, step]: [f64; 2]| {
+        let time = format!("[transient]\nto = {to}\nstep = {step:e}\n");
         run(&(STRIP.replace("FORMULATION", formulation) + &time), |_| {}).outcome
     };
-    let outcome = strip(FINITE_VOLUME, 0.0027);
-    assert!(outcome.failure.is_none());
-    let reported = gain(&outcome).unwrap();
-    println!("{reported}\n{:?}", outcome.energy);
-    assert!(
-        reported.contains("in the beams of blade \"b\""),
-        "{reported}"
-    );
-    assert!(
-        reported.contains("use formulation = \"variational\""),
-        "{reported}"
-    );
-    let outcome = strip(FINITE_VOLUME, 0.01);
+    // The soft beam above has the report of a run that ends, too.
+    if is_long() {
+        let outcome = strip(FINITE_VOLUME, [0.0027, 2e-6]);
+        assert!(outcome.failure.is_none());
+        let reported = gain(&outcome).unwrap();
+        println!("{reported}\n{:?}", outcome.energy);
+        assert!(
+            reported.contains("in the beams of blade \"b\""),
+            "{reported}"
+        );
+        assert!(
+            reported.contains("use formulation = \"variational\""),
+            "{reported}"
+        );
+    }
+    let outcome = strip(FINITE_VOLUME, [0.01, 4e-6]);
     let failure = outcome.failure.as_ref().unwrap();
     let (text, remedy) = (failure.to_string(), failure.remedy());
     println!("{text}\n{remedy}");
@@ -174,7 +177,7 @@ fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
     assert!(remedy.contains("variational"), "{remedy}");
     let mut remarks = outcome.remarks.iter();
     assert!(!remarks.any(|remark| remark.contains("the energy grows")));
-    let kept = strip("", 0.0027);
+    let kept = strip("", [0.0015, 2e-6]);
     println!("{:?}", kept.energy);
     assert_eq!(gain(&kept), None);
     assert!(kept.failure.is_none());
