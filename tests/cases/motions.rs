@@ -16,7 +16,8 @@ use crate::gallery::{blocks, commands};
 use crate::workplace::{Workplace, root};
 
 /// Cases of many modes or periodic motions, which take longer than all others together;
-/// `tests/dynamics` checks the values of the same models.
+/// `tests/dynamics` checks the values of the same models, and trims of other rotors in place of
+/// `rotor_trim`.
 const ELSEWHERE: [&str; 4] = ["four_blades", "ground_resonance", "rotor_trim", "tiltrotor"];
 
 #[derive(Debug, Deserialize)]

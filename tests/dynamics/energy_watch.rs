@@ -5,7 +5,7 @@ use std::fs;
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::case::TransientSettings;
 
-use crate::effort::{cases, is_long};
+use crate::effort::cases;
 use crate::in_time::{Run, gain};
 use crate::record;
 
@@ -152,21 +152,18 @@ fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
         let time = format!("[transient]\nto = {to}\nstep = {step:e}\n");
         run(&(STRIP.replace("FORMULATION", formulation) + &time), |_| {}).outcome
     };
-    // The soft beam above has the report of a run that ends, too.
-    if is_long() {
-        let outcome = strip(FINITE_VOLUME, [0.0027, 2e-6]);
-        assert!(outcome.failure.is_none());
-        let reported = gain(&outcome).unwrap();
-        println!("{reported}\n{:?}", outcome.energy);
-        assert!(
-            reported.contains("in the beams of blade \"b\""),
-            "{reported}"
-        );
-        assert!(
-            reported.contains("use formulation = \"variational\""),
-            "{reported}"
-        );
-    }
+    let outcome = strip(FINITE_VOLUME, [0.0027, 2e-6]);
+    assert!(outcome.failure.is_none());
+    let reported = gain(&outcome).unwrap();
+    println!("{reported}\n{:?}", outcome.energy);
+    assert!(
+        reported.contains("in the beams of blade \"b\""),
+        "{reported}"
+    );
+    assert!(
+        reported.contains("use formulation = \"variational\""),
+        "{reported}"
+    );
     let outcome = strip(FINITE_VOLUME, [0.01, 4e-6]);
     let failure = outcome.failure.as_ref().unwrap();
     let (text, remedy) = (failure.to_string(), failure.remedy());

@@ -6,6 +6,8 @@
 
 use nalgebra::DMatrix;
 
+use crate::case::{TrimControl, TrimTarget};
+
 /// Singular value relative to the largest one, or the least size of that, up to which it is zero.
 const IDLE: f64 = 1e-7;
 const LEAST: f64 = 1e-9;
@@ -15,8 +17,8 @@ const TAKES_PART: f64 = 0.3;
 /// Why controls (columns of the response) do not determine targets (rows), as text; `None` if they do.
 pub(super) fn idle(
     response: &DMatrix<f64>,
-    controls: &[String],
-    targets: &[String],
+    controls: &[TrimControl],
+    targets: &[TrimTarget],
 ) -> Option<String> {
     if response.is_empty() {
         return None;
@@ -31,7 +33,9 @@ pub(super) fn idle(
     let direction = v_t.row(least).transpose();
     let (target, control) = (u.column(least).iamax(), direction.iamax());
     let sharing = (0..controls.len()).filter(|i| direction[*i].abs() > TAKES_PART);
-    let sharing: Vec<_> = sharing.map(|i| format!("\"{}\"", controls[i])).collect();
+    let sharing: Vec<_> = sharing
+        .map(|i| format!("\"{}\"", controls[i].name))
+        .collect();
     let why = match sharing.as_slice() {
         [one] => format!("{one} has no effect on any target"),
         several => format!(
@@ -41,8 +45,8 @@ pub(super) fn idle(
     };
     Some(format!(
         "the controls do not determine the targets: \"{}\" acts least, and \"{}\" is reached least; {why}",
-        controls.get(control)?,
-        targets.get(target)?
+        controls.get(control)?.name,
+        targets.get(target)?.name
     ))
 }
 
@@ -51,9 +55,21 @@ mod tests {
     use super::*;
 
     fn text(rows: &[f64]) -> Option<String> {
-        let names = |letters: [&str; 2]| letters.map(str::to_owned);
+        let controls = ["a", "b"].map(|name| TrimControl {
+            name: name.to_owned(),
+            label: name.to_owned(),
+            scale: 1.0,
+            bounds: [f64::NEG_INFINITY, f64::INFINITY],
+            step: f64::INFINITY,
+        });
+        let targets = ["p", "q"].map(|name| TrimTarget {
+            name: name.to_owned(),
+            label: name.to_owned(),
+            value: 0.0,
+            scale: 1.0,
+        });
         let response = DMatrix::from_row_slice(2, 2, rows);
-        idle(&response, &names(["a", "b"]), &names(["p", "q"]))
+        idle(&response, &controls, &targets)
     }
 
     // Columns of zeros and columns in proportion; a regular response of small numbers is none of these.

@@ -11,7 +11,7 @@ use shared_geom::error::Diagnostics;
 use crate::analysis::effects;
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::statics::{point, static_step};
-use crate::case::{TrimControl, TrimMethod, TrimSettings};
+use crate::case::{Model, TrimControl, TrimMethod, TrimSettings};
 use crate::input::{Input, short_number};
 use crate::model::State;
 use crate::result::{PeriodicResult, StaticResult, TrimPoint, TrimResult};
@@ -252,10 +252,7 @@ impl Search<'_> {
                 )
             }
             Stop::Singular(response) => {
-                let controls = settings.parameters.iter().map(|one| one.name.clone());
-                let targets = targets.iter().map(|one| one.name.clone());
-                let names: [Vec<_>; 2] = [controls.collect(), targets.collect()];
-                let idle = effects::idle(&response, &names[0], &names[1]);
+                let idle = effects::idle(&response, &settings.parameters, targets);
                 idle.unwrap_or_else(|| {
                     format!("the controls do not lead to the targets: {}", worst())
                 })
@@ -295,6 +292,12 @@ fn guesses(input: &Input) -> Vec<f64> {
     settings.map_or_else(Vec::new, |settings| settings.guesses.clone())
 }
 
+/// Whether a state has the unknowns of a model.
+pub(super) fn fits(state: &State, model: &Model) -> bool {
+    let system = &model.system;
+    state.nodes.len() == system.nodes().len() && state.scalars.len() == system.scalars().len()
+}
+
 /// The failure of a file with other parameters.
 pub(super) fn unread(problems: Diagnostics) -> [String; 2] {
     let remedy =
@@ -316,7 +319,7 @@ fn solve(input: Input, from: Option<&State>) -> Solved {
         .trim
         .as_ref()
         .is_some_and(|own| own.method == TrimMethod::Equilibrium);
-    let from = from.filter(|state| state.scalars.len() == input.model.system.scalars().len());
+    let from = from.filter(|state| fits(state, &input.model));
     match is_static {
         true => in_equilibrium(input, from),
         false => in_motion(input, from),

@@ -16,6 +16,17 @@ pub(super) fn csv_text(heading: &str, rows: impl IntoIterator<Item = Vec<String>
     format!("{heading}\n{}", String::from_utf8_lossy(&rows))
 }
 
+/// A heading of `names`, of which those with a comma or a quote are quoted.
+pub(super) fn heading<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    let names = names
+        .into_iter()
+        .map(|name| match name.contains([',', '"', '\n']) {
+            true => format!("\"{}\"", name.replace('"', "\"\"")),
+            false => name.to_owned(),
+        });
+    names.collect::<Vec<_>>().join(",")
+}
+
 /// A number of a table.
 pub(super) fn number(value: f64) -> String {
     short_number(value, DIGITS)

@@ -1,6 +1,7 @@
 //! Trim of equilibria.
 
 use super::trimmed;
+use crate::periodic::Random;
 
 /// A mass on a radial guide of a hub, on a spring of 900 N/m that is relaxed at 1 m, and a force.
 fn mass(cards: &str) -> String {
@@ -46,13 +47,8 @@ fn a_force_that_holds_a_mass_in_its_place() {
 // Random targets and speeds, 200 cases: the same closed form.
 #[test]
 fn random_places() {
-    let mut seed = 1_u64;
-    let mut next = || {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut random = Random(1);
+    let mut next = || 0.5 * (random.next() + 1.0);
     for _ in 0..200 {
         let (place, speed) = (0.3 + 3.0 * next(), 15.0 * next());
         let text = mass(&format!(

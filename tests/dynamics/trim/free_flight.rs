@@ -1,6 +1,7 @@
 //! Free flight: an aircraft is held by a joint whose angles are controls, and its six reactions vanish.
 
 use super::{numbers, reference, trimmed};
+use crate::periodic::Random;
 use crate::record;
 
 /// A fuselage on two hinges, of pitch and of roll, and the reactions of the first as targets, with
@@ -180,15 +181,9 @@ fn an_aircraft_in_free_flight() {
 fn random_starts_lead_to_the_same_flight() {
     let it = reference("theory-periodic/free_flight.json");
     let expected = numbers(&it["V60_held"]);
-    let mut seed = 7_u64;
-    let mut next = || {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut random = Random(7);
     for _ in 0..40 {
-        let guesses = std::array::from_fn(|i| expected[i] + 0.2 * (next() - 0.5));
+        let guesses = std::array::from_fn(|i| expected[i] + 0.1 * random.next());
         let aircraft = Aircraft {
             speed: 60.0,
             guesses,

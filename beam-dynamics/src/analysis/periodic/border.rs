@@ -181,13 +181,7 @@ impl Border {
     /// Why the controls do not determine the targets, from the response of the means (rows, of size
     /// one) to the controls (columns); `None` if they do.
     pub fn idle(&self, response: &DMatrix<f64>) -> Option<String> {
-        let controls: Vec<_> = self
-            .of_controls
-            .iter()
-            .map(|one| one.name.clone())
-            .collect();
-        let targets: Vec<_> = self.of_targets.iter().map(|one| one.name.clone()).collect();
-        effects::idle(response, &controls, &targets)
+        effects::idle(response, &self.of_controls, &self.of_targets)
     }
 
     /// Number of controls.

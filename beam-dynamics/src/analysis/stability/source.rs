@@ -8,7 +8,7 @@ use shared_geom::error::Diagnostics;
 use crate::analysis::modes::modes_about;
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::steady::{Equilibrium, equilibrium};
-use crate::analysis::trim::{Reader, Trimmed, trim_at, unread};
+use crate::analysis::trim::{Reader, Trimmed, fits, trim_at, unread};
 use crate::case::{
     FloquetSettings, ModesSettings, StabilityMethod, StabilitySettings, TrimSettings, Words,
 };
@@ -189,7 +189,7 @@ impl<'a> Source<'a> {
         let rest = model.system.rest();
         let nothing = model.conditions(0.0, 1.0, 1.0);
         let near = self.nearest(at).map(|near| &near.state);
-        let near = near.filter(|state| fits(state, &rest));
+        let near = near.filter(|state| fits(state, model));
         let solver = LinearSolver::new(model.system.pattern());
         let from = |known, state| equilibrium(model, &solver, (known, state), &conditions);
         let found = near.map(|state| from(&conditions, state));
@@ -237,9 +237,8 @@ impl<'a> Source<'a> {
             .periodic
             .as_ref()
             .ok_or_else(|| nothing("[periodic] is missing"))?;
-        let rest = input.model.system.rest();
         let near = self.nearest(at).map(|near| &near.state);
-        let near = near.filter(|state| fits(state, &rest));
+        let near = near.filter(|state| fits(state, &input.model));
         let mut outcome = periodic_from(&input.model, settings, near);
         if outcome.failure.is_some() && near.is_some() {
             outcome = periodic_from(&input.model, settings, None);
@@ -288,12 +287,6 @@ fn shows_all(table: &FloquetTable, count: usize) -> bool {
 
 fn roots_of(mode: &FloquetMode) -> usize {
     if mode.multiplier.im == 0.0 { 1 } else { 2 }
-}
-
-/// Whether two states are of models with the same unknowns.
-fn fits(state: &State, other: &State) -> bool {
-    let sizes = |state: &State| (state.nodes.len(), state.scalars.len());
-    sizes(state) == sizes(other)
 }
 
 fn nothing(reason: &str) -> Failed {

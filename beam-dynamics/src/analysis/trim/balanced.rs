@@ -119,10 +119,7 @@ fn from_guesses(
         Err(failure) => {
             let balance = Balance::new(&model.system, solver, guesses, first.state);
             let idle = response(model, settings, &balance).and_then(|response| {
-                let controls = settings.controls.iter().map(|one| one.name.clone());
-                let targets = settings.targets.iter().map(|one| one.name.clone());
-                let names: [Vec<_>; 2] = [controls.collect(), targets.collect()];
-                effects::idle(&response, &names[0], &names[1])
+                effects::idle(&response, &settings.controls, &settings.targets)
             });
             Err(idle.map_or(NotBalanced::Targets(failure), NotBalanced::Idle))
         }

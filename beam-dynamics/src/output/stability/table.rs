@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::input::short_number;
-use crate::output::rows::{csv_text, number};
+use crate::output::rows::{csv_text, heading, number};
 use crate::result::StabilityResult;
 
 /// Digits of boundaries.
@@ -13,16 +13,11 @@ const DIGITS: usize = 14;
 /// mode, its name, growth, frequency, damping ratio, multiplier, and whether it is unstable. Missing
 /// values are empty.
 pub fn stability_csv(result: &StabilityResult) -> String {
-    let controls = result
-        .controls
-        .iter()
-        .map(|name| format!(",{}", quoted(name)));
-    let heading = format!(
-        "{},requested{},number,mode,growth [1/s],frequency [Hz],damping ratio [-],\
-         multiplier real part [-],multiplier imaginary part [-],unstable",
-        quoted(&result.parameter),
-        controls.collect::<String>(),
-    );
+    let names = [result.parameter.as_str(), "requested"].into_iter();
+    let names = names.chain(result.controls.iter().map(String::as_str));
+    let heading = heading(names)
+        + ",number,mode,growth [1/s],frequency [Hz],damping ratio [-],\
+           multiplier real part [-],multiplier imaginary part [-],unstable";
     let optional = |value: Option<f64>| value.map_or_else(String::new, number);
     let word = |is: bool| if is { "yes" } else { "no" }.to_owned();
     let rows = result.points.iter().flat_map(|point| {
@@ -55,7 +50,7 @@ pub fn stability_csv(result: &StabilityResult) -> String {
 pub fn boundary_csv(result: &StabilityResult) -> String {
     let heading = format!(
         "{},type,frequency [Hz],stable,unstable roots below,unstable roots above,mode",
-        quoted(&result.parameter)
+        heading([result.parameter.as_str()])
     );
     let rows = result.boundaries.iter().map(|own| {
         vec![
@@ -69,12 +64,4 @@ pub fn boundary_csv(result: &StabilityResult) -> String {
         ]
     });
     csv_text(&heading, rows)
-}
-
-/// A name as a cell of a heading.
-fn quoted(name: &str) -> String {
-    match name.contains([',', '"']) {
-        true => format!("\"{}\"", name.replace('"', "\"\"")),
-        false => name.to_owned(),
-    }
 }

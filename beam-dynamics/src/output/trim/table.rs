@@ -1,6 +1,7 @@
 //! The points of a trim as CSV.
 
 use crate::input::short_number;
+use crate::output::rows::{csv_text, heading};
 use crate::result::{TrimPoint, TrimResult};
 
 /// Digits of numbers.
@@ -15,13 +16,8 @@ pub fn trim_csv(result: &TrimResult) -> String {
         header.extend([name.clone(), format!("{name} required")]);
     }
     header.extend(["iterations", "residual [-]", "status"].map(str::to_owned));
-    let cells: Vec<_> = header.iter().map(|name| cell(name)).collect();
-    let mut text = cells.join(",") + "\n";
-    for point in &result.points {
-        text.push_str(&row(result, point).join(","));
-        text.push('\n');
-    }
-    text
+    let rows = result.points.iter().map(|point| row(result, point));
+    csv_text(&heading(header.iter().map(String::as_str)), rows)
 }
 
 fn row(result: &TrimResult, point: &TrimPoint) -> Vec<String> {
@@ -46,14 +42,6 @@ fn row(result: &TrimResult, point: &TrimPoint) -> Vec<String> {
         Some(_) => "not met".to_owned(),
     });
     row
-}
-
-/// A text as a cell.
-fn cell(text: &str) -> String {
-    match text.contains([',', '"', '\n']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    }
 }
 
 #[cfg(test)]

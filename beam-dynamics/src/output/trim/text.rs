@@ -1,12 +1,11 @@
 //! The report of a trim.
 
 use crate::input::short_number;
+use crate::output::text::aligned;
 use crate::result::{TrimPoint, TrimResult};
 
 /// Digits of numbers.
 const DIGITS: usize = 9;
-/// Width of a column of numbers.
-const WIDTH: usize = 17;
 
 /// Controls and targets of all points, and remarks.
 pub fn trim_text(result: &TrimResult) -> String {
@@ -49,32 +48,20 @@ fn single(result: &TrimResult, point: &TrimPoint) -> String {
 /// A line for each point.
 fn table(result: &TrimResult) -> String {
     let names = result.sweep.iter().chain(&result.controls);
-    let names: Vec<_> = names.chain(&result.targets).collect();
-    let mut text = "\n".to_owned();
-    for name in names {
-        text.push_str(&format!(
-            "{name:>width$}",
-            width = WIDTH.max(name.len() + 2)
-        ));
-    }
-    text.push_str("  iterations   residual\n");
-    for point in &result.points {
+    let mut heading: Vec<_> = names.chain(&result.targets).cloned().collect();
+    heading.extend(["iterations", "residual", ""].map(str::to_owned));
+    let rows = result.points.iter().map(|point| {
         let found = point.targets.iter().map(|pair| pair[0]);
         let numbers = point.at.into_iter().chain(point.controls.iter().copied());
-        let all = result.sweep.iter().chain(&result.controls);
-        let mut all = all.chain(&result.targets);
-        for number in numbers.chain(found) {
-            let width = WIDTH.max(all.next().map_or(0, |name| name.len() + 2));
-            text.push_str(&format!("{:>width$}", short_number(number, DIGITS)));
-        }
-        let status = match point.failure {
-            None => "",
-            Some(_) => "  not met",
-        };
-        text.push_str(&format!(
-            "{:12}  {:9.2e}{status}\n",
-            point.iterations, point.residual
-        ));
-    }
-    text + "\n"
+        let numbers = numbers.chain(found);
+        let mut row: Vec<_> = numbers.map(|own| short_number(own, DIGITS)).collect();
+        // A point without a solution has fewer numbers.
+        row.resize(heading.len() - 3, String::new());
+        row.push(point.iterations.to_string());
+        row.push(format!("{:.2e}", point.residual));
+        row.extend(point.failure.as_ref().map(|_| "not met".to_owned()));
+        row
+    });
+    let rows: Vec<_> = std::iter::once(heading.clone()).chain(rows).collect();
+    format!("\n{}\n", aligned(&rows))
 }
