@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
+mod active_twist_rotor;
 mod bimetal;
 mod composite_axes;
 mod piezo;
