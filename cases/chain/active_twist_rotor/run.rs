@@ -48,6 +48,8 @@ const FINE: [(&str, f64); 4] = [
     ("tolerance", 1e-5),
 ];
 
+/// Twist of the root against 75 % of the radius \[deg\].
+const ROOT_TWIST: f64 = 5.784;
 /// Advance ratio of a trim without voltage.
 const SLOW: f64 = 0.14;
 /// Values of the thesis: Table 13.6 in the order of [`MODES`], by its own section and by reference 90.
@@ -160,22 +162,24 @@ fn show_hover(case: &Path) -> Result<()> {
         "\nHover: Table 13.7 at \"4 deg\", and found at 4 and 5.06 deg at 75 % of the radius\n"
     );
     println!(
-        "{:34}{:>10}{:>12}{:>12}{:>14}",
-        "", "tip [ft]", "flap [deg]", "twist [deg]", "thrust [lbf]"
+        "{:34}{:>10}{:>12}{:>12}{:>14}{:>20}",
+        "", "tip [ft]", "flap [deg]", "twist [deg]", "thrust [lbf]", "pitch at 75 % [deg]"
     );
-    let row = |name: &str, [tip, flap, twist, thrust]: [f64; 4]| {
-        println!("{name:34}{tip:10.4}{flap:12.3}{twist:12.3}{thrust:14.0}");
+    let row = |name: &str, [tip, flap, twist, thrust]: [f64; 4], pitch: &str| {
+        println!("{name:34}{tip:10.4}{flap:12.3}{twist:12.3}{thrust:14.0}{pitch:>20}");
     };
     for (name, values) in ["reference 90", "diagonal", "coupled"]
         .iter()
         .zip(TABLE_13_7)
     {
-        row(&format!("thesis, {name}"), values);
+        row(&format!("thesis, {name}"), values, "");
     }
     for collective in [4.0, 5.06] {
         for set in [SETS[4], SETS[3], SETS[2], SETS[1], SETS[0]] {
             let found = hover(case, set, &[("collective", collective)])?;
-            row(&format!("found, {set}, {collective} deg"), of_table(&found));
+            let pitch = format!("{:.3}", found.pitch.to_degrees() - ROOT_TWIST);
+            let name = format!("found, {set}, {collective} deg");
+            row(&name, of_table(&found), &pitch);
         }
     }
     Ok(())
