@@ -7,12 +7,11 @@ pub mod redundancy;
 mod combination;
 mod elimination;
 mod momenta;
-mod pattern;
 mod system;
 
 pub use combination::{Combination, Variation};
 pub use momenta::{Entry, MasslessMotions};
-pub use pattern::{Pattern, Sparse};
+pub use sparse_solver::{Pattern, Sparse};
 pub use system::{
     Contradiction, Loop, Residual, ScalarScales, Sharing, Slack, System, Tangent, Workspace,
 };

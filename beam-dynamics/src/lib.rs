@@ -57,4 +57,5 @@ pub mod model;
 pub mod modes;
 pub mod output;
 pub mod result;
-pub mod solver;
+
+pub use sparse_solver as solver;

@@ -1,10 +1,8 @@
 //! Modes: eigenvalues of the linearized system, what each mode does, and which mode
 //! at one speed is which at the next.
 
-mod arnoldi;
 mod copies;
 mod crowded;
-mod dense;
 mod eigen;
 mod eigenpair;
 mod factors;
@@ -21,7 +19,6 @@ mod shift;
 mod sorted;
 mod tracking;
 
-pub use arnoldi::{Largest, LinearMap, Ritz, largest};
 pub use eigen::{EigenProblem, Lowest};
 pub use eigenpair::Eigenpair;
 pub use factors::Factors;

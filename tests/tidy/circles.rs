@@ -12,10 +12,11 @@ use crate::source::{is_word, words};
 use crate::tree::{File, Tree};
 
 /// The crates to which the rules apply.
-const HELD: [&str; 4] = [
+const HELD: [&str; 5] = [
     "shared-geom",
     "section-analyzer",
     "rotor-aero",
+    "sparse-solver",
     "beam-dynamics",
 ];
 

@@ -8,10 +8,11 @@ use crate::tree::{File, Tree};
 const ARCHITECTURE: &str = "ARCHITECTURE.md";
 const BIBLIOGRAPHY: &str = "docs/src/bibliography.md";
 const BOOK: &str = "docs/src/";
-const CRATES: [&str; 4] = [
+const CRATES: [&str; 5] = [
     "shared-geom",
     "section-analyzer",
     "rotor-aero",
+    "sparse-solver",
     "beam-dynamics",
 ];
 

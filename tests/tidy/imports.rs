@@ -13,7 +13,7 @@ pub struct Stages {
 
 /// The order of the stages, one entry per program. A stage that the tree does not have
 /// yet is ignored; a module missing in the order is a breach.
-pub const CRATES: [Stages; 3] = [
+pub const CRATES: [Stages; 4] = [
     Stages {
         folder: "section-analyzer",
         order: &[
@@ -36,6 +36,13 @@ pub const CRATES: [Stages; 3] = [
         folder: "rotor-aero",
         order: &[
             "real", "airfoil", "unsteady", "momentum", "wake", "inflow", "wind", "strip", "rotor",
+        ],
+    },
+    Stages {
+        folder: "sparse-solver",
+        order: &[
+            "pattern", "number", "scales", "lu", "general", "linear", "step", "newton", "gmres",
+            "dense", "arnoldi",
         ],
     },
     Stages {
@@ -62,7 +69,7 @@ const ABOVE: [&str; 4] = ["analysis", "cli", "main", "lib"];
 const BELOW: [&str; 1] = ["error"];
 
 /// Crates that must not name each other, nor the drawing library, which figures hide.
-const APART: [(&str, &[&str]); 4] = [
+const APART: [(&str, &[&str]); 5] = [
     (
         "section-analyzer",
         &["beam-dynamics", "rotor-aero", "plotters"],
@@ -71,10 +78,25 @@ const APART: [(&str, &[&str]); 4] = [
         "rotor-aero",
         &["beam-dynamics", "section-analyzer", "plotters"],
     ),
+    (
+        "sparse-solver",
+        &[
+            "beam-dynamics",
+            "section-analyzer",
+            "rotor-aero",
+            "shared-geom",
+            "plotters",
+        ],
+    ),
     ("beam-dynamics", &["section-analyzer", "plotters"]),
     (
         "shared-geom",
-        &["section-analyzer", "beam-dynamics", "rotor-aero"],
+        &[
+            "section-analyzer",
+            "beam-dynamics",
+            "rotor-aero",
+            "sparse-solver",
+        ],
     ),
 ];
 

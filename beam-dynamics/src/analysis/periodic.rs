@@ -14,8 +14,8 @@ use crate::case::{FloquetSettings, Model, PeriodicMethod, PeriodicSettings};
 use crate::elements::Queries;
 use crate::integrator::Dae;
 use crate::model::State;
-use crate::modes::Largest;
 use crate::result::{AcceptedStep, FloquetTable, PeriodicPass, PeriodicResult, Recorder};
+use crate::solver::Largest;
 
 mod border;
 mod content;

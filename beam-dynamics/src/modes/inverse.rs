@@ -19,11 +19,11 @@ use std::collections::BTreeSet;
 
 use faer::{Mat, MatRef, c64};
 
-use super::dense::{Eigenvectors, eigenvalues};
 use super::krylov::{Found, Operator, largest, rough, start_value};
 use crate::assembly::Entry;
 use crate::model::NODE_UNKNOWNS;
 use crate::solver::Factorization;
+use crate::solver::{Eigenvectors, eigenvalues};
 
 /// Up to this number of unknowns T is formed and all its eigenvalues are computed;
 /// above, only the wanted ones.

@@ -16,7 +16,7 @@
 
 use faer::{Mat, MatRef, c64};
 
-use super::dense::Eigenvectors;
+use crate::solver::Eigenvectors;
 
 /// Relative error of a vector up to which its value counts as found: near enough for inverse
 /// iteration, which gives the last digits, and for counting the copies of a value.

@@ -18,8 +18,8 @@ use super::content::Observer;
 use super::map::PeriodMap;
 use crate::case::FloquetSettings;
 use crate::model::NODE_UNKNOWNS;
-use crate::modes::{Largest, LinearMap, Ritz, largest};
 use crate::result::{FloquetMode, FloquetTable};
+use crate::solver::{Largest, LinearMap, Ritz, largest};
 
 /// Multipliers below this are round-off [-].
 const ROUND_OFF: f64 = 1e-11;

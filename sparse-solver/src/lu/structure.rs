@@ -15,10 +15,10 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::fill::Fill;
-use super::number::LANES;
 use super::order::inverse;
 use super::pivots::Pivots;
-use crate::assembly::Pattern;
+use crate::number::LANES;
+use crate::pattern::Pattern;
 
 /// Maximum number of columns of a panel.
 const WIDEST: usize = 16;

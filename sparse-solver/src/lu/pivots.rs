@@ -16,8 +16,8 @@ use super::branches::LARGE;
 use super::dissection::stages;
 use super::lines::{Lines, Turn};
 use super::lists::Lists;
-use super::number::Number;
-use crate::assembly::Pattern;
+use crate::number::Number;
+use crate::pattern::Pattern;
 
 /// u: a pivot is at least this part of the largest entry of its column [-].
 const THRESHOLD: f64 = 0.1;

@@ -10,8 +10,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use faer::{Mat, c64};
 
 use super::general::{GeneralLu, GeneralSolver};
-use super::lu::{LANES, Lu, Number, Plan, Row};
-use crate::assembly::{Pattern, Sparse};
+use super::lu::{Lu, Plan};
+use super::number::{LANES, Number, Row};
+use crate::pattern::{Pattern, Sparse};
 
 /// Maximum number of stored plans.
 const KEPT: usize = 4;

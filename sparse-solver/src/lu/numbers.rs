@@ -1,8 +1,8 @@
 //! The values of the factors, and their growth.
 
 use super::elimination::{Area, Extremes, Scaled, Sizes, eliminate};
-use super::number::{LANES, Number};
 use super::structure::{Part, Structure};
+use crate::number::{LANES, Number};
 
 /// Values of the factors.
 #[derive(Debug)]

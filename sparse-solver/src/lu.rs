@@ -14,7 +14,7 @@ mod elimination;
 mod fill;
 mod lines;
 mod lists;
-mod number;
+
 mod numbers;
 mod order;
 mod pivots;
@@ -23,13 +23,13 @@ mod structure;
 
 use std::sync::Arc;
 
+use crate::number::{LANES, Number, Row};
 use elimination::Scaled;
-pub(super) use number::{LANES, Number, Row};
 use numbers::Numbers;
 use structure::Structure;
 
 use super::scales::scales;
-use crate::assembly::Pattern;
+use crate::pattern::Pattern;
 
 /// Growth of the factors up to which they are accepted without a check of the residual of the
 /// solution: at most six of sixteen digits are lost.
@@ -42,7 +42,7 @@ const SHRUNK: f64 = 0.1;
 
 /// All choices and patterns found once, for one matrix, and reused for others.
 #[derive(Debug)]
-pub(super) struct Plan {
+pub(crate) struct Plan {
     /// Scales of rows and of columns, in the order of elimination.
     scales: [Vec<f64>; 2],
     structure: Structure,
@@ -52,7 +52,7 @@ pub(super) struct Plan {
 
 /// Factors of a matrix.
 #[derive(Debug)]
-pub(super) struct Lu<T: Number> {
+pub(crate) struct Lu<T: Number> {
     plan: Arc<Plan>,
     numbers: Numbers<T>,
     growth: f64,

@@ -2,14 +2,14 @@
 //! entry of one, so that forces of 1e7 N and angles of 1e-3 rad are comparable in the choice of
 //! pivots.
 
-use super::lu::Number;
-use crate::assembly::Pattern;
+use super::number::Number;
+use crate::pattern::Pattern;
 
 /// Scales of rows, and of columns.
-pub(super) type Scales = (Vec<f64>, Vec<f64>);
+pub(crate) type Scales = (Vec<f64>, Vec<f64>);
 
 /// Scales for the matrix of the given values; `None` if a row or column is zero.
-pub(super) fn scales<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Scales> {
+pub(crate) fn scales<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Scales> {
     let n = pattern.size();
     let mut rows = vec![0.0_f64; n];
     for (&i, value) in pattern.rows().iter().zip(values) {
@@ -31,7 +31,7 @@ pub(super) fn scales<T: Number>(pattern: &Pattern, values: &[T]) -> Option<Scale
 }
 
 /// The values multiplied by the scales of their rows and columns.
-pub(super) fn scaled<T: Number>(pattern: &Pattern, values: &[T], scales: &Scales) -> Vec<T> {
+pub(crate) fn scaled<T: Number>(pattern: &Pattern, values: &[T], scales: &Scales) -> Vec<T> {
     let (rows, columns) = scales;
     let mut scaled = values.to_vec();
     for (j, scale) in columns.iter().enumerate() {

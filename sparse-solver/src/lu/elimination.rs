@@ -14,8 +14,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::number::{Fused, LANES, Number, Plain, Product};
 use super::structure::{Panel, Part, Strip, Structure};
+use crate::number::{Fused, LANES, Number, Plain, Product};
 
 /// Number of rows computed at once.
 const ROWS: usize = 4;

@@ -2,7 +2,7 @@
 //! satisfy their equations.
 
 use super::*;
-use crate::assembly::Sparse;
+use crate::pattern::Sparse;
 
 /// Unknowns of a block.
 const BLOCK: usize = 6;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::general::{GeneralLu, GeneralSolver};
 use super::lu::Lu;
-use crate::assembly::{Pattern, Sparse};
+use crate::pattern::{Pattern, Sparse};
 
 /// Ratio to the usual least pivot below which a matrix may be nearly singular.
 const DOUBTFUL: f64 = 1e-3;

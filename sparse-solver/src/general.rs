@@ -8,13 +8,13 @@ use faer::prelude::Solve;
 use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 
-use super::lu::Number;
+use super::number::Number;
 use super::scales::{Scales, scaled, scales};
-use crate::assembly::Pattern;
+use crate::pattern::Pattern;
 
 /// Analysis of a pattern, made at its first use.
 #[derive(Debug, Clone)]
-pub(super) struct GeneralSolver {
+pub(crate) struct GeneralSolver {
     pattern: Arc<Pattern>,
     /// Rows of the pattern in the format of the analysis, and the analysis.
     symbolic: OnceLock<(Vec<usize>, Option<SymbolicLu<usize>>)>,
@@ -22,7 +22,7 @@ pub(super) struct GeneralSolver {
 
 /// Factors of a matrix.
 #[derive(Debug)]
-pub(super) struct GeneralLu<T> {
+pub(crate) struct GeneralLu<T> {
     lu: Lu<usize, T>,
     scales: Scales,
 }

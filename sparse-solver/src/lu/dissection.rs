@@ -9,7 +9,7 @@
 //! References: [GeorgeLiu1981].
 
 use super::branches::LARGE;
-use crate::assembly::Pattern;
+use crate::pattern::Pattern;
 
 /// Least size of a half, relative to the whole [-].
 const HALF: f64 = 0.4;

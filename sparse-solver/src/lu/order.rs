@@ -12,7 +12,7 @@ use std::ops::Range;
 
 use super::branches::{self, NONE};
 use super::pivots::Pivots;
-use crate::assembly::Pattern;
+use crate::pattern::Pattern;
 
 /// Sorts pivots into a postorder of their tree of elimination; in a large matrix the pivots of
 /// independent branches come first, and their ranges are returned.

@@ -7,19 +7,19 @@ use std::ops::{Div, Mul, Sub, SubAssign};
 use faer::c64;
 
 /// Number of columns computed together.
-pub(in crate::solver) const LANES: usize = 4;
+pub(crate) const LANES: usize = 4;
 
 /// A product subtracted from a sum.
-pub(in crate::solver) trait Product {
+pub(crate) trait Product {
     /// `c - a b`.
     fn take(c: f64, a: f64, b: f64) -> f64;
 }
 
 /// With one rounding.
-pub(super) struct Fused;
+pub(crate) struct Fused;
 
 /// With two roundings.
-pub(super) struct Plain;
+pub(crate) struct Plain;
 
 impl Product for Fused {
     #[inline(always)]
@@ -36,7 +36,7 @@ impl Product for Plain {
 }
 
 /// A real or complex number.
-pub(in crate::solver) trait Number:
+pub(crate) trait Number:
     Copy
     + Debug
     + Send
@@ -113,7 +113,7 @@ impl Number for f64 {
 
 /// Complex numbers of several columns: real parts, imaginary parts.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::solver) struct ComplexLanes {
+pub(crate) struct ComplexLanes {
     re: [f64; LANES],
     im: [f64; LANES],
 }
@@ -159,7 +159,7 @@ impl Number for c64 {
 }
 
 /// Right-hand sides of a system: one number per row, or several.
-pub(in crate::solver) trait Row<T>: Copy + Send + Sync {
+pub(crate) trait Row<T>: Copy + Send + Sync {
     /// Zero.
     const NONE: Self;
 

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::assembly::Pattern;
+use crate::pattern::Pattern;
 
 /// Rows of many columns, one column after the other.
 #[derive(Debug)]

@@ -6,9 +6,9 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::number::{LANES, Number, Row};
 use super::numbers::Numbers;
 use super::structure::{Panel, Part, Strip, Structure};
+use crate::number::{LANES, Number, Row};
 
 /// Size of the buffer of [`solve`]: the numbers of b and the workspace after them.
 pub(super) fn buffer_len(structure: &Structure) -> usize {

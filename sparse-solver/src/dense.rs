@@ -10,12 +10,14 @@ use faer::{Auto, Mat, MatMut, MatRef, Par, c64};
 ///
 /// The plain QR iteration at any size: the multishift one of faer 0.24, which it takes
 /// from size 75 on by itself, has been seen not to end.
-pub(super) fn eigenvalues(matrix: MatRef<'_, f64>) -> Vec<c64> {
+pub fn eigenvalues(matrix: MatRef<'_, f64>) -> Vec<c64> {
     values_and_vectors(matrix, None)
 }
 
 /// Eigenvalues and right eigenvectors.
-pub(super) struct Eigenvectors {
+#[derive(Debug)]
+pub struct Eigenvectors {
+    /// The eigenvalues \[-\].
     pub values: Vec<c64>,
     /// A column of each real value, and of a pair the real and the imaginary part of the
     /// vector of its first value.

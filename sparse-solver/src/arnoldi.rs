@@ -15,7 +15,7 @@
 use faer::{Mat, c64};
 
 use super::dense::Eigenvectors;
-use crate::solver::{norm, orthogonalize};
+use crate::gmres::{norm, orthogonalize};
 
 /// A linear map of a vector space onto itself.
 pub trait LinearMap {
