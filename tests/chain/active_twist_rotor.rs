@@ -193,8 +193,8 @@ fn a_voltage_twice_per_revolution_changes_the_vibration() {
     let chain = Chain::new();
     let model = [
         ("elements", 1.0),
-        ("strips", 2.0),
-        ("steps", 16.0),
+        ("strips", 3.0),
+        ("steps", 24.0),
         ("tolerance", 3e-3),
     ];
     let (without, over_phase) = over_phase(&chain.case(), &model, CONDITIONS[0], None).unwrap();
