@@ -206,37 +206,3 @@ fn escaped(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;");
     text.replace('>', "&gt;").replace('"', "&quot;")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use shared_geom::line::ReferenceLine;
-
-    /// Each mark of the page is replaced once, in its order, and a name cannot end the block of
-    /// data or become a tag.
-    #[test]
-    fn names_cannot_break_the_page() {
-        let line = ReferenceLine::straight(1.0);
-        let span = SolvedSpan {
-            name: "</script><b>{{data}} & \"",
-            line: &line,
-            stations: Vec::new(),
-        };
-        let page = ReportPage {
-            span: &span,
-            remarks: &[],
-            reserves: &[],
-            modes: None,
-        };
-        let html = page.html();
-        assert_eq!(html.matches("<script").count(), 2);
-        assert_eq!(html.matches("</script>").count(), 2);
-        assert!(!html.contains("<b>"));
-        let (_, rest) = html
-            .split_once("type=\"application/json\">")
-            .expect("a block of data");
-        let (data, _) = rest.split_once("</script>").expect("its end");
-        let data: serde_json::Value = serde_json::from_str(data).expect("JSON");
-        assert_eq!(data["blade"]["name"], span.name);
-    }
-}

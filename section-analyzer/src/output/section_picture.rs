@@ -6,7 +6,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Serialize;
 
-use crate::input::Input;
+use crate::input::{Input, InputWarning};
 use crate::material::ElasticLaw;
 use crate::mesh::SectionCell;
 use crate::section::Section;
@@ -32,7 +32,7 @@ pub struct SectionPicture {
     pub mesh_cells: usize,
     /// Cells of poor shape.
     pub poor_cells: usize,
-    /// Warnings about the section.
+    /// Warnings about the section, without the ones about poor cells.
     #[serde(skip)]
     pub warnings: Vec<String>,
 }
@@ -61,7 +61,9 @@ impl SectionPicture {
         order.sort_by_key(|&cell| section.mesh.cells[cell].group);
         let corners = Corners::new(section, &order);
         let angle = |&cell: &usize| hundredths(section.cells[cell].plane_angle).to_le_bytes();
-        let warnings = summary.warnings.iter().map(ToString::to_string);
+        let is_of_cells =
+            |warning: &&InputWarning| matches!(warning, InputWarning::PoorCells { .. });
+        let warnings = summary.warnings.iter().filter(|one| !is_of_cells(one));
         Self {
             nodes: STANDARD.encode(corners.nodes),
             cells: STANDARD.encode(corners.cells),
@@ -71,7 +73,7 @@ impl SectionPicture {
             mesh_nodes: section.mesh.nodes.len(),
             mesh_cells: section.mesh.cells.len(),
             poor_cells: summary.quality.poor(),
-            warnings: warnings.collect(),
+            warnings: warnings.map(ToString::to_string).collect(),
         }
     }
 }
@@ -138,60 +140,4 @@ fn plies(section: &Section, order: &[usize]) -> Vec<PlyPicture> {
 fn hundredths(angle: f64) -> i16 {
     let turned = angle.to_degrees();
     ((turned - 360.0 * (turned / 360.0).round()) * 100.0).round() as i16
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use shared_geom::mesh::CellKind;
-
-    use crate::output::samples;
-
-    /// Angles of any number of turns, against the sine and cosine of the angle itself, within half
-    /// of the last digit.
-    #[test]
-    fn angles_are_turned_into_one_turn() {
-        for i in -500..500 {
-            let angle = 0.037 * f64::from(i);
-            let short = f64::from(hundredths(angle)).to_radians() / 100.0;
-            let error = [short.sin() - angle.sin(), short.cos() - angle.cos()];
-            assert!(error.iter().all(|error| error.abs() < 1e-4), "{angle}");
-        }
-    }
-
-    /// Decoded corners are the corners of the cells, within the digits of 32 bits; other nodes are
-    /// left out.
-    #[test]
-    fn corners_of_all_cells_are_kept_in_the_order_of_plies() {
-        for kind in [CellKind::Triangle6, CellKind::Quadrilateral9] {
-            let section = samples::rectangle(kind);
-            let cells = &section.mesh.cells;
-            let order: Vec<usize> = (0..cells.len()).rev().collect();
-            let found = Corners::new(&section, &order);
-            assert_eq!((found.index_bytes, found.nodes.len()), (2, 15 * 8));
-            let float = |bytes: &[u8]| f32::from_le_bytes(bytes.try_into().expect("four bytes"));
-            let indices = found.cells.chunks(2);
-            let indices = indices.map(|pair| usize::from(u16::from_le_bytes([pair[0], pair[1]])));
-            let indices: Vec<usize> = indices.collect();
-            for (corners, &cell) in indices.chunks(4).zip(&order) {
-                let expected = cells[cell].corners();
-                for (i, corner) in corners.iter().enumerate() {
-                    let node = expected[i.min(expected.len() - 1)];
-                    for axis in 0..2 {
-                        let at = 8 * corner + 4 * axis;
-                        let error = f64::from(float(&found.nodes[at..at + 4]))
-                            - section.mesh.nodes[node as usize][axis];
-                        assert!(error.abs() < 1e-7, "{error}");
-                    }
-                }
-            }
-            let plies = plies(&section, &(0..cells.len()).collect::<Vec<_>>());
-            assert_eq!(plies.len(), 2);
-            assert_eq!(
-                plies.iter().map(|ply| ply.cells).sum::<usize>(),
-                cells.len()
-            );
-            assert_eq!(plies[0].fiber_angle, None);
-        }
-    }
 }

@@ -5,6 +5,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use section_analyzer::input::result_tables::{read_modes, read_reserves};
 use serde_json::Value;
 
 use crate::effort;
@@ -155,6 +158,144 @@ fn data_are_the_numbers_of_the_result_files() {
     assert_eq!(angle("skin@pressure"), Some(-30.0));
 }
 
+/// Bytes of an array of a picture, in pieces of `size`.
+fn decoded(array: &Value, size: usize) -> Vec<Vec<u8>> {
+    let bytes = STANDARD.decode(array.as_str().unwrap()).unwrap();
+    bytes.chunks(size).map(<[u8]>::to_vec).collect()
+}
+
+/// Corners and wall directions of all cells against the section that the program reads: corners
+/// within the digits of 32 bits for a chord of 0.5 m, angles within half of 0.01 deg.
+#[test]
+fn cells_are_the_cells_of_the_mesh_in_the_order_of_plies() {
+    let workplace = reported(&["--stations", "0.2,0.7"]);
+    let (mut quadrilaterals, mut triangles) = (0, 0);
+    for station in data(&workplace)["stations"].as_array().unwrap() {
+        let name = station["name"].as_str().unwrap();
+        let file = workplace.path(&format!("b/sections/{name}.section.toml"));
+        let section = section_analyzer::input::read(&file).unwrap().section;
+        let (mesh, picture) = (&section.mesh, &station["picture"]);
+        let mut order: Vec<usize> = (0..mesh.cells.len()).collect();
+        order.sort_by_key(|&cell| mesh.cells[cell].group);
+        let float = |four: Vec<u8>| f64::from(f32::from_le_bytes(four.try_into().unwrap()));
+        let nodes: Vec<f64> = decoded(&picture["nodes"], 4)
+            .into_iter()
+            .map(float)
+            .collect();
+        let integer = |two: Vec<u8>| usize::from(u16::from_le_bytes(two.try_into().unwrap()));
+        let cells: Vec<usize> = decoded(&picture["cells"], 2)
+            .into_iter()
+            .map(integer)
+            .collect();
+        let angle = |two: Vec<u8>| f64::from(i16::from_le_bytes(two.try_into().unwrap())) / 100.0;
+        let angles: Vec<f64> = decoded(&picture["plane_angles"], 2)
+            .into_iter()
+            .map(angle)
+            .collect();
+        assert_eq!((cells.len(), angles.len()), (4 * order.len(), order.len()));
+        for ((corners, angle), &cell) in cells.chunks(4).zip(angles).zip(&order) {
+            let expected = mesh.cells[cell].corners();
+            match expected.len() {
+                4 => quadrilaterals += 1,
+                _ => triangles += 1,
+            }
+            for (i, corner) in corners.iter().enumerate() {
+                let node = expected[i.min(expected.len() - 1)] as usize;
+                for axis in 0..2 {
+                    let error = nodes[2 * corner + axis] - mesh.nodes[node][axis];
+                    assert!(error.abs() < 3e-8, "{name} {cell}: {error}");
+                }
+            }
+            let turned = angle.to_radians() - section.cells[cell].plane_angle;
+            assert!(
+                turned.sin().abs() < 1e-4 && turned.cos() > 0.0,
+                "{name} {cell}: {turned}"
+            );
+        }
+    }
+    assert!(
+        quadrilaterals > 200 && triangles > 0,
+        "{quadrilaterals} {triangles}"
+    );
+}
+
+/// A name cannot end the block of data or become a tag.
+#[test]
+fn names_cannot_break_the_page() {
+    let workplace = Workplace::new();
+    workplace.write("<b>&.layup.toml", LAYUP);
+    let options = [
+        "--out",
+        "b",
+        "--no-figures",
+        "--report",
+        "--stations",
+        "0.2",
+    ];
+    let run = workplace.run(&[&["blade", "<b>&.layup.toml"], &options[..]].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let page = workplace.read("b/<b>&.report.html");
+    assert!(!page.contains("<b>") && page.contains("<h1>&lt;b&gt;&amp;: report"));
+    assert_eq!(problems_of_tags(&page), [""; 0]);
+    let (_, rest) = page.split_once("type=\"application/json\">").unwrap();
+    let data: Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
+    assert_eq!(data["blade"]["name"], "<b>&");
+}
+
+const MODES: &str =
+    "rotor speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,1.25\n60,1,\"flap, 1\",\n";
+const RESERVES: &str = "section,ply,reserve_factor [-],failure_index [-],criterion,mode,instant,y [m],z [m]\n\
+                        eta_0.1000,cap,inf,0,max_stress,fiber,load,0.1,-0.02\n";
+
+/// Quotes, empty frequencies and infinite factors are read; wrong tables are refused with line and
+/// remedy.
+#[test]
+fn tables_of_other_commands_are_read_or_refused() {
+    let workplace = Workplace::new();
+    let path = workplace.path("a.csv");
+    let modes = |text: &str| {
+        workplace.write("a.csv", text);
+        read_modes(&path).map_err(|problems| problems.to_string())
+    };
+    let read = modes(MODES).unwrap();
+    assert_eq!(
+        (read.speeds, read.frequencies),
+        (vec![0.0, 60.0], vec![Some(1.25), None])
+    );
+    assert_eq!(read.names, ["flap 1", "flap, 1"]);
+    for (from, to, expected) in [
+        ("name", "nam", "a.csv:1: the table has no column \"name\""),
+        ("name", "nam", "did you mean \"nam\"?"),
+        ("rotor speed [rpm]", "u", "name the table NAME.modes.csv"),
+        (
+            "1.25",
+            "x",
+            "a.csv:2: column \"frequency [Hz]\": found \"x\", expected a number",
+        ),
+        ("60,", "", "a.csv:3: the row has 3 cells, expected 4"),
+    ] {
+        let text = modes(&MODES.replacen(from, to, 1)).unwrap_err();
+        assert!(text.contains(expected), "{text}");
+    }
+    assert!(
+        modes("name\n")
+            .unwrap_err()
+            .contains("the table has no rows")
+    );
+    workplace.write("a.csv", RESERVES);
+    let reserve = read_reserves(&path).unwrap().remove(0);
+    assert_eq!(
+        (reserve.reserve_factor, reserve.position),
+        (f64::INFINITY, [0.1, -0.02])
+    );
+    workplace.write("a.csv", &RESERVES.replace("inf", "nan"));
+    let text = read_reserves(&path).unwrap_err().to_string();
+    assert!(
+        text.contains("a.csv:2: column \"reserve_factor [-]\""),
+        "{text}"
+    );
+}
+
 /// Layers that are cut and a section that fails are remarks; the other sections are shown.
 #[test]
 fn remarks_name_sections_that_are_missing() {
@@ -191,7 +332,7 @@ fn reserves(data: &Value) -> BTreeMap<(String, String), f64> {
     .collect()
 }
 
-/// Reserve factors are those of `strength`, until a section is solved again; modes are those of
+/// Reserve factors are the ones of `strength`, until a section is solved again; modes the ones of
 /// their file, and a wrong file is refused before a section is solved.
 #[test]
 fn strengths_and_modes_are_shown_if_they_are_given() {

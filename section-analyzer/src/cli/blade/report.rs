@@ -53,6 +53,7 @@ impl Request {
             }
         };
         remarks.extend(cut_layers(span));
+        remarks.extend(poor_cells(span));
         remarks.extend(warnings(span));
         let page = ReportPage {
             span,
@@ -116,6 +117,26 @@ fn cut_layers(span: &SolvedSpan<'_>) -> Vec<Remark> {
         sections,
     };
     worst.into_iter().map(remark).collect()
+}
+
+/// Cells of poor shape, as one remark.
+fn poor_cells(span: &SolvedSpan<'_>) -> Option<Remark> {
+    let stations = span.stations.iter();
+    let drawn = stations.filter_map(|station| Some((station, station.picture.as_ref()?)));
+    let poor: Vec<_> = drawn
+        .filter(|(_, picture)| picture.poor_cells > 0)
+        .collect();
+    let most = poor.iter().map(|(_, picture)| picture.poor_cells).max()?;
+    Some(Remark {
+        text: format!(
+            "cells of poor shape, up to {most} in a section, near which results are less accurate; \
+             the reports of the sections have their places"
+        ),
+        sections: poor
+            .iter()
+            .map(|(station, _)| station.properties.name.clone())
+            .collect(),
+    })
 }
 
 /// Warnings about sections; equal ones are one.
