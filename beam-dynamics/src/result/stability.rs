@@ -19,6 +19,9 @@ pub struct StabilityRoot {
     pub others: Vec<f64>,
     /// The motion as text.
     pub name: String,
+    /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None`: modes
+    /// of one name are numbered behind it.
+    pub pattern: Option<String>,
     /// Motion and momentum of the mode, for comparisons; empty if they are not known \[any unit\].
     pub shape: [Vec<Complex<f64>>; 2],
 }
@@ -37,6 +40,7 @@ impl StabilityRoot {
             is_neutral: false,
             others: Vec::new(),
             name: String::new(),
+            pattern: None,
             shape: [Vec::new(), Vec::new()],
         }
     }

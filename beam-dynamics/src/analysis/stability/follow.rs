@@ -81,7 +81,8 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
     found
 }
 
-/// Numbers the modes through all points and keeps the frequency of each mode; returns their names.
+/// Numbers the modes through all points and keeps the frequency of each mode; returns their names. New
+/// modes of a point are named by ascending frequency.
 pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for index in 0..points.len() {
@@ -96,26 +97,29 @@ pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
                 }
             }
         }
-        let numbered = modes.into_iter().zip(&point.roots).map(|(mode, root)| {
-            mode.unwrap_or_else(|| {
-                names.push(new_name(&names, &root.name));
-                names.len() - 1
-            })
-        });
-        point.modes = numbered.collect();
+        let mut new: Vec<_> = (0..modes.len()).filter(|i| modes[*i].is_none()).collect();
+        let frequency = |index: &usize| point.roots[*index].frequency();
+        new.sort_by(|a, b| frequency(a).total_cmp(&frequency(b)));
+        for index in new {
+            names.push(new_name(&names, &point.roots[index]));
+            modes[index] = Some(names.len() - 1);
+        }
+        point.modes = modes.into_iter().flatten().collect();
     }
     names
 }
 
 /// A name that no mode has.
-fn new_name(names: &[String], stem: &str) -> String {
-    let numbered = |number: usize| match (number, stem.is_empty()) {
-        (_, true) => format!("mode {number}"),
-        (1, false) => stem.to_owned(),
-        (_, false) => format!("{stem} ({number})"),
+fn new_name(names: &[String], root: &StabilityRoot) -> String {
+    let stem = &root.name;
+    let numbered = |number: usize| match (&root.pattern, number) {
+        (Some(pattern), _) => format!("{stem} {number}{pattern}"),
+        (None, _) if stem.is_empty() => format!("mode {number}"),
+        (None, 1) => stem.clone(),
+        (None, _) => format!("{stem} ({number})"),
     };
     let mut numbers = (1..).map(numbered);
     numbers
         .find(|name| !names.contains(name))
-        .unwrap_or_else(|| stem.to_owned())
+        .unwrap_or_else(|| stem.clone())
 }
