@@ -37,7 +37,7 @@ impl EigenProblem<'_> {
     pub(super) fn is_crowded(&self, sorted: &Sorted, count: usize) -> bool {
         let oscillates = |s: &&c64| s.im > OSCILLATES * s.norm();
         let found = sorted.above.iter().filter(oscillates).count();
-        let slow = sorted.real.len() + sorted.above.len() - found;
+        let slow = sorted.zeros + sorted.real.len() + sorted.above.len() - found;
         found < count && slow >= count && self.has_slow_scalars()
     }
 

@@ -22,6 +22,9 @@ pub struct StabilityRoot {
     /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None`: modes
     /// of one name are numbered behind it.
     pub pattern: Option<String>,
+    /// Number of waves around a rotor of blades, if one pattern prevails: modes of different ones are
+    /// different modes.
+    pub waves: Option<i32>,
     /// Motion and momentum of the mode, for comparisons; empty if they are not known \[any unit\].
     pub shape: [Vec<Complex<f64>>; 2],
 }
@@ -41,6 +44,7 @@ impl StabilityRoot {
             others: Vec::new(),
             name: String::new(),
             pattern: None,
+            waves: None,
             shape: [Vec::new(), Vec::new()],
         }
     }

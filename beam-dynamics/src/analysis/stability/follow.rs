@@ -4,7 +4,8 @@
 //! c_ij = |s_i - s_j| / s_0 + 3 (1 - MAC_ij) ,     s_0 = mean |s|                     (D-330)
 //! ```
 //!
-//! Pairs are taken by rising c, each root once. Where the energy of a mode is shared by several
+//! Pairs are taken by rising c, each root once; whirls of a rotor that differ in their number of waves are
+//! no pair, since the conjugate of a forward whirl has the shape of a backward one. Where the energy of a mode is shared by several
 //! frequencies, the one that is nearest to the frequency before is kept.
 
 use crate::result::{StabilityPoint, StabilityRoot};
@@ -65,7 +66,9 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
     for (i, a) in before.iter().enumerate() {
         for (j, b) in after.iter().enumerate() {
             let [cost, distance, frequency] = cost(a, b, size);
-            if a.is_neutral == b.is_neutral && (cost < SAME || distance < NEAR) {
+            let differ = a.waves.zip(b.waves).is_some_and(|(a, b)| a != b);
+            let is_alike = a.is_neutral == b.is_neutral && !differ;
+            if is_alike && (cost < SAME || distance < NEAR) {
                 pairs.push((cost, i, Link { to: j, frequency }));
             }
         }

@@ -321,6 +321,7 @@ fn root(
         },
         name: point.kind().word_in(words).to_owned(),
         pattern: Some(pattern),
+        waves: whirl.filter(|w| w.blades > 0).map(|w| w.harmonic),
         shape: motion.parts().map(<[_]>::to_vec),
         ..StabilityRoot::new(Complex::new(point.growth, frequency))
     }

@@ -22,7 +22,7 @@ const RING: f64 = 12.0;
 /// Lines of boundaries.
 const MARKED: Color = Color(120, 120, 120);
 /// Number of modes above which a legend does not help.
-const MOST_NAMES: usize = 14;
+const MOST_NAMES: usize = 21;
 /// Damping up to which the panel of damping reaches if some modes have more than twice as much: lightly
 /// damped modes are the ones to be seen \[%\].
 const MOST_DAMPING: f64 = 10.0;
