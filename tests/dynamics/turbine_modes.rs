@@ -96,33 +96,30 @@ fn root<'a>(result: &'a StabilityResult, index: usize, name: &str) -> &'a Stabil
     result.points[index].root_of(mode).unwrap()
 }
 
-// The blades of a whirl have one frequency f in turning axes, up to the small couplings by hub and wake, and
-// the fixed frame shows f - n and f + n: n is the speed. A collective mode keeps its frequency.
+// The blades of a whirl have one frequency f in turning axes, up to the small coupling by the wake, and the
+// fixed frame shows f - n and f + n: n is the speed. A collective mode keeps its frequency. The pitch of the
+// second wind follows from the schedule.
 #[test]
 fn whirls_are_named_and_shifted_by_the_speed() {
-    let result = over(&text("frozen", "quasi_steady"), "wind", "[6, 8, 12]");
-    let names = ["edge 1 backward", "edge 1 collective", "edge 1 forward"];
-    for index in 0..3 {
+    let result = over(&text("dynamic", "separation_lag"), "wind", "[8, 12]");
+    for index in 0..2 {
+        let names = ["edge 1 backward", "edge 1 collective", "edge 1 forward"];
         let seen = names.map(|name| root(&result, index, name).frequency() / TAU);
-        assert!((seen[2] - seen[0] - 2.0 * TURNS).abs() < 0.02, "{seen:?}");
-        assert!((seen[1] - seen[0] - TURNS).abs() < 0.05, "{seen:?}");
+        assert!((seen[2] - seen[0] - 2.0 * TURNS).abs() < 1e-3, "{seen:?}");
+        assert!((seen[1] - seen[0] - TURNS).abs() < 1e-3, "{seen:?}");
     }
-    // Of each kind all three patterns, and no other name.
-    let mut kinds: Vec<_> = result
-        .modes
-        .iter()
-        .map(|name| name.split(' ').next())
-        .collect();
-    kinds.sort_unstable();
-    let expected = ["edge", "edge", "edge", "flap", "flap", "flap"].map(Some);
-    assert_eq!(kinds, expected, "{:?}", result.modes);
+    // New modes are numbered by their frequency.
+    let waves = |name: &str| root(&result, 0, name).waves;
+    let expected = [Some(-1), Some(0), Some(1)];
+    assert_eq!(
+        ["flap 1 backward", "flap 1 collective", "flap 1 forward"].map(waves),
+        expected
+    );
 }
 
-/// Displacement of the tip in the shape of a mode \[m\], step of the runs \[s\], and steps until the states
-/// of the air have settled.
+/// Displacement of the tip in the shape of a mode \[m\], and step of the run \[s\].
 const AMPLITUDE: f64 = 0.02;
 const STEP: f64 = 0.01;
-const SETTLED: usize = 100;
 
 /// The cosine part of the edgewise motion of three blades in the fixed frame, step by step \[m\]:
 /// 2/3 sum u_k cos psi_k.
@@ -143,40 +140,31 @@ fn multiblade(text: &str) -> Vec<f64> {
     instants.collect()
 }
 
-// Half the difference of two runs that start to both sides is free of the equilibrium. The decay is the
-// growth of the mode to 2 %, the frequency in the fixed frame to 5e-3, of which 3e-3 is the error of the
-// steps.
+// Equal motions of the three blades have no cosine part, so that the run shows the whirl alone. The decay is
+// the growth of the mode to 3 %, the frequency in the fixed frame to 3e-3: 1.4 % and 2.2e-3 at this step, 0.1 %
+// and 6e-4 at half of it.
 #[test]
 fn a_whirl_decays_in_time_as_its_eigenvalue_says() {
     let text = text("dynamic", "separation_lag");
-    let result = over(&text, "wind", "[8, 9]");
-    let expected = root(&result, 0, "edge 1 backward");
-    let found = {
-        let input = parsed(&text);
-        let table = modes(&input.model, &input.modes.unwrap()).table;
-        let points = table.at_speed(0);
-        let number = points
-            .iter()
-            .position(|own| own.0.name == "edge 1 backward");
-        let number = number.unwrap() + 1;
-        let run = |size: f64| {
-            multiblade(&format!(
-                "{text}[transient]\nto = 4\nstep = {STEP}\nstart = \"rotating\"\nspeed = 60\n\
-                 shape = {{ mode = {number}, displacement = {size:?} }}\n"
-            ))
-        };
-        let [one, other] = [AMPLITUDE, -AMPLITUDE].map(run);
-        let pairs = one.iter().zip(&other).skip(SETTLED);
-        let motion: Vec<_> = pairs.map(|(a, b)| 0.5 * (a - b)).collect();
-        fitted(&motion, STEP, expected.frequency())
-    };
-    let case = "edgewise backward whirl of three blades in the wind";
+    let name = "edge 1 forward";
+    let result = over(&text, "wind", "[8, 8.5]");
+    let expected = root(&result, 0, name);
+    let input = parsed(&text);
+    let table = modes(&input.model, &input.modes.unwrap()).table;
+    let number = table.at_speed(0).iter().position(|own| own.0.name == name);
+    let number = number.unwrap() + 1;
+    let motion = multiblade(&format!(
+        "{text}[transient]\nto = 4\nstep = {STEP}\nstart = \"rotating\"\nspeed = 60\n\
+         shape = {{ mode = {number}, displacement = {AMPLITUDE} }}\n"
+    ));
+    let found = fitted(&motion, STEP, expected.frequency());
+    let case = "edgewise forward whirl of three blades in the wind";
     let pairs = [
-        ("decay in time [1/s]", [found[0], expected.growth()], 0.02),
+        ("decay in time [1/s]", [found[0], expected.growth()], 0.03),
         (
             "frequency in time [rad/s]",
             [found[1], expected.frequency()],
-            5e-3,
+            3e-3,
         ),
     ];
     for (quantity, pair, within) in pairs {
@@ -206,12 +194,14 @@ fn the_damping_by_air_ends_with_the_air() {
 // A blade that flaps with the shape w(r) in still air, without induced velocity, at small angles: lift per
 // length -rho a c Omega r w_t / 2 on the mass m per length, so that
 //     growth = -rho a c Omega int r w^2 dr / (4 m int w^2 dr) ,
-// -gamma Omega / 16 of a rigid blade with its hinge at the axis. Motion along the shaft alone is damped; the
-// blade is stiff in the plane and in torsion. The shape is of the mode with air, whose damping of 8 % changes
-// it by its square; tables of thin sections have the slope a at zero angle.
+// -gamma Omega / 16 of a rigid blade with its hinge at the axis. The ratio of the integrals and the frequency
+// without air are of Ritz's method with six polynomials (r - 1)^2 to (r - 1)^7 for EI 3e5, m 10, 1 to 11 m,
+// 60 rpm. The air changes the shape by the square of the damping ratio: 0.05 % of the growth, and 1 % of the
+// frequency.
 #[test]
 fn flap_damping_has_its_closed_form() {
     let (density, slope, chord) = (0.4, 5.7, 0.6);
+    let (radius, vacuum): (f64, f64) = (9.012235, 1.507995);
     let text = format!(
         "units = \"SI\"\n[properties.blade]\nea = 4e8\ngay = 1e9\ngaz = 1e9\ngj = 4e7\neiy = 3e5\n\
          eiz = 8e8\nm = 10\niy = 0.02\niz = 0.02\n[air]\ndensity = {density}\nwind = [0, 0, 0]\n\
@@ -220,38 +210,24 @@ fn flap_damping_has_its_closed_form() {
          section = \"quasi_steady\"\nstations = [\n\
          {{ at = 0, chord = {chord}, airfoil = \"thin\" }},\n\
          {{ at = 10, chord = {chord}, airfoil = \"thin\" }},\n]\n\
-         [modes]\nspeeds = [60]\ncount = 3\nshapes = true\n"
+         [modes]\nspeeds = [60]\ncount = 3\n"
     );
     let input = parsed(&text);
-    let outcome = modes(&input.model, &input.modes.unwrap());
-    let table = outcome.table;
+    let table = modes(&input.model, &input.modes.unwrap()).table;
+    let growth = -density * slope * chord * SPEED * radius / (4.0 * 10.0);
+    let damped = (vacuum * vacuum - (growth / TAU).powi(2)).sqrt();
     let points = table.at_speed(0);
-    let (_, point) = points
-        .iter()
-        .find(|own| own.0.name.starts_with("flap 1"))
-        .unwrap();
-    let shape = point.shape.as_ref().unwrap();
-    let positions = &table.equilibria[0].positions;
-    let mut nodes: Vec<_> = input.model.blades[0].nodes.clone();
-    nodes.sort_by(|a, b| positions[*a][0].total_cmp(&positions[*b][0]));
-    let values = nodes.iter().map(|node| {
-        let [r, w] = [positions[*node][0], shape.displacements[*node][2].norm()];
-        [r, w * w, r * w * w]
-    });
-    let values: Vec<_> = values.collect();
-    // Simpson's rule over each element of three nodes.
-    let integral = |k: usize| -> f64 {
-        let elements = values.windows(3).step_by(2);
-        let terms =
-            elements.map(|e| (e[2][0] - e[0][0]) / 6.0 * (e[0][k] + 4.0 * e[1][k] + e[2][k]));
-        terms.sum()
-    };
-    let expected = -density * slope * chord * SPEED * integral(2) / (4.0 * 10.0 * integral(1));
-    let error = (point.growth / expected - 1.0).abs();
-    let (case, pair) = (
-        "flap mode of a turbine blade in still air",
-        [point.growth, expected],
-    );
-    record::value("closed form", case, "growth [1/s]", pair, error, 0.02);
-    assert!(error < 0.02, "{pair:?} {}", point.damping_ratio);
+    assert_eq!(points.len(), 3);
+    for (branch, point) in points {
+        assert!(branch.name.starts_with("flap 1 "), "{}", branch.name);
+        for (quantity, pair, within) in [
+            ("growth [1/s]", [point.growth, growth], 2e-3),
+            ("frequency [Hz]", [point.frequency, damped], 0.01),
+        ] {
+            let error = (pair[0] / pair[1] - 1.0).abs();
+            let case = format!("{} of a turbine blade in still air", branch.name);
+            record::value("closed form", &case, quantity, pair, error, within);
+            assert!(error < within, "{quantity}: {pair:?}");
+        }
+    }
 }

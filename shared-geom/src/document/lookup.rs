@@ -193,60 +193,56 @@ fn number(cells: &[&str], column: usize) -> Option<f64> {
     number.filter(|number| number.is_finite())
 }
 
+/// Indices of the columns, and the number of lines of titles, which counts the first of the `lines`.
+fn indices(
+    lines: &[(usize, &str)],
+    file: &str,
+    columns: &Columns,
+) -> Result<([usize; 2], usize), Diagnostics> {
+    let (line, first) = lines.first().copied().unwrap_or((1, ""));
+    let titles = match columns {
+        Columns::Numbers(indices) => {
+            let cells = cells(first);
+            let are_numbers = indices
+                .iter()
+                .all(|column| number(&cells, *column).is_some());
+            return Ok((*indices, usize::from(!are_numbers)));
+        }
+        Columns::Titles(titles) => titles,
+    };
+    let known: Vec<_> = first.split(',').map(str::trim).collect();
+    let mut problems = Diagnostics::new();
+    let found = titles.each_ref().map(|title| {
+        let found = known.iter().position(|own| own == title);
+        if found.is_none() {
+            let expected = format!("one of the columns {}", quoted(&known));
+            let problem = wrong("columns", format!("\"{title}\""), expected);
+            problems.push(SourceLocation::line(file, line), &problem);
+        }
+        found.unwrap_or(0)
+    });
+    problems.into_result((found, 1))
+}
+
 /// The rows of a text.
 fn rows(text: &str, file: &str, columns: &Columns) -> Result<Vec<Row>, Diagnostics> {
-    let lines = text
-        .lines()
-        .enumerate()
-        .map(|(index, line)| (index + 1, line));
+    let lines = (1..).zip(text.lines());
     let counts = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
-    let mut lines = lines.filter(|(_, line)| counts(line)).peekable();
+    let lines: Vec<(usize, &str)> = lines.filter(|(_, line)| counts(line)).collect();
+    let (indices, titles) = indices(&lines, file, columns)?;
     let mut problems = Diagnostics::new();
-    let indices = match columns {
-        Columns::Numbers(indices) => {
-            let has_titles = |(_, line): &(usize, &str)| {
-                let cells = cells(line);
-                indices
-                    .iter()
-                    .any(|column| number(&cells, *column).is_none())
-            };
-            lines.next_if(has_titles);
-            *indices
-        }
-        Columns::Titles(titles) => {
-            let (line, first) = lines.next().unwrap_or((1, ""));
-            let known: Vec<_> = first.split(',').map(str::trim).collect();
-            let mut index = |title: &String| {
-                let found = known.iter().position(|own| own == title);
-                found.unwrap_or_else(|| {
-                    let expected = format!("one of the columns {}", quoted(&known));
-                    let problem = wrong("columns", format!("\"{title}\""), expected);
-                    problems.push(SourceLocation::line(file, line), &problem);
-                    usize::MAX
-                })
-            };
-            [index(&titles[0]), index(&titles[1])]
-        }
-    };
-    if !problems.is_empty() {
-        return Err(problems);
-    }
     let mut rows = Vec::new();
     let mut failed = 0;
-    for (line, text) in lines {
+    for &(line, text) in lines.iter().skip(titles) {
         let cells = cells(text);
         let mut value = |column: usize| {
             let found = number(&cells, column);
             if found.is_none() && failed < SHOWN {
                 failed += 1;
-                let found = cells
-                    .get(column)
-                    .map_or("absent".to_owned(), |cell| format!("\"{cell}\""));
-                let problem = wrong(
-                    &format!("column {}", column + 1),
-                    found,
-                    "a number".to_owned(),
-                );
+                let found = cells.get(column).map(|cell| format!("\"{cell}\""));
+                let found = found.unwrap_or_else(|| "absent".to_owned());
+                let column = format!("column {}", column + 1);
+                let problem = wrong(&column, found, "a number".to_owned());
                 problems.push(SourceLocation::line(file, line), &problem);
             }
             found
