@@ -280,7 +280,7 @@ mod tests {
     #[test]
     fn a_table_is_straight_between_its_rows() {
         let text = "[parameters]\nx = \"= wind\"\n\
-                    a = { of = \"x\", rows = [[3, 1], [\"5 m\", 5], [7, 3]] }\n\
+                    a = { of = \"x\", rows = [[3, 1], [5, 5], [7, 3]] }\n\
                     b = \"= 10*a\"\nwind = 3\n";
         for (wind, expected) in [(3.0, 1.0), (4.0, 3.0), (5.0, 5.0), (6.5, 3.5), (7.0, 3.0)] {
             let given = [("wind".to_owned(), wind)];
