@@ -50,6 +50,7 @@ mod plausible;
 mod problem;
 mod regions;
 mod requests;
+pub mod result_tables;
 pub mod schema;
 mod source;
 pub mod span_loads;

@@ -22,6 +22,7 @@ mod include;
 mod inner;
 mod item;
 mod key;
+mod lookup;
 mod nested;
 mod parameters;
 mod problem;
@@ -35,6 +36,7 @@ pub use card::{Card, Content};
 pub use declare::meaning;
 pub use item::Item;
 pub use key::{ByHand, Declared, Key, Nested, NestedByName, NestedList, Value};
+pub use lookup::PARAMETER_TABLE;
 pub use problem::DocumentProblem;
 pub use table::Table;
 

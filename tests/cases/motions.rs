@@ -16,9 +16,15 @@ use crate::gallery::{blocks, commands};
 use crate::workplace::{Workplace, root};
 
 /// Cases of many modes or periodic motions, which take longer than all others together;
-/// `tests/dynamics` checks the values of the same models, and trims of other rotors in place of
-/// `rotor_trim`.
-const ELSEWHERE: [&str; 4] = ["four_blades", "ground_resonance", "rotor_trim", "tiltrotor"];
+/// `tests/dynamics` checks the values of the same models, trims of other rotors in place of
+/// `rotor_trim`, and modes of a smaller rotor in place of `turbine_modes`.
+const ELSEWHERE: [&str; 5] = [
+    "four_blades",
+    "ground_resonance",
+    "rotor_trim",
+    "tiltrotor",
+    "turbine_modes",
+];
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -61,6 +61,7 @@ mod superposed;
 mod swinging;
 mod tm4760;
 mod trim;
+mod turbine_modes;
 mod uniform_beam;
 mod vacuum;
 mod variational_beam;

@@ -5,15 +5,14 @@ use std::path::Path;
 use rotor_aero::rotor::OperatingPoint;
 use serde_json::Value;
 use shared_geom::document::schema::ValueKind::{
-    Named, NamedTables, Table as OneTable, Tables, Text, Word,
+    NamedTables, Parameters, Table as OneTable, Tables, Text, Word,
 };
 use shared_geom::document::schema::{self, UNITS};
-use shared_geom::document::{ByHand, Document, Table, read_text};
+use shared_geom::document::{ByHand, Document, PARAMETER_TABLE, Table, read_text};
 use shared_geom::error::Diagnostics;
 use shared_geom::file_kind::FileKind;
 use shared_geom::files::name_without;
 use shared_geom::keys;
-use shared_geom::units::Dimension;
 
 use super::aerodynamics;
 use crate::case::{PerformanceCase, PerformancePart};
@@ -45,7 +44,8 @@ keys! {
     /// Units of plain numbers: SI with degrees and rpm, or the units of the table.
     UNITS_KEY: ByHand = "units", [Word(&["SI"]), OneTable(&UNITS)], required, "\"SI\"";
     /// Numbers with names, for expressions; a quantity is converted to the declared unit.
-    PARAMETERS: ByHand = "parameters", [Named(Dimension::NUMBER)], optional, "{ tip = 63 }";
+    PARAMETERS: ByHand = "parameters", [Parameters(&PARAMETER_TABLE)], optional,
+        "{ tip = 63 }";
     /// The rotor.
     ROTOR: ByHand = "rotor", [OneTable(&rotor::CARD)], required, "";
     /// Airfoils, by name.

@@ -5,13 +5,12 @@
 //! from these declarations. A new card needs one line here.
 
 use serde_json::Value;
-use shared_geom::document::ByHand;
 use shared_geom::document::schema::ValueKind::{
-    Named, NamedTables, OtherTables, Table, Tables, Text, Texts, Word,
+    NamedTables, OtherTables, Parameters, Table, Tables, Text, Texts, Word,
 };
 use shared_geom::document::schema::{self, UNITS};
+use shared_geom::document::{ByHand, PARAMETER_TABLE};
 use shared_geom::keys;
-use shared_geom::units::Dimension;
 
 use super::{
     aerodynamics, analyses, beams, blades, bodies, clamps, columns, control, drives, electrodes,
@@ -29,7 +28,7 @@ keys! {
     /// Files whose cards are added, relative to the folder of this file.
     INCLUDE: ByHand = "include", [Texts], optional, "[\"blade.toml\", \"mast/mast.toml\"]";
     /// Numbers with names, for expressions; a quantity is converted to the declared unit.
-    PARAMETERS: ByHand = "parameters", [Named(Dimension::NUMBER)], optional,
+    PARAMETERS: ByHand = "parameters", [Parameters(&PARAMETER_TABLE)], optional,
         "{ span = \"15 ft\", chord = \"= span/4\" }";
     /// Numbers that change with time, by name.
     DRIVES: ByHand = "drives", [NamedTables(&drives::DRIVE)], optional, "";

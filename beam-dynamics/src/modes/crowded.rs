@@ -26,13 +26,19 @@ const HELD: usize = 2;
 const CONVERGED: f64 = 1e-10;
 /// Parts of a value between which its shift is, so that the matrix is never singular.
 const BESIDE: f64 = 1e-7;
+/// Imaginary part of an oscillation as a part of its magnitude: pairs below it, of a damping ratio above
+/// 0.95, are slow states that are coupled.
+const OSCILLATES: f64 = 0.3;
 /// Overlap of the shapes without and with the lags, below which they are different modes.
 const SAME_SHAPE: f64 = 0.5;
 
 impl EigenProblem<'_> {
-    /// Whether real values of scalars leave no oscillations among the `count` nearest values.
+    /// Whether slow values of scalars leave no `count` oscillations among the nearest values.
     pub(super) fn is_crowded(&self, sorted: &Sorted, count: usize) -> bool {
-        sorted.above.len() < count && sorted.real.len() >= count && self.has_slow_scalars()
+        let oscillates = |s: &&c64| s.im > OSCILLATES * s.norm();
+        let found = sorted.above.iter().filter(oscillates).count();
+        let slow = sorted.zeros + sorted.real.len() + sorted.above.len() - found;
+        found < count && slow >= count && self.has_slow_scalars()
     }
 
     /// The `count` oscillations of lowest frequency of a system without lags of scalars, corrected

@@ -233,11 +233,14 @@ impl<'a> EigenProblem<'a> {
             let is_all = values.len() < 2 * requested;
             let distance = |s: &c64| (s - self.inverse.shift()).norm();
             let nearest = values.iter().map(distance).fold(f64::INFINITY, f64::min);
-            let sorted = Sorted::new(values, self.inverse.zero());
+            let mut sorted = Sorted::new(values, self.inverse.zero());
             let free = match sorted.zeros {
                 0 => 0,
                 zeros => *counted.get_or_insert_with(|| self.free_motions(zeros)),
             };
+            // The other zeros are of scalars that hardly change, as in a frozen wake; the one of a free
+            // motion is double.
+            sorted.zeros = sorted.zeros.saturating_sub(2 * free);
             let is_crowded = self.is_crowded(&sorted, count.saturating_sub(free));
             if free + sorted.above.len() >= count
                 || is_all

@@ -16,7 +16,7 @@ pub(super) const COPIES: f64 = 1e-6;
 
 /// Eigenvalues by kind.
 pub(super) struct Sorted {
-    /// Number of those that are zero.
+    /// Number of those that are zero, later without the ones of free motions.
     pub zeros: usize,
     /// The real ones, ascending.
     pub real: Vec<f64>,

@@ -19,6 +19,12 @@ pub struct StabilityRoot {
     pub others: Vec<f64>,
     /// The motion as text.
     pub name: String,
+    /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None`: modes
+    /// of one name are numbered behind it.
+    pub pattern: Option<String>,
+    /// Number of waves around a rotor of blades, if one pattern prevails: modes of different ones are
+    /// different modes.
+    pub waves: Option<i32>,
     /// Motion and momentum of the mode, for comparisons; empty if they are not known \[any unit\].
     pub shape: [Vec<Complex<f64>>; 2],
 }
@@ -37,6 +43,8 @@ impl StabilityRoot {
             is_neutral: false,
             others: Vec::new(),
             name: String::new(),
+            pattern: None,
+            waves: None,
             shape: [Vec::new(), Vec::new()],
         }
     }

@@ -12,12 +12,18 @@ use shared_geom::section::SectionProperties;
 use super::analyze::{Job, Outcome, Run, Status, analyze_one, solve_all};
 use super::arguments::WholeBladeArguments;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, words};
+use crate::input;
 use crate::input::layup::{self, Layup, Selection, SpanStation};
+use crate::input::result_tables::read_modes;
 use crate::output::{
-    OutputFiles, ResultWriter, SolvedSpan, SolvedStation, SpanFiles, layer_rows, layup_section,
+    OutputFiles, ResultWriter, SectionPicture, SolvedSpan, SolvedStation, SpanFiles, layer_rows,
+    layup_section,
 };
 
+mod report;
 mod results;
+
+use report::Request;
 
 /// The ending of layup files.
 const ENDING: &str = ".layup.toml";
@@ -68,6 +74,8 @@ pub(super) fn solve_blade(
         let location = SourceLocation::file(file.display().to_string());
         return Err(terminal.report_all(&Diagnostics::one(location, &NoLine)));
     };
+    let modes = arguments.modes.as_deref().map(read_modes).transpose();
+    let modes = modes.map_err(|problems| terminal.report_all(&problems))?;
     let name = name_of(file);
     let beside = || file.parent().unwrap_or(Path::new("")).join("results");
     let folder = arguments.out.clone().unwrap_or_else(beside);
@@ -87,7 +95,15 @@ pub(super) fn solve_blade(
             .collect(),
     };
     let is_written = missing.is_empty() || arguments.skip_failed;
-    let written = results::write(&span, &files, is_written, arguments, terminal);
+    let request = Request {
+        modes,
+        missing: missing.clone(),
+    };
+    let page = arguments
+        .report
+        .then(|| request.page(&layup, &span, &files));
+    let page = page.flatten();
+    let written = results::write((&span, page), &files, is_written, arguments, terminal);
     if !missing.is_empty() {
         let missing = Missing {
             missing,
@@ -124,6 +140,8 @@ struct Plan<'a> {
     stations: Vec<SpanStation>,
     jobs: Vec<Job>,
     run: Run,
+    /// Whether the sections are drawn in a report.
+    are_drawn: bool,
     /// Parallel to `jobs`.
     solved: Vec<OnceLock<SolvedStation>>,
 }
@@ -148,6 +166,7 @@ impl<'a> Plan<'a> {
             layup,
             jobs: jobs.collect(),
             run: Run::plain(arguments.force),
+            are_drawn: arguments.report,
             solved: stations.iter().map(|_| OnceLock::new()).collect(),
             stations,
         }
@@ -170,8 +189,14 @@ impl<'a> Plan<'a> {
         };
         let outcome = analyze_one(job, &self.run);
         if let Some(properties) = outcome.properties.clone() {
+            // its files have just been read
+            let picture = || Some(SectionPicture::new(&input::read(&job.file).ok()?));
+            let station = SolvedStation {
+                picture: self.are_drawn.then(picture).flatten(),
+                ..station(properties)
+            };
             // each section is solved once
-            let _ = self.solved[number].set(station(properties));
+            let _ = self.solved[number].set(station);
         }
         outcome
     }
@@ -202,6 +227,7 @@ impl<'a> Plan<'a> {
             chord,
             properties,
             layers,
+            picture: None,
         })
     }
 

@@ -9,12 +9,14 @@ use shared_geom::line::ReferenceLine;
 use shared_geom::section::{Provenance, SectionProperties};
 
 use super::layup_report::LayerRow;
+use super::section_picture::SectionPicture;
 
 mod plot;
 mod table;
 mod text;
 
 pub use plot::span_plots;
+pub(super) use table::SpanRow;
 pub use table::{layers_csv, span_csv};
 pub use text::span_text;
 
@@ -29,6 +31,8 @@ pub struct SolvedStation {
     pub properties: SectionProperties,
     /// Its layers.
     pub layers: Vec<LayerRow>,
+    /// Its picture, if the report is requested.
+    pub picture: Option<SectionPicture>,
 }
 
 /// The solved sections of a blade.
@@ -112,6 +116,16 @@ impl SpanFiles {
     /// The table of the layers at the stations.
     pub fn layers(&self) -> PathBuf {
         self.path("layers.csv")
+    }
+
+    /// The report.
+    pub fn report(&self) -> PathBuf {
+        self.path("report.html")
+    }
+
+    /// The reserve factors that `strength` writes.
+    pub fn strength(&self) -> PathBuf {
+        self.path("strength.csv")
     }
 
     /// The figure called `plot`.

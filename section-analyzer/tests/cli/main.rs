@@ -8,9 +8,13 @@ mod bad_files;
 mod bad_property_files;
 mod bad_section;
 mod blade;
+mod blade_report;
 mod compare;
 mod curvature;
 mod distributed;
+#[expect(dead_code, reason = "numbers of random cases are for other suites")]
+#[path = "../../../tests/common/effort.rs"]
+mod effort;
 mod electric;
 mod electrodes;
 mod help;

@@ -3,6 +3,7 @@
 
 use std::cell::Ref;
 
+use super::lookup::{self, Lookup};
 use super::table::Table;
 use super::tree::{Kind, Value};
 use super::{Document, DocumentProblem};
@@ -20,15 +21,23 @@ struct Open<'a> {
     /// Its index among the parameters.
     index: usize,
     line: usize,
-    text: &'a str,
+    source: Source<'a>,
     /// Indices of the parameters that it depends on.
     uses: Vec<usize>,
 }
 
+/// The rule of a parameter that depends on others.
+enum Source<'a> {
+    /// An expression, as text.
+    Text(&'a str),
+    /// A table over the only parameter that it depends on.
+    Table(Lookup),
+}
+
 impl Document {
     /// Reads the table `[parameters]`, if it exists: numbers, quantities such as
-    /// `"0.5 in"`, which are converted to the declared unit, and expressions of other
-    /// parameters, in any order.
+    /// `"0.5 in"`, which are converted to the declared unit, expressions of other parameters,
+    /// in any order, and tables over another one.
     pub fn declare_parameters(&self, root: &Table<'_>) {
         self.declare_parameters_as(root, &[]);
     }
@@ -57,11 +66,11 @@ impl Document {
             }
             match self.parameter(name, value, &known) {
                 Some(Parameter::Number(number)) => known[index].1 = number,
-                Some(Parameter::Open(text, expression)) => open.push(Open {
+                Some(Parameter::Open(source, uses)) => open.push(Open {
                     index,
                     line: value.line,
-                    text,
-                    uses: numbers(&expression, &known),
+                    source,
+                    uses,
                 }),
                 None => {}
             }
@@ -89,7 +98,7 @@ impl Document {
             Kind::Text(text) => match written(text) {
                 Some(text) => {
                     let found = self.expression(name, value.line, text, &of(known))?;
-                    Parameter::Open(text, found)
+                    Parameter::Open(Source::Text(text), numbers(&found, known))
                 }
                 None => {
                     let found = parse_any(text).map_err(|problem| {
@@ -100,11 +109,28 @@ impl Document {
                     Parameter::Number(number / self.factor(dimension))
                 }
             },
+            Kind::Table(entries) => {
+                let (of, table) = lookup::read(self, (name, value.line), entries)?;
+                let index = known.binary_search_by(|own| own.0.cmp(&of));
+                let Ok(index) = index else {
+                    let known = known.iter().map(|own| own.0.clone()).collect();
+                    let (key, meant) = ("of".to_owned(), None);
+                    let problem = DocumentProblem::WrongWord {
+                        key,
+                        found: of,
+                        known,
+                        meant,
+                    };
+                    self.note_in(value, &problem);
+                    return None;
+                };
+                Parameter::Open(Source::Table(table), vec![index])
+            }
             other => {
                 let problem = DocumentProblem::WrongValue {
                     key: key(),
                     found: other.describe(),
-                    expected: "a number, a quantity or an expression".to_owned(),
+                    expected: "a number, a quantity, an expression or a table".to_owned(),
                 };
                 self.note_in(value, &problem);
                 return None;
@@ -160,9 +186,30 @@ impl Document {
 
     /// The value of a parameter that depends on known ones; NaN if it has none.
     fn value(&self, one: &Open<'_>, known: &Parameters) -> f64 {
-        // It was parsed before.
-        let found = Expression::parse(one.text, &of(known)).ok();
-        let number = found.map_or(f64::NAN, |found| found.at(|_| Jet::default()).value);
+        let number = match &one.source {
+            Source::Text(text) => {
+                // It was parsed before.
+                let found = Expression::parse(text, &of(known)).ok();
+                found.map_or(f64::NAN, |found| found.at(|_| Jet::default()).value)
+            }
+            Source::Table(table) => {
+                let (name, x) = &known[one.uses[0]];
+                return table.at(*x).unwrap_or_else(|| {
+                    if !x.is_nan() {
+                        let ([first, last], own) = (table.range(), &known[one.index].0);
+                        let problem = DocumentProblem::WrongValue {
+                            key: name.clone(),
+                            found: x.to_string(),
+                            expected: format!(
+                                "a value from {first} to {last}, the range of the table of \"{own}\""
+                            ),
+                        };
+                        self.note(one.line, &problem);
+                    }
+                    f64::NAN
+                });
+            }
+        };
         if number.is_finite() {
             return number;
         }
@@ -220,8 +267,8 @@ impl Document {
 /// Definition of a parameter.
 enum Parameter<'a> {
     Number(f64),
-    /// An expression and its text.
-    Open(&'a str, Expression),
+    /// A rule, and indices of the parameters that it depends on.
+    Open(Source<'a>, Vec<usize>),
 }
 
 /// The names of parameters, and no variable.

@@ -258,6 +258,8 @@ pub enum ValueKind {
     OtherTables,
     /// A table of texts, or of tables, by keys that are described elsewhere.
     Columns(&'static TableSchema),
+    /// A table of numbers, or of tables, with names chosen by the user.
+    Parameters(&'static TableSchema),
 }
 
 impl ValueKind {
@@ -272,7 +274,7 @@ impl ValueKind {
     /// The tables that are part of the value.
     pub fn inner_table(&self) -> Option<&'static TableSchema> {
         match self {
-            Self::Columns(table) => Some(table),
+            Self::Columns(table) | Self::Parameters(table) => Some(table),
             _ => self.table(),
         }
     }

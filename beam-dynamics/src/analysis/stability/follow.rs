@@ -4,7 +4,8 @@
 //! c_ij = |s_i - s_j| / s_0 + 3 (1 - MAC_ij) ,     s_0 = mean |s|                     (D-330)
 //! ```
 //!
-//! Pairs are taken by rising c, each root once. Where the energy of a mode is shared by several
+//! Pairs are taken by rising c, each root once; whirls of a rotor that differ in their number of waves are
+//! no pair, since the conjugate of a forward whirl has the shape of a backward one. Where the energy of a mode is shared by several
 //! frequencies, the one that is nearest to the frequency before is kept.
 
 use crate::result::{StabilityPoint, StabilityRoot};
@@ -65,7 +66,9 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
     for (i, a) in before.iter().enumerate() {
         for (j, b) in after.iter().enumerate() {
             let [cost, distance, frequency] = cost(a, b, size);
-            if a.is_neutral == b.is_neutral && (cost < SAME || distance < NEAR) {
+            let differ = a.waves.zip(b.waves).is_some_and(|(a, b)| a != b);
+            let is_alike = a.is_neutral == b.is_neutral && !differ;
+            if is_alike && (cost < SAME || distance < NEAR) {
                 pairs.push((cost, i, Link { to: j, frequency }));
             }
         }
@@ -81,7 +84,8 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
     found
 }
 
-/// Numbers the modes through all points and keeps the frequency of each mode; returns their names.
+/// Numbers the modes through all points and keeps the frequency of each mode; returns their names. New
+/// modes of a point are named by ascending frequency.
 pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for index in 0..points.len() {
@@ -96,26 +100,29 @@ pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
                 }
             }
         }
-        let numbered = modes.into_iter().zip(&point.roots).map(|(mode, root)| {
-            mode.unwrap_or_else(|| {
-                names.push(new_name(&names, &root.name));
-                names.len() - 1
-            })
-        });
-        point.modes = numbered.collect();
+        let mut new: Vec<_> = (0..modes.len()).filter(|i| modes[*i].is_none()).collect();
+        let frequency = |index: &usize| point.roots[*index].frequency();
+        new.sort_by(|a, b| frequency(a).total_cmp(&frequency(b)));
+        for index in new {
+            names.push(new_name(&names, &point.roots[index]));
+            modes[index] = Some(names.len() - 1);
+        }
+        point.modes = modes.into_iter().flatten().collect();
     }
     names
 }
 
 /// A name that no mode has.
-fn new_name(names: &[String], stem: &str) -> String {
-    let numbered = |number: usize| match (number, stem.is_empty()) {
-        (_, true) => format!("mode {number}"),
-        (1, false) => stem.to_owned(),
-        (_, false) => format!("{stem} ({number})"),
+fn new_name(names: &[String], root: &StabilityRoot) -> String {
+    let stem = &root.name;
+    let numbered = |number: usize| match (&root.pattern, number) {
+        (Some(pattern), _) => format!("{stem} {number}{pattern}"),
+        (None, _) if stem.is_empty() => format!("mode {number}"),
+        (None, 1) => stem.clone(),
+        (None, _) => format!("{stem} ({number})"),
     };
     let mut numbers = (1..).map(numbered);
     numbers
         .find(|name| !names.contains(name))
-        .unwrap_or_else(|| stem.to_owned())
+        .unwrap_or_else(|| stem.clone())
 }

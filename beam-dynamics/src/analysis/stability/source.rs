@@ -319,7 +319,9 @@ fn root(
             true => 0.0,
             false => ROUND_OFF * point.growth.hypot(TAU * point.frequency),
         },
-        name: format!("{}{pattern}", point.kind().word_in(words)),
+        name: point.kind().word_in(words).to_owned(),
+        pattern: Some(pattern),
+        waves: whirl.filter(|w| w.blades > 0).map(|w| w.harmonic),
         shape: motion.parts().map(<[_]>::to_vec),
         ..StabilityRoot::new(Complex::new(point.growth, frequency))
     }

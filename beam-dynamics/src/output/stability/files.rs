@@ -4,7 +4,7 @@ use shared_geom::files::{OutputProblem, make_folder};
 
 use super::plot::StabilityPlot;
 use super::table::{boundary_csv, stability_csv};
-use super::text::{roots_text, stability_text};
+use super::text::{modes_text, roots_text, stability_text};
 use crate::output::Written;
 use crate::output::folder::{ResultLocation, Results};
 use crate::result::StabilityResult;
@@ -28,7 +28,8 @@ pub fn write_stability(
     results.remove([TABLE, BOUNDARIES, TEXT].into_iter().chain(PLOT));
     results.text(TABLE, &stability_csv(result))?;
     results.text(BOUNDARIES, &boundary_csv(result))?;
-    results.text(TEXT, &(stability_text(result) + &roots_text(result)))?;
+    let text = stability_text(result) + &modes_text(result) + &roots_text(result);
+    results.text(TEXT, &text)?;
     results.figures(PLOT, || StabilityPlot::new(result))?;
     Ok(results.written)
 }

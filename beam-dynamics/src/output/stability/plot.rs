@@ -1,4 +1,4 @@
-//! The figure of stability: growth and frequency over the parameter, and the root locus.
+//! The figure of stability: growth, damping and frequency over the parameter, and the root locus.
 
 use std::f64::consts::TAU;
 
@@ -8,10 +8,9 @@ use shared_geom::figure::{
 
 use crate::result::StabilityResult;
 
-/// Heights of the panels, the gap below the first one and the second one, and the upper and lower
-/// margins \[figure pixels\].
-const PANELS: [f64; 3] = [520.0, 440.0, 640.0];
-const GAPS: [f64; 2] = [50.0, 150.0];
+/// Heights of the panels, the gaps between them, and the upper and lower margins \[figure pixels\].
+const PANELS: [f64; 4] = [520.0, 520.0, 440.0, 640.0];
+const GAPS: [f64; 3] = [50.0, 50.0, 150.0];
 const TOP: f64 = 100.0;
 const BOTTOM: f64 = 130.0;
 /// Left and right edges \[figure pixels\].
@@ -23,10 +22,20 @@ const RING: f64 = 12.0;
 /// Lines of boundaries.
 const MARKED: Color = Color(120, 120, 120);
 /// Number of modes above which a legend does not help.
-const MOST_NAMES: usize = 14;
+const MOST_NAMES: usize = 21;
+/// Damping up to which the panel of damping reaches if some modes have more than twice as much: lightly
+/// damped modes are the ones to be seen \[%\].
+const MOST_DAMPING: f64 = 10.0;
 
-/// A mode over the parameter: value, growth \[1/s\] and frequency \[Hz\].
-type Curve = Vec<[f64; 3]>;
+/// A mode over the parameter: value, growth \[1/s\], frequency \[Hz\] and damping \[%\].
+type Curve = Vec<[f64; 4]>;
+/// Indices of these numbers across and up, and the title of the axis up, of each panel.
+const CONTENT: [([usize; 2], &str); 4] = [
+    ([0, 1], "growth [1/s]"),
+    ([0, 3], "damping [%]"),
+    ([0, 2], "frequency [Hz]"),
+    ([1, 2], "frequency [Hz]"),
+];
 
 /// A figure of roots, ready to be saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,8 +44,8 @@ pub struct StabilityPlot {
     across: String,
     names: Vec<String>,
     curves: Vec<Curve>,
-    /// Value, growth and frequency of each boundary.
-    boundaries: Vec<[f64; 3]>,
+    /// Value, growth, frequency and damping of each boundary.
+    boundaries: Curve,
 }
 
 impl StabilityPlot {
@@ -45,8 +54,16 @@ impl StabilityPlot {
         let curve = |mode: usize| -> Curve {
             let points = result.points.iter();
             let roots = points.map(|point| match point.root_of(mode) {
-                Some(root) => [point.at, root.growth(), root.frequency() / TAU],
-                None => [point.at, f64::NAN, f64::NAN],
+                Some(root) => {
+                    let damping = root.damping_ratio().unwrap_or(f64::NAN);
+                    [
+                        point.at,
+                        root.growth(),
+                        root.frequency() / TAU,
+                        100.0 * damping,
+                    ]
+                }
+                None => [point.at, f64::NAN, f64::NAN, f64::NAN],
             });
             roots.collect()
         };
@@ -57,7 +74,7 @@ impl StabilityPlot {
             names: result.modes.clone(),
             curves: (0..result.modes.len()).map(curve).collect(),
             boundaries: boundaries
-                .map(|own| [own.at, own.growth, own.frequency / TAU])
+                .map(|own| [own.at, own.growth, own.frequency / TAU, 0.0])
                 .collect(),
         })
     }
@@ -72,8 +89,9 @@ impl StabilityPlot {
         f64::from(WIDTH) - LEFT - RIGHT
     }
 
-    /// The axes of a panel below the legend, of the values k = 0, 1, 2 of the curves.
-    fn axes(&self, panel: usize, across: usize, up: usize) -> Axes {
+    /// The axes of a panel below the legend.
+    fn axes(&self, panel: usize) -> Axes {
+        let [across, up] = CONTENT[panel].0;
         let before = PANELS.iter().zip(GAPS).take(panel);
         let above: f64 = before.map(|(height, gap)| height + gap).sum();
         let top = TOP + self.legend().height(Self::space()) + above;
@@ -88,18 +106,22 @@ impl StabilityPlot {
             }
             _ => range(values(across).chain([0.0]), 0.0),
         };
+        let y = range(values(up).chain([0.0]), 0.0);
         Axes {
             left: LEFT,
             right: f64::from(WIDTH) - RIGHT,
             top,
             bottom: top + PANELS[panel],
             x,
-            y: range(values(up).chain([0.0]), 0.0),
+            y: match up {
+                3 if y[1] > 2.0 * MOST_DAMPING => [y[0].max(-MOST_DAMPING), MOST_DAMPING],
+                _ => y,
+            },
         }
     }
 
-    fn draw_panel(&self, drawing: &mut Drawing, panel: usize, [across, up]: [usize; 2]) {
-        let axes = self.axes(panel, across, up);
+    fn draw_panel(&self, drawing: &mut Drawing, panel: usize) {
+        let ([across, up], axes) = (CONTENT[panel].0, self.axes(panel));
         axes.draw_grid(drawing);
         axes.draw_zero(drawing);
         if across != 0 {
@@ -112,13 +134,15 @@ impl StabilityPlot {
         }
         for (index, curve) in self.curves.iter().enumerate() {
             let color = category(index);
-            for run in curve.split(|point| !point[1].is_finite()) {
+            for run in curve.split(|point| !point[up].is_finite()) {
                 let points: Vec<_> = run.iter().map(|point| [point[across], point[up]]).collect();
-                if points.is_empty() {
-                    continue;
+                for pair in points.windows(2) {
+                    if let Some(ends) = inside([pair[0], pair[1]], axes.y) {
+                        axes.curve(drawing, &ends, Stroke::new(LINE, color));
+                    }
                 }
-                axes.curve(drawing, &points, Stroke::new(LINE, color));
-                for point in points {
+                let is_inside = |point: &[f64; 2]| (axes.y[0]..=axes.y[1]).contains(&point[1]);
+                for point in points.into_iter().filter(is_inside) {
                     drawing.disc(axes.position(point), POINT, color);
                 }
             }
@@ -140,16 +164,40 @@ impl Figure for StabilityPlot {
     fn draw(&self, drawing: &mut Drawing) {
         drawing.title(&self.title, [40.0, 44.0]);
         self.legend().draw(drawing, [LEFT, 78.0], Self::space());
-        let titles = [
-            (None, "growth [1/s]"),
-            (Some(self.across.as_str()), "frequency [Hz]"),
-            (Some("growth [1/s]"), "frequency [Hz]"),
-        ];
-        let values = [[0, 1], [0, 2], [1, 2]];
-        for (panel, ((across, up), values)) in titles.into_iter().zip(values).enumerate() {
-            self.draw_panel(drawing, panel, values);
-            let [x, y] = values;
-            self.axes(panel, x, y).draw(drawing, across, up);
+        let across = [None, None, Some(self.across.as_str()), Some("growth [1/s]")];
+        for (panel, across) in across.into_iter().enumerate() {
+            self.draw_panel(drawing, panel);
+            self.axes(panel).draw(drawing, across, CONTENT[panel].1);
         }
+    }
+}
+
+/// The part of a straight piece between two heights; `None` if it is outside.
+fn inside([a, b]: [[f64; 2]; 2], [low, high]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let at = |part: f64| [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
+    let parts = [low, high].map(|y| (y - a[1]) / (b[1] - a[1]));
+    let [first, last] = match b[1] == a[1] {
+        true if (low..=high).contains(&a[1]) => [0.0, 1.0],
+        true => return None,
+        false => [
+            parts[0].min(parts[1]).max(0.0),
+            parts[0].max(parts[1]).min(1.0),
+        ],
+    };
+    (first <= last).then(|| [at(first), at(last)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_end_at_the_edges_of_a_panel() {
+        let piece = |y: [f64; 2]| inside([[0.0, y[0]], [2.0, y[1]]], [0.0, 10.0]);
+        assert_eq!(piece([2.0, 8.0]), Some([[0.0, 2.0], [2.0, 8.0]]));
+        assert_eq!(piece([5.0, 15.0]), Some([[0.0, 5.0], [1.0, 10.0]]));
+        assert_eq!(piece([20.0, -20.0]), Some([[0.5, 10.0], [1.0, 0.0]]));
+        assert_eq!(piece([3.0, 3.0]), Some([[0.0, 3.0], [2.0, 3.0]]));
+        assert_eq!([piece([11.0, 12.0]), piece([12.0, 12.0])], [None, None]);
     }
 }

@@ -4,10 +4,18 @@ use std::f64::consts::TAU;
 
 use crate::input::short_number;
 use crate::output::text::aligned;
-use crate::result::{StabilityResult, StabilityRoot};
+use crate::result::{StabilityPoint, StabilityResult, StabilityRoot};
 
 /// Digits of values of the parameter, and of boundaries.
 const DIGITS: [usize; 2] = [7, 10];
+/// Values side by side: to fill the width of a page.
+const VALUES_A_BLOCK: usize = 8;
+/// Tables over the values: title, and the number of a root.
+type OverValues = (&'static str, fn(&StabilityRoot) -> Option<f64>);
+const OVER_VALUES: [OverValues; 2] = [
+    ("Frequency [Hz]", |root| Some(root.frequency() / TAU)),
+    ("Damping [%]", |root| Some(100.0 * root.damping_ratio()?)),
+];
 
 /// Boundaries, the stability of each value with its least damped mode, and remarks.
 pub fn stability_text(result: &StabilityResult) -> String {
@@ -72,6 +80,36 @@ fn boundaries(result: &StabilityResult) -> String {
         ]);
     }
     format!("\nBoundaries\n{}", aligned(&rows))
+}
+
+/// Frequency and damping ratio of each mode at the requested values, side by side in blocks.
+pub(super) fn modes_text(result: &StabilityResult) -> String {
+    let requested = result.points.iter().filter(|point| point.is_requested);
+    let points: Vec<_> = requested.collect();
+    let seen = |mode: usize, point: &&StabilityPoint| point.root_of(mode).is_some();
+    let blocks = points.len().div_ceil(VALUES_A_BLOCK).max(1);
+    let mut text = String::new();
+    for (title, number) in OVER_VALUES {
+        text.push_str(&format!("\n{title}\n"));
+        for block in points.chunks(points.len().div_ceil(blocks).max(1)) {
+            let mut rows = vec![vec![result.parameter.clone()]];
+            rows[0].extend(block.iter().map(|point| short_number(point.at, DIGITS[0])));
+            for (mode, name) in result.modes.iter().enumerate() {
+                if !block.iter().any(|point| seen(mode, point)) {
+                    continue;
+                }
+                let cell = |point: &&StabilityPoint| {
+                    let found = point.root_of(mode).and_then(number);
+                    found.map_or_else(|| "-".to_owned(), |number| format!("{number:.3}"))
+                };
+                let cells = block.iter().map(cell);
+                rows.push(std::iter::once(name.clone()).chain(cells).collect());
+            }
+            text.push_str(&aligned(&rows));
+            text.push('\n');
+        }
+    }
+    text
 }
 
 /// All roots of all values.

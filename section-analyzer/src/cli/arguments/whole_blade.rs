@@ -19,6 +19,9 @@ and solved in parallel, and written into the folder DIR:
   NAME.layers.csv     by station and layer: arcs, thickness, area as given and meshed
   NAME.span.png, NAME.shear.png, NAME.centers.png
                       the same over the arc length
+  NAME.report.html    with --report: one page for a browser, without network: sections with
+                      their layers, stiffness and mass, curves over the span, remarks; the
+                      reserve factors of \"strength\" if NAME.strength.csv is in DIR
   sections/           of each station ETA: eta_ETA.section.toml, its mesh, and the files that
                       \"analyze\" writes, without figures: \"stress\" and \"analyze\" work on them
   FORMAT/             with --format: the blade in the formats of other tools
@@ -36,6 +39,7 @@ Examples:
   section-analyzer blade rotor.layup.toml --out rotor
   section-analyzer blade rotor.layup.toml --stations 0.1,0.3,0.9 --format beamdyn,hawc2
   section-analyzer blade rotor.layup.toml --count 40 --format all --svg
+  section-analyzer blade rotor.layup.toml --out rotor --report
   beam-dynamics modes rotor/rotor.blade.json
 
 The exit code is 2 if FILE is wrong, 1 if a section is missing or a file could not be
@@ -101,6 +105,12 @@ pub(in crate::cli) struct WholeBladeArguments {
     /// Formats of other tools in which the blade is written too, or "all"
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = formats)]
     pub format: Vec<Formats>,
+    /// Write a page that shows the blade and its sections in a browser
+    #[arg(long)]
+    pub report: bool,
+    /// Modes that the report lists: NAME.modes.csv of "beam-dynamics modes"
+    #[arg(long, value_name = "FILE", requires = "report")]
+    pub modes: Option<PathBuf>,
     /// Write the blade without the sections that failed; the exit code is still 1
     #[arg(long)]
     pub skip_failed: bool,

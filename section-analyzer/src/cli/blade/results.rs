@@ -23,10 +23,10 @@ impl Explain for Unsound {
     }
 }
 
-/// Writes the tables and figures of the solved sections, and the blade in all formats if
-/// `is_written`; otherwise blades of an earlier run are removed.
+/// Writes the tables and figures of the solved sections, their report `page`, and the blade in all
+/// formats if `is_written`; otherwise blades of an earlier run are removed.
 pub(super) fn write(
-    span: &SolvedSpan<'_>,
+    (span, page): (&SolvedSpan<'_>, Option<String>),
     files: &SpanFiles,
     is_written: bool,
     arguments: &WholeBladeArguments,
@@ -44,19 +44,21 @@ pub(super) fn write(
     }
     let mut written = Vec::new();
     let mut lost = Vec::new();
-    let done = write_tables(span, files, figures, &mut written).and_then(|()| match is_written {
-        true => write_blade(
-            &blade,
-            span.name,
-            files,
-            arguments,
-            (&mut written, &mut lost),
-        ),
-        false => {
-            remove_blade(&blade, span.name, files);
-            Ok(())
-        }
-    });
+    let done = write_tables(span, files, figures, &mut written)
+        .and_then(|()| write_page(page, files, &mut written))
+        .and_then(|()| match is_written {
+            true => write_blade(
+                &blade,
+                span.name,
+                files,
+                arguments,
+                (&mut written, &mut lost),
+            ),
+            false => {
+                remove_blade(&blade, span.name, files);
+                Ok(())
+            }
+        });
     for text in &lost {
         writeln!(terminal.out, "  {text}")?;
     }
@@ -96,6 +98,24 @@ fn write_tables(
                 false => drop(std::fs::remove_file(file)),
             }
         }
+    }
+    Ok(())
+}
+
+/// Writes the report, or removes the one of an earlier run.
+fn write_page(
+    page: Option<String>,
+    files: &SpanFiles,
+    written: &mut Vec<PathBuf>,
+) -> Result<(), OutputProblem> {
+    let file = files.report();
+    match page {
+        Some(page) => {
+            write_whole(&file, &page)?;
+            written.push(file);
+        }
+        // A missing file is ignored.
+        None => drop(std::fs::remove_file(file)),
     }
     Ok(())
 }

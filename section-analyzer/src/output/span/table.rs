@@ -50,7 +50,7 @@ const LAYERS: [&str; 9] = [
 
 /// Values of a station, in the axes of its section.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct SpanRow {
+pub(in crate::output) struct SpanRow {
     /// Arc length from the root \[m\].
     pub arc_length: f64,
     /// Position in root axes \[m\].

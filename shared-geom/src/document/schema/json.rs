@@ -153,6 +153,9 @@ impl Numbers {
             })],
             ValueKind::Tables(table) => vec![list(self.of_table(table))],
             ValueKind::Columns(table) => vec![open(any(vec![text(), self.of_table(table)]))],
+            ValueKind::Parameters(table) => {
+                vec![open(any(vec![self.number(), self.of_table(table)]))]
+            }
             ValueKind::OtherTables => vec![list(json!({ "type": "object" }))],
         }
     }

@@ -99,6 +99,7 @@ fn words(kind: &ValueKind) -> String {
         ValueKind::NamedTables(table) => format!("tables `{}`", table.title),
         ValueKind::Tables(table) => format!("tables `{}`", table.title),
         ValueKind::Columns(table) => format!("names by key, or tables `{}`", table.title),
+        ValueKind::Parameters(table) => format!("quantities by name, or tables `{}`", table.title),
         ValueKind::OtherTables => "tables".to_owned(),
     }
 }

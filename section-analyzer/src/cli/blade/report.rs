@@ -1,0 +1,158 @@
+//! The report of a blade: its remarks, and the tables of other commands that it shows.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::time::SystemTime;
+
+use crate::input::layup::Layup;
+use crate::input::result_tables::{ListedReserve, ModeTable, read_reserves};
+use crate::mesh::short;
+use crate::output::{Remark, ReportPage, SolvedSpan, SolvedStation, SpanFiles};
+
+/// Part of a layer that is cut or filled from which there is a remark [-].
+const CUT: f64 = 0.01;
+
+/// What the report shows besides the sections.
+#[derive(Debug)]
+pub(super) struct Request {
+    /// The modes of the blade.
+    pub modes: Option<ModeTable>,
+    /// Sections without a result.
+    pub missing: Vec<String>,
+}
+
+impl Request {
+    /// The report of the solved sections; `None` if there are none.
+    pub fn page(&self, layup: &Layup, span: &SolvedSpan<'_>, files: &SpanFiles) -> Option<String> {
+        if span.stations.is_empty() {
+            return None;
+        }
+        let about_blade = |text: String| Remark {
+            text,
+            sections: Vec::new(),
+        };
+        let mut remarks: Vec<Remark> = layup.remarks.iter().cloned().map(about_blade).collect();
+        if !self.missing.is_empty() {
+            remarks.push(about_blade(format!(
+                "no section at {}: the messages of the run have the reason",
+                self.missing.join(", ")
+            )));
+        }
+        let is_not_drawn = |station: &&SolvedStation| station.picture.is_none();
+        remarks.extend(span.stations.iter().filter(is_not_drawn).map(|station| {
+            let name = &station.properties.name;
+            about_blade(format!(
+                "section {name} cannot be drawn: its files have changed"
+            ))
+        }));
+        let reserves = match reserves(span, files) {
+            Ok(reserves) => reserves,
+            Err(reason) => {
+                remarks.push(about_blade(reason));
+                Vec::new()
+            }
+        };
+        remarks.extend(cut_layers(span));
+        remarks.extend(poor_cells(span));
+        remarks.extend(warnings(span));
+        let page = ReportPage {
+            span,
+            remarks: &remarks,
+            reserves: &reserves,
+            modes: self.modes.as_ref(),
+        };
+        Some(page.html())
+    }
+}
+
+/// The reserve factors that `strength` found for these sections; none without its file.
+///
+/// # Errors
+/// A file that is older than a section, or cannot be read.
+fn reserves(span: &SolvedSpan<'_>, files: &SpanFiles) -> Result<Vec<ListedReserve>, String> {
+    let file = files.strength();
+    let time =
+        |file: &Path| -> Option<SystemTime> { std::fs::metadata(file).ok()?.modified().ok() };
+    let Some(written) = time(&file) else {
+        return Ok(Vec::new());
+    };
+    let shown = file.file_name().unwrap_or_default().to_string_lossy();
+    for station in &span.stations {
+        let name = &station.properties.name;
+        let properties = files.sections().join(format!("{name}.properties.json"));
+        if time(&properties).is_some_and(|solved| solved > written) {
+            return Err(format!(
+                "{shown} is older than the section {name} and is not shown: run \
+                 \"section-analyzer strength\" again"
+            ));
+        }
+    }
+    read_reserves(&file).map_err(|problems| format!("{shown} is not shown: {problems}"))
+}
+
+/// Layers whose cells have another area than the layer: where both sides meet, its plies are cut.
+fn cut_layers(span: &SolvedSpan<'_>) -> Vec<Remark> {
+    let mut worst: Vec<(&str, f64, Vec<String>)> = Vec::new();
+    for station in &span.stations {
+        for row in &station.layers {
+            let part = 1.0 - row.meshed / row.nominal;
+            if part < CUT {
+                continue;
+            }
+            let name = station.properties.name.clone();
+            match worst.iter_mut().find(|known| known.0 == row.layer) {
+                Some((_, most, sections)) => {
+                    *most = most.max(part);
+                    sections.push(name);
+                }
+                None => worst.push((&row.layer, part, vec![name])),
+            }
+        }
+    }
+    let remark = |(layer, part, sections): (&str, f64, Vec<String>)| Remark {
+        text: format!(
+            "layer \"{layer}\" is cut where both sides meet, by up to {} % of its area",
+            short((1000.0 * part).round() / 10.0)
+        ),
+        sections,
+    };
+    worst.into_iter().map(remark).collect()
+}
+
+/// Cells of poor shape, as one remark.
+fn poor_cells(span: &SolvedSpan<'_>) -> Option<Remark> {
+    let stations = span.stations.iter();
+    let drawn = stations.filter_map(|station| Some((station, station.picture.as_ref()?)));
+    let poor: Vec<_> = drawn
+        .filter(|(_, picture)| picture.poor_cells > 0)
+        .collect();
+    let most = poor.iter().map(|(_, picture)| picture.poor_cells).max()?;
+    Some(Remark {
+        text: format!(
+            "cells of poor shape, up to {most} in a section, near which results are less accurate; \
+             the reports of the sections have their places"
+        ),
+        sections: poor
+            .iter()
+            .map(|(station, _)| station.properties.name.clone())
+            .collect(),
+    })
+}
+
+/// Warnings about sections; equal ones are one.
+fn warnings(span: &SolvedSpan<'_>) -> Vec<Remark> {
+    let mut sections: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for station in &span.stations {
+        for text in station.picture.iter().flat_map(|picture| &picture.warnings) {
+            sections
+                .entry(text)
+                .or_default()
+                .push(station.properties.name.clone());
+        }
+    }
+    let remark = |(text, sections): (&str, Vec<String>)| Remark {
+        text: text.to_owned(),
+        sections,
+    };
+    sections.into_iter().map(remark).collect()
+}
