@@ -237,7 +237,8 @@ fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
     }
 }
 
-/// As [`parse`], for a unit that must measure `expected`.
+/// As [`parse`], for a unit that must measure `expected`. Stiffnesses and dampers of rotation are moments
+/// per radian: `N*m/rad` is `N*m`, and `N*m/deg` 180/pi of it.
 ///
 /// # Errors
 /// As [`parse`], and [`UnitProblem::Dimension`].
@@ -250,7 +251,9 @@ pub fn parse_as(text: &str, expected: Dimension) -> Result<Unit, UnitProblem> {
         },
         other => other,
     })?;
-    if unit.dimension == expected {
+    let per_angle = [Dimension::MOMENT, Dimension::TURNING_DAMPER].contains(&expected)
+        && unit.dimension.times(Dimension::ANGLE, 1) == expected;
+    if unit.dimension == expected || per_angle {
         Ok(unit)
     } else {
         Err(UnitProblem::Dimension {

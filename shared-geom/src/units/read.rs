@@ -358,6 +358,18 @@ mod tests {
         assert_eq!(parse_any("2Nm").unwrap(), (2.0, Dimension::MOMENT));
     }
 
+    /// 1 N m/deg = 180/pi N m/rad; a force per angle is not a moment per angle.
+    #[test]
+    fn moments_per_angle_are_stiffnesses_of_rotation() {
+        let read = |text, dimension| parse_quantity(text, dimension).unwrap();
+        let stiffness = 180.0 / std::f64::consts::PI;
+        assert_eq!(read("5 kN*m/rad", Dimension::MOMENT), 5e3);
+        assert!((read("1 Nm/deg", Dimension::MOMENT) / stiffness - 1.0).abs() < 1e-15);
+        assert_eq!(read("3 N*m*s/rad", Dimension::TURNING_DAMPER), 3.0);
+        assert!(parse_quantity("1 N/rad", Dimension::FORCE).is_err());
+        assert!(parse_quantity("1 N*m*rad", Dimension::MOMENT).is_err());
+    }
+
     #[test]
     fn ambiguous_and_wrong_units_are_explained() {
         let help = |text, dimension| {
