@@ -97,7 +97,7 @@ fn find(
         let residual = system.residual(state, conditions).values;
         let first = system.numbering().first_scalar();
         if iteration == 0 {
-            keep_known_rates(&tangent, first, &mut is_rate);
+            keep_known_rates(&tangent, system, &mut is_rate);
         }
         let mut change: Vec<_> = residual[first..].iter().map(|value| -value).collect();
         let matrix = matrix_of_scalars(&tangent, &pattern, (first, &is_rate));
@@ -127,10 +127,12 @@ fn find(
     (worst.part <= HELD).then_some(())
 }
 
-/// Excludes rates that no equation of a scalar contains, and rates of scalars whose equation would
-/// then have no unknown: the values of these scalars follow from the equations, and their rates
-/// only from the accelerations.
-fn keep_known_rates(tangent: &Tangent, first: usize, is_rate: &mut [bool]) {
+/// Excludes rates that no equation of a scalar contains, rates of scalars whose own equation gives
+/// their value without any rate, as the one of the momentum of an added mass, and rates of scalars
+/// whose equation would then have no unknown: the values of these scalars follow from the equations,
+/// and their rates only from the accelerations.
+fn keep_known_rates(tangent: &Tangent, system: &System, is_rate: &mut [bool]) {
+    let first = system.numbering().first_scalar();
     let scalars = first..first + is_rate.len();
     let entries = |of: &Sparse| -> Vec<(usize, usize)> {
         let own = of.triplets().filter(|&(row, column, value)| {
@@ -141,8 +143,14 @@ fn keep_known_rates(tangent: &Tangent, first: usize, is_rate: &mut [bool]) {
     };
     let (by_rates, by_values) = (entries(&tangent.by_rates), entries(&tangent.by_unknowns));
     let mut is_contained = vec![false; is_rate.len()];
-    for &(_, column) in &by_rates {
+    let mut has_rates = vec![false; is_rate.len()];
+    for &(row, column) in &by_rates {
         is_contained[column] = true;
+        has_rates[row] = true;
+    }
+    for &(row, column) in &by_values {
+        let follows = row == column && !has_rates[row];
+        is_rate[row] &= !(follows && system.scalars()[row].start == ScalarStart::Settled);
     }
     for (is_rate, is_contained) in is_rate.iter_mut().zip(is_contained) {
         *is_rate &= is_contained;
