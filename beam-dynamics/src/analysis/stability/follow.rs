@@ -4,9 +4,10 @@
 //! c_ij = |s_i - s_j| / s_0 + 3 (1 - MAC_ij) ,     s_0 = mean |s|                     (D-330)
 //! ```
 //!
-//! Pairs are taken by rising c, each root once; whirls of a rotor that differ in their number of waves are
-//! no pair, since the conjugate of a forward whirl has the shape of a backward one. Where the energy of a mode is shared by several
-//! frequencies, the one that is nearest to the frequency before is kept.
+//! Pairs are taken by rising c, each root once; whirls of a rotor that differ in their number of
+//! waves are no pair, since the conjugate of a forward whirl has the shape of a backward one. Where
+//! the energy of a mode is shared by several frequencies, the one that is nearest to the frequency
+//! before is kept.
 
 use crate::result::{StabilityPoint, StabilityRoot};
 
