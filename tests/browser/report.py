@@ -3,7 +3,7 @@
     python3 report.py BROWSER PAGE.report.html [FOLDER]
 
 The page runs its own checks at the address #selftest. Then pictures of a wide and of a narrow
-window must have the drawing of the section; they remain in FOLDER if it is given. Exit code 0 if
+window must have texts and colored curves; they remain in FOLDER if it is given. Exit code 0 if
 all is well, else 1 with the failures.
 """
 
@@ -17,7 +17,7 @@ from collections import Counter
 from html import unescape
 from pathlib import Path
 
-WINDOWS = [(1280, 2400), (390, 3200)]
+WINDOWS = [(1280, 800), (390, 1200)]
 LIMIT = 120  # seconds for one start of the browser
 
 
@@ -80,7 +80,7 @@ def dots(file):
 
 
 def picture(browser, page, size, folder):
-    """Failures of the picture of a window: it must have texts and colors of layers."""
+    """Failures of the picture of a window: it must have texts and colored curves."""
     file = folder / f"report_{size[0]}.png"
     _, err = run(browser, page, f"--screenshot={file}", f"--window-size={size[0]},{size[1]}")
     if not file.is_file():
