@@ -394,3 +394,35 @@ fn keys_of_other_kinds_are_refused() {
         assert!(text.contains(expected), "{kind} {line}: {text}");
     }
 }
+
+/// Rotors in wind across the shaft start with every model of sections: the momentum of an added mass
+/// follows from the motion and the inflow. After half a turn the blades flap as with steady sections to
+/// 3 %, which is the order of the reduced frequency, 0.3/(2 x 3.75).
+#[test]
+fn sections_with_states_start_in_the_inflow_of_a_disk() {
+    let file = "cases/dynamics/rotor_trim/rotor_trim.dynamics.toml";
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let (model, _) = text.split_once("[periodic]").unwrap();
+    let (model, _) = model.split_once("[sensors.flap]").unwrap();
+    let settings = "\n[drives]\ncollective = { kind = \"constant\", value = 3 }\n\
+                    cosine = { kind = \"constant\", value = 0 }\n\
+                    sine = { kind = \"constant\", value = 0 }\n\
+                    [transient]\nto = 0.1\nstep = 0.0025\n";
+    let flapped = |section: &str, kind: &str| {
+        let text = model.replace("\"quasi_steady\"", &format!("\"{section}\""));
+        let text = text.replace("kind = \"uniform\"", &format!("kind = \"{kind}\""));
+        let input = input::parse(&(text + settings), &path).unwrap_or_else(|e| panic!("{e}"));
+        let run = Run::of(input.model, &input.transient.unwrap(), 1);
+        run.check_end();
+        run.motion("main 1/tip", 0.1).position.z
+    };
+    for kind in ["uniform", "Drees", "Pitt-Peters"] {
+        let steady = flapped("quasi_steady", kind);
+        for section in ["lagged", "separation_lag", "dynamic_stall"] {
+            let found = flapped(section, kind);
+            println!("{kind}, {section}: {found} m, {steady} m");
+            assert!((found / steady - 1.0).abs() < 0.03, "{found} {steady}");
+        }
+    }
+}
