@@ -136,14 +136,20 @@ impl Diagnostics {
         }
     }
 
-    /// Adds `problem` at `location`.
+    /// Adds `problem` at `location`, if it is not there yet.
     pub fn push(&mut self, location: SourceLocation, problem: &impl Explain) {
-        self.items.push(Diagnostic::new(location, problem));
+        self.add(Diagnostic::new(location, problem));
     }
 
-    /// Appends the problems of `other`.
-    pub fn append(&mut self, mut other: Diagnostics) {
-        self.items.append(&mut other.items);
+    /// Appends the problems of `other` that are not there yet.
+    pub fn append(&mut self, other: Diagnostics) {
+        other.items.into_iter().for_each(|item| self.add(item));
+    }
+
+    fn add(&mut self, item: Diagnostic) {
+        if !self.items.contains(&item) {
+            self.items.push(item);
+        }
     }
 
     /// Returns the value of a good result; appends the problems of a bad one.
@@ -174,13 +180,16 @@ impl Diagnostics {
     }
 
     /// The same problems, of which the ones of the file `from` are rewritten: for a text that
-    /// a program wrote and no user has seen.
-    pub fn rewritten(mut self, from: &str, rewrite: impl FnMut(&mut Diagnostic)) -> Self {
-        let items = self.items.iter_mut();
-        items
-            .filter(|item| item.location.file == from)
-            .for_each(rewrite);
-        self
+    /// a program wrote and no user has seen. Problems that are then equal are one.
+    pub fn rewritten(self, from: &str, mut rewrite: impl FnMut(&mut Diagnostic)) -> Self {
+        let mut all = Self::new();
+        for mut item in self.items {
+            if item.location.file == from {
+                rewrite(&mut item);
+            }
+            all.add(item);
+        }
+        all
     }
 
     /// The same problems, of a file that `by` names: a key and its location, as text.
@@ -311,6 +320,19 @@ mod tests {
         fn help(&self) -> Option<String> {
             nearest_name(&self.0, ["region", "material"]).map(|n| format!("did you mean \"{n}\"?"))
         }
+    }
+
+    #[test]
+    fn a_problem_is_reported_once() {
+        let at = |line| SourceLocation::line("a.toml", line);
+        let mut all = Diagnostics::new();
+        for line in [3, 4, 3] {
+            all.push(at(line), &Unknown("zzz".into()));
+        }
+        all.append(Diagnostics::one(at(4), &Unknown("zzz".into())));
+        assert_eq!(all.items.len(), 2);
+        let all = all.rewritten("a.toml", |item| item.location.line = Some(1));
+        assert_eq!(all.items.len(), 1);
     }
 
     #[test]
