@@ -397,7 +397,7 @@ fn keys_of_other_kinds_are_refused() {
 
 /// Rotors in wind across the shaft start with every model of sections: the momentum of an added mass
 /// follows from the motion and the inflow. After half a turn the blades flap as with steady sections to
-/// 3 %, which is the order of the reduced frequency, 0.3/(2 x 3.75).
+/// 7 %: at the reduced frequency 0.3/(2 x 3.75) of a revolution Theodorsen's function is 0.93.
 #[test]
 fn sections_with_states_start_in_the_inflow_of_a_disk() {
     let file = "cases/dynamics/rotor_trim/rotor_trim.dynamics.toml";
@@ -422,7 +422,7 @@ fn sections_with_states_start_in_the_inflow_of_a_disk() {
         for section in ["lagged", "separation_lag", "dynamic_stall"] {
             let found = flapped(section, kind);
             println!("{kind}, {section}: {found} m, {steady} m");
-            assert!((found / steady - 1.0).abs() < 0.03, "{found} {steady}");
+            assert!((found / steady - 1.0).abs() < 0.07, "{found} {steady}");
         }
     }
 }

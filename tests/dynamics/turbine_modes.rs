@@ -180,11 +180,11 @@ fn the_damping_by_air_ends_with_the_air() {
     let result = over(
         &text("frozen", "quasi_steady"),
         "density",
-        "[2e-5, 1e-5, 5e-6]",
+        "[5e-6, 1e-5, 2e-5]",
     );
     for (mode, name) in result.modes.iter().enumerate() {
         let growth = [0, 1, 2].map(|index| result.points[index].root_of(mode).unwrap().growth());
-        assert!(growth[2] < 0.0 && growth[2] > -1e-4, "{name}: {growth:?}");
+        assert!(growth[0] < 0.0 && growth[0] > -1e-4, "{name}: {growth:?}");
         for pair in growth.windows(2) {
             assert!((pair[1] / pair[0] - 2.0).abs() < 0.01, "{name}: {growth:?}");
         }
