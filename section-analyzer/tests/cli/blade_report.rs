@@ -11,20 +11,13 @@ use section_analyzer::input::result_tables::{read_modes, read_reserves};
 use serde_json::Value;
 
 use crate::effort;
+use crate::strength::STRENGTHS;
 use crate::whole_blade::LAYUP;
 use crate::workplace::{Run, Workplace};
 
 /// Largest size of a report of 30 stations \[bytes\].
 const LIMIT: usize = 5_000_000;
 const REPORT: &str = "b/a.report.html";
-const STRENGTHS: &str = "
-[material.glass.strength]
-xt = 1.1
-xc = 0.7
-yt = 0.04
-yc = 0.14
-s12 = 0.07
-";
 
 fn blade(workplace: &Workplace, more: &[&str]) -> Run {
     let command = [
@@ -41,7 +34,7 @@ fn blade(workplace: &Workplace, more: &[&str]) -> Run {
 /// A blade with a report, of cells as long as by default, and strengths.
 fn reported(more: &[&str]) -> Workplace {
     let workplace = Workplace::new();
-    let text = LAYUP.replace("[mesh]\nsize = 80\n", "") + STRENGTHS;
+    let text = LAYUP.replace("[mesh]\nsize = 80\n", "") + "\n" + STRENGTHS;
     workplace.write("a.layup.toml", &text);
     let run = blade(&workplace, more);
     assert_eq!((run.code, run.err.as_str()), (0, ""));

@@ -9,7 +9,8 @@ use section_analyzer::input::span_loads::{LoadPositions, read_loads};
 use crate::whole_blade::LAYUP;
 use crate::workplace::{Run, Workplace};
 
-const STRENGTHS: &str = "\
+/// Strengths of the material of the layup.
+pub const STRENGTHS: &str = "\
 [material.glass.strength]
 xt = 1.1
 xc = 0.7
