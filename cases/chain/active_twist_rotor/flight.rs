@@ -149,10 +149,15 @@ type Given<'a> = &'a [(&'a str, f64)];
 fn fly(
     case: &Path,
     given: Given<'_>,
-    own: [(&str, f64); 3],
+    Condition {
+        advance,
+        volts,
+        phase,
+    }: Condition,
     from: Option<&Motion>,
 ) -> Result<Motion> {
     let file = case.join("forward.dynamics.toml");
+    let own = [("advance", advance), ("volts", volts), ("phase", phase)];
     let all: Vec<_> = own.into_iter().chain(given.iter().copied()).collect();
     motion(&file, "coupled", &all, from.map(|motion| &motion.state))
 }
@@ -168,8 +173,12 @@ pub fn trimmed(
     advance: f64,
     from: Option<&Motion>,
 ) -> Result<Motion> {
-    let own = [("advance", advance), ("volts", 0.0), ("phase", 0.0)];
-    fly(case, given, own, from)
+    let condition = Condition {
+        advance,
+        volts: 0.0,
+        phase: 0.0,
+    };
+    fly(case, given, condition, from)
 }
 
 /// The trim of a condition without voltage, in the same way, and its vibration over the phase.
@@ -182,11 +191,14 @@ pub fn over_phase(
     condition: Condition,
     from: Option<&Motion>,
 ) -> Result<(Motion, Vibration)> {
-    let Condition { advance, volts, .. } = condition;
-    let without = trimmed(case, given, advance, from)?;
+    let without = trimmed(case, given, condition.advance, from)?;
     let at = |phase: f64| {
-        let own = [("advance", advance), ("volts", volts), ("phase", phase)];
-        fly(case, given, own, Some(&without))
+        fly(
+            case,
+            given,
+            Condition { phase, ..condition },
+            Some(&without),
+        )
     };
     let (zero, quarter) = std::thread::scope(|scope| {
         let quarter = scope.spawn(|| at(90.0));
@@ -209,13 +221,11 @@ pub fn flight(
     from: Option<&Motion>,
 ) -> Result<Flight> {
     let (without, vibration) = over_phase(case, given, condition, from)?;
-    let Condition { advance, volts, .. } = condition;
-    let own = [
-        ("advance", advance),
-        ("volts", volts),
-        ("phase", vibration.best()),
-    ];
-    let controlled = fly(case, given, own, Some(&without))?;
+    let best = Condition {
+        phase: vibration.best(),
+        ..condition
+    };
+    let controlled = fly(case, given, best, Some(&without))?;
     Ok(Flight {
         condition,
         without,
