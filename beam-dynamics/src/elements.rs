@@ -26,6 +26,7 @@ mod energy;
 mod energy_rows;
 mod euler;
 mod exchange;
+mod fixed_vector;
 mod local;
 mod motion;
 mod observation;
@@ -47,11 +48,14 @@ mod symmetry_tests;
 pub use adapted::Adapted;
 pub use air_state::{AirState, NO_INFLOW, RotorMotion, RotorSum, StripPlace, StripQuantity};
 pub(crate) use capabilities::has;
-pub use capabilities::{Constraints, Energetic, Growth, Memory, Reports, Settling, Structure};
+pub use capabilities::{
+    Constraints, Energetic, FixedAxes, Growth, Memory, Reports, Settling, Structure,
+};
 pub use charges::{Charges, CircuitState, ElectrodeState, Flow};
 pub use constraint::{ConstraintRates, ConstraintWords, Level, PositionJump};
 pub use energy::{Energy, EnergyPart, EnergySlope};
 pub use exchange::Exchange;
+pub use fixed_vector::FixedVector;
 pub use local::{LocalJacobian, LocalResidual, LocalRun, LocalSize};
 pub use motion::Motion;
 pub use observation::{
@@ -153,6 +157,11 @@ pub trait Element: Debug + Send + Sync {
 
     /// Its memory of accepted steps, if it has one.
     fn memory(&self) -> Option<&dyn Memory> {
+        None
+    }
+
+    /// Its unknowns along fixed axes, if it has any.
+    fn fixed_axes(&self) -> Option<&dyn FixedAxes> {
         None
     }
 

@@ -34,6 +34,7 @@ mod joint_guides;
 mod joint_rotors;
 mod joint_runs;
 mod joints;
+mod kept_jacobian;
 mod leverage;
 mod loads;
 mod mbdyn_model;

@@ -14,9 +14,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::energy_rows::add_slope;
 use super::{
-    Axes, Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange, Level,
-    Local, LocalJacobian, LocalResidual, Motion, Observations, Part, PositionJump, Reading,
-    ReadingRow, Signal, SmallMotion,
+    Axes, Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange,
+    FixedAxes, FixedVector, Level, Local, LocalJacobian, LocalResidual, Motion, Observations, Part,
+    PositionJump, Reading, ReadingRow, Signal, SmallMotion,
 };
 use crate::elements::{
     Constraints, Energetic, Growth, Memory, Queries, Reports, Settling, Structure,
@@ -275,6 +275,10 @@ impl Element for Adapted {
         self.element.memory().map(|_| self as &dyn Memory)
     }
 
+    fn fixed_axes(&self) -> Option<&dyn FixedAxes> {
+        self.element.fixed_axes().map(|_| self as &dyn FixedAxes)
+    }
+
     fn settling(&self) -> Option<&dyn Settling> {
         // Its scalars are the first ones.
         self.element.settling()
@@ -340,6 +344,22 @@ impl Constraints for Adapted {
 
     fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
         self.element.end_axes(at)
+    }
+}
+
+impl FixedAxes for Adapted {
+    fn vectors(&self) -> Vec<FixedVector> {
+        let mut vectors = self.element.fixed_vectors();
+        let is_removed = |first: usize| {
+            self.removed
+                .iter()
+                .any(|it| (first..first + 3).contains(it))
+        };
+        vectors.retain(|vector| match *vector {
+            FixedVector::Constraints { first, .. } => !is_removed(first),
+            FixedVector::Scalars { .. } => true,
+        });
+        vectors
     }
 }
 

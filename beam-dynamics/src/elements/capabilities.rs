@@ -7,9 +7,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange, Level,
-    Local, LocalJacobian, LocalResidual, Motion, Observations, PositionJump, Reading, ReadingRow,
-    SmallMotion,
+    Charges, ConstraintRates, ConstraintWords, Element, Energy, EnergySlope, Exchange, FixedVector,
+    Level, Local, LocalJacobian, LocalResidual, Motion, Observations, PositionJump, Reading,
+    ReadingRow, SmallMotion,
 };
 use crate::model::{Loading, NodeMotion, Scalars};
 
@@ -51,6 +51,12 @@ pub trait Constraints {
 
     /// See [`super::Queries::end_axes`].
     fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]>;
+}
+
+/// Unknowns along axes that are fixed in the model's frame, for vectors that turn with nodes.
+pub trait FixedAxes {
+    /// The vectors.
+    fn vectors(&self) -> Vec<FixedVector>;
 }
 
 /// Numbers that an element stores at accepted steps.

@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, Level, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, PositionJump, Reading, ReadingRow,
+    Charges, ConstraintRates, ConstraintWords, Element, Energy, Exchange, FixedVector, Level,
+    Local, LocalJacobian, LocalResidual, Motion, Observations, PositionJump, Reading, ReadingRow,
     SmallMotion, prestress_of_multipliers,
 };
 use crate::model::{Drive, Loading, NodeMotion, Scalars};
@@ -70,6 +70,11 @@ pub trait Queries: Element {
     /// model's axes; `None` for elements other than joints.
     fn end_axes(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
         self.constraints()?.axes_of_ends(at)
+    }
+
+    /// The unknowns that are components along fixed axes of vectors that turn with nodes.
+    fn fixed_vectors(&self) -> Vec<FixedVector> {
+        self.fixed_axes().map_or_else(Vec::new, |own| own.vectors())
     }
 
     /// Number of its numbers stored at accepted steps.

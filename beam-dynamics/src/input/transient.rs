@@ -333,11 +333,12 @@ fn newton(table: &Table<'_>) -> Option<StepLimits> {
     let is_right = |tolerance: f64| (LEAST_TOLERANCE..=1e-2).contains(&tolerance);
     let tolerance = within(&table, &CORRECTION, is_right);
     table.finish();
+    let correction = tolerance?.unwrap_or(standard.correction);
     Some(StepLimits {
         jacobians: [Jacobians::Full, Jacobians::Modified][method?],
         iterations: iterations?.unwrap_or(standard.iterations),
-        correction: tolerance?.unwrap_or(standard.correction),
-        ..standard
+        correction,
+        residual: correction / standard.correction * standard.residual,
     })
 }
 

@@ -7,6 +7,8 @@
 //! ```text
 //! h a_st F_y + delta_st F_y'        (columns of algebraic unknowns: delta_st F_y)    (D-112)
 //! ```
+//!
+//! A Jacobian that is kept over steps turns with the nodes, see [`Dae::turn_back`].
 
 use std::sync::Arc;
 
@@ -23,6 +25,10 @@ pub(super) use stages::StageMatrix;
 
 /// Ratio of corrections above which a Jacobian kept over steps is computed anew.
 const SLOW: f64 = 0.3;
+
+/// Corrections with a Jacobian kept over steps of which the ratio is not judged: the first one
+/// corrects the prediction, and the second one the errors of the Jacobian in other unknowns.
+const FIRST_USES: usize = 2;
 
 /// The same for a Jacobian kept in a step.
 const SLOW_IN_STEP: f64 = 0.1;
@@ -200,6 +206,7 @@ impl Corrector {
                     self.combine(dae, weights, meter);
                 }
                 self.factorize(weights, meter)?;
+                dae.hold();
             }
             let size = self.find_correction(dae, weights, meter)?;
             self.history.push(Iteration {
@@ -281,11 +288,13 @@ impl Corrector {
         let (slow, is_old) = match limits.jacobians {
             Jacobians::Full => {
                 let is_kept = kept.is_of_this_step && OF_KEPT * limits.correction >= FLOOR;
-                (SLOW_IN_STEP, !is_kept)
+                (Some(SLOW_IN_STEP), !is_kept)
             }
-            Jacobians::Modified => (SLOW, false),
+            Jacobians::Modified if kept.is_of_this_step => (Some(SLOW_IN_STEP), false),
+            Jacobians::Modified => ((kept.uses > FIRST_USES).then_some(SLOW), false),
         };
-        let is_slow = self.shrinking().is_some_and(|theta| theta > slow);
+        let theta = self.shrinking();
+        let is_slow = slow.is_some_and(|slow| theta.is_some_and(|theta| theta > slow));
         is_old || has_changed || is_slow || kept.uses >= USES
     }
 
@@ -373,8 +382,13 @@ impl Corrector {
         meter: &mut Meter<'_>,
     ) -> Result<f64, Reason> {
         let stages = self.stages;
+        let is_of_past = self.kept.is_some_and(|kept| !kept.is_of_this_step);
         for (stage, residual) in self.residuals.iter().enumerate() {
-            for (i, value) in residual.values.iter().enumerate() {
+            self.moved.copy_from_slice(&residual.values);
+            if is_of_past {
+                dae.turn_back(stage, &mut self.moved);
+            }
+            for (i, value) in self.moved.iter().enumerate() {
                 self.solution[stages * i + stage] = -value;
             }
         }
@@ -389,6 +403,9 @@ impl Corrector {
         for (stage, last) in self.last.iter_mut().enumerate() {
             for (i, value) in last.iter_mut().enumerate() {
                 *value = self.solution[stages * i + stage];
+            }
+            if is_of_past {
+                dae.turn_forth(stage, last);
             }
         }
         let mut size = 0.0_f64;

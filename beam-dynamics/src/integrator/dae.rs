@@ -78,6 +78,18 @@ pub trait Dae {
         residual: Option<&mut Residual>,
     );
 
+    /// Remembers the predictions of the step as the ones at which a Jacobian is computed that later
+    /// steps may use.
+    fn hold(&mut self) {}
+
+    /// Turns numbers of the equations of trial state `stage` back to the attitudes at the remembered
+    /// prediction, at which the kept Jacobian is known.
+    fn turn_back(&self, _stage: usize, _equations: &mut [f64]) {}
+
+    /// Turns corrections of the unknowns of trial state `stage`, found with the kept Jacobian, to the
+    /// present attitudes.
+    fn turn_forth(&self, _stage: usize, _unknowns: &mut [f64]) {}
+
     /// Makes trial state `stage` the latest accepted one; the latest so far becomes the previous
     /// one.
     fn accept(&mut self, stage: usize);

@@ -10,7 +10,8 @@ pub enum Jacobians {
     /// near round-off.
     #[default]
     Full,
-    /// If the iteration slows down or the step changes; otherwise the last one is kept.
+    /// If the iteration slows down or the step changes; otherwise the last one is kept and turns with
+    /// the nodes.
     Modified,
 }
 

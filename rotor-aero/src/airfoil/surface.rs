@@ -12,6 +12,7 @@
 //! [`super::cubic`].
 
 use std::f64::consts::TAU;
+use std::fmt;
 
 use super::cubic::{self, Cubic, Ends, Interpolation};
 use super::data::Curve;
@@ -20,8 +21,12 @@ use crate::real::Real;
 /// Angles nearer than this are one knot \[rad\].
 const SAME_ANGLE: f64 = 1e-9;
 
+/// Start and factor of the digest.
+const FNV_OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
+const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
+
 /// A coefficient over angle of attack (periodic) and Mach number (constant outside its range).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub(super) struct Surface {
     /// Knots, from -pi to pi.
     alpha: Vec<f64>,
@@ -31,6 +36,23 @@ pub(super) struct Surface {
     values: Vec<Cubic>,
     /// Slopes by Mach number, in the same order; empty for linear interpolation.
     rises: Vec<Cubic>,
+}
+
+/// A surface has thousands of numbers, and each strip of a model refers to some surfaces: only their
+/// counts and a digest (FNV-1a of their bits) are written.
+impl fmt::Debug for Surface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let cubics = self.values.iter().chain(&self.rises).flatten();
+        let numbers = self.alpha.iter().chain(&self.mach).chain(cubics);
+        let digest = numbers.fold(FNV_OFFSET, |digest, number| {
+            (digest ^ number.to_bits()).wrapping_mul(FNV_PRIME)
+        });
+        f.debug_struct("Surface")
+            .field("angles", &self.alpha.len())
+            .field("mach", &self.mach.len())
+            .field("digest", &format_args!("{digest:016x}"))
+            .finish_non_exhaustive()
+    }
 }
 
 impl Surface {

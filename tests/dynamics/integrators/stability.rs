@@ -78,13 +78,13 @@ fn radii_of_stage_formulas_for_large_steps_are_those_requested() {
     }
 }
 
-/// Radii of the two roots of a two-step scheme at x.
-fn roots(formula: &Formula, x: C) -> [f64; 2] {
+/// The two roots of a two-step scheme at x, the principal one first.
+fn roots(formula: &Formula, x: C) -> [C; 2] {
     let a = x * -formula.weights[0][0] + 1.0;
     let b = -(x * formula.latest_rates[0] + (1.0 - formula.before));
     let c = -(x * formula.rates_before[0] + formula.before);
     let discriminant = (b * b - a * c * 4.0).sqrt();
-    [-b + discriminant, -b - discriminant].map(|root| (root / (a * 2.0)).norm())
+    [-b + discriminant, -b - discriminant].map(|root| root / (a * 2.0))
 }
 
 /// A double root -rho for large steps (its square root of round-off: 1e-3), and no root
@@ -93,13 +93,16 @@ fn roots(formula: &Formula, x: C) -> [f64; 2] {
 fn two_step_formulas_are_stable_with_the_radius_requested() {
     for rho in [0.0, 0.3, 0.6, 0.9, 1.0] {
         let formula = Formula::two_step(rho, 1.0);
-        for radius in roots(&formula, C::new(0.0, 1e9)) {
+        for radius in roots(&formula, C::new(0.0, 1e9)).map(C::norm) {
             assert!((radius - rho).abs() < 1e-3, "{rho} {radius}");
         }
         let mut largest = 0.0_f64;
         for i in -400..=400 {
             let x = C::new(0.0, 10.0_f64.powf(f64::from(i) / 100.0));
-            largest = roots(&formula, x).into_iter().fold(largest, f64::max);
+            largest = roots(&formula, x)
+                .map(C::norm)
+                .into_iter()
+                .fold(largest, f64::max);
         }
         let error = (largest - 1.0).abs();
         let case = format!("two-step, rho = {rho}");
@@ -107,6 +110,60 @@ fn two_step_formulas_are_stable_with_the_radius_requested() {
         record::value("A-stable", &case, quantity, [largest, 1.0], error, 1e-7);
         assert!(error < 1e-7, "{rho} {largest}");
     }
+}
+
+/// Numerical damping and relative error of the frequency of `y' = i w y`, with x = w h and
+/// s = (1 - rho) / (1 + rho):
+///
+/// ```text
+/// two-step    damping - s^3 x^3 / 4      frequency - (1 + 3 s^2) x^2 / 12
+/// Radau IIA   damping - x^3 / 72         of two stages
+/// ```
+///
+/// The listed roots (`theory-periodic/formula_damping.json`) to their round-off; the closed forms are
+/// the first terms of series in x^2, within 3 % up to x = 0.1.
+#[test]
+fn damping_and_frequency_errors_are_the_closed_forms() {
+    let text = include_str!("../../reference/theory-periodic/formula_damping.json");
+    let list: serde_json::Value = serde_json::from_str(text).unwrap();
+    let mut largest = 0.0_f64;
+    let mut count = 0;
+    for row in list["rows"].as_array().unwrap() {
+        let number = |key: &str| row[key].as_f64();
+        let x = number("x").unwrap();
+        let at = C::new(0.0, x);
+        let (root, closed) = match (number("rho"), row["radau_stages"].as_u64()) {
+            (Some(rho), _) => {
+                let s = (1.0 - rho) / (1.0 + rho);
+                let root = roots(&Formula::two_step(rho, 1.0), at)[0];
+                let frequency = -(1.0 + 3.0 * s * s) * x * x / 12.0;
+                (root, [-s.powi(3) * x.powi(3) / 4.0, frequency])
+            }
+            (_, Some(2)) => {
+                let root = amplification(Scheme::Parabolic { zeta: -2.0 / 3.0 }, at);
+                (root, [-x.powi(3) / 72.0, f64::NAN])
+            }
+            _ => continue,
+        };
+        count += 1;
+        let found = root.ln() / x;
+        for (found, key, closed) in [
+            (found.re, "damp", closed[0]),
+            (found.im - 1.0, "freq", closed[1]),
+        ] {
+            // A logarithm near zero divided by x; steps of Radau IIA are iterated to 1e-11.
+            let listed = number(key).unwrap();
+            let tolerance = if row["rho"].is_null() { 1e-11 } else { 1e-13 } / x;
+            assert!((found - listed).abs() < tolerance, "{row} {found}");
+            if x <= 0.1 && closed.is_finite() {
+                largest = largest.max((listed / closed - 1.0).abs());
+            }
+        }
+    }
+    assert!(count > 15, "{count}");
+    let source = "first term of the series";
+    record::largest(source, "two-step and Radau IIA", "damping", largest, 0.03);
+    assert!(largest < 0.03, "{largest}");
 }
 
 /// Steps that grow each time, on `y' = 0` with an error in the state before the latest: the

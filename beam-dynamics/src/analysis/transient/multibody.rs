@@ -38,12 +38,14 @@ use super::corner::{Impulses, NextCorner, pass};
 mod base;
 mod numbers;
 mod own_axes;
+mod turned;
 
 use numbers::{
     Integrated, attitude, integrated_latest, move_own, moved, moved_momentum, orthogonal, part,
     split, write, write_latest,
 };
 use own_axes::OwnAxes;
+use turned::Turned;
 
 /// Accepted states that are kept.
 const KEPT: usize = 2;
@@ -68,6 +70,8 @@ struct Trial {
     gammas: Vec<Integrated>,
     /// The sharing of loads between redundant constraints at the prediction.
     sharing: Sharing,
+    /// Attitudes of the nodes at the prediction for which the kept Jacobian was computed.
+    held: Vec<Matrix3<f64>>,
 }
 
 /// A multibody model as a system of the integrators.
@@ -82,6 +86,7 @@ pub(in crate::analysis) struct Multibody<'a> {
     variations: Vec<Variation>,
     /// Nodes whose angular momentum is integrated in axes that follow their long axis.
     own_axes: Vec<Option<Box<OwnAxes>>>,
+    turned: Turned,
     work: Workspace,
     algebraic: Vec<bool>,
     is_simplified: bool,
@@ -125,6 +130,7 @@ impl<'a> Multibody<'a> {
             turns: vec![still; nodes],
             gammas: vec![[Vector3::zeros(); 2]; nodes],
             sharing: sharing.clone(),
+            held: vec![Matrix3::identity(); nodes],
         };
         let variation = Variation {
             turn: Matrix3::identity(),
@@ -134,6 +140,7 @@ impl<'a> Multibody<'a> {
             model,
             trials: (0..stages).map(|_| trial()).collect(),
             variations: vec![variation; nodes],
+            turned: Turned::new(system),
             own_axes,
             work: system.workspace(),
             algebraic: std::iter::repeat_n(false, NODE_UNKNOWNS * nodes)
@@ -255,6 +262,7 @@ impl Dae for Multibody<'_> {
             *base = moved((node, 0.0), &turned, (gamma, axes), numbers);
         }
         move_own(&mut trial.base, latest, own);
+        self.turned.predict(latest, &mut trial.base);
         let first = latest.multipliers.len();
         let of_scalars = first..first + latest.scalars.len();
         (trial.base.scalar_rates).copy_from_slice(&own_rates[of_scalars]);
@@ -346,6 +354,24 @@ impl Dae for Multibody<'_> {
                 own.rewrite(node, &origin.rotation, variation, sum);
             }
         }
+    }
+
+    fn hold(&mut self) {
+        for trial in &mut self.trials {
+            let bases = trial.held.iter_mut().zip(&trial.base.nodes);
+            bases.for_each(|(held, base)| *held = base.rotation);
+        }
+    }
+
+    fn turn_back(&self, stage: usize, equations: &mut [f64]) {
+        let trial = &self.trials[stage];
+        self.turned.back(&trial.base.nodes, &trial.held, equations);
+    }
+
+    fn turn_forth(&self, stage: usize, unknowns: &mut [f64]) {
+        let trial = &self.trials[stage];
+        let nodes = (&trial.base.nodes[..], &self.own_axes[..]);
+        self.turned.forth(nodes, &trial.held, unknowns);
     }
 
     fn accept(&mut self, stage: usize) {

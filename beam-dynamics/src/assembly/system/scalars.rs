@@ -7,10 +7,8 @@ use crate::model::{Conditions, Scalar, State};
 /// Scales relative to which changes of scalars, or residuals of their equations, are measured.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ScalarScales {
-    /// Units.
-    count: usize,
-    /// The unit of each scalar by its number; `None` if the scalar is ignored.
-    units: Vec<Option<usize>>,
+    /// The numbers of the scalars of each unit.
+    units: Vec<Vec<usize>>,
     /// Least scale of each scalar [unit of it].
     least: Vec<f64>,
 }
@@ -39,23 +37,20 @@ impl ScalarScales {
     /// Scales of scalars given by unit and least scale.
     fn of<'a>(scalars: impl Iterator<Item = Option<(&'a str, f64)>>) -> Self {
         let mut known: Vec<&str> = Vec::new();
-        let (mut units, mut least) = (Vec::new(), Vec::new());
-        for scalar in scalars {
+        let (mut units, mut least): (Vec<Vec<usize>>, _) = (Vec::new(), Vec::new());
+        for (number, scalar) in scalars.enumerate() {
             let (unit, scale) = scalar.unzip();
-            units.push(unit.map(|unit| {
-                let index = known.iter().position(|own| *own == unit);
-                index.unwrap_or_else(|| {
-                    known.push(unit);
-                    known.len() - 1
-                })
-            }));
             least.push(scale.unwrap_or_default());
+            let Some(unit) = unit else { continue };
+            match known.iter().position(|own| *own == unit) {
+                Some(index) => units[index].push(number),
+                None => {
+                    known.push(unit);
+                    units.push(vec![number]);
+                }
+            }
         }
-        Self {
-            count: known.len(),
-            units,
-            least,
-        }
+        Self { units, least }
     }
 
     /// Whether there are no scalars.
@@ -67,7 +62,7 @@ impl ScalarScales {
     /// unit, given by their numbers, and at least its own. NaN if a change is NaN.
     pub fn largest(&self, changes: &[f64], size: impl Fn(usize) -> f64) -> ScalarChange {
         let mut most = ScalarChange::default();
-        for unit in 0..self.count {
+        for unit in 0..self.units.len() {
             let own = self.of_unit(unit, changes).map(|(scalar, _)| size(scalar));
             let largest = own.fold(0.0, f64::max);
             for (scalar, change) in self.of_unit(unit, changes) {
@@ -101,7 +96,7 @@ impl ScalarScales {
             let parts = counted.map(|(scalar, error)| (error / scale(scalar)).abs());
             parts.fold(0.0, f64::max)
         };
-        (0..self.count).map(of_unit).fold(0.0, f64::max)
+        (0..self.units.len()).map(of_unit).fold(0.0, f64::max)
     }
 
     /// The numbers of the scalars of a unit; values after the scalars are ignored.
@@ -110,8 +105,8 @@ impl ScalarScales {
         unit: usize,
         numbers: &'a [f64],
     ) -> impl Iterator<Item = (usize, f64)> + 'a {
-        let numbers = numbers.iter().copied().enumerate().zip(&self.units);
-        numbers.filter_map(move |(number, own)| (*own == Some(unit)).then_some(number))
+        let own = self.units[unit].iter();
+        own.map(move |&number| (number, numbers[number]))
     }
 
     fn largest_value(&self, unit: usize, values: &[f64]) -> f64 {

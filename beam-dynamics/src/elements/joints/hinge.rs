@@ -42,9 +42,9 @@ use super::joint::{ConstraintJoint, JointEnds};
 use super::kinds::{Placing, axes_along};
 use crate::elements::{
     Charges, ConstraintRates, ConstraintWords, Constraints, Element, Energetic, Energy,
-    EnergySlope, Exchange, Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion,
-    Observations, PositionJump, Queries, Reading, ReadingRow, Reports, Signal, SmallMotion,
-    Structure, has, prestress_of_multipliers,
+    EnergySlope, Exchange, FixedAxes, FixedVector, Growth, Instant, Level, Local, LocalJacobian,
+    LocalResidual, Motion, Observations, PositionJump, Queries, Reading, ReadingRow, Reports,
+    Signal, SmallMotion, Structure, has, prestress_of_multipliers,
 };
 use crate::model::Equation::Moment;
 use crate::model::{Loading, Node, NodeMotion, Scalar, Scalars, Variable};
@@ -277,7 +277,7 @@ impl Element for Hinge {
         }
     }
 
-    has!(constraints: Constraints, energetic: Energetic, growth: Growth, structure: Structure, reports: Reports);
+    has!(constraints: Constraints, fixed_axes: FixedAxes, energetic: Energetic, growth: Growth, structure: Structure, reports: Reports);
 }
 
 impl Constraints for Hinge {
@@ -315,6 +315,12 @@ impl Constraints for Hinge {
 
     fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
         self.joint.end_axes(at)
+    }
+}
+
+impl FixedAxes for Hinge {
+    fn vectors(&self) -> Vec<FixedVector> {
+        self.joint.fixed_vectors()
     }
 }
 

@@ -13,9 +13,10 @@ use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
 use crate::elements::loads::LoadFactor;
 use crate::elements::{
-    Charges, ConstraintRates, ConstraintWords, Constraints, Element, Growth, Instant, Level, Local,
-    LocalJacobian, LocalResidual, Motion, Observations, PositionJump, Reaction, Reading,
-    ReadingRow, Reports, Signal, SmallMotion, Structure, has, prestress_of_multipliers,
+    Charges, ConstraintRates, ConstraintWords, Constraints, Element, FixedAxes, FixedVector,
+    Growth, Instant, Level, Local, LocalJacobian, LocalResidual, Motion, Observations,
+    PositionJump, Reaction, Reading, ReadingRow, Reports, Signal, SmallMotion, Structure, has,
+    prestress_of_multipliers,
 };
 use crate::model::{DriveValue, Loading, Node, NodeMotion, Scalar, Scalars};
 
@@ -324,7 +325,7 @@ impl Element for ConstraintJoint {
         }
     }
 
-    has!(constraints: Constraints, growth: Growth, structure: Structure, reports: Reports);
+    has!(constraints: Constraints, fixed_axes: FixedAxes, growth: Growth, structure: Structure, reports: Reports);
 }
 
 impl Constraints for ConstraintJoint {
@@ -385,6 +386,27 @@ impl Constraints for ConstraintJoint {
     fn axes_of_ends(&self, at: &Local<'_>) -> Option<[Matrix3<f64>; 2]> {
         let ends = self.ends(at.nodes);
         Some([ends.a.axes, ends.b.axes])
+    }
+}
+
+impl FixedAxes for ConstraintJoint {
+    fn vectors(&self) -> Vec<FixedVector> {
+        let in_frame = |rows: &[Row]| {
+            let mut axes = 0..3;
+            rows.iter().all(|row| match row.held {
+                Held::Along(Carrier::Frame, axis)
+                | Held::Velocity(Carrier::Frame, axis)
+                | Held::AngularVelocity(Carrier::Frame, axis) => axes.next() == Some(axis),
+                _ => false,
+            })
+        };
+        let windows = self.rows.windows(3).enumerate();
+        let found = windows.filter(|(_, rows)| in_frame(rows));
+        let vector = |(first, _)| FixedVector::Constraints {
+            first,
+            axes: self.axes,
+        };
+        found.map(vector).collect()
     }
 }
 

@@ -26,7 +26,7 @@ use shared_geom::rotation::{skew, skew_skew};
 
 use super::air::Air;
 use super::shaft::{Shaft, ShaftState};
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual};
+use crate::elements::{Element, FixedAxes, FixedVector, Local, LocalJacobian, LocalResidual, has};
 use crate::model::{NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
 
 mod axes;
@@ -392,7 +392,8 @@ impl DiskInflow {
         }
         let Some(node) = at.nodes.first() else { return };
         let offset = skew(&hub.shaft.offset);
-        let by_turn = [hub.axes.by_turn[0], hub.axes.by_turn[1], skew(&shaft)];
+        let [by_first, by_second] = hub.axes.by_turn();
+        let by_turn = [by_first, by_second, skew(&shaft)];
         // d (V - v_c) by the rotation: through c, and through the arm of the angular velocity.
         let turned = -hub.gradient * offset + skew_skew(&node.angular_velocity, &hub.shaft.offset);
         for (row, direction) in directions.iter().enumerate() {
@@ -486,5 +487,20 @@ impl Element for DiskInflow {
         }
         self.add_states(at, &hub, out, jacobian.as_deref_mut());
         self.add_ground(at, &hub, out, jacobian);
+    }
+
+    has!(fixed_axes: FixedAxes);
+}
+
+impl FixedAxes for DiskInflow {
+    fn vectors(&self) -> Vec<FixedVector> {
+        let gradients = self.disk.disk.model.gradients();
+        let gradients = gradients.map(|[first, _]| STATES + first);
+        let all = [Some(0), Some(LOADS + 1), gradients];
+        let vector = |first| FixedVector::Scalars {
+            first,
+            shaft: self.disk.shaft.axis,
+        };
+        all.into_iter().flatten().map(vector).collect()
     }
 }

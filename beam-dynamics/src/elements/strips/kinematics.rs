@@ -230,7 +230,7 @@ impl Flow<'_> {
         for (axis, slope) in self.across().zip(&by[POSITION..]) {
             turn += axis.cross(&shaft.offset).transpose() * *slope;
         }
-        let turns = self.disk.iter().flat_map(|disk| disk.by_turn);
+        let turns = self.disk.iter().flat_map(DiskAxes::by_turn);
         for (by_turn, slope) in turns.zip(&by[POSITION..]) {
             turn += distance.from_center.transpose() * by_turn * *slope;
         }

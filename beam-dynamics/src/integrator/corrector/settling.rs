@@ -32,14 +32,21 @@ impl Corrector {
         limits.jacobians == Jacobians::Full && self.kept.is_some_and(|kept| kept.uses > 1)
     }
 
-    /// Whether the last correction is so small that its residual need not be checked.
+    /// Whether the last correction, or over steps the error that it leaves, is so small that its
+    /// residual need not be checked.
     pub(super) fn is_last(&self, size: f64, limits: &StepLimits) -> bool {
-        let part = if self.is_with_kept(limits) {
-            OF_KEPT
-        } else {
-            ROUND_OFF
+        let (part, left) = match limits.jacobians {
+            Jacobians::Full if self.is_with_kept(limits) => (OF_KEPT, size),
+            Jacobians::Full => (ROUND_OFF, size),
+            Jacobians::Modified => {
+                let last = self.history[self.first..].last();
+                (
+                    ROUND_OFF,
+                    last.map_or(size, |last| self.left(last).min(size)),
+                )
+            }
         };
-        size <= part * limits.correction
+        left <= part * limits.correction
     }
 
     /// Whether no further correction is needed.

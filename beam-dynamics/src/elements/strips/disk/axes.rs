@@ -18,26 +18,35 @@ pub(in crate::elements::strips) struct DiskAxes {
     pub shaft: Vector3<f64>,
     /// `e_1` and `e_2` \[-\].
     pub across: [Vector3<f64>; 2],
-    /// Their derivatives by the rotation of the hub \[-\].
-    pub by_turn: [Matrix3<f64>; 2],
+    /// E \[-\].
+    reference: Vector3<f64>,
+    /// s \[-\].
+    length: f64,
 }
 
 impl DiskAxes {
     /// The axes for the direction `reference`, which is not along the shaft.
     pub fn new(shaft: Vector3<f64>, reference: &Vector3<f64>) -> Self {
-        let along = shaft.dot(reference);
-        let across = reference - shaft * along;
+        let across = reference - shaft * shaft.dot(reference);
         let length = across.norm();
         let first = across / length;
-        let turn = skew(&shaft);
-        let normal = Matrix3::identity() - first * first.transpose();
-        let inner = shaft * reference.transpose() + Matrix3::identity() * along;
-        let by_first = normal * inner * turn / length;
         Self {
             shaft,
             across: [first, shaft.cross(&first)],
-            by_turn: [by_first, skew(&first) * turn + turn * by_first],
+            reference: *reference,
+            length,
         }
+    }
+
+    /// Derivatives of both axes by the rotation of the hub \[-\].
+    pub fn by_turn(&self) -> [Matrix3<f64>; 2] {
+        let (shaft, [first, _]) = (&self.shaft, &self.across);
+        let turn = skew(shaft);
+        let normal = Matrix3::identity() - first * first.transpose();
+        let along = shaft.dot(&self.reference);
+        let inner = shaft * self.reference.transpose() + Matrix3::identity() * along;
+        let by_first = normal * inner * turn / self.length;
+        [by_first, skew(first) * turn + turn * by_first]
     }
 
     /// The components of a vector across the shaft.
