@@ -58,6 +58,7 @@ mod samples;
 
 pub use areas::areas_csv;
 pub use blade_section::blade_section;
+pub use cell_stress::CellStress;
 pub use comparison::{Named, comparison};
 pub use distributed::distributed_load;
 pub use electric_plots::{ElectricPlot, electric_plots};
@@ -84,7 +85,6 @@ pub use report::{checks, failure_report, input_report, report};
 pub use report_page::{Remark, ReportPage};
 pub use restrained::constants_csv;
 pub use results::{Figures, ResultWriter};
-pub use cell_stress::CellStress;
 pub use section_picture::{MaterialPicture, PlyPicture, SectionPicture};
 pub use sensitivity::{sensitivity_json, sensitivity_table};
 pub use span::{SolvedSpan, SolvedStation, SpanFiles, layers_csv, span_csv, span_plots, span_text};

@@ -31,7 +31,10 @@ pub fn read_warping(path: &Path) -> Result<DMatrix<f64>, Diagnostics> {
     let columns = read_point_values(text.as_bytes(), &file, &names)?;
     let lengths: Vec<usize> = columns.iter().map(Vec::len).collect();
     if lengths.iter().any(|length| *length != lengths[0]) {
-        return Err(Diagnostics::one(SourceLocation::file(file), &Lengths(lengths)));
+        return Err(Diagnostics::one(
+            SourceLocation::file(file),
+            &Lengths(lengths),
+        ));
     }
     Ok(DMatrix::from_vec(lengths[0], 6, columns.concat()))
 }

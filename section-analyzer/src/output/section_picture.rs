@@ -162,7 +162,9 @@ fn materials(input: &Input) -> Vec<MaterialPicture> {
     let materials = input.section.materials.iter().zip(&input.limits);
     let picture = |(material, limits): (&Material, &MaterialLimits)| MaterialPicture {
         name: material.name.clone(),
-        compliance: invert_symmetric(&material.law.stiffness()).as_ref().map(rows),
+        compliance: invert_symmetric(&material.law.stiffness())
+            .as_ref()
+            .map(rows),
         limits: *limits,
     };
     materials.map(picture).collect()
