@@ -80,7 +80,7 @@ mod scale;
 mod state;
 
 pub use criteria::{Criterion, FailureIndex, Mode, failure_indices};
-pub use envelope::{RegionReserve, region_reserves, unit_cell_stresses};
+pub use envelope::{RegionReserve, region_reserves};
 pub use extremes::{
     Extreme, Range, RegionFailure, RegionStresses, STRESS_NAMES, criteria_of, region_failures,
     region_stresses,

@@ -20,7 +20,7 @@ use crate::output::{
     OutputFiles, ResultWriter, SectionPicture, SolvedSpan, SolvedStation, SpanFiles, layer_rows,
     layup_section,
 };
-use crate::recovery::{Recoverer, unit_cell_stresses};
+use crate::recovery::Recoverer;
 
 mod report;
 mod results;
@@ -242,10 +242,10 @@ impl<'a> Plan<'a> {
 /// The picture of a solved section, with its stresses; `None` if its files have changed since.
 fn picture(job: &Job) -> Option<SectionPicture> {
     let input = input::read(&job.file).ok()?;
-    let stress = Restored::new(&input, job).and_then(|restored| {
-        unit_cell_stresses(&Recoverer::new(&input.section, &restored.solution))
-    });
-    let stress = stress.map_err(|failure| failure.to_string());
+    let stress = match Restored::new(&input, job) {
+        Ok(restored) => Ok(Recoverer::new(&input.section, &restored.solution).unit_cell_stresses()),
+        Err(failure) => Err(failure.to_string()),
+    };
     Some(SectionPicture::new(&input, &stress))
 }
 

@@ -102,7 +102,7 @@ function describeStress(cell) {
   const unit = stressUnit();
   const list = (from, to) => values.slice(from, to).map((value, i) => `${AXES[from + i]} ${digits(value * unit.factor, 4)}`).join(", ");
   const lines = [`stress ${list(0, 3)} ${unit.name}`, `shear ${list(3, 6)} ${unit.name}`, `von Mises ${digits(values[6] * unit.factor, 4)} ${unit.name}, under ${loadName()}`];
-  if (worst) lines.push(`failure index ${digits(worst.index, 4)}, reserve factor ${digits(worst.reserve, 4)} (${worst.criterion}, ${worst.mode})`);
+  if (worst) lines.push(`failure index of the cell ${digits(worst.index, 4)}, reserve factor ${digits(worst.reserve, 4)} (${worst.criterion}, ${worst.mode})`);
   return lines;
 }
 // Buttons that show a cell in the drawing.
