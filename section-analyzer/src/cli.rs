@@ -25,6 +25,7 @@ mod layup;
 mod load_arguments;
 mod matrices;
 mod report;
+mod restored;
 mod schema;
 mod solved;
 mod strength;

@@ -58,6 +58,7 @@ mod stiffness;
 mod strengths;
 mod summary;
 mod tables;
+mod warping;
 
 pub use distributed::DistributedProblem;
 pub use electric::{ElectricDataProblem, ElectricWarning};
@@ -71,6 +72,7 @@ pub use problem::InputProblem;
 pub use source::{NodeProblem, Source};
 pub use stiffness::StiffnessProblem;
 pub use summary::{AngleSource, InputSummary, InputWarning, RegionSummary};
+pub use warping::read_warping;
 
 use assign::{Assignment, materials_of_regions};
 use curvature::WrittenCurvature;

@@ -102,6 +102,7 @@ mod discretization;
 mod distributed;
 mod end_effects;
 mod piezo;
+mod results;
 
 pub use discretization::DiscretizationError;
 pub use distributed::DistributedState;

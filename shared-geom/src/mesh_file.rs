@@ -44,6 +44,19 @@ pub fn read_vabs(content: &[u8], file: &str) -> Result<Model, Diagnostics> {
     vabs::read(content, file)
 }
 
+/// Reads arrays of values at the points of a field file, `.vtu`, by their names; `file` is the
+/// name for messages.
+///
+/// # Errors
+/// All errors of these arrays, each with its line.
+pub fn read_point_values(
+    content: &[u8],
+    file: &str,
+    names: &[String],
+) -> Result<Vec<Vec<f64>>, Diagnostics> {
+    vtu::read_point_values(content, file, names)
+}
+
 /// Reads the mesh in `content`; `file` is the name for messages. A file whose name ends in
 /// `.inp` is one of Abaqus; one that begins with `# vtk DataFile` or as XML is one of VTK;
 /// rows of 2, 3 and 4 whole numbers begin one of VABS; others are files of gmsh.

@@ -18,7 +18,7 @@ mod progress;
 mod sensitivity;
 
 pub(super) use many::solve_all;
-pub(super) use one::{Outcome, Status, analyze_one};
+pub(super) use one::{Outcome, Status, analyze_one, made_from};
 
 /// Identifies this program by its version and the id of its build, since two builds of
 /// one version may differ.

@@ -11,6 +11,7 @@ use shared_geom::section::SectionProperties;
 
 use super::analyze::{Job, Outcome, Run, Status, analyze_one, solve_all};
 use super::arguments::WholeBladeArguments;
+use super::restored::Restored;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, words};
 use crate::input;
 use crate::input::layup::{self, Layup, Selection, SpanStation};
@@ -19,6 +20,7 @@ use crate::output::{
     OutputFiles, ResultWriter, SectionPicture, SolvedSpan, SolvedStation, SpanFiles, layer_rows,
     layup_section,
 };
+use crate::recovery::Recoverer;
 
 mod report;
 mod results;
@@ -189,10 +191,8 @@ impl<'a> Plan<'a> {
         };
         let outcome = analyze_one(job, &self.run);
         if let Some(properties) = outcome.properties.clone() {
-            // its files have just been read
-            let picture = || Some(SectionPicture::new(&input::read(&job.file).ok()?));
             let station = SolvedStation {
-                picture: self.are_drawn.then(picture).flatten(),
+                picture: self.are_drawn.then(|| picture(job)).flatten(),
                 ..station(properties)
             };
             // each section is solved once
@@ -237,6 +237,16 @@ impl<'a> Plan<'a> {
         let missing = all.filter(|(_, solved)| solved.get().is_none());
         missing.map(|(job, _)| job.label.clone()).collect()
     }
+}
+
+/// The picture of a solved section, with its stresses; `None` if its files have changed since.
+fn picture(job: &Job) -> Option<SectionPicture> {
+    let input = input::read(&job.file).ok()?;
+    let stress = match Restored::new(&input, job) {
+        Ok(restored) => Ok(Recoverer::new(&input.section, &restored.solution).unit_cell_stresses()),
+        Err(failure) => Err(failure.to_string()),
+    };
+    Some(SectionPicture::new(&input, &stress))
 }
 
 /// A station as tables show it.

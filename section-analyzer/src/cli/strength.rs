@@ -10,7 +10,7 @@ use shared_geom::wrench::COMPONENTS;
 
 use super::analyze::{Job, Outcome, Status, solve_all};
 use super::arguments::StrengthArguments;
-use super::solved::solve;
+use super::restored::Restored;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
 use crate::input;
 use crate::input::span_loads::{
@@ -66,13 +66,10 @@ pub(super) fn envelope(
     let jobs = jobs_of(&stations, span.parent().unwrap_or(Path::new("")));
     let found: Vec<OnceLock<Vec<ReserveRow>>> = jobs.iter().map(|_| OnceLock::new()).collect();
     let work = |number: usize, job: &Job| match reserves(&stations[number], job, &loads) {
-        Ok((nodes, rows)) => {
-            // each station is solved once
+        Ok((outcome, rows)) => {
+            // each station has one row
             let _ = found[number].set(rows);
-            Outcome {
-                nodes: Some(nodes),
-                ..Outcome::new(Status::Solved)
-            }
+            outcome
         }
         Err(problems) => Outcome {
             problems: Some(problems),
@@ -101,21 +98,21 @@ pub(super) fn envelope(
 fn jobs_of(stations: &[ListedStation], folder: &Path) -> Vec<Job> {
     let folder = folder.join("sections");
     let job = |station: &ListedStation| Job {
+        file: folder.join(format!("{}.section.toml", station.section)),
+        folder: folder.clone(),
+        name: station.section.clone(),
         label: format!("eta {}", crate::mesh::short(station.eta)),
-        ..Job::new(
-            &folder.join(format!("{}.section.toml", station.section)),
-            None,
-        )
     };
     stations.iter().map(job).collect()
 }
 
-/// Solves a section; returns its number of nodes and the reserve factors of its plies.
+/// The reserve factors of the plies of a section, which is solved only if its results are not
+/// there; its outcome is unchanged if they are.
 fn reserves(
     station: &ListedStation,
     job: &Job,
     loads: &[LoadInstant],
-) -> Result<(usize, Vec<ReserveRow>), String> {
+) -> Result<(Outcome, Vec<ReserveRow>), String> {
     let input = input::read(&job.file).map_err(|problems| problems.to_string())?;
     let failed = |failure: crate::failure::Failure| {
         let location = SourceLocation::file(job.file.display().to_string());
@@ -125,9 +122,9 @@ fn reserves(
         .iter()
         .filter_map(|load| Some((load.name.as_str(), load.at(station.eta)?)))
         .unzip();
-    let solved = solve(&input, false).map_err(failed)?;
+    let restored = Restored::new(&input, job).map_err(failed)?;
     let section = &input.section;
-    let recoverer = Recoverer::new(section, &solved.solution);
+    let recoverer = Recoverer::new(section, &restored.solution);
     let found = region_reserves(section, &input.limits, &recoverer, &forces).map_err(failed)?;
     let row = |found: crate::recovery::RegionReserve| ReserveRow {
         eta: station.eta,
@@ -137,11 +134,17 @@ fn reserves(
         worst: found.worst,
         instant: names[found.force].to_owned(),
         position: found.position,
+        force: forces[found.force],
     };
-    Ok((
-        section.mesh.nodes.len(),
-        found.into_iter().map(row).collect(),
-    ))
+    let status = match restored.is_known {
+        true => Status::Unchanged,
+        false => Status::Solved,
+    };
+    let outcome = Outcome {
+        nodes: Some(section.mesh.nodes.len()),
+        ..Outcome::new(status)
+    };
+    Ok((outcome, found.into_iter().map(row).collect()))
 }
 
 /// Damage-equivalent ranges of each component at each station; none without times.

@@ -86,7 +86,24 @@ pub struct ListedReserve {
     pub instant: String,
     /// Position (y, z) in the section \[m\].
     pub position: [f64; 2],
+    /// Internal force at the instant, in the order of [`shared_geom::wrench::COMPONENTS`]
+    /// \[N, N m\].
+    pub force: [f64; 6],
 }
+
+/// Columns with numbers of [`ListedReserve`].
+const RESERVE_NUMBERS: [&str; 10] = [
+    "reserve_factor [-]",
+    "failure_index [-]",
+    "y [m]",
+    "z [m]",
+    "axial [N]",
+    "shear_y [N]",
+    "shear_z [N]",
+    "torsion [N m]",
+    "bending_y [N m]",
+    "bending_z [N m]",
+];
 
 /// The modes of a blade, as `beam-dynamics modes` lists them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -116,17 +133,16 @@ pub fn read_reserves(path: &Path) -> Result<Vec<ListedReserve>, Diagnostics> {
         "the table NAME.strength.csv of \"section-analyzer strength\"",
     )?;
     let texts = ["section", "ply", "criterion", "mode", "instant"];
-    let numbers = ["reserve_factor [-]", "failure_index [-]", "y [m]", "z [m]"];
     let texts = table.require(texts)?;
-    let numbers = table.require(numbers)?;
+    let numbers = table.require(RESERVE_NUMBERS)?;
     let row = |row: &Row| {
         let [section, ply, criterion, mode, instant] =
             texts.map(|column| row.cells[column].clone());
-        let mut values = [0.0; 4];
+        let mut values = [0.0; 10];
         for (value, column) in values.iter_mut().zip(numbers) {
             *value = table.number(row, column)?;
         }
-        let [reserve_factor, failure_index, y, z] = values;
+        let [reserve_factor, failure_index, y, z, force @ ..] = values;
         Ok(ListedReserve {
             section,
             ply,
@@ -136,6 +152,7 @@ pub fn read_reserves(path: &Path) -> Result<Vec<ListedReserve>, Diagnostics> {
             mode,
             instant,
             position: [y, z],
+            force,
         })
     };
     table.rows.iter().map(row).collect()

@@ -3,6 +3,7 @@
 //! Values in material axes, 1 along the fiber, 2 transverse in the ply, 3 through the
 //! thickness; all are positive numbers, in compression too.
 
+use serde::Serialize;
 use shared_geom::error::Explain;
 
 /// Slack of the combined bound of the three interactions: the default, -0.5 for all
@@ -18,7 +19,7 @@ const RANGE: (f64, f64) = (1e-15, 1e100);
 pub const DEFAULT_INTERACTION: f64 = -0.5;
 
 /// Limits of a stress or a strain along the material axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct DirectionalLimits {
     /// Tension along 1, 2, 3 \[unit of the limited quantity: Pa or -\].
     pub tension: [f64; 3],
@@ -29,7 +30,7 @@ pub struct DirectionalLimits {
 }
 
 /// Isotropic limits of a stress or a strain.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct UniformLimits {
     /// Of the largest principal value \[unit of the limited quantity: Pa or -\].
     pub tension: f64,
@@ -41,7 +42,8 @@ pub struct UniformLimits {
 }
 
 /// Limits of the stresses in a material.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Strength {
     /// Along the material axes.
     Ply {
@@ -57,7 +59,8 @@ pub enum Strength {
 }
 
 /// Limits of the strains in a material.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum StrainLimit {
     /// Along the material axes \[-\].
     Ply(DirectionalLimits),
@@ -66,7 +69,7 @@ pub enum StrainLimit {
 }
 
 /// Known limits of a material.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct MaterialLimits {
     /// Limits of stresses, if known.
     pub strength: Option<Strength>,

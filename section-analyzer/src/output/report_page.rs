@@ -7,7 +7,7 @@ use serde::Serialize;
 use shared_geom::blade::Blade;
 use shared_geom::wrench::COMPONENTS;
 
-use super::section_picture::SectionPicture;
+use super::section_picture::{MaterialPicture, SectionPicture};
 use super::span::{SolvedSpan, SolvedStation, SpanRow};
 use super::text::rows;
 use crate::input::result_tables::{ListedReserve, ModeTable};
@@ -18,10 +18,14 @@ const STYLE: &str = include_str!("report_page/report.css");
 const SCRIPT: &str = concat!(
     include_str!("report_page/base.js"),
     include_str!("report_page/cells.js"),
+    include_str!("report_page/criteria.js"),
+    include_str!("report_page/stress.js"),
     include_str!("report_page/viewer.js"),
     include_str!("report_page/tables.js"),
     include_str!("report_page/curves.js"),
+    include_str!("report_page/loads.js"),
     include_str!("report_page/page.js"),
+    include_str!("report_page/selftest_stress.js"),
     include_str!("report_page/selftest.js"),
 );
 
@@ -54,6 +58,7 @@ impl ReportPage<'_> {
         let data = Data {
             blade: Head::new(&blade),
             components: COMPONENTS,
+            materials: self.materials(),
             stations: self.stations(),
             remarks: self.remarks,
             reserves: self.reserves,
@@ -83,6 +88,19 @@ impl ReportPage<'_> {
         page
     }
 
+    /// The materials of all sections: a name has one meaning in a blade.
+    fn materials(&self) -> Vec<&MaterialPicture> {
+        let pictures = self.span.stations.iter();
+        let pictures = pictures.filter_map(|station| station.picture.as_ref());
+        let mut found: Vec<&MaterialPicture> = Vec::new();
+        for material in pictures.flat_map(|picture| &picture.materials) {
+            if found.iter().all(|known| known.name != material.name) {
+                found.push(material);
+            }
+        }
+        found
+    }
+
     fn stations(&self) -> Vec<Station<'_>> {
         let drawn = self.span.stations.iter();
         let drawn = drawn.filter_map(|station| Some((station, station.picture.as_ref()?)));
@@ -97,6 +115,7 @@ impl ReportPage<'_> {
 struct Data<'a> {
     blade: Head<'a>,
     components: [&'static str; 6],
+    materials: Vec<&'a MaterialPicture>,
     stations: Vec<Station<'a>>,
     remarks: &'a [Remark],
     reserves: &'a [ListedReserve],

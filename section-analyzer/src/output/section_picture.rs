@@ -4,11 +4,15 @@ use std::collections::BTreeMap;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use nalgebra::Matrix6;
 use serde::Serialize;
 
+use super::cell_stress::CellStress;
+use super::text::rows;
 use crate::input::{Input, InputWarning};
-use crate::material::ElasticLaw;
+use crate::material::{ElasticLaw, Material, MaterialLimits};
 use crate::mesh::SectionCell;
+use crate::properties::invert_symmetric;
 use crate::section::Section;
 
 /// The cells of a section by their corners, and its plies. Arrays are little-endian, in base64.
@@ -26,6 +30,8 @@ pub struct SectionPicture {
     pub plane_angles: String,
     /// The plies, in the order of their cells.
     pub plies: Vec<PlyPicture>,
+    /// Stresses of the cells per unit internal force, in the order of the plies.
+    pub stress: Option<CellStress>,
     /// Nodes of the mesh.
     pub mesh_nodes: usize,
     /// Cells of the mesh.
@@ -35,6 +41,22 @@ pub struct SectionPicture {
     /// Warnings about the section, without the ones about poor cells.
     #[serde(skip)]
     pub warnings: Vec<String>,
+    /// The materials of the section.
+    #[serde(skip)]
+    pub materials: Vec<MaterialPicture>,
+}
+
+/// A material, for failure indices.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MaterialPicture {
+    /// Name.
+    pub name: String,
+    /// Strain per stress in material axes, order 11 22 33 23 13 12 with engineering shear
+    /// strains; `None` without stiffness \[1/Pa\].
+    pub compliance: Option<[[f64; 6]; 6]>,
+    /// Strengths and strain limits.
+    #[serde(flatten)]
+    pub limits: MaterialLimits,
 }
 
 /// A ply of a section: a physical surface of its mesh.
@@ -49,13 +71,17 @@ pub struct PlyPicture {
     /// Fiber angle, from the beam axis toward the wall direction; `None` if the material is
     /// isotropic \[deg\].
     pub fiber_angle: Option<f64>,
+    /// Angle of the material axis 1 from the beam axis toward the wall direction \[deg\].
+    pub axis_angle: f64,
     /// Number of its cells.
     pub cells: usize,
 }
 
 impl SectionPicture {
-    /// The picture of a section.
-    pub fn new(input: &Input) -> Self {
+    /// The picture of a section, with the mean stress of each cell of the mesh per unit internal
+    /// force (rows of stress in material axes, a column per force), or the reason for which it
+    /// is absent.
+    pub fn new(input: &Input, stress: &Result<Vec<Matrix6<f64>>, String>) -> Self {
         let (section, summary) = (&input.section, &input.summary);
         let mut order: Vec<usize> = (0..section.mesh.cells.len()).collect();
         order.sort_by_key(|&cell| section.mesh.cells[cell].group);
@@ -64,16 +90,26 @@ impl SectionPicture {
         let is_of_cells =
             |warning: &&InputWarning| matches!(warning, InputWarning::PoorCells { .. });
         let warnings = summary.warnings.iter().filter(|one| !is_of_cells(one));
+        let no_stress = stress.as_ref().err();
+        let by_ply = |stress: &Vec<Matrix6<f64>>| {
+            let plies = of_plies(section, &order);
+            CellStress::new(plies.map(|cells| cells.iter().map(|&cell| &stress[cell]).collect()))
+        };
         Self {
             nodes: STANDARD.encode(corners.nodes),
             cells: STANDARD.encode(corners.cells),
             index_bytes: corners.index_bytes,
             plane_angles: STANDARD.encode(order.iter().flat_map(angle).collect::<Vec<u8>>()),
             plies: plies(section, &order),
+            stress: stress.as_ref().ok().map(by_ply),
+            materials: materials(input),
             mesh_nodes: section.mesh.nodes.len(),
             mesh_cells: section.mesh.cells.len(),
             poor_cells: summary.quality.poor(),
-            warnings: warnings.map(ToString::to_string).collect(),
+            warnings: warnings
+                .map(ToString::to_string)
+                .chain(no_stress.map(|reason| format!("stresses are not shown: {reason}")))
+                .collect(),
         }
     }
 }
@@ -115,10 +151,27 @@ impl Corners {
     }
 }
 
+/// The cells of each ply, of cells that are ordered by ply.
+fn of_plies<'a>(section: &Section, order: &'a [usize]) -> impl Iterator<Item = &'a [usize]> {
+    let group = |cell: &usize| section.mesh.cells[*cell].group;
+    order.chunk_by(move |a, b| group(a) == group(b))
+}
+
+/// The materials of a section with their limits.
+fn materials(input: &Input) -> Vec<MaterialPicture> {
+    let materials = input.section.materials.iter().zip(&input.limits);
+    let picture = |(material, limits): (&Material, &MaterialLimits)| MaterialPicture {
+        name: material.name.clone(),
+        compliance: invert_symmetric(&material.law.stiffness())
+            .as_ref()
+            .map(rows),
+        limits: *limits,
+    };
+    materials.map(picture).collect()
+}
+
 /// The plies of cells that are ordered by ply.
 fn plies(section: &Section, order: &[usize]) -> Vec<PlyPicture> {
-    let group = |cell: &usize| section.mesh.cells[*cell].group;
-    let same = order.chunk_by(|a, b| group(a) == group(b));
     let ply = |cells: &[usize]| {
         let cell = &section.cells[cells[0]];
         let material = &section.materials[cell.material];
@@ -126,14 +179,15 @@ fn plies(section: &Section, order: &[usize]) -> Vec<PlyPicture> {
         // turned into radians and back, an angle has round-off in its last digit
         let angle = (cell.fiber_angle.to_degrees() * 1e9).round() / 1e9;
         PlyPicture {
-            ply: section.mesh.groups[group(&cells[0])].clone(),
+            ply: section.mesh.groups[section.mesh.cells[cells[0]].group].clone(),
             material: material.name.clone(),
             density: material.density,
             fiber_angle: (!is_isotropic).then_some(angle),
+            axis_angle: angle,
             cells: cells.len(),
         }
     };
-    same.map(ply).collect()
+    of_plies(section, order).map(ply).collect()
 }
 
 /// An angle from -180 to 180 deg \[0.01 deg\].

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use nalgebra::Vector6;
+
 use super::text::{csv, table};
 use crate::recovery::FailureIndex;
 
@@ -22,6 +24,8 @@ pub struct ReserveRow {
     pub instant: String,
     /// Position (y, z) in the section \[m\].
     pub position: [f64; 2],
+    /// Internal force at this instant about the reference line, in section axes \[N, N m\].
+    pub force: Vector6<f64>,
 }
 
 /// The fatigue load of a component at a station.
@@ -44,7 +48,7 @@ pub struct FatigueRow {
 }
 
 /// Columns of the reserve factors.
-const RESERVES: [&str; 11] = [
+const RESERVES: [&str; 17] = [
     "eta [-]",
     "section",
     "ply",
@@ -56,6 +60,12 @@ const RESERVES: [&str; 11] = [
     "instant",
     "y [m]",
     "z [m]",
+    "axial [N]",
+    "shear_y [N]",
+    "shear_z [N]",
+    "torsion [N m]",
+    "bending_y [N m]",
+    "bending_z [N m]",
 ];
 
 /// One row per station and ply, as CSV.
@@ -68,7 +78,8 @@ pub fn strength_csv(rows: &[ReserveRow]) -> String {
         cells.extend([worst.reserve_factor, worst.index].map(|value| format!("{value:e}")));
         cells.extend([worst.criterion.key(), worst.mode.name()].map(str::to_owned));
         cells.push(row.instant.clone());
-        cells.extend(row.position.map(|value| format!("{value:e}")));
+        let numbers = row.position.iter().chain(&row.force);
+        cells.extend(numbers.map(|value| format!("{value:e}")));
         cells
     });
     csv(std::iter::once(heading).chain(cells))

@@ -1,6 +1,6 @@
 use super::*;
 use crate::analysis::analyze;
-use crate::section::samples::coupled_rectangle;
+use crate::section::samples::{Random, coupled_rectangle};
 use shared_geom::mesh::CellKind;
 
 fn load(force: [f64; 6]) -> LoadCase {
@@ -55,6 +55,26 @@ fn stresses_of_many_forces_are_those_of_each() {
     });
     assert_eq!(seen, of_each[0].len());
     assert!(seen > 0);
+}
+
+/// 200 random forces: the sums of the six stresses of each cell are the means of single
+/// recoveries, to the round-off of sums that may cancel.
+#[test]
+fn stresses_of_cells_add_up_to_single_recoveries() {
+    let section = coupled_rectangle(CellKind::Quadrilateral8);
+    let solution = analyze(&section).unwrap();
+    let recoverer = Recoverer::new(&section, &solution);
+    let unit = recoverer.unit_cell_stresses();
+    assert_eq!(unit.len(), section.cells.len());
+    let mut random = Random(8);
+    for _ in 0..200 {
+        let load = load(std::array::from_fn(|_| random.next()));
+        let recovery = recoverer.recover(&load).unwrap();
+        for (columns, cell) in unit.iter().zip(&recovery.cells) {
+            let difference = columns * load.force - cell.tensors.material_stress;
+            assert!(difference.amax() < 1e-11 * recovery.stress_scale);
+        }
+    }
 }
 
 /// A section moved by 100 times its size, under the same force at the same point of the

@@ -17,9 +17,9 @@ use crate::workplace::{Run, Workplace};
 
 /// Largest size of a report of 30 stations \[bytes\].
 const LIMIT: usize = 5_000_000;
-const REPORT: &str = "b/a.report.html";
+pub const REPORT: &str = "b/a.report.html";
 
-fn blade(workplace: &Workplace, more: &[&str]) -> Run {
+pub fn blade(workplace: &Workplace, more: &[&str]) -> Run {
     let command = [
         "blade",
         "a.layup.toml",
@@ -42,7 +42,7 @@ fn reported(more: &[&str]) -> Workplace {
 }
 
 /// The block of data of the report.
-fn data(workplace: &Workplace) -> Value {
+pub fn data(workplace: &Workplace) -> Value {
     let page = workplace.read(REPORT);
     let (_, rest) = page.split_once("type=\"application/json\">").unwrap();
     let (data, _) = rest.split_once("</script>").unwrap();
@@ -152,7 +152,7 @@ fn data_are_the_numbers_of_the_result_files() {
 }
 
 /// Bytes of an array of a picture, in pieces of `size`.
-fn decoded(array: &Value, size: usize) -> Vec<Vec<u8>> {
+pub fn decoded(array: &Value, size: usize) -> Vec<Vec<u8>> {
     let bytes = STANDARD.decode(array.as_str().unwrap()).unwrap();
     bytes.chunks(size).map(<[u8]>::to_vec).collect()
 }
@@ -237,8 +237,9 @@ fn names_cannot_break_the_page() {
 
 const MODES: &str =
     "rotor speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,1.25\n60,1,\"flap, 1\",\n";
-const RESERVES: &str = "section,ply,reserve_factor [-],failure_index [-],criterion,mode,instant,y [m],z [m]\n\
-                        eta_0.1000,cap,inf,0,max_stress,fiber,load,0.1,-0.02\n";
+const RESERVES: &str = "section,ply,reserve_factor [-],failure_index [-],criterion,mode,instant,y [m],z [m],\
+                        axial [N],shear_y [N],shear_z [N],torsion [N m],bending_y [N m],bending_z [N m]\n\
+                        eta_0.1000,cap,inf,0,max_stress,fiber,load,0.1,-0.02,1,2,3,4,5,-6e3\n";
 
 /// Quotes, empty frequencies and infinite factors are read; wrong tables are refused with line and
 /// remedy.
@@ -281,6 +282,7 @@ fn tables_of_other_commands_are_read_or_refused() {
         (reserve.reserve_factor, reserve.position),
         (f64::INFINITY, [0.1, -0.02])
     );
+    assert_eq!(reserve.force, [1.0, 2.0, 3.0, 4.0, 5.0, -6e3]);
     workplace.write("a.csv", &RESERVES.replace("inf", "nan"));
     let text = read_reserves(&path).unwrap_err().to_string();
     assert!(
@@ -349,6 +351,14 @@ fn strengths_and_modes_are_shown_if_they_are_given() {
         let key = (cells[1].to_owned(), cells[2].to_owned());
         assert_eq!(found[&key], cells[4].parse::<f64>().unwrap(), "{line}");
     }
+    // the moment at eta 0.2, on the line from the root to the tip
+    let rows = shown["reserves"].as_array().unwrap();
+    let force = rows
+        .iter()
+        .find(|row| row["section"] == "eta_0.2000")
+        .unwrap()["force"]
+        .clone();
+    assert_eq!(force, serde_json::json!([0.0, 0.0, 0.0, 0.0, -2400.0, 0.0]));
     open_in_browser(&workplace.path(REPORT));
 
     let changed = workplace
@@ -400,7 +410,7 @@ fn program(names: &[&str]) -> Option<PathBuf> {
 
 /// Runs the checks of the page in a browser. Without a browser this is an error in the long form
 /// only.
-fn open_in_browser(page: &Path) {
+pub fn open_in_browser(page: &Path) {
     let browsers = ["chromium", "chromium-browser", "google-chrome", "chrome"];
     let (Some(browser), Some(python)) = (program(&browsers), program(&["python3"])) else {
         assert!(

@@ -26,6 +26,7 @@ mod mesh_checks;
 mod mesh_error;
 mod prestress;
 mod property_files;
+mod report_stress;
 mod sensitivity;
 mod strength;
 mod stress;

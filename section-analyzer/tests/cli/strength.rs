@@ -93,6 +93,14 @@ fn loads_along_the_blade_are_those_of_single_recoveries() {
             (&*least["instant"], &*least["material"]),
             ("step 1", "glass")
         );
+        let force =
+            ["shear_z [N]", "bending_y [N m]", "torsion [N m]"].map(|key| number(least, key));
+        let expected = [400.0, -400.0 * (length - arc), 0.0];
+        let errors = force.iter().zip(expected).map(|(a, b)| (a - b).abs());
+        assert!(
+            errors.fold(0.0, f64::max) < 1e-9 * 2000.0,
+            "{force:?} {expected:?}"
+        );
         let single = single(&workplace, name, -400.0 * (length - arc));
         // six digits in the table of stresses
         let error = factor(&least) / single - 1.0;
@@ -222,6 +230,43 @@ fn damaged_tables_are_read_or_refused() {
             );
         }
     }
+}
+
+/// Sections of `blade` are not solved again, until their record is gone; the reserve factors are
+/// the same to the round-off of the inverse of the stiffness. The files have the warping with
+/// all digits.
+#[test]
+fn solved_sections_are_not_solved_again() {
+    let workplace = solved();
+    let table = "step,eta,shear z [N],bending y [N m]\n0,0,400,-2000\n0,1,400,0\n";
+    let first = strength(&workplace, table, &[]);
+    assert_eq!(
+        (first.code, first.out.matches(" unchanged ").count()),
+        (0, 3),
+        "{}",
+        first.out
+    );
+    let known = rows(&workplace, "b/a.strength.csv");
+    std::fs::remove_file(workplace.path("b/sections/eta_0.5000.analysis.json")).unwrap();
+    let second = strength(&workplace, table, &[]);
+    assert_eq!(second.out.matches(" solved ").count(), 1, "{}", second.out);
+    for (a, b) in known.iter().zip(&rows(&workplace, "b/a.strength.csv")) {
+        let factor = |row: &Row| number(row, "reserve_factor [-]");
+        assert!((factor(a) / factor(b) - 1.0).abs() < 1e-9, "{a:?} {b:?}");
+        assert_eq!((&a["ply"], &a["criterion"]), (&b["ply"], &b["criterion"]));
+    }
+    let path = |ending: &str| workplace.path(&format!("b/sections/eta_0.5000.{ending}"));
+    let input = section_analyzer::input::read(&path("section.toml")).unwrap();
+    let solution = section_analyzer::analysis::analyze(&input.section).unwrap();
+    let warping = section_analyzer::input::read_warping(&path("warping.vtu")).unwrap();
+    assert_eq!(warping, solution.warping);
+    let text = workplace.read("b/sections/eta_0.5000.warping.vtu");
+    let text = text.replace("Name=\"warping_torsion\"", "Name=\"w\"");
+    workplace.write("b/sections/eta_0.5000.warping.vtu", &text);
+    let problem = section_analyzer::input::read_warping(&path("warping.vtu")).unwrap_err();
+    let expected = "the points have no array \"warping_torsion\"";
+    assert!(problem.to_string().contains(expected), "{problem}");
+    assert!(strength(&workplace, table, &[]).out.contains(" solved "));
 }
 
 /// A blade without strengths: fatigue loads are written, and the table that is missing is named.

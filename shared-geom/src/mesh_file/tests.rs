@@ -1,4 +1,4 @@
-use super::{BECAS_FILES, Model, ModelLaw, read, read_becas, read_vabs};
+use super::{BECAS_FILES, Model, ModelLaw, read, read_becas, read_point_values, read_vabs};
 use crate::gmsh;
 use crate::mesh::{CellKind, LineKind, Mesh};
 
@@ -655,4 +655,38 @@ fn problems_of_becas_are_reported_with_their_lines() {
         shown.contains("E2D.in:1: the file ends before the first row"),
         "{shown}"
     );
+}
+
+/// 300 values of all sizes are read with all their bits; an array that is missing is named, and
+/// an array that has been cut off is refused.
+#[test]
+fn values_at_points_are_read_as_they_were_written() {
+    let mut state = 3_u64;
+    let mut random = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        f64::from_bits(state)
+    };
+    let finite = std::iter::repeat_with(&mut random).filter(|value| value.is_finite());
+    let values: Vec<f64> = finite.take(300).collect();
+    let mut file = crate::vtk::FieldFile::new([[0.0; 3]; 100]);
+    file.point_values("a < b", 3, values.clone());
+    file.point_values("c", 1, vec![1.0; 100]);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.vtu");
+    file.write(&path).unwrap();
+    let content = std::fs::read(&path).unwrap();
+    let named = |names: &[&str]| {
+        let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        read_point_values(&content, "a.vtu", &names)
+    };
+    assert_eq!(named(&["c", "a < b"]).unwrap(), [vec![1.0; 100], values]);
+    let problem = named(&["c", "d"]).unwrap_err().to_string();
+    assert!(
+        problem.contains("a.vtu:1: the points have no array \"d\""),
+        "{problem}"
+    );
+    let cut = &content[..content.len() / 4];
+    assert!(read_point_values(cut, "a.vtu", &["a < b".to_owned()]).is_err());
 }

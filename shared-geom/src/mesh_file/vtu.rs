@@ -28,13 +28,7 @@ pub(super) fn recognize(content: &[u8], file: &str) -> bool {
 /// # Errors
 /// All problems of the file, each with its line.
 pub(super) fn read(content: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
-    let mut reader = Reader {
-        elements: Elements::new(content),
-        encoding: Encoding::default(),
-        inside: Vec::new(),
-        pieces: 0,
-        arrays: Vec::new(),
-    };
+    let mut reader = Reader::new(content);
     let mut problems = Problems::default();
     let read = reader.arrays();
     let line = reader.elements.line();
@@ -47,11 +41,39 @@ pub(super) fn read(content: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
     problems.into_result(file, mesh.unwrap_or_default())
 }
 
+/// Reads arrays of values at the points of an XML file of VTK, by their names.
+///
+/// # Errors
+/// All problems of these arrays, each with its line.
+pub(super) fn read_point_values(
+    content: &[u8],
+    file: &str,
+    names: &[String],
+) -> Result<Vec<Vec<f64>>, Diagnostics> {
+    let mut reader = Reader {
+        has_point_data: true,
+        ..Reader::new(content)
+    };
+    let mut problems = Problems::default();
+    let read = reader.arrays();
+    let line = reader.elements.line();
+    let found = problems.keep(line, read).map(|()| {
+        let found = names.iter().map(|name| {
+            let values = reader.point_values(name);
+            let values = values.map_err(|(line, problem)| problems.push(line, problem));
+            values.unwrap_or_default()
+        });
+        found.collect()
+    });
+    problems.into_result(file, found.unwrap_or_default())
+}
+
 /// Section of the file that contains an array.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Section {
     Points,
     Cells,
+    PointData,
     CellData,
     FieldData,
 }
@@ -74,9 +96,22 @@ struct Reader<'a> {
     inside: Vec<String>,
     pieces: usize,
     arrays: Vec<Described<'a>>,
+    /// Whether arrays at the points are kept.
+    has_point_data: bool,
 }
 
 impl<'a> Reader<'a> {
+    fn new(content: &'a [u8]) -> Self {
+        Self {
+            elements: Elements::new(content),
+            encoding: Encoding::default(),
+            inside: Vec::new(),
+            pieces: 0,
+            arrays: Vec::new(),
+            has_point_data: false,
+        }
+    }
+
     /// Reads the descriptions of all arrays, and where the appended data begin.
     fn arrays(&mut self) -> Result<(), FileProblem> {
         while let Some(element) = self.elements.next()? {
@@ -139,6 +174,7 @@ impl<'a> Reader<'a> {
         let section = match self.inside.last().map(String::as_str) {
             Some("Points") => Section::Points,
             Some("Cells") => Section::Cells,
+            Some("PointData") if self.has_point_data => Section::PointData,
             Some("CellData") => Section::CellData,
             Some("FieldData") => Section::FieldData,
             _ => return Ok(()),
@@ -185,6 +221,23 @@ impl<'a> Reader<'a> {
             .filter_map(|other| other.encoded.offset());
         let values = self.encoding.values(&array.encoded, ends);
         values.map_err(|problem| (array.encoded.line, problem))
+    }
+
+    /// The values of all pieces of an array at the points.
+    fn point_values(&self, name: &str) -> Result<Vec<f64>, (usize, FileProblem)> {
+        let arrays = self.arrays.iter();
+        let mut own = arrays
+            .filter(|array| array.section == Section::PointData && array.name == name)
+            .peekable();
+        if own.peek().is_none() {
+            let problem = FileProblem::Header {
+                found: format!("the points have no array \"{name}\""),
+                expected: "a field file of this program",
+            };
+            return Err((1, problem));
+        }
+        let pieces = own.map(|array| self.values(array));
+        Ok(pieces.collect::<Result<Vec<_>, _>>()?.concat())
     }
 
     /// The grid of all pieces.

@@ -172,7 +172,7 @@ fn no_longer_requested(files: &OutputFiles, run: &Run) -> Vec<PathBuf> {
 
 /// Fingerprint of everything on which the results depend: the files that were read, and
 /// the program. Options that change results or the list of files belong here too.
-fn made_from(input: &Input, run: &Run) -> String {
+pub(in crate::cli) fn made_from(input: &Input, run: &Run) -> String {
     let mut parts = vec![input.summary.input_hash.as_bytes(), PROGRAM.as_bytes()];
     let requested = run.sensitivity.as_ref();
     let requested = requested.map(|nodes| format!("sensitivity {nodes:?}"));

@@ -19,7 +19,7 @@ has internal forces along the blade, about its line and in section axes, names w
                       of each NAME by --at NAME=ETA
 Between the positions forces are linear. Written are, next to SPAN or into DIR:
   NAME.strength.csv   by station and ply: the smallest reserve factor over all instants, its
-                      criterion, mode, instant and position
+                      criterion, mode, instant, position and internal force
   NAME.fatigue.csv    with times: by station and component, damage-equivalent load ranges
                       (rainflow counting of ASTM E1049)
 Reserve factors need strengths of the materials, [material.NAME.strength].";

@@ -20,7 +20,7 @@ and solved in parallel, and written into the folder DIR:
   NAME.span.png, NAME.shear.png, NAME.centers.png
                       the same over the arc length
   NAME.report.html    with --report: one page for a browser, without network: sections with
-                      their layers, stiffness and mass, curves over the span, remarks; the
+                      their layers and stresses, stiffness and mass, curves over the span, remarks; the
                       reserve factors of \"strength\" if NAME.strength.csv is in DIR
   sections/           of each station ETA: eta_ETA.section.toml, its mesh, and the files that
                       \"analyze\" writes, without figures: \"stress\" and \"analyze\" work on them

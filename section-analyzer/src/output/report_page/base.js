@@ -4,7 +4,8 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const byId = (id) => document.getElementById(id);
 const stations = data.stations;
-const state = { station: 0, color: "layer", hidden: new Set(), view: null, cell: -1, log: false };
+const state = { station: 0, color: "layer", hidden: new Set(), view: null, cell: -1, log: false,
+  load: { kind: "instant", value: "" }, force: [0, 0, 0, 0, 1, 0] };
 
 
 function element(name, attributes = {}, ...content) {
@@ -36,7 +37,7 @@ function table(caption, columns, rows, mark) {
     const cells = columns.map(([, value], j) => {
       const content = value(row, i);
       if (j === 0) return element("th", { scope: "row" }, content);
-      const isText = typeof content === "string" && !/^[-+\d]/.test(content);
+      const isText = typeof content !== "string" || !/^[-+\d]/.test(content);
       return element("td", isText ? { class: "text" } : {}, content);
     });
     return element("tr", mark && mark(row, i) ? { class: "current" } : {}, ...cells);
@@ -70,6 +71,7 @@ const sequential = (t) => (t < 0.5 ? mixed(WHITE, YELLOW, 2 * t) : mixed(YELLOW,
 const cyclic = (degrees) => `hsl(${(2 * degrees + 720) % 360} 65% 60%)`;
 
 const reserves = new Map(data.reserves.map((row) => [`${row.section}/${row.ply}`, row]));
+const criterionName = (key) => ({ tsai_wu: "Tsai-Wu", hashin: "Hashin", von_mises: "von Mises" })[key] ?? key.replace("_", " ");
 const reserveOf = (station, ply) => reserves.get(`${station.name}/${ply.ply}`);
 const largestIndex = Math.max(1e-30, ...data.reserves.map((row) => row.failure_index));
 const angles = stations.flatMap((one) => one.picture.plies.map((ply) => Math.abs(lineAngle(ply.fiber_angle ?? 0))));
@@ -90,13 +92,14 @@ const COLORS = {
   },
   plane: {
     name: "wall direction",
+    isOfCell: true,
     of: (cell) => cyclic(cell.plane),
     bar: [0, 180, "deg, wall direction from y toward z", (t) => cyclic(180 * t)],
   },
 };
 if (data.reserves.length > 0) {
   COLORS.failure = {
-    name: "failure index",
+    name: "largest failure index of the ply",
     of: ({ ply, station }) => {
       const row = reserveOf(station, ply);
       return row ? sequential(row.failure_index / largestIndex) : PLAIN;

@@ -27,7 +27,7 @@ function decoded(station) {
       const points = corners.slice(4 * k, 4 * k + 4).map((node) => [nodes[2 * node], nodes[2 * node + 1]]);
       const used = points[3] === points[2] || corners[4 * k + 3] === corners[4 * k + 2] ? 3 : 4;
       const middle = [0, 1].map((axis) => points.slice(0, used).reduce((sum, point) => sum + point[axis], 0) / used);
-      cells.push({ points, middle, ply, station, plane: planes[k], layer: layer ? layer.name : ply.ply, thickness: layer ? layer.thickness : null, arcs: layer ? layer.arcs : null });
+      cells.push({ number: k, points, middle, ply, station, plane: planes[k], layer: layer ? layer.name : ply.ply, thickness: layer ? layer.thickness : null, arcs: layer ? layer.arcs : null });
     }
   }
   station.cells = cells;

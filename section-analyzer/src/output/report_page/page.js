@@ -34,10 +34,13 @@ function select(index) {
   byId("station-name").textContent = `${numbered(station)} (${state.station + 1} of ${stations.length})`;
   byId("viewer-title").textContent = `Section at ${numbered(station)}`;
   byId("station-facts").textContent = `Chord ${digits(station.chord)} m, twist ${digits(station.twist, 4)} deg, mass ${digits(station.mass[0][0])} kg/m, EA ${digits(station.free_stiffness[0])} N, EI flap ${digits(station.bending[0])} N m\u00b2, EI edge ${digits(station.bending[1])} N m\u00b2, GJ ${digits(station.free_stiffness[3])} N m\u00b2; ${station.cells.length} cells, ${station.layers.length} layers.`;
+  setForce();
+  showLoads();
   canvas.setAttribute("aria-label", `Drawing of the section at ${labelOf(station)}: ${station.layers.map((layer) => layer.name).join(", ")}`);
   fit();
   draw();
   showLegend();
+  showExtremes();
   showLayers();
   showMatrices();
   moveLines();
@@ -110,6 +113,7 @@ function listen() {
   window.addEventListener("beforeprint", () => { byId("station-details").open = true; refit(); });
   window.addEventListener("afterprint", refit);
   listenToCanvas();
+  listenToLoads();
 }
 showHead();
 showRemarks();

@@ -70,12 +70,6 @@ function checkPicking(station) {
   const names = new Set(cells.map((cell) => cell.layer));
   check(station.layers.every((layer) => names.has(layer.name)) && names.size === station.layers.length, `${name}: layers of the table and of the cells differ`);
 }
-function area(points) {
-  return points.reduce((sum, [y, z], i) => {
-    const [v, w] = points[(i + 1) % points.length];
-    return sum + 0.5 * (y * w - v * z);
-  }, 0);
-}
 // Areas of layers against their cells with straight sides, mass against the mass matrix.
 function checkAreas(station) {
   const areas = new Map();
@@ -187,7 +181,9 @@ try {
     checkPicking(stations[i]);
     checkAreas(stations[i]);
     checkLayers(stations[i]);
+    checkStresses(check, stations[i]);
   });
+  checkSamples(check, data.samples ?? []);
   checkKeys();
   checkAccess();
 } catch (error) {

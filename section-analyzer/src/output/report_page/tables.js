@@ -11,13 +11,14 @@ function layerRows() {
   });
 }
 function swatch(cell) {
+  if (COLORS[state.color].isOfCell) return "";
   const style = cell ? `background: ${COLORS[state.color].of(cell)}` : "";
   return element("span", { class: "swatch", style, "aria-hidden": "true" });
 }
 function toggle(names, isHidden) {
   names.forEach((name) => (isHidden ? state.hidden.add(name) : state.hidden.delete(name)));
   if (state.cell >= 0 && !isShown(current().cells[state.cell])) point(-1, false);
-  draw();
+  refresh();
 }
 function showLayers() {
   const rows = layerRows();
@@ -63,9 +64,13 @@ function showReserves() {
     ["ply", (row) => row.ply],
     ["reserve factor [-]", (row) => digits(row.reserve_factor)],
     ["failure index [-]", (row) => digits(row.failure_index)],
-    ["criterion", (row) => row.criterion],
+    ["criterion", (row) => criterionName(row.criterion)],
     ["mode", (row) => row.mode],
-    ["instant", (row) => row.instant],
+    ["instant, load of the stresses", (row) => {
+      const made = element("button", { type: "button", class: "link" }, row.instant);
+      made.addEventListener("click", () => load({ kind: "instant", value: row.instant }));
+      return made;
+    }],
     ["y [mm]", (row) => millimeters(row.position[0])],
     ["z [mm]", (row) => millimeters(row.position[1])],
   ], rows));

@@ -49,6 +49,12 @@ function draw() {
     if (!paths.has(key)) paths.set(key, []);
     paths.get(key).push(cell.points);
   }
+  // light colors are bordered
+  pen.beginPath();
+  for (const cells of paths.values()) cells.forEach((points) => outline(pen, points));
+  pen.strokeStyle = "#76828e";
+  pen.lineWidth = 2.2;
+  pen.stroke();
   for (const [key, cells] of paths) {
     pen.beginPath();
     cells.forEach((points) => outline(pen, points));
@@ -160,7 +166,8 @@ function describe(cell) {
   if (cell.thickness !== null) lines.push(`thickness ${millimeters(cell.thickness)} mm, arcs ${cell.arcs.map((arc) => digits(arc, 4)).join(" to ")}`);
   lines.push(`y ${millimeters(cell.middle[0])} mm, z ${millimeters(cell.middle[1])} mm`);
   const row = reserveOf(cell.station, ply);
-  if (row) lines.push(`failure index of the ply ${digits(row.failure_index, 4)}, reserve factor ${digits(row.reserve_factor, 4)} (${row.criterion}, ${row.mode}, ${row.instant})`);
+  lines.push(...describeStress(cell));
+  if (row) lines.push(`of the ply over all loads: failure index ${digits(row.failure_index, 4)}, reserve factor ${digits(row.reserve_factor, 4)} (${criterionName(row.criterion)}, ${row.mode}, ${row.instant})`);
   return lines;
 }
 function point(number, spoken) {

@@ -10,11 +10,11 @@
 
 use std::ops::Range;
 
-use nalgebra::{DMatrix, DMatrixView, Matrix6, Matrix6xX};
+use nalgebra::{DMatrix, DMatrixView, Matrix6, Matrix6xX, Vector6};
 use shared_geom::wrench;
 
 use super::Recoverer;
-use crate::recovery::axes::USUAL_ORDER;
+use crate::recovery::axes::{USUAL_ORDER, stress_in_axes};
 
 /// Points of a block: with a hundred forces its stresses take 300 kB.
 const BLOCK: usize = 64;
@@ -78,5 +78,31 @@ impl Recoverer<'_> {
         if count > 0 {
             flush(&operators, first, count);
         }
+    }
+    /// Mean stress of each cell in material axes per unit internal force about the reference
+    /// point: 6x6, rows 11 22 33 23 13 12, columns in the order of [`wrench::COMPONENTS`]
+    /// \[1/m^2, 1/m^3\].
+    pub fn unit_cell_stresses(&self) -> Vec<Matrix6<f64>> {
+        let cells = self.cells.iter().enumerate();
+        let mut points =
+            cells.flat_map(|(cell, grid)| grid.points.iter().map(move |point| (cell, point.2)));
+        let mut sums = vec![(Matrix6::zeros(), 0.0); self.cells.len()];
+        self.each_stress(&Matrix6xX::identity(6), |block| {
+            for (point, (cell, area)) in (0..block.points().len()).zip(&mut points) {
+                let (sum, total) = &mut sums[cell];
+                *sum += area * block.stress().fixed_view::<6, 6>(6 * point, 0);
+                *total += area;
+            }
+        });
+        let sums = sums.iter().enumerate();
+        let mean = |(cell, (sum, area)): (usize, &(Matrix6<f64>, f64))| {
+            let axes = &self.laws[self.law_of_cell[cell]].axes;
+            let columns = sum.column_iter();
+            let columns: Vec<Vector6<f64>> = columns
+                .map(|column| stress_in_axes(axes, &(column / *area)))
+                .collect();
+            Matrix6::from_columns(&columns)
+        };
+        sums.map(mean).collect()
     }
 }
