@@ -5,10 +5,11 @@ use std::f64::consts::{PI, TAU};
 use rotor_aero::airfoil::{Coefficients, Interpolation};
 use rotor_aero::momentum::{Annulus, HighInduction, Options, Outcome, Solution, solve};
 use rotor_aero::rotor::{Machine, OperatingPoint, RigidRotor, Station};
+use serde_json::Value;
 
 use crate::compare::Compared;
 use crate::support::akima::akima;
-use crate::support::{airfoil, json, law, nrel5mw, number, numbers, row_numbers};
+use crate::support::{Shared, airfoil, json, law, nrel5mw, number, numbers, row_numbers};
 
 const CCBLADE: &str = "CCBlade.jl";
 
@@ -169,9 +170,8 @@ fn propeller_of_six_inches() {
     six_inches("Akima's cubics", &akima(polar.clone()), [1e-6, 5e-4, 1e-5]);
 }
 
-/// Compares with tolerances of coefficients, loads \[N/m\] and induced velocities over the speed.
-fn six_inches(polars: &str, polar: &[Vec<f64>], tolerances: [f64; 3]) {
-    let data = &json("aero/propellers/ccblade_jl.json")["six_inch"];
+/// The propeller with a polar of its airfoil.
+fn of_six_inches(data: &Value, polar: &[Vec<f64>]) -> RigidRotor<Shared> {
     let section = airfoil("NACA64", polar, Interpolation::Monotone);
     let (radius, chord) = (numbers(&data["r_m"]), numbers(&data["chord_m"]));
     let twist = numbers(&data["twist_deg"]);
@@ -179,7 +179,13 @@ fn six_inches(polars: &str, polar: &[Vec<f64>], tolerances: [f64; 3]) {
         .map(|i| [radius[i], chord[i], twist[i].to_radians()])
         .collect();
     let ends = (0.0127, 0.0762);
-    let rotor = propeller(section, &stations, ends, law(HighInduction::BuhlOutside));
+    propeller(section, &stations, ends, law(HighInduction::BuhlOutside))
+}
+
+/// Compares with tolerances of coefficients, loads \[N/m\] and induced velocities over the speed.
+fn six_inches(polars: &str, polar: &[Vec<f64>], tolerances: [f64; 3]) {
+    let data = &json("aero/propellers/ccblade_jl.json")["six_inch"];
+    let rotor = of_six_inches(data, polar);
     let omega = 8000.0 * PI / 30.0;
     let at = |speed: f64| {
         rotor.performance(&OperatingPoint {
