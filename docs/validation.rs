@@ -25,28 +25,38 @@ use std::process::ExitCode;
 
 use serde::Deserialize;
 
-/// A suite, the title of its page, and the first sentence of the page.
-const PAGES: [(&str, &str, &str); 4] = [
-    (
+/// A suite, its folder, the title of its page, and the first sentence of the page.
+const PAGES: [[&str; 4]; 5] = [
+    [
         "section",
+        "tests/section",
         "Sections in numbers",
         "Comparisons of the suite of the sections, by source.",
-    ),
-    (
+    ],
+    [
         "cases",
+        "tests/cases",
         "Cases in numbers",
         "Results of the cases of `cases/section`, by source.",
-    ),
-    (
+    ],
+    [
         "dynamics",
+        "tests/dynamics",
         "Beams in numbers",
         "Comparisons of the suite of the beams, by source.",
-    ),
-    (
+    ],
+    [
         "chain",
+        "tests/chain",
         "Blades in numbers",
         "Comparisons of the chain of both programs, by source.",
-    ),
+    ],
+    [
+        "air",
+        "rotor-aero/tests/air",
+        "Rotors in the air in numbers",
+        "Comparisons of the suite of the aerodynamics of rotors, by source.",
+    ],
 ];
 
 /// Errors below this are round-off, of which only the order of magnitude is shown.
@@ -141,8 +151,8 @@ fn run() -> Result<(), Box<dyn Error>> {
         .skip(1)
         .any(|argument| argument == "--check");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for (suite, title, opening) in PAGES {
-        let rows = read(&records()?.join(suite), &root.join("tests").join(suite))?;
+    for [suite, folder, title, opening] in PAGES {
+        let rows = read(&records()?.join(suite), &root.join(folder))?;
         let page = root.join(format!("docs/src/validation-{suite}.md"));
         let text = text(suite, title, opening, &rows);
         if !only_check {

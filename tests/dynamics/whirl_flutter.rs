@@ -20,6 +20,12 @@ fn edited(file: &str, parameters: &[(&str, f64)], change: impl Fn(String) -> Str
     input::parse_with(&text, &path, &given).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
+/// A file of the reference data.
+fn reference(name: &str) -> serde_json::Value {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/theory-rotor");
+    serde_json::from_str(&std::fs::read_to_string(root.join(name)).unwrap()).unwrap()
+}
+
 /// The zero of a function near two numbers, by the secant method, to a relative step of 1e-5.
 fn zero(mut function: impl FnMut(f64) -> f64, [mut a, mut b]: [f64; 2]) -> f64 {
     let [mut at_a, mut at_b] = [function(a), function(b)];

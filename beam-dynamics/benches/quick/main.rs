@@ -1,4 +1,4 @@
-//! The quick bench: ratios of elements, factorization, steps, statics, modes, strips and start-up,
+//! The quick bench: ratios of elements, factorization, steps, statics, modes, strips, maps and start-up,
 //! each with a limit; the exit code is 1 if a ratio is beyond it.
 //!
 //! All times are processor times, the shortest of several runs, and each is divided by a time that
@@ -20,6 +20,7 @@ mod equilibria;
 mod factors;
 #[path = "../common/line.rs"]
 mod line;
+mod maps;
 #[path = "../common/one_thread.rs"]
 mod one_thread;
 mod operations;
@@ -39,13 +40,14 @@ fn main() -> ExitCode {
     let begin = Instant::now();
     let mut yardstick = Yardstick::new();
     one_thread::on_one_thread();
-    let groups: [(&str, Group); 7] = [
+    let groups: [(&str, Group); 8] = [
         ("element", rows::element),
         ("LU", rows::factorization),
         ("step of beams", rows::swinging),
         ("step of bodies", rows::mechanisms),
         ("statics and modes", equilibria::equilibria),
         ("strips", strips::strips),
+        ("map", maps::maps),
         ("start-up", rows::starting),
     ];
     let (mut rows, mut failed) = (Vec::new(), Vec::new());

@@ -1,6 +1,7 @@
 //! Rotors of the reference data.
 #![allow(dead_code)] // each suite uses a part of it
 
+pub mod akima;
 pub mod apc;
 
 use std::path::PathBuf;
@@ -89,12 +90,17 @@ pub fn airfoil(name: &str, rows: &[Vec<f64>], interpolation: Interpolation) -> S
 
 /// The NREL 5MW rotor: 17 stations, monotone cubics, tilt 5 and cone 2.5 degrees.
 pub fn nrel5mw() -> RigidRotor<Shared> {
+    nrel5mw_with(|rows| rows)
+}
+
+/// The same rotor with a change of the rows of its polars.
+pub fn nrel5mw_with(change: impl Fn(Vec<Vec<f64>>) -> Vec<Vec<f64>>) -> RigidRotor<Shared> {
     let mut known: Vec<(String, Shared)> = Vec::new();
     let mut stations = Vec::new();
     for row in rows("aero/nrel5mw/blade.csv") {
         let name = &row[3];
         if !known.iter().any(|(other, _)| other == name) {
-            let polar = row_numbers(&format!("aero/nrel5mw/polar_{name}.csv"));
+            let polar = change(row_numbers(&format!("aero/nrel5mw/polar_{name}.csv")));
             known.push((name.clone(), airfoil(name, &polar, Interpolation::Monotone)));
         }
         let section = known.iter().find(|(other, _)| other == name);
@@ -124,8 +130,7 @@ pub fn nrel5mw() -> RigidRotor<Shared> {
     }
 }
 
-/// The IEA 15 MW rotor: 48 loaded stations with an airfoil each, tilt 6 and cone 4 degrees. Its
-/// polars are interpolated by straight lines.
+/// The IEA 15 MW rotor: 48 loaded stations with an airfoil each, tilt 6 and cone 4 degrees.
 pub fn iea15() -> RigidRotor<Shared> {
     let polars = row_numbers("aero/iea15/polars.csv");
     let blade = text("aero/iea15/AeroDyn15_blade.dat");
@@ -139,7 +144,7 @@ pub fn iea15() -> RigidRotor<Shared> {
             chord: row[5],
             twist: row[4].to_radians(),
             prebend: row[1],
-            section: airfoil(&format!("node {node}"), &polar, Interpolation::Linear),
+            section: airfoil(&format!("node {node}"), &polar, Interpolation::Monotone),
         }
     });
     let stations: Vec<Station<Shared>> = stations.collect();
@@ -172,5 +177,29 @@ pub fn law(high_induction: HighInduction) -> Options {
     Options {
         high_induction,
         ..Options::default()
+    }
+}
+
+/// Torque of the generator of the NREL 5MW turbine on its own shaft (NREL/TP-500-38060) by its speed
+/// \[rad/s\]: nothing, a line, a parabola, a line of slip, constant power \[N m\].
+pub fn generator_torque(data: &Value, speed: f64) -> f64 {
+    let value = |key: &str| number(&data[key]);
+    let (k, rated) = (value("K_region2"), value("w_rated_torque"));
+    let synchronous = rated / (1.0 + 0.01 * value("slip_percent"));
+    let power = value("P_rated_mech");
+    let slope = power / rated / (rated - synchronous);
+    let (cut_in, start) = (value("w_cut_in"), value("w_region2"));
+    // the slip line meets the parabola
+    let crossing = (slope - (slope * (slope - 4.0 * k * synchronous)).sqrt()) / (2.0 * k);
+    if speed >= rated {
+        power / speed
+    } else if speed <= cut_in {
+        0.0
+    } else if speed < start {
+        k * start * start * (speed - cut_in) / (start - cut_in)
+    } else if speed < crossing {
+        k * speed * speed
+    } else {
+        slope * (speed - synchronous)
     }
 }

@@ -117,13 +117,17 @@ fn oye_and_hgm_give_the_calculated_loops() {
             motion.extremes(&Hgm::COMMON, &polar)[0],
             motion.extremes(&jones, &polar)[0],
         ];
-        for (found, listed) in found.iter().zip(&row[4..]) {
+        let deepest = row[1] == 9.9;
+        for (i, (found, listed)) in found.iter().zip(&row[4..]).enumerate() {
             // The same equations by an independent script, with lags of angles instead of
             // velocities, and lift normal to the effective flow: 1 % but for the deepest stall
             // (1.1 %), where the drag that this turns into lift is large.
-            assert!((found - listed).abs() < 0.012 * listed, "{row:?}: {found}");
-            // Measured loops (NASA TM 84245): 12 % for all models and cases but one.
-            assert!((found - row[3]).abs() < 0.14 * row[3], "{row:?}: {found}");
+            let limit = if deepest { 0.012 } else { 0.01 };
+            assert!((found - listed).abs() < limit * listed, "{row:?}: {found}");
+            // Measured loops (NASA TM 84245): 12 %, but for the short lag of separation in the
+            // deepest stall (13.4 %).
+            let limit = if deepest && i == 1 { 0.14 } else { 0.12 };
+            assert!((found - row[3]).abs() < limit * row[3], "{row:?}: {found}");
         }
     }
 }
@@ -152,7 +156,7 @@ fn dynamic_stall_and_lag_of_separation_reach_the_measured_lift() {
         assert!(error(&lag) < limit, "{row:?}: {lag:?}");
         // The independent script, with switches instead of gates and impulsive lift: 2.1 %.
         assert!(
-            (stall[0] / row[7] - 1.0).abs() < 0.025,
+            (stall[0] / row[7] - 1.0).abs() < 0.021,
             "{row:?}: {stall:?}"
         );
     }

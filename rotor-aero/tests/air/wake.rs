@@ -3,13 +3,11 @@
 //! The rotor is marched by a simple rule: within a step the quasi-steady velocity is constant,
 //! and the filter follows by the trapezoidal rule.
 
-mod support;
-
+use crate::support::apc::Compressible;
+use crate::support::{Shared, json, nrel5mw, number};
 use rotor_aero::airfoil::{Coefficients, Flow, Profile};
 use rotor_aero::momentum::{Ambient, Annulus, HighInduction, Options, induced_flow};
 use rotor_aero::wake::{FilterState, Forcing, TimeScale, disk_mean, forcing, rates};
-use support::apc::Compressible;
-use support::{Shared, json, nrel5mw, number};
 
 /// A strip of a blade with its wake.
 struct Strip<S> {
@@ -270,10 +268,10 @@ fn a_turbine_passes_the_turbulent_wake() {
 #[test]
 fn a_propeller_settles_in_hover_and_descent() {
     let data = &json("aero/theory/velocity_form.json")["apc"];
-    let blade = support::apc::blade("10x7SF-PERF.PE0");
-    let section = Compressible(support::apc::family("NACA_4412", "N6.0"));
+    let blade = crate::support::apc::blade("10x7SF-PERF.PE0");
+    let section = Compressible(crate::support::apc::family("NACA_4412", "N6.0"));
     for law in [HighInduction::Buhl, HighInduction::BuhlOutside] {
-        for (index, ratio) in support::numbers(&data["J"]).into_iter().enumerate() {
+        for (index, ratio) in crate::support::numbers(&data["J"]).into_iter().enumerate() {
             let expected = number(&data["CT_end"][index]);
             let mut rotor = propeller(&blade, &section, law);
             let n = rotor.omega / std::f64::consts::TAU;
@@ -303,7 +301,7 @@ fn a_propeller_settles_in_hover_and_descent() {
 }
 
 fn propeller(
-    blade: &support::apc::Blade,
+    blade: &crate::support::apc::Blade,
     section: &Compressible,
     law: HighInduction,
 ) -> Rotor<Compressible> {
@@ -318,7 +316,7 @@ fn propeller(
                 tip_radius: blade.radius,
                 blades: 2,
                 chord: blade.at(radius, 1),
-                options: support::law(law),
+                options: crate::support::law(law),
             },
             twist: blade.at(radius, 2),
             section: section.clone(),
