@@ -12,9 +12,11 @@ use shared_geom::units::Dimension;
 use super::materials::{self, MATERIALS};
 use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 
+mod constants;
 mod course;
 mod keys;
 mod place;
+mod prevabs;
 mod problem;
 mod resolve;
 mod shape;
@@ -31,7 +33,7 @@ pub(super) use keys::LAYUP_FILE;
 
 use keys::{
     FIBER_ANGLE, FROM, LAYERS, LINE, MATERIAL, MESH, NAME, PLIES, PRESSURE, RANGE, SHAPE, SIZE,
-    SUCTION, TAPER, THICKNESS, TO, WEB_NAME, WEBS,
+    SUCTION, TAPER, THICKNESS, TO, TOWARD, WEB_NAME, WEBS,
 };
 use resolve::Resolver;
 
@@ -70,9 +72,11 @@ pub struct WrittenLayer {
     pub material: String,
     /// Its thickness \[m\].
     pub thickness: Course,
-    /// Angle of its fiber from x, toward the leading edge; in webs toward the suction side
+    /// Angle of its fiber from x, in the sense of `toward`; in webs toward the suction side
     /// \[rad\].
     pub fiber_angle: f64,
+    /// The sense of the angle of the fiber in the shell.
+    pub toward: Toward,
     /// Where it starts.
     pub from: Place,
     /// Where it ends.
@@ -82,6 +86,19 @@ pub struct WrittenLayer {
     /// Its line in the file.
     pub line: usize,
 }
+
+/// Direction toward which angles of fibers in the shell are positive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Toward {
+    /// The leading edge, on both sides.
+    #[default]
+    LeadingEdge,
+    /// Along the contour, from the trailing edge over the suction side.
+    Contour,
+}
+
+/// Words of the directions of positive angles, in their order.
+pub const TOWARDS: [&str; 2] = ["leading_edge", "contour"];
 
 /// A web.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,7 +136,7 @@ pub enum Materials {
     Repaired,
 }
 
-/// Reads the layup file, or the turbine file of windIO, at `path`.
+/// Reads the layup file, the turbine file of windIO, or the section of PreVABS, at `path`.
 ///
 /// # Errors
 /// All problems of the file and of its airfoil files.
@@ -135,6 +152,9 @@ pub fn read_with(path: &Path, materials: Materials) -> Result<Layup, Diagnostics
     let text = read_text(path)?;
     if windio::recognize(&text, path) {
         return windio::read(&text, path, materials);
+    }
+    if prevabs::recognize(&text) {
+        return prevabs::read(&text, path, materials);
     }
     parse(&text, path)
 }
@@ -194,9 +214,19 @@ fn layer(table: &Table<'_>, known: &[String], of_shell: bool) -> Option<WrittenL
     let name = table.get(&NAME);
     let material = table.get(&MATERIAL);
     let (thickness, angle) = (table.get(&THICKNESS), table.get(&FIBER_ANGLE));
-    let (from, to, taper) = match of_shell {
-        true => (table.get(&FROM), table.get(&TO), table.get(&TAPER)),
-        false => (Some(Place::arc(0.0)), Some(Place::arc(1.0)), Some(None)),
+    let (from, to, taper, toward) = match of_shell {
+        true => (
+            table.get(&FROM),
+            table.get(&TO),
+            table.get(&TAPER),
+            table.get(&TOWARD),
+        ),
+        false => (
+            Some(Place::arc(0.0)),
+            Some(Place::arc(1.0)),
+            Some(None),
+            Some(0),
+        ),
     };
     if let Some(material) = material
         .as_ref()
@@ -214,6 +244,7 @@ fn layer(table: &Table<'_>, known: &[String], of_shell: bool) -> Option<WrittenL
         material: material?,
         thickness: thickness?,
         fiber_angle: angle?.0,
+        toward: [Toward::LeadingEdge, Toward::Contour][toward?],
         from: from?,
         to: to?,
         taper: taper?,

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use shared_geom::line::{Course as LineCourse, LinePoint, ReferenceLine};
 
-use crate::input::layup::{Course, Layup, Place, PlaceForm, SIDES, WrittenLayer};
+use crate::input::layup::{Course, Layup, Place, PlaceForm, SIDES, TOWARDS, Toward, WrittenLayer};
 
 /// The layup file of `layup`, read from `source`. Lengths are in its unit.
 pub fn layup_file(layup: &Layup, source: &str) -> String {
@@ -116,6 +116,9 @@ fn rows_of(layer: &WrittenLayer, unit: f64) -> Vec<String> {
     ];
     if layer.fiber_angle != 0.0 {
         rows.push(format!("fiber_angle = {}", angle(layer.fiber_angle)));
+        if layer.toward != Toward::LeadingEdge {
+            rows.push(format!("toward = {:?}", TOWARDS[layer.toward as usize]));
+        }
     }
     rows
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::input::layup::{Layup, LayupMesh, table_name};
+use crate::input::layup::{Layup, LayupMesh, Toward, table_name};
 
 /// The section file of a meshed layup, whose mesh is called `mesh`.
 pub fn layup_section(layup: &Layup, meshed: &LayupMesh, mesh: &str) -> String {
@@ -72,8 +72,8 @@ fn write_section(
             continue;
         };
         let (name, material, angle) = (&layer.name, &written.material, written.fiber_angle);
-        if angle == 0.0 {
-            region(name, material, 0.0, "contour")?;
+        if angle == 0.0 || written.toward == Toward::Contour {
+            region(name, material, angle, "contour")?;
             continue;
         }
         // the wall runs toward the leading edge on the suction side, and away from it on the other

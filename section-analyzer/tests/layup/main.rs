@@ -6,6 +6,8 @@ mod effort;
 mod blades;
 mod closed_forms;
 mod files;
+mod prevabs;
+mod prevabs_files;
 mod random;
 mod sections;
 mod stations;

@@ -8,7 +8,7 @@ pub(super) const MESH_LAYUP: &str = "\
 A section of a blade, from its layup
 
 FILE contains the contour, layers along it, webs and materials, all along the span
-(NAME.layup.toml, or a turbine file of windIO). Columns of cells run through the wall; each layer is a physical
+(NAME.layup.toml, a turbine file of windIO, or a section of PreVABS). Columns of cells run through the wall; each layer is a physical
 surface. The mesh is in the unit of length of FILE, y toward the nose. With --section,
 the section file is written too, with all materials and angles.";
 
@@ -22,8 +22,8 @@ Describes a layup and meshes its sections, without solving them
 
 For each station: the layers and webs with their arcs, thicknesses and areas, given and
 meshed. A section that cannot be meshed is reported with the layer or web; the others
-are described nevertheless. A turbine file of windIO is read too; with --out it is written as
-a layup file, with all that was understood of it.";
+are described nevertheless. A turbine file of windIO and a section of PreVABS are read too;
+with --out they are written as layup files, with all that was understood of them.";
 
 pub(super) const LAYUP_EXAMPLE: &str = "\
 Examples: two stations; without --eta all at which the file has values. A turbine file as
@@ -34,7 +34,7 @@ a layup file:
 /// Arguments of `mesh layup`.
 #[derive(Debug, Args)]
 pub struct MeshLayupArguments {
-    /// Layup file, NAME.layup.toml, or turbine file of windIO
+    /// Layup file, NAME.layup.toml, turbine file of windIO, or section of PreVABS (XML)
     pub file: PathBuf,
     /// Position along the span, 0 at the root to 1 at the tip [-]
     #[arg(long, value_name = "PART", default_value_t = 0.0)]
@@ -53,7 +53,7 @@ pub struct MeshLayupArguments {
 /// Arguments of `layup`.
 #[derive(Debug, Args)]
 pub struct LayupArguments {
-    /// Layup file, NAME.layup.toml, or turbine file of windIO
+    /// Layup file, NAME.layup.toml, turbine file of windIO, or section of PreVABS (XML)
     pub file: PathBuf,
     /// Positions along the span, 0 at the root to 1 at the tip [-]; the positions of the file if not given
     #[arg(long, value_name = "PARTS", value_delimiter = ',')]

@@ -13,6 +13,7 @@ use shared_geom::units::Dimension;
 use super::super::blade::Name;
 use super::super::materials::MATERIALS;
 use super::super::regions::Angle;
+use super::TOWARDS;
 use super::course::{COURSE, Course};
 use super::place::{PLACE, Place};
 
@@ -117,7 +118,8 @@ keys! {
     pub(super) NACA: String = "naca", [Text], required, "\"4415\"";
     /// File of x/c and z/c, from the folder of this file, suction side first.
     pub(super) FILE: String = "file", [Text], required, "\"airfoil.dat\"";
-    /// Rows of x/c and z/c, from the trailing edge over the suction side to the nose and back.
+    /// Rows of x/c and z/c, from the trailing edge over the suction side to the nose and back; a
+    /// point given twice is a corner.
     pub(super) POINTS: ByHand = "points", [FreeMatrix], required, "[[1, 0], [0.9, 0.02]]";
     /// Airfoils along the span, in its order, or of ascending thickness.
     pub(super) AIRFOILS: NestedList = "airfoils", [Tables(&AIRFOIL)], required, "";
@@ -144,6 +146,10 @@ keys! {
     /// side.
     pub(super) FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)],
         or "0" = Angle(0.0), "45";
+    /// Direction toward which the angle of the fiber is positive: the leading edge, on both sides,
+    /// or the contour from the trailing edge over the suction side.
+    pub(super) TOWARD: usize = "toward", [Word(&TOWARDS)], or "\"leading_edge\"" = 0,
+        "\"contour\"";
     /// Where it starts.
     pub(super) FROM: Place = "from", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         or "0" = Place::arc(0.0), "0.31";

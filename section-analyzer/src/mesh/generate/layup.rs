@@ -18,8 +18,10 @@ use super::super::SectionMesh;
 
 mod area;
 mod build;
+mod mitre;
 mod outline;
 mod pairs;
+mod polygon;
 mod problem;
 mod stack;
 mod stations;

@@ -5,7 +5,7 @@ use shared_geom::exchange::yaml::{Node, Value};
 
 use super::super::course::Course;
 use super::super::place::Place;
-use super::super::{WrittenLayer, WrittenWeb};
+use super::super::{Toward, WrittenLayer, WrittenWeb};
 use super::places::Places;
 use super::{Notes, Version, course, items, required, word};
 
@@ -163,6 +163,7 @@ fn layer<'n>(
         material: material?.to_owned(),
         thickness,
         fiber_angle: fiber_angle?,
+        toward: Toward::LeadingEdge,
         from,
         to,
         taper: None,
@@ -323,6 +324,7 @@ fn bond_lines<'n>(
             material: material?.to_owned(),
             thickness: thickness?,
             fiber_angle: 0.0,
+            toward: Toward::LeadingEdge,
             from,
             to,
             taper: None,

@@ -10,19 +10,17 @@
 //! and nu_ij^2 < E_i/E_j.
 
 use std::fmt::Write;
+use std::path::PathBuf;
 
-use shared_geom::document::Document;
 use shared_geom::exchange::text::number;
 use shared_geom::exchange::windio_fields::numbers;
 use shared_geom::exchange::yaml::{Node, Value};
 
-use super::super::super::materials;
 use super::super::Materials;
+use super::super::constants::checked;
 use super::layers::Used;
 use super::{Notes, items, named, required};
 
-/// Name of the text of the materials in messages, which are rewritten.
-const TEXT: &str = "materials of the turbine file";
 /// Step of the factor of Poisson's ratios through the thickness, and the least D that it gives.
 const REPAIR: [f64; 2] = [0.05, 0.05];
 /// Poisson's ratio in the place of larger ones of isotropic materials.
@@ -69,25 +67,11 @@ pub(super) fn constants(
     if !is_complete {
         return None;
     }
-    let checked = Document::parse(&text, TEXT).and_then(|document| {
-        let root = document.root();
-        document.declare_units(&root);
-        let _ = materials::read(&root);
-        document.finish(Some(()))
-    });
-    let rewritten = checked.map_err(|problems| {
-        problems.rewritten(TEXT, |problem| {
-            let line = problem.location.line.and_then(|line| lines.get(line - 1));
-            problem.location.line = line.copied();
-            problem.location.file = notes.file.clone();
-            let repair = "--repair-materials takes smaller Poisson's ratios";
-            problem.help = Some(match problem.help.take() {
-                Some(help) => format!("{help}; {repair}"),
-                None => repair.to_owned(),
-            });
-        })
-    });
-    notes.problems.keep(rewritten).map(|()| text)
+    let file = PathBuf::from(&notes.file);
+    let origin = |line: usize| Some((file.clone(), line));
+    let origins: Vec<_> = lines.into_iter().map(origin).collect();
+    let repair = "--repair-materials takes smaller Poisson's ratios";
+    checked(text, &origins, repair, &mut notes.problems)
 }
 
 /// The table of a material.

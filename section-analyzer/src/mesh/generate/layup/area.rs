@@ -57,6 +57,14 @@ fn nominal(wall: &Wall) -> Vec<f64> {
             outer = inner;
         }
     }
+    // a mitre takes of both sides
+    for corner in wall.outline.breaks() {
+        let mut outer = 0.0;
+        for (layer, inner) in wall.stack.depths(corner.s).into_iter().enumerate() {
+            sums[layer] -= (inner * inner - outer * outer) * corner.tangent;
+            outer = inner;
+        }
+    }
     sums
 }
 

@@ -7,12 +7,14 @@
 //! s(u) = b/2 + int |dP/du| du,    0 <= s <= P,
 //! ```
 //!
-//! with b the length of the flat base, whose middle is s = 0 and s = P.
+//! with b the length of the flat base, whose middle is s = 0 and s = P. A point given twice is a
+//! corner, at which one spline ends and the next one begins.
 
 use shared_geom::quadrature;
 use shared_geom::spline::Spline;
 
 use super::super::super::distance;
+use super::polygon::{crossing, turn};
 use super::problem::LayupProblem;
 
 /// Points repeated at both ends of a smooth contour.
@@ -24,6 +26,12 @@ const STEPS: usize = 3000;
 const SMOOTH: [f64; 3] = [0.7, 0.035, 3.0];
 /// Parts of the contour, from its ends, within which and at which distance points are kept.
 const ROUNDING: [f64; 2] = [0.01, 1e-3];
+/// A turn at a point given twice is a corner above this angle \[rad\]: 10 degrees.
+const TURN: f64 = 0.175;
+/// Part of the contour within which the nose is at a corner.
+const AT_CORNER: f64 = 1e-5;
+/// Part of the contour around an estimate in which the nearest point is searched.
+const AROUND: f64 = 0.01;
 /// Fewest points of a contour.
 const LEAST: usize = 9;
 /// Samples of a search along the contour.
@@ -32,8 +40,10 @@ const SAMPLES: usize = 400;
 /// A contour over its arc length.
 #[derive(Debug, Clone)]
 pub struct Outline {
-    y: Spline,
-    z: Spline,
+    /// The pieces between the corners, over one parameter.
+    pieces: Vec<[Spline; 2]>,
+    /// The corners between them.
+    corners: Vec<Corner>,
     /// First parameter of the table and its step.
     start: [f64; 2],
     /// Arc length at equal steps of the parameter.
@@ -45,14 +55,25 @@ pub struct Outline {
     middle: [f64; 2],
 }
 
+/// A corner of the contour that is not at the trailing edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corner {
+    /// Its arc length [unit of the mesh].
+    pub s: f64,
+    /// Tangent of half the turn, positive if the section is convex [-].
+    pub tangent: f64,
+    /// The parameter of the splines.
+    u: f64,
+}
+
 impl Outline {
     /// The contour through points, from the trailing edge over the suction side to the nose and
-    /// back.
+    /// back; a point given twice is a corner.
     ///
     /// # Errors
     /// Points that are no contour.
     pub fn new(points: &[[f64; 2]]) -> Result<Self, LayupProblem> {
-        let mut points = checked(points)?;
+        let [mut points, sharp] = checked(points)?;
         let mut last = points.len() - 1;
         let length: f64 = points
             .windows(2)
@@ -62,7 +83,7 @@ impl Outline {
         if is_closed {
             points[last] = points[0];
         }
-        let is_smooth = is_smooth(&points, is_closed);
+        let is_smooth = sharp.is_empty() && is_smooth(&points, is_closed);
         if !is_smooth {
             points = without_rounding(points, length);
             last = points.len() - 1;
@@ -78,7 +99,7 @@ impl Outline {
             last -= 1;
         }
         let overlap = if is_smooth { OVERLAP.min(last / 2) } else { 0 };
-        let (along, [y, z]) = splines(&points, overlap);
+        let (along, pieces) = splines(&points, overlap, &sharp);
         let end = overlap + last;
         let range = match (is_smooth, is_closed) {
             (false, _) => [along[0], along[last]],
@@ -89,8 +110,8 @@ impl Outline {
             }
         };
         let mut outline = Self {
-            y,
-            z,
+            pieces,
+            corners: Vec::new(),
             start: [range[0], (range[1] - range[0]) / STEPS as f64],
             arcs: Vec::with_capacity(STEPS + 1),
             base,
@@ -113,7 +134,31 @@ impl Outline {
             self.arcs.push(next);
         }
         self.perimeter = self.arcs[STEPS] + 0.5 * self.base;
+        self.corners = self.sharp();
         self.nose = self.farthest(|point| distance(point, self.middle));
+        let near = |one: &&Corner| (one.s - self.nose).abs() < AT_CORNER * self.perimeter;
+        if let Some(corner) = self.corners.iter().find(near) {
+            self.nose = corner.s;
+        }
+    }
+
+    /// The corners between the pieces.
+    fn sharp(&self) -> Vec<Corner> {
+        let corner = |pair: &[[Spline; 2]]| {
+            let u = pair[1][0].positions()[0];
+            let slope = |piece: &[Spline; 2]| piece.each_ref().map(|f| f.slope(f.interval(u), u));
+            let [a, b] = [slope(&pair[0]), slope(&pair[1])];
+            let (sine, cosine) = (a[1] * b[0] - a[0] * b[1], a[0] * b[0] + a[1] * b[1]);
+            let index = ((u - self.start[0]) / self.start[1]).floor();
+            let index = (index.max(0.0) as usize).min(STEPS - 1);
+            let from = self.start[0] + self.start[1] * index as f64;
+            Corner {
+                s: self.arcs[index] + self.length(from, u),
+                tangent: (0.5 * sine.atan2(cosine)).tan(),
+                u,
+            }
+        };
+        self.pieces.windows(2).map(corner).collect()
     }
 
     /// The arc length at which a measure of points is largest, by golden section around the best
@@ -123,7 +168,19 @@ impl Outline {
         let at = |i: usize| self.perimeter * i as f64 / SAMPLES as f64;
         let best = (1..SAMPLES).max_by(|a, b| far(at(*a)).total_cmp(&far(at(*b))));
         let best = best.unwrap_or(SAMPLES / 2);
-        let (mut a, mut b) = (at(best - 1), at(best + 1));
+        self.between([at(best - 1), at(best + 1)], far)
+    }
+
+    /// The arc length of the point that is nearest to another one, near an estimate.
+    pub fn nearest(&self, point: [f64; 2], near: f64) -> f64 {
+        let reach = AROUND * self.perimeter;
+        let [from, to] = self.corners();
+        let range = [(near - reach).max(from), (near + reach).min(to)];
+        self.between(range, |s| -distance(self.position(s), point))
+    }
+
+    /// The arc length between two others at which a measure is largest, by golden section.
+    fn between(&self, [mut a, mut b]: [f64; 2], far: impl Fn(f64) -> f64) -> f64 {
         for _ in 0..60 {
             let [left, right] = [a + 0.381_966 * (b - a), a + 0.618_034 * (b - a)];
             if far(left) > far(right) {
@@ -145,8 +202,30 @@ impl Outline {
     }
 
     fn speed(&self, u: f64) -> f64 {
-        let i = self.y.interval(u);
-        self.y.slope(i, u).hypot(self.z.slope(i, u))
+        let [y, z] = self.slopes(u);
+        y.hypot(z)
+    }
+
+    /// The splines at a parameter, and their interval.
+    fn piece(&self, u: f64) -> (&[Spline; 2], usize) {
+        let after = |piece: &[Spline; 2]| piece[0].positions()[0] <= u;
+        let piece = &self.pieces[self.pieces.partition_point(after).max(1) - 1];
+        (piece, piece[0].interval(u))
+    }
+
+    fn slopes(&self, u: f64) -> [f64; 2] {
+        let (piece, i) = self.piece(u);
+        piece.each_ref().map(|f| f.slope(i, u))
+    }
+
+    /// First and last point of the splines.
+    fn rear(&self) -> [[f64; 2]; 2] {
+        let last = &self.pieces[self.pieces.len() - 1];
+        let first = self.pieces[0].each_ref().map(|f| f.values()[0]);
+        [
+            first,
+            last.each_ref().map(|f| f.values()[f.values().len() - 1]),
+        ]
     }
 
     /// Parameter of the spline at an arc length.
@@ -158,7 +237,19 @@ impl Outline {
         for _ in 0..2 {
             u -= (low + self.length(from, u) - s) / self.speed(u);
         }
+        // round-off must not lead over a corner
+        for corner in &self.corners {
+            u = match s >= corner.s {
+                true => u.max(corner.u),
+                false => u.min(corner.u.next_down()),
+            };
+        }
         u
+    }
+
+    /// The corners that are not at the trailing edge, in their order.
+    pub fn breaks(&self) -> &[Corner] {
+        &self.corners
     }
 
     /// Length with the base.
@@ -233,13 +324,12 @@ impl Outline {
     /// The point at an arc length.
     pub fn position(&self, s: f64) -> [f64; 2] {
         if let Some(part) = self.on_base(s) {
-            let values = [self.y.values(), self.z.values()];
-            let ends = values.map(|values| [values[0], values[values.len() - 1]]);
-            return [0, 1].map(|i| self.middle[i] + 0.5 * part * (ends[i][0] - ends[i][1]));
+            let [first, last] = self.rear();
+            return [0, 1].map(|i| self.middle[i] + 0.5 * part * (first[i] - last[i]));
         }
         let u = self.parameter(s);
-        let i = self.y.interval(u);
-        [self.y.value(i, u), self.z.value(i, u)]
+        let (piece, i) = self.piece(u);
+        piece.each_ref().map(|f| f.value(i, u))
     }
 
     /// Unit normal into the section; at a corner the normal of the side.
@@ -247,17 +337,15 @@ impl Outline {
         if self.on_base(s).is_some() {
             return self.base_inward();
         }
-        let u = self.parameter(s);
-        let i = self.y.interval(u);
-        let [y, z] = [self.y.slope(i, u), self.z.slope(i, u)];
+        let [y, z] = self.slopes(self.parameter(s));
         let length = y.hypot(z);
         [z / length, -y / length]
     }
 
     /// Unit normal of the base into the section.
     pub fn base_inward(&self) -> [f64; 2] {
-        let values = [self.y.values(), self.z.values()];
-        let [y, z] = values.map(|values| values[0] - values[values.len() - 1]);
+        let [first, last] = self.rear();
+        let [y, z] = [first[0] - last[0], first[1] - last[1]];
         let length = y.hypot(z).max(f64::MIN_POSITIVE);
         [z / length, -y / length]
     }
@@ -268,16 +356,20 @@ impl Outline {
             return 0.0;
         }
         let u = self.parameter(s);
-        let i = self.y.interval(u);
-        let [y, z] = [self.y.slope(i, u), self.z.slope(i, u)];
-        let [ddy, ddz] = [self.y.bend(i, u), self.z.bend(i, u)];
+        let (piece, i) = self.piece(u);
+        let [y, z] = piece.each_ref().map(|f| f.slope(i, u));
+        let [ddy, ddz] = piece.each_ref().map(|f| f.bend(i, u));
         (ddy * z - ddz * y) / y.hypot(z).powi(3)
     }
 }
 
 /// The length of the polygon and the splines of both coordinates through points, of which
-/// `overlap` are repeated at both ends.
-fn splines(points: &[[f64; 2]], overlap: usize) -> (Vec<f64>, [Spline; 2]) {
+/// `overlap` are repeated at both ends; at the points `sharp` they begin anew.
+fn splines(
+    points: &[[f64; 2]],
+    overlap: usize,
+    sharp: &[[f64; 2]],
+) -> (Vec<f64>, Vec<[Spline; 2]>) {
     let ring = [
         &points[points.len() - overlap..],
         points,
@@ -288,12 +380,18 @@ fn splines(points: &[[f64; 2]], overlap: usize) -> (Vec<f64>, [Spline; 2]) {
     for pair in ring.windows(2) {
         along.push(along[along.len() - 1] + distance(pair[0], pair[1]));
     }
-    let of = |i: usize| {
-        let values: Vec<f64> = ring.iter().map(|point| point[i]).collect();
-        Spline::new(&along, &values)
+    let last = ring.len() - 1;
+    let inner = (1..last).filter(|i| sharp.contains(&ring[*i]));
+    let ends: Vec<usize> = [0].into_iter().chain(inner).chain([last]).collect();
+    let piece = |ends: &[usize]| {
+        let range = ends[0]..=ends[1];
+        [0, 1].map(|i| {
+            let values: Vec<f64> = ring[range.clone()].iter().map(|point| point[i]).collect();
+            Spline::new(&along[range.clone()], &values)
+        })
     };
-    let splines = [of(0), of(1)];
-    (along, splines)
+    let pieces = ends.windows(2).map(piece).collect();
+    (along, pieces)
 }
 
 /// Points without those that round the corners of a trailing edge: near both ends only points
@@ -316,8 +414,8 @@ fn without_rounding(points: Vec<[f64; 2]>, length: f64) -> Vec<[f64; 2]> {
     one_end(one_end(points))
 }
 
-/// Points without doubled ones; refuses lists that are no contour.
-fn checked(points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, LayupProblem> {
+/// Points without doubled ones, and corners; refuses lists that are no contour.
+fn checked(points: &[[f64; 2]]) -> Result<[Vec<[f64; 2]>; 2], LayupProblem> {
     let wrong = |why: String| Err(LayupProblem::Contour { why });
     if let Some(index) = points
         .iter()
@@ -330,14 +428,17 @@ fn checked(points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, LayupProblem> {
         .windows(2)
         .map(|pair| distance(pair[0], pair[1]))
         .sum();
+    let mut doubled = Vec::new();
     for point in points {
-        let is_new = distinct
-            .last()
-            .is_none_or(|last| distance(*last, *point) > 1e-9 * size);
-        if is_new {
-            distinct.push(*point);
+        let last = distinct.last().copied();
+        match last.filter(|last| distance(*last, *point) <= 1e-9 * size) {
+            Some(last) => doubled.push(last),
+            None => distinct.push(*point),
         }
     }
+    let inner = distinct.windows(3);
+    let sharp = inner.filter(|three| doubled.contains(&three[1]) && turn(three) > TURN);
+    let sharp = sharp.map(|three| three[1]).collect();
     if distinct.len() < LEAST {
         return wrong(format!(
             "has {} points, expected {LEAST} or more",
@@ -357,28 +458,7 @@ fn checked(points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, LayupProblem> {
             b + 1
         ));
     }
-    Ok(distinct)
-}
-
-/// Two lines of a polygon that cross: the numbers of their first points. The first and the last
-/// line may share a point.
-fn crossing(points: &[[f64; 2]]) -> Option<[usize; 2]> {
-    let side = |a: [f64; 2], b: [f64; 2], p: [f64; 2]| {
-        (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
-    };
-    let last = points.len() - 2;
-    for (i, one) in points.windows(2).enumerate() {
-        for (j, other) in points.windows(2).enumerate().skip(i + 2) {
-            let crosses = side(one[0], one[1], other[0]) * side(one[0], one[1], other[1]) < 0.0
-                && side(other[0], other[1], one[0]) * side(other[0], other[1], one[1]) < 0.0;
-            let is_end =
-                i == 0 && j == last && distance(one[0], other[1]) < 1e-3 * distance(one[0], one[1]);
-            if crosses && !is_end {
-                return Some([i, j]);
-            }
-        }
-    }
-    None
+    Ok([distinct, sharp])
 }
 
 /// Whether the ends of the points are no corners: the direction changes there about as much as

@@ -56,6 +56,7 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
     let perimeter = wall.outline.perimeter();
     let single = |s: f64| Station { s, pair: None };
     let mut singles = vec![wall.outline.nose()];
+    singles.extend(wall.outline.breaks().iter().map(|corner| corner.s));
     match wall.edge {
         Edge::Smooth => {}
         Edge::Wall | Edge::Face => singles.extend(wall.ends),

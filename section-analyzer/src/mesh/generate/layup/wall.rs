@@ -13,6 +13,7 @@
 //! all with v . n = 1.
 
 use super::super::super::distance;
+use super::mitre::{FADE, Mitre, mitres};
 use super::outline::Outline;
 use super::pairs::{FOREMOST, Pair, Pairs};
 use super::problem::LayupProblem;
@@ -21,8 +22,6 @@ use super::types::LayupSection;
 
 /// A base longer than this many times `T tan(turn/2)` is closed by a wall.
 const WALL_BASE: f64 = 2.2;
-/// Length over which the direction fades behind a mitred corner, in `T tan(turn/2)`.
-const FADE: f64 = 2.5;
 /// Reach of a contact, in sizes of cells and in thicknesses.
 const REACH: [f64; 2] = [2.5, 1.5];
 /// Part of the radius of the inscribed circle that layers may fill.
@@ -63,6 +62,8 @@ pub(super) struct Wall {
     pub zones: Vec<[f64; 2]>,
     /// Length of cells along the contour.
     pub size: f64,
+    /// Mitres at the corners that are not at the trailing edge.
+    mitres: Vec<Mitre>,
 }
 
 /// A column of cells.
@@ -117,8 +118,10 @@ impl Wall {
             false => 0.8 * outline.base(),
         };
         let kind = (is_ring, ends, seam);
+        let stack = Stack::new(&section.layers, outline.perimeter(), size, kind);
         Self {
-            stack: Stack::new(&section.layers, outline.perimeter(), size, kind),
+            mitres: mitres(outline, &stack),
+            stack,
             pairs: Pairs::new(outline, ends),
             outline: outline.clone(),
             edge: if is_ring { Edge::Wall } else { Edge::Face },
@@ -247,6 +250,10 @@ impl Wall {
     /// samples of the contour.
     fn radius(&self, s: f64, points: &[(f64, [f64; 2])]) -> f64 {
         let outline = &self.outline;
+        // in a mitre the columns of both sides meet on its line
+        if self.mitres.iter().any(|one| one.part(s).is_some()) {
+            return f64::INFINITY;
+        }
         let (p, n, nose) = (outline.position(s), outline.inward(s), outline.nose());
         let mut radius = 1.0 / outline.bend(s).max(1e-12);
         for (other, q) in points {
@@ -387,6 +394,11 @@ impl Wall {
     /// Direction of a column far from contacts.
     fn mitred(&self, s: f64) -> [f64; 2] {
         let n = self.outline.inward(s);
+        // t, along the contour
+        let t = [-n[1], n[0]];
+        if let Some(lean) = self.mitres.iter().find_map(|one| one.part(s)) {
+            return [0, 1].map(|k| n[k] + lean * t[k]);
+        }
         if self.edge != Edge::Wall {
             return n;
         }
@@ -403,8 +415,7 @@ impl Wall {
             };
             let fade = 1.0 - x.abs() / reach;
             if fade > 0.0 {
-                // t, along the contour, away from the corner on the base, back on the side
-                let t = [-n[1], n[0]];
+                // back before the corner, ahead behind it
                 let sign = if (i == 0) == is_on_base { -1.0 } else { 1.0 };
                 along = [0, 1].map(|k| along[k] + sign * tangents[i] * fade * t[k]);
             }
