@@ -26,10 +26,11 @@ use shared_geom::rotation::{skew, skew_skew};
 
 use super::air::Air;
 use super::shaft::{Shaft, ShaftState};
-use crate::elements::{Element, FixedAxes, FixedVector, Local, LocalJacobian, LocalResidual, has};
+use crate::elements::{Element, FixedAxes, Local, LocalJacobian, LocalResidual, has};
 use crate::model::{NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variable};
 
 mod axes;
+mod fixed_axes;
 
 pub(super) use axes::DiskAxes;
 
@@ -490,17 +491,4 @@ impl Element for DiskInflow {
     }
 
     has!(fixed_axes: FixedAxes);
-}
-
-impl FixedAxes for DiskInflow {
-    fn vectors(&self) -> Vec<FixedVector> {
-        let gradients = self.disk.disk.model.gradients();
-        let gradients = gradients.map(|[first, _]| STATES + first);
-        let all = [Some(0), Some(LOADS + 1), gradients];
-        let vector = |first| FixedVector::Scalars {
-            first,
-            shaft: self.disk.shaft.axis,
-        };
-        all.into_iter().flatten().map(vector).collect()
-    }
 }
