@@ -1,6 +1,8 @@
 //! The numbers of a disk across its shaft: velocities of the air, moments of the thrust, and gradients
 //! of the induced velocity.
 
+use rotor_aero::inflow::Inflow;
+
 use super::{DiskInflow, LOADS, STATES};
 use crate::elements::{FixedAxes, FixedVector};
 
