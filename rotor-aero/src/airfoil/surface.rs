@@ -39,13 +39,14 @@ pub(super) struct Surface {
 }
 
 /// A surface has thousands of numbers, and each strip of a model refers to some surfaces: only their
-/// counts and a digest (FNV-1a of their bits) are written.
+/// counts and a digest (FNV-1a of their bytes) are written.
 impl fmt::Debug for Surface {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let cubics = self.values.iter().chain(&self.rises).flatten();
         let numbers = self.alpha.iter().chain(&self.mach).chain(cubics);
-        let digest = numbers.fold(FNV_OFFSET, |digest, number| {
-            (digest ^ number.to_bits()).wrapping_mul(FNV_PRIME)
+        let bytes = numbers.flat_map(|number| number.to_le_bytes());
+        let digest = bytes.fold(FNV_OFFSET, |digest, byte| {
+            (digest ^ u64::from(byte)).wrapping_mul(FNV_PRIME)
         });
         f.debug_struct("Surface")
             .field("angles", &self.alpha.len())
@@ -222,4 +223,32 @@ fn interleaved(lists: &[Vec<Cubic>]) -> Vec<Cubic> {
     let intervals = lists.first().map_or(0, Vec::len);
     let at = |i: usize| lists.iter().map(move |list| list[i]);
     (0..intervals).flat_map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::Surface;
+
+    /// The digest distinguishes all choices of signs of eight numbers: two changes do not cancel.
+    #[test]
+    fn signs_change_the_digest() {
+        let text = |signs: u32| {
+            let number = |i: usize| match (signs >> i) & 1 {
+                0 => 1.0 + i as f64,
+                _ => -1.0 - i as f64,
+            };
+            let cubic = |first: usize| std::array::from_fn(|i| number(first + i));
+            let surface = Surface {
+                alpha: vec![0.0, 1.0],
+                mach: vec![0.0],
+                values: vec![cubic(0), cubic(4)],
+                rises: Vec::new(),
+            };
+            format!("{surface:?}")
+        };
+        let texts: BTreeSet<String> = (0..256).map(text).collect();
+        assert_eq!(texts.len(), 256);
+    }
 }
