@@ -7,8 +7,9 @@ use shared_geom::exchange::text::number;
 
 use super::Points;
 use super::files::{Element, Notes, word};
-use super::geometry::{Geometry, Kind, Line, Placement, apart};
+use super::geometry::{Geometry, Kind, Line, Placement};
 use super::layups::{Layups, Ply};
+use crate::mesh::distance;
 
 /// Difference of places on a line that are one.
 const SAME: f64 = 1e-9;
@@ -337,7 +338,7 @@ fn range(at: Element<'_>, is_closed: bool, notes: &mut Notes) -> Option<[f64; 2]
 fn cut(line: &Line, [from, to]: [f64; 2]) -> Points {
     let mut sums = vec![0.0];
     for pair in line.points.windows(2) {
-        sums.push(sums[sums.len() - 1] + apart(pair[0], pair[1]));
+        sums.push(sums[sums.len() - 1] + distance(pair[0], pair[1]));
     }
     let length = sums[sums.len() - 1];
     let at = |part: f64| {

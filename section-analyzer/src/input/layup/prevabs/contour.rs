@@ -3,7 +3,8 @@
 use super::Points;
 use super::components::{Segment, Side};
 use super::files::Notes;
-use super::geometry::{Kind, apart, extent};
+use super::geometry::{Kind, extent};
+use crate::mesh::distance;
 use crate::mesh::generate::layup::Outline;
 
 /// Part of the size of the section within which ends of segments are one.
@@ -63,15 +64,15 @@ fn chained_from(segments: &[&Segment<'_>], first: usize, near: f64) -> Option<Ch
     };
     let mut chain = vec![(first, false)];
     let [start, mut end] = ends(first);
-    while apart(start, end) > near {
+    while distance(start, end) > near {
         let is_free = |i: &usize| {
             segments[*i].kind != Kind::Endless && chain.iter().all(|known| known.0 != *i)
         };
         let mut free = (0..segments.len()).filter(is_free);
         let next = free.find_map(|i| {
             let [from, to] = ends(i);
-            let forward = (apart(from, end) <= near).then_some((i, false, to));
-            forward.or((apart(to, end) <= near).then_some((i, true, from)))
+            let forward = (distance(from, end) <= near).then_some((i, false, to));
+            forward.or((distance(to, end) <= near).then_some((i, true, from)))
         });
         let (i, is_back, to) = next?;
         chain.push((i, is_back));
@@ -93,7 +94,7 @@ fn looped(segments: &[&Segment<'_>], chain: &[(usize, bool)], is_divided: bool) 
         segments[i]
             .points
             .windows(2)
-            .map(|p| apart(p[0], p[1]))
+            .map(|p| distance(p[0], p[1]))
             .sum::<f64>()
     };
     let part = chain.iter().map(|one| length(one.0)).sum::<f64>() / PARTS;
@@ -106,7 +107,7 @@ fn looped(segments: &[&Segment<'_>], chain: &[(usize, bool)], is_divided: bool) 
         }
         pieces.push((*i, *is_back, points.len()));
         for pair in own.windows(2) {
-            let length = apart(pair[0], pair[1]);
+            let length = distance(pair[0], pair[1]);
             let count = match is_divided && length > long * part {
                 true => (length / part).ceil(),
                 false => 1.0,
@@ -264,7 +265,7 @@ impl<'a> Starts<'a> {
         let mut sums = vec![0.0];
         for k in 0..steps {
             let [a, b] = [start + k, start + k + 1].map(|i| points[i % count]);
-            sums.push(sums[k] + apart(a, b));
+            sums.push(sums[k] + distance(a, b));
         }
         Self {
             points,
@@ -287,7 +288,7 @@ impl<'a> Starts<'a> {
         if k >= self.steps {
             // on the base, behind the last corner
             let last = self.points[(self.start + self.steps) % count];
-            let s = to + apart(last, self.points[index]);
+            let s = to + distance(last, self.points[index]);
             return (s / perimeter).rem_euclid(1.0);
         }
         let near = from + (to - from) * self.sums[k] / self.sums[self.steps];

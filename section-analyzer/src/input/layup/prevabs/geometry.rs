@@ -9,6 +9,7 @@ use shared_geom::exchange::text::{lines as rows, number};
 
 use super::Points;
 use super::files::{Element, Notes};
+use crate::mesh::distance;
 
 mod airfoil;
 mod arcs;
@@ -95,13 +96,8 @@ impl Line {
     /// Whether its last point is its first one.
     pub fn is_closed(&self) -> bool {
         let (first, last) = (self.points[0], self.points[self.points.len() - 1]);
-        self.points.len() > 2 && apart(first, last) <= 1e-9 * extent(&self.points)
+        self.points.len() > 2 && distance(first, last) <= 1e-9 * extent(&self.points)
     }
-}
-
-/// The distance of two points.
-pub(super) fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 /// The diagonal of the rectangle around points.
@@ -290,7 +286,7 @@ impl<'x> Geometry<'x> {
         let (line, element, edge) = self.lines.iter().find_map(of)?;
         let points = self.line(&line, element, notes)?;
         let points = &points.points;
-        let far = |i: &usize| apart(points[*i], points[0]);
+        let far = |i: &usize| distance(points[*i], points[0]);
         let index = match edge {
             0 => (0..points.len()).max_by(|a, b| far(a).total_cmp(&far(b)))?,
             _ => 0,
@@ -351,7 +347,7 @@ impl<'x> Geometry<'x> {
 fn checked(line: Line, element: Element<'_>, notes: &mut Notes) -> Option<Line> {
     let mut points = line.points;
     let least = 1e-12 * extent(&points);
-    points.dedup_by(|a, b| apart(*a, *b) <= least);
+    points.dedup_by(|a, b| distance(*a, *b) <= least);
     let size = extent(&points);
     if points.len() < 2 || !(size > 0.0 && size.is_finite()) {
         let found = format!("{} different points", points.len().min(1));

@@ -6,8 +6,9 @@ use super::super::{Toward, WrittenLayer, WrittenWeb};
 use super::components::{Segment, Side};
 use super::contour::Contour;
 use super::files::Notes;
-use super::geometry::{Kind, apart, extent};
+use super::geometry::{Kind, extent};
 use super::layups::Ply;
+use crate::mesh::distance;
 
 /// Part of the length of a line by which its points may leave it.
 const STRAIGHT: f64 = 1e-6;
@@ -75,7 +76,7 @@ fn ends(segment: &Segment<'_>) -> ([f64; 2], [f64; 2]) {
 /// The direction of a straight line; notes another line.
 fn direction(segment: &Segment<'_>, notes: &mut Notes) -> Option<[f64; 2]> {
     let (first, last) = ends(segment);
-    let length = apart(first, last);
+    let length = distance(first, last);
     let d = [0, 1].map(|i| (last[i] - first[i]) / length);
     let off = |point: &[f64; 2]| (point[1] - first[1]) * d[0] - (point[0] - first[0]) * d[1];
     let mut points = segment.points.iter();
@@ -121,7 +122,7 @@ fn reaches(
         return Some(());
     }
     let width: f64 = segment.plies.iter().map(|ply| ply.thickness).sum();
-    let length = apart(ends[0], ends[1]);
+    let length = distance(ends[0], ends[1]);
     let along = |p: [f64; 2]| {
         let d = [0, 1].map(|i| (ends[1][i] - ends[0][i]) / length);
         (0..2).map(|i| (p[i] - ends[0][i]) * d[i]).sum::<f64>()
@@ -129,7 +130,7 @@ fn reaches(
     let mut places = feet.map(along);
     places.sort_by(f64::total_cmp);
     // a foot is oblique where the contour is
-    let room = 2.0 * depth + width + 0.02 * apart(feet[0], feet[1]);
+    let room = 2.0 * depth + width + 0.02 * distance(feet[0], feet[1]);
     let short = [-places[0], places[1] - length]
         .into_iter()
         .fold(0.0, f64::max);

@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use super::super::files::{Element, Notes, word};
-use super::{Geometry, Kind, Line, apart, positive};
+use super::{Geometry, Kind, Line, positive};
+use crate::mesh::distance;
 
 /// Largest angle between two points \[rad\]: 3 degrees, for which the spline through them leaves
 /// the circle by less than 1e-6 of its radius.
@@ -99,7 +100,7 @@ pub(super) fn arc<'x>(
         let sweep = sweep.to_radians().clamp(-TAU, TAU);
         return Some(points(center, start, sign * sweep));
     };
-    let radii = [start, end].map(|point| apart(point, center));
+    let radii = [start, end].map(|point| distance(point, center));
     if (radii[0] - radii[1]).abs() > SAME * radii[0].max(radii[1]) {
         let found = format!("{} and {}", radii[0], radii[1]);
         let expected = "equal distances of start and end from the center";
@@ -148,7 +149,7 @@ fn by_radius(ends: [[f64; 2]; 2], element: Element<'_>, notes: &mut Notes) -> Op
     }
     let left = curvature.signum();
     sign *= left;
-    let (radius, chord) = (1.0 / curvature.abs(), apart(start, end));
+    let (radius, chord) = (1.0 / curvature.abs(), distance(start, end));
     let square = radius * radius - 0.25 * chord * chord;
     if square < -1e-9 * radius * radius || chord == 0.0 {
         let found = format!("radius {radius}");

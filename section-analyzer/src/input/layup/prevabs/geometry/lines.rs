@@ -4,7 +4,8 @@ use shared_geom::error::shortened;
 
 use super::super::Points;
 use super::super::files::{Element, Notes};
-use super::{Geometry, Kind, Line, Spot, apart, extent};
+use super::{Geometry, Kind, Line, Spot, extent};
+use crate::mesh::distance;
 
 /// A line through points, or through one point at an angle.
 pub(super) fn straight<'x>(
@@ -115,7 +116,7 @@ fn place(line: &Line, point: [f64; 2]) -> Option<f64> {
         let part = (0..2).map(|k| (point[k] - ends[0][k]) * d[k]).sum::<f64>() / square;
         let part = part.clamp(0.0, 1.0);
         let foot = [0, 1].map(|k| ends[0][k] + part * d[k]);
-        (apart(foot, point) <= near).then_some(i as f64 + part)
+        (distance(foot, point) <= near).then_some(i as f64 + part)
     })
 }
 
@@ -163,10 +164,10 @@ pub(super) fn joined<'x>(
         }
         let mut more = line.points.clone();
         if let Some(end) = points.last() {
-            if apart(*end, more[0]) > apart(*end, more[more.len() - 1]) {
+            if distance(*end, more[0]) > distance(*end, more[more.len() - 1]) {
                 more.reverse();
             }
-            let gap = apart(*end, more[0]);
+            let gap = distance(*end, more[0]);
             if gap > 1e-6 * extent(&more) {
                 let what = format!("line \"{}\" of {}", part.text(), element.shown());
                 let found = format!("a gap of {gap:.3e}");
