@@ -206,7 +206,9 @@ impl Corrector {
                     self.combine(dae, weights, meter);
                 }
                 self.factorize(weights, meter)?;
-                dae.hold();
+                if limits.jacobians == Jacobians::Modified {
+                    dae.hold();
+                }
             }
             let size = self.find_correction(dae, weights, meter)?;
             self.history.push(Iteration {
@@ -384,11 +386,13 @@ impl Corrector {
         let stages = self.stages;
         let is_of_past = self.kept.is_some_and(|kept| !kept.is_of_this_step);
         for (stage, residual) in self.residuals.iter().enumerate() {
-            self.moved.copy_from_slice(&residual.values);
+            let mut equations = &residual.values;
             if is_of_past {
+                self.moved.copy_from_slice(equations);
                 dae.turn_back(stage, &mut self.moved);
+                equations = &self.moved;
             }
-            for (i, value) in self.moved.iter().enumerate() {
+            for (i, value) in equations.iter().enumerate() {
                 self.solution[stages * i + stage] = -value;
             }
         }

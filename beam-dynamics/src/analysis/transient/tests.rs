@@ -12,7 +12,7 @@ mod following;
 mod gravity;
 mod jacobian;
 mod linkages;
-mod models;
+pub(super) mod models;
 mod rigid;
 mod sampled;
 mod scalars;

@@ -75,11 +75,7 @@ impl Turned {
     /// Turns equations at `nodes` back to the attitudes `held`.
     pub fn back(&self, nodes: &[NodeMotion], held: &[Matrix3<f64>], equations: &mut [f64]) {
         let turn = |node: usize| held[node] * nodes[node].rotation.transpose();
-        for (node, numbers) in chunks(equations, nodes.len()) {
-            let turn = turn(node);
-            numbers.chunks_exact_mut(3).for_each(|it| rotate(&turn, it));
-        }
-        self.turn_own(nodes, turn, equations);
+        self.turn_all(nodes, turn, |_| NODE_UNKNOWNS, equations);
     }
 
     /// Turns unknowns at the attitudes `held` to the ones at `nodes`, of which some have their
@@ -91,16 +87,11 @@ impl Turned {
         unknowns: &mut [f64],
     ) {
         let turn = |node: usize| nodes[node].rotation * held[node].transpose();
-        for (node, numbers) in chunks(unknowns, nodes.len()) {
-            let turn = turn(node);
-            let count = match own_axes[node] {
-                None => NODE_UNKNOWNS,
-                Some(_) => Variable::AngularMomentum.column(),
-            };
-            let vectors = numbers[..count].chunks_exact_mut(3);
-            vectors.for_each(|it| rotate(&turn, it));
-        }
-        self.turn_own(nodes, turn, unknowns);
+        let count = |node: usize| match own_axes[node] {
+            None => NODE_UNKNOWNS,
+            Some(_) => Variable::AngularMomentum.column(),
+        };
+        self.turn_all(nodes, turn, count, unknowns);
     }
 
     /// Turns the multipliers of the prediction `base`, equal to the ones of the latest accepted state,
@@ -112,10 +103,29 @@ impl Turned {
                 continue;
             };
             let turn = base.nodes[*node].rotation * latest.nodes[*node].rotation.transpose();
-            let first = first - first_multiplier;
-            let own = &mut base.multipliers[first..first + 3];
-            rotate(&axes.tr_mul(&(turn * axes)), own);
+            rotate_along(
+                axes,
+                &turn,
+                &mut base.multipliers[first - first_multiplier..],
+            );
         }
+    }
+
+    /// Turns the first `count` numbers of each node, and the vectors of elements.
+    fn turn_all(
+        &self,
+        nodes: &[NodeMotion],
+        turn: impl Fn(usize) -> Matrix3<f64>,
+        count: impl Fn(usize) -> usize,
+        numbers: &mut [f64],
+    ) {
+        let (of_nodes, _) = numbers.split_at_mut(NODE_UNKNOWNS * nodes.len());
+        for (node, own) in of_nodes.chunks_exact_mut(NODE_UNKNOWNS).enumerate() {
+            let turn = turn(node);
+            let vectors = own[..count(node)].chunks_exact_mut(3);
+            vectors.for_each(|vector| rotate(&turn, vector));
+        }
+        self.turn_own(nodes, turn, numbers);
     }
 
     fn turn_own(
@@ -128,8 +138,7 @@ impl Turned {
             let turn = turn(*node);
             match vector {
                 OfElement::Constraints { first, axes } => {
-                    let turn = axes.tr_mul(&(turn * axes));
-                    rotate(&turn, &mut numbers[*first..first + 3]);
+                    rotate_along(axes, &turn, &mut numbers[*first..]);
                 }
                 OfElement::Scalars {
                     both: [i, j],
@@ -151,10 +160,9 @@ fn angle(turn: &Matrix3<f64>, axis: &Vector3<f64>) -> f64 {
     axis.dot(&axial).atan2(0.5 * (turn.trace() - 1.0))
 }
 
-/// The numbers of each node.
-fn chunks(numbers: &mut [f64], nodes: usize) -> impl Iterator<Item = (usize, &mut [f64])> {
-    let of_nodes = &mut numbers[..NODE_UNKNOWNS * nodes];
-    of_nodes.chunks_exact_mut(NODE_UNKNOWNS).enumerate()
+/// Turns the vector of which the first three numbers are the components along axes.
+fn rotate_along(axes: &Matrix3<f64>, turn: &Matrix3<f64>, numbers: &mut [f64]) {
+    rotate(&axes.tr_mul(&(turn * axes)), &mut numbers[..3]);
 }
 
 fn rotate(turn: &Matrix3<f64>, vector: &mut [f64]) {

@@ -6,39 +6,25 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use shared_geom::rotation::vector;
 
 use super::super::Multibody;
+use crate::analysis::transient::tests::models::{Random, body, node};
 use crate::assembly::{Combination, Sparse, System};
 use crate::case::Model;
 use crate::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
-use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, axes_along};
 use crate::integrator::Dae;
-use crate::model::{Node, State};
-
-/// Numbers from -1 to 1 of a linear congruential generator.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn vector(&mut self) -> Vector3<f64> {
-        Vector3::from_fn(|_, _| self.next())
-    }
-}
+use crate::model::State;
 
 /// A beam, and on its end by a revolute joint along fixed axes a body, which is slender: its angular
 /// momentum is integrated in axes of its own.
-fn model(random: &mut Numbers) -> Model {
+fn model(random: &mut Random) -> Model {
     let nodes: Vec<_> = (0..4)
-        .map(|i| Node {
-            label: format!("n{i}"),
-            position: Vector3::new(f64::from(i.min(2)), 0.1 * f64::from(i * i), 0.0),
-            rotation: vector::to_rotation(&random.vector()),
+        .map(|i| {
+            let position = Vector3::new(f64::from(i.min(2)), 0.1 * f64::from(i * i), 0.0);
+            node(
+                &format!("n{i}"),
+                position,
+                vector::to_rotation(&random.vector()),
+            )
         })
         .collect();
     let on = [0, 1, 2];
@@ -52,8 +38,6 @@ fn model(random: &mut Numbers) -> Model {
         b: (3, &nodes[3]),
     };
     let placing = Placing::at(&nodes[2].position, &axes_along(&random.vector()));
-    let inertia = Matrix3::from_diagonal(&Vector3::new(1e-3, 0.2, 0.2));
-    let inertia = RigidInertia::about_node(0.4, &random.vector(), &inertia);
     let elements: Vec<Box<dyn crate::elements::Element>> = vec![
         Box::new(Beam::elastic(
             "beam",
@@ -64,13 +48,13 @@ fn model(random: &mut Numbers) -> Model {
         )),
         Box::new(BeamInertia::new("beam", on, geometry, undeformed, &mass)),
         Box::new(ConstraintJoint::revolute("joint", &ends, &placing, None)),
-        Box::new(RigidBody::new("body", 3, inertia)),
+        body(3, 0.4, random.vector(), [1e-3, 0.2, 0.2]),
     ];
     Model::new("turned", System::new(nodes, elements))
 }
 
 /// A state with random motion and multipliers.
-fn moving(system: &System, random: &mut Numbers) -> State {
+fn moving(system: &System, random: &mut Random) -> State {
     let mut state = system.rest();
     for node in &mut state.nodes {
         node.position += 0.2 * random.vector();
@@ -85,7 +69,7 @@ fn moving(system: &System, random: &mut Numbers) -> State {
     state
         .multipliers
         .iter_mut()
-        .for_each(|it| *it = random.next());
+        .for_each(|it| *it = random.number());
     state
 }
 
@@ -139,7 +123,7 @@ fn jacobian(of: &mut Multibody<'_>) -> Sparse {
 /// size ten.
 #[test]
 fn the_jacobian_of_a_turned_model_is_the_turned_jacobian() {
-    let mut random = Numbers(7);
+    let mut random = Random(7);
     for case in 0..300 {
         let model = model(&mut random);
         let state = moving(&model.system, &mut random);
@@ -151,7 +135,9 @@ fn the_jacobian_of_a_turned_model_is_the_turned_jacobian() {
         let (held, now) = (jacobian(&mut first), jacobian(&mut second));
         first.hold();
         second.trials[0].held.clone_from(&first.trials[0].held);
-        let y: Vec<f64> = (0..first.pattern().size()).map(|_| random.next()).collect();
+        let y: Vec<f64> = (0..first.pattern().size())
+            .map(|_| random.number())
+            .collect();
         let mut expected = vec![0.0; y.len()];
         held.multiply_add(&y, &mut expected);
         let mut unknowns = y;
