@@ -7,7 +7,7 @@
 //! aft = p/|p|              advancing = sign(Omega) n x aft         v_R = sqrt((Omega R)^2 + e^2)
 //! mu = |p|/v_R             mu_z = V/v_R                            speed = v_R/R
 //! CT = T/(rho pi R^2 v_R^2)      (CL, CM) = (advancing, aft) . M/(rho pi R^3 v_R^2)
-//! u = v_R l(r/R, psi)      psi = atan2(advancing . b, aft . b)
+//! u = v_R l(advancing . b/R, aft . b/R)
 //! ```
 //!
 //! for the thrust `T = sum F . n` and the moments `M_i = sum F . n b_i` of forces F at the positions b
@@ -164,14 +164,9 @@ impl Disk {
     ) -> Option<T> {
         let axes = WindAxes::new(self, flow);
         let own = self.turned(&axes, states)?;
-        let [sine, cosine] = axes.components(position);
-        let square = sine * sine + cosine * cosine;
-        let (radius, azimuth) = match square.re() > 0.0 {
-            true => (square.sqrt() / self.radius, angle(sine, cosine)),
-            false => (T::from(0.0), T::from(0.0)),
-        };
+        let position = axes.components(position).map(|of| of / self.radius);
         let own = own.get(..states.len())?;
-        let induced = self.model.induced(&axes.flow, own, radius, azimuth)?;
+        let induced = self.model.induced(&axes.flow, own, &position)?;
         Some(induced * axes.reference)
     }
 

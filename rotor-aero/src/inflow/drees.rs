@@ -27,15 +27,8 @@ impl Drees {
 }
 
 impl Distribution for Drees {
-    fn over_mean<T: Real>(
-        &self,
-        flow: &RotorFlow<T>,
-        air: &MassFlow<T>,
-        radius: T,
-        azimuth: T,
-    ) -> T {
+    fn over_mean<T: Real>(&self, flow: &RotorFlow<T>, air: &MassFlow<T>, position: &[T; 2]) -> T {
         let [aft, advancing] = Self::gradients(flow, air);
-        let (sin, cos) = azimuth.sin_cos();
-        radius * (aft * cos + advancing * sin) + 1.0
+        aft * position[1] + advancing * position[0] + 1.0
     }
 }

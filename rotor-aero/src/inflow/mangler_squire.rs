@@ -37,19 +37,20 @@ pub struct ManglerSquire {
 }
 
 impl ManglerSquire {
-    /// The coefficients c_0 and c_1 at a radius, for the tangent of half of the wake angle.
-    fn coefficients<T: Real>(&self, radius: T, half_tangent: T) -> [T; 2] {
-        let square = -radius * radius + 1.0;
+    /// The terms c_0 and c_1 cos psi at the square of a radius and its part `aft`, for the tangent of half
+    /// of the wake angle.
+    fn terms<T: Real>(&self, radius_squared: T, aft: T, half_tangent: T) -> [T; 2] {
+        let square = -radius_squared + 1.0;
         let eta = if square.re() > 0.0 {
             square.sqrt()
         } else {
             T::zero()
         };
-        let first = radius * half_tangent;
+        let first = aft * half_tangent;
         match self.loading {
             Loading::Elliptic => [eta * 0.75, first * (3.0 * PI / 16.0)],
             Loading::ZeroAtHub => [
-                eta * radius * radius * (15.0 / 8.0),
+                eta * radius_squared * (15.0 / 8.0),
                 (-square * 9.0 + 5.0) * first * (15.0 * PI / 256.0),
             ],
         }
@@ -61,10 +62,10 @@ impl Distribution for ManglerSquire {
         &self,
         _flow: &RotorFlow<T>,
         air: &MassFlow<T>,
-        radius: T,
-        azimuth: T,
+        &[advancing, aft]: &[T; 2],
     ) -> T {
-        let [c0, c1] = self.coefficients(radius, air.half_tangent());
-        (c0 * 0.5 + c1 * azimuth.cos()) * 4.0
+        let radius_squared = advancing * advancing + aft * aft;
+        let [c0, c1] = self.terms(radius_squared, aft, air.half_tangent());
+        (c0 * 0.5 + c1) * 4.0
     }
 }

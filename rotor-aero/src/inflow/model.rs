@@ -80,11 +80,10 @@ macro_rules! models {
                 &self,
                 flow: &RotorFlow<T>,
                 states: &[T],
-                radius: T,
-                azimuth: T,
+                position: &[T; 2],
             ) -> Option<T> {
                 match self {
-                    $(Self::$name(it) => it.induced(flow, states, radius, azimuth),)*
+                    $(Self::$name(it) => it.induced(flow, states, position),)*
                 }
             }
         }

@@ -98,11 +98,9 @@ impl Inflow for PittPeters {
         &self,
         _flow: &RotorFlow<T>,
         states: &[T],
-        radius: T,
-        azimuth: T,
+        &[advancing, aft]: &[T; 2],
     ) -> Option<T> {
         let &[mean, sine, cosine]: &[T; 3] = states.try_into().ok()?;
-        let (sin, cos) = azimuth.sin_cos();
-        Some(mean + radius * (sine * sin + cosine * cos))
+        Some(mean + sine * advancing + cosine * aft)
     }
 }

@@ -60,13 +60,8 @@ pub trait Inflow {
         rows: &mut [T],
     ) -> Option<()>;
 
-    /// The induced velocity over the tip speed, positive down through the disk, at a radius over
-    /// R and an azimuth in rad; `None` unless `states` has the length of the list of states.
-    fn induced<T: Real>(
-        &self,
-        flow: &RotorFlow<T>,
-        states: &[T],
-        radius: T,
-        azimuth: T,
-    ) -> Option<T>;
+    /// The induced velocity over the tip speed, positive down through the disk, at a position toward
+    /// the advancing side and toward the tail, `(r sin psi, r cos psi)`, over R; `None` unless `states`
+    /// has the length of the list of states.
+    fn induced<T: Real>(&self, flow: &RotorFlow<T>, states: &[T], position: &[T; 2]) -> Option<T>;
 }

@@ -24,14 +24,9 @@ pub struct Uniform;
 
 /// Distribution over the disk of an inflow whose mean is uniform inflow: its one state.
 pub trait Distribution {
-    /// The induced velocity over its mean, at a radius over R and an azimuth in rad.
-    fn over_mean<T: Real>(
-        &self,
-        flow: &RotorFlow<T>,
-        air: &MassFlow<T>,
-        radius: T,
-        azimuth: T,
-    ) -> T;
+    /// The induced velocity over its mean, at a position toward the advancing side and toward the tail
+    /// over R.
+    fn over_mean<T: Real>(&self, flow: &RotorFlow<T>, air: &MassFlow<T>, position: &[T; 2]) -> T;
 }
 
 const MEAN: [StateName; 1] = [state(
@@ -67,21 +62,15 @@ impl<D: Distribution> Inflow for D {
         Some(())
     }
 
-    fn induced<T: Real>(
-        &self,
-        flow: &RotorFlow<T>,
-        states: &[T],
-        radius: T,
-        azimuth: T,
-    ) -> Option<T> {
+    fn induced<T: Real>(&self, flow: &RotorFlow<T>, states: &[T], position: &[T; 2]) -> Option<T> {
         let &[mean]: &[T; 1] = states.try_into().ok()?;
         let air = MassFlow::of(flow.advance, flow.axial, mean);
-        Some(mean * self.over_mean(flow, &air, radius, azimuth))
+        Some(mean * self.over_mean(flow, &air, position))
     }
 }
 
 impl Distribution for Uniform {
-    fn over_mean<T: Real>(&self, _: &RotorFlow<T>, _: &MassFlow<T>, _: T, _: T) -> T {
+    fn over_mean<T: Real>(&self, _: &RotorFlow<T>, _: &MassFlow<T>, _: &[T; 2]) -> T {
         T::one()
     }
 }

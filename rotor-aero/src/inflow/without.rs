@@ -36,8 +36,7 @@ impl Inflow for Without {
         &self,
         _flow: &RotorFlow<T>,
         states: &[T],
-        _radius: T,
-        _azimuth: T,
+        _position: &[T; 2],
     ) -> Option<T> {
         states.is_empty().then(T::zero)
     }

@@ -17,8 +17,23 @@
 //! - O. A. Bauchau, L. Trainelli, "The vectorial parameterization of rotation",
 //!   Nonlinear Dynamics 32, 2003.
 
-use super::{Quaternion, skew};
+use super::{Quaternion, axial, skew};
 use nalgebra::{Matrix3, Vector3};
+
+/// Square of the sine of an angle below which the series of the arcsine suffices: the next term is
+/// 0.012 1e-16.
+const SMALL_SINE: f64 = 0.01;
+/// `arcsin(s)/s` in powers of s^2.
+const ARCSINE: [f64; 8] = [
+    1.0,
+    1.0 / 6.0,
+    3.0 / 40.0,
+    5.0 / 112.0,
+    35.0 / 1152.0,
+    63.0 / 2816.0,
+    231.0 / 13312.0,
+    143.0 / 10240.0,
+];
 
 /// Rotation of the rotation vector `phi` [rad]: `R = I + a [phi]x + b [phi]x [phi]x`.
 ///
@@ -31,11 +46,19 @@ pub fn to_rotation(phi: &Vector3<f64>) -> Matrix3<f64> {
 
 /// Rotation vector [rad] of the rotation `r`, of length at most pi.
 ///
-/// Accurate at all angles, through the quaternion: `phi = 2 atan2(|q|, q0) q/|q|`.
+/// Accurate at all angles, through the quaternion: `phi = 2 atan2(|q|, q0) q/|q|`, and at small ones
+/// through the axial part `s = sin(x) n` of R: `phi = (arcsin|s|/|s|) s`.
 /// At half a turn both signs of the axis are right, and either may be returned.
-/// A small defect of orthogonality is removed; for a matrix that is far from a
+/// A small defect of orthogonality is removed, or at small angles changes the vector by a part of the
+/// same size; for a matrix that is far from a
 /// rotation (see [`super::is_rotation`]) the result has no meaning.
 pub fn from_rotation(r: &Matrix3<f64>) -> Vector3<f64> {
+    let sine = axial(r);
+    let square = sine.norm_squared();
+    if square < SMALL_SINE && r.trace() > 1.0 {
+        let terms = ARCSINE.iter().rev();
+        return sine * terms.fold(0.0, |sum, term| sum * square + term);
+    }
     let q = Quaternion::from_rotation(r);
     let sine = q.vector.norm();
     if sine > 0.0 {
@@ -170,6 +193,7 @@ mod tests {
             1e-12,
             1e-8,
             1e-4,
+            0.1,
             0.3,
             1.0,
             2.0,

@@ -132,8 +132,11 @@ impl<T: Number, R: Row<T>> WithSimd for Solution<'_, T, R> {
                 panels.for_each(|panel| self.forward::<false>(panel));
             }
             (Pass::Backward, _) => {
-                let strips = strips[part.strips.clone()].iter().rev();
-                strips.for_each(|strip| self.backward(strip));
+                // `for_each` of a reversed iterator is a function of its own, which is compiled
+                // without the registers of this one.
+                for strip in strips[part.strips.clone()].iter().rev() {
+                    self.backward(strip);
+                }
             }
         }
     }

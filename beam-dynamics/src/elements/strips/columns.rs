@@ -114,10 +114,11 @@ impl Columns<'_> {
 
     /// Adds the derivatives by the motion of the node of the shaft.
     fn add_hub(&self, rows: &Rows, hub: usize, out: &mut LocalJacobian) {
-        let loads: [_; LOADS] =
-            std::array::from_fn(|i| self.flow.slopes_by_hub(&of_load(self.by, i)));
+        let by_turn = self.flow.by_turn_of_hub();
+        let slopes = |by: &[f64; FLOW]| self.flow.slopes_by_hub(by, &by_turn);
+        let loads: [_; LOADS] = std::array::from_fn(|i| slopes(&of_load(self.by, i)));
         let own: [_; ROWS] = std::array::from_fn(|i| match i < rows.count {
-            true => self.flow.slopes_by_hub(&rows.by[i]),
+            true => slopes(&rows.by[i]),
             false => [RowVector3::zeros(); 2],
         });
         for (k, variable) in [Variable::Position, Variable::Rotation]

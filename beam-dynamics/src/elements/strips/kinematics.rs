@@ -63,7 +63,7 @@ pub(super) struct Mount {
 
 /// The flow at a strip.
 pub(super) struct Flow<'a> {
-    pub state: CarrierState<'a>,
+    pub state: &'a CarrierState<'a>,
     pub point: CarriedPoint,
     /// Q from p, model axes [m].
     pub arm: Vector3<f64>,
@@ -99,9 +99,13 @@ impl Mount {
         self.shaft.map(|shaft| shaft.at(hub))
     }
 
-    /// The flow at a state.
-    pub fn flow(&self, at: &Local<'_>, air: &AirMotion<'_>) -> Flow<'_> {
-        let state = self.carrier.at(at.nodes);
+    /// The flow at a state of the carrier.
+    pub fn flow<'a>(
+        &self,
+        state: &'a CarrierState<'a>,
+        at: &Local<'_>,
+        air: &AirMotion<'_>,
+    ) -> Flow<'a> {
         let point = state.carried();
         let arm = point.rotation * self.offset;
         let axes = point.rotation * self.axes;
@@ -220,19 +224,33 @@ impl Flow<'_> {
         self.disk.iter().flat_map(|disk| disk.across)
     }
 
-    /// Derivatives by the position and the rotation of the node of the shaft.
-    pub fn slopes_by_hub(&self, by: &[f64; FLOW]) -> [RowVector3<f64>; 2] {
+    /// Derivatives of r and b by the rotation of the node of the shaft.
+    pub fn by_turn_of_hub(&self) -> [RowVector3<f64>; FLOW - RADIUS] {
+        let mut by = [RowVector3::zeros(); FLOW - RADIUS];
         let Some((shaft, distance)) = &self.shaft else {
+            return by;
+        };
+        by[0] = shaft.by_turn(distance);
+        let turns = self.disk.iter().flat_map(DiskAxes::by_turn);
+        for ((by, axis), turn) in by[1..].iter_mut().zip(self.across()).zip(turns) {
+            *by = axis.cross(&shaft.offset).transpose() + distance.from_center.transpose() * turn;
+        }
+        by
+    }
+
+    /// Derivatives by the position and the rotation of the node of the shaft, with the ones of
+    /// [`Self::by_turn_of_hub`].
+    pub fn slopes_by_hub(
+        &self,
+        by: &[f64; FLOW],
+        by_turn: &[RowVector3<f64>; FLOW - RADIUS],
+    ) -> [RowVector3<f64>; 2] {
+        let Some((shaft, _)) = &self.shaft else {
             return [RowVector3::zeros(); 2];
         };
         let mut turn = -self.of_shaft(by).cross(&shaft.axis).transpose();
-        turn += shaft.by_turn(distance) * by[RADIUS];
-        for (axis, slope) in self.across().zip(&by[POSITION..]) {
-            turn += axis.cross(&shaft.offset).transpose() * *slope;
-        }
-        let turns = self.disk.iter().flat_map(DiskAxes::by_turn);
-        for (by_turn, slope) in turns.zip(&by[POSITION..]) {
-            turn += distance.from_center.transpose() * by_turn * *slope;
+        for (by_turn, slope) in by_turn.iter().zip(&by[RADIUS..]) {
+            turn += by_turn * *slope;
         }
         [-self.by_point(by), turn]
     }

@@ -28,7 +28,9 @@ use crate::model::{Equation, NodeMotion, Variable};
 impl AirStrip {
     /// Flow and loads at a state.
     fn state(&self, at: &Local<'_>) -> AirState {
-        let (flow, numbers) = self.flow(at);
+        let carrier = self.carrier(at);
+        let flow = self.flow(&carrier, at);
+        let numbers = self.numbers(&flow, at);
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
         let report = self.strip.report(self.acting(at), &numbers, values, rates);

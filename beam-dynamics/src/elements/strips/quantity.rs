@@ -19,7 +19,9 @@ impl AirStrip {
         at: &Local<'_>,
         row: Option<&mut ReadingRow<'_>>,
     ) -> Option<f64> {
-        let (flow, numbers) = self.flow(at);
+        let carrier = self.carrier(at);
+        let flow = self.flow(&carrier, at);
+        let numbers = self.numbers(&flow, at);
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
         let air = self.acting(at);
@@ -48,7 +50,8 @@ impl AirStrip {
         }
         if let Some(hub) = self.mount.hub {
             let variables = [Variable::Position, Variable::Rotation];
-            for (variable, slope) in variables.into_iter().zip(flow.slopes_by_hub(&own)) {
+            let slopes = flow.slopes_by_hub(&own, &flow.by_turn_of_hub());
+            for (variable, slope) in variables.into_iter().zip(slopes) {
                 row.by_node(hub, variable, &slope.transpose());
             }
         }

@@ -21,7 +21,7 @@ use rotor_aero::strip::{
 };
 
 use super::air::Air;
-use super::carrier::Carrier;
+use super::carrier::{Carrier, CarrierState};
 use super::columns::{Columns, FLAP, Loads, OWN, TIP};
 use super::disk::RotorDisk;
 use super::in_disk::InDisk;
@@ -195,11 +195,19 @@ impl AirStrip {
         self.strip.states().len()
     }
 
-    /// The flow, and its numbers as the strip takes them.
-    pub(super) fn flow<'a>(&'a self, at: &Local<'_>) -> (Flow<'a>, [f64; STRIP_FLOW]) {
-        let flow = self
-            .mount
-            .flow(at, &|point, time| self.air.motion(point, time));
+    /// Its carrier at a state.
+    pub(super) fn carrier(&self, at: &Local<'_>) -> CarrierState<'_> {
+        self.mount.carrier.at(at.nodes)
+    }
+
+    /// The flow at a state of its carrier.
+    pub(super) fn flow<'a>(&self, carrier: &'a CarrierState<'a>, at: &Local<'_>) -> Flow<'a> {
+        let air = |point: &_, time| self.air.motion(point, time);
+        self.mount.flow(carrier, at, &air)
+    }
+
+    /// The numbers of a flow as the strip takes them.
+    pub(super) fn numbers(&self, flow: &Flow<'_>, at: &Local<'_>) -> [f64; STRIP_FLOW] {
         let mut numbers = [0.0; STRIP_FLOW];
         numbers[..OWN].copy_from_slice(&flow.numbers[..OWN]);
         if self.mount.shaft.is_some() {
@@ -208,7 +216,7 @@ impl AirStrip {
         if let Some(flap) = &self.flap {
             numbers[FLAP] = flap.value(&at.instant());
         }
-        (flow, numbers)
+        numbers
     }
 
     /// The air that acts.
@@ -308,7 +316,9 @@ impl Element for AirStrip {
         out: &mut LocalResidual,
         jacobian: Option<&mut LocalJacobian>,
     ) {
-        let (flow, numbers) = self.flow(at);
+        let carrier = self.carrier(at);
+        let flow = self.flow(&carrier, at);
+        let numbers = self.numbers(&flow, at);
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
         let air = self.acting(at);
@@ -361,7 +371,7 @@ impl Element for AirStrip {
 
 impl Settling for AirStrip {
     fn settle(&self, at: &Local<'_>, scalars: &mut [f64]) {
-        let (_, numbers) = self.flow(at);
+        let numbers = self.numbers(&self.flow(&self.carrier(at), at), at);
         let states = &mut scalars[..self.states()];
         self.strip.settle(self.acting(at), &numbers, states);
     }

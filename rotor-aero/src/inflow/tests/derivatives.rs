@@ -2,6 +2,7 @@
 
 use num_dual::Dual64;
 
+use super::polar;
 use crate::inflow::{Inflow, InflowModel, MassFlow, RotorFlow, RotorLoads};
 use crate::real::Real;
 
@@ -43,7 +44,8 @@ fn evaluate<T: Real>(model: &InflowModel, list: &[T]) -> Vec<T> {
     let (states, rates) = list[8..].split_at(size);
     let mut rows = vec![T::zero(); size];
     model.rows(&flow, &loads, states, rates, &mut rows).unwrap();
-    rows.push(model.induced(&flow, states, list[6], list[7]).unwrap());
+    let position = polar(list[6], list[7]);
+    rows.push(model.induced(&flow, states, &position).unwrap());
     rows
 }
 

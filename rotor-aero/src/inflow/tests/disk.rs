@@ -3,6 +3,7 @@
 
 use std::f64::consts::PI;
 
+use super::polar;
 use crate::inflow::{Disk, DiskFlow, DiskLoads, Inflow, InflowModel, RotorFlow, RotorLoads};
 
 /// Deterministic numbers in [-1, 1].
@@ -123,7 +124,9 @@ fn velocities_follow_the_coefficients_in_any_axes() {
                 .rows(&of.flow, &of.loads, &of.states, &of.rates, &mut expected)
                 .unwrap();
             let [radius, azimuth] = of.place;
-            let induced = of.model.induced(&of.flow, &of.states, radius, azimuth);
+            let induced = of
+                .model
+                .induced(&of.flow, &of.states, &polar(radius, azimuth));
             let axes = Axes::new(PI * random.number(), sense);
             let (rows, found) = in_velocities(&of, &axes, sense);
             let tip = of.flow.speed * RADIUS;

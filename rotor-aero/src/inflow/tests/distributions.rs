@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use super::polar;
 use crate::inflow::{Drees, Inflow, Loading, ManglerSquire, PittPeters, RotorFlow};
 
 /// Points and weights of the Gauss rule with four points.
@@ -41,7 +42,10 @@ fn flow(advance: f64) -> RotorFlow<f64> {
 
 fn check<M: Inflow>(model: &M, states: &[f64], advance: f64) {
     let flow = flow(advance);
-    let at = |radius, azimuth| model.induced(&flow, states, radius, azimuth).unwrap();
+    let at = |radius, azimuth| {
+        let position = polar(radius, azimuth);
+        model.induced(&flow, states, &position).unwrap()
+    };
     // Gauss rule on smooth functions: rounding.
     assert!(
         (disk(at) - states[0]).abs() < 1e-10,
@@ -74,13 +78,16 @@ fn the_front_edge_has_upwash_at_high_speed() {
     // Ahead of a lifting surface air rises: the edge has c_0 = 0, and the first harmonic there
     // decides the sign ([Mangler1950] has it so for both loadings).
     for loading in [Loading::Elliptic, Loading::ZeroAtHub] {
-        let front = ManglerSquire { loading }.induced(&flow(0.35), &[0.01], 1.0, PI);
+        let front = ManglerSquire { loading }.induced(&flow(0.35), &[0.01], &polar(1.0, PI));
         assert!(front.unwrap() < 0.0, "{front:?}");
     }
 }
 
 #[test]
 fn less_inflow_on_the_advancing_side() {
-    let at = |azimuth| Drees.induced(&flow(0.2), &[0.02], 0.7, azimuth).unwrap();
+    let at = |azimuth| {
+        let position = polar(0.7, azimuth);
+        Drees.induced(&flow(0.2), &[0.02], &position).unwrap()
+    };
     assert!(at(FRAC_PI_2) < at(-FRAC_PI_2));
 }

@@ -147,7 +147,7 @@ fn wrong_input_gives_nothing_and_does_not_panic() {
                 .is_none()
         );
         assert!(model.start(&good, 0.005, &mut wrong).is_none());
-        assert!(model.induced(&good, &more, 0.5, 0.0).is_none());
+        assert!(model.induced(&good, &more, &[0.0, 0.5]).is_none());
         assert!(wrong.iter().all(|&it| it == 7.0));
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 0.0] {
             let flow = RotorFlow {
@@ -167,7 +167,7 @@ fn wrong_input_gives_nothing_and_does_not_panic() {
                     .is_some()
             );
             assert!(model.start(&flow, bad, &mut rows).is_some());
-            assert!(model.induced(&flow, &states, bad, bad).is_some());
+            assert!(model.induced(&flow, &states, &[bad, bad]).is_some());
         }
     }
     assert!(InflowModel::of_word("glauert").is_none());

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use serde_json::Value;
 
+use super::polar;
 use crate::inflow::{Inflow, PittPeters, RotorFlow, RotorLoads, Uniform};
 
 /// A reference file.
@@ -38,7 +39,8 @@ fn loads<M: Inflow>(
                 let radius = (f64::from(strip) + 0.5 + side / 12.0_f64.sqrt()) / f64::from(STRIPS);
                 let pitch = (pitch_deg - 8.0 * (radius - 0.75)).to_radians();
                 let tangential = radius + flow.advance * psi.sin();
-                let through = flow.axial + model.induced(flow, states, radius, psi).unwrap();
+                let through =
+                    flow.axial + model.induced(flow, states, &polar(radius, psi)).unwrap();
                 let scale = 0.5 * SOLIDITY * SLOPE / f64::from(BLADES * STRIPS) / 2.0;
                 // No lift in reverse flow: with it the listed values differ by .4 %.
                 let forward = tangential.max(0.0);
