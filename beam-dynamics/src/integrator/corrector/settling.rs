@@ -8,10 +8,6 @@ const STAGNATION: f64 = 0.5;
 /// Ratio to the limit below which a residual or correction is only round-off.
 const ROUND_OFF: f64 = 1e-3;
 
-/// Part of the limit below which the remaining error, estimated by the decrease of the corrections
-/// with a Jacobian that is kept over steps, needs no further residual.
-const ESTIMATED: f64 = 0.1;
-
 impl Corrector {
     /// Ratio of the last correction to the one before it.
     pub(super) fn shrinking(&self) -> Option<f64> {
@@ -42,10 +38,13 @@ impl Corrector {
         let (part, left) = match limits.jacobians {
             Jacobians::Full if self.is_with_kept(limits) => (OF_KEPT, size),
             Jacobians::Full => (ROUND_OFF, size),
-            Jacobians::Modified => match self.history[self.first..] {
-                [.., _, ref last] => (ESTIMATED, self.left(last)),
-                _ => (ROUND_OFF, size),
-            },
+            Jacobians::Modified => {
+                let last = self.history[self.first..].last();
+                (
+                    ROUND_OFF,
+                    last.map_or(size, |last| self.left(last).min(size)),
+                )
+            }
         };
         left <= part * limits.correction
     }
