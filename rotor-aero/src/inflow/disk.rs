@@ -166,9 +166,10 @@ impl Disk {
         let own = self.turned(&axes, states)?;
         let [sine, cosine] = axes.components(position);
         let square = sine * sine + cosine * cosine;
-        let (radius, azimuth) = match square.re() > 0.0 {
-            true => (square.sqrt() / self.radius, angle(sine, cosine)),
-            false => (T::from(0.0), T::from(0.0)),
+        let (radius, azimuth) = if square.re() > 0.0 {
+            (square.sqrt() / self.radius, angle(sine, cosine))
+        } else {
+            (T::from(0.0), T::from(0.0))
         };
         let own = own.get(..states.len())?;
         let induced = self.model.induced(&axes.flow, own, radius, azimuth)?;
