@@ -65,7 +65,7 @@ type Text<'a> = (&'a File, usize, String);
 fn texts(file: &File) -> impl Iterator<Item = Text<'_>> {
     let is_text = file.is_rust() || file.is_markdown();
     let lines = file.text.lines().enumerate().filter(move |_| is_text);
-    let texts = lines.map(|(number, line)| (file, number, text_of(file, line).to_lowercase()));
+    let texts = lines.map(move |(number, line)| (file, number, text_of(file, line).to_lowercase()));
     texts.filter(|(.., text)| !text.trim().is_empty())
 }
 
